@@ -1,0 +1,51 @@
+# One target and one include root per folder: a folder `bench/grid` becomes the target
+# `bench_grid` whose public headers are `bench/grid/include/grid/*.hpp`. What a folder does not
+# name under DEPENDS it cannot include.
+
+add_library(gs_warnings INTERFACE)
+target_compile_options(
+  gs_warnings
+  INTERFACE -Wall
+            -Wextra
+            -Wconversion
+            -Wshadow
+            -Wdouble-promotion
+            -Werror)
+
+# Contraction into fused multiply-add would let two machines disagree in the last bit; every
+# target, firmware and bench alike, does without.
+add_library(gs_arithmetic INTERFACE)
+target_compile_options(gs_arithmetic INTERFACE -ffp-contract=off)
+
+# gs_library(NAME SOURCES a.cpp … [DEPENDS public targets] [PRIVATE targets])
+function(gs_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;PRIVATE")
+  if(arg_SOURCES)
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    target_link_libraries(
+      ${name}
+      PUBLIC ${arg_DEPENDS} gs_arithmetic
+      PRIVATE ${arg_PRIVATE} gs_warnings)
+  else()
+    add_library(${name} INTERFACE)
+    target_include_directories(${name} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    target_link_libraries(${name} INTERFACE ${arg_DEPENDS} gs_arithmetic)
+  endif()
+endfunction()
+
+# gs_test(NAME SOURCES a.cpp … DEPENDS targets [LABELS …]): a GoogleTest program, one CTest test a case.
+function(gs_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;DEPENDS;LABELS")
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main gs_warnings)
+  target_compile_definitions(${name} PRIVATE GSBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                             GSBENCH_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(
+    ${name}
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+endfunction()

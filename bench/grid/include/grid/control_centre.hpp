@@ -1,0 +1,61 @@
+// What the control centre works out before any event (§4, eq. 11–18) and sends to the outlets.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::grid {
+
+// One row of Table 1: for from_hz <= f < to_hz the condition is met while ROCOF is below the limit.
+struct Condition {
+  double from_hz;
+  double to_hz;
+  double rocof_below_hz_s;  // the threshold loss's ROCOF where it passes from_hz, <= 0
+};
+
+// One load block with what its outlets are told.
+struct BlockSetting {
+  std::string id;
+  double power_mw;
+  double accumulated_mw;  // P^A, eq. (11)
+  double switch_off_hz;   // f^B, eq. (17), summed over j = 1 … i−1
+};
+
+struct Nadir {
+  double t_s;           // +infinity where the frequency falls to its end value without a turn
+  double frequency_hz;
+};
+
+// The paper's closed-form parameters of eq. (7)–(9), (12); they exist for zeta < 1 only.
+struct UnderdampedParameters {
+  double alpha;
+  double omega_r;  // rad/s
+  double phi;      // rad
+  double phi1;     // rad, in (0, π)
+};
+
+std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& model, double reheat_s);
+
+// Lowest frequency after one loss at t = 0, eq. (13), (14).
+Nadir nadir(const SfrModel& model, double loss_mw);
+
+// ΔP_s, eq. (15), MW.
+double threshold_mw(const SfrModel& model, double threshold_hz);
+
+// K^LSE of eq. (18), MW per Hz/s, negative.
+double k_lse_mw_per_hz_s(const SfrModel& model);
+
+// Table 1 for rows of any height, from f_n down to f_s; the last row may be lower than the others.
+std::vector<Condition> conditions(const SfrModel& model, double threshold_hz, double row_hz);
+
+// Eq. (11) and (17) for each block, in order.
+std::vector<BlockSetting> block_settings(const Grid& grid);
+
+// Eq. (17) for one outlet of which only P^A is known: it stands as a block of its own of
+// `power_mw` behind `accumulated_mw − power_mw` of less important load.
+double switch_off_hz(const Grid& grid, double accumulated_mw, double power_mw);
+
+}  // namespace gsbench::grid

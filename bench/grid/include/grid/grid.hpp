@@ -1,0 +1,58 @@
+// A power system as the frequency response model sees it: plants, load, and what is wanted of the
+// control. Pure data; `grid_file` (bench/profile) reads it, SfrModel and ControlCentre use it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gsbench::grid {
+
+// One generator in operation. Tripped ones are left out (eq. 2).
+struct Plant {
+  std::string id;
+  double rating_mw = 0.0;  // > 0
+  double inertia_s = 0.0;  // H on its own rating, > 0
+  double droop_pu = 0.0;   // R on its own rating, > 0
+};
+
+// A load block in order of importance, the least important first (§4.1).
+struct Block {
+  std::string id;
+  double power_mw = 0.0;  // > 0
+};
+
+// What a publication prints for this grid, to be shown beside our own figures.
+struct Reference {
+  std::string source;
+  std::optional<double> t_nadir_s;
+  std::optional<double> threshold_mw;
+  std::vector<double> condition_rocof_hz_s;  // row by row, from f_n down; empty: none printed
+  std::string note;                          // why figures differ, for the reader of a report
+};
+
+struct Grid {
+  std::string name;
+  std::string title;
+  std::string source;
+  double nominal_hz = 50.0;       // f_n, the frequency before the contingency; > 0
+  double threshold_hz = 49.5;     // f_s, the nadir that must not be undershot; 0 < f_s < f_n
+  double base_mw = 0.0;           // S_B, base of D, H and R; > 0
+  double load_mw = 0.0;           // P_L of eq. (17); > 0
+  double damping_pu = 0.0;        // D >= 0
+  double gain_km = 0.95;          // K_m > 0
+  double reheat_fraction = 0.3;   // F_H, 0 … 1
+  double reheat_s = 8.0;          // T_R > 0
+  double condition_row_hz = 0.05; // height of a row of Table 1; > 0
+  std::vector<Plant> plants;      // at least one
+  std::vector<Block> blocks;      // may be empty
+  Reference reference;
+};
+
+// One step of the power balance at `at_s`: positive is lost generation, negative is shed load.
+struct PowerChange {
+  double at_s = 0.0;
+  double power_mw = 0.0;
+};
+
+}  // namespace gsbench::grid

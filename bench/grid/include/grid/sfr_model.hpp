@@ -1,0 +1,61 @@
+// System frequency response of a grid to sudden power changes: eq. (1)–(10) in closed form, for
+// any damping (under-, critically and overdamped).
+//
+// With sigma = zeta·omega_n and d = omega_n² − sigma² the response to a unit step of lost power is
+//   deviation(t) = −K·[1 − e^(−sigma·t)·C(t) + (g0 − sigma)·e^(−sigma·t)·S(t)]
+// where C = cos(√d·t), S = sin(√d·t)/√d for d > 0, their limits for d = 0, cosh and sinh for d < 0,
+// K = R/(D·R + K_m) and g0 = omega_n²·T_R. For zeta < 1 that is eq. (6): α·sin(∅) = −1 always.
+// Eq. (3) of the paper misprints its denominator: it is s² + 2·zeta·omega_n·s + omega_n².
+#pragma once
+
+#include <vector>
+
+#include <grid/grid.hpp>
+
+namespace gsbench::grid {
+
+class SfrModel {
+ public:
+  // Throws std::invalid_argument naming the field, its value and what would be right, where the
+  // grid makes no sense.
+  explicit SfrModel(const Grid& grid);
+
+  double inertia_s() const { return inertia_s_; }     // H, eq. (2), on base_mw
+  double droop_pu() const { return droop_pu_; }       // R, on base_mw: 1/R = Σ S_i/(R_i·S_B)
+  double omega_n() const { return omega_n_; }         // eq. (4), rad/s
+  double zeta() const { return zeta_; }               // eq. (5)
+  double sigma_per_s() const { return sigma_; }       // zeta·omega_n, 1/s
+  double discriminant_per_s2() const { return d_; }   // omega_n² − sigma²; < 0 when overdamped
+  double initial_slope_per_s() const { return g0_; }  // g0 above, 1/s
+  double gain_hz_per_mw() const { return gain_; }     // K in Hz of final deviation per MW lost, > 0
+  double nominal_hz() const { return nominal_hz_; }
+  double base_mw() const { return base_mw_; }
+
+  // Response to one MW lost at t = 0; all zero for t < 0.
+  double unit_deviation_hz(double t_s) const;    // eq. (6), negative
+  double unit_rocof_hz_s(double t_s) const;      // eq. (12), right-hand limit at t = 0
+  double unit_phase_cycles(double t_s) const;    // ∫ unit_deviation_hz, exact
+
+ private:
+  double inertia_s_, droop_pu_, omega_n_, zeta_, sigma_, d_, g0_, gain_, nominal_hz_, base_mw_;
+};
+
+// Several changes superposed, eq. (10).
+class FrequencyResponse {
+ public:
+  FrequencyResponse(SfrModel model, std::vector<PowerChange> changes);
+
+  double frequency_hz(double t_s) const;
+  double rocof_hz_s(double t_s) const;
+  // Phase beyond nominal·t, in cycles: ∫ (f − f_n), exact, 0 before the first change.
+  double excess_cycles(double t_s) const;
+
+  const SfrModel& model() const { return model_; }
+  const std::vector<PowerChange>& changes() const { return changes_; }
+
+ private:
+  SfrModel model_;
+  std::vector<PowerChange> changes_;
+};
+
+}  // namespace gsbench::grid

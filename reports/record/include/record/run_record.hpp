@@ -1,0 +1,116 @@
+// What is kept of a run, and all that reports are made from. Plain data in the order it is written;
+// no type of the bench or of an outlet occurs here, so that a record outlives both.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gsbench::record {
+
+// A verdict only worsens: combine with std::max.
+enum class Verdict : std::uint8_t { kPass = 0, kInconclusive = 1, kFail = 2, kError = 3 };
+
+const char* to_string(Verdict verdict);                 // "PASS", "INCONCLUSIVE", "FAIL", "ERROR"
+Verdict verdict_from_string(const std::string& text);   // throws std::invalid_argument
+
+// One judged measurement of one outlet. NaN in value: not measured. NaN in low or high: no limit.
+struct MeasurementResult {
+  std::string name;         // of the catalogue: "event.delay"
+  std::string definition;   // one sentence
+  double value = 0.0;
+  std::string word;         // for measurements that are words ("open"); empty: it is a number
+  std::string expected_word;
+  std::string unit;
+  double low = 0.0;
+  double high = 0.0;
+  double uncertainty = 0.0;  // expanded, k = 2, in `unit`
+  bool judged = false;       // false: for information, no limit declared
+  Verdict verdict = Verdict::kPass;
+  std::string reason;        // why not PASS, or where the value comes from
+};
+
+// Something that happened to an outlet at one instant.
+struct Mark {
+  std::int64_t tick = 0;
+  std::string kind;    // "event", "lse", "decision", "relay.word", "relay.sense", "command", …
+  double value = 0.0;  // what `kind` says: MW, 1 closed / 0 open, …
+  std::string text;    // reason or note, for people
+};
+
+// Regular series, one entry a report of the outlet (16 ms); all columns have equal length.
+struct MeasurementTrace {
+  std::vector<std::int64_t> tick;
+  std::vector<float> frequency_hz;  // NaN where the outlet claims none
+  std::vector<float> rocof_hz_s;
+  std::vector<float> voltage_pu;
+  std::vector<std::uint8_t> validity;  // 0 invalid, 1 valid, 2 held
+};
+
+// ΔP estimates, one entry an estimate; equal lengths.
+struct EstimateTrace {
+  std::vector<std::int64_t> tick;
+  std::vector<float> loss_mw;
+  std::vector<float> loss_sigma_mw;
+  std::vector<float> t_x_s;            // time of the loss on the run's time base, s
+  std::vector<std::uint8_t> trusted;   // 1 trusted, 0 not
+};
+
+struct OutletRecord {
+  std::string id;
+  std::string group;
+  std::string link;             // "simulated", "serial", …
+  std::string firmware;         // version and digest it said of itself
+  std::string settings_digest;  // that it acknowledged, hexadecimal
+  std::map<std::string, double> settings;  // what it was sent, unit in the name
+  Verdict verdict = Verdict::kPass;
+  std::vector<MeasurementResult> measurements;
+  std::vector<Mark> marks;
+  MeasurementTrace trace;
+  EstimateTrace estimates;
+};
+
+// The true frequency, thinned so that straight lines between entries are right within 0.05 mHz.
+struct TruthTrace {
+  std::vector<std::int64_t> tick;
+  std::vector<double> frequency_hz;
+  std::vector<double> rocof_hz_s;
+};
+
+// A figure of ours beside a published one.
+struct Comparison {
+  std::string name;
+  std::string unit;
+  double ours = 0.0;
+  double published = 0.0;
+  std::string note;   // why they differ; may be empty
+};
+
+struct RunRecord {
+  std::string run_id;            // unique; differs from run to run
+  std::string started_utc;       // ISO 8601; wall clock, differs from run to run
+  std::string finished_utc;
+  std::string gsbench_version;
+  std::string profile;           // name
+  std::string profile_title;
+  std::string profile_source;
+  std::string profile_sha256;
+  std::string profile_text;
+  std::string grid;
+  std::string station;           // "simulated"
+  std::string noise;             // "1 % white, independent at each outlet"
+  std::string firmware_sha256;   // of the firmware sources in this build
+  std::uint64_t seed = 0;
+  std::int64_t sample_rate_hz = 0;
+  std::int64_t duration_ticks = 0;
+  double nominal_hz = 50.0;
+  Verdict verdict = Verdict::kPass;
+  std::string verdict_reason;    // one sentence where it is not PASS
+  std::vector<Comparison> comparisons;
+  TruthTrace truth;
+  std::vector<Mark> stimulus;    // losses, phase jumps, dips … as played
+  std::vector<OutletRecord> outlets;
+};
+
+}  // namespace gsbench::record

@@ -1,0 +1,46 @@
+// Keeps a run in one SQLite file (WAL), traces as compressed columns.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <record/run_record.hpp>
+
+namespace gsbench::record {
+
+// The store cannot be written or read: what() names the file and the cause (disk full, not
+// writable, not a record, of a newer version).
+class StoreError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Writes one run as it goes: each call is one transaction, so that a crash loses the call in hand
+// and nothing before it. A run that was begun and never finished reads back with verdict ERROR and
+// reason "the run did not finish".
+class Writer {
+ public:
+  // Creates the file; refuses (StoreError) where it exists or cannot be written.
+  explicit Writer(const std::string& path);
+  ~Writer();
+  Writer(Writer&&) noexcept;
+  Writer& operator=(Writer&&) noexcept;
+
+  void begin(const RunRecord& head);             // everything but outlets' results and verdict
+  void add_outlet(const OutletRecord& outlet);   // with traces and results
+  void finish(const RunRecord& whole);           // verdict, stamps, comparisons, truth
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+RunRecord read_run(const std::string& path);
+
+// Digest (SHA-256, hexadecimal) over all of a record but run id and wall-clock stamps: equal for
+// equal profile, seed and build.
+std::string content_digest(const RunRecord& run);
+
+}  // namespace gsbench::record
