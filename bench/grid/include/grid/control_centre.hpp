@@ -25,7 +25,7 @@ struct BlockSetting {
 };
 
 struct Nadir {
-  double t_s;           // +infinity where the frequency falls to its end value without a turn
+  double t_s;  // +infinity where the frequency falls to its end value without a turn
   double frequency_hz;
 };
 

@@ -1,9 +1,11 @@
 // A power system as the frequency response model sees it: plants, load, and what is wanted of the
-// control. Pure data; `grid_file` (bench/profile) reads it, SfrModel and ControlCentre use it.
+// control. Pure data: bench/profile fills it from a grid file, SfrModel and control_centre use it.
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gsbench::grid {
@@ -35,17 +37,17 @@ struct Grid {
   std::string name;
   std::string title;
   std::string source;
-  double nominal_hz = 50.0;       // f_n, the frequency before the contingency; > 0
-  double threshold_hz = 49.5;     // f_s, the nadir that must not be undershot; 0 < f_s < f_n
-  double base_mw = 0.0;           // S_B, base of D, H and R; > 0
-  double load_mw = 0.0;           // P_L of eq. (17); > 0
-  double damping_pu = 0.0;        // D >= 0
-  double gain_km = 0.95;          // K_m > 0
-  double reheat_fraction = 0.3;   // F_H, 0 … 1
-  double reheat_s = 8.0;          // T_R > 0
-  double condition_row_hz = 0.05; // height of a row of Table 1; > 0
-  std::vector<Plant> plants;      // at least one
-  std::vector<Block> blocks;      // may be empty
+  double nominal_hz = 50.0;        // f_n, the frequency before the contingency; > 0
+  double threshold_hz = 49.5;      // f_s, the nadir that must not be undershot; 0 < f_s < f_n
+  double base_mw = 0.0;            // S_B, base of D, H and R; > 0
+  double load_mw = 0.0;            // P_L of eq. (17); > 0
+  double damping_pu = 0.0;         // D >= 0
+  double gain_km = 0.95;           // K_m > 0
+  double reheat_fraction = 0.3;    // F_H, 0 … 1
+  double reheat_s = 8.0;           // T_R > 0
+  double condition_row_hz = 0.05;  // height of a row of Table 1; >= 0.001, no outlet resolves less
+  std::vector<Plant> plants;       // at least one
+  std::vector<Block> blocks;       // may be empty
   Reference reference;
 };
 
@@ -54,5 +56,22 @@ struct PowerChange {
   double at_s = 0.0;
   double power_mw = 0.0;
 };
+
+// A grid that makes no sense. what() names the field, its value and what would be right; field and
+// index let whoever read the grid from a file point at the line.
+struct GridError : std::invalid_argument {
+  GridError(std::string field_path, int position, const std::string& message)
+      : std::invalid_argument(message), field(std::move(field_path)), index(position) {}
+
+  // Table and key as in a grid file: "system.damping_pu", "plant.inertia_s", "block.power_mw",
+  // "reference.condition_rocof_hz_s"; only "plant" where there is none at all.
+  std::string field;
+  int index;  // from 0, of the plant, the block or the reference's row; -1 where there is but one
+};
+
+// Throws GridError for the first field that is not finite, outside its range, or at odds with
+// another. Upper limits are far beyond any real system: they catch a wrong unit (W for MW) and keep
+// the model's arithmetic finite.
+void check(const Grid& grid);
 
 }  // namespace gsbench::grid

@@ -32,9 +32,9 @@ class SfrModel {
   double base_mw() const { return base_mw_; }
 
   // Response to one MW lost at t = 0; all zero for t < 0.
-  double unit_deviation_hz(double t_s) const;    // eq. (6), negative
-  double unit_rocof_hz_s(double t_s) const;      // eq. (12), right-hand limit at t = 0
-  double unit_phase_cycles(double t_s) const;    // ∫ unit_deviation_hz, exact
+  double unit_deviation_hz(double t_s) const;  // eq. (6), negative
+  double unit_rocof_hz_s(double t_s) const;    // eq. (12), right-hand limit at t = 0
+  double unit_phase_cycles(double t_s) const;  // ∫ unit_deviation_hz, exact
 
  private:
   double inertia_s_, droop_pu_, omega_n_, zeta_, sigma_, d_, g0_, gain_, nominal_hz_, base_mw_;
