@@ -34,7 +34,9 @@ function(gs_library name)
   endif()
 endfunction()
 
-# gs_test(NAME SOURCES a.cpp … DEPENDS targets [LABELS …]): a GoogleTest program, one CTest test a case.
+# gs_test(NAME SOURCES a.cpp … DEPENDS targets [LABELS …] [TIMEOUT s]): a GoogleTest program, one
+# CTest test a case. What is labelled `slow` or `browser` is not run under the sanitizers; a slow
+# suite keeps a short form without the label.
 function(gs_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;DEPENDS;LABELS")
   if(NOT arg_TIMEOUT)
@@ -48,4 +50,16 @@ function(gs_test name)
     ${name}
     DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+endfunction()
+
+# gs_performance_test(NAME SOURCES a.cpp … DEPENDS targets): a program that measures speed and
+# fails where it falls short. Run by `./dev perf` only, alone, so that nothing else skews it.
+function(gs_performance_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS")
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} benchmark::benchmark gs_warnings)
+  target_compile_definitions(${name} PRIVATE GSBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                             GSBENCH_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  add_test(NAME ${name} COMMAND ${name} CONFIGURATIONS Performance)
+  set_tests_properties(${name} PROPERTIES LABELS performance RUN_SERIAL ON)
 endfunction()

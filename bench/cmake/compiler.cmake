@@ -1,0 +1,15 @@
+# Warnings are errors and C++17 is used in full, so an older compiler would fail with something
+# obscure: say it here instead.
+if(NOT ((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
+        OR (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)))
+  message(
+    FATAL_ERROR
+      "gsbench builds with g++ 12 or clang++ 14 and later; this is "
+      "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} (${CMAKE_CXX_COMPILER}).")
+endif()
+
+find_program(GSBENCH_CCACHE ccache)
+if(GSBENCH_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_C_COMPILER_LAUNCHER ${GSBENCH_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${GSBENCH_CCACHE})
+endif()
