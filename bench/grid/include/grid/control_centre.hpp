@@ -39,23 +39,27 @@ struct UnderdampedParameters {
 
 std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& model, double reheat_s);
 
-// Lowest frequency after one loss at t = 0, eq. (13), (14).
+// Lowest frequency after one loss at t = 0, eq. (13), (14). Throws std::invalid_argument for a
+// negative loss, which has a highest frequency instead.
 Nadir nadir(const SfrModel& model, double loss_mw);
 
-// ΔP_s, eq. (15), MW.
+// ΔP_s, eq. (15), MW. Throws std::invalid_argument unless 0 < threshold_hz < f_n.
 double threshold_mw(const SfrModel& model, double threshold_hz);
 
 // K^LSE of eq. (18), MW per Hz/s, negative.
 double k_lse_mw_per_hz_s(const SfrModel& model);
 
 // Table 1 for rows of any height, from f_n down to f_s; the last row may be lower than the others.
+// Throws std::invalid_argument as threshold_mw does, or where row_hz < kLowestConditionRowHz.
 std::vector<Condition> conditions(const SfrModel& model, double threshold_hz, double row_hz);
 
-// Eq. (11) and (17) for each block, in order.
+// Eq. (11) and (17) for each block, in order. Throws GridError as check() does.
 std::vector<BlockSetting> block_settings(const Grid& grid);
 
 // Eq. (17) for one outlet of which only P^A is known: it stands as a block of its own of
-// `power_mw` behind `accumulated_mw − power_mw` of less important load.
+// `power_mw` behind `accumulated_mw − power_mw` of less important load. Throws
+// std::invalid_argument unless 0 <= power_mw <= accumulated_mw <= load_mw and the result is above
+// 0, which takes D > 0.
 double switch_off_hz(const Grid& grid, double accumulated_mw, double power_mw);
 
 }  // namespace gsbench::grid

@@ -33,6 +33,9 @@ struct Reference {
   std::string note;                          // why figures differ, for the reader of a report
 };
 
+// Of the rows of Table 1: no outlet resolves less than a millihertz.
+constexpr double kLowestConditionRowHz = 0.001;
+
 struct Grid {
   std::string name;
   std::string title;
@@ -45,7 +48,7 @@ struct Grid {
   double gain_km = 0.95;           // K_m > 0
   double reheat_fraction = 0.3;    // F_H, 0 … 1
   double reheat_s = 8.0;           // T_R > 0
-  double condition_row_hz = 0.05;  // height of a row of Table 1; >= 0.001, no outlet resolves less
+  double condition_row_hz = 0.05;  // height of a row of Table 1; >= kLowestConditionRowHz
   std::vector<Plant> plants;       // at least one
   std::vector<Block> blocks;       // may be empty
   Reference reference;

@@ -1,0 +1,135 @@
+#include "switch_off.hpp"
+
+#include <fmt/format.h>
+
+#include <grid/grid.hpp>
+
+namespace gsbench::grid {
+namespace {
+
+struct Range {
+  double low;
+  double high;
+  bool low_itself_is_allowed;
+
+  bool holds(double value) const {  // false for NaN
+    return (low_itself_is_allowed ? value >= low : value > low) && value <= high;
+  }
+  std::string words() const {
+    return low_itself_is_allowed ? fmt::format("must be from {} to {}", low, high)
+                                 : fmt::format("must be above {} and at most {}", low, high);
+  }
+};
+
+constexpr Range above(double low, double high) {
+  return {low, high, false};
+}
+constexpr Range from(double low, double high) {
+  return {low, high, true};
+}
+
+// One row of the grid file's table `table`; `who` names it to the reader.
+struct Place {
+  std::string table;
+  int index;
+  std::string who;
+
+  [[noreturn]] void refuse(const std::string& key, double value, const std::string& why) const {
+    throw GridError(table + "." + key, index, fmt::format("{}{} is {}: {}", who, key, value, why));
+  }
+  void require(const std::string& key, double value, const Range& range) const {
+    if (!range.holds(value)) refuse(key, value, range.words());
+  }
+};
+
+// No power system comes near these; a value past them was given in another unit.
+constexpr double kHighestHz = 1000.0;
+constexpr double kHighestMw = 1e8;
+constexpr double kLongestS = 1000.0;
+
+void check_system(const Grid& grid) {
+  const Place system{"system", -1, ""};
+  system.require("nominal_hz", grid.nominal_hz, above(0.0, kHighestHz));
+  system.require("threshold_hz", grid.threshold_hz, above(0.0, kHighestHz));
+  if (grid.threshold_hz >= grid.nominal_hz) {
+    system.refuse("threshold_hz", grid.threshold_hz,
+                  fmt::format("must be below nominal_hz, {}", grid.nominal_hz));
+  }
+  system.require("base_mw", grid.base_mw, above(0.0, kHighestMw));
+  system.require("load_mw", grid.load_mw, above(0.0, kHighestMw));
+  system.require("damping_pu", grid.damping_pu, from(0.0, 1000.0));
+  system.require("gain_km", grid.gain_km, above(0.0, 1000.0));
+  system.require("reheat_fraction", grid.reheat_fraction, from(0.0, 1.0));
+  system.require("reheat_s", grid.reheat_s, above(0.0, kLongestS));
+  system.require("condition_row_hz", grid.condition_row_hz,
+                 from(kLowestConditionRowHz, kHighestHz));
+}
+
+void check_plants(const Grid& grid) {
+  if (grid.plants.empty()) {
+    throw GridError("plant", -1, "no plant: a grid must have at least one in operation");
+  }
+  for (std::size_t i = 0; i < grid.plants.size(); ++i) {
+    const Plant& plant = grid.plants[i];
+    const Place place{"plant", static_cast<int>(i),
+                      fmt::format("plant {} \"{}\": ", i + 1, plant.id)};
+    place.require("rating_mw", plant.rating_mw, above(0.0, kHighestMw));
+    place.require("inertia_s", plant.inertia_s, above(0.0, kLongestS));
+    // Down to a 0.01 % droop: the governor's gain 1/R stays finite.
+    place.require("droop_pu", plant.droop_pu, from(1e-4, 10.0));
+  }
+}
+
+void check_blocks(const Grid& grid) {
+  if (grid.blocks.empty()) return;
+  if (grid.damping_pu == 0.0) {
+    throw GridError("system.damping_pu", -1,
+                    "damping_pu is 0: must be above 0 where there are blocks, as their "
+                    "switching-off frequency, eq. (17), divides by it");
+  }
+  double less_important_mw = 0.0;
+  for (std::size_t i = 0; i < grid.blocks.size(); ++i) {
+    const Block& block = grid.blocks[i];
+    const Place place{"block", static_cast<int>(i),
+                      fmt::format("block {} \"{}\": ", i + 1, block.id)};
+    place.require("power_mw", block.power_mw, above(0.0, kHighestMw));
+    if (less_important_mw + block.power_mw > grid.load_mw) {
+      place.refuse("power_mw", block.power_mw,
+                   fmt::format("all blocks together must not exceed load_mw, {}", grid.load_mw));
+    }
+    const double switch_off = block_switch_off_hz(grid, less_important_mw, block.power_mw);
+    if (switch_off <= 0.0) {
+      place.refuse("power_mw", block.power_mw,
+                   fmt::format("its switching-off frequency, eq. (17), would be {} Hz: must be so "
+                               "small that it is above 0",
+                               switch_off));
+    }
+    less_important_mw += block.power_mw;
+  }
+}
+
+void check_reference(const Grid& grid) {
+  const Place reference{"reference", -1, "reference: "};
+  if (grid.reference.t_nadir_s) {
+    reference.require("t_nadir_s", *grid.reference.t_nadir_s, above(0.0, kLongestS));
+  }
+  if (grid.reference.threshold_mw) {
+    reference.require("threshold_mw", *grid.reference.threshold_mw, above(0.0, kHighestMw));
+  }
+  for (std::size_t i = 0; i < grid.reference.condition_rocof_hz_s.size(); ++i) {
+    const Place row{"reference", static_cast<int>(i), fmt::format("reference row {}: ", i + 1)};
+    row.require("condition_rocof_hz_s", grid.reference.condition_rocof_hz_s[i],
+                from(-kHighestHz, 0.0));
+  }
+}
+
+}  // namespace
+
+void check(const Grid& grid) {
+  check_system(grid);
+  check_plants(grid);
+  check_blocks(grid);
+  check_reference(grid);
+}
+
+}  // namespace gsbench::grid

@@ -1,0 +1,64 @@
+#include "falling_limb.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace gsbench::grid {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+double depth_at(const SfrModel& model, double t_s) {
+  return -model.unit_deviation_hz(t_s) / model.gain_hz_per_mw();
+}
+
+// Where eq. (12) is zero: g0·C + (omega_n² − sigma·g0)·S = 0 and, with g0 = omega_n²·T_R,
+// S/C = T_R/(sigma·T_R − 1). S/C is tan(√d·t)/√d when underdamped, which is eq. (13), t itself at
+// zeta = 1, and tanh(√−d·t)/√−d when overdamped, which stays below 1/√−d and may not get there.
+double time_of_turn_s(const SfrModel& model) {
+  const double sigma = model.sigma_per_s();
+  const double d = model.discriminant_per_s2();
+  const double omega_n_squared = model.omega_n() * model.omega_n();
+  const double reheat_s = model.initial_slope_per_s() / omega_n_squared;
+  if (d > 0.0) {
+    const double omega_r = std::sqrt(d);
+    return std::atan2(reheat_s * omega_r, sigma * reheat_s - 1.0) / omega_r;
+  }
+  const double spread = std::sqrt(-d);
+  const double slow = omega_n_squared / (sigma + spread);
+  const double lead = slow * reheat_s - 1.0;  // the zero at −1/T_R is slower than either pole
+  if (lead <= 0.0) return kNever;
+  if (spread == 0.0) return reheat_s / lead;
+  return std::log1p(2.0 * spread * reheat_s / lead) / (2.0 * spread);
+}
+
+}  // namespace
+
+TurningPoint turning_point(const SfrModel& model) {
+  const double t_s = time_of_turn_s(model);
+  if (t_s == kNever) return {kNever, 1.0};
+  const double depth = depth_at(model, t_s);
+  // At F_H = 1 the zero cancels a pole and rounding alone decides whether there is a turn. What
+  // undershoots the end value by less than the rounding of the three terms of eq. (6) has none.
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  if (depth < 1.0 + kRounding) return {kNever, 1.0};
+  return {t_s, depth};
+}
+
+double time_at_depth_s(const SfrModel& model, const TurningPoint& turn, double depth) {
+  double before_s = 0.0;
+  double after_s = turn.t_s;
+  if (after_s == kNever) {
+    after_s = 1.0 / model.initial_slope_per_s();
+    while (depth_at(model, after_s) < depth) after_s *= 2.0;
+  }
+  // Bisection down to neighbouring numbers: the limb is monotone, and no slope near the turn, where
+  // it vanishes, can mislead it.
+  for (;;) {
+    const double middle_s = 0.5 * (before_s + after_s);
+    if (middle_s <= before_s || middle_s >= after_s) return middle_s;
+    (depth_at(model, middle_s) < depth ? before_s : after_s) = middle_s;
+  }
+}
+
+}  // namespace gsbench::grid

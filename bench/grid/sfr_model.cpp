@@ -1,0 +1,89 @@
+#include <cmath>
+
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::grid {
+namespace {
+
+// The two modes of the response with their decay: e^(−sigma·t)·C(t) and e^(−sigma·t)·S(t).
+struct Modes {
+  double c;
+  double s;
+};
+
+Modes modes_at(const SfrModel& model, double t_s) {
+  const double sigma = model.sigma_per_s();
+  const double d = model.discriminant_per_s2();
+  if (d > 0.0) {
+    const double omega_r = std::sqrt(d);
+    const double decay = std::exp(-sigma * t_s);
+    return {decay * std::cos(omega_r * t_s), decay * std::sin(omega_r * t_s) / omega_r};
+  }
+  // cosh and sinh would overflow where the decay outweighs them: both are written with the slow
+  // pole taken out. It is a quotient, as sigma − spread cancels for a far overdamped grid.
+  const double spread = std::sqrt(-d);
+  const double slow = model.omega_n() * model.omega_n() / (sigma + spread);
+  const double decay = std::exp(-slow * t_s);
+  const double lost = -std::expm1(-2.0 * spread * t_s);  // 1 − e^(−2·spread·t)
+  return {decay * (1.0 - 0.5 * lost), decay * (spread > 0.0 ? lost / (2.0 * spread) : t_s)};
+}
+
+double inertia_of_all_s(const Grid& grid) {  // eq. (2)
+  double stored_mws = 0.0;
+  for (const Plant& plant : grid.plants) stored_mws += plant.inertia_s * plant.rating_mw;
+  return stored_mws / grid.base_mw;
+}
+
+double droop_of_all_pu(const Grid& grid) {
+  double regulation_mw = 0.0;  // power that all governors together add, per unit of frequency
+  for (const Plant& plant : grid.plants) regulation_mw += plant.rating_mw / plant.droop_pu;
+  return grid.base_mw / regulation_mw;
+}
+
+const Grid& checked(const Grid& grid) {
+  check(grid);
+  return grid;
+}
+
+}  // namespace
+
+SfrModel::SfrModel(const Grid& grid)
+    : inertia_s_(inertia_of_all_s(checked(grid))),
+      droop_pu_(droop_of_all_pu(grid)),
+      nominal_hz_(grid.nominal_hz),
+      base_mw_(grid.base_mw) {
+  const double stiffness_pu = grid.damping_pu + grid.gain_km / droop_pu_;  // (D·R + K_m)/R
+  const double prompt_pu = grid.damping_pu + grid.gain_km * grid.reheat_fraction / droop_pu_;
+  const double omega_n_squared = stiffness_pu / (2.0 * inertia_s_ * grid.reheat_s);
+  omega_n_ = std::sqrt(omega_n_squared);                                  // eq. (4)
+  sigma_ = 0.5 * (1.0 / grid.reheat_s + prompt_pu / (2.0 * inertia_s_));  // eq. (5) times omega_n
+  zeta_ = sigma_ / omega_n_;
+  d_ = omega_n_squared - sigma_ * sigma_;
+  g0_ = stiffness_pu / (2.0 * inertia_s_);
+  gain_ = nominal_hz_ / (base_mw_ * stiffness_pu);
+}
+
+double SfrModel::unit_deviation_hz(double t_s) const {
+  if (t_s < 0.0) return 0.0;
+  const Modes mode = modes_at(*this, t_s);
+  return -gain_ * (1.0 - mode.c + (g0_ - sigma_) * mode.s);
+}
+
+double SfrModel::unit_rocof_hz_s(double t_s) const {
+  if (t_s < 0.0) return 0.0;
+  const Modes mode = modes_at(*this, t_s);
+  return -gain_ * (g0_ * mode.c + (omega_n_ * omega_n_ - sigma_ * g0_) * mode.s);
+}
+
+// With A = e^(−sigma·t)·C and B = e^(−sigma·t)·S, A' = −sigma·A − d·B and B' = A − sigma·B; solving
+// the two for A and B gives their integrals, and with those that of the deviation.
+double SfrModel::unit_phase_cycles(double t_s) const {
+  if (t_s < 0.0) return 0.0;
+  const Modes mode = modes_at(*this, t_s);
+  const double omega_n_squared = omega_n_ * omega_n_;
+  const double transient = (2.0 * sigma_ - g0_) * (1.0 - mode.c) +
+                           (omega_n_squared - sigma_ * (2.0 * sigma_ - g0_)) * mode.s;
+  return -gain_ * (t_s - transient / omega_n_squared);
+}
+
+}  // namespace gsbench::grid
