@@ -11,6 +11,7 @@ import hashlib
 import json
 import os
 import pathlib
+import shlex
 import subprocess
 import sys
 
@@ -27,6 +28,11 @@ def our_includes(build, root):
         elif ": #deps" in line:
             current = made_from.setdefault(line.split(": #deps")[0], [])
     return made_from
+
+
+def object_file(entry):
+    words = shlex.split(entry["command"])
+    return words[words.index("-o") + 1]
 
 
 def settings(source, root):
@@ -59,7 +65,7 @@ def main():
         source = pathlib.Path(entry["file"])
         if str(source) not in listed:
             continue
-        files = made_from.get(entry["output"], []) + settings(source, root) + [source]
+        files = made_from.get(object_file(entry), []) + settings(source, root) + [source]
         stamp = stamps / digest(entry, files)
         if not stamp.exists():
             todo[source] = stamp
@@ -75,7 +81,7 @@ def main():
                 todo[source].touch()
             else:
                 failed += 1
-                print(result.stdout + result.stderr, file=sys.stderr, flush=True)
+                print(result.stdout or result.stderr, file=sys.stderr, flush=True)
     return 1 if failed else 0
 
 

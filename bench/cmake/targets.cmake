@@ -55,6 +55,7 @@ endfunction()
 # gs_performance_test(NAME SOURCES a.cpp … DEPENDS targets): a program that measures speed and
 # fails where it falls short. Run by `./dev perf` only, alone, so that nothing else skews it.
 function(gs_performance_test name)
+  find_package(benchmark REQUIRED)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} benchmark::benchmark gs_warnings)

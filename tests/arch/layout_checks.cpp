@@ -1,0 +1,100 @@
+#include "checks.hpp"
+#include "rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace gsbench::arch {
+namespace {
+
+const std::string* find_text(const Tree& tree, const std::string& path) {
+  const auto found = tree.find(path);
+  return found == tree.end() ? nullptr : &found->second;
+}
+
+// The nearest CMakeLists.txt at or above a folder, but not above `top`; "" where there is none.
+std::string cmake_folder_of(const Tree& tree, std::string_view folder, std::string_view top) {
+  while (is_within(folder, top)) {
+    std::string here(folder);
+    if (find_text(tree, here + "/CMakeLists.txt") != nullptr) return here;
+    folder = folder_of(folder);
+  }
+  return {};
+}
+
+bool declares_target(const std::string& cmake, const std::string& target) {
+  constexpr std::array<std::string_view, 3> kCommands = {"gs_library", "add_library",
+                                                         "add_executable"};
+  return std::any_of(kCommands.begin(), kCommands.end(), [&](std::string_view command) {
+    const std::string call = std::string(command) + "(";
+    for (auto at = cmake.find(call); at != std::string::npos; at = cmake.find(call, at + 1)) {
+      const auto name = cmake.find_first_not_of(" \t\n", at + call.size());
+      const auto end = cmake.find_first_of(" \t\n)", name);
+      if (name != std::string::npos && cmake.substr(name, end - name) == target) return true;
+    }
+    return false;
+  });
+}
+
+// "bench/grid" → "bench_grid"; the program people call has its own name.
+std::string target_of(std::string_view folder) {
+  if (folder == "bench/cli") return "gsbench";
+  std::string name(folder);
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+void check_top_level(const Tree& tree, Findings& findings) {
+  std::set<std::string_view> entries;
+  for (const auto& file : tree) {
+    entries.insert(std::string_view(file.first).substr(0, file.first.find('/')));
+  }
+  for (const std::string_view entry : entries) {
+    if (may_stand_at_top_level(entry)) continue;
+    findings.push_back({std::string(entry), 0, "does not belong at the top level"});
+  }
+}
+
+void check_source(const Tree& tree, const std::string& path, std::string_view top,
+                  Findings& findings) {
+  const std::string folder = cmake_folder_of(tree, folder_of(path), top);
+  if (folder.empty()) {
+    findings.push_back({path, 0, "no CMakeLists.txt builds it"});
+    return;
+  }
+  const std::string below = path.substr(folder.size() + 1);
+  if (is_cpp_source(path) &&
+      find_text(tree, folder + "/CMakeLists.txt")->find(below) == std::string::npos) {
+    findings.push_back({path, 0, "is not named in " + folder + "/CMakeLists.txt"});
+  }
+}
+
+}  // namespace
+
+Findings check_layout(const Tree& tree) {
+  Findings findings;
+  check_top_level(tree, findings);
+  std::set<std::string_view> with_code;
+  for (const auto& file : tree) {
+    const std::string& path = file.first;
+    if (!is_cpp(path)) continue;
+    const FolderRule* rule = rule_of(path);
+    if (rule == nullptr) {
+      findings.push_back({path, 0, "its folder is not in the table in tests/arch/rules.cpp"});
+      continue;
+    }
+    with_code.insert(rule->folder);
+    check_source(tree, path, rule->folder, findings);
+  }
+  for (const std::string_view folder : with_code) {
+    if (folder == "tests") continue;  // many programs, each checked by its sources
+    const std::string* cmake = find_text(tree, std::string(folder) + "/CMakeLists.txt");
+    if (cmake == nullptr || !declares_target(*cmake, target_of(folder))) {
+      findings.push_back({std::string(folder), 0, "has code but no target " + target_of(folder)});
+    }
+  }
+  return findings;
+}
+
+}  // namespace gsbench::arch

@@ -1,0 +1,210 @@
+#include "rules.hpp"
+
+#include "tree.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace gsbench::arch {
+namespace {
+
+constexpr std::string_view kRecordData = "record/run_record.hpp";
+
+using Names = std::set<std::string_view>;
+
+}  // namespace
+
+const std::vector<FolderRule>& folder_rules() {
+  static const std::vector<FolderRule> rules = {
+      {"firmware/outlet", {}},
+      {"firmware/wire", {}},
+      {"firmware/node", {"firmware/outlet", "firmware/wire"}},
+      {"drivers/source", {"firmware/wire", "drivers/link", "drivers/relay"}},
+      {"drivers/link", {"firmware/wire", "drivers/source", "drivers/relay"}},
+      {"drivers/relay", {"firmware/wire", "drivers/source", "drivers/link"}},
+      {"drivers/simulated", {"drivers", "firmware", "bench/random"}},
+      {"bench/random", {}},
+      {"bench/grid", {}},
+      {"bench/waveform", {"bench/grid"}},
+      {"bench/profile", {"bench/grid", "bench/waveform"}},
+      {"bench/capture",
+       {"bench/grid", "bench/waveform", "bench/profile", "drivers/source", "drivers/link",
+        "drivers/relay", "firmware/wire", kRecordData}},
+      {"bench/judge",
+       {"bench/grid", "bench/waveform", "bench/profile", "bench/capture", "drivers/source",
+        "drivers/link", "drivers/relay", "firmware/wire", kRecordData}},
+      {"bench/station",
+       {"bench/random", "bench/grid", "bench/waveform", "bench/profile", "bench/capture",
+        "bench/judge", "drivers", "firmware/wire", "reports/record"}},
+      {"bench/study",
+       {"bench/random", "bench/grid", "bench/waveform", "bench/profile", "bench/capture",
+        "bench/judge", "bench/station", "drivers", "firmware/wire", "reports/record"}},
+      {"bench/cli", {"bench", "drivers", "firmware", "reports"}},
+      {"reports/record", {}},
+      {"reports/render", {"reports/record"}},
+      {"tests", {"bench", "drivers", "firmware", "reports"}},
+  };
+  return rules;
+}
+
+const std::vector<LibraryRule>& library_rules() {
+  static const std::vector<LibraryRule> rules = {
+      {"Eigen", {"Eigen/"}, {"bench/grid", "tests"}},
+      {"Eigen's unsupported part", {"unsupported/Eigen/"}, {"tests"}},
+      {"SQLite", {"sqlite3.h"}, {"reports/record", "tests/reports"}},
+      {"zlib", {"zlib.h"}, {"reports/record", "tests/reports"}},
+      {"toml++", {"toml++/"}, {"bench/profile"}},
+      {"CLI11", {"CLI/"}, {"bench/cli"}},
+      {"Random123", {"Random123/"}, {"bench/random"}},
+      {"mustache", {"kainjow/"}, {"reports/render"}},
+      {"nlohmann-json", {"nlohmann/"}, {"bench/cli", "reports/render", "tests"}},
+      {"fmt", {"fmt/"}, {"bench", "drivers", "reports", "tests"}},
+      {"Qt",
+       {"Q^"},
+       {"bench/profile", "bench/station", "bench/study", "bench/cli", "drivers/source",
+        "drivers/link", "drivers/relay", "reports", "tests"}},
+      {"libserialport", {"libserialport.h"}, {"drivers/source", "drivers/link", "drivers/relay"}},
+      {"Paho", {"MQTT", "mqtt/"}, {"drivers/source", "drivers/link", "drivers/relay"}},
+      {"ALSA", {"alsa/"}, {"drivers/source", "drivers/link", "drivers/relay"}},
+      {"GoogleTest", {"gtest/", "gmock/"}, {"tests"}},
+      {"Google Benchmark", {"benchmark/"}, {"tests"}},
+      {"POSIX",
+       {"dirent.h", "fcntl.h", "poll.h", "pthread.h", "signal.h", "sys/", "termios.h", "unistd.h"},
+       {"bench/station", "bench/cli", "drivers/source", "drivers/link", "drivers/relay", "reports",
+        "tests"}},
+  };
+  return rules;
+}
+
+bool is_standard_header(std::string_view header) {
+  static const Names headers = {"algorithm",
+                                "any",
+                                "array",
+                                "atomic",
+                                "bitset",
+                                "cassert",
+                                "cctype",
+                                "cerrno",
+                                "cfenv",
+                                "cfloat",
+                                "charconv",
+                                "chrono",
+                                "cinttypes",
+                                "climits",
+                                "clocale",
+                                "cmath",
+                                "codecvt",
+                                "complex",
+                                "condition_variable",
+                                "csetjmp",
+                                "csignal",
+                                "cstdarg",
+                                "cstddef",
+                                "cstdint",
+                                "cstdio",
+                                "cstdlib",
+                                "cstring",
+                                "ctime",
+                                "cuchar",
+                                "cwchar",
+                                "cwctype",
+                                "deque",
+                                "exception",
+                                "execution",
+                                "filesystem",
+                                "forward_list",
+                                "fstream",
+                                "functional",
+                                "future",
+                                "initializer_list",
+                                "iomanip",
+                                "ios",
+                                "iosfwd",
+                                "iostream",
+                                "istream",
+                                "iterator",
+                                "limits",
+                                "list",
+                                "locale",
+                                "map",
+                                "memory",
+                                "memory_resource",
+                                "mutex",
+                                "new",
+                                "numeric",
+                                "optional",
+                                "ostream",
+                                "queue",
+                                "random",
+                                "ratio",
+                                "regex",
+                                "scoped_allocator",
+                                "set",
+                                "shared_mutex",
+                                "sstream",
+                                "stack",
+                                "stdexcept",
+                                "streambuf",
+                                "string",
+                                "string_view",
+                                "strstream",
+                                "system_error",
+                                "thread",
+                                "tuple",
+                                "type_traits",
+                                "typeindex",
+                                "typeinfo",
+                                "unordered_map",
+                                "unordered_set",
+                                "utility",
+                                "valarray",
+                                "variant",
+                                "vector"};
+  return headers.count(header) > 0;
+}
+
+// No heap, no exceptions, no libm, no clock, no locale: what is left needs no operating system.
+bool is_freestanding_header(std::string_view header) {
+  static const Names headers = {
+      "algorithm",        "array",  "cfloat",   "climits", "cstddef",     "cstdint", "cstring",
+      "initializer_list", "limits", "optional", "tuple",   "type_traits", "utility"};
+  return headers.count(header) > 0;
+}
+
+bool may_stand_at_top_level(std::string_view entry) {
+  static const Names entries = {".ci",        ".clang-format",  ".clang-tidy",
+                                ".gitignore", "CMakeLists.txt", "CMakePresets.json",
+                                "LICENSE",    "README.md",      "bench",
+                                "dev",        "docs",           "drivers",
+                                "firmware",   "profiles",       "reports",
+                                "tests"};
+  return entries.count(entry) > 0;
+}
+
+bool is_within(std::string_view path, std::string_view folder) {
+  return path == folder ||
+         (starts_with(path, folder) && path.size() > folder.size() && path[folder.size()] == '/');
+}
+
+bool is_within_any(std::string_view path, const std::vector<std::string_view>& folders) {
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](std::string_view folder) { return is_within(path, folder); });
+}
+
+const FolderRule* rule_of(std::string_view path) {
+  for (const FolderRule& rule : folder_rules()) {
+    if (is_within(path, rule.folder)) return &rule;
+  }
+  return nullptr;
+}
+
+const FolderRule* owner_of_header(std::string_view header) {
+  const auto slash = header.find('/');
+  if (slash == std::string_view::npos) return nullptr;
+  for (const FolderRule& rule : folder_rules()) {
+    if (file_name(rule.folder) == header.substr(0, slash)) return &rule;
+  }
+  return nullptr;
+}
+
+}  // namespace gsbench::arch
