@@ -1,0 +1,120 @@
+#include "columns.hpp"
+
+#include <zlib.h>
+
+#include <cstddef>
+#include <cstring>
+#include <new>
+
+namespace gsbench::record::columns {
+namespace {
+
+// Deflate packs at most 1032 : 1 (zlib's technical notes); a blob that claims more is damaged, and
+// no memory is taken for it.
+constexpr std::uint64_t kGreatestRatio = 1032;
+
+Bytes deflated(const Bytes& raw) {
+  uLongf size = compressBound(static_cast<uLong>(raw.size()));
+  Bytes blob(size);
+  if (compress2(blob.data(), &size, raw.data(), static_cast<uLong>(raw.size()),
+                Z_DEFAULT_COMPRESSION) != Z_OK) {
+    throw std::bad_alloc();  // the only failure left when the bound of zlib itself is used
+  }
+  blob.resize(size);
+  return blob;
+}
+
+Bytes inflated(const Bytes& blob, std::int64_t entries, std::size_t entry_bytes) {
+  const std::uint64_t greatest = blob.size() * kGreatestRatio / entry_bytes;
+  if (entries < 0 || static_cast<std::uint64_t>(entries) > greatest) {
+    throw DamagedColumn("a column cannot hold the entries it claims");
+  }
+  // One byte to spare, so that a longer column is noticed and an empty one has an address.
+  Bytes raw(static_cast<std::size_t>(entries) * entry_bytes + 1);
+  uLongf size = static_cast<uLongf>(raw.size());
+  const int status = uncompress(raw.data(), &size, blob.data(), static_cast<uLong>(blob.size()));
+  if (status != Z_OK || size + 1 != raw.size()) throw DamagedColumn("a column does not unpack");
+  raw.pop_back();
+  return raw;
+}
+
+template <class Value>
+Bytes grouped(const std::vector<Value>& values) {
+  Bytes raw(values.size() * sizeof(Value));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::uint8_t bytes[sizeof(Value)];
+    std::memcpy(bytes, &values[i], sizeof(Value));
+    for (std::size_t b = 0; b < sizeof(Value); ++b) raw[b * values.size() + i] = bytes[b];
+  }
+  return raw;
+}
+
+template <class Value>
+void ungroup(const Bytes& raw, std::vector<Value>& values) {
+  values.resize(raw.size() / sizeof(Value));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::uint8_t bytes[sizeof(Value)];
+    for (std::size_t b = 0; b < sizeof(Value); ++b) bytes[b] = raw[b * values.size() + i];
+    std::memcpy(&values[i], bytes, sizeof(Value));
+  }
+}
+
+template <class Value>
+void unpack_values(const Bytes& blob, std::int64_t entries, std::vector<Value>& values) {
+  ungroup(inflated(blob, entries, sizeof(Value)), values);
+}
+
+}  // namespace
+
+// Differences are taken without sign, so that ticks however hostile wrap and come back.
+Bytes pack(const std::vector<std::int64_t>& ticks) {
+  std::vector<std::uint64_t> second_differences;
+  second_differences.reserve(ticks.size());
+  std::uint64_t previous = 0;
+  std::uint64_t previous_step = 0;
+  for (const std::int64_t tick : ticks) {
+    const std::uint64_t step = static_cast<std::uint64_t>(tick) - previous;
+    second_differences.push_back(step - previous_step);
+    previous = static_cast<std::uint64_t>(tick);
+    previous_step = step;
+  }
+  return deflated(grouped(second_differences));
+}
+
+Bytes pack(const std::vector<float>& values) {
+  return deflated(grouped(values));
+}
+Bytes pack(const std::vector<double>& values) {
+  return deflated(grouped(values));
+}
+Bytes pack(const std::vector<std::uint8_t>& values) {
+  return deflated(values);
+}
+
+void unpack(const Bytes& blob, std::int64_t entries, std::vector<std::int64_t>& ticks) {
+  std::vector<std::uint64_t> second_differences;
+  unpack_values(blob, entries, second_differences);
+  ticks.clear();
+  ticks.reserve(second_differences.size());
+  std::uint64_t tick = 0;
+  std::uint64_t step = 0;
+  for (const std::uint64_t difference : second_differences) {
+    step += difference;
+    tick += step;
+    ticks.push_back(static_cast<std::int64_t>(tick));
+  }
+}
+
+void unpack(const Bytes& blob, std::int64_t entries, std::vector<float>& values) {
+  unpack_values(blob, entries, values);
+}
+
+void unpack(const Bytes& blob, std::int64_t entries, std::vector<double>& values) {
+  unpack_values(blob, entries, values);
+}
+
+void unpack(const Bytes& blob, std::int64_t entries, std::vector<std::uint8_t>& values) {
+  values = inflated(blob, entries, 1);
+}
+
+}  // namespace gsbench::record::columns

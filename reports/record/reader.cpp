@@ -1,0 +1,105 @@
+#include "columns.hpp"
+#include "digest.hpp"
+#include "schema.hpp"
+
+#include <map>
+#include <utility>
+
+#include <record/store.hpp>
+
+namespace gsbench::record {
+namespace {
+
+constexpr const char* kUnfinished = "the run did not finish";
+
+using SeriesByName = std::map<std::string, Series>;
+
+SeriesByName select_series(Database& database, std::int64_t owner) {
+  SeriesByName by_name;
+  for (Series& series : select<Series>(database, owner)) {
+    const std::string name = series.name;
+    by_name[name] = std::move(series);
+  }
+  return by_name;
+}
+
+template <class Trace>
+void unpack_trace(const SeriesByName& series, Trace& trace) {
+  Fields<Trace>::visit(trace, [&](const char* name, auto& column) {
+    const auto found = series.find(name);
+    if (found == series.end()) throw columns::DamagedColumn("no column " + std::string(name));
+    columns::unpack(found->second.data, found->second.entries, column);
+    if (column.size() != trace.tick.size()) {
+      throw columns::DamagedColumn("column " + std::string(name) + " is of another length");
+    }
+  });
+}
+
+template <class Part>
+Part select_one(Database& database, std::int64_t owner) {
+  std::vector<Part> parts = select<Part>(database, owner);
+  if (parts.size() != 1) {
+    database.fail("the record is damaged: no single " + std::string(Fields<Part>::kTable));
+  }
+  return std::move(parts.front());
+}
+
+OutletRecord read_outlet(Database& database, std::int64_t owner) {
+  auto outlet = select_one<OutletRecord>(database, owner);
+  for (const Setting& setting : select<Setting>(database, owner)) {
+    outlet.settings[setting.name] = setting.value;
+  }
+  outlet.measurements = select<MeasurementResult>(database, owner);
+  outlet.marks = select<Mark>(database, owner);
+  const SeriesByName series = select_series(database, owner);
+  unpack_trace(series, outlet.trace);
+  unpack_trace(series, outlet.estimates);
+  if (select_one<Seal>(database, owner).sha256 != seal_of_outlet(outlet)) {
+    database.fail("the record is damaged: an outlet is not what was written");
+  }
+  return outlet;
+}
+
+RunRecord read_all(Database& database) {
+  const auto outlets = database.integer("SELECT count(*) FROM \"outlet\"");
+  if (database.integer("SELECT count(*) FROM \"run\"") == 0) {
+    RunRecord never_begun;
+    never_begun.verdict = Verdict::kError;
+    never_begun.verdict_reason = kUnfinished;
+    return never_begun;
+  }
+  auto run = select_one<RunRecord>(database, kRunOwner);
+  run.comparisons = select<Comparison>(database, kRunOwner);
+  run.stimulus = select<Mark>(database, kRunOwner);
+  unpack_trace(select_series(database, kRunOwner), run.truth);
+  const auto seal = select_one<Seal>(database, kRunOwner);
+  if (seal.sha256 != seal_of_run(run, seal.complete)) {
+    database.fail("the record is damaged: the run is not what was written");
+  }
+  for (std::int64_t owner = 1; owner <= outlets; ++owner) {
+    run.outlets.push_back(read_outlet(database, owner));
+  }
+  if (!seal.complete) {
+    run.verdict = Verdict::kError;
+    run.verdict_reason = kUnfinished;
+  }
+  return run;
+}
+
+}  // namespace
+
+RunRecord read_run(const std::string& path) {
+  Database database(path, Database::Mode::kRead);
+  database.execute("PRAGMA cell_size_check = ON");
+  check_schema(database);
+  if (database.text("PRAGMA quick_check(1)") != "ok") database.fail("the record is damaged");
+  // One transaction, so that a run still being written is read as it was at one instant.
+  database.execute("BEGIN");
+  try {
+    return read_all(database);
+  } catch (const columns::DamagedColumn& damage) {
+    database.fail("the record is damaged: " + std::string(damage.what()));
+  }
+}
+
+}  // namespace gsbench::record

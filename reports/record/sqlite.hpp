@@ -1,0 +1,92 @@
+// SQLite's C interface with owners and with StoreError: every failure names the file and the cause.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <record/run_record.hpp>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace gsbench::record {
+
+class Statement;
+
+class Database {
+ public:
+  enum class Mode { kRead, kWrite };
+
+  // The file must exist. `path` is a file's path and nothing else: no URI, no ":memory:".
+  Database(const std::string& path, Mode mode);
+  static Database in_memory();
+  ~Database();
+  Database(Database&& other) noexcept;
+  Database& operator=(Database&&) = delete;
+
+  void execute(const std::string& sql);
+  Statement prepare(const std::string& sql);
+  std::int64_t integer(const std::string& sql);  // first column of the first row
+  std::string text(const std::string& sql);
+
+  [[noreturn]] void fail(const std::string& cause) const;  // "path: cause"
+  [[noreturn]] void fail_with(int code) const;
+
+ private:
+  Database() = default;
+
+  std::string path_;
+  sqlite3* handle_ = nullptr;
+};
+
+class Statement {
+ public:
+  Statement(const Database& database, sqlite3_stmt* handle);
+  ~Statement();
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  bool step();  // true: there is a row
+  void reset();
+
+  // Parameters count from 1. A NaN is stored as NULL.
+  void bind(int parameter, std::int64_t value);
+  void bind(int parameter, std::uint64_t value);  // as the signed integer of the same bits
+  void bind(int parameter, bool value);
+  void bind(int parameter, Verdict value);
+  void bind(int parameter, double value);
+  void bind(int parameter, const std::string& value);
+  void bind(int parameter, const std::vector<std::uint8_t>& value);
+
+  // Columns count from 0. A value out of its range is StoreError.
+  void get(int column, std::int64_t& value) const;
+  void get(int column, std::uint64_t& value) const;
+  void get(int column, bool& value) const;
+  void get(int column, Verdict& value) const;
+  void get(int column, double& value) const;
+  void get(int column, std::string& value) const;
+  void get(int column, std::vector<std::uint8_t>& value) const;
+
+ private:
+  void check(int code) const;
+
+  const Database& database_;
+  sqlite3_stmt* handle_;
+};
+
+// Rolls back unless committed.
+class Transaction {
+ public:
+  explicit Transaction(Database& database);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database& database_;
+  bool open_ = true;
+};
+
+}  // namespace gsbench::record

@@ -1,0 +1,136 @@
+#include "columns.hpp"
+#include "digest.hpp"
+#include "schema.hpp"
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <optional>
+
+#include <record/store.hpp>
+
+namespace gsbench::record {
+namespace {
+
+// O_EXCL refuses an existing file even when two runs start at once.
+void create_empty(const std::string& path) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) {
+    throw StoreError(path + ": cannot be created: " + std::strerror(errno));
+  }
+  ::close(file);
+}
+
+template <class Trace>
+void insert_trace(std::vector<Series>& all, const Trace& trace) {
+  Fields<Trace>::visit(trace, [&](const char* name, const auto& column) {
+    if (column.size() != trace.tick.size()) {
+      throw std::invalid_argument(std::string(name) + " has " + std::to_string(column.size()) +
+                                  " entries, its ticks " + std::to_string(trace.tick.size()));
+    }
+    all.push_back({name, static_cast<std::int64_t>(column.size()), columns::pack(column)});
+  });
+}
+
+}  // namespace
+
+struct Writer::Impl {
+  explicit Impl(const std::string& path) : database(path, Database::Mode::kWrite) {
+    // WAL with a full sync keeps each finished transaction through a power cut; there are few.
+    database.execute("PRAGMA journal_mode = WAL");
+    database.execute("PRAGMA synchronous = FULL");
+    Transaction transaction(database);
+    database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
+    database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
+    database.execute(schema_sql());
+    transaction.commit();
+  }
+
+  ~Impl() {
+    try {
+      // Back to one plain file, which can be read from a folder that cannot be written.
+      database.execute("PRAGMA journal_mode = DELETE");
+    } catch (const StoreError&) {
+      // Then SQLite leaves the -wal file, and reading uses it: nothing is lost.
+    }
+  }
+
+  void write_head(const RunRecord& run, bool complete) {
+    std::vector<Series> series;
+    insert_trace(series, run.truth);
+    Transaction transaction(database);
+    for (const char* table : {"run", "comparison", "mark", "series", "seal"}) {
+      database.execute("DELETE FROM \"" + std::string(table) +
+                       "\" WHERE owner = " + std::to_string(kRunOwner));
+    }
+    RunRecord head = run;
+    head.outlets.clear();
+    insert(database, kRunOwner, std::vector<RunRecord>{head});
+    insert(database, kRunOwner, run.comparisons);
+    insert(database, kRunOwner, run.stimulus);
+    insert(database, kRunOwner, series);
+    insert(database, kRunOwner, std::vector<Seal>{{complete, seal_of_run(head, complete)}});
+    transaction.commit();
+  }
+
+  void write_outlet(const OutletRecord& outlet) {
+    std::vector<Series> series;
+    insert_trace(series, outlet.trace);
+    insert_trace(series, outlet.estimates);
+    std::vector<Setting> settings;
+    for (const auto& [name, value] : outlet.settings) settings.push_back({name, value});
+    Transaction transaction(database);
+    const std::int64_t owner = outlets + 1;
+    insert(database, owner, std::vector<OutletRecord>{outlet});
+    insert(database, owner, settings);
+    insert(database, owner, outlet.measurements);
+    insert(database, owner, outlet.marks);
+    insert(database, owner, series);
+    insert(database, owner, std::vector<Seal>{{true, seal_of_outlet(outlet)}});
+    transaction.commit();
+    ++outlets;
+  }
+
+  void require(bool in_order, const char* what) const {
+    if (!in_order) throw std::logic_error(what);
+  }
+
+  Database database;
+  std::int64_t outlets = 0;
+  bool begun = false;
+  bool finished = false;
+};
+
+Writer::Writer(const std::string& path) {
+  create_empty(path);
+  try {
+    impl_ = std::make_unique<Impl>(path);
+  } catch (...) {
+    ::unlink(path.c_str());  // ours, and without content
+    throw;
+  }
+}
+
+Writer::~Writer() = default;
+Writer::Writer(Writer&&) noexcept = default;
+Writer& Writer::operator=(Writer&&) noexcept = default;
+
+void Writer::begin(const RunRecord& head) {
+  impl_->require(!impl_->begun, "a record is begun once");
+  impl_->write_head(head, false);
+  impl_->begun = true;
+}
+
+void Writer::add_outlet(const OutletRecord& outlet) {
+  impl_->require(impl_->begun && !impl_->finished, "outlets come between begin and finish");
+  impl_->write_outlet(outlet);
+}
+
+void Writer::finish(const RunRecord& whole) {
+  impl_->require(impl_->begun && !impl_->finished, "a record is finished once, after begin");
+  impl_->write_head(whole, true);
+  impl_->finished = true;
+}
+
+}  // namespace gsbench::record

@@ -1,0 +1,169 @@
+// Files that are no records, are of another version, or were damaged or forged: always StoreError,
+// never a wrong figure and never undefined behaviour (run these under the sanitizer preset too).
+#include "sample_run.hpp"
+#include "temporary_folder.hpp"
+#include <sqlite3.h>
+
+#include <QByteArray>
+#include <QCryptographicHash>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <record/store.hpp>
+
+namespace gsbench::record {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write_bytes(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+class DamagedStore : public ::testing::Test {
+ protected:
+  DamagedStore() : path_(folder_.file("run.sqlite")), run_(sample::loss_500mw(2)) {
+    Writer writer(path_);
+    writer.begin(run_);
+    for (const OutletRecord& outlet : run_.outlets) writer.add_outlet(outlet);
+    writer.finish(run_);
+  }
+
+  void change(const std::string& sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path_.c_str(), &database), SQLITE_OK);
+    char* message = nullptr;
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &message), SQLITE_OK)
+        << (message != nullptr ? message : "");
+    sqlite3_free(message);
+    sqlite3_close(database);
+  }
+
+  std::string error() const {
+    try {
+      read_run(path_);
+    } catch (const StoreError& refusal) {
+      return refusal.what();
+    }
+    return "no StoreError";
+  }
+
+  TemporaryFolder folder_;
+  std::string path_;
+  RunRecord run_;
+};
+
+TEST_F(DamagedStore, IsNoRecordWhenItIsAnotherKindOfFile) {
+  write_bytes(path_, "title = \"a profile, not a record\"\n" + std::string(8192, 'x'));
+  EXPECT_EQ(error(), path_ + ": not a gsbench record");
+  write_bytes(path_, "");
+  EXPECT_EQ(error(), path_ + ": not a gsbench record");
+}
+
+TEST_F(DamagedStore, IsNoRecordWhenItIsAnotherDatabase) {
+  std::filesystem::remove(path_);
+  change("CREATE TABLE run (owner INTEGER)");
+  EXPECT_EQ(error(), path_ + ": not a gsbench record");
+}
+
+TEST_F(DamagedStore, OfANewerVersionAsksForANewerGsbench) {
+  change("PRAGMA user_version = 2");
+  EXPECT_THAT(error(), AllOf(StartsWith(path_), HasSubstr("version 2"), HasSubstr("newer")));
+}
+
+// Whoever changes the tables must count kSchemaVersion up; this digest of the tables says when.
+TEST_F(DamagedStore, TablesOfVersion1AreWhatTheyWere) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(path_.c_str(), &database), SQLITE_OK);
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  const auto add = [](void* sum, int, char** columns, char**) {
+    if (columns[0] != nullptr) static_cast<QCryptographicHash*>(sum)->addData(columns[0]);
+    return 0;
+  };
+  ASSERT_EQ(sqlite3_exec(database, "SELECT sql FROM sqlite_schema ORDER BY type, name", add, &hash,
+                         nullptr),
+            SQLITE_OK);
+  sqlite3_close(database);
+  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "246cae31080d2350");
+}
+
+TEST_F(DamagedStore, WithForeignTablesIsRefused) {
+  change("CREATE VIEW more AS SELECT 1");
+  EXPECT_THAT(error(), HasSubstr("its tables are not those of a record"));
+}
+
+TEST_F(DamagedStore, WithAnyFigureChangedIsRefused) {
+  const std::string original = bytes_of(path_);
+  for (const char* sql : {
+           "UPDATE measurement SET value = value + 1 WHERE owner = 2 AND name = 'event.delay'",
+           "UPDATE measurement SET verdict = 0, judged = 0 WHERE owner = 1 AND position = 0",
+           "UPDATE run SET verdict = 2",
+           "UPDATE run SET started_utc = ''",
+           "UPDATE seal SET complete = 0 WHERE owner = 0",
+           "UPDATE mark SET tick = tick + 1 WHERE owner = 1 AND position = 0",
+           "UPDATE comparison SET ours = 1 WHERE position = 0",
+           "DELETE FROM measurement WHERE owner = 1 AND position = 0",
+           "DELETE FROM setting WHERE owner = 2",
+           "DELETE FROM series WHERE owner = 1 AND position = 0",
+           "UPDATE outlet SET owner = 7 WHERE owner = 2",
+           "UPDATE series SET entries = 9000000000000000000 WHERE owner = 1 AND position = 1",
+           "UPDATE series SET entries = -1 WHERE owner = 1 AND position = 1",
+           "UPDATE series SET entries = entries - 1 WHERE owner = 1 AND position = 1",
+           "UPDATE series SET data = x'' WHERE owner = 1 AND position = 1",
+           "UPDATE series SET data = randomblob(500) WHERE owner = 1 AND position = 1",
+           "UPDATE measurement SET verdict = 77 WHERE owner = 1 AND position = 1",
+           "UPDATE measurement SET judged = 5 WHERE owner = 1 AND position = 1",
+       }) {
+    write_bytes(path_, original);
+    change(sql);
+    EXPECT_THAT(error(), HasSubstr("the record is damaged")) << sql;
+  }
+}
+
+TEST_F(DamagedStore, CutShortAnywhereIsRefused) {
+  const std::string original = bytes_of(path_);
+  for (std::size_t size = 0; size < original.size(); size += 1021) {
+    write_bytes(path_, original.substr(0, size));
+    EXPECT_NE(error(), "no StoreError") << size << " bytes of " << original.size();
+  }
+}
+
+// Free space in a page may change without any effect, and so may SQLite's own counters; everything
+// that is read must be refused or be what was written.
+TEST_F(DamagedStore, WithBitsFlippedNeverGivesAnotherRecord) {
+  const std::string original = bytes_of(path_);
+  const std::string digest = content_digest(run_);
+  std::mt19937 random(20260301);
+  int refused = 0;
+  constexpr int kTrials = 1500;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::string damaged = original;
+    const std::size_t flips = 1 + random() % 4;
+    for (std::size_t i = 0; i < flips; ++i) {
+      damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8U));
+    }
+    write_bytes(path_, damaged);
+    try {
+      ASSERT_EQ(content_digest(read_run(path_)), digest) << "trial " << trial;
+    } catch (const StoreError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, kTrials / 4);  // far more than the headers: the content is watched
+}
+
+}  // namespace
+}  // namespace gsbench::record

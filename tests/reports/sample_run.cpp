@@ -1,0 +1,245 @@
+#include "sample_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+namespace gsbench::sample {
+namespace {
+
+using record::Verdict;
+
+constexpr std::int64_t kSampleRate_hz = 8000;
+constexpr std::int64_t kReportTicks = 128;  // 16 ms
+constexpr double kLoss_s = 3.0;
+constexpr double kTrackerDelay_s = 0.060;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double seconds(std::int64_t tick) {
+  return static_cast<double>(tick) / static_cast<double>(kSampleRate_hz);
+}
+
+std::int64_t ticks(double time_s) {
+  return std::llround(time_s * static_cast<double>(kSampleRate_hz));
+}
+
+// Eq. (6) for a loss of 500 MW in the 24-bus system.
+double true_frequency_hz(double time_s) {
+  const double t = time_s - kLoss_s;
+  if (t <= 0.0) return 50.0;
+  const double decay = std::exp(-0.75352 * 0.39723 * t);
+  return 50.0 - 0.391 * (1.0 + 3.82075 * decay * std::sin(0.26115 * t - 0.26481));
+}
+
+double true_rocof_hz_s(double time_s) {
+  constexpr double kStep_s = 1e-4;
+  if (time_s <= kLoss_s) return 0.0;
+  return (true_frequency_hz(time_s + kStep_s) - true_frequency_hz(time_s)) / kStep_s;
+}
+
+// Uniform in ±1; the distributions of <random> differ between libraries, the engine does not.
+class Noise {
+ public:
+  explicit Noise(std::uint32_t seed) : engine_(seed) {}
+  double operator()() { return 2.0 * static_cast<double>(engine_()) / 4294967295.0 - 1.0; }
+
+ private:
+  std::mt19937 engine_;
+};
+
+record::MeasurementResult number(const char* name, const char* definition, double value,
+                                 const char* unit, double low, double high, double uncertainty) {
+  record::MeasurementResult result;
+  result.name = name;
+  result.definition = definition;
+  result.value = value;
+  result.unit = unit;
+  result.low = low;
+  result.high = high;
+  result.uncertainty = uncertainty;
+  result.judged = !std::isnan(low) || !std::isnan(high);
+  return result;
+}
+
+record::MeasurementResult word(const char* name, const char* definition, const char* value,
+                               const char* expected) {
+  record::MeasurementResult result = number(name, definition, kNone, "", kNone, kNone, 0.0);
+  result.word = value;
+  result.expected_word = expected;
+  result.judged = true;
+  return result;
+}
+
+void measure(record::OutletRecord& outlet, bool sheds, double loss_mw, double event_delay_ms) {
+  constexpr double kTick_ms = 0.125;
+  outlet.measurements = {
+      number("tracker.error.max",
+             "Greatest difference of the reported from the true frequency over the run.", 18.42,
+             "mHz", kNone, 60.0, 0.1),
+      number("tracker.error.rms",
+             "Root mean square difference of the reported from the true frequency.", 3.107, "mHz",
+             kNone, 10.0, 0.05),
+      number("event.false", "Events before the first change of power.", 0.0, "", kNone, 0.0, 0.0),
+      number("event.delay", "From the loss to the report in which the outlet sees an event.",
+             event_delay_ms, "ms", kNone, 160.0, kTick_ms),
+      number("condition.hits", "Reports after the event that met a load-shedding condition.", 33.0,
+             "", 15.0, kNone, 0.0),
+      number("lse.loss", "Estimate of the loss by least squares.", 310.4, "MW", kNone, kNone, 0.0),
+      number("ekf.loss", "Estimate of the loss when the outlet decides.", loss_mw, "MW", kNone,
+             kNone, 0.0),
+      number("ekf.error", "Error of that estimate.", (loss_mw - 500.0) / 5.0, "%", -4.0, 4.0, 0.0),
+      number("decision.delay", "From the loss to the decision.", 912.0, "ms", kNone, 960.0,
+             kTick_ms),
+      word("decision.cause", "Which criterion switched the outlet off.", sheds ? "loss" : "none",
+           sheds ? "loss" : "none"),
+      number("relay.delay", "From the loss to the opening of the relay, by the bench's own sense.",
+             sheds ? 918.375 : kNone, "ms", kNone, sheds ? 980.0 : kNone, kTick_ms),
+      number("relay.delay_by_word", "The same by what the outlet reports.", sheds ? 912.0 : kNone,
+             "ms", kNone, kNone, kTick_ms),
+      number("relay.word_difference", "The outlet's word less the sense.", sheds ? -6.375 : kNone,
+             "ms", kNone, kNone, 0.18),
+      word("relay.end", "State of the relay at the end, by the sense.", sheds ? "open" : "closed",
+           sheds ? "open" : "closed"),
+  };
+}
+
+void trace(record::OutletRecord& outlet, std::int64_t duration_ticks, Noise& noise) {
+  constexpr double kFrequencyNoise_hz = 0.003;
+  constexpr double kRocofNoise_hz_s = 0.04;
+  for (std::int64_t tick = kReportTicks; tick <= duration_ticks; tick += kReportTicks) {
+    const double seen_s = seconds(tick) - kTrackerDelay_s;
+    const bool settled = seconds(tick) > 0.2;
+    outlet.trace.tick.push_back(tick);
+    outlet.trace.frequency_hz.push_back(
+        settled ? static_cast<float>(true_frequency_hz(seen_s) + kFrequencyNoise_hz * noise())
+                : std::numeric_limits<float>::quiet_NaN());
+    outlet.trace.rocof_hz_s.push_back(
+        static_cast<float>(true_rocof_hz_s(seen_s) + kRocofNoise_hz_s * noise()));
+    outlet.trace.voltage_pu.push_back(static_cast<float>(1.0 + 0.001 * noise()));
+    outlet.trace.validity.push_back(settled ? 1 : 0);
+  }
+}
+
+void estimate(record::OutletRecord& outlet, std::int64_t from_tick, std::int64_t to_tick,
+              double final_mw, Noise& noise) {
+  for (std::int64_t tick = from_tick; tick <= to_tick; tick += kReportTicks) {
+    const double age_s = seconds(tick - from_tick);
+    const double settling = std::exp(-age_s / 0.12);
+    outlet.estimates.tick.push_back(tick);
+    outlet.estimates.loss_mw.push_back(
+        static_cast<float>(final_mw - 190.0 * settling + 6.0 * settling * noise()));
+    outlet.estimates.loss_sigma_mw.push_back(static_cast<float>(5.0 + 35.0 * settling));
+    outlet.estimates.t_x_s.push_back(static_cast<float>(kLoss_s + 0.02 * settling * noise()));
+    outlet.estimates.trusted.push_back(age_s > 0.1 ? 1 : 0);
+  }
+}
+
+record::OutletRecord outlet_500mw(int number_from_1, bool sheds, std::int64_t duration_ticks) {
+  Noise noise(static_cast<std::uint32_t>(number_from_1));
+  record::OutletRecord outlet;
+  outlet.id = (sheds ? "sheds-" : "stays-") + std::to_string(number_from_1);
+  outlet.group = sheds ? "sheds" : "stays";
+  outlet.link = "simulated";
+  outlet.firmware = "0.1.0 (3f2a9c41)";
+  outlet.settings_digest = "5be1a0f2";
+  outlet.settings = {{"accumulated_mw", sheds ? 100.0 : 200.0},
+                     {"threshold_mw", 351.92},
+                     {"switch_off_hz", 49.21},
+                     {"k_lse_mw_per_hz_s", -1011.92}};
+  const double loss_mw = 498.0 + 4.0 * noise();
+  const std::int64_t event = ticks(kLoss_s) + kReportTicks * (6 + number_from_1 % 3);
+  const std::int64_t lse = event + 10 * kReportTicks;
+  const std::int64_t decision = ticks(kLoss_s) + 57 * kReportTicks;
+  measure(outlet, sheds, loss_mw, 1e3 * seconds(event - ticks(kLoss_s)));
+  trace(outlet, duration_ticks, noise);
+  estimate(outlet, lse, decision, loss_mw, noise);
+  outlet.marks = {{event, "event", 0.0, ""},
+                  {lse, "lse", 310.4, ""},
+                  {decision, "decision", sheds ? 1.0 : 0.0, sheds ? "loss" : "none"}};
+  if (sheds) {
+    outlet.marks.push_back({decision, "relay.word", 0.0, ""});
+    outlet.marks.push_back({decision + 51, "relay.sense", 0.0, ""});
+  }
+  return outlet;
+}
+
+record::RunRecord head(double duration_s) {
+  record::RunRecord run;
+  run.run_id = "20260301T101500Z-7f3a";
+  run.started_utc = "2026-03-01T10:15:00Z";
+  run.finished_utc = "2026-03-01T10:15:02Z";
+  run.gsbench_version = "0.1.0";
+  run.profile_sha256 = "9c1185a5c5e9fc54612808977ee8f548b2258d31ddf8d5a0e5c5b0a6a1f4a3b2";
+  run.grid = "ieee24";
+  run.station = "simulated";
+  run.noise = "1 % white, independent at each outlet";
+  run.firmware_sha256 = "3f2a9c41d0e1b7a65c2f8e90a4b1d7c63e5f0a9b8c7d6e5f4a3b2c1d0e9f8a7b";
+  run.seed = 18446744073709551615U;
+  run.sample_rate_hz = kSampleRate_hz;
+  run.duration_ticks = ticks(duration_s);
+  return run;
+}
+
+}  // namespace
+
+record::RunRecord loss_500mw(int outlet_count) {
+  record::RunRecord run = head(6.0);
+  run.profile = "paper/loss-500mw";
+  run.profile_title = "Loss of 500 MW in the modified IEEE 24-bus system";
+  run.profile_source = "Xiang et al., §6.4";
+  run.profile_text =
+      "title = \"Loss of 500 MW in the modified IEEE 24-bus system\"\n\n[grid]\nsystem = "
+      "\"ieee24\"\n[[grid.loss]]\nat_s = 3.0\npower_mw = 500.0\n\n[signal]\nduration_s = 6.0\n"
+      "noise_pct = 1.0   # <white>\n";
+  run.comparisons = {
+      {"threshold power loss", "MW", 351.92, 351.9, ""},
+      {"time of the lowest frequency", "s", 3.7612, 3.72,
+       "The paper's 3.72 s does not follow from its own machines: with those that give its "
+       "threshold and its Table 1, eq. (6) bottoms at 3.76 s."}};
+  for (std::int64_t tick = 0; tick <= run.duration_ticks; tick += 400) {
+    run.truth.tick.push_back(tick);
+    run.truth.frequency_hz.push_back(true_frequency_hz(seconds(tick)));
+    run.truth.rocof_hz_s.push_back(true_rocof_hz_s(seconds(tick)));
+  }
+  run.stimulus = {{ticks(kLoss_s), "loss", 500.0, "loss of 500 MW"}};
+  for (int i = 1; i <= outlet_count; ++i) {
+    run.outlets.push_back(outlet_500mw(i, 2 * i <= outlet_count, run.duration_ticks));
+  }
+  return run;
+}
+
+record::RunRecord steady(int outlet_count, double duration_s) {
+  record::RunRecord run = head(duration_s);
+  run.profile = "regression/steady";
+  run.profile_title = "Steady 50 Hz";
+  run.truth.tick = {0, run.duration_ticks};
+  run.truth.frequency_hz = {50.0, 50.0};
+  run.truth.rocof_hz_s = {0.0, 0.0};
+  for (int i = 1; i <= outlet_count; ++i) {
+    Noise noise(static_cast<std::uint32_t>(i));
+    record::OutletRecord outlet;
+    outlet.id = "steady-" + std::to_string(i);
+    double wander_hz = 0.0;
+    for (std::int64_t tick = kReportTicks; tick <= run.duration_ticks; tick += kReportTicks) {
+      wander_hz = 0.9 * wander_hz + 0.001 * noise();
+      outlet.trace.tick.push_back(tick);
+      outlet.trace.frequency_hz.push_back(static_cast<float>(50.0 + wander_hz));
+      outlet.trace.rocof_hz_s.push_back(static_cast<float>(0.05 * noise()));
+      outlet.trace.voltage_pu.push_back(static_cast<float>(1.0 + 0.001 * noise()));
+      outlet.trace.validity.push_back(1);
+    }
+    run.outlets.push_back(std::move(outlet));
+  }
+  return run;
+}
+
+record::MeasurementResult& measurement(record::OutletRecord& outlet, const std::string& name) {
+  const auto found = std::find_if(outlet.measurements.begin(), outlet.measurements.end(),
+                                  [&](const auto& result) { return result.name == name; });
+  if (found == outlet.measurements.end()) throw std::out_of_range(name);
+  return *found;
+}
+
+}  // namespace gsbench::sample
