@@ -7,26 +7,10 @@
 namespace gsbench::grid {
 namespace {
 
-struct Range {
+struct Range {  // both ends belong to it
   double low;
   double high;
-  bool low_itself_is_allowed;
-
-  bool holds(double value) const {  // false for NaN
-    return (low_itself_is_allowed ? value >= low : value > low) && value <= high;
-  }
-  std::string words() const {
-    return low_itself_is_allowed ? fmt::format("must be from {} to {}", low, high)
-                                 : fmt::format("must be above {} and at most {}", low, high);
-  }
 };
-
-constexpr Range above(double low, double high) {
-  return {low, high, false};
-}
-constexpr Range from(double low, double high) {
-  return {low, high, true};
-}
 
 // One row of the grid file's table `table`; `who` names it to the reader.
 struct Place {
@@ -38,31 +22,32 @@ struct Place {
     throw GridError(table + "." + key, index, fmt::format("{}{} is {}: {}", who, key, value, why));
   }
   void require(const std::string& key, double value, const Range& range) const {
-    if (!range.holds(value)) refuse(key, value, range.words());
+    const bool holds = value >= range.low && value <= range.high;  // never for NaN
+    if (!holds) refuse(key, value, fmt::format("must be from {} to {}", range.low, range.high));
   }
 };
 
-// No power system comes near these; a value past them was given in another unit.
-constexpr double kHighestHz = 1000.0;
-constexpr double kHighestMw = 1e8;
-constexpr double kLongestS = 1000.0;
+// No power system comes near the ends of these; a value past them was given in another unit.
+constexpr Range kFrequencyHz{1e-3, 1e3};
+constexpr Range kPowerMw{1e-6, 1e7};
+constexpr Range kTimeS{1e-3, 1e3};
 
 void check_system(const Grid& grid) {
   const Place system{"system", -1, ""};
-  system.require("nominal_hz", grid.nominal_hz, above(0.0, kHighestHz));
-  system.require("threshold_hz", grid.threshold_hz, above(0.0, kHighestHz));
+  system.require("nominal_hz", grid.nominal_hz, kFrequencyHz);
+  system.require("threshold_hz", grid.threshold_hz, kFrequencyHz);
   if (grid.threshold_hz >= grid.nominal_hz) {
     system.refuse("threshold_hz", grid.threshold_hz,
                   fmt::format("must be below nominal_hz, {}", grid.nominal_hz));
   }
-  system.require("base_mw", grid.base_mw, above(0.0, kHighestMw));
-  system.require("load_mw", grid.load_mw, above(0.0, kHighestMw));
-  system.require("damping_pu", grid.damping_pu, from(0.0, 1000.0));
-  system.require("gain_km", grid.gain_km, above(0.0, 1000.0));
-  system.require("reheat_fraction", grid.reheat_fraction, from(0.0, 1.0));
-  system.require("reheat_s", grid.reheat_s, above(0.0, kLongestS));
+  system.require("base_mw", grid.base_mw, kPowerMw);
+  system.require("load_mw", grid.load_mw, kPowerMw);
+  system.require("damping_pu", grid.damping_pu, {0.0, 1e3});
+  system.require("gain_km", grid.gain_km, {1e-3, 1e3});
+  system.require("reheat_fraction", grid.reheat_fraction, {0.0, 1.0});
+  system.require("reheat_s", grid.reheat_s, kTimeS);
   system.require("condition_row_hz", grid.condition_row_hz,
-                 from(kLowestConditionRowHz, kHighestHz));
+                 {kLowestConditionRowHz, kFrequencyHz.high});
 }
 
 void check_plants(const Grid& grid) {
@@ -73,10 +58,9 @@ void check_plants(const Grid& grid) {
     const Plant& plant = grid.plants[i];
     const Place place{"plant", static_cast<int>(i),
                       fmt::format("plant {} \"{}\": ", i + 1, plant.id)};
-    place.require("rating_mw", plant.rating_mw, above(0.0, kHighestMw));
-    place.require("inertia_s", plant.inertia_s, above(0.0, kLongestS));
-    // Down to a 0.01 % droop: the governor's gain 1/R stays finite.
-    place.require("droop_pu", plant.droop_pu, from(1e-4, 10.0));
+    place.require("rating_mw", plant.rating_mw, kPowerMw);
+    place.require("inertia_s", plant.inertia_s, kTimeS);
+    place.require("droop_pu", plant.droop_pu, {1e-4, 10.0});
   }
 }
 
@@ -92,7 +76,7 @@ void check_blocks(const Grid& grid) {
     const Block& block = grid.blocks[i];
     const Place place{"block", static_cast<int>(i),
                       fmt::format("block {} \"{}\": ", i + 1, block.id)};
-    place.require("power_mw", block.power_mw, above(0.0, kHighestMw));
+    place.require("power_mw", block.power_mw, kPowerMw);
     if (less_important_mw + block.power_mw > grid.load_mw) {
       place.refuse("power_mw", block.power_mw,
                    fmt::format("all blocks together must not exceed load_mw, {}", grid.load_mw));
@@ -111,15 +95,15 @@ void check_blocks(const Grid& grid) {
 void check_reference(const Grid& grid) {
   const Place reference{"reference", -1, "reference: "};
   if (grid.reference.t_nadir_s) {
-    reference.require("t_nadir_s", *grid.reference.t_nadir_s, above(0.0, kLongestS));
+    reference.require("t_nadir_s", *grid.reference.t_nadir_s, kTimeS);
   }
   if (grid.reference.threshold_mw) {
-    reference.require("threshold_mw", *grid.reference.threshold_mw, above(0.0, kHighestMw));
+    reference.require("threshold_mw", *grid.reference.threshold_mw, kPowerMw);
   }
   for (std::size_t i = 0; i < grid.reference.condition_rocof_hz_s.size(); ++i) {
     const Place row{"reference", static_cast<int>(i), fmt::format("reference row {}: ", i + 1)};
     row.require("condition_rocof_hz_s", grid.reference.condition_rocof_hz_s[i],
-                from(-kHighestHz, 0.0));
+                {-kFrequencyHz.high, 0.0});
   }
 }
 

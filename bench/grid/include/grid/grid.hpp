@@ -73,7 +73,7 @@ struct GridError : std::invalid_argument {
 };
 
 // Throws GridError for the first field that is not finite, outside its range, or at odds with
-// another. Upper limits are far beyond any real system: they catch a wrong unit (W for MW) and keep
+// another. The ranges reach far beyond any real system: they catch a wrong unit (W for MW) and keep
 // the model's arithmetic finite.
 void check(const Grid& grid);
 

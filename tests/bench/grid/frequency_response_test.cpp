@@ -1,0 +1,96 @@
+#include "example_grids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <grid/control_centre.hpp>
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::grid {
+namespace {
+
+double lowest_hz(const FrequencyResponse& response) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int ms = 0; ms <= 20'000; ++ms) {
+    lowest = std::min(lowest, response.frequency_hz(1e-3 * ms));
+  }
+  return lowest;
+}
+
+TEST(FrequencyResponse, IsNominalBeforeTheFirstChange) {
+  const FrequencyResponse response(SfrModel(ieee24()), {{3.0, 500.0}, {4.0, -100.0}});
+  EXPECT_EQ(response.frequency_hz(2.999999), 50.0);
+  EXPECT_EQ(response.rocof_hz_s(2.999999), 0.0);
+  EXPECT_EQ(response.excess_cycles(2.999999), 0.0);
+  EXPECT_LT(response.rocof_hz_s(3.0), 0.0);
+}
+
+TEST(FrequencyResponse, IsAlwaysNominalWithoutAChange) {
+  const FrequencyResponse response(SfrModel(ieee24()), {});
+  EXPECT_EQ(response.frequency_hz(5.0), 50.0);
+  EXPECT_EQ(response.rocof_hz_s(5.0), 0.0);
+  EXPECT_EQ(response.excess_cycles(5.0), 0.0);
+}
+
+TEST(FrequencyResponse, BottomsAndSettlesWhereALossOf500MwDoes) {
+  const FrequencyResponse response(SfrModel(ieee24()), {{0.0, 500.0}});
+  EXPECT_NEAR(lowest_hz(response), 49.290, 0.5e-3);
+  EXPECT_NEAR(response.frequency_hz(1000.0), 49.609, 0.5e-3);
+}
+
+TEST(FrequencyResponse, SuperposesChanges) {
+  const SfrModel model(ieee24());
+  const FrequencyResponse one(model, {{1.0, 500.0}}), other(model, {{1.7, -148.0}});
+  const FrequencyResponse both(model, {{1.7, -148.0}, {1.0, 500.0}});
+  for (double t_s = 0.0; t_s < 10.0; t_s += 0.1) {
+    // One rounding of 50 Hz a sum.
+    EXPECT_NEAR(both.frequency_hz(t_s), one.frequency_hz(t_s) + other.frequency_hz(t_s) - 50.0,
+                3e-14);
+    EXPECT_NEAR(both.rocof_hz_s(t_s), one.rocof_hz_s(t_s) + other.rocof_hz_s(t_s), 1e-15);
+    EXPECT_NEAR(both.excess_cycles(t_s), one.excess_cycles(t_s) + other.excess_cycles(t_s), 1e-14);
+  }
+}
+
+TEST(FrequencyResponse, FallsDeeperTheGreaterTheLoss) {
+  const SfrModel model(overdamped_grid());
+  for (double t_s = 0.1; t_s < 10.0; t_s += 0.1) {
+    double before_hz = 50.0;
+    for (double loss_mw = 20.0; loss_mw <= 200.0; loss_mw += 20.0) {
+      const double hz = FrequencyResponse(model, {{0.0, loss_mw}}).frequency_hz(t_s);
+      EXPECT_LT(hz, before_hz);
+      before_hz = hz;
+    }
+  }
+}
+
+struct Shedding {
+  double delay_s;
+  double lowest_hz;
+};
+
+class FrequencyResponseToShedding : public ::testing::TestWithParam<Shedding> {};
+
+// 148.34 MW is what the paper's million outlets shed after 500 MW (§6.5); each delay costs depth.
+TEST_P(FrequencyResponseToShedding, BottomsLowerTheLaterItComes) {
+  const FrequencyResponse response(SfrModel(ieee24()),
+                                   {{0.0, 500.0}, {GetParam().delay_s, -148.34}});
+  EXPECT_NEAR(lowest_hz(response), GetParam().lowest_hz, 0.5e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Delays, FrequencyResponseToShedding,
+                         ::testing::Values(Shedding{0.0, 49.5004}, Shedding{0.64, 49.4948},
+                                           Shedding{0.96, 49.4860}, Shedding{1.2, 49.4754}));
+
+TEST(FrequencyResponse, RefusesAChangeThatIsNotFinite) {
+  const SfrModel model(ieee24());
+  const double nan = std::nan("");
+  EXPECT_THROW(FrequencyResponse(model, {{nan, 500.0}}), std::invalid_argument);
+  EXPECT_THROW(FrequencyResponse(model, {{0.0, nan}}), std::invalid_argument);
+  EXPECT_THROW(FrequencyResponse(model, {{0.0, 500.0}, {HUGE_VAL, 1.0}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gsbench::grid
