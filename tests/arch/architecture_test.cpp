@@ -29,6 +29,10 @@ TEST_F(ArchitectureTest, FoldersIncludeOnlyWhatTheyMay) {
   EXPECT_TRUE(none(check_includes(tree_)));
 }
 
+TEST_F(ArchitectureTest, TargetsLinkOnlyWhatTheirFoldersMayInclude) {
+  EXPECT_TRUE(none(check_links(tree_)));
+}
+
 TEST_F(ArchitectureTest, FoldersIncludeEachOtherInNoCycle) {
   EXPECT_TRUE(none(check_cycles(tree_)));
 }

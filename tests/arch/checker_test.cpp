@@ -113,6 +113,11 @@ INSTANTIATE_TEST_SUITE_P(OfEachLibrary, MisplacedLibrary,
                                          Misplaced{"bench/grid/a.cpp", "boost/optional.hpp"},
                                          Misplaced{"bench/grid/a.cpp", "math.h"}));
 
+TEST(IncludeCheck, GrantsTestsEveryLibrary) {
+  const Tree tree = {{"tests/a.cpp", include("sqlite3.h") + include("Random123/philox.h")}};
+  EXPECT_THAT(check_includes(tree), IsEmpty());
+}
+
 class HostedHeader : public testing::TestWithParam<const char*> {};
 
 TEST_P(HostedHeader, IsReportedInFirmwareAlone) {
@@ -147,6 +152,21 @@ TEST(CycleCheck, AcceptsTwoWaysToTheSameFolder) {
   const Tree tree = {{"bench/waveform/a.hpp", include("grid/a.hpp")},
                      {"bench/profile/a.hpp", include("grid/a.hpp") + include("waveform/a.hpp")}};
   EXPECT_THAT(check_cycles(tree), IsEmpty());
+}
+
+TEST(LinkCheck, ReportsATargetThatTheTableDoesNotGrant) {
+  const Tree tree = {
+      {"bench/judge/CMakeLists.txt",
+       "gs_library(bench_judge\n  DEPENDS bench_grid reports_record reports_render)"}};
+  EXPECT_THAT(check_links(tree),
+              ElementsAre(At("bench/judge/CMakeLists.txt", 2, "may not link reports_render")));
+}
+
+TEST(LinkCheck, AcceptsOwnAndGrantedTargetsAndComments) {
+  const Tree tree = {{"bench/waveform/CMakeLists.txt",
+                      "# not reports_render\ngs_library(bench_waveform DEPENDS bench_grid)"},
+                     {"tests/oracle/CMakeLists.txt", "gs_test(t DEPENDS bench_grid gsbench)"}};
+  EXPECT_THAT(check_links(tree), IsEmpty());
 }
 
 class ForbiddenInFirmware : public testing::TestWithParam<const char*> {};

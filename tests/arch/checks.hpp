@@ -21,6 +21,9 @@ using Findings = std::vector<Finding>;
 Findings check_includes(const Tree& tree);
 // What folders really include makes no cycle (drivers may include each other by the table).
 Findings check_cycles(const Tree& tree);
+// What a folder's CMakeLists.txt names is only targets whose folder, or a header of it, it may
+// include.
+Findings check_links(const Tree& tree);
 // No heap, no exceptions, no run-time types in firmware/.
 Findings check_firmware_words(const Tree& tree);
 // No file over kLongestFile lines, no note of work left undone, no path of somebody's machine.

@@ -45,6 +45,18 @@ std::string target_of(std::string_view folder) {
   return name;
 }
 
+std::vector<std::string_view> words_of(std::string_view cmake_line) {
+  constexpr std::string_view kBetween = " \t()\"";
+  cmake_line = cmake_line.substr(0, cmake_line.find('#'));
+  std::vector<std::string_view> words;
+  for (auto at = cmake_line.find_first_not_of(kBetween); at != std::string_view::npos;) {
+    const auto end = std::min(cmake_line.find_first_of(kBetween, at), cmake_line.size());
+    words.push_back(cmake_line.substr(at, end - at));
+    at = cmake_line.find_first_not_of(kBetween, end);
+  }
+  return words;
+}
+
 void check_top_level(const Tree& tree, Findings& findings) {
   std::set<std::string_view> entries;
   for (const auto& file : tree) {
@@ -71,6 +83,26 @@ void check_source(const Tree& tree, const std::string& path, std::string_view to
 }
 
 }  // namespace
+
+Findings check_links(const Tree& tree) {
+  Findings findings;
+  for (const auto& [path, text] : tree) {
+    const FolderRule* from = rule_of(path);
+    if (from == nullptr || file_name(path) != "CMakeLists.txt") continue;
+    int number = 0;
+    for (const std::string_view line : lines_of(text)) {
+      ++number;
+      for (const std::string_view word : words_of(line)) {
+        for (const FolderRule& to : folder_rules()) {
+          if (word != target_of(to.folder) || may_link(*from, to)) continue;
+          findings.push_back(
+              {path, number, std::string(from->folder) + " may not link " + std::string(word)});
+        }
+      }
+    }
+  }
+  return findings;
+}
 
 Findings check_layout(const Tree& tree) {
   Findings findings;

@@ -13,7 +13,8 @@ struct FolderRule {
   std::vector<std::string_view> may_include;
 };
 
-// A library's headers and the folders (each with all below it) where they may appear.
+// A library's headers and the folders (each with all below it) where they may appear; in tests/
+// all may.
 struct LibraryRule {
   std::string_view library;
   std::vector<std::string_view> headers;  // beginnings; "Q^" stands for Q and a capital letter
@@ -23,7 +24,7 @@ struct LibraryRule {
 const std::vector<FolderRule>& folder_rules();
 const std::vector<LibraryRule>& library_rules();
 
-bool is_standard_header(std::string_view header);      // C++17's, and C's by their C++ names
+bool is_standard_header(std::string_view header);      // by its form: lower case, no dot
 bool is_freestanding_header(std::string_view header);  // what firmware/ may use of them
 bool may_stand_at_top_level(std::string_view entry);
 
@@ -32,6 +33,9 @@ const FolderRule* rule_of(std::string_view path);
 
 // The table's folder that owns <grid/grid.hpp>: "bench/grid"; nullptr: not one of ours.
 const FolderRule* owner_of_header(std::string_view header);
+
+// Whether the table grants one folder another, or at least a header of it.
+bool may_link(const FolderRule& from, const FolderRule& to);
 
 bool is_within(std::string_view path, std::string_view folder);
 bool is_within_any(std::string_view path, const std::vector<std::string_view>& folders);
