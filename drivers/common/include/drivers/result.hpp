@@ -1,0 +1,32 @@
+// How drivers fail: by value, with a message for people that names the port or instrument, what it
+// was asked and what it said. Exceptions of third-party libraries stop at their adapter.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace gsbench::drivers {
+
+struct Error {
+  std::string message;
+};
+
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Result(Error error) : content_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
+
+  bool ok() const { return std::holds_alternative<T>(content_); }
+  const T& value() const { return std::get<T>(content_); }
+  const std::string& error() const { return std::get<Error>(content_).message; }
+
+ private:
+  std::variant<T, Error> content_;
+};
+
+struct Done {};
+using Status = Result<Done>;
+
+}  // namespace gsbench::drivers

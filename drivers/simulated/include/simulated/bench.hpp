@@ -1,0 +1,39 @@
+// A whole bench in one process: mains, outlets with the real firmware, their link and their relay
+// sense, behind the three driver interfaces.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <link/link.hpp>
+#include <relay/relay_sense.hpp>
+#include <simulated/outlet.hpp>
+#include <simulated/pacer.hpp>
+#include <source/source.hpp>
+
+namespace gsbench::simulated {
+
+struct BenchParameters {
+  std::vector<std::string> outlet_ids;
+  OutletParameters outlet;
+  Pace pace = Pace::kVirtual;
+  std::size_t threads = 1;
+};
+
+class Bench {
+ public:
+  explicit Bench(const BenchParameters& parameters);
+  ~Bench();
+
+  // These live as long as the bench.
+  source::Source& source();
+  link::Link& link();
+  relay::RelaySense& relay_sense();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gsbench::simulated

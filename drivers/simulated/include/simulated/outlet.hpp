@@ -1,0 +1,68 @@
+// One simulated outlet: an ADC before the firmware, a relay behind it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include <node/node.hpp>
+#include <random/noise.hpp>
+#include <simulated/relay_model.hpp>
+
+namespace gsbench::simulated {
+
+struct OutletParameters {
+  RelayParameters relay;
+  double downlink_ms = 5.0;  // from send() until the outlet has a message
+};
+
+// Full scale of the ADC: ±1.5 times the nominal peak.
+constexpr double kFullScalePu = 1.5;
+
+class Outlet {
+ public:
+  Outlet(const OutletParameters& parameters, std::uint32_t index);
+
+  // False where the firmware refuses the hardware.
+  bool start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_pu, std::uint64_t seed);
+
+  // Samples first_tick … first_tick + count − 1 reach the outlet's terminals.
+  void feed(std::int64_t first_tick, const float* voltage_pu, std::size_t count);
+  void send(std::int64_t tick, const gs::wire::Downlink& message);
+
+  // Appends and forgets what happened since the last call.
+  void take_messages(std::vector<gs::wire::Uplink>& messages);
+  void take_edges(std::vector<ContactEdge>& edges, std::int64_t up_to_tick);
+
+  bool relay_closed() const { return node_.relay_closed(); }
+
+ private:
+  struct Pending {
+    std::int64_t tick;
+    gs::wire::Downlink message;
+  };
+  class Collector final : public gs::node::Outbox {
+   public:
+    void put(const gs::wire::Uplink& message) override;
+    std::vector<gs::wire::Uplink> messages;
+  };
+
+  void feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, std::size_t count);
+  void follow_relay();
+
+  OutletParameters parameters_;
+  std::uint32_t index_;
+  std::int64_t sample_rate_hz_ = 0;
+  float noise_rms_pu_ = 0.0F;
+  std::uint64_t seed_ = 0;
+  gs::node::Node node_;
+  Collector collector_;
+  std::size_t relay_changes_read_ = 0;  // messages of the collector already seen by follow_relay
+  std::deque<Pending> pending_;
+  std::vector<ContactEdge> edges_;
+  std::uint64_t coil_changes_ = 0;
+  std::vector<float> volts_;
+  std::vector<std::int16_t> samples_;
+};
+
+}  // namespace gsbench::simulated

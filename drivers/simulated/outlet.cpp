@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cmath>
+
+#include <simulated/outlet.hpp>
+
+namespace gsbench::simulated {
+namespace {
+
+// Small enough for the cache, large enough that noise comes in whole batches.
+constexpr std::size_t kChunk = 2048;
+
+constexpr float kCountsPerPu = static_cast<float>(32767.0 / kFullScalePu);
+
+// An ADC ends at its rails; rounding is to the nearest count.
+std::int16_t converted(float voltage_pu) {
+  const float counts = std::min(std::max(voltage_pu * kCountsPerPu, -32768.0F), 32767.0F);
+  return static_cast<std::int16_t>(counts + (counts < 0.0F ? -0.5F : 0.5F));
+}
+
+}  // namespace
+
+void Outlet::Collector::put(const gs::wire::Uplink& message) {
+  messages.push_back(message);
+}
+
+Outlet::Outlet(const OutletParameters& parameters, std::uint32_t index)
+    : parameters_(parameters), index_(index) {}
+
+bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_pu,
+                   std::uint64_t seed) {
+  sample_rate_hz_ = sample_rate_hz;
+  noise_rms_pu_ = noise_rms_pu;
+  seed_ = seed;
+  gs::outlet::Hardware hardware;
+  hardware.sample_rate_hz = static_cast<std::int32_t>(sample_rate_hz);
+  hardware.nominal_hz = nominal_hz;
+  hardware.counts_per_pu = kCountsPerPu;
+  return node_.start(hardware, collector_);
+}
+
+void Outlet::send(std::int64_t tick, const gs::wire::Downlink& message) {
+  const std::int64_t delay =
+      std::llround(parameters_.downlink_ms * 1e-3 * static_cast<double>(sample_rate_hz_));
+  pending_.push_back({tick + delay, message});
+}
+
+void Outlet::feed(std::int64_t first_tick, const float* voltage_pu, std::size_t count) {
+  const std::int64_t end_tick = first_tick + static_cast<std::int64_t>(count);
+  std::int64_t tick = first_tick;
+  while (tick < end_tick) {
+    while (!pending_.empty() && pending_.front().tick <= tick) {
+      node_.receive(pending_.front().message, collector_);
+      pending_.pop_front();
+    }
+    const std::int64_t next =
+        pending_.empty() ? end_tick : std::min(end_tick, pending_.front().tick);
+    feed_undisturbed(tick, voltage_pu + (tick - first_tick), static_cast<std::size_t>(next - tick));
+    tick = next;
+  }
+  follow_relay();
+}
+
+void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, std::size_t count) {
+  const random::Stream stream{seed_, random::kSourceNoise, index_};
+  volts_.resize(kChunk);
+  samples_.resize(kChunk);
+  for (std::size_t done = 0; done < count; done += kChunk) {
+    const std::size_t length = std::min(kChunk, count - done);
+    std::copy_n(voltage_pu + done, length, volts_.begin());
+    if (noise_rms_pu_ > 0.0F) {
+      random::add_gaussian(stream, static_cast<std::uint64_t>(first_tick) + done, length,
+                           noise_rms_pu_, volts_.data());
+    }
+    std::transform(volts_.begin(), volts_.begin() + static_cast<std::ptrdiff_t>(length),
+                   samples_.begin(), converted);
+    node_.feed(samples_.data(), length, collector_);
+  }
+}
+
+// The coil changed where the firmware says so; the contact follows as the relay's mechanics have
+// it. Where the coil turns again before the contact has moved, the contact never moves.
+void Outlet::follow_relay() {
+  const random::Stream stream{seed_, random::kRelayModel, index_};
+  for (; relay_changes_read_ < collector_.messages.size(); ++relay_changes_read_) {
+    const gs::wire::Uplink& message = collector_.messages[relay_changes_read_];
+    if (message.kind != gs::wire::UplinkKind::kRelay) {
+      continue;
+    }
+    const auto coil_tick = static_cast<std::int64_t>(message.sample);
+    const std::vector<ContactEdge> edges =
+        contact_edges(parameters_.relay, stream, coil_changes_++, coil_tick, message.relay.closed,
+                      sample_rate_hz_);
+    edges_.erase(std::remove_if(edges_.begin(), edges_.end(),
+                                [&](const ContactEdge& e) { return e.tick >= edges.front().tick; }),
+                 edges_.end());
+    edges_.insert(edges_.end(), edges.begin(), edges.end());
+  }
+}
+
+void Outlet::take_messages(std::vector<gs::wire::Uplink>& messages) {
+  follow_relay();
+  messages.insert(messages.end(), collector_.messages.begin(), collector_.messages.end());
+  collector_.messages.clear();
+  relay_changes_read_ = 0;
+}
+
+void Outlet::take_edges(std::vector<ContactEdge>& edges, std::int64_t up_to_tick) {
+  const auto future = std::find_if(edges_.begin(), edges_.end(),
+                                   [&](const ContactEdge& e) { return e.tick >= up_to_tick; });
+  edges.insert(edges.end(), edges_.begin(), future);
+  edges_.erase(edges_.begin(), future);
+}
+
+}  // namespace gsbench::simulated

@@ -1,0 +1,110 @@
+// Elementary functions by our own polynomials: the C library's differ from machine to machine in
+// the last bit, and an outlet, its emulation and the bench must agree to the last bit. All are
+// branch-free, so that a vector of floats (one trajectory a lane) gives each lane the scalar
+// result.
+#pragma once
+
+#include <cstdint>
+
+namespace gs::outlet {
+
+constexpr float kPi = 3.14159265358979f;
+constexpr float kTwoPi = 6.28318530717959f;
+
+// Square root, correctly rounded by IEEE 754 on every target (VSQRT, SQRTSS).
+inline float root(float x) {
+  return __builtin_sqrtf(x);
+}
+
+// a where the condition holds, else b.
+inline float select(bool condition, float a, float b) {
+  return condition ? a : b;
+}
+
+template <class Real>
+Real minimum(Real a, Real b) {
+  return select(b < a, b, a);
+}
+
+template <class Real>
+Real maximum(Real a, Real b) {
+  return select(a < b, b, a);
+}
+
+// x within [low, high]; a NaN becomes `low`.
+template <class Real>
+Real bounded(Real x, Real low, Real high) {
+  return minimum(select(x > low, x, low), high);
+}
+
+// sin(x) for |x| <= π: folded to |x| <= π/2, Taylor series, error below 2e-7.
+template <class Real>
+Real sine(Real x) {
+  const Real folded = select(x > 0.5f * kPi, kPi - x, select(x < -0.5f * kPi, -kPi - x, x));
+  const Real z = folded * folded;
+  Real sum = Real{} - 2.5052108e-8f;
+  sum = sum * z + 2.7557319e-6f;
+  sum = sum * z - 1.9841270e-4f;
+  sum = sum * z + 8.3333333e-3f;
+  sum = sum * z - 1.6666667e-1f;
+  return folded + folded * z * sum;
+}
+
+// cos(x) for |x| <= π.
+template <class Real>
+Real cosine(Real x) {
+  return sine(0.5f * kPi - select(x < 0.0f, -x, x));
+}
+
+// e^x for −24 <= x <= 0: (e^(x/16))^16, relative error below 3e-6.
+template <class Real>
+Real exponential(Real x) {
+  const Real y = x * 0.0625f;
+  Real sum = Real{} + 1.9841270e-4f;
+  sum = sum * y + 1.3888889e-3f;
+  sum = sum * y + 8.3333333e-3f;
+  sum = sum * y + 4.1666667e-2f;
+  sum = sum * y + 1.6666667e-1f;
+  sum = sum * y + 0.5f;
+  sum = sum * y + 1.0f;
+  sum = sum * y + 1.0f;
+  sum = sum * sum;
+  sum = sum * sum;
+  sum = sum * sum;
+  return sum * sum;
+}
+
+// Angle of (x, y), −π … π; 0 for (0, 0). Error below 1e-5 rad.
+inline float angle_of(float y, float x) {
+  const float ax = x < 0.0f ? -x : x;
+  const float ay = y < 0.0f ? -y : y;
+  const float larger = ax > ay ? ax : ay;
+  const float smaller = ax > ay ? ay : ax;
+  if (!(larger > 0.0f)) {
+    return 0.0f;
+  }
+  const float q = smaller / larger;
+  const float z = q * q;
+  // Abramowitz & Stegun 4.4.49.
+  float sum = 0.0028662257f;
+  sum = sum * z - 0.0161657367f;
+  sum = sum * z + 0.0429096138f;
+  sum = sum * z - 0.0752896400f;
+  sum = sum * z + 0.1065626393f;
+  sum = sum * z - 0.1420889944f;
+  sum = sum * z + 0.1999355085f;
+  sum = sum * z - 0.3333314528f;
+  float angle = q + q * z * sum;
+  angle = ax > ay ? angle : 0.5f * kPi - angle;
+  angle = x < 0.0f ? kPi - angle : angle;
+  return y < 0.0f ? -angle : angle;
+}
+
+// x brought into [−π, π] by whole turns, for |x| up to a few hundred turns.
+inline float wrapped(float x) {
+  const float turns = x * (1.0f / kTwoPi);
+  const auto whole = static_cast<std::int32_t>(turns + (turns < 0.0f ? -0.5f : 0.5f));
+  return x - static_cast<float>(whole) * kTwoPi;
+}
+
+}  // namespace gs::outlet

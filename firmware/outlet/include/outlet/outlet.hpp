@@ -1,0 +1,86 @@
+// The outlet: samples in, a report every 16 ms out (Fig. 10). Plain structs and pure functions of
+// them: no clock, no heap, no hidden state, so that any state can be logged, compared and replayed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <outlet/estimator.hpp>
+#include <outlet/settings.hpp>
+
+namespace gs::outlet {
+
+enum class Phase : std::uint8_t {
+  kQuiet = 0,  // watching for an event
+  kEstimating = 1,
+  kCooling = 2,  // decided; waits until the frequency is steady again
+};
+
+// Why the relay stands as it stands: the three criteria of §5.5.
+enum class Cause : std::uint8_t { kNone = 0, kLoss = 1, kFrequency = 2, kCommand = 3 };
+
+const char* to_string(Cause cause);
+
+struct Config {
+  Hardware hardware;
+  FrontEndConfig front_end;
+  Settings settings;
+  bool has_settings = false;  // without, it measures and obeys commands, and decides nothing
+};
+
+struct State {
+  FrontEndState front_end;
+  TrackerState tracker;
+  History history;
+  EstimatorState estimator;
+  Phase phase = Phase::kQuiet;
+  std::uint16_t steady_reports = 0;   // while cooling
+  std::uint8_t below_switch_off = 0;  // successive measurements below f^B
+  bool relay_closed = true;
+  Cause cause = Cause::kNone;
+  std::uint32_t reports = 0;  // since start-up
+};
+
+// What happened in a report, as bits of Report::happened.
+enum Happened : std::uint8_t {
+  kEvent = 1,     // an event was detected; baseline is set
+  kLse = 2,       // the LSE is done; lse_loss_mw is set
+  kEstimate = 4,  // the EKF has a new estimate
+  kDecision = 8,  // criterion 1 was decided, for or against
+  kRelay = 16,    // the relay was told to change
+  kAborted = 32,  // an event was given up: the voltage went
+};
+
+struct Report {
+  std::uint32_t number = 0;  // the report ends with sample (number + 1) · 16 ms
+  Measurement measurement;
+  Line line;  // least squares over rocof_samples, for the conditions; else NaN
+  std::uint8_t happened = 0;
+  Phase phase = Phase::kQuiet;
+  Baseline baseline;
+  std::uint16_t hits = 0;
+  float lse_loss_mw = 0.0f;
+  float loss_mw = 0.0f;
+  float loss_sigma_mw = 0.0f;
+  float loss_instant_s = 0.0f;  // against the event's report
+  Trust trust = Trust::kNotYet;
+  float required_mw = 0.0f;  // ΔP_v, eq. (29)
+  bool relay_closed = true;
+  Cause cause = Cause::kNone;
+};
+
+// Start-up. False where the hardware is none that can be served.
+bool configure(const Hardware& hardware, Config& config);
+
+// New settings; refused ones leave the old ones in force. An event under way is given up.
+SettingsError apply(Config& config, State& state, const Settings& settings);
+
+// Criterion (3): returns true where the relay changed.
+bool command(State& state, bool close);
+
+// Takes samples up to the end of the report in hand, at most `count`; returns how many it took, and
+// in `ready` whether `report` was filled.
+std::size_t step(const Config& config, State& state, const std::int16_t* samples, std::size_t count,
+                 Report& report, bool& ready);
+
+}  // namespace gs::outlet

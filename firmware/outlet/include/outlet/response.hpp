@@ -1,0 +1,59 @@
+// How the frequency falls after one megawatt is lost: eq. (6) for any damping, from four numbers
+// that the control centre sends. With d = omega_n² − sigma² and z = d·τ²
+//   u(τ)  = 1 − e^(−sigma·τ)·[C − (g0 − sigma)·S],  C = cos √z, S = τ·sin √z / √z
+//   u'(τ) = e^(−sigma·τ)·[g0·C + (omega_n² − sigma·g0)·S]
+// and f(τ) = f_0 − K·ΔP·u(τ). For d < 0 the cosine is a hyperbolic one: as power series in z both
+// are the same, so one branch-free form serves every damping.
+#pragma once
+
+#include <outlet/arithmetic.hpp>
+
+namespace gs::outlet {
+
+struct Response {
+  float gain_hz_per_mw = 0.0f;       // K, final deviation
+  float sigma_per_s = 0.0f;          // zeta·omega_n
+  float discriminant_per_s2 = 0.0f;  // d
+  float initial_slope_per_s = 0.0f;  // g0 = omega_n²·T_R
+};
+
+// |d|·τ² up to which the series hold (relative error 1e-6), and sigma·τ up to which e^(−sigma·τ)
+// does.
+constexpr float kLargestSeriesArgument = 16.0f;
+constexpr float kLargestDecay = 24.0f;
+
+template <class Real>
+struct UnitResponse {
+  Real value;        // u(τ)
+  Real slope_per_s;  // u'(τ)
+};
+
+// τ >= 0, within the bounds above.
+template <class Real>
+UnitResponse<Real> unit_response(const Response& r, Real tau_s) {
+  const Real z = tau_s * tau_s * r.discriminant_per_s2;
+  // Horner over 1/((2k)(2k−1)) and 1/((2k)(2k+1)).
+  Real c = Real{} + 1.0f;
+  Real s = Real{} + 1.0f;
+  for (int k = 11; k >= 1; --k) {
+    const float even = 1.0f / static_cast<float>(2 * k * (2 * k - 1));
+    const float odd = 1.0f / static_cast<float>(2 * k * (2 * k + 1));
+    c = 1.0f - z * even * c;
+    s = 1.0f - z * odd * s;
+  }
+  s = s * tau_s;
+  const Real decay = exponential(tau_s * -r.sigma_per_s);
+  const float omega_n2 = r.discriminant_per_s2 + r.sigma_per_s * r.sigma_per_s;
+  UnitResponse<Real> u;
+  u.value = 1.0f - decay * (c - (r.initial_slope_per_s - r.sigma_per_s) * s);
+  u.slope_per_s =
+      decay * (r.initial_slope_per_s * c + (omega_n2 - r.sigma_per_s * r.initial_slope_per_s) * s);
+  return u;
+}
+
+// K^LSE of eq. (18), MW per Hz/s: negative.
+inline float k_lse_mw_per_hz_s(const Response& r) {
+  return -1.0f / (r.gain_hz_per_mw * r.initial_slope_per_s);
+}
+
+}  // namespace gs::outlet

@@ -1,0 +1,79 @@
+// What the control centre sends an outlet before any event (§3.2), and what keeps nonsense out.
+#pragma once
+
+#include <cstdint>
+
+#include <outlet/response.hpp>
+#include <outlet/tracker.hpp>
+
+namespace gs::outlet {
+
+constexpr int kMaxConditions = 32;
+
+// One row of Table 1: met while f is in [from_hz, the row above's from_hz) and ROCOF < the limit.
+struct ConditionRow {
+  float from_hz = 0.0f;
+  float rocof_below_hz_s = 0.0f;
+};
+
+struct Settings {
+  std::uint32_t version = 0;  // counts up with each set the control centre issues
+
+  // The system, for the ΔP estimate.
+  Response response;
+  float threshold_mw = 0.0f;     // ΔP_s, eq. (15)
+  float largest_loss_mw = 0.0f;  // beyond it no estimate is believed: the system's generation
+
+  // This outlet's place in the order of shedding.
+  float accumulated_mw = 0.0f;  // P^A, eq. (11)
+  float switch_off_hz = 0.0f;   // f^B, eq. (17)
+
+  // Load-shedding conditions, from f_n down.
+  ConditionRow conditions[kMaxConditions];
+  std::uint8_t condition_rows = 0;
+  // n_max of §5.2: shed only with more hits than this, of the 1 + ekf_samples reports that count. A
+  // loss at the threshold comes to 25 ± 3, one of 320 MW to 14 ± 3, one of 380 MW to 33 ± 3.
+  std::uint16_t condition_hits = 20;
+  std::uint8_t rocof_samples = 8;  // measurements in the least-squares slope
+
+  // Event detection, §5.1: so many successive drops, and this much in sum. The paper's rule is the
+  // first half alone; by chance it is met hundreds of times an hour (see event_detector.hpp).
+  std::uint8_t event_drops = 5;
+  float event_drop_hz = 0.020f;
+
+  std::uint8_t lse_samples = 10;
+  std::uint8_t ekf_samples = 40;
+  float measurement_sigma_hz = 0.005f;
+  float loss_sigma_mw = 0.0f;  // of the LSE that starts the EKF
+  float t_x_sigma_s = 0.02f;
+  float trusted_residual_hz = 0.015f;  // RMS of the EKF's innovations above which ΔP is not trusted
+
+  std::uint8_t switch_off_samples =
+      3;  // successive measurements below f^B: "immediately", yet no glitch
+
+  TrackerSettings tracker;
+};
+
+enum class SettingsError : std::uint8_t {
+  kNone = 0,
+  kNotFinite = 1,
+  kResponse = 2,  // gain or slope not positive, or outside what the model's series carry
+  kThreshold = 3,
+  kAccumulated = 4,
+  kSwitchOff = 5,   // not between 80 % of nominal and nominal
+  kConditions = 6,  // no row, too many, not descending, or a limit above zero
+  kCounts = 7,      // a number of samples out of range
+  kEvent = 8,
+  kEstimator = 9,
+  kTracker = 10,
+  kStale = 11,  // version not above the one in force
+};
+
+const char* to_string(SettingsError error);
+
+SettingsError validate(const Settings& settings, float nominal_hz);
+
+// CRC-32 (IEEE 802.3) over every field in order, little-endian: what an outlet acknowledges.
+std::uint32_t digest(const Settings& settings);
+
+}  // namespace gs::outlet

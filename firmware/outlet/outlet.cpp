@@ -1,0 +1,197 @@
+#include <outlet/outlet.hpp>
+
+namespace gs::outlet {
+namespace {
+
+constexpr float kNotANumber = __builtin_nanf("");
+
+// After a decision the detector is armed again once f has been steady for half a second.
+constexpr float kSteadyHzS = 0.1f;
+constexpr std::uint16_t kSteadyReports = 31;
+
+std::uint8_t happened(std::uint8_t bits, Happened bit) {
+  return static_cast<std::uint8_t>(bits | bit);
+}
+
+void open_relay(State& state, Report& report, Cause cause) {
+  if (state.relay_closed) {
+    state.relay_closed = false;
+    state.cause = cause;
+    report.happened = happened(report.happened, kRelay);
+  }
+}
+
+// Criterion (1): enough conditions met, an estimate to be trusted, and more to shed than what less
+// important outlets shed already.
+void decide(const Settings& settings, State& state, Report& report) {
+  const float excess = state.estimator.ekf.loss_mw - settings.threshold_mw;
+  report.required_mw = excess > 0.0f ? excess : 0.0f;
+  report.trust = trust(settings, state.estimator);
+  report.happened = happened(report.happened, kDecision);
+  if (state.estimator.hits > settings.condition_hits && report.trust == Trust::kTrusted &&
+      report.required_mw > settings.accumulated_mw) {
+    open_relay(state, report, Cause::kLoss);
+  }
+  state.phase = Phase::kCooling;
+  state.steady_reports = 0;
+}
+
+void estimate(const Config& config, State& state, Report& report, bool valid) {
+  EstimatorState& estimator = state.estimator;
+  const bool had_lse = estimator.started;
+  const int had_updates = estimator.ekf.count;
+  observe(config.settings, static_cast<float>(config.hardware.nominal_hz), estimator, valid,
+          report.measurement.frequency_hz, report.line);
+  if (estimator.started && !had_lse) {
+    report.happened = happened(report.happened, kLse);
+  }
+  if (estimator.ekf.count > had_updates) {
+    report.happened = happened(report.happened, kEstimate);
+  }
+  if (complete(config.settings, estimator)) {
+    decide(config.settings, state, report);
+  }
+}
+
+void cool_down(State& state, const Report& report, bool valid) {
+  const bool steady =
+      valid && report.line.slope_hz_s > -kSteadyHzS && report.line.slope_hz_s < kSteadyHzS;
+  state.steady_reports =
+      steady ? static_cast<std::uint16_t>(state.steady_reports + 1) : static_cast<std::uint16_t>(0);
+  if (state.steady_reports >= kSteadyReports) {
+    state.phase = Phase::kQuiet;
+  }
+}
+
+// Criterion (2): independent of everything above.
+void watch_switch_off_frequency(const Settings& settings, State& state, Report& report,
+                                bool valid) {
+  if (!valid || !(report.measurement.frequency_hz < settings.switch_off_hz)) {
+    state.below_switch_off = 0;
+    return;
+  }
+  if (state.below_switch_off < settings.switch_off_samples) {
+    ++state.below_switch_off;
+  }
+  if (state.below_switch_off >= settings.switch_off_samples) {
+    open_relay(state, report, Cause::kFrequency);
+  }
+}
+
+void remember(State& state, const Measurement& measurement) {
+  switch (measurement.validity) {
+    case Validity::kValid:
+      push(state.history, measurement.frequency_hz);
+      break;
+    case Validity::kHeld:
+      note_gap(state.history);
+      break;
+    case Validity::kInvalid:
+      // What was before a dead bus says nothing about what comes after.
+      state.history = History{};
+      break;
+  }
+}
+
+void act(const Config& config, State& state, Report& report) {
+  const Settings& settings = config.settings;
+  const bool valid = report.measurement.validity == Validity::kValid;
+  if (report.measurement.validity == Validity::kInvalid) {
+    if (state.phase == Phase::kEstimating) {
+      report.happened = happened(report.happened, kAborted);
+    }
+    state.phase = Phase::kQuiet;
+    state.below_switch_off = 0;
+    return;
+  }
+  watch_switch_off_frequency(settings, state, report, valid);
+  if (state.phase == Phase::kQuiet && valid && event_detected(settings, state.history)) {
+    begin(state.estimator, baseline(state.history));
+    state.phase = Phase::kEstimating;
+    report.happened = happened(report.happened, kEvent);
+  }
+  if (state.phase == Phase::kEstimating) {
+    estimate(config, state, report, valid);
+  } else if (state.phase == Phase::kCooling) {
+    cool_down(state, report, valid);
+  }
+}
+
+}  // namespace
+
+const char* to_string(Cause cause) {
+  switch (cause) {
+    case Cause::kNone:
+      return "none";
+    case Cause::kLoss:
+      return "loss";
+    case Cause::kFrequency:
+      return "frequency";
+    case Cause::kCommand:
+      return "command";
+  }
+  return "unknown";
+}
+
+bool configure(const Hardware& hardware, Config& config) {
+  config = Config{};
+  config.hardware = hardware;
+  return make_front_end(hardware, config.front_end);
+}
+
+SettingsError apply(Config& config, State& state, const Settings& settings) {
+  const SettingsError error = validate(settings, static_cast<float>(config.hardware.nominal_hz));
+  if (error != SettingsError::kNone) {
+    return error;
+  }
+  if (config.has_settings && settings.version <= config.settings.version) {
+    return SettingsError::kStale;
+  }
+  config.settings = settings;
+  config.has_settings = true;
+  state.phase = Phase::kQuiet;
+  state.below_switch_off = 0;
+  return SettingsError::kNone;
+}
+
+bool command(State& state, bool close) {
+  const bool changes = state.relay_closed != close;
+  state.relay_closed = close;
+  if (changes) {
+    state.cause = close ? Cause::kNone : Cause::kCommand;
+  }
+  return changes;
+}
+
+std::size_t step(const Config& config, State& state, const std::int16_t* samples, std::size_t count,
+                 Report& report, bool& ready) {
+  const std::size_t taken = feed(config.front_end, state.front_end, samples, count, ready);
+  if (!ready) {
+    return taken;
+  }
+  report = Report{};
+  report.number = state.reports++;
+  const float nominal_hz = static_cast<float>(config.hardware.nominal_hz);
+  report.measurement = track(config.settings.tracker, nominal_hz, state.tracker,
+                             phasor(config.front_end, state.front_end));
+  remember(state, report.measurement);
+  const int window = config.settings.rocof_samples;
+  report.line = state.history.unbroken >= window ? fit_line(state.history, 0, window)
+                                                 : Line{kNotANumber, kNotANumber};
+  if (config.has_settings) {
+    act(config, state, report);
+  }
+  report.phase = state.phase;
+  report.baseline = state.estimator.baseline;
+  report.hits = state.estimator.hits;
+  report.lse_loss_mw = state.estimator.lse_loss_mw;
+  report.loss_mw = state.estimator.ekf.loss_mw;
+  report.loss_sigma_mw = loss_sigma_mw(state.estimator);
+  report.loss_instant_s = loss_instant_s(state.estimator);
+  report.trust = trust(config.settings, state.estimator);
+  report.relay_closed = state.relay_closed;
+  report.cause = state.cause;
+  return taken;
+}
+
+}  // namespace gs::outlet

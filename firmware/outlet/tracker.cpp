@@ -1,0 +1,164 @@
+#include <outlet/arithmetic.hpp>
+#include <outlet/tracker.hpp>
+
+namespace gs::outlet {
+namespace {
+
+constexpr float kNotANumber = __builtin_nanf("");
+
+// The filter's memory is 56 ms: after four reports of 16 ms a leap has left it.
+constexpr int kReportsToClear = 4;
+constexpr int kReportsToSettle = 16;
+
+// Beyond these the state is no grid's: ±15 Hz, ±30 Hz/s.
+constexpr float kLargestOmega = kTwoPi * 15.0f;
+constexpr float kLargestAlpha = kTwoPi * 30.0f;
+
+enum { kPP, kPW, kPA, kWW, kWA, kAA };
+
+void predict(const TrackerSettings& settings, TrackerState& s) {
+  constexpr float t = kReportS;
+  constexpr float half_t2 = 0.5f * t * t;
+  s.phase_rad = wrapped(s.phase_rad + s.omega_rad_s * t + s.alpha_rad_s2 * half_t2);
+  s.omega_rad_s += s.alpha_rad_s2 * t;
+
+  // P = F·P·Fᵀ + Q with F = [1 t t²/2; 0 1 t; 0 0 1].
+  float* p = s.covariance;
+  const float pw = p[kPW] + t * p[kWW] + half_t2 * p[kWA];
+  const float pa = p[kPA] + t * p[kWA] + half_t2 * p[kAA];
+  const float wa = p[kWA] + t * p[kAA];
+  p[kPP] = p[kPP] + t * p[kPW] + half_t2 * p[kPA] + t * pw + half_t2 * pa;
+  p[kPW] = pw + t * pa;
+  p[kPA] = pa;
+  p[kWW] = p[kWW] + t * p[kWA] + t * wa;
+  p[kWA] = wa;
+
+  const float q = settings.jerk_rad_s3_per_sqrt_hz * settings.jerk_rad_s3_per_sqrt_hz;
+  p[kPP] += q * (t * t * t * t * t / 20.0f);
+  p[kPW] += q * (t * t * t * t / 8.0f);
+  p[kPA] += q * (t * t * t / 6.0f);
+  p[kWW] += q * (t * t * t / 3.0f);
+  p[kWA] += q * (half_t2);
+  p[kAA] += q * t;
+}
+
+void correct(const TrackerSettings& settings, TrackerState& s, float innovation_rad,
+             float innovation_amplitude) {
+  float* p = s.covariance;
+  const float r = settings.phase_noise_rad * settings.phase_noise_rad;
+  const float inverse = 1.0f / (p[kPP] + r);
+  const float gain_phase = p[kPP] * inverse;
+  const float gain_omega = p[kPW] * inverse;
+  const float gain_alpha = p[kPA] * inverse;
+  s.phase_rad = wrapped(s.phase_rad + gain_phase * innovation_rad);
+  s.omega_rad_s =
+      bounded(s.omega_rad_s + gain_omega * innovation_rad, -kLargestOmega, kLargestOmega);
+  s.alpha_rad_s2 =
+      bounded(s.alpha_rad_s2 + gain_alpha * innovation_rad, -kLargestAlpha, kLargestAlpha);
+  // (1 − gain)·p, written so that no entry of the diagonal can fall below zero.
+  const float keep = r * inverse;
+  p[kAA] = maximum(p[kAA] - gain_alpha * p[kPA], 0.0f);
+  p[kWA] = p[kWA] - gain_omega * p[kPA];
+  p[kWW] = maximum(p[kWW] - gain_omega * p[kPW], 0.0f);
+  p[kPA] = keep * p[kPA];
+  p[kPW] = keep * p[kPW];
+  p[kPP] = keep * p[kPP];
+
+  constexpr float kAmplitudeGain = 0.4f;
+  s.amplitude += kAmplitudeGain * innovation_amplitude * s.amplitude;
+}
+
+// Phase and amplitude from the phasor itself; what is known of the frequency stays.
+void take_phase(TrackerState& s, const Phasor& z, float amplitude) {
+  s.phase_rad = angle_of(z.quadrature, z.in_phase);
+  s.amplitude = amplitude;
+  s.last_innovation_rad = 0.0f;
+  s.last_innovation_amplitude = 0.0f;
+  s.held = 0;
+}
+
+void set_covariance(const TrackerSettings& settings, TrackerState& s, float omega_sigma,
+                    float alpha_sigma) {
+  for (float& entry : s.covariance) {
+    entry = 0.0f;
+  }
+  s.covariance[kPP] = settings.phase_noise_rad * settings.phase_noise_rad;
+  s.covariance[kWW] = omega_sigma * omega_sigma;
+  s.covariance[kAA] = alpha_sigma * alpha_sigma;
+}
+
+void acquire(const TrackerSettings& settings, TrackerState& s, const Phasor& z, float amplitude) {
+  take_phase(s, z, amplitude);
+  s.omega_rad_s = 0.0f;
+  s.alpha_rad_s2 = 0.0f;
+  // Anything within ±5 Hz and ±2 Hz/s is as likely as not.
+  set_covariance(settings, s, kTwoPi * 5.0f, kTwoPi * 2.0f);
+  s.age = 0;
+}
+
+Measurement report(float nominal_hz, const TrackerState& s, const Phasor& z, Validity validity) {
+  Measurement m;
+  m.voltage_pu = z.voltage_pu;
+  m.validity = validity;
+  if (validity == Validity::kInvalid) {
+    m.frequency_hz = kNotANumber;
+    m.rocof_hz_s = kNotANumber;
+  } else {
+    m.frequency_hz = nominal_hz + s.omega_rad_s * (1.0f / kTwoPi);
+    m.rocof_hz_s = s.alpha_rad_s2 * (1.0f / kTwoPi);
+  }
+  return m;
+}
+
+}  // namespace
+
+Measurement track(const TrackerSettings& settings, float nominal_hz, TrackerState& s,
+                  const Phasor& z) {
+  const float amplitude = root(z.in_phase * z.in_phase + z.quadrature * z.quadrature);
+  const float alive_above = s.dead ? 1.5f * settings.dead_bus_pu : settings.dead_bus_pu;
+  if (!z.complete || !(amplitude >= alive_above) || !(z.voltage_pu >= alive_above)) {
+    s.dead = true;
+    return report(nominal_hz, s, z, Validity::kInvalid);
+  }
+  if (s.dead) {
+    s.dead = false;
+    acquire(settings, s, z, amplitude);
+    return report(nominal_hz, s, z, Validity::kInvalid);
+  }
+
+  predict(settings, s);
+  const float cos_phase = cosine(s.phase_rad);
+  const float sin_phase = sine(s.phase_rad);
+  const float along = z.in_phase * cos_phase + z.quadrature * sin_phase;
+  const float across = z.quadrature * cos_phase - z.in_phase * sin_phase;
+  const bool settling = s.age < kReportsToSettle;
+  // While settling the frequency may be far off: the whole angle, not its sine.
+  const float innovation_rad = settling ? angle_of(across, along) : across / s.amplitude;
+  const float innovation_amplitude = along / s.amplitude - 1.0f;
+
+  if (!settling) {
+    const float leap = innovation_rad - s.last_innovation_rad;
+    const float leap_amplitude = innovation_amplitude - s.last_innovation_amplitude;
+    const bool leapt = leap > settings.leap_rad || leap < -settings.leap_rad ||
+                       leap_amplitude > settings.leap_amplitude ||
+                       leap_amplitude < -settings.leap_amplitude;
+    if (s.held > 0 || leapt) {
+      ++s.held;
+      if (s.held > kReportsToClear) {
+        take_phase(s, z, amplitude);
+        // What happened meanwhile the filter has not seen: ±0.1 Hz, ±1 Hz/s.
+        set_covariance(settings, s, kTwoPi * 0.1f, kTwoPi * 1.0f);
+      }
+      return report(nominal_hz, s, z, Validity::kHeld);
+    }
+  }
+  correct(settings, s, innovation_rad, innovation_amplitude);
+  s.last_innovation_rad = innovation_rad;
+  s.last_innovation_amplitude = innovation_amplitude;
+  if (settling) {
+    ++s.age;
+  }
+  return report(nominal_hz, s, z, settling ? Validity::kInvalid : Validity::kValid);
+}
+
+}  // namespace gs::outlet
