@@ -1,7 +1,10 @@
 // Profiles and grids from TOML files. Strict: an unknown key, a wrong type or unit, a value out of
 // range, a missing grid: all are refused with `file:line:column: what, and what would be right`.
+// profiles/README.md documents every key.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,17 +19,35 @@ class ConfigurationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Folders that profiles are looked for in: $GSBENCH_PROFILES if set, else the shipped ones.
+// One entry of the judge's catalogue, as far as an [[expect]] must agree with it.
+struct MeasureName {
+  std::string name;                     // "event.delay"
+  std::string unit;                     // "ms"; empty: dimensionless, or a word
+  bool word = false;                    // judged by `equals`, not by min and max
+  std::vector<std::string> words = {};  // that it can be; empty: any
+};
+using MeasureCatalogue = std::vector<MeasureName>;
+
+// Folder that profiles are looked for in: $GSBENCH_PROFILES if set, else the shipped ones.
 std::string profiles_folder();
 
-struct Overrides {                       // of the command line
+// What the command line says in place of the profile.
+struct Overrides {
   std::optional<std::uint64_t> seed;
-  std::string trace_path;                // replays this recording in place of the profile's stimulus
+  // Replays this recording, whole, in place of the profile's frequency, amplitude steps and phase
+  // jumps; noise, harmonics and DC offset stay. Empty: none.
+  std::string trace_path;
   waveform::TraceColumns trace_columns;
 };
 
 // `name`: a shipped profile ("paper/loss-500mw") or a path to a .toml file.
-Plan load_profile(const std::string& name, const Overrides& overrides = {});
+Plan load_profile(const std::string& name, const MeasureCatalogue& catalogue,
+                  const Overrides& overrides = {});
+
+// The same of a text, such as a run record keeps; grids and recordings it names by a relative path
+// are looked for beside `path`.
+Plan parse_profile(const std::string& text, const std::string& path,
+                   const MeasureCatalogue& catalogue, const Overrides& overrides = {});
 
 // `name`: a shipped grid ("ieee24") or a path to a .toml file.
 grid::Grid load_grid(const std::string& name);
@@ -35,6 +56,8 @@ struct ProfileSummary {
   std::string name;
   std::string title;
 };
+
+// In alphabetical order. A profile that cannot be read is listed with the reason for its title.
 std::vector<ProfileSummary> list_profiles();
 std::vector<std::string> list_grids();
 

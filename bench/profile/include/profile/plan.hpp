@@ -20,65 +20,65 @@ enum class TruthKind { kLosses, kPoints, kTrace };
 
 struct Stimulus {
   TruthKind kind = TruthKind::kLosses;
-  std::vector<grid::PowerChange> losses;              // [[grid.loss]]
-  std::vector<waveform::FrequencyPoint> points;       // [signal] frequency = [[t, hz], …]
-  std::vector<waveform::TracePoint> trace;            // [signal.trace], already read
+  std::vector<grid::PowerChange> losses;         // [[grid.loss]]
+  std::vector<waveform::FrequencyPoint> points;  // [signal] frequency = [[t, hz], …]
+  std::vector<waveform::TracePoint> trace;       // [signal.trace], already read
   std::string trace_path;
   waveform::SignalSpec signal;
-  double duration_s = 0.0;                            // > 0
-  std::int64_t sample_rate_hz = 8000;                 // whole multiple of 1000
-  double noise_pct = 0.0;                             // white, RMS, of the nominal amplitude (peak)
+  double duration_s = 0.0;             // > 0
+  std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000
+  double noise_pct = 0.0;              // white, RMS, of the nominal amplitude (peak)
 };
 
 // Settings of an outlet that a profile may set; what it leaves out the control centre derives from
 // the grid, or the firmware's default stands.
 struct OutletSettings {
-  double accumulated_mw = 0.0;                        // P^A, >= 0
-  std::optional<double> power_mw;                     // of the outlet's block, for eq. (17)
-  std::optional<double> threshold_mw;                 // ΔP_s in place of eq. (15)
-  std::optional<double> switch_off_hz;                // f^B in place of eq. (17)
-  std::optional<double> event_drop_hz;                // least drop that makes five drops an event
-  std::optional<int> condition_hits;                  // n_max of §5.2
-  std::optional<int> lse_samples;                     // n of eq. (19)
-  std::optional<int> ekf_samples;                     // EKF iterations before the decision
+  double accumulated_mw = 0.0;          // P^A, >= 0
+  std::optional<double> power_mw;       // of the outlet's block, for eq. (17)
+  std::optional<double> threshold_mw;   // ΔP_s in place of eq. (15)
+  std::optional<double> switch_off_hz;  // f^B in place of eq. (17)
+  std::optional<double> event_drop_hz;  // least drop that makes five drops an event
+  std::optional<int> condition_hits;    // n_max of §5.2
+  std::optional<int> lse_samples;       // n of eq. (19)
+  std::optional<int> ekf_samples;       // EKF iterations before the decision
 };
 
 struct Outlet {
-  std::string id;                                     // unique in the plan
-  std::string group;                                  // the [[outlet]] table it came from
+  std::string id;     // unique in the plan
+  std::string group;  // the [[outlet]] table it came from
   OutletSettings settings;
 };
 
 // A command of the control centre, criterion (3) of §5.5.
 struct Command {
   double at_s = 0.0;
-  std::vector<std::string> outlets;                   // ids; empty: all
-  bool switch_on = false;                             // false: off
+  std::vector<std::string> outlets;  // ids; empty: all
+  bool switch_on = false;            // false: off
 };
 
 // A limit, declared before the run: [[expect]].
 struct Expectation {
-  std::string measure;                                // a name of the judge's catalogue
-  std::string unit;                                   // as the catalogue has it, or one it converts
-  std::optional<double> min;                          // in `unit`, inclusive
+  std::string measure;        // a name of the judge's catalogue
+  std::string unit;           // as the catalogue has it, or one it converts
+  std::optional<double> min;  // in `unit`, inclusive
   std::optional<double> max;
-  std::optional<std::string> equals;                  // for measurements that are words: "open"
-  std::vector<std::string> groups;                    // outlets of these groups; empty: all
-  int line = 0;                                       // in the profile, for messages
+  std::optional<std::string> equals;  // for measurements that are words: "open"
+  std::vector<std::string> groups;    // outlets of these groups; empty: all
+  int line = 0;                       // in the profile, for messages
 };
 
 struct Plan {
-  std::string name;                                   // "paper/loss-500mw"
+  std::string name;  // "paper/loss-500mw"
   std::string title;
-  std::string source;                                 // where the case comes from
-  std::string path;                                   // of the profile file, as opened
-  std::string text;                                   // of the profile file, whole
-  std::string sha256;                                 // of text, hexadecimal
+  std::string source;  // where the case comes from
+  std::string path;    // of the profile file, as opened
+  std::string text;    // of the profile file, whole
+  std::string sha256;  // of text, hexadecimal
   grid::Grid grid;
   Stimulus stimulus;
-  std::vector<Outlet> outlets;                        // at least one
-  std::vector<Command> commands;                      // ascending in time
-  std::vector<Expectation> expectations;              // at least one
+  std::vector<Outlet> outlets;            // at least one
+  std::vector<Command> commands;          // ascending in time
+  std::vector<Expectation> expectations;  // at least one
   std::uint64_t seed = 1;
 
   std::int64_t duration_ticks() const;

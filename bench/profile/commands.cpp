@@ -1,0 +1,59 @@
+#include "commands.hpp"
+
+#include "nearest.hpp"
+#include "outlets.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace gsbench::profile {
+namespace {
+
+// Ids of the outlets that `words` name, by id or by group, each once and in the plan's order.
+std::vector<std::string> named_outlets(const Table& table, const std::vector<Word>& words,
+                                       const std::vector<Outlet>& outlets) {
+  const auto names = [](const Word& word, const Outlet& outlet) {
+    return word.text == outlet.id || word.text == outlet.group;
+  };
+  for (const Word& word : words) {
+    if (std::any_of(outlets.begin(), outlets.end(),
+                    [&](const Outlet& outlet) { return names(word, outlet); })) {
+      continue;
+    }
+    auto known = groups_of(outlets);
+    for (const Outlet& outlet : outlets) known.push_back(outlet.id);
+    table.refuse(word.at, fmt::format("no outlet or group \"{}\"{}", word.text,
+                                      suggestion(word.text, known, "groups and outlets")));
+  }
+  std::vector<std::string> ids;
+  for (const Outlet& outlet : outlets) {
+    if (std::any_of(words.begin(), words.end(),
+                    [&](const Word& word) { return names(word, outlet); })) {
+      ids.push_back(outlet.id);
+    }
+  }
+  return ids;
+}
+
+}  // namespace
+
+std::vector<Command> read_commands(const Table& top, const std::vector<Outlet>& outlets,
+                                   double duration_s) {
+  std::vector<Command> commands;
+  for (const Value* value : top.tables("command")) {
+    const Table table(top.document(), *value, "[[command]]", {"at_s", "outlets", "switch"});
+    Command command;
+    command.at_s = table.required_number("at_s", within_run(duration_s));
+    command.outlets = named_outlets(table, table.words("outlets"), outlets);
+    const auto position = table.choice("switch", {"off", "on"});
+    if (!position) table.refuse_missing("switch", "\"off\" or \"on\"");
+    command.switch_on = *position == "on";
+    commands.push_back(std::move(command));
+  }
+  std::stable_sort(commands.begin(), commands.end(),
+                   [](const Command& a, const Command& b) { return a.at_s < b.at_s; });
+  return commands;
+}
+
+}  // namespace gsbench::profile

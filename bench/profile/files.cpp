@@ -1,0 +1,140 @@
+#include "files.hpp"
+
+#include "nearest.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include <profile/load.hpp>
+
+namespace gsbench::profile {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExtension = ".toml";
+constexpr const char* kGridsFolder = "grids";
+
+fs::path grids_folder() {
+  return fs::path(profiles_folder()) / kGridsFolder;
+}
+
+bool is_toml_path(const std::string& name) {
+  return fs::path(name).extension() == kExtension;
+}
+
+// Every .toml file below `folder`, named by its path in there without the extension.
+std::vector<NamedFile> files_below(const fs::path& folder) {
+  std::vector<NamedFile> found;
+  std::error_code ignored;  // a folder that is not there holds nothing
+  for (fs::recursive_directory_iterator at(folder, ignored), end; at != end;
+       at.increment(ignored)) {
+    if (at->path().extension() != kExtension || !at->is_regular_file(ignored)) continue;
+    fs::path name = at->path().lexically_relative(folder);
+    found.push_back({name.replace_extension().generic_string(), at->path().string()});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const NamedFile& a, const NamedFile& b) { return a.name < b.name; });
+  return found;
+}
+
+std::vector<std::string> names_of(const std::vector<NamedFile>& files) {
+  std::vector<std::string> names;
+  names.reserve(files.size());
+  for (const NamedFile& file : files) names.push_back(file.name);
+  return names;
+}
+
+}  // namespace
+
+std::string profiles_folder() {
+  const char* chosen = std::getenv("GSBENCH_PROFILES");
+  return chosen != nullptr && *chosen != '\0' ? chosen : GSBENCH_SHIPPED_PROFILES;
+}
+
+NamedFile find_profile(const std::string& name_or_path) {
+  if (is_toml_path(name_or_path)) {
+    if (!is_regular_file(name_or_path)) {
+      throw ConfigurationError(fmt::format("{}: no such profile file", name_or_path));
+    }
+    return {profile_name(name_or_path), name_or_path};
+  }
+  const auto known = all_profiles();
+  const auto found = std::find_if(known.begin(), known.end(), [&](const NamedFile& profile) {
+    return profile.name == name_or_path;
+  });
+  if (found == known.end()) {
+    throw ConfigurationError(fmt::format(
+        "no profile \"{}\" in {}{} (a file of your own is given by its path, ending "
+        "in .toml)",
+        name_or_path, profiles_folder(), suggestion(name_or_path, names_of(known), "profiles")));
+  }
+  return *found;
+}
+
+std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder) {
+  const fs::path path = is_toml_path(name_or_path) ? fs::path(folder) / name_or_path
+                                                   : grids_folder() / (name_or_path + kExtension);
+  if (!is_regular_file(path.string())) return std::nullopt;
+  return NamedFile{path.stem().string(), path.string()};
+}
+
+std::string no_such_grid(const std::string& name_or_path) {
+  return fmt::format("no grid \"{}\"{} (a file of your own is given by its path, ending in .toml)",
+                     name_or_path, suggestion(name_or_path, list_grids(), "shipped grids"));
+}
+
+std::string profile_name(const std::string& path) {
+  std::error_code ignored;  // what cannot be resolved is not below the folder
+  fs::path name = fs::weakly_canonical(path, ignored)
+                      .lexically_relative(fs::weakly_canonical(profiles_folder(), ignored));
+  if (name.empty() || *name.begin() == "..") name = fs::path(path).filename();
+  return name.replace_extension().generic_string();
+}
+
+std::string resolve(const std::string& path, const std::string& beside) {
+  return (fs::path(beside).parent_path() / path).string();
+}
+
+bool is_regular_file(const std::string& path) {
+  std::error_code ignored;  // what cannot be looked at cannot be read
+  return fs::is_regular_file(path, ignored);
+}
+
+std::string read_file(const std::string& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!is_regular_file(path) || !file) {
+    throw ConfigurationError(
+        fmt::format("{}: cannot be read: {}", path,
+                    errno != 0 ? std::strerror(errno) : "it is no regular file"));
+  }
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::vector<NamedFile> all_profiles() {
+  auto files = files_below(profiles_folder());
+  const std::string grids = std::string(kGridsFolder) + '/';
+  files.erase(std::remove_if(files.begin(), files.end(),
+                             [&](const NamedFile& file) { return file.name.rfind(grids, 0) == 0; }),
+              files.end());
+  return files;
+}
+
+std::vector<NamedFile> all_grids() {
+  return files_below(grids_folder());
+}
+
+std::vector<std::string> list_grids() {
+  return names_of(all_grids());
+}
+
+}  // namespace gsbench::profile

@@ -1,0 +1,36 @@
+// Where profiles and grids are on disk.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gsbench::profile {
+
+struct NamedFile {
+  std::string name;  // "paper/loss-500mw", "ieee24"
+  std::string path;
+};
+
+// Throws ConfigurationError where there is no such profile.
+NamedFile find_profile(const std::string& name_or_path);
+
+// `folder`: what a relative path is relative to.
+std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder);
+std::string no_such_grid(const std::string& name_or_path);
+
+// "paper/loss-500mw" for a file below profiles_folder(), else the file's name without extension.
+std::string profile_name(const std::string& path);
+
+// `path` as it stands, where it is absolute; else below the folder that `beside` is in.
+std::string resolve(const std::string& path, const std::string& beside);
+
+bool is_regular_file(const std::string& path);
+
+// Throws ConfigurationError where it is no readable regular file.
+std::string read_file(const std::string& path);
+
+std::vector<NamedFile> all_profiles();  // by name
+std::vector<NamedFile> all_grids();     // by name
+
+}  // namespace gsbench::profile

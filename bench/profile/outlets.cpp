@@ -1,0 +1,108 @@
+#include "outlets.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace gsbench::profile {
+namespace {
+
+constexpr std::int64_t kMostOutlets = 1000;  // of one run; studies of more have no profile
+constexpr std::size_t kLongestId = 64;
+
+// What outlets accept of their settings.
+constexpr double kLowestSwitchOff_pu = 0.8;
+constexpr double kLargestDrop_hz = 1.0;
+constexpr int kMostHits = 1000;
+constexpr int kMostLseSamples = 64;
+constexpr int kMostEkfSamples = 200;
+
+// Ids and groups stand in file names, topics and JSON.
+std::optional<std::string> read_identifier(const Table& table, const std::string& key) {
+  auto text = table.text(key);
+  if (!text) return text;
+  const bool plain = std::all_of(text->begin(), text->end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  });
+  if (!plain || text->size() > kLongestId) {
+    table.refuse(key, fmt::format("{} is \"{}\"; it must be of letters, digits, '-', '_' and '.', "
+                                  "at most {} of them",
+                                  key, *text, kLongestId));
+  }
+  return text;
+}
+
+std::optional<int> read_count(const Table& table, const std::string& key, int least, int most) {
+  const auto value = table.integer(key, least, most);
+  return value ? std::optional<int>(static_cast<int>(*value)) : std::nullopt;
+}
+
+OutletSettings read_settings(const Table& table, const grid::Grid& grid) {
+  OutletSettings settings;
+  Range load = between(0.0, grid.load_mw);
+  load.note = "the grid's load";
+  settings.accumulated_mw = table.number("accumulated_mw", load).value_or(0.0);
+  Range block = above(0.0);
+  block.high = settings.accumulated_mw;
+  block.note = "accumulated_mw, which counts the outlet's own block";
+  settings.power_mw = table.number("power_mw", block);
+  settings.threshold_mw = table.number("threshold_mw", above(0.0));
+  Range below_nominal = between(kLowestSwitchOff_pu * grid.nominal_hz, grid.nominal_hz);
+  below_nominal.high_open = true;
+  below_nominal.note = "the grid's nominal_hz";
+  settings.switch_off_hz = table.number("switch_off_hz", below_nominal);
+  Range drop = above(0.0);
+  drop.high = kLargestDrop_hz;
+  settings.event_drop_hz = table.number("event_drop_hz", drop);
+  settings.condition_hits = read_count(table, "condition_hits", 0, kMostHits);
+  settings.lse_samples = read_count(table, "lse_samples", 2, kMostLseSamples);  // a slope takes two
+  settings.ekf_samples = read_count(table, "ekf_samples", 1, kMostEkfSamples);
+  return settings;
+}
+
+}  // namespace
+
+std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid) {
+  std::vector<Outlet> outlets;
+  for (const Value* value : top.tables("outlet")) {
+    const Table table(
+        top.document(), *value, "[[outlet]]",
+        {"count", "id", "group", "accumulated_mw", "power_mw", "threshold_mw", "switch_off_hz",
+         "event_drop_hz", "condition_hits", "lse_samples", "ekf_samples"});
+    const std::int64_t count = table.integer("count", 1, kMostOutlets).value_or(1);
+    const auto prefix = read_identifier(table, "id");
+    const std::string group = read_identifier(table, "group").value_or(prefix.value_or("all"));
+    const OutletSettings settings = read_settings(table, grid);
+    if (outlets.size() + static_cast<std::size_t>(count) > kMostOutlets) {
+      table.refuse(table.at(), fmt::format("more than {} outlets in all", kMostOutlets));
+    }
+    for (std::int64_t i = 1; i <= count; ++i) {
+      // Outlets without an id of their own are numbered through the whole profile.
+      const std::string id = !prefix      ? fmt::format("outlet-{}", outlets.size() + 1)
+                             : count == 1 ? *prefix
+                                          : fmt::format("{}-{}", *prefix, i);
+      const auto same = [&](const Outlet& other) { return other.id == id; };
+      if (std::any_of(outlets.begin(), outlets.end(), same)) {
+        table.refuse(
+            prefix ? table.at("id") : table.at(),
+            fmt::format("there is an outlet \"{}\" already; give this one another id", id));
+      }
+      outlets.push_back({id, group, settings});
+    }
+  }
+  if (outlets.empty()) top.refuse_missing("outlet", "at least one [[outlet]]");
+  return outlets;
+}
+
+std::vector<std::string> groups_of(const std::vector<Outlet>& outlets) {
+  std::vector<std::string> groups;
+  for (const Outlet& outlet : outlets) {
+    if (std::find(groups.begin(), groups.end(), outlet.group) == groups.end()) {
+      groups.push_back(outlet.group);
+    }
+  }
+  return groups;
+}
+
+}  // namespace gsbench::profile

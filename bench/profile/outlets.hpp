@@ -1,0 +1,18 @@
+// [[outlet]]: who listens, and with which settings.
+#pragma once
+
+#include "table.hpp"
+
+#include <vector>
+
+#include <grid/grid.hpp>
+#include <profile/plan.hpp>
+
+namespace gsbench::profile {
+
+std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid);
+
+// Groups of these outlets, each once, in the order of the profile.
+std::vector<std::string> groups_of(const std::vector<Outlet>& outlets);
+
+}  // namespace gsbench::profile

@@ -1,0 +1,16 @@
+// What is played: [signal], and [[grid.loss]].
+#pragma once
+
+#include "table.hpp"
+
+#include <grid/grid.hpp>
+#include <profile/plan.hpp>
+
+namespace gsbench::profile {
+
+// `skip_recording`: another recording is going to take the place of [signal.trace], whose file need
+// not be there then.
+Stimulus read_stimulus(const Table& signal, const Table& grid_section, const grid::Grid& grid,
+                       bool skip_recording);
+
+}  // namespace gsbench::profile

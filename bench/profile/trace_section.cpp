@@ -1,0 +1,80 @@
+#include "trace_section.hpp"
+
+#include "files.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace gsbench::profile {
+namespace {
+
+std::vector<waveform::TracePoint> read_recording(const std::string& path,
+                                                 const waveform::TraceColumns& columns) {
+  try {
+    return waveform::read_trace(path, columns);
+  } catch (const std::runtime_error& error) {  // its message names file, line and column
+    throw ConfigurationError(error.what());
+  }
+}
+
+void use(std::vector<waveform::TracePoint> points, std::string path, Stimulus& stimulus) {
+  stimulus.kind = TruthKind::kTrace;
+  stimulus.duration_s = points.back().t_s;
+  stimulus.trace = std::move(points);
+  stimulus.trace_path = std::move(path);
+}
+
+}  // namespace
+
+void read_trace_section(const Table& signal, Stimulus& stimulus) {
+  const Table table(
+      signal.document(), *signal.table("trace"), "[signal.trace]",
+      {"file", "time", "frequency", "voltage", "nominal_voltage", "from_s", "until_s"});
+  const std::string path = resolve(table.required_text("file"), table.document().path);
+  waveform::TraceColumns columns;
+  columns.time = table.required_text("time");
+  columns.frequency = table.required_text("frequency");
+  columns.voltage = table.text("voltage").value_or("");
+  columns.nominal_voltage = table.number("nominal_voltage", above(0.0)).value_or(0.0);
+  if (columns.voltage.empty() && table.has("nominal_voltage")) {
+    table.refuse("nominal_voltage", "nominal_voltage needs the column: voltage = \"…\"");
+  }
+  const double from_s = table.number("from_s", at_least(0.0)).value_or(0.0);
+  const auto until_s = table.number("until_s", above(from_s));
+  if (!is_regular_file(path)) table.refuse("file", fmt::format("no recording {}", path));
+
+  auto points = read_recording(path, columns);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const waveform::TracePoint& point) {
+                                return point.t_s < from_s || (until_s && point.t_s > *until_s);
+                              }),
+               points.end());
+  if (points.size() < 2) {
+    table.refuse(table.has("from_s")    ? "from_s"
+                 : table.has("until_s") ? "until_s"
+                                        : "file",
+                 fmt::format("less than two rows of {} are left to play", path));
+  }
+  const double first_s = points.front().t_s;
+  for (waveform::TracePoint& point : points) point.t_s -= first_s;
+  use(std::move(points), path, stimulus);
+}
+
+void replace_by_recording(const std::string& path, const waveform::TraceColumns& columns,
+                          Stimulus& stimulus) {
+  if (!is_regular_file(path)) throw ConfigurationError(fmt::format("{}: no such recording", path));
+  auto points = read_recording(path, columns);
+  if (points.size() < 2) {
+    throw ConfigurationError(fmt::format("{}: less than two rows to play", path));
+  }
+  stimulus.losses.clear();
+  stimulus.points.clear();
+  stimulus.signal.amplitude_steps.clear();
+  stimulus.signal.phase_jumps.clear();
+  use(std::move(points), path, stimulus);
+}
+
+}  // namespace gsbench::profile

@@ -1,0 +1,20 @@
+// A recording as the stimulus.
+#pragma once
+
+#include "table.hpp"
+
+#include <string>
+
+#include <profile/plan.hpp>
+
+namespace gsbench::profile {
+
+// [signal.trace]: sets the stimulus's kind, trace and duration.
+void read_trace_section(const Table& signal, Stimulus& stimulus);
+
+// The whole recording in place of whatever happens in the stimulus so far; what the signal is made
+// of (noise, harmonics, DC offset) stays.
+void replace_by_recording(const std::string& path, const waveform::TraceColumns& columns,
+                          Stimulus& stimulus);
+
+}  // namespace gsbench::profile

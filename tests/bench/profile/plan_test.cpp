@@ -1,0 +1,62 @@
+// A plan's truth and samples are those of its profile.
+#include "texts.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::profile::test {
+namespace {
+
+TEST(Plan, CountsItsDurationInTicks) {
+  EXPECT_EQ(parse(kMinimal).duration_ticks(), 48000);
+  EXPECT_EQ(parse(kLossesInPlace).duration_ticks(), 40000);
+}
+
+TEST(Plan, LossesFollowTheGridsResponse) {
+  const Plan plan = parse(kLossesInPlace);
+  const grid::SfrModel model(plan.grid);
+  const auto truth = plan.truth();
+  EXPECT_EQ(truth->frequency_hz(1.0), 60.0);
+  // Two changes superposed, eq. (10); both sides are the same closed form, so only rounding
+  // differs.
+  EXPECT_NEAR(truth->frequency_hz(5.0),
+              60.0 + 100.0 * model.unit_deviation_hz(3.0) - 50.0 * model.unit_deviation_hz(1.0),
+              1e-12);
+}
+
+TEST(Plan, WithoutLossesStaysAtNominal) {
+  const auto truth = parse(kMinimal).truth();
+  EXPECT_EQ(truth->frequency_hz(0.0), 50.0);
+  EXPECT_EQ(truth->frequency_hz(6.0), 50.0);
+  EXPECT_EQ(truth->rocof_hz_s(3.0), 0.0);
+}
+
+TEST(Plan, PointsPassThroughEachPoint) {
+  const auto truth = parse(kPoints).truth();
+  EXPECT_EQ(truth->nominal_hz(), 50.0);
+  EXPECT_NEAR(truth->frequency_hz(2.0), 49.5, 1e-12);  // rounding of a cubic
+  EXPECT_NEAR(truth->frequency_hz(6.0), 49.8, 1e-12);
+}
+
+TEST(Plan, OnePointIsAConstantFrequency) {
+  const Plan plan =
+      parse(replaced(kPoints, "[[0.0, 50.0], [2.0, 49.5], [6.0, 49.8]]", "[[0.0, 47.5]]"));
+  EXPECT_EQ(plan.truth()->frequency_hz(5.0), 47.5);
+}
+
+TEST(Plan, SynthesizesWithTheSignalOfTheProfile) {
+  const Plan plan =
+      parse(replaced(kMinimal, "6.0", "6.0\ndc_offset_pct = 25\ninitial_phase_deg = 90"));
+  const waveform::Synthesizer synthesizer = plan.synthesizer();
+  EXPECT_EQ(synthesizer.sample_rate_hz(), 8000);
+  float first = 0.0F;
+  synthesizer.render(0, 1, &first);
+  // Either extreme of the unit sine, and the offset; 1e-6 is float's rounding with room to spare.
+  EXPECT_NEAR(static_cast<double>(std::abs(first - 0.25F)), 1.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace gsbench::profile::test

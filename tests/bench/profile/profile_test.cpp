@@ -1,0 +1,194 @@
+// What a profile says is what its plan holds.
+#include "texts.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gsbench::profile::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+TEST(Profile, MinimalOneHasTheDocumentedDefaults) {
+  const Plan plan = parse(kMinimal);
+  EXPECT_EQ(plan.seed, 1u);
+  EXPECT_EQ(plan.grid.name, "ieee24");
+  EXPECT_EQ(plan.stimulus.kind, TruthKind::kLosses);
+  EXPECT_THAT(plan.stimulus.losses, IsEmpty());
+  EXPECT_EQ(plan.stimulus.sample_rate_hz, 8000);
+  EXPECT_EQ(plan.stimulus.noise_pct, 0.0);
+  EXPECT_THAT(plan.stimulus.signal.harmonics, IsEmpty());
+  EXPECT_EQ(plan.stimulus.signal.dc_offset_pct, 0.0);
+  ASSERT_THAT(plan.outlets, SizeIs(1));
+  EXPECT_EQ(plan.outlets[0].id, "outlet-1");
+  EXPECT_EQ(plan.outlets[0].group, "all");
+  EXPECT_EQ(plan.outlets[0].settings.accumulated_mw, 0.0);
+  EXPECT_FALSE(plan.outlets[0].settings.switch_off_hz);
+  EXPECT_THAT(plan.commands, IsEmpty());
+}
+
+TEST(Profile, KeepsItsTextAndDigest) {
+  const Plan plan = parse(kMinimal);
+  EXPECT_EQ(plan.text, kMinimal);
+  EXPECT_EQ(plan.path, "test.toml");
+  EXPECT_EQ(plan.name, "test");
+  // Worked out by another implementation (coreutils' sha256sum).
+  EXPECT_EQ(plan.sha256, "a6b7454ae887c8a32fb06930460c9a746a37d032fe7351c1efaa52a15beadcb3");
+}
+
+TEST(Profile, HoldsTheHeadAndTheGridInPlace) {
+  const Plan plan = parse(kLossesInPlace);
+  EXPECT_EQ(plan.title, "Losses in a grid in place");
+  EXPECT_EQ(plan.source, "Somewhere");
+  EXPECT_EQ(plan.seed, 7u);
+  const grid::Grid& grid = plan.grid;
+  EXPECT_EQ(grid.title, plan.title);
+  EXPECT_EQ(grid.nominal_hz, 60.0);
+  EXPECT_EQ(grid.threshold_hz, 59.3);
+  EXPECT_EQ(grid.base_mw, 900.0);
+  EXPECT_EQ(grid.load_mw, 800.0);
+  EXPECT_EQ(grid.damping_pu, 1.5);
+  EXPECT_EQ(grid.gain_km, 0.9);
+  EXPECT_EQ(grid.reheat_fraction, 0.25);
+  EXPECT_EQ(grid.reheat_s, 7.0);
+  EXPECT_EQ(grid.condition_row_hz, 0.1);
+  ASSERT_THAT(grid.plants, SizeIs(2));
+  EXPECT_EQ(grid.plants[0].id, "one");
+  EXPECT_EQ(grid.plants[0].rating_mw, 500.0);
+  EXPECT_EQ(grid.plants[0].inertia_s, 4.0);
+  EXPECT_EQ(grid.plants[0].droop_pu, 0.05);
+  EXPECT_EQ(grid.plants[1].droop_pu, 0.04);
+  ASSERT_THAT(grid.blocks, SizeIs(1));
+  EXPECT_EQ(grid.blocks[0].id, "least");
+  EXPECT_EQ(grid.blocks[0].power_mw, 30.0);
+  EXPECT_EQ(grid.reference.source, "A paper");
+  EXPECT_EQ(grid.reference.t_nadir_s, 2.5);
+  EXPECT_EQ(grid.reference.threshold_mw, 90.0);
+  EXPECT_THAT(grid.reference.condition_rocof_hz_s, ElementsAre(-0.5, 0.0));
+  EXPECT_EQ(grid.reference.note, "Why they differ");
+}
+
+TEST(Profile, HoldsTheSignalWithLossesInTheOrderOfTime) {
+  const Stimulus stimulus = parse(kLossesInPlace).stimulus;
+  EXPECT_EQ(stimulus.kind, TruthKind::kLosses);
+  EXPECT_EQ(stimulus.duration_s, 10.0);
+  EXPECT_EQ(stimulus.sample_rate_hz, 4000);
+  EXPECT_EQ(stimulus.noise_pct, 0.5);
+  ASSERT_THAT(stimulus.losses, SizeIs(2));
+  EXPECT_EQ(stimulus.losses[0].at_s, 2.0);
+  EXPECT_EQ(stimulus.losses[0].power_mw, 100.0);
+  EXPECT_EQ(stimulus.losses[1].power_mw, -50.0);
+  const waveform::SignalSpec& signal = stimulus.signal;
+  EXPECT_EQ(signal.dc_offset_pct, 0.25);
+  EXPECT_EQ(signal.initial_phase_deg, 30.0);
+  ASSERT_THAT(signal.amplitude_steps, SizeIs(2));
+  EXPECT_EQ(signal.amplitude_steps[0].at_s, 5.0);
+  EXPECT_EQ(signal.amplitude_steps[0].duration_s, 1.5);
+  EXPECT_EQ(signal.amplitude_steps[0].level_pct, 40.0);
+  EXPECT_EQ(signal.amplitude_steps[1].duration_s, std::numeric_limits<double>::infinity());
+  ASSERT_THAT(signal.phase_jumps, SizeIs(1));
+  EXPECT_EQ(signal.phase_jumps[0].at_s, 3.0);
+  EXPECT_EQ(signal.phase_jumps[0].degrees, -20.0);
+}
+
+TEST(Profile, AddsListedHarmonicsToTheSet) {
+  const auto harmonics = parse(kLossesInPlace).stimulus.signal.harmonics;
+  ASSERT_THAT(harmonics, SizeIs(24 + 2));  // EN 50160 limits orders 2 … 25
+  EXPECT_EQ(harmonics[24].order, 26);
+  EXPECT_EQ(harmonics[24].amplitude_pct, 5.0);
+  EXPECT_EQ(harmonics[24].phase_deg, 90.0);
+  EXPECT_EQ(harmonics[25].phase_deg, -10.0);
+}
+
+TEST(Profile, SetOfEn50160HoldsEachLimitAtOnce) {
+  const auto harmonics = parse(kLossesInPlace).stimulus.signal.harmonics;
+  double squares = 0.0;
+  for (int i = 0; i < 24; ++i) {
+    const waveform::Harmonic& harmonic = harmonics[static_cast<std::size_t>(i)];
+    EXPECT_EQ(harmonic.order, i + 2);
+    squares += harmonic.amplitude_pct * harmonic.amplitude_pct;
+  }
+  EXPECT_EQ(harmonics[5 - 2].amplitude_pct, 6.0);
+  EXPECT_EQ(harmonics[24 - 2].amplitude_pct, 0.5);
+  // The root sum of squares of the standard's table, by hand: √128.25.
+  EXPECT_NEAR(std::sqrt(squares), 11.325, 5e-4);
+}
+
+TEST(Profile, NamesAndNumbersItsOutlets) {
+  const Plan plan = parse(kLossesInPlace);
+  std::vector<std::string> ids;
+  std::vector<std::string> groups;
+  for (const Outlet& outlet : plan.outlets) {
+    ids.push_back(outlet.id);
+    groups.push_back(outlet.group);
+  }
+  EXPECT_THAT(ids, ElementsAre("shed-1", "shed-2", "shed-3", "alone", "outlet-5", "outlet-6"));
+  EXPECT_THAT(groups, ElementsAre("early", "early", "early", "alone", "all", "all"));
+}
+
+TEST(Profile, GivesEachOutletItsSettings) {
+  const Plan plan = parse(kLossesInPlace);
+  const OutletSettings& settings = plan.outlets[2].settings;
+  EXPECT_EQ(settings.accumulated_mw, 100.0);
+  EXPECT_EQ(settings.power_mw, 40.0);
+  EXPECT_EQ(settings.threshold_mw, 200.0);
+  EXPECT_EQ(settings.switch_off_hz, 58.5);
+  EXPECT_EQ(settings.event_drop_hz, 0.03);
+  EXPECT_EQ(settings.condition_hits, 12);
+  EXPECT_EQ(settings.lse_samples, 8);
+  EXPECT_EQ(settings.ekf_samples, 30);
+  EXPECT_FALSE(plan.outlets[3].settings.ekf_samples);
+}
+
+TEST(Profile, PutsCommandsInTheOrderOfTimeAndResolvesGroups) {
+  const auto commands = parse(kLossesInPlace).commands;
+  ASSERT_THAT(commands, SizeIs(2));
+  EXPECT_EQ(commands[0].at_s, 6.0);
+  EXPECT_FALSE(commands[0].switch_on);
+  EXPECT_THAT(commands[0].outlets, IsEmpty());  // all
+  EXPECT_TRUE(commands[1].switch_on);
+  EXPECT_THAT(commands[1].outlets, ElementsAre("shed-1", "shed-2", "shed-3", "alone"));
+}
+
+TEST(Profile, HoldsLimitsInTheUnitTheyWereGivenIn) {
+  const auto expectations = parse(kLossesInPlace).expectations;
+  ASSERT_THAT(expectations, SizeIs(2));
+  EXPECT_EQ(expectations[0].measure, "event.delay");
+  EXPECT_EQ(expectations[0].unit, "s");  // the catalogue has ms
+  EXPECT_EQ(expectations[0].min, 0.03);
+  EXPECT_EQ(expectations[0].max, 0.16);
+  EXPECT_THAT(expectations[0].groups, ElementsAre("early"));
+  EXPECT_EQ(expectations[0].line, 81);
+  EXPECT_EQ(expectations[1].equals, "open");
+  EXPECT_FALSE(expectations[1].min);
+  EXPECT_THAT(expectations[1].groups, IsEmpty());
+}
+
+TEST(Profile, HoldsBreakPoints) {
+  const Stimulus stimulus = parse(kPoints).stimulus;
+  EXPECT_EQ(stimulus.kind, TruthKind::kPoints);
+  ASSERT_THAT(stimulus.points, SizeIs(3));
+  EXPECT_EQ(stimulus.points[1].t_s, 2.0);
+  EXPECT_EQ(stimulus.points[1].frequency_hz, 49.5);
+}
+
+TEST(Profile, TakesTheSeedOfTheCommandLineInPlaceOfItsOwn) {
+  Overrides overrides;
+  overrides.seed = 42;
+  EXPECT_EQ(parse_profile(kLossesInPlace, "test.toml", catalogue(), overrides).seed, 42u);
+}
+
+TEST(Profile, ReadsWindowsLineEndsAndAByteOrderMark) {
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : std::string(kMinimal))
+    text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(parse(text).title, "A test");
+}
+
+}  // namespace
+}  // namespace gsbench::profile::test

@@ -1,0 +1,147 @@
+// Recordings as the stimulus: of the profile, and of the command line in its place.
+#include "texts.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gsbench::profile::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
+
+constexpr const char* kCsv =
+    "t,f,u\n"
+    "0,50.0,230\n"
+    "1,49.9,230\n"
+    "2,49.8,115\n"
+    "3,49.7,230\n"
+    "4,49.6,230\n"
+    "5,49.5,230\n";
+
+class Recording : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_);
+    write("recording.csv", kCsv);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  Plan parse_here(const std::string& text, const Overrides& overrides = {}) const {
+    return parse_profile(text, path("case.toml"), catalogue(), overrides);
+  }
+  std::string refusal_here(const std::string& text, const Overrides& overrides = {}) const {
+    try {
+      (void)parse_here(text, overrides);
+    } catch (const ConfigurationError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  Overrides replay(const std::string& name) const {
+    Overrides overrides;
+    overrides.trace_path = path(name);
+    overrides.trace_columns = {"t", "f", "", 0.0};
+    return overrides;
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) /
+                           (std::string("gsbench-recording-") +
+                            testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
+  const Plan plan = parse_here(kRecording);
+  EXPECT_EQ(plan.stimulus.kind, TruthKind::kTrace);
+  EXPECT_EQ(plan.stimulus.trace_path, path("recording.csv"));
+  ASSERT_THAT(plan.stimulus.trace, SizeIs(4));  // of 1 s … 4 s
+  EXPECT_EQ(plan.stimulus.trace[0].t_s, 0.0);
+  EXPECT_EQ(plan.stimulus.trace[0].frequency_hz, 49.9);
+  EXPECT_EQ(plan.stimulus.trace[1].voltage_pu, 0.5);
+  EXPECT_EQ(plan.stimulus.trace[3].t_s, 3.0);
+  EXPECT_EQ(plan.stimulus.duration_s, 2.0);
+  EXPECT_NEAR(plan.truth()->frequency_hz(2.0), 49.7, 1e-12);  // rounding of a cubic
+}
+
+TEST_F(Recording, IsPlayedToItsEndWhereTheProfileGivesNoDuration) {
+  EXPECT_EQ(parse_here(replaced(kRecording, "duration_s = 2.0", "")).stimulus.duration_s, 3.0);
+}
+
+TEST_F(Recording, ThatIsShorterThanTheRunIsRefused) {
+  EXPECT_EQ(refusal_here(replaced(kRecording, "duration_s = 2.0", "duration_s = 3.5")),
+            path("case.toml") + ":6:14: duration_s is 3.5; the recording ends at 3 s");
+}
+
+TEST_F(Recording, ThatIsMissingIsRefusedAtTheProfilesLine) {
+  EXPECT_EQ(refusal_here(replaced(kRecording, "recording.csv", "none.csv")),
+            path("case.toml") + ":8:8: no recording " + path("none.csv"));
+}
+
+TEST_F(Recording, WithoutTheNamedColumnIsRefusedByItsOwnName) {
+  EXPECT_THAT(refusal_here(replaced(kRecording, "frequency = \"f\"", "frequency = \"g\"")),
+              StartsWith(path("recording.csv") + ":1:"));
+}
+
+TEST_F(Recording, OfWhichTheWindowLeavesNothingIsRefused) {
+  EXPECT_EQ(refusal_here(replaced(kRecording, "from_s = 1.0", "from_s = 3.5")),
+            path("case.toml") + ":13:10: less than two rows of " + path("recording.csv") +
+                " are left to play");
+}
+
+TEST_F(Recording, NominalVoltageNeedsAVoltageColumn) {
+  EXPECT_EQ(refusal_here(replaced(kRecording, "voltage = \"u\"", "")),
+            path("case.toml") + ":12:19: nominal_voltage needs the column: voltage = \"…\"");
+}
+
+TEST_F(Recording, WindowThatEndsBeforeItBeginsIsRefused) {
+  EXPECT_EQ(refusal_here(replaced(kRecording, "until_s = 4.0", "until_s = 0.5")),
+            path("case.toml") + ":14:11: until_s is 0.5; it must be above 1");
+}
+
+TEST_F(Recording, OfTheCommandLineTakesThePlaceOfWhateverHappens) {
+  write("long.csv", std::string(kCsv) + "20,49.5,230\n");
+  const Stimulus stimulus = parse_here(kLossesInPlace, replay("long.csv")).stimulus;
+  EXPECT_EQ(stimulus.kind, TruthKind::kTrace);
+  EXPECT_EQ(stimulus.duration_s, 20.0);
+  EXPECT_THAT(stimulus.losses, IsEmpty());
+  EXPECT_THAT(stimulus.signal.amplitude_steps, IsEmpty());
+  EXPECT_THAT(stimulus.signal.phase_jumps, IsEmpty());
+  EXPECT_THAT(stimulus.signal.harmonics, SizeIs(26));
+  EXPECT_EQ(stimulus.noise_pct, 0.5);
+}
+
+TEST_F(Recording, OfTheCommandLineTakesThePlaceOfOneThatIsNotThere) {
+  const Plan plan =
+      parse_here(replaced(kRecording, "recording.csv", "none.csv"), replay("recording.csv"));
+  EXPECT_EQ(plan.stimulus.trace_path, path("recording.csv"));
+  EXPECT_EQ(plan.stimulus.duration_s, 5.0);
+}
+
+TEST_F(Recording, OfTheCommandLineThatIsMissingIsRefused) {
+  EXPECT_EQ(refusal_here(kMinimal, replay("none.csv")), path("none.csv") + ": no such recording");
+}
+
+TEST_F(Recording, OfTheCommandLineWithABadRowIsRefusedAtTheRow) {
+  write("bad.csv", "t,f\n0,50\n1,fifty\n");
+  EXPECT_THAT(refusal_here(kMinimal, replay("bad.csv")), StartsWith(path("bad.csv") + ":3:"));
+}
+
+TEST_F(Recording, EndsBeforeACommandIsRefused) {
+  const std::string text = std::string(kMinimal) + "[[command]]\nat_s = 5.5\nswitch = \"off\"\n";
+  EXPECT_EQ(refusal_here(text), "");
+  EXPECT_THAT(refusal_here(text, replay("recording.csv")),
+              HasSubstr(":12:8: at_s is 5.5; it must be at least 0 and below 5"));
+}
+
+}  // namespace
+}  // namespace gsbench::profile::test

@@ -1,0 +1,248 @@
+// Each slip in a profile's head, grid, signal and limits has its own message and exact place.
+#include "texts.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gsbench::profile::test {
+namespace {
+
+class RefusesOfALossesProfile : public testing::TestWithParam<Spoilt> {};
+
+TEST_P(RefusesOfALossesProfile, WithPlaceAndRemedy) {
+  ASSERT_EQ(refusal(kLossesInPlace), "");
+  EXPECT_EQ(refusal(replaced(kLossesInPlace, GetParam().what, GetParam().by)), GetParam().message);
+}
+
+class RefusesOfAMinimalProfile : public testing::TestWithParam<Spoilt> {};
+
+TEST_P(RefusesOfAMinimalProfile, WithPlaceAndRemedy) {
+  ASSERT_EQ(refusal(kMinimal), "");
+  EXPECT_EQ(refusal(replaced(kMinimal, GetParam().what, GetParam().by)), GetParam().message);
+}
+
+class RefusesOfAPointsProfile : public testing::TestWithParam<Spoilt> {};
+
+TEST_P(RefusesOfAPointsProfile, WithPlaceAndRemedy) {
+  ASSERT_EQ(refusal(kPoints), "");
+  EXPECT_EQ(refusal(replaced(kPoints, GetParam().what, GetParam().by)), GetParam().message);
+}
+
+std::string name_of(const testing::TestParamInfo<Spoilt>& info) {
+  return info.param.name;
+}
+
+const Spoilt kHeadAndShape[] = {
+    {"MalformedToml", "duration_s = 6.0", "duration_s = = 6.0",
+     "test.toml:6:14: not well-formed TOML: Error while parsing value: could not determine value "
+     "type"},
+    {"KeyTwice", "max = 0", "max = 0\nmax = 1",
+     "test.toml:11:7: not well-formed TOML: Error while parsing key-value pair: cannot redefine "
+     "existing integer 'max'"},
+    {"NoTitle", "title = \"A test\"", "",
+     "test.toml:1:1: a profile lacks \"title\": a text in quotes"},
+    {"EmptyTitle", "\"A test\"", "\"\"", "test.toml:1:9: title is an empty text"},
+    {"NumberForText", "\"A test\"", "5", "test.toml:1:9: title is 5; it must be a text in quotes"},
+    {"NegativeSeed", "source", "seed = -1\nsource",
+     "test.toml:2:8: seed is -1; it must be a whole number from 0 to 9223372036854775807"},
+    {"RealSeed", "source", "seed = 1.5\nsource",
+     "test.toml:2:8: seed is 1.5; it must be a whole number from 0 to 9223372036854775807"},
+    {"UnknownKeyNearAKnownOne", "duration_s", "duration",
+     "test.toml:6:1: unknown key \"duration\" in [signal]; did you mean \"duration_s\"?"},
+    {"UnknownKeyNearNone", "source", "colour = 1\nsource",
+     "test.toml:2:1: unknown key \"colour\" in a profile; its keys are: title, source, seed, grid, "
+     "signal, outlet, command, expect"},
+    {"UnknownTable", "[[outlet]]", "[[oulet]]",
+     "test.toml:7:3: unknown key \"oulet\" in a profile; did you mean \"outlet\"?"},
+    {"NoGrid", "[grid]\nsystem = \"ieee24\"", "",
+     "test.toml:1:1: a profile lacks \"grid\": the power system: [grid] system = \"ieee24\""},
+    {"NoSystem", "system = \"ieee24\"", "",
+     "test.toml:3:1: [grid] lacks \"system\": a grid's name (\"ieee24\"), its path, or "
+     "[grid.system]"},
+    {"UnknownGrid", "ieee24", "ieee25",
+     "test.toml:4:10: no grid \"ieee25\"; did you mean \"ieee24\"? (a file of your own is given by "
+     "its path, ending in .toml)"},
+    {"UnknownGridFile", "ieee24", "ieee24.toml",
+     "test.toml:4:10: no grid \"ieee24.toml\"; shipped grids are: ieee24, ieee24-by-unit, "
+     "island-60hz (a file of your own is given by its path, ending in .toml)"},
+    {"SystemOfWrongType", "\"ieee24\"", "24",
+     "test.toml:4:10: system is 24; it must be a text in quotes"},
+    {"PlantBesideANamedGrid", "[signal]", "[[grid.plant]]\n[signal]",
+     "test.toml:5:1: plant belongs to a grid in place ([grid.system]); this profile takes the grid "
+     "\"ieee24\""},
+    {"NoSignal", "[signal]\nduration_s = 6.0", "",
+     "test.toml:1:1: a profile lacks \"signal\": what is played: [signal] duration_s = …"},
+    {"SignalIsNoTable", "[signal]\nduration_s = 6.0", "[[signal]]\nduration_s = 6.0",
+     "test.toml:5:1: [signal] must be a table, not an array"},
+    {"NoOutlet", "[[outlet]]", "",
+     "test.toml:1:1: a profile lacks \"outlet\": at least one [[outlet]]"},
+    {"OutletIsNoArray", "[[outlet]]", "[outlet]",
+     "test.toml:7:1: outlet is a table; it must be an array of tables"},
+    {"NoExpectation", "[[expect]]\nmeasure = \"event.count\"\nmax = 0", "",
+     "test.toml:1:1: a profile lacks \"expect\": at least one [[expect]]: a run without limits "
+     "proves nothing"},
+    {"UnknownMeasure", "event.count", "event.cuont",
+     "test.toml:9:11: unknown measure \"event.cuont\"; did you mean \"event.count\"?"},
+    {"UnitForAPlainNumber", "max = 0", "max = 0\nunit = \"s\"",
+     "test.toml:11:8: event.count has no unit; leave it out"},
+    {"NoLimit", "max = 0", "",
+     "test.toml:8:1: [[expect]] lacks \"min\": min, max or both, of event.count"},
+    {"EqualsForANumber", "max = 0", "equals = \"0\"",
+     "test.toml:10:10: event.count is a number; it takes min and max"},
+    {"NotANumberForALimit", "max = 0", "max = nan",
+     "test.toml:10:7: max is nan; it must be a finite number"},
+};
+INSTANTIATE_TEST_SUITE_P(HeadAndShape, RefusesOfAMinimalProfile, testing::ValuesIn(kHeadAndShape),
+                         name_of);
+
+const Spoilt kSignal[] = {
+    {"NoDuration", "duration_s = 6.0", "",
+     "test.toml:5:1: [signal] lacks \"duration_s\": the length of the run, in seconds"},
+    {"NegativeDuration", "6.0", "-6.0",
+     "test.toml:6:14: duration_s is -6; it must be above 0 and at most 10000000"},
+    {"ZeroDuration", "6.0", "0",
+     "test.toml:6:14: duration_s is 0; it must be above 0 and at most 10000000"},
+    {"NotANumber", "6.0", "nan",
+     "test.toml:6:14: duration_s is nan; it must be above 0 and at most 10000000"},
+    {"Infinity", "6.0", "inf",
+     "test.toml:6:14: duration_s is inf; it must be above 0 and at most 10000000"},
+    {"TextForANumber", "6.0", "\"6 s\"",
+     "test.toml:6:14: duration_s is the text \"6 s\"; it must be a plain number, in the unit that "
+     "its name says"},
+    {"DateForANumber", "6.0", "2025-04-28",
+     "test.toml:6:14: duration_s is a date or time; it must be a number"},
+    {"ArrayForANumber", "6.0", "[6.0]",
+     "test.toml:6:14: duration_s is an array; it must be a number"},
+    {"SampleRateWithoutWhole16Ms", "6.0", "6.0\nsample_rate_hz = 11025",
+     "test.toml:7:18: sample_rate_hz is 11025: 16 ms is no whole number of samples; it must be a "
+     "multiple of 1000"},
+    {"SampleRateTooLow", "6.0", "6.0\nsample_rate_hz = 500",
+     "test.toml:7:18: sample_rate_hz is 500; it must be a whole number from 1000 to 32000"},
+    {"SampleRateWithoutWhole1Ms", "6.0", "6.0\nsample_rate_hz = 12500",
+     "test.toml:7:18: sample_rate_hz is 12500: 1 ms is no whole number of samples; it must be a "
+     "multiple of 1000"},
+    {"SampleRateTooHigh", "6.0", "6.0\nsample_rate_hz = 48000",
+     "test.toml:7:18: sample_rate_hz is 48000; it must be a whole number from 1000 to 32000"},
+    {"SampleRateNegative", "6.0", "6.0\nsample_rate_hz = -8000",
+     "test.toml:7:18: sample_rate_hz is -8000; it must be a whole number from 1000 to 32000"},
+    {"SampleRateNotWhole", "6.0", "6.0\nsample_rate_hz = 8000.0",
+     "test.toml:7:18: sample_rate_hz is 8000.0; it must be a whole number from 1000 to 32000"},
+    {"NegativeNoise", "6.0", "6.0\nnoise_pct = -1",
+     "test.toml:7:13: noise_pct is -1; it must be at least 0 and at most 100"},
+};
+INSTANTIATE_TEST_SUITE_P(Signal, RefusesOfAMinimalProfile, testing::ValuesIn(kSignal), name_of);
+
+const Spoilt kDisturbances[] = {
+    {"UnknownHarmonicSet", "en50160", "en50106",
+     "test.toml:44:16: harmonic_set is \"en50106\"; did you mean \"en50160\"?"},
+    {"HarmonicRowTooShort", "[28, 1.0, -10.0]", "[28, 1.0]",
+     "test.toml:43:31: harmonics holds an array of 2 values; each of its items must be [order, "
+     "pct, deg]"},
+    {"HarmonicRowNoArray", "[28, 1.0, -10.0]", "28",
+     "test.toml:43:31: harmonics holds 28; each of its items must be [order, pct, deg]"},
+    {"HarmonicOrderNotWhole", "[28,", "[2.5,",
+     "test.toml:43:32: order is 2.5; it must be a whole number from 2 to 50"},
+    {"HarmonicOrderOne", "[28,", "[1,",
+     "test.toml:43:32: order is 1; it must be a whole number from 2 to 50"},
+    {"HarmonicOrderTwice", "[28,", "[26,", "test.toml:43:32: order 26 is there twice"},
+    {"HarmonicOrderInTheSet", "[28,", "[5,", "test.toml:43:32: order 5 is there twice"},
+    {"HarmonicAboveHalfTheSampleRate", "[28,", "[34,",
+     "test.toml:43:32: order 34 lies at 2040 Hz, not below half of sample_rate_hz"},
+    {"HarmonicAmplitudeNegative", "1.0, -10.0", "-1.0, -10.0",
+     "test.toml:43:36: pct is -1; it must be at least 0 and at most 100"},
+    {"HarmonicPhaseBeyondATurn", "-10.0", "-370.0",
+     "test.toml:43:41: deg is -370; it must be at least -360 and at most 360"},
+    {"NoHarmonicInTheList", "[[26, 5.0, 90.0], [28, 1.0, -10.0]]", "[]",
+     "test.toml:43:13: harmonics is empty; leave it out, or give an array of [order, pct, deg]"},
+    {"OffsetTooLarge", "0.25\ninitial", "250\ninitial",
+     "test.toml:45:17: dc_offset_pct is 250; it must be at least -100 and at most 100"},
+    {"InitialPhaseBeyondATurn", "initial_phase_deg = 30.0", "initial_phase_deg = 361",
+     "test.toml:46:21: initial_phase_deg is 361; it must be at least -360 and at most 360"},
+    {"StepAfterTheEnd", "at_s = 8.0", "at_s = 10.0",
+     "test.toml:52:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
+    {"StepBeforeTheStart", "at_s = 8.0", "at_s = -1",
+     "test.toml:52:8: at_s is -1; it must be at least 0 and below 10 (the run's duration)"},
+    {"StepEndsAfterTheEnd", "duration_s = 1.5", "duration_s = 5.5",
+     "test.toml:49:14: the step ends at 10.5 s, after the run's 10 s; leave duration_s out for a "
+     "step that lasts to the end"},
+    {"StepOfNoLength", "duration_s = 1.5", "duration_s = 0",
+     "test.toml:49:14: duration_s is 0; it must be above 0"},
+    {"StepLevelNegative", "level_pct = 40.0", "level_pct = -40.0",
+     "test.toml:50:13: level_pct is -40; it must be at least 0 and at most 200"},
+    {"StepWithoutLevel", "level_pct = 40.0", "",
+     "test.toml:47:1: [[signal.amplitude_step]] lacks \"level_pct\": a number must be given: at "
+     "least 0 and at most 200"},
+    {"JumpAfterTheEnd", "at_s = 3.0", "at_s = 12.0",
+     "test.toml:55:8: at_s is 12; it must be at least 0 and below 10 (the run's duration)"},
+    {"JumpBeyondHalfATurn", "-20.0", "-200.0",
+     "test.toml:56:11: degrees is -200; it must be at least -180 and at most 180"},
+    {"LossAfterTheEnd", "at_s = 4.0", "at_s = 40.0",
+     "test.toml:34:8: at_s is 40; it must be at least 0 and below 10 (the run's duration)"},
+    {"LossWithAUnit", "power_mw = 100.0", "power_mw = \"100 MW\"",
+     "test.toml:38:12: power_mw is the text \"100 MW\"; it must be a plain number, in the unit "
+     "that its name says"},
+    {"LossOfNothing", "power_mw = 100.0", "power_mw = 0",
+     "test.toml:38:12: power_mw is 0: no loss at all; leave it out"},
+    {"LossAboveTheLoad", "power_mw = 100.0", "power_mw = 900",
+     "test.toml:38:12: power_mw is 900; it must be at least -800 and at most 800 (the grid's "
+     "load)"},
+    {"LossesAboveTheLoadInSum", "power_mw = -50.0", "power_mw = 750.0",
+     "test.toml:33:1: the losses add up to 850 MW by 4 s, more than the grid's load of 800 MW"},
+    {"LossesAndPoints", "harmonic_set", "frequency = [[0, 60]]\nharmonic_set",
+     "test.toml:44:13: the frequency comes from [[grid.loss]], from frequency points or from a "
+     "recording; this profile gives more than one of them"},
+    {"LossesAndRecording", "[[signal.phase_jump]]", "[signal.trace]\n[[signal.phase_jump]]",
+     "test.toml:54:1: the frequency comes from [[grid.loss]], from frequency points or from a "
+     "recording; this profile gives more than one of them"},
+};
+INSTANTIATE_TEST_SUITE_P(Disturbances, RefusesOfALossesProfile, testing::ValuesIn(kDisturbances),
+                         name_of);
+
+const Spoilt kCourse[] = {
+    {"TimesThatDoNotAscend", "[6.0, 49.8]", "[2.0, 49.8]",
+     "test.toml:7:41: t_s is 2 after 2; times must ascend"},
+    {"PointAfterTheEnd", "[6.0, 49.8]", "[6.5, 49.8]",
+     "test.toml:7:41: t_s is 6.5; it must be at least 0 and at most 6 (the run's duration)"},
+    {"PointBeforeTheStart", "[0.0, 50.0]", "[-1.0, 50.0]",
+     "test.toml:7:15: t_s is -1; it must be at least 0 and at most 6 (the run's duration)"},
+    {"PointFarFromNominal", "[2.0, 49.5]", "[2.0, 4.95]",
+     "test.toml:7:33: hz is 4.95; it must be at least 25 and at most 75"},
+    {"PointNotANumber", "[2.0, 49.5]", "[2.0, nan]",
+     "test.toml:7:33: hz is nan; it must be a finite number"},
+    {"PointWithAText", "[2.0, 49.5]", "[2.0, \"49.5\"]",
+     "test.toml:7:33: hz is the text \"49.5\"; it must be a plain number, in the unit "
+     "that its name says"},
+    {"PointsAndRecording", "[[outlet]]", "[signal.trace]\n[[outlet]]",
+     "test.toml:8:1: the frequency comes from [[grid.loss]], from frequency points or from a "
+     "recording; this profile gives more than one of them"},
+};
+INSTANTIATE_TEST_SUITE_P(Course, RefusesOfAPointsProfile, testing::ValuesIn(kCourse), name_of);
+
+const Spoilt kLimits[] = {
+    {"UnitOfAnotherDimension", "unit = \"s\"", "unit = \"MW\"",
+     "test.toml:82:8: event.delay is not in \"MW\"; its unit must be s or ms or us"},
+    {"UnknownUnit", "unit = \"s\"", "unit = \"seconds\"",
+     "test.toml:82:8: event.delay is not in \"seconds\"; its unit must be s or ms or us"},
+    {"NoUnit", "unit = \"s\"", "",
+     "test.toml:80:1: [[expect]] lacks \"unit\": event.delay is in s or ms or us"},
+    {"MinAboveMax", "min = 0.03", "min = 0.3",
+     "test.toml:83:7: min is 0.3, above max 0.16: nothing could pass"},
+    {"TextForALimit", "max = 0.16", "max = \"160 ms\"",
+     "test.toml:84:7: max is the text \"160 ms\"; it must be a plain number, in the unit that its "
+     "name says"},
+    {"UnknownGroup", "outlets = [\"early\"]", "outlets = [\"erly\"]",
+     "test.toml:85:12: no group \"erly\"; did you mean \"early\"?"},
+    {"NoGroupInTheList", "outlets = [\"early\"]", "outlets = []",
+     "test.toml:85:11: outlets is empty; leave it out, or give an array of texts"},
+    {"GroupIsNoText", "outlets = [\"early\"]", "outlets = [1]",
+     "test.toml:85:12: outlets holds 1; it must hold texts in quotes"},
+    {"LimitForAWord", "equals = \"open\"", "max = 1",
+     "test.toml:88:7: relay.end is a word, not a number; it takes equals"},
+    {"NoWord", "equals = \"open\"", "",
+     "test.toml:86:1: [[expect]] lacks \"equals\": the word that relay.end must be"},
+    {"UnknownWord", "equals = \"open\"", "equals = \"opne\"",
+     "test.toml:88:10: equals is \"opne\"; did you mean \"open\"?"},
+};
+INSTANTIATE_TEST_SUITE_P(Limits, RefusesOfALossesProfile, testing::ValuesIn(kLimits), name_of);
+
+}  // namespace
+}  // namespace gsbench::profile::test

@@ -1,0 +1,147 @@
+// The shipped profiles and grids: all load, and are found by name and by path.
+#include "texts.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gsbench::profile::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string refusal_of_name(const std::string& name) {
+  try {
+    (void)load_profile(name, catalogue());
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::vector<std::string> profile_names() {
+  std::vector<std::string> names;
+  for (const ProfileSummary& summary : list_profiles()) names.push_back(summary.name);
+  return names;
+}
+
+// $GSBENCH_PROFILES for the length of a test.
+class ProfilesElsewhere {
+ public:
+  explicit ProfilesElsewhere(const fs::path& folder) {
+    ::setenv("GSBENCH_PROFILES", folder.c_str(), 1);
+  }
+  ~ProfilesElsewhere() { ::unsetenv("GSBENCH_PROFILES"); }
+};
+
+class Shipped : public testing::TestWithParam<std::string> {};
+
+TEST_P(Shipped, LoadsUnderItsName) {
+  const Plan plan = load_profile(GetParam(), catalogue());
+  EXPECT_EQ(plan.name, GetParam());
+  EXPECT_FALSE(plan.title.empty());
+  EXPECT_GT(plan.duration_ticks(), 0);
+  EXPECT_NO_THROW((void)plan.synthesizer());
+}
+
+TEST_P(Shipped, LimitsEveryOutlet) {
+  const Plan plan = load_profile(GetParam(), catalogue());
+  for (const Outlet& outlet : plan.outlets) {
+    const auto limits = [&](const std::string& measure) {
+      return std::any_of(
+          plan.expectations.begin(), plan.expectations.end(), [&](const Expectation& expectation) {
+            const auto& groups = expectation.groups;
+            return expectation.measure == measure &&
+                   (groups.empty() ||
+                    std::find(groups.begin(), groups.end(), outlet.group) != groups.end());
+          });
+    };
+    // Whatever the case is about, it must say how the relay ends and how often it switched.
+    EXPECT_TRUE(limits("relay.end")) << outlet.id;
+    EXPECT_TRUE(limits("relay.edges")) << outlet.id;
+  }
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& profile) {
+  std::string name = profile.param;
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Profile, Shipped, testing::ValuesIn(profile_names()), test_name);
+
+TEST(ShippedProfiles, AreThese) {
+  EXPECT_THAT(profile_names(),
+              testing::ElementsAre("disturbances/dead-bus", "disturbances/dips",
+                                   "disturbances/harmonics", "disturbances/phase-jump",
+                                   "events/gb-2019", "events/iberia-2025", "paper/loss-320mw",
+                                   "paper/loss-351.9mw", "paper/loss-500mw", "paper/loss-600mw",
+                                   "regression/backup", "regression/command", "regression/steady"));
+}
+
+TEST(ShippedProfiles, AreNamedAlsoWhenGivenByPath) {
+  const std::string path = profiles_folder() + "/paper/loss-500mw.toml";
+  EXPECT_EQ(load_profile(path, catalogue()).name, "paper/loss-500mw");
+}
+
+TEST(ShippedProfiles, MisspeltAreSuggested) {
+  EXPECT_THAT(refusal_of_name("paper/loss-500"), HasSubstr("did you mean \"paper/loss-500mw\"?"));
+  EXPECT_THAT(refusal_of_name("nonesuch"), HasSubstr("profiles are: disturbances/dead-bus, "));
+  EXPECT_EQ(refusal_of_name("none/such.toml"), "none/such.toml: no such profile file");
+}
+
+TEST(ShippedProfiles, AGridIsNoProfile) {
+  EXPECT_THAT(refusal_of_name("grids/ieee24"), StartsWith("no profile \"grids/ieee24\" in "));
+}
+
+TEST(ShippedGrids, AreListedAndLoad) {
+  const auto names = list_grids();
+  EXPECT_THAT(names, testing::IsSupersetOf({"ieee24", "ieee24-by-unit"}));
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  for (const std::string& name : names) EXPECT_EQ(load_grid(name).name, name);
+}
+
+TEST(ProfilesFolder, IsTakenFromTheEnvironment) {
+  const fs::path folder = fs::path(testing::TempDir()) / "gsbench-profiles-elsewhere";
+  fs::create_directories(folder / "mine");
+  fs::create_directories(folder / "grids");
+  fs::copy_file(profiles_folder() + "/grids/ieee24.toml", folder / "grids" / "own.toml",
+                fs::copy_options::overwrite_existing);
+  std::ofstream(folder / "mine" / "case.toml") << replaced(kMinimal, "ieee24", "own");
+  std::ofstream(folder / "mine" / "broken.toml") << "title = ";
+  const ProfilesElsewhere elsewhere(folder);
+
+  EXPECT_EQ(profiles_folder(), folder);
+  EXPECT_EQ(load_profile("mine/case", catalogue()).grid.name, "own");
+  const auto profiles = list_profiles();
+  ASSERT_EQ(profiles.size(), 2u);
+  EXPECT_EQ(profiles[0].name, "mine/broken");
+  EXPECT_THAT(profiles[0].title, HasSubstr("broken.toml:1:"));
+  EXPECT_EQ(profiles[1].title, "A test");
+  fs::remove_all(folder);
+}
+
+TEST(ProfilesFolder, ThatIsMissingHoldsNothing) {
+  const ProfilesElsewhere elsewhere("nowhere/at/all");
+  EXPECT_TRUE(list_profiles().empty());
+  EXPECT_THAT(refusal_of_name("paper/loss-500mw"), HasSubstr("there are no profiles"));
+}
+
+TEST(ProfileFile, ThatIsAFolderIsRefused) {
+  const fs::path folder = fs::path(testing::TempDir()) / "folder.toml";
+  fs::create_directories(folder);
+  EXPECT_EQ(refusal_of_name(folder.string()), folder.string() + ": no such profile file");
+  fs::remove(folder);
+}
+
+}  // namespace
+}  // namespace gsbench::profile::test

@@ -1,0 +1,181 @@
+// Profiles to test with, and ways to spoil them.
+#pragma once
+
+#include <profile_test/catalogue.hpp>
+
+#include <ostream>
+#include <string>
+
+#include <profile/load.hpp>
+
+namespace gsbench::profile::test {
+
+// The least that is a profile.
+inline constexpr const char* kMinimal = R"(title = "A test"
+source = "None"
+[grid]
+system = "ieee24"
+[signal]
+duration_s = 6.0
+[[outlet]]
+[[expect]]
+measure = "event.count"
+max = 0
+)";
+
+// These three use every key there is, and none at its default.
+inline constexpr const char* kLossesInPlace = R"(title = "Losses in a grid in place"
+source = "Somewhere"
+seed = 7
+[grid.system]
+nominal_hz = 60.0
+threshold_hz = 59.3
+base_mw = 900.0
+load_mw = 800.0
+damping_pu = 1.5
+gain_km = 0.9
+reheat_fraction = 0.25
+reheat_s = 7.0
+condition_row_hz = 0.1
+[[grid.plant]]
+id = "one"
+rating_mw = 500.0
+inertia_s = 4.0
+inverse_droop_pu = 20.0
+[[grid.plant]]
+id = "two"
+rating_mw = 400.0
+inertia_s = 5.0
+droop_pu = 0.04
+[[grid.block]]
+id = "least"
+power_mw = 30.0
+[grid.reference]
+source = "A paper"
+t_nadir_s = 2.5
+threshold_mw = 90.0
+condition_rocof_hz_s = [-0.5, 0.0]
+note = "Why they differ"
+[[grid.loss]]
+at_s = 4.0
+power_mw = -50.0
+[[grid.loss]]
+at_s = 2.0
+power_mw = 100.0
+[signal]
+duration_s = 10.0
+sample_rate_hz = 4000
+noise_pct = 0.5
+harmonics = [[26, 5.0, 90.0], [28, 1.0, -10.0]]
+harmonic_set = "en50160"
+dc_offset_pct = 0.25
+initial_phase_deg = 30.0
+[[signal.amplitude_step]]
+at_s = 5.0
+duration_s = 1.5
+level_pct = 40.0
+[[signal.amplitude_step]]
+at_s = 8.0
+level_pct = 0.0
+[[signal.phase_jump]]
+at_s = 3.0
+degrees = -20.0
+[[outlet]]
+count = 3
+id = "shed"
+group = "early"
+accumulated_mw = 100.0
+power_mw = 40.0
+threshold_mw = 200.0
+switch_off_hz = 58.5
+event_drop_hz = 0.03
+condition_hits = 12
+lse_samples = 8
+ekf_samples = 30
+[[outlet]]
+id = "alone"
+[[outlet]]
+count = 2
+[[command]]
+at_s = 7.0
+outlets = ["alone", "early"]
+switch = "on"
+[[command]]
+at_s = 6.0
+switch = "off"
+[[expect]]
+measure = "event.delay"
+unit = "s"
+min = 0.03
+max = 0.16
+outlets = ["early"]
+[[expect]]
+measure = "relay.end"
+equals = "open"
+)";
+
+inline constexpr const char* kPoints = R"(title = "Points"
+source = "Somewhere"
+[grid]
+system = "ieee24"
+[signal]
+duration_s = 6.0
+frequency = [[0.0, 50.0], [2.0, 49.5], [6.0, 49.8]]
+[[outlet]]
+[[expect]]
+measure = "event.count"
+max = 0
+)";
+
+inline constexpr const char* kRecording = R"(title = "A recording"
+source = "Somewhere"
+[grid]
+system = "ieee24"
+[signal]
+duration_s = 2.0
+[signal.trace]
+file = "recording.csv"
+time = "t"
+frequency = "f"
+voltage = "u"
+nominal_voltage = 230.0
+from_s = 1.0
+until_s = 4.0
+[[outlet]]
+[[expect]]
+measure = "event.count"
+max = 0
+)";
+
+// `text` with the first occurrence of `what` replaced; fails loudly where there is none.
+inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+inline Plan parse(const std::string& text) {
+  return parse_profile(text, "test.toml", catalogue());
+}
+
+// The message that the profile is refused with; empty where it is not.
+inline std::string refusal(const std::string& text, const std::string& path = "test.toml") {
+  try {
+    (void)parse_profile(text, path, catalogue());
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// One way to spoil a profile.
+struct Spoilt {
+  const char* name;  // of the test
+  const char* what;  // is replaced …
+  const char* by;    // … by this
+  const char* message;
+};
+
+inline void PrintTo(const Spoilt& spoilt, std::ostream* stream) {
+  *stream << spoilt.name;
+}
+
+}  // namespace gsbench::profile::test
