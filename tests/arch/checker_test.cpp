@@ -113,8 +113,16 @@ INSTANTIATE_TEST_SUITE_P(OfEachLibrary, MisplacedLibrary,
                                          Misplaced{"bench/grid/a.cpp", "boost/optional.hpp"},
                                          Misplaced{"bench/grid/a.cpp", "math.h"}));
 
-TEST(IncludeCheck, GrantsTestsEveryLibrary) {
-  const Tree tree = {{"tests/a.cpp", include("sqlite3.h") + include("Random123/philox.h")}};
+TEST(IncludeCheck, KnowsAFolderWhoseIncludeRootHasAnotherName) {
+  const Tree granted = {{"drivers/link/a.hpp", include("drivers/result.hpp")}};
+  const Tree not_granted = {{"bench/grid/a.hpp", include("drivers/result.hpp")}};
+  EXPECT_THAT(check_includes(granted), IsEmpty());
+  EXPECT_THAT(check_includes(not_granted),
+              ElementsAre(At("bench/grid/a.hpp", 1, "drivers/common")));
+}
+
+TEST(IncludeCheck, GrantsTestsEveryLibraryAndTheirOwnHelpers) {
+  const Tree tree = {{"tests/a.cpp", include("sqlite3.h") + include("oracle/power_system.hpp")}};
   EXPECT_THAT(check_includes(tree), IsEmpty());
 }
 

@@ -17,22 +17,23 @@ using Names = std::set<std::string_view>;
 const std::vector<FolderRule>& folder_rules() {
   static const std::vector<FolderRule> rules = {
       {"firmware/outlet", {}},
-      {"firmware/wire", {}},
+      {"firmware/wire", {"firmware/outlet"}},
       {"firmware/node", {"firmware/outlet", "firmware/wire"}},
-      {"drivers/source", {"firmware/wire", "drivers/link", "drivers/relay"}},
-      {"drivers/link", {"firmware/wire", "drivers/source", "drivers/relay"}},
-      {"drivers/relay", {"firmware/wire", "drivers/source", "drivers/link"}},
+      {"drivers/common", {}, "drivers"},
+      {"drivers/source", {"drivers/common", "firmware/wire", "drivers/link", "drivers/relay"}},
+      {"drivers/link", {"drivers/common", "firmware/wire", "drivers/source", "drivers/relay"}},
+      {"drivers/relay", {"drivers/common", "firmware/wire", "drivers/source", "drivers/link"}},
       {"drivers/simulated", {"drivers", "firmware", "bench/random"}},
       {"bench/random", {}},
       {"bench/grid", {}},
       {"bench/waveform", {"bench/grid"}},
       {"bench/profile", {"bench/grid", "bench/waveform"}},
       {"bench/capture",
-       {"bench/grid", "bench/waveform", "bench/profile", "drivers/source", "drivers/link",
-        "drivers/relay", "firmware/wire", kRecordData}},
-      {"bench/judge",
-       {"bench/grid", "bench/waveform", "bench/profile", "bench/capture", "drivers/source",
+       {"bench/grid", "bench/waveform", "bench/profile", "drivers/common", "drivers/source",
         "drivers/link", "drivers/relay", "firmware/wire", kRecordData}},
+      {"bench/judge",
+       {"bench/grid", "bench/waveform", "bench/profile", "bench/capture", "drivers/common",
+        "drivers/source", "drivers/link", "drivers/relay", "firmware/wire", kRecordData}},
       {"bench/station",
        {"bench/random", "bench/grid", "bench/waveform", "bench/profile", "bench/capture",
         "bench/judge", "drivers", "firmware/wire", "reports/record"}},
@@ -127,7 +128,7 @@ const FolderRule* owner_of_header(std::string_view header) {
   const auto slash = header.find('/');
   if (slash == std::string_view::npos) return nullptr;
   for (const FolderRule& rule : folder_rules()) {
-    if (file_name(rule.folder) == header.substr(0, slash)) return &rule;
+    if (rule.include_root == header.substr(0, slash)) return &rule;
   }
   return nullptr;
 }

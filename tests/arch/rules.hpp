@@ -11,6 +11,8 @@ struct FolderRule {
   std::string_view folder;
   // Folders, each with all below it ("drivers"), or one header alone ("record/run_record.hpp").
   std::vector<std::string_view> may_include;
+  // <root/…> where it is not the folder's own name: <drivers/result.hpp> of drivers/common.
+  std::string_view include_root = folder.substr(folder.rfind('/') + 1);
 };
 
 // A library's headers and the folders (each with all below it) where they may appear; in tests/
