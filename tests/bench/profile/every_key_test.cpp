@@ -1,6 +1,6 @@
 // No key can be forgotten by the loader or by the documentation: for each line of profiles that use
 // every key, a value of a wrong type is refused on that line, and the key stands in the README.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <filesystem>
 #include <fstream>

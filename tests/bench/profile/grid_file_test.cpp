@@ -1,5 +1,5 @@
 // Grids from files of their own.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <filesystem>
 #include <fstream>

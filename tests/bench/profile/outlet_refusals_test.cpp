@@ -1,5 +1,5 @@
 // Each slip in outlets, commands and a grid in place has its own message and exact place.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A plan's truth and samples are those of its profile.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <vector>
 

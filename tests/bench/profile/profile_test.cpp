@@ -1,5 +1,5 @@
 // What a profile says is what its plan holds.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <cmath>
 #include <limits>

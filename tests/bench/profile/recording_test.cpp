@@ -1,5 +1,5 @@
 // Recordings as the stimulus: of the profile, and of the command line in its place.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <filesystem>
 #include <fstream>

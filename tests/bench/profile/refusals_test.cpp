@@ -1,5 +1,5 @@
 // Each slip in a profile's head, grid, signal and limits has its own message and exact place.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <gtest/gtest.h>
 

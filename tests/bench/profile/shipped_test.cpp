@@ -1,5 +1,5 @@
 // The shipped profiles and grids: all load, and are found by name and by path.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <algorithm>
 #include <cctype>

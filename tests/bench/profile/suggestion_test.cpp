@@ -1,5 +1,5 @@
 // Refusals of an unknown word help to find the right one.
-#include "texts.hpp"
+#include <profile_test/texts.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

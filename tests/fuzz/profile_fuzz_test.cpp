@@ -1,0 +1,139 @@
+// The short form of the profile fuzzer: every shipped profile, every text of the tests, and as many
+// deterministic mutations of them as take a few seconds.
+#include "mutator.hpp"
+#include "profile_input.hpp"
+#include <profile_test/texts.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace gsbench::fuzz {
+namespace {
+
+constexpr int kMutations = 20000;
+
+std::vector<std::string> corpus() {
+  std::vector<std::string> texts = {profile::test::kMinimal, profile::test::kLossesInPlace,
+                                    profile::test::kPoints, profile::test::kRecording};
+  for (const profile::ProfileSummary& summary : profile::list_profiles()) {
+    std::ifstream file(profile::profiles_folder() + "/" + summary.name + ".toml");
+    texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  return texts;
+}
+
+const std::vector<std::string> kWords = {"nan",
+                                         "inf",
+                                         "-inf",
+                                         "0",
+                                         "-0.0",
+                                         "-1",
+                                         "1",
+                                         "1e-300",
+                                         "1e300",
+                                         "9223372036854775807",
+                                         "-9223372036854775808",
+                                         "99999999999999999999",
+                                         "0x7f",
+                                         "true",
+                                         "\"\"",
+                                         "\"x\"",
+                                         "'''",
+                                         "[]",
+                                         "[[]]",
+                                         "[[1, 2]]",
+                                         "[[0, 50], [0, 50]]",
+                                         "{}",
+                                         "{ x = 1 }",
+                                         "1979-05-27",
+                                         "07:32:00",
+                                         "1000",
+                                         "32000",
+                                         "50.0",
+                                         "\"ieee24\"",
+                                         "\"island-60hz\"",
+                                         "\"en50160\"",
+                                         "\"off\"",
+                                         "\"ms\"",
+                                         "\"event.delay\"",
+                                         "\n[grid]\n",
+                                         "\n[[outlet]]\n",
+                                         "\n[[expect]]\n",
+                                         "\n[signal.trace]\n",
+                                         "\n[[grid.loss]]\nat_s = 1\npower_mw = 1\n",
+                                         "\nseed = 1\n",
+                                         "= ",
+                                         "#",
+                                         "\r\n",
+                                         "\t",
+                                         ".",
+                                         std::string("\0", 1),
+                                         "\xff",
+                                         "\xc3\xa4",
+                                         "[[[[[[[[[[[[[[[["};
+
+TEST(ProfileFuzz, CorpusIsTakenOrRefusedWithAPlace) {
+  const auto texts = corpus();
+  ASSERT_GT(texts.size(), 4u) << "the shipped profiles are missing";
+  for (const std::string& text : texts) EXPECT_EQ(wrong_with(text), "") << text;
+}
+
+TEST(ProfileFuzz, MutationsAreTakenOrRefusedWithAPlace) {
+  Mutator mutator(corpus(), kWords, 1);
+  int taken = 0;
+  for (int i = 0; i < kMutations; ++i) {
+    const std::string text = mutator.next();
+    ASSERT_EQ(wrong_with(text), "") << "mutation " << i << ":\n" << text;
+    try {
+      (void)parse_as_gsbench(text);
+      ++taken;
+    } catch (const profile::ConfigurationError&) {
+    }
+  }
+  // Mutations that all fail alike at the first byte would test nothing.
+  EXPECT_GT(taken, kMutations / 20);
+  EXPECT_LT(taken, kMutations / 2);
+}
+
+// The check itself can fail: loaders with each fault are found out.
+TEST(ProfileFuzz, CheckFindsAnExceptionOfAnotherKind) {
+  EXPECT_EQ(
+      wrong_with("",
+                 [](const std::string&) -> profile::Plan { throw std::out_of_range("map::at"); }),
+      "an exception of another kind: map::at");
+}
+
+TEST(ProfileFuzz, CheckFindsARefusalWithoutAPlace) {
+  EXPECT_EQ(wrong_with("",
+                       [](const std::string&) -> profile::Plan {
+                         throw profile::ConfigurationError("fuzz.toml: bad");
+                       }),
+            "refused without a place: fuzz.toml: bad");
+}
+
+TEST(ProfileFuzz, CheckFindsPlansThatMakeNoSense) {
+  const auto spoilt = [](void (*spoil)(profile::Plan&)) {
+    return wrong_with(profile::test::kMinimal, [spoil](const std::string& text) {
+      profile::Plan plan = parse_as_gsbench(text);
+      spoil(plan);
+      return plan;
+    });
+  };
+  EXPECT_EQ(spoilt([](profile::Plan&) {}), "");
+  EXPECT_EQ(spoilt([](profile::Plan& plan) { plan.stimulus.duration_s = 0.0; }),
+            "a run of no length");
+  EXPECT_EQ(spoilt([](profile::Plan& plan) { plan.expectations.clear(); }), "no limits");
+  EXPECT_EQ(spoilt([](profile::Plan& plan) { plan.outlets.clear(); }), "no outlets");
+  EXPECT_EQ(spoilt([](profile::Plan& plan) { plan.outlets.push_back(plan.outlets[0]); }),
+            "two outlets of one id");
+  EXPECT_EQ(spoilt([](profile::Plan& plan) {
+              plan.commands.push_back({0.0, {"nobody"}, true});
+            }),
+            "a command to an outlet that is not there");
+}
+
+}  // namespace
+}  // namespace gsbench::fuzz

@@ -1,0 +1,60 @@
+#include "profile_input.hpp"
+
+#include <profile_test/catalogue.hpp>
+
+#include <cmath>
+#include <exception>
+#include <regex>
+#include <set>
+
+namespace gsbench::fuzz {
+namespace {
+
+std::string wrong_with_plan(const profile::Plan& plan) {
+  if (plan.duration_ticks() <= 0) return "a run of no length";
+  if (plan.expectations.empty()) return "no limits";
+  if (plan.outlets.empty()) return "no outlets";
+  std::set<std::string> ids;
+  for (const profile::Outlet& outlet : plan.outlets) ids.insert(outlet.id);
+  if (ids.size() != plan.outlets.size()) return "two outlets of one id";
+  for (const profile::Command& command : plan.commands) {
+    for (const std::string& id : command.outlets) {
+      if (ids.count(id) == 0) return "a command to an outlet that is not there";
+    }
+  }
+  const waveform::Synthesizer synthesizer = plan.synthesizer();
+  for (const std::int64_t tick : {std::int64_t{0}, plan.duration_ticks() - 1}) {
+    const double t_s =
+        static_cast<double>(tick) / static_cast<double>(synthesizer.sample_rate_hz());
+    float sample = 0.0F;
+    synthesizer.render(tick, 1, &sample);
+    if (!std::isfinite(sample)) return "a sample that is not finite";
+    if (!std::isfinite(synthesizer.truth().frequency_hz(t_s))) return "a frequency not finite";
+  }
+  return "";
+}
+
+}  // namespace
+
+profile::Plan parse_as_gsbench(const std::string& text) {
+  return profile::parse_profile(text, "fuzz.toml", profile::test::catalogue());
+}
+
+std::string wrong_with(const std::string& text, const ParseProfile& parse) {
+  // Messages may quote the text, line breaks and all.
+  static const std::regex kPlaced(R"(^[^\n:]+:[1-9][0-9]*:[1-9][0-9]*: [^])");
+  try {
+    return wrong_with_plan(parse(text));
+  } catch (const profile::ConfigurationError& error) {
+    const std::string message = error.what();
+    const bool placed = std::regex_search(
+        message.begin(),
+        message.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(message.size(), 1000)),
+        kPlaced);
+    return placed ? "" : "refused without a place: " + message;
+  } catch (const std::exception& error) {
+    return std::string("an exception of another kind: ") + error.what();
+  }
+}
+
+}  // namespace gsbench::fuzz
