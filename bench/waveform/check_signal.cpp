@@ -1,0 +1,77 @@
+#include "check_signal.hpp"
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace gsbench::waveform {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::int64_t kHighestRateHz = 1'000'000;
+
+void check_within(const std::string& what, double value, double low, double high) {
+  if (!std::isfinite(value) || value < low || value > high) {
+    throw std::invalid_argument(
+        high < kInfinity ? fmt::format("{} {}: must be from {} to {}", what, value, low, high)
+                         : fmt::format("{} {}: must be finite and not below {}", what, value, low));
+  }
+}
+
+void check_finite(const std::string& what, double value) {
+  if (!std::isfinite(value)) {
+    throw std::invalid_argument(fmt::format("{} {}: must be finite", what, value));
+  }
+}
+
+void check_harmonics(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz) {
+  std::set<int> orders;
+  for (const Harmonic& harmonic : spec.harmonics) {
+    const std::string name = fmt::format("harmonic {}", harmonic.order);
+    check_within("harmonic order", harmonic.order, 2, 50);
+    check_within(name + ": amplitude in %", harmonic.amplitude_pct, 0, 100);
+    check_finite(name + ": phase in degrees", harmonic.phase_deg);
+    if (!orders.insert(harmonic.order).second) {
+      throw std::invalid_argument(name + " is given twice");
+    }
+    if (harmonic.order * nominal_hz >= 0.5 * static_cast<double>(sample_rate_hz)) {
+      throw std::invalid_argument(
+          fmt::format("{} of {} Hz is {} Hz: must lie below half of the sample rate of {} Hz", name,
+                      nominal_hz, harmonic.order * nominal_hz, sample_rate_hz));
+    }
+  }
+}
+
+}  // namespace
+
+void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz) {
+  if (sample_rate_hz <= 0 || sample_rate_hz % 1000 != 0 || sample_rate_hz > kHighestRateHz) {
+    throw std::invalid_argument(
+        fmt::format("sample rate {} Hz: must be a whole multiple of 1000 Hz up to {} Hz, for which "
+                    "16 ms is a whole number of samples",
+                    sample_rate_hz, kHighestRateHz));
+  }
+  check_within("nominal frequency in Hz", nominal_hz, 1,
+               0.25 * static_cast<double>(sample_rate_hz));
+  check_harmonics(spec, nominal_hz, sample_rate_hz);
+  for (const AmplitudeStep& step : spec.amplitude_steps) {
+    check_within("amplitude step: time in s", step.at_s, 0, kInfinity);
+    if (!(step.duration_s > 0.0)) {
+      throw std::invalid_argument(
+          fmt::format("amplitude step: duration in s {}: must be above 0", step.duration_s));
+    }
+    check_within("amplitude step: level in %", step.level_pct, 0, 1000);
+  }
+  for (const PhaseJump& jump : spec.phase_jumps) {
+    check_within("phase jump: time in s", jump.at_s, 0, kInfinity);
+    check_finite("phase jump: degrees", jump.degrees);
+  }
+  check_within("DC offset in %", spec.dc_offset_pct, -100, 100);
+  check_finite("initial phase in degrees", spec.initial_phase_deg);
+}
+
+}  // namespace gsbench::waveform

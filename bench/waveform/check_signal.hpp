@@ -1,0 +1,11 @@
+#pragma once
+
+#include <waveform/synthesizer.hpp>
+
+namespace gsbench::waveform {
+
+// Throws std::invalid_argument with the value and what would be right, where `spec`, the nominal
+// frequency or the sample rate is not as synthesizer.hpp says.
+void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz);
+
+}  // namespace gsbench::waveform

@@ -1,0 +1,89 @@
+#include "csv.hpp"
+
+namespace gsbench::waveform {
+namespace {
+
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+}  // namespace
+
+CsvReader::CsvReader(std::string_view text) : text_(text) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) at_ = kByteOrderMark.size();
+}
+
+bool CsvReader::next(std::vector<Cell>& row) {
+  do {
+    if (at_end()) return false;
+    row.clear();
+    row.push_back(read_cell());
+    while (!at_end() && text_[at_] == ',') {
+      advance();
+      row.push_back(read_cell());
+    }
+    row_end_ = here_;
+    skip_line_end();
+  } while (row.size() == 1 && row.front().text.empty());
+  return true;
+}
+
+bool CsvReader::at_line_end() const {
+  return at_end() || text_[at_] == '\n' || text_.substr(at_, 2) == "\r\n";
+}
+
+void CsvReader::advance() {
+  if (text_[at_] == '\n') {
+    here_ = {here_.line + 1, 1};
+  } else {
+    ++here_.column;
+  }
+  ++at_;
+}
+
+void CsvReader::skip_line_end() {
+  if (!at_end() && text_[at_] == '\r') advance();
+  if (!at_end()) advance();
+}
+
+Cell CsvReader::read_cell() {
+  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) advance();
+  const Place place = here_;
+  if (at_end() || text_[at_] != '"') return {read_plain(), place};
+  Cell cell{read_quoted(), place};
+  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) advance();
+  if (!at_line_end() && text_[at_] != ',') {
+    throw CsvError(here_, "text after a closing quote: a comma or the end of the line must follow");
+  }
+  return cell;
+}
+
+std::string CsvReader::read_plain() {
+  const std::size_t first = at_;
+  while (!at_line_end() && text_[at_] != ',') advance();
+  return trimmed(text_.substr(first, at_ - first));
+}
+
+std::string CsvReader::read_quoted() {
+  const Place opened = here_;
+  std::string text;
+  advance();
+  while (!at_end()) {
+    const char c = text_[at_];
+    advance();
+    if (c != '"') {
+      text += c;
+    } else if (!at_end() && text_[at_] == '"') {
+      text += c;
+      advance();
+    } else {
+      return trimmed(text);
+    }
+  }
+  throw CsvError(opened, "a quote that is never closed");
+}
+
+}  // namespace gsbench::waveform

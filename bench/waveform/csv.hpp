@@ -1,0 +1,58 @@
+// Comma-separated values after RFC 4180, with the place of each cell for messages: quoted cells may
+// hold commas, line breaks and doubled quotes; lines end in LF or CRLF; a byte-order mark is passed
+// over, as are empty lines.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gsbench::waveform {
+
+struct Place {
+  std::size_t line = 1;    // from 1
+  std::size_t column = 1;  // in bytes, from 1
+};
+
+struct Cell {
+  std::string text;  // without quotes, and without blanks around
+  Place place;
+};
+
+class CsvError : public std::runtime_error {
+ public:
+  CsvError(const Place& place, const std::string& what) : std::runtime_error(what), place_(place) {}
+  const Place& place() const { return place_; }
+
+ private:
+  Place place_;
+};
+
+class CsvReader {
+ public:
+  explicit CsvReader(std::string_view text);  // which must outlive the reader
+
+  // The next row that is not empty, into `row`; false at the end of the text. Throws CsvError.
+  bool next(std::vector<Cell>& row);
+
+  // Just past the row that was read last.
+  const Place& row_end() const { return row_end_; }
+
+ private:
+  bool at_end() const { return at_ == text_.size(); }
+  bool at_line_end() const;
+  void advance();
+  void skip_line_end();
+  Cell read_cell();
+  std::string read_plain();
+  std::string read_quoted();
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  Place here_;
+  Place row_end_;
+};
+
+}  // namespace gsbench::waveform

@@ -1,0 +1,84 @@
+#include "excess_phase.hpp"
+
+#include "schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gsbench::waveform {
+namespace {
+
+// The polynomial p(u), u = 0 … 1, less p(0), that has these values, slopes and curvatures at its
+// ends.
+struct End {
+  double value, slope, curvature;
+};
+
+std::array<double, 5> quintic(const End& from, const End& to) {
+  const double value = to.value - from.value - from.slope - 0.5 * from.curvature;
+  const double slope = to.slope - from.slope - from.curvature;
+  const double curvature = to.curvature - from.curvature;
+  return {from.slope, 0.5 * from.curvature, 10.0 * value - 4.0 * slope + 0.5 * curvature,
+          -15.0 * value + 7.0 * slope - curvature, 6.0 * value - 3.0 * slope + 0.5 * curvature};
+}
+
+}  // namespace
+
+ExcessPhase::ExcessPhase(const Truth& truth, std::int64_t sample_rate_hz)
+    : truth_(truth), sample_rate_hz_(static_cast<double>(sample_rate_hz)) {
+  for (const double t_s : truth.corners_s()) {
+    const double position = t_s * sample_rate_hz_;
+    const double whole = std::round(position);
+    const bool at_sample = std::fabs(position - whole) < kSameTimeS * sample_rate_hz_;
+    corners_.push_back({at_sample ? whole : position, t_s});
+  }
+}
+
+ExcessPhase::Edge ExcessPhase::edge_at(const Corner& corner, std::int64_t block_tick) const {
+  const double t_s = corner.position / sample_rate_hz_;
+  // Whichever way the corner was rounded, it lies between the two.
+  const double before_s =
+      std::nextafter(std::min(t_s, corner.t_s), -std::numeric_limits<double>::infinity());
+  return {corner.position - static_cast<double>(block_tick), t_s, before_s,
+          std::max(t_s, corner.t_s)};
+}
+
+ExcessPhase::Edge ExcessPhase::edge_at(std::int64_t tick, std::int64_t block_tick) const {
+  const auto position = static_cast<double>(tick);
+  const auto corner =
+      std::lower_bound(corners_.begin(), corners_.end(), position,
+                       [](const Corner& candidate, double at) { return candidate.position < at; });
+  if (corner != corners_.end() && corner->position == position) return edge_at(*corner, block_tick);
+  const double t_s = position / sample_rate_hz_;
+  return {static_cast<double>(tick - block_tick), t_s, t_s, t_s};
+}
+
+ExcessPhase::Edge ExcessPhase::next_edge(const Edge& edge, std::int64_t block_tick,
+                                         std::int64_t block_end_tick) const {
+  const double position = edge.position + static_cast<double>(block_tick);
+  const auto corner =
+      std::upper_bound(corners_.begin(), corners_.end(), position,
+                       [](double at, const Corner& candidate) { return at < candidate.position; });
+  if (corner != corners_.end() && corner->position < static_cast<double>(block_end_tick)) {
+    return edge_at(*corner, block_tick);
+  }
+  return edge_at(block_end_tick, block_tick);
+}
+
+SmoothPiece ExcessPhase::piece(const Edge& from, const Edge& to) const {
+  const double length = to.position - from.position;
+  const double span_s = length / sample_rate_hz_;
+  const double nominal_hz = truth_.nominal_hz();
+  const double cycles_from = truth_.excess_cycles(from.t_s);
+  const End start = {0.0, span_s * (truth_.frequency_hz(from.after_s) - nominal_hz),
+                     span_s * span_s * truth_.rocof_hz_s(from.after_s)};
+  const End end = {truth_.excess_cycles(to.t_s) - cycles_from,
+                   span_s * (truth_.frequency_hz(to.before_s) - nominal_hz),
+                   span_s * span_s * truth_.rocof_hz_s(to.before_s)};
+  const double voltage_pu = truth_.voltage_pu(from.t_s);
+  return {from.position,       length,     cycles_from - std::floor(cycles_from),
+          quintic(start, end), voltage_pu, truth_.voltage_pu(to.t_s) - voltage_pu};
+}
+
+}  // namespace gsbench::waveform

@@ -1,0 +1,35 @@
+// Piecewise cubic through given points that never leaves the range of two neighbours, with its
+// exact slope and integral. Held constant outside the points.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace gsbench::waveform {
+
+struct Knot {
+  double x;
+  double y;
+};
+
+class MonotoneCubic {
+ public:
+  // knots: at least one, x strictly ascending, all finite.
+  explicit MonotoneCubic(const std::vector<Knot>& knots);
+
+  double value(double x) const;
+  double slope(double x) const;     // right-hand limit
+  double integral(double x) const;  // from the first knot
+
+ private:
+  // y + s·(slope + s·(quadratic + s·cubic)) with s = x − this x; constant in the last piece.
+  struct Piece {
+    double x, y, slope, quadratic, cubic, integral_to_here;
+  };
+
+  const Piece* piece_at(double x) const;  // nullptr before the first knot
+
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace gsbench::waveform

@@ -1,0 +1,105 @@
+#include "monotone_cubic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <waveform/truth.hpp>
+
+namespace gsbench::waveform {
+namespace {
+
+void check(const TracePoint& point, const TracePoint* before, std::size_t number) {
+  const auto refuse = [number](const char* what, double value, const char* wanted) {
+    throw std::invalid_argument(fmt::format("point {}: {} {} {}", number, what, value, wanted));
+  };
+  if (!std::isfinite(point.t_s)) refuse("time", point.t_s, "s: must be finite");
+  if (before != nullptr && point.t_s <= before->t_s) {
+    refuse("time", point.t_s, "s: must be later than the point before");
+  }
+  if (!std::isfinite(point.frequency_hz) || point.frequency_hz <= 0.0) {
+    refuse("frequency", point.frequency_hz, "Hz: must be finite and above 0");
+  }
+  if (!std::isfinite(point.voltage_pu) || point.voltage_pu < 0.0) {
+    refuse("voltage", point.voltage_pu, "pu: must be finite and not negative");
+  }
+}
+
+void check(double nominal_hz, const std::vector<TracePoint>& points) {
+  if (!std::isfinite(nominal_hz) || nominal_hz <= 0.0) {
+    throw std::invalid_argument(
+        fmt::format("nominal frequency {} Hz: must be finite and above 0", nominal_hz));
+  }
+  if (points.empty()) throw std::invalid_argument("no frequency points: at least one is needed");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    check(points[i], i == 0 ? nullptr : &points[i - 1], i + 1);
+  }
+}
+
+std::vector<Knot> deviations(double nominal_hz, const std::vector<TracePoint>& points) {
+  std::vector<Knot> knots;
+  knots.reserve(points.size());
+  for (const TracePoint& point : points) {
+    knots.push_back({point.t_s, point.frequency_hz - nominal_hz});
+  }
+  return knots;
+}
+
+class PointTruth final : public Truth {
+ public:
+  PointTruth(double nominal_hz, std::vector<TracePoint> points)
+      : nominal_hz_(nominal_hz),
+        points_(std::move(points)),
+        deviation_hz_(deviations(nominal_hz, points_)),
+        cycles_at_zero_(deviation_hz_.integral(0.0)) {}
+
+  double nominal_hz() const override { return nominal_hz_; }
+  double frequency_hz(double t_s) const override { return nominal_hz_ + deviation_hz_.value(t_s); }
+  double rocof_hz_s(double t_s) const override { return deviation_hz_.slope(t_s); }
+  double excess_cycles(double t_s) const override {
+    return deviation_hz_.integral(t_s) - cycles_at_zero_;
+  }
+
+  double voltage_pu(double t_s) const override {
+    const auto next = std::upper_bound(points_.begin(), points_.end(), t_s,
+                                       [](double t, const TracePoint& p) { return t < p.t_s; });
+    if (next == points_.begin()) return points_.front().voltage_pu;
+    if (next == points_.end()) return points_.back().voltage_pu;
+    const TracePoint& from = *std::prev(next);
+    const double fraction = (t_s - from.t_s) / (next->t_s - from.t_s);
+    return from.voltage_pu + fraction * (next->voltage_pu - from.voltage_pu);
+  }
+
+  // The second derivative of the cubic jumps at each point.
+  std::vector<double> corners_s() const override {
+    std::vector<double> corners;
+    corners.reserve(points_.size());
+    for (const TracePoint& point : points_) corners.push_back(point.t_s);
+    return corners;
+  }
+
+ private:
+  double nominal_hz_;
+  std::vector<TracePoint> points_;
+  MonotoneCubic deviation_hz_;  // from nominal, so that its integral stays small
+  double cycles_at_zero_;
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> truth_from_points(double nominal_hz, std::vector<FrequencyPoint> points) {
+  std::vector<TracePoint> trace;
+  trace.reserve(points.size());
+  for (const FrequencyPoint& point : points) trace.push_back({point.t_s, point.frequency_hz, 1.0});
+  return truth_from_trace(nominal_hz, std::move(trace));
+}
+
+std::unique_ptr<Truth> truth_from_trace(double nominal_hz, std::vector<TracePoint> points) {
+  check(nominal_hz, points);
+  return std::make_unique<PointTruth>(nominal_hz, std::move(points));
+}
+
+}  // namespace gsbench::waveform

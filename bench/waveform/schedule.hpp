@@ -1,0 +1,38 @@
+// What a signal's amplitude steps and phase jumps amount to at each tick.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <waveform/synthesizer.hpp>
+
+namespace gsbench::waveform {
+
+// Times closer than this are one: what is left of decimal fractions after some arithmetic in
+// doubles.
+constexpr double kSameTimeS = 1e-9;
+
+// The first tick at or after t_s; the largest one for times past the end of counting.
+std::int64_t tick_at(double t_s, std::int64_t sample_rate_hz);
+
+// The signal from `from_tick` on, until the next entry.
+struct ScheduleEntry {
+  std::int64_t from_tick;
+  double level;          // product of the amplitude steps that hold; 1 is nominal
+  double offset_cycles;  // initial phase and jumps so far, within [0, 1)
+};
+
+class Schedule {
+ public:
+  Schedule(const SignalSpec& spec, std::int64_t sample_rate_hz);
+
+  std::size_t index_at(std::int64_t tick) const;
+  const ScheduleEntry& operator[](std::size_t index) const { return entries_[index]; }
+  std::int64_t end_tick(std::size_t index) const;
+
+ private:
+  std::vector<ScheduleEntry> entries_;  // the first one from tick 0 on, ascending
+};
+
+}  // namespace gsbench::waveform

@@ -1,0 +1,171 @@
+#include "example_truths.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+
+namespace gsbench::waveform {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Property;
+using testing::ThrowsMessage;
+
+std::vector<FrequencyPoint> random_points(unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> step_s(0.001, 5.0);
+  std::uniform_real_distribution<double> frequency_hz(45.0, 55.0);
+  std::vector<FrequencyPoint> points;
+  double t_s = -10.0;
+  for (int i = 0; i < 20; ++i) {
+    // Some points repeat the frequency before: a plateau must stay one.
+    const bool plateau = i > 0 && generator() % 4 == 0;
+    points.push_back({t_s, plateau ? points.back().frequency_hz : frequency_hz(generator)});
+    t_s += step_s(generator);
+  }
+  return points;
+}
+
+// What rounding leaves of 55 Hz after some ten operations.
+constexpr double kRoundingHz = 1e-12;
+
+TEST(PointTruth, PassesThroughEachPointExactly) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const auto points = random_points(seed);
+    const auto truth = truth_from_points(50.0, points);
+    for (const auto& point : points) {
+      EXPECT_EQ(truth->frequency_hz(point.t_s), point.frequency_hz);
+    }
+  }
+}
+
+TEST(PointTruth, IsMonotoneBetweenNeighboursAndNeverOvershoots) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const auto points = random_points(seed);
+    const auto truth = truth_from_points(50.0, points);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double span_s = points[i + 1].t_s - points[i].t_s;
+      const double direction = points[i + 1].frequency_hz - points[i].frequency_hz;
+      double before_hz = points[i].frequency_hz;
+      for (int step = 1; step <= 200; ++step) {
+        const double hz = truth->frequency_hz(points[i].t_s + span_s * step / 200.0);
+        const double rise_hz = hz - before_hz;
+        ASSERT_GE(direction == 0.0 ? -std::fabs(rise_hz) : std::copysign(1.0, direction) * rise_hz,
+                  -kRoundingHz)
+            << "seed " << seed << ", after point " << i;
+        before_hz = hz;
+      }
+    }
+  }
+}
+
+TEST(PointTruth, FollowsPchipOfMatlabAndSciPy) {
+  // Slopes by hand: at t = 1 (widths 1 and 2, secants −1 and −0.25) (5+4)/(5/−1+4/−0.25) = −3/7;
+  // at t = 0 ((2+2)·(−1) + 0.25)/3 = −1.25; at t = 3 ((4+1)·(−0.25) + 2)/3 = 0.25, of the wrong
+  // sign, hence 0.
+  const auto truth = truth_from_points(50.0, {{0.0, 50.0}, {1.0, 49.0}, {3.0, 48.5}});
+  EXPECT_NEAR(truth->rocof_hz_s(0.0), -1.25, kRoundingHz);
+  EXPECT_NEAR(truth->rocof_hz_s(1.0), -3.0 / 7.0, kRoundingHz);
+  EXPECT_NEAR(truth->rocof_hz_s(3.0 - 1e-9), 0.0, 1e-8);  // |d²f/dt²| < 1 there, times 1e-9 s
+  // Midway: the mean of the ends plus width/8 of the difference of the slopes.
+  EXPECT_NEAR(truth->frequency_hz(0.5), 49.5 + (-1.25 + 3.0 / 7.0) / 8.0, kRoundingHz);
+}
+
+TEST(PointTruth, IsAStraightLineThroughTwoPoints) {
+  const auto truth = truth_from_points(50.0, {{1.0, 50.0}, {2.0, 40.0}});
+  for (const double t_s : {1.0, 1.25, 1.5, 1.999}) {
+    EXPECT_NEAR(truth->frequency_hz(t_s), 50.0 - 10.0 * (t_s - 1.0), kRoundingHz);
+    EXPECT_NEAR(truth->rocof_hz_s(t_s), -10.0, kRoundingHz);
+  }
+}
+
+TEST(PointTruth, IsHeldBeforeTheFirstAndAfterTheLastPoint) {
+  const auto truth = truth_from_points(50.0, {{1.0, 50.5}, {2.0, 49.0}});
+  EXPECT_EQ(truth->frequency_hz(0.0), 50.5);
+  EXPECT_EQ(truth->rocof_hz_s(0.5), 0.0);
+  EXPECT_EQ(truth->frequency_hz(1e6), 49.0);
+  EXPECT_EQ(truth->rocof_hz_s(2.0), 0.0);
+  EXPECT_NEAR(truth->excess_cycles(1.0), 0.5, kRoundingHz);
+}
+
+TEST(PointTruth, IntegratesItsFrequencyExactlyFromZero) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto points = random_points(seed);
+    const auto truth = truth_from_points(50.0, points);
+    EXPECT_EQ(truth->excess_cycles(0.0), 0.0);
+    double cycles = 0.0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double from_s = points[i].t_s;
+      const double to_s = points[i + 1].t_s;
+      const double middle_hz = truth->frequency_hz(0.5 * (from_s + to_s));
+      // Simpson's rule has no error for cubics.
+      cycles += (to_s - from_s) / 6.0 *
+                (points[i].frequency_hz + 4.0 * middle_hz + points[i + 1].frequency_hz - 300.0);
+      EXPECT_NEAR(truth->excess_cycles(to_s) - truth->excess_cycles(points[0].t_s), cycles, 1e-11);
+    }
+  }
+}
+
+// A sum of a million terms in plain double arithmetic would be off by some 10⁻⁷ here.
+TEST(PointTruth, DoesNotDriftOverAMillionPoints) {
+  std::vector<FrequencyPoint> points;
+  for (int i = 0; i <= 1'000'000; ++i)
+    points.push_back({static_cast<double>(i), i % 2 == 0 ? 50.1 : 50.7});
+  const auto truth = truth_from_points(50.0, points);
+  // Turns at each point: slopes vanish, so that each piece integrates to the mean of its ends, save
+  // the first and last, whose end slope of three points is held to 0 as well or not: compare inner
+  // ones. 0.4 in doubles is (50.1 + 50.7)/2 − 50 to 4·10⁻¹⁵, a million times over 4·10⁻⁹.
+  const double cycles = truth->excess_cycles(999'999.0) - truth->excess_cycles(1.0);
+  EXPECT_NEAR(cycles, 0.4 * 999'998.0, 5e-9);
+}
+
+TEST(PointTruth, HasACornerAtEachPoint) {
+  const auto truth = truth_from_points(50.0, {{1.0, 50.5}, {2.0, 49.0}, {2.5, 49.5}});
+  EXPECT_THAT(truth->corners_s(), ElementsAre(1.0, 2.0, 2.5));
+}
+
+TEST(PointTruth, InterpolatesTheVoltageOfATraceLinearly) {
+  const auto truth = truth_from_trace(50.0, {{0.0, 50.0, 1.0}, {2.0, 49.0, 0.0}, {4.0, 48.0, 0.2}});
+  EXPECT_EQ(truth->voltage_pu(-1.0), 1.0);
+  EXPECT_EQ(truth->voltage_pu(0.5), 0.75);
+  EXPECT_EQ(truth->voltage_pu(2.0), 0.0);
+  EXPECT_EQ(truth->voltage_pu(3.0), 0.1);
+  EXPECT_EQ(truth->voltage_pu(9.0), 0.2);
+}
+
+struct Refusal {
+  const char* name;
+  double nominal_hz;
+  std::vector<TracePoint> points;
+  const char* message;
+};
+
+class RefusedPoints : public testing::TestWithParam<Refusal> {};
+
+TEST_P(RefusedPoints, AreNamedWithTheirValue) {
+  EXPECT_THAT([] { return truth_from_trace(GetParam().nominal_hz, GetParam().points); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr(GetParam().message)));
+}
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+INSTANTIATE_TEST_SUITE_P(
+    PointTruth, RefusedPoints,
+    testing::Values(
+        Refusal{"None", 50.0, {}, "at least one"},
+        Refusal{"Nominal", 0.0, {{0, 50, 1}}, "nominal frequency 0 Hz"},
+        Refusal{"SameTime", 50.0, {{0, 50, 1}, {1, 50, 1}, {1, 49, 1}}, "point 3: time 1 s"},
+        Refusal{"BackInTime", 50.0, {{0, 50, 1}, {-1, 50, 1}}, "point 2: time -1 s"},
+        Refusal{"TimeNan", 50.0, {{kNan, 50, 1}}, "point 1: time nan s"},
+        Refusal{"FrequencyZero", 50.0, {{0, 0, 1}}, "point 1: frequency 0 Hz"},
+        Refusal{"FrequencyInfinite", 50.0, {{0, kInfinity, 1}}, "point 1: frequency inf Hz"},
+        Refusal{"VoltageNegative", 50.0, {{0, 50, -0.1}}, "point 1: voltage -0.1 pu"}),
+    [](const auto& param_info) { return std::string(param_info.param.name); });
+
+}  // namespace
+}  // namespace gsbench::waveform

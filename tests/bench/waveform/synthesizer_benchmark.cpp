@@ -1,0 +1,50 @@
+// Cost of one sample at 8 kHz, in blocks of 16 ms as a run asks for them.
+#include "example_truths.hpp"
+
+#include <array>
+
+#include <benchmark/benchmark.h>
+
+namespace gsbench::waveform {
+namespace {
+
+void play(benchmark::State& state, const Synthesizer& synthesizer) {
+  std::array<float, 128> samples{};
+  std::int64_t tick = 0;
+  std::int64_t rendered = 0;
+  for (auto _ : state) {
+    synthesizer.render(tick, samples.size(), samples.data());
+    benchmark::DoNotOptimize(samples);
+    tick = (tick + 128) % 480'000;  // a minute, over and over
+    rendered += 128;
+  }
+  state.counters["time_per_sample"] = benchmark::Counter(
+      static_cast<double>(rendered), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void Constant(benchmark::State& state) {
+  play(state, {constant(50.0, 50.0), {}, 8000});
+}
+BENCHMARK(Constant);
+
+void LossOf500Mw(benchmark::State& state) {
+  play(state, {loss_of_500_mw(3.0), {}, 8000});
+}
+BENCHMARK(LossOf500Mw);
+
+void RecordingEvery2Seconds(benchmark::State& state) {
+  std::vector<TracePoint> points;
+  for (int i = 0; i < 3600; ++i) points.push_back({2.0 * i, 50.0 + 0.02 * (i % 5), 1.0});
+  play(state, {truth_from_trace(50.0, points), {}, 8000});
+}
+BENCHMARK(RecordingEvery2Seconds);
+
+void LossWithHarmonicsOfEn50160(benchmark::State& state) {
+  SignalSpec spec;
+  spec.harmonics = en50160_harmonics();
+  play(state, {loss_of_500_mw(3.0), spec, 8000});
+}
+BENCHMARK(LossWithHarmonicsOfEn50160);
+
+}  // namespace
+}  // namespace gsbench::waveform

@@ -1,0 +1,191 @@
+#include "example_truths.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace gsbench::waveform {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kForever = std::numeric_limits<double>::infinity();
+// A float near 1 is rounded by 6·10⁻⁸; the sine polynomial's 1.4·10⁻¹¹ does not show beside it.
+constexpr double kFloat = 1.2e-7;
+
+// A little of everything, with instants on and off samples and blocks.
+SignalSpec busy_signal() {
+  SignalSpec spec;
+  spec.harmonics = en50160_harmonics();
+  spec.amplitude_steps = {{0.05, 0.2, 70.0}, {0.1003, 0.01, 0.0}, {0.3, kForever, 110.0}};
+  spec.phase_jumps = {{0.2, 20.0}, {0.41234, -60.0}};
+  spec.dc_offset_pct = 1.0;
+  spec.initial_phase_deg = 30.0;
+  return spec;
+}
+
+std::shared_ptr<const Truth> busy_truth() {
+  std::vector<TracePoint> points;
+  for (int i = 0; i < 60; ++i) {
+    points.push_back({0.0137 * i, 50.0 + 0.5 * std::sin(i), 1.0 - 0.01 * (i % 7)});
+  }
+  return truth_from_trace(50.0, points);
+}
+
+bool same_bits(const std::vector<float>& a, const float* b) {
+  return std::memcmp(a.data(), b, a.size() * sizeof(float)) == 0;
+}
+
+TEST(Synthesizer, DoesNotDependOnHowTheRunIsCut) {
+  for (const SignalSpec& spec : {SignalSpec{}, busy_signal()}) {
+    const Synthesizer synthesizer(busy_truth(), spec, 8000);
+    const std::vector<float> whole = render(synthesizer, 0, 8000);
+    std::mt19937 generator(1);
+    for (int trial = 0; trial < 2000; ++trial) {
+      const std::size_t first = generator() % 8000;
+      const std::size_t count = 1 + generator() % std::min<std::size_t>(8000 - first, 400);
+      ASSERT_TRUE(same_bits(render(synthesizer, static_cast<std::int64_t>(first), count),
+                            whole.data() + first))
+          << first << " + " << count;
+    }
+    for (std::size_t tick = 0; tick < 2000; ++tick) {
+      ASSERT_TRUE(
+          same_bits(render(synthesizer, static_cast<std::int64_t>(tick), 1), whole.data() + tick));
+    }
+  }
+}
+
+TEST(Synthesizer, IsTheSameOnEveryThread) {
+  const Synthesizer synthesizer(busy_truth(), busy_signal(), 8000);
+  const std::vector<float> alone = render(synthesizer, 0, 8000);
+  std::vector<float> together(alone.size());
+  std::vector<std::thread> threads;
+  for (int part = 0; part < 4; ++part) {
+    threads.emplace_back([&synthesizer, &together, part] {
+      synthesizer.render(2000 * part, 2000, together.data() + 2000 * part);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_TRUE(same_bits(alone, together.data()));
+}
+
+// Coefficient of e^(i2πft) over whole periods, as amplitude and phase of a sine.
+std::complex<double> sine_at(const std::vector<float>& samples, double frequency_hz,
+                             double rate_hz) {
+  std::complex<double> sum = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double angle = 2.0 * kPi * frequency_hz * static_cast<double>(i) / rate_hz;
+    sum += static_cast<double>(samples[i]) * std::polar(1.0, -angle);
+  }
+  return sum * std::complex<double>(0.0, 2.0 / static_cast<double>(samples.size()));
+}
+
+TEST(Synthesizer, PutsEachHarmonicAtItsMultipleOfTheTrueFrequency) {
+  SignalSpec spec;
+  spec.harmonics = en50160_harmonics();
+  spec.harmonics.push_back({50, 2.5, -120.0});
+  for (const double frequency_hz : {50.0, 47.0, 53.0}) {
+    const Synthesizer synthesizer(constant(50.0, frequency_hz), spec, 8000);
+    const std::vector<float> samples = render(synthesizer, 16000, 8000);
+    EXPECT_LT(std::abs(sine_at(samples, frequency_hz, 8000.0) - 1.0), kFloat);
+    for (int order = 2; order <= 52; ++order) {
+      const auto given =
+          std::find_if(spec.harmonics.begin(), spec.harmonics.end(),
+                       [order](const Harmonic& harmonic) { return harmonic.order == order; });
+      const std::complex<double> expected =
+          given == spec.harmonics.end()
+              ? 0.0
+              : std::polar(given->amplitude_pct / 100.0, given->phase_deg / 180.0 * kPi);
+      EXPECT_LT(std::abs(sine_at(samples, order * frequency_hz, 8000.0) - expected), kFloat)
+          << "order " << order << " of " << frequency_hz << " Hz";
+    }
+  }
+}
+
+TEST(Synthesizer, TakesAJumpWithTheFirstSampleAtOrAfterItsTime) {
+  SignalSpec shifted;
+  shifted.initial_phase_deg = 20.0;
+  const std::vector<float> before = render({constant(50, 50), {}, 8000}, 0, 8000);
+  const std::vector<float> after = render({constant(50, 50), shifted, 8000}, 0, 8000);
+  struct Case {
+    double at_s;
+    std::size_t first_jumped;
+  };
+  for (const Case& jump : {Case{0.3, 2400}, Case{0.1 + 0.2, 2400}, Case{0.300001, 2401},
+                           Case{0.299999, 2400}, Case{0.0, 0}, Case{0.29988, 2400}}) {
+    SignalSpec spec;
+    spec.phase_jumps = {{jump.at_s, 20.0}};
+    const std::vector<float> samples = render({constant(50, 50), spec, 8000}, 0, 8000);
+    for (std::size_t tick = 0; tick < samples.size(); ++tick) {
+      ASSERT_EQ(samples[tick], tick < jump.first_jumped ? before[tick] : after[tick])
+          << jump.at_s << " s, tick " << tick;
+    }
+  }
+}
+
+TEST(Synthesizer, AddsJumpsUpAndTurnsHarmonicsAlong) {
+  SignalSpec spec;
+  spec.harmonics = {{3, 10.0, 15.0}};
+  SignalSpec jumped = spec;
+  jumped.phase_jumps = {{0.2, 50.0}, {0.1, -20.0}};
+  spec.initial_phase_deg = 30.0;
+  const std::vector<float> expected = render({constant(50, 50), spec, 8000}, 1600, 1600);
+  EXPECT_EQ(render({constant(50, 50), jumped, 8000}, 1600, 1600), expected);
+}
+
+TEST(Synthesizer, ScalesTheWholeSignalDuringADipAndMultipliesOverlappingOnes) {
+  SignalSpec spec;
+  spec.harmonics = {{5, 6.0, 180.0}};
+  const std::vector<float> plain = render({constant(50, 50), spec, 8000}, 0, 8000);
+  spec.amplitude_steps = {{0.5, 0.2, 40.0}, {0.1, kForever, 50.0}, {0.9, 0.02, 0.0}};
+  const std::vector<float> stepped = render({constant(50, 50), spec, 8000}, 0, 8000);
+  for (std::size_t tick = 0; tick < plain.size(); ++tick) {
+    double level = tick < 800 ? 1.0 : 0.5;
+    if (tick >= 4000 && tick < 5600) level *= 0.4;
+    if (tick >= 7200 && tick < 7360) level = 0.0;
+    ASSERT_NEAR(static_cast<double>(stepped[tick]), level * static_cast<double>(plain[tick]),
+                kFloat)
+        << tick;
+  }
+}
+
+TEST(Synthesizer, AddsDcUnscaledByDips) {
+  SignalSpec spec;
+  spec.dc_offset_pct = -2.0;
+  spec.amplitude_steps = {{0.0, kForever, 0.0}};
+  for (const float sample : render({constant(50, 50), spec, 8000}, 0, 1000)) {
+    ASSERT_EQ(sample, -0.02f);
+  }
+}
+
+TEST(Synthesizer, FollowsTheVoltageOfARecordingBetweenItsPoints) {
+  const std::shared_ptr<const Truth> truth = truth_from_trace(
+      50.0, {{0.0, 50.0, 1.0}, {0.1, 50.0, 0.8}, {0.13333, 50.0, 0.0}, {0.5, 50.0, 0.02}});
+  const std::vector<float> plain = render({constant(50, 50), {}, 8000}, 0, 8000);
+  const std::vector<float> samples = render({truth, {}, 8000}, 0, 8000);
+  for (std::size_t tick = 0; tick < samples.size(); ++tick) {
+    const double voltage_pu = truth->voltage_pu(static_cast<double>(tick) / 8000.0);
+    ASSERT_NEAR(static_cast<double>(samples[tick]), voltage_pu * static_cast<double>(plain[tick]),
+                kFloat)
+        << tick;
+  }
+}
+
+TEST(Synthesizer, TakesManyStepsAsOfFlicker) {
+  SignalSpec spec;
+  for (int i = 0; i < 20'000; ++i) spec.amplitude_steps.push_back({0.1 * i, 0.05, 99.0});
+  const std::vector<float> plain = render({constant(50, 50), {}, 8000}, 0, 800);
+  const std::vector<float> samples = render({constant(50, 50), spec, 8000}, 1'999 * 8000, 800);
+  for (std::size_t tick = 0; tick < samples.size(); ++tick) {
+    ASSERT_NEAR(static_cast<double>(samples[tick]),
+                (tick < 400 ? 0.99 : 1.0) * static_cast<double>(plain[tick]), kFloat);
+  }
+}
+
+}  // namespace
+}  // namespace gsbench::waveform
