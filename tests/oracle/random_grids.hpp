@@ -1,0 +1,31 @@
+// Grids to compare on: whatever plants might be found together, and on purpose some close to
+// critical damping, where the closed forms change from one shape to another.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::oracle {
+
+class RandomGrids {
+ public:
+  explicit RandomGrids(std::uint64_t seed) : bits_(seed) {}
+
+  grid::Grid any();
+  // All power comes promptly: the response is of first order and does not turn.
+  grid::Grid without_reheat();
+  // zeta within `distance` of 1, on either side.
+  grid::Grid nearly_critical(double distance);
+  // Two to four changes within the first ten seconds, ascending; each may be shed load.
+  std::vector<grid::PowerChange> changes(const grid::Grid& grid);
+
+ private:
+  double between(double low, double high);
+
+  std::mt19937_64 bits_;
+};
+
+}  // namespace gsbench::oracle
