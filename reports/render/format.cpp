@@ -1,0 +1,109 @@
+#include "format.hpp"
+
+#include <QString>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace gsbench::render {
+namespace {
+
+constexpr int kMostDecimals = 9;
+
+std::string not_finite(double value) {
+  if (std::isnan(value)) return "–";
+  return value > 0.0 ? "∞" : "-∞";
+}
+
+// "-0.00" says nothing that "0.00" does not.
+std::string without_negative_zero(std::string text) {
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  return text;
+}
+
+int magnitude(double value) {
+  return static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
+
+int decimals_of(double uncertainty) {
+  return std::clamp(1 - magnitude(uncertainty), 0, kMostDecimals);
+}
+
+// Two significant digits, never less than it is; what binary fractions add is no reason to go up.
+std::string rounded_up(double uncertainty) {
+  const int decimals = decimals_of(uncertainty);
+  const double per_unit = std::pow(10.0, decimals);
+  return fmt::format("{:.{}f}", std::ceil(uncertainty * per_unit - 1e-6) / per_unit, decimals);
+}
+
+}  // namespace
+
+std::string figure(double value, int significant) {
+  if (!std::isfinite(value)) return not_finite(value);
+  if (value == 0.0) return "0";
+  const int decimals = significant - 1 - magnitude(value);
+  if (decimals > kMostDecimals) return fmt::format("{:.{}g}", value, significant);
+  std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
+}
+
+std::string figure_within(double value, double uncertainty) {
+  if (!std::isfinite(value) || !std::isfinite(uncertainty) || uncertainty <= 0.0) {
+    return figure(value);
+  }
+  return without_negative_zero(fmt::format("{:.{}f}", value, decimals_of(uncertainty)));
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : text + ' ' + unit;
+}
+
+std::string limits(const record::MeasurementResult& result) {
+  if (!result.judged) return "";
+  if (!result.expected_word.empty()) return result.expected_word;
+  const bool has_low = !std::isnan(result.low);
+  const bool has_high = !std::isnan(result.high);
+  if (has_low && has_high && result.low == result.high) {
+    return with_unit("= " + figure(result.low, 6), result.unit);
+  }
+  if (has_low && has_high) {
+    return with_unit(figure(result.low, 6) + " … " + figure(result.high, 6), result.unit);
+  }
+  if (has_low) return with_unit("≥ " + figure(result.low, 6), result.unit);
+  if (has_high) return with_unit("≤ " + figure(result.high, 6), result.unit);
+  return "";
+}
+
+std::string value_of(const record::MeasurementResult& result) {
+  if (!result.word.empty()) return result.word;
+  if (std::isnan(result.value)) return "–";
+  std::string text = figure_within(result.value, result.uncertainty);
+  if (std::isfinite(result.uncertainty) && result.uncertainty > 0.0) {
+    text += " ± " + rounded_up(result.uncertainty);
+  }
+  return with_unit(text, result.unit);
+}
+
+double seconds(const record::RunRecord& run, std::int64_t tick) {
+  if (run.sample_rate_hz <= 0) return std::numeric_limits<double>::quiet_NaN();
+  return static_cast<double>(tick) / static_cast<double>(run.sample_rate_hz);
+}
+
+std::string valid_text(const std::string& text) {
+  QString unicode = QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+  for (QChar& character : unicode) {
+    const ushort code = character.unicode();
+    const bool control = (code < 0x20 && code != '\t' && code != '\n') ||
+                         (code >= 0x7f && code < 0xa0) || code >= 0xfffe;
+    if (control) character = QChar::ReplacementCharacter;
+  }
+  return unicode.toStdString();
+}
+
+}  // namespace gsbench::render

@@ -1,0 +1,109 @@
+#include "format.hpp"
+#include "summary.hpp"
+
+#include <QByteArray>
+#include <QString>
+#include <QXmlStreamWriter>
+#include <algorithm>
+
+#include <render/render.hpp>
+
+namespace gsbench::render {
+namespace {
+
+using record::Verdict;
+
+QString text(const std::string& utf8) {
+  return QString::fromStdString(valid_text(utf8));
+}
+
+// One <testcase>. What is INCONCLUSIVE did not pass, and JUnit has no word for it but failure.
+struct Case {
+  std::string name;
+  Verdict verdict = Verdict::kPass;
+  std::string message;
+  bool judged = true;
+};
+
+Case case_of(const record::MeasurementResult& result) {
+  Case one{result.name, result.verdict, shortfall_text(result), result.judged};
+  if (!result.judged) one.message = value_of(result) + " (no limit declared)";
+  return one;
+}
+
+// Where a verdict is worse than its measurements say (the outlet was lost, the run did not finish),
+// a case of its own says so: no CI may read such a run as passed.
+Case own_verdict(const char* name, Verdict verdict, const std::string& reason) {
+  return {name, verdict, reason, true};
+}
+
+void write_suite(QXmlStreamWriter& xml, const record::RunRecord& run, const std::string& name,
+                 const std::vector<Case>& cases) {
+  const auto count = [&](auto&& which) {
+    return QString::number(std::count_if(cases.begin(), cases.end(), which));
+  };
+  xml.writeStartElement("testsuite");
+  xml.writeAttribute("name", text(name));
+  xml.writeAttribute("tests", QString::number(cases.size()));
+  xml.writeAttribute("failures", count([](const Case& one) {
+                       return one.judged && (one.verdict == Verdict::kFail ||
+                                             one.verdict == Verdict::kInconclusive);
+                     }));
+  xml.writeAttribute("errors", count([](const Case& one) {
+                       return one.judged && one.verdict == Verdict::kError;
+                     }));
+  xml.writeAttribute("skipped", count([](const Case& one) { return !one.judged; }));
+  xml.writeAttribute("timestamp", text(run.started_utc));
+  for (const Case& one : cases) {
+    xml.writeStartElement("testcase");
+    xml.writeAttribute("classname", text(run.profile + "." + name));
+    xml.writeAttribute("name", text(one.name));
+    if (!one.judged || one.verdict != Verdict::kPass) {
+      xml.writeStartElement(!one.judged                      ? "skipped"
+                            : one.verdict == Verdict::kError ? "error"
+                                                             : "failure");
+      if (one.judged) xml.writeAttribute("type", record::to_string(one.verdict));
+      xml.writeAttribute("message", text(one.message));
+      xml.writeEndElement();
+    }
+    xml.writeEndElement();
+  }
+  xml.writeEndElement();
+}
+
+Verdict worst(const std::vector<Case>& cases) {
+  Verdict verdict = Verdict::kPass;
+  for (const Case& one : cases) {
+    if (one.judged) verdict = std::max(verdict, one.verdict);
+  }
+  return verdict;
+}
+
+}  // namespace
+
+std::string junit_xml(const record::RunRecord& run) {
+  QByteArray bytes;
+  QXmlStreamWriter xml(&bytes);
+  xml.setAutoFormatting(true);
+  xml.setAutoFormattingIndent(2);
+  xml.writeStartDocument();
+  xml.writeStartElement("testsuites");
+  xml.writeAttribute("name", text(run.profile));
+  Verdict told = Verdict::kPass;
+  for (const record::OutletRecord& outlet : run.outlets) {
+    std::vector<Case> cases;
+    for (const auto& result : outlet.measurements) cases.push_back(case_of(result));
+    if (outlet.verdict > worst(cases)) {
+      cases.push_back(own_verdict("outlet", outlet.verdict, "the outlet as a whole"));
+    }
+    told = std::max(told, worst(cases));
+    write_suite(xml, run, outlet.id, cases);
+  }
+  if (run.verdict > told) {
+    write_suite(xml, run, "run", {own_verdict("run", run.verdict, verdict_sentence(run))});
+  }
+  xml.writeEndDocument();
+  return bytes.toStdString();
+}
+
+}  // namespace gsbench::render

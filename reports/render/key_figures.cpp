@@ -1,0 +1,68 @@
+#include "key_figures.hpp"
+
+#include "format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gsbench::render {
+namespace {
+
+constexpr std::array kByImportance = {
+    KeyFigure{"event.delay", "Event after"},
+    KeyFigure{"decision.delay", "Decision after"},
+    KeyFigure{"ekf.loss", "ΔP"},
+    KeyFigure{"ekf.error", "ΔP error"},
+    KeyFigure{"relay.delay", "Relay by sense"},
+    KeyFigure{"relay.delay_by_word", "Relay by word"},
+    KeyFigure{"relay.word_difference", "Difference"},
+    KeyFigure{"relay.end", "Relay at end"},
+    KeyFigure{"trip.time", "Trip at"},
+    KeyFigure{"command.delay", "Command after"},
+    KeyFigure{"event.false", "False events"},
+    KeyFigure{"decision.cause", "Cause"},
+    KeyFigure{"tracker.error.max", "Greatest error"},
+    KeyFigure{"tracker.error.rms", "Error, rms"},
+    KeyFigure{"validity.valid_share", "Valid"},
+    KeyFigure{"validity.dead_bus_claims", "Claims on dead bus"},
+};
+
+bool has_value(const record::OutletRecord& outlet, const KeyFigure& key) {
+  const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
+  return result != nullptr && (!result->word.empty() || !std::isnan(result->value));
+}
+
+}  // namespace
+
+const record::MeasurementResult* find_measurement(const record::OutletRecord& outlet,
+                                                  const std::string& name) {
+  for (const record::MeasurementResult& result : outlet.measurements) {
+    if (result.name == name) return &result;
+  }
+  return nullptr;
+}
+
+std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t most) {
+  std::vector<KeyFigure> keys;
+  for (const KeyFigure& key : kByImportance) {
+    if (keys.size() == most) break;
+    const bool any = std::any_of(run.outlets.begin(), run.outlets.end(),
+                                 [&](const auto& outlet) { return has_value(outlet, key); });
+    if (any) keys.push_back(key);
+  }
+  return keys;
+}
+
+std::string key_text(const record::MeasurementResult* result) {
+  if (result == nullptr) return "–";
+  if (!result->word.empty()) return result->word;
+  if (std::isnan(result->value)) return "–";
+  // Four digits, and of a small value no more than two.
+  const int significant = std::abs(result->value) < 1.0    ? 2
+                          : std::abs(result->value) < 10.0 ? 3
+                                                           : 4;
+  return with_unit(figure(result->value, significant), result->unit);
+}
+
+}  // namespace gsbench::render

@@ -1,0 +1,26 @@
+// The few measurements that tell how an outlet did, for one row an outlet.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <record/run_record.hpp>
+
+namespace gsbench::render {
+
+struct KeyFigure {
+  const char* measurement;  // of the catalogue
+  const char* heading;
+};
+
+// Those any outlet of the run has a value for, most telling first, at most `most`.
+std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t most);
+
+// nullptr where the outlet has no such measurement.
+const record::MeasurementResult* find_measurement(const record::OutletRecord& outlet,
+                                                  const std::string& name);
+
+// Its value in few digits; "–" where there is none.
+std::string key_text(const record::MeasurementResult* result);
+
+}  // namespace gsbench::render

@@ -1,0 +1,60 @@
+#include "summary.hpp"
+
+#include "format.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace gsbench::render {
+namespace {
+
+const char* plural(std::size_t count) {
+  return count == 1 ? "" : "s";
+}
+
+}  // namespace
+
+std::vector<Shortfall> shortfalls(const record::RunRecord& run) {
+  std::vector<Shortfall> found;
+  for (const record::OutletRecord& outlet : run.outlets) {
+    for (const record::MeasurementResult& result : outlet.measurements) {
+      if (result.judged && result.verdict != record::Verdict::kPass) {
+        found.push_back({&outlet, &result});
+      }
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Shortfall& a, const Shortfall& b) {
+    return a.result->verdict > b.result->verdict;
+  });
+  return found;
+}
+
+std::string shortfall_text(const record::MeasurementResult& result) {
+  std::string text = value_of(result);
+  const std::string asked = limits(result);
+  if (!asked.empty()) text += " where " + asked + " is asked";
+  if (!result.reason.empty()) text += ": " + result.reason;
+  return text;
+}
+
+std::string verdict_sentence(const record::RunRecord& run) {
+  std::size_t judged = 0;
+  for (const record::OutletRecord& outlet : run.outlets) {
+    judged += static_cast<std::size_t>(
+        std::count_if(outlet.measurements.begin(), outlet.measurements.end(),
+                      [](const auto& result) { return result.judged; }));
+  }
+  if (!run.verdict_reason.empty()) return valid_text(run.verdict_reason);
+  const std::size_t outlets = run.outlets.size();
+  const std::size_t short_of = shortfalls(run).size();
+  if (short_of > 0) {
+    return fmt::format("{} of {} judged measurements on {} outlet{} did not pass.", short_of,
+                       judged, outlets, plural(outlets));
+  }
+  if (judged == 0) return "Nothing was judged.";
+  return fmt::format("All {} judged measurement{} on {} outlet{} {} within limits.", judged,
+                     plural(judged), outlets, plural(outlets), judged == 1 ? "is" : "are");
+}
+
+}  // namespace gsbench::render

@@ -1,0 +1,24 @@
+// A run's verdict in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <record/run_record.hpp>
+
+namespace gsbench::render {
+
+// One sentence: why the verdict is what it is.
+std::string verdict_sentence(const record::RunRecord& run);
+
+// Judged measurements that did not pass, worst verdict first.
+struct Shortfall {
+  const record::OutletRecord* outlet;
+  const record::MeasurementResult* result;
+};
+std::vector<Shortfall> shortfalls(const record::RunRecord& run);
+
+// "112.00 ± 0.13 ms where ≤ 100 ms is asked: reason"
+std::string shortfall_text(const record::MeasurementResult& result);
+
+}  // namespace gsbench::render

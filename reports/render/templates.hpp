@@ -1,0 +1,15 @@
+// Texts built into the program (embed.cmake): the report's templates and the plotting library.
+#pragma once
+
+#include <string_view>
+
+namespace gsbench::render::templates {
+
+extern const std::string_view report_html;
+extern const std::string_view report_css;
+extern const std::string_view report_js;
+extern const std::string_view dygraphs_js;
+extern const std::string_view dygraphs_css;
+extern const std::string_view dygraphs_licence;
+
+}  // namespace gsbench::render::templates

@@ -1,0 +1,164 @@
+// The page as text; what a browser makes of it is tests/browser's part.
+
+#include "sample_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <record/store.hpp>
+#include <render/render.hpp>
+
+namespace gsbench::render {
+namespace {
+
+using record::RunRecord;
+using record::Verdict;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* kAttack = "</script><script>alert(1)</script>&\"'";
+
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t start = text.find(from);
+  if (start == std::string::npos) return "";
+  const std::size_t first = start + from.size();
+  return text.substr(first, text.find(to, first) - first);
+}
+
+nlohmann::json plot_data_of(const std::string& page) {
+  return nlohmann::json::parse(
+      between(page, "<script type=\"application/json\" id=\"plot-data\">", "</script>"));
+}
+
+TEST(Html, IsTheSameForTheSameRecord) {
+  EXPECT_EQ(html(sample::loss_500mw()), html(sample::loss_500mw()));
+}
+
+TEST(Html, ShowsVerdictReasonFactsAndEveryMeasurement) {
+  RunRecord run = sample::loss_500mw(2);
+  run.verdict = Verdict::kInconclusive;
+  run.verdict_reason = "the bench's own clock was off";
+  const std::string page = html(run);
+  EXPECT_THAT(page, HasSubstr("INCONCLUSIVE</p>"));
+  EXPECT_THAT(page, HasSubstr("the bench&apos;s own clock was off"));
+  for (const std::string& fact : {run.run_id, run.profile_sha256, run.firmware_sha256, run.noise,
+                                  std::to_string(run.seed), record::content_digest(run)}) {
+    EXPECT_THAT(page, HasSubstr(fact));
+  }
+  for (const auto& outlet : run.outlets) {
+    for (const auto& result : outlet.measurements) {
+      EXPECT_THAT(page, HasSubstr("data-measurement=\"" + result.name + "\""));
+    }
+  }
+  EXPECT_THAT(page, HasSubstr("with those that give its threshold"));  // a comparison's note
+  EXPECT_THAT(page, HasSubstr("noise_pct = 1.0   # &lt;white&gt;"));   // the profile's text
+}
+
+TEST(Html, AsksForNoOtherFile) {
+  const std::string page = html(sample::loss_500mw(1));
+  EXPECT_THAT(page, Not(HasSubstr("<script src")));
+  EXPECT_THAT(page, Not(HasSubstr("<link rel=\"stylesheet\"")));
+  EXPECT_THAT(page, Not(HasSubstr("sourceMappingURL")));
+  EXPECT_THAT(page, Not(HasSubstr("@import")));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(page, HasSubstr("Permission is hereby granted"));  // Dygraphs' licence comes with it
+}
+
+TEST(Html, EscapesEveryTextOfTheRecord) {
+  RunRecord run = sample::loss_500mw(1);
+  const std::string plain = html(run);
+  for (std::string* text :
+       {&run.run_id, &run.started_utc, &run.finished_utc, &run.gsbench_version, &run.profile,
+        &run.profile_title, &run.profile_source, &run.profile_sha256, &run.profile_text, &run.grid,
+        &run.station, &run.noise, &run.firmware_sha256, &run.verdict_reason,
+        &run.comparisons[0].name, &run.comparisons[0].unit, &run.comparisons[0].note,
+        &run.stimulus[0].kind, &run.stimulus[0].text}) {
+    *text = kAttack;
+  }
+  record::OutletRecord& outlet = run.outlets[0];
+  outlet.settings[kAttack] = 1.0;
+  outlet.marks[0] = {1, kAttack, 1.0, kAttack};
+  for (std::string* text :
+       {&outlet.id, &outlet.group, &outlet.link, &outlet.firmware, &outlet.settings_digest}) {
+    *text = kAttack;
+  }
+  for (auto& result : outlet.measurements) {
+    result.name = result.definition = result.unit = result.word = result.expected_word =
+        result.reason = kAttack;
+    result.verdict = Verdict::kFail;
+  }
+  const std::string page = html(run);
+  EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
+  // As many elements open and close as for a harmless record.
+  const auto count = [](const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count(page, "</script>"), count(plain, "</script>"));
+  EXPECT_EQ(count(page, "</style>"), 1U);
+  EXPECT_EQ(plot_data_of(page)["outlets"][0]["id"], kAttack);  // the data still say what it is
+}
+
+TEST(Html, SurvivesBytesThatAreNoText) {
+  RunRecord run = sample::loss_500mw(1);
+  run.outlets[0].id = "bad \xff\xfe\x01 id";
+  const std::string page = html(run);
+  EXPECT_THAT(page, HasSubstr("bad \xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd id"));
+  EXPECT_NO_THROW(plot_data_of(page));
+}
+
+TEST(Html, ShowsADashWhereNothingWasMeasured) {
+  const RunRecord run = sample::loss_500mw(2);  // the second outlet's relay never moves
+  const std::string page = html(run);
+  const std::string cell = between(page.substr(page.find("id=\"outlet-1\"")),
+                                   "data-measurement=\"relay.delay\"", "</tr>");
+  EXPECT_THAT(cell, HasSubstr("class=\"value\">–</td>"));
+  EXPECT_THAT(page, Not(HasSubstr(">nan")));
+}
+
+TEST(Html, DrawsWhatTheRecordHolds) {
+  RunRecord run = sample::loss_500mw(1);
+  record::MeasurementTrace& trace = run.outlets[0].trace;
+  trace.validity[200] = 0;  // claims nothing, whatever the number beside it
+  const nlohmann::json data = plot_data_of(html(run));
+  const nlohmann::json& curve = data["outlets"][0];
+  ASSERT_EQ(curve["t"].size(), trace.tick.size());
+  EXPECT_DOUBLE_EQ(curve["t"][100], static_cast<double>(trace.tick[100]) / 8000.0);
+  // Half of the last digit kept, 1e-5 Hz.
+  EXPECT_NEAR(curve["f"][100], static_cast<double>(trace.frequency_hz[100]), 0.5000001e-5);
+  EXPECT_TRUE(curve["f"][200].is_null());
+  EXPECT_TRUE(curve["f"][0].is_null());  // NaN in the record
+  EXPECT_EQ(curve["e"]["t"].size(), run.outlets[0].estimates.tick.size());
+  EXPECT_EQ(curve["marks"].size(), run.outlets[0].marks.size());
+  EXPECT_EQ(data["stimulus"][0]["label"], "loss of 500 MW");
+}
+
+TEST(Html, StaysUnderTwoMegabytesForAnHourOfTwoOutletsAndSaysThatItIsThinned) {
+  const std::string page = html(sample::steady(2, 3600.0));
+  EXPECT_LT(page.size(), 2'000'000U);
+  EXPECT_THAT(page, HasSubstr("Of up to 225000 reports an outlet at most 4000 are drawn"));
+  for (const auto& outlet : plot_data_of(page)["outlets"]) EXPECT_LE(outlet["t"].size(), 4000U);
+}
+
+TEST(Html, DrawsEveryReportAroundAMarkOfALongRun) {
+  RunRecord run = sample::steady(1, 3600.0);
+  const std::int64_t tick = 1000 * run.sample_rate_hz;
+  run.outlets[0].marks = {{tick, "event", 0.0, ""}};
+  const nlohmann::json curve = plot_data_of(html(run))["outlets"][0];
+  int near = 0;
+  for (const double t : curve["t"]) near += t >= 999.0 && t <= 1002.0 ? 1 : 0;
+  EXPECT_GE(near, 187);  // 3 s of one report each 16 ms
+}
+
+TEST(Html, IsWholeForAnEmptyRecord) {
+  const std::string page = html(RunRecord{});
+  EXPECT_THAT(page, HasSubstr("Nothing was judged."));
+  EXPECT_THAT(page, HasSubstr("</html>"));
+}
+
+}  // namespace
+}  // namespace gsbench::render

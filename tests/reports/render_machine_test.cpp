@@ -1,0 +1,250 @@
+// JSON, JUnit XML and CSV, read back by readers of their own.
+#include "sample_run.hpp"
+
+#include <QString>
+#include <QXmlStreamReader>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <render/render.hpp>
+
+namespace gsbench::render {
+namespace {
+
+using record::RunRecord;
+using record::Verdict;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::vector<std::string> keys(const nlohmann::ordered_json& object) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : object.items()) names.push_back(name);
+  return names;
+}
+
+TEST(Json, HasTheKeysScriptsRelyOn) {
+  const auto whole = nlohmann::ordered_json::parse(json(sample::loss_500mw(1)));
+  EXPECT_THAT(keys(whole), ElementsAre("run_id", "profile", "profile_sha256", "firmware_sha256",
+                                       "seed", "verdict", "outlets"));
+  EXPECT_THAT(keys(whole["outlets"][0]), ElementsAre("id", "verdict", "measurements"));
+  EXPECT_THAT(keys(whole["outlets"][0]["measurements"][0]),
+              ElementsAre("name", "value", "unit", "low", "high", "uncertainty", "verdict"));
+}
+
+TEST(Json, GivesNumbersInFullNoneAsNullAndWordsAsWords) {
+  RunRecord run = sample::loss_500mw(2);
+  run.outlets[0].measurements[0].value = 0.1 + 0.2;
+  const auto whole = nlohmann::ordered_json::parse(json(run));
+  EXPECT_EQ(whole["seed"], 18446744073709551615U);
+  EXPECT_EQ(whole["verdict"], "PASS");
+  const auto& first = whole["outlets"][0]["measurements"];
+  EXPECT_EQ(first[0]["value"], 0.1 + 0.2);
+  EXPECT_TRUE(first[0]["low"].is_null());
+  EXPECT_EQ(first[0]["high"], 60.0);
+  std::map<std::string, nlohmann::ordered_json> second;
+  for (const auto& result : whole["outlets"][1]["measurements"]) {
+    second[result["name"]] = result["value"];
+  }
+  EXPECT_TRUE(second.at("relay.delay").is_null());
+  EXPECT_EQ(second.at("relay.end"), "closed");
+}
+
+TEST(Json, IsValidWhateverTheTexts) {
+  RunRecord run = sample::loss_500mw(1);
+  run.outlets[0].id = "\xff\"\\\n</script>";
+  EXPECT_NO_THROW(nlohmann::json::parse(json(run)));
+}
+
+struct Element {
+  std::string name;
+  std::map<std::string, std::string> attributes;
+};
+
+std::vector<Element> elements(const std::string& xml) {
+  std::vector<Element> found;
+  QXmlStreamReader reader(QString::fromStdString(xml));
+  while (!reader.atEnd()) {
+    if (reader.readNext() != QXmlStreamReader::StartElement) continue;
+    Element element{reader.name().toString().toStdString(), {}};
+    for (const auto& attribute : reader.attributes()) {
+      element.attributes[attribute.name().toString().toStdString()] =
+          attribute.value().toString().toStdString();
+    }
+    found.push_back(element);
+  }
+  EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
+  return found;
+}
+
+std::vector<Element> named(const std::vector<Element>& all, const std::string& name) {
+  std::vector<Element> found;
+  for (const Element& element : all) {
+    if (element.name == name) found.push_back(element);
+  }
+  return found;
+}
+
+TEST(JunitXml, HasASuiteAnOutletAndACaseAMeasurement) {
+  const RunRecord run = sample::loss_500mw(2);
+  const auto all = elements(junit_xml(run));
+  const auto suites = named(all, "testsuite");
+  ASSERT_EQ(suites.size(), 2U);
+  EXPECT_EQ(suites[0].attributes.at("name"), "sheds-1");
+  EXPECT_EQ(suites[0].attributes.at("tests"), "14");
+  EXPECT_EQ(suites[0].attributes.at("failures"), "0");
+  EXPECT_EQ(suites[0].attributes.at("errors"), "0");
+  EXPECT_EQ(suites[0].attributes.at("skipped"), "4");  // those for information
+  const auto cases = named(all, "testcase");
+  ASSERT_EQ(cases.size(), 28U);
+  EXPECT_EQ(cases[3].attributes.at("name"), "event.delay");
+  EXPECT_EQ(cases[3].attributes.at("classname"), "paper/loss-500mw.sheds-1");
+}
+
+TEST(JunitXml, FailsWhatIsNotPass) {
+  RunRecord run = sample::loss_500mw(1);
+  auto& delay = sample::measurement(run.outlets[0], "event.delay");
+  delay.value = 176.0;
+  delay.verdict = Verdict::kFail;
+  delay.reason = "later than allowed";
+  sample::measurement(run.outlets[0], "ekf.error").verdict = Verdict::kInconclusive;
+  sample::measurement(run.outlets[0], "relay.end").verdict = Verdict::kError;
+  run.outlets[0].verdict = run.verdict = Verdict::kError;
+  const auto all = elements(junit_xml(run));
+  const auto suites = named(all, "testsuite");
+  ASSERT_EQ(suites.size(), 1U);
+  EXPECT_EQ(suites[0].attributes.at("failures"), "2");
+  EXPECT_EQ(suites[0].attributes.at("errors"), "1");
+  const auto failures = named(all, "failure");
+  ASSERT_EQ(failures.size(), 2U);
+  EXPECT_EQ(failures[0].attributes.at("type"), "FAIL");
+  EXPECT_EQ(failures[0].attributes.at("message"),
+            "176.00 ± 0.13 ms where ≤ 160 ms is asked: later than allowed");
+  EXPECT_EQ(failures[1].attributes.at("type"), "INCONCLUSIVE");
+  EXPECT_EQ(named(all, "error").size(), 1U);
+}
+
+TEST(JunitXml, NeverReadsAsPassedWhenTheRunOrAnOutletDidNotPassAsAWhole) {
+  RunRecord lost = sample::loss_500mw(2);
+  lost.outlets[1].verdict = lost.verdict = Verdict::kError;
+  EXPECT_EQ(named(elements(junit_xml(lost)), "error").size(), 1U);
+
+  RunRecord unfinished;
+  unfinished.verdict = Verdict::kError;
+  unfinished.verdict_reason = "the run did not finish";
+  const auto errors = named(elements(junit_xml(unfinished)), "error");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].attributes.at("message"), "the run did not finish");
+}
+
+TEST(JunitXml, IsWellFormedWhateverTheTexts) {
+  RunRecord run = sample::loss_500mw(1);
+  run.outlets[0].id = "<&\"'\x01\x1b[31m\xff\xef\xbf\xbf]]>";
+  const auto suites = named(elements(junit_xml(run)), "testsuite");
+  ASSERT_EQ(suites.size(), 1U);
+  EXPECT_THAT(suites[0].attributes.at("name"), HasSubstr("<&\"'"));
+}
+
+std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
+  std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char character = text[i];
+    if (quoted && character == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+      rows.back().back() += '"';
+      ++i;
+    } else if (character == '"') {
+      quoted = !quoted;
+    } else if (!quoted && character == ',') {
+      rows.back().emplace_back();
+    } else if (!quoted && character == '\n') {
+      rows.emplace_back(1);
+    } else {
+      rows.back().back() += character;
+    }
+  }
+  rows.pop_back();  // after the last line's end
+  return rows;
+}
+
+TEST(Csv, HasARowAReportWithTruthAndEstimateBeside) {
+  const RunRecord run = sample::loss_500mw(2);
+  const auto rows = csv_rows(csv(run));
+  EXPECT_THAT(rows[0], ElementsAre("outlet", "t_s", "true_frequency_hz", "frequency_hz",
+                                   "rocof_hz_s", "voltage_pu", "validity", "loss_mw",
+                                   "loss_sigma_mw", "trusted", "t_x_s"));
+  const auto& trace = run.outlets[1].trace;
+  const auto& estimates = run.outlets[1].estimates;
+  ASSERT_EQ(rows.size(), 1 + 2 * trace.tick.size());
+  std::size_t estimate = 0;
+  for (std::size_t i = 0; i < trace.tick.size(); ++i) {
+    const auto& row = rows[1 + trace.tick.size() + i];
+    ASSERT_EQ(row.size(), 11U);
+    EXPECT_EQ(row[0], "stays-2");
+    EXPECT_EQ(std::stod(row[1]), static_cast<double>(trace.tick[i]) / 8000.0);
+    if (std::isnan(trace.frequency_hz[i])) {
+      EXPECT_EQ(row[3], "");
+    } else {
+      EXPECT_EQ(std::strtof(row[3].c_str(), nullptr), trace.frequency_hz[i]);  // to the bit
+    }
+    EXPECT_EQ(row[6], trace.validity[i] == 1 ? "valid" : "invalid");
+    if (estimate < estimates.tick.size() && estimates.tick[estimate] == trace.tick[i]) {
+      EXPECT_EQ(std::strtof(row[7].c_str(), nullptr), estimates.loss_mw[estimate]);
+      EXPECT_EQ(row[9], estimates.trusted[estimate] != 0 ? "1" : "0");
+      ++estimate;
+    } else {
+      EXPECT_EQ(row[7] + row[8] + row[9] + row[10], "");
+    }
+  }
+  EXPECT_EQ(estimate, estimates.tick.size());
+}
+
+TEST(Csv, PutsTheTrueFrequencyBetweenEntriesOnAStraightLine) {
+  RunRecord run;
+  run.sample_rate_hz = 1000;
+  run.truth = {{100, 200, 400}, {50.0, 49.0, 49.5}, {0.0, 0.0, 0.0}};
+  run.outlets.emplace_back();
+  run.outlets[0].id = "one";
+  for (const std::int64_t tick : {50, 100, 150, 200, 300, 400, 450}) {
+    auto& trace = run.outlets[0].trace;
+    trace.tick.push_back(tick);
+    trace.frequency_hz.push_back(50.0F);
+    trace.rocof_hz_s.push_back(0.0F);
+    trace.voltage_pu.push_back(1.0F);
+    trace.validity.push_back(1);
+  }
+  std::vector<std::string> truth;
+  for (const auto& row : csv_rows(csv(run))) truth.push_back(row[2]);
+  EXPECT_THAT(truth, ElementsAre("true_frequency_hz", "", "50", "49.5", "49", "49.25", "49.5", ""));
+}
+
+TEST(Csv, GivesAnEstimateBetweenReportsARowOfItsOwn) {
+  RunRecord run = sample::loss_500mw(1);
+  auto& outlet = run.outlets[0];
+  outlet.estimates.tick[3] += 1;
+  const auto rows = csv_rows(csv(run));
+  ASSERT_EQ(rows.size(), 2 + outlet.trace.tick.size());
+  int alone = 0;
+  for (const auto& row : rows) alone += row[3].empty() && !row[7].empty() ? 1 : 0;
+  EXPECT_EQ(alone, 1);
+}
+
+TEST(Csv, QuotesNamesThatNeedIt) {
+  RunRecord run = sample::loss_500mw(1);
+  run.outlets[0].id = "a \"b\", c\nd";
+  for (const auto& row : csv_rows(csv(run))) ASSERT_EQ(row.size(), 11U);
+  EXPECT_EQ(csv_rows(csv(run))[1][0], run.outlets[0].id);
+}
+
+TEST(Machine, FormatsAreTheSameForTheSameRecord) {
+  EXPECT_EQ(json(sample::loss_500mw()), json(sample::loss_500mw()));
+  EXPECT_EQ(junit_xml(sample::loss_500mw()), junit_xml(sample::loss_500mw()));
+  EXPECT_EQ(csv(sample::loss_500mw()), csv(sample::loss_500mw()));
+}
+
+}  // namespace
+}  // namespace gsbench::render

@@ -1,0 +1,256 @@
+// Numbers as people read them, the terminal's table, thinning, and files written whole or not at
+// all.
+#include "format.hpp"
+#include "sample_run.hpp"
+#include "temporary_folder.hpp"
+#include "thinning.hpp"
+#include <sys/mount.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <render/render.hpp>
+
+namespace gsbench::render {
+namespace {
+
+using record::RunRecord;
+using record::Verdict;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Figure, HasSignificantDigitsWithoutTrailingZeros) {
+  EXPECT_EQ(figure(351.92), "351.92");
+  EXPECT_EQ(figure(112.0), "112");
+  EXPECT_EQ(figure(-1011.9204), "-1011.9");
+  EXPECT_EQ(figure(1234567.0), "1234567");
+  EXPECT_EQ(figure(0.0), "0");
+  EXPECT_EQ(figure(-0.0), "0");
+  EXPECT_EQ(figure(3e-12), "3e-12");
+  EXPECT_EQ(figure(kNan), "–");
+  EXPECT_EQ(figure(std::numeric_limits<double>::infinity()), "∞");
+}
+
+TEST(Figure, HasTheDecimalsItsUncertaintyDeserves) {
+  EXPECT_EQ(figure_within(112.0, 0.125), "112.00");
+  EXPECT_EQ(figure_within(112.3456, 3.0), "112.3");
+  EXPECT_EQ(figure_within(112.3456, 42.0), "112");
+  EXPECT_EQ(figure_within(-0.001, 0.125), "0.00");
+  EXPECT_EQ(figure_within(112.3456, 0.0), "112.35");
+  EXPECT_EQ(figure_within(kNan, 0.1), "–");
+}
+
+TEST(ValueOf, NeverUnderstatesTheUncertainty) {
+  record::MeasurementResult result;
+  result.unit = "ms";
+  result.value = 112.0;
+  result.uncertainty = 0.125;
+  EXPECT_EQ(value_of(result), "112.00 ± 0.13 ms");
+  result.uncertainty = 0.05;
+  EXPECT_EQ(value_of(result), "112.000 ± 0.050 ms");
+  result.value = kNan;
+  EXPECT_EQ(value_of(result), "–");
+}
+
+TEST(Limits, SayWhatWasAsked) {
+  record::MeasurementResult result;
+  result.unit = "%";
+  result.low = -4.0;
+  result.high = 4.0;
+  EXPECT_EQ(limits(result), "");  // not judged
+  result.judged = true;
+  EXPECT_EQ(limits(result), "-4 … 4 %");
+  result.low = kNan;
+  EXPECT_EQ(limits(result), "≤ 4 %");
+  result.low = 1.0;
+  result.high = kNan;
+  EXPECT_EQ(limits(result), "≥ 1 %");
+  result.high = 1.0;
+  EXPECT_EQ(limits(result), "= 1 %");
+  result.expected_word = "open";
+  EXPECT_EQ(limits(result), "open");
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+std::size_t code_points(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
+  }));
+}
+
+TEST(Terminal, AlignsOneRowAnOutletWithin120Columns) {
+  const auto all = lines(terminal(sample::loss_500mw(), false));
+  ASSERT_EQ(all.size(), 11U);  // the run, the heading, eight outlets, the verdict
+  const auto column = [](const std::string& line, const char* word) {
+    return code_points(line.substr(0, line.rfind(word)));
+  };
+  for (std::size_t i = 2; i < 10; ++i) {
+    EXPECT_EQ(column(all[i], "PASS"), column(all[1], "verdict"));
+    EXPECT_LE(code_points(all[i]), 120U);
+  }
+  EXPECT_EQ(all[10], "PASS: All 76 judged measurements on 8 outlets are within limits.");
+}
+
+TEST(Terminal, ColoursOnlyWhenAsked) {
+  EXPECT_THAT(terminal(sample::loss_500mw(1), false), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(terminal(sample::loss_500mw(1), true), HasSubstr("\x1b[1;32mPASS\x1b[0m"));
+}
+
+TEST(Terminal, LetsNoTextOfTheRecordSteerTheTerminal) {
+  RunRecord run = sample::loss_500mw(1);
+  run.outlets[0].id = run.profile = run.profile_title = "x\x1b[2J\ny";
+  run.verdict_reason = "z\x1b]0;title\x07";
+  run.verdict = Verdict::kError;
+  const std::string text = terminal(run, false);
+  EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(text, Not(HasSubstr("\x07")));
+  EXPECT_EQ(lines(text).size(), 4U);
+}
+
+TEST(Terminal, ListsWhatDidNotPassUpToTen) {
+  RunRecord run = sample::loss_500mw(4);
+  for (auto& outlet : run.outlets) {
+    outlet.verdict = Verdict::kFail;
+    for (auto& result : outlet.measurements) {
+      if (result.judged) result.verdict = Verdict::kFail;
+    }
+  }
+  run.verdict = Verdict::kFail;
+  const auto all = lines(terminal(run, false));
+  EXPECT_EQ(std::count_if(all.begin(), all.end(),
+                          [](const auto& line) { return line.rfind("FAIL sheds-1 ", 0) == 0; }),
+            10);
+  EXPECT_THAT(all, Contains("… and 28 more"));
+  EXPECT_EQ(all.back(), "FAIL: 38 of 38 judged measurements on 4 outlets did not pass.");
+}
+
+TEST(Terminal, ShowsTheMeasurementsTheRunHas) {
+  RunRecord run = sample::steady(1, 1.0);
+  record::MeasurementResult error;
+  error.name = "tracker.error.rms";
+  error.value = 3.1;
+  error.unit = "mHz";
+  run.outlets[0].measurements = {error};
+  EXPECT_THAT(lines(terminal(run, false))[1], AllOf(HasSubstr("Error, rms"), Not(HasSubstr("ΔP"))));
+}
+
+class Thinning : public ::testing::Test {
+ protected:
+  Thinning() {
+    for (int i = 0; i < 100000; ++i) {
+      tick_.push_back(128 * i);
+      frequency_.push_back(50.0F);
+      rocof_.push_back(0.0F);
+    }
+  }
+  std::vector<std::int64_t> tick_;
+  std::vector<float> frequency_;
+  std::vector<float> rocof_;
+};
+
+TEST_F(Thinning, KeepsAllOfAShortSeries) {
+  EXPECT_EQ(thinned<float>({1, 2, 3}, {1, 1, 1}, {1, 1, 1}, {}, 20).size(), 3U);
+}
+
+TEST_F(Thinning, KeepsSpikesOfBothColumnsEndsAndGaps) {
+  frequency_[12345] = 50.5F;
+  frequency_[54321] = 49.5F;
+  rocof_[777] = 3.0F;
+  rocof_[99000] = -3.0F;
+  frequency_[40000] = std::numeric_limits<float>::quiet_NaN();
+  const auto kept = thinned(tick_, frequency_, rocof_, {}, 4000);
+  EXPECT_LE(kept.size(), 4000U);
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  EXPECT_EQ(std::adjacent_find(kept.begin(), kept.end()), kept.end());
+  for (const std::size_t index : {0U, 12345U, 54321U, 777U, 99000U, 40000U, 99999U}) {
+    EXPECT_THAT(kept, Contains(index));
+  }
+}
+
+TEST_F(Thinning, KeepsEveryEntryOfTheStretchesAskedFor) {
+  const auto kept = thinned(tick_, frequency_, rocof_, {{128 * 500, 128 * 900}}, 4000);
+  EXPECT_LE(kept.size(), 4000U);
+  for (std::size_t index = 500; index <= 900; ++index) {
+    EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), index)) << index;
+  }
+}
+
+TEST_F(Thinning, CoversTheRestEvenWhenStretchesAskForEverything) {
+  frequency_[99500] = 51.0F;
+  const auto kept = thinned(tick_, frequency_, rocof_, {{0, tick_.back()}}, 4000);
+  EXPECT_LE(kept.size(), 4000U);
+  EXPECT_THAT(kept, Contains(99500U));
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string write_error(const std::string& path, const std::string& content) {
+  try {
+    write_file(path, content);
+  } catch (const WriteError& error) {
+    return error.what();
+  }
+  return "no WriteError";
+}
+
+TEST(WriteFile, WritesAndReplaces) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("r\xc3\xa9port.html");
+  write_file(path, std::string("a\0b", 3));
+  EXPECT_EQ(content_of(path), std::string("a\0b", 3));
+  write_file(path, "new");
+  EXPECT_EQ(content_of(path), "new");
+}
+
+TEST(WriteFile, NamesPathAndCause) {
+  const TemporaryFolder folder;
+  const std::string missing = folder.file("no/report.html");
+  EXPECT_THAT(write_error(missing, "x"),
+              AllOf(StartsWith(missing), HasSubstr("No such file or directory")));
+  std::filesystem::create_directory(folder.file("taken"));
+  EXPECT_THAT(write_error(folder.file("taken"), "x"), HasSubstr("directory"));
+}
+
+// Sizes below and above what any buffer holds: a disk may fill up at the first or at a later write.
+TEST(WriteFile, LeavesTheOldFileWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0) {
+    GTEST_SKIP() << "mounting a small tmpfs is not allowed here";
+  }
+  const std::string path = folder.file("report.html");
+  write_file(path, "old");
+  for (const std::size_t size : {61441U, 70000U, 1000000U}) {
+    const std::string error = write_error(path, std::string(size, 'x'));
+    EXPECT_THAT(error, AllOf(StartsWith(path), HasSubstr("No space left on device")));
+    EXPECT_TRUE(content_of(path) == "old") << size;
+    const std::filesystem::directory_iterator entries(folder.path());
+    EXPECT_EQ(std::distance(begin(entries), end(entries)), 1) << "a temporary file is left";
+  }
+  ::umount2(folder.path().c_str(), MNT_DETACH);
+}
+
+}  // namespace
+}  // namespace gsbench::render
