@@ -70,17 +70,16 @@ void Node::tell(const outlet::Report& report, Outbox& outbox) const {
     lse.lse = {report.lse_loss_mw};
     outbox.put(lse);
   }
-  const auto trust = static_cast<std::uint8_t>(report.trust);
   if ((report.happened & outlet::kEstimate) != 0) {
     wire::Uplink estimate = message(UplinkKind::kEstimate);
-    estimate.estimate = {report.loss_mw, report.loss_sigma_mw, report.loss_instant_s, trust};
+    estimate.estimate = {report.loss_mw, report.loss_sigma_mw, report.loss_instant_s, report.trust};
     outbox.put(estimate);
   }
   if ((report.happened & outlet::kDecision) != 0) {
     wire::Uplink decision = message(UplinkKind::kDecision);
     const bool shed =
         (report.happened & outlet::kRelay) != 0 && report.cause == outlet::Cause::kLoss;
-    decision.decision = {report.loss_mw, report.required_mw, report.hits, trust, shed};
+    decision.decision = {report.loss_mw, report.required_mw, report.hits, report.trust, shed};
     outbox.put(decision);
   }
   if ((report.happened & outlet::kRelay) != 0) {
@@ -100,7 +99,7 @@ wire::Uplink Node::message(UplinkKind kind) const {
 
 wire::Uplink Node::relay_message() const {
   wire::Uplink relay = message(UplinkKind::kRelay);
-  relay.relay = {state_.relay_closed, static_cast<std::uint8_t>(state_.cause)};
+  relay.relay = {state_.relay_closed, state_.cause};
   return relay;
 }
 

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include <outlet/settings.hpp>
+#include <outlet/outlet.hpp>
 
 namespace gs::wire {
 
@@ -61,20 +61,20 @@ struct EstimateMessage {
   float loss_mw = 0.0f;
   float loss_sigma_mw = 0.0f;
   float loss_instant_s = 0.0f;  // against the event's stamp, the tracker's delay taken off
-  std::uint8_t trust = 0;       // 0 trusted, else the reason
+  outlet::Trust trust = outlet::Trust::kNotYet;
 };
 
 struct DecisionMessage {
   float loss_mw = 0.0f;
   float required_mw = 0.0f;  // ΔP_v
   std::uint16_t hits = 0;
-  std::uint8_t trust = 0;
+  outlet::Trust trust = outlet::Trust::kNotYet;
   bool shed = false;
 };
 
 struct RelayMessage {
   bool closed = true;
-  std::uint8_t cause = 0;  // 0 none, 1 loss, 2 frequency, 3 command
+  outlet::Cause cause = outlet::Cause::kNone;
 };
 
 struct Uplink {

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <utility>
+
+#include <capture/capture.hpp>
+
+namespace gsbench::capture {
+namespace {
+
+using gs::outlet::Trust;
+using gs::wire::UplinkKind;
+
+}  // namespace
+
+Capture::Capture(std::size_t outlets, std::int64_t sample_rate_hz)
+    : tracks_(outlets), sample_rate_hz_(static_cast<double>(sample_rate_hz)) {}
+
+void Capture::add(const std::vector<link::Received>& messages) {
+  for (const link::Received& received : messages) {
+    add(tracks_.at(received.outlet), received);
+  }
+}
+
+void Capture::add(Track& track, const link::Received& received) const {
+  const gs::wire::Uplink& message = received.message;
+  std::vector<record::Mark>& marks = track.record.marks;
+  const std::int64_t tick = received.tick;
+  switch (message.kind) {
+    case UplinkKind::kHello:
+      break;
+    case UplinkKind::kSettingsAnswer: {
+      const gs::wire::SettingsAnswer& answer = message.settings_answer;
+      track.settings_answer.came = true;
+      track.settings_answer.accepted = answer.error == gs::outlet::SettingsError::kNone;
+      track.settings_answer.reason = gs::outlet::to_string(answer.error);
+      static const char* const kHex = "0123456789abcdef";
+      std::string digest;
+      for (int shift = 28; shift >= 0; shift -= 4) {
+        digest += kHex[(answer.digest >> shift) & 0xFU];
+      }
+      track.record.settings_digest = digest;
+      break;
+    }
+    case UplinkKind::kMeasurement: {
+      record::MeasurementTrace& trace = track.record.trace;
+      trace.tick.push_back(tick);
+      trace.frequency_hz.push_back(message.measurement.frequency_hz);
+      trace.rocof_hz_s.push_back(message.measurement.rocof_hz_s);
+      trace.voltage_pu.push_back(message.measurement.voltage_pu);
+      trace.validity.push_back(static_cast<std::uint8_t>(message.measurement.validity));
+      break;
+    }
+    case UplinkKind::kEvent:
+      track.event_tick = tick;
+      marks.push_back({tick, "event", static_cast<double>(message.event.baseline_hz),
+                       "frequency before it, Hz"});
+      break;
+    case UplinkKind::kLse:
+      marks.push_back({tick, "lse", static_cast<double>(message.lse.loss_mw), "MW"});
+      break;
+    case UplinkKind::kEstimate: {
+      record::EstimateTrace& estimates = track.record.estimates;
+      estimates.tick.push_back(tick);
+      estimates.loss_mw.push_back(message.estimate.loss_mw);
+      estimates.loss_sigma_mw.push_back(message.estimate.loss_sigma_mw);
+      const double event_s = static_cast<double>(track.event_tick) / sample_rate_hz_;
+      estimates.t_x_s.push_back(
+          static_cast<float>(event_s + static_cast<double>(message.estimate.loss_instant_s)));
+      estimates.trusted.push_back(message.estimate.trust == Trust::kTrusted ? 1 : 0);
+      break;
+    }
+    case UplinkKind::kDecision: {
+      const gs::wire::DecisionMessage& decision = message.decision;
+      marks.push_back(
+          {tick, "decision", static_cast<double>(decision.required_mw),
+           decision.shed ? "shed" : std::string("hold; estimate ") + to_string(decision.trust)});
+      marks.push_back({tick, "decision.loss", static_cast<double>(decision.loss_mw), "MW"});
+      marks.push_back({tick, "decision.hits", static_cast<double>(decision.hits), ""});
+      marks.push_back({tick, "decision.trust", decision.trust == Trust::kTrusted ? 1.0 : 0.0,
+                       to_string(decision.trust)});
+      break;
+    }
+    case UplinkKind::kRelay:
+      marks.push_back(
+          {tick, "relay.word", message.relay.closed ? 1.0 : 0.0, to_string(message.relay.cause)});
+      break;
+    case UplinkKind::kAborted:
+      marks.push_back({tick, "aborted", 0.0, "the voltage went"});
+      break;
+  }
+}
+
+void Capture::add(const std::vector<relay::Edge>& edges) {
+  for (const relay::Edge& edge : edges) {
+    tracks_.at(edge.outlet)
+        .record.marks.push_back(
+            {edge.tick, "relay.sense", edge.closed ? 1.0 : 0.0, edge.closed ? "closed" : "open"});
+  }
+}
+
+void Capture::add_command(std::size_t outlet, std::int64_t tick, bool close) {
+  tracks_.at(outlet).record.marks.push_back(
+      {tick, "command", close ? 1.0 : 0.0, close ? "switch on" : "switch off"});
+}
+
+const SettingsAnswer& Capture::settings_answer(std::size_t outlet) const {
+  return tracks_.at(outlet).settings_answer;
+}
+
+std::size_t Capture::reports(std::size_t outlet) const {
+  return tracks_.at(outlet).record.trace.tick.size();
+}
+
+void Capture::move_into(std::size_t outlet, record::OutletRecord& record) {
+  record::OutletRecord& from = tracks_.at(outlet).record;
+  record.settings_digest = std::move(from.settings_digest);
+  record.trace = std::move(from.trace);
+  record.estimates = std::move(from.estimates);
+  record.marks = std::move(from.marks);
+  // Stable: what one instant brought keeps the order in which it was said.
+  std::stable_sort(record.marks.begin(), record.marks.end(),
+                   [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
+  from = record::OutletRecord{};
+}
+
+}  // namespace gsbench::capture

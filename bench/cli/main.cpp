@@ -1,0 +1,65 @@
+#include "commands.hpp"
+
+#include <cstdio>
+#include <exception>
+
+#include <CLI/CLI.hpp>
+
+#include <profile/load.hpp>
+#include <record/store.hpp>
+#include <render/render.hpp>
+
+namespace {
+
+constexpr const char* kAbout =
+    "gsbench plays the frequency response of a power system into Grid Sense outlets, captures "
+    "what\n"
+    "they measured, estimated and switched, and judges it.\n"
+    "\n"
+    "  gsbench run paper/loss-500mw        play, judge, report\n"
+    "  gsbench list                        the profiles there are\n"
+    "  gsbench params ieee24               what the control centre works out for a grid\n";
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 PASS; 1 FAIL; 2 bad usage, profile, settings or output folder;\n"
+    "3 INCONCLUSIVE; 4 ERROR; 130 interrupted.";
+
+int complain(const char* what, int exit_code) {
+  std::fprintf(stderr, "gsbench: %s\n", what);
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace gsbench;
+  CLI::App app(kAbout, "gsbench");
+  app.footer(kExitCodes);
+  app.set_version_flag("--version", GSBENCH_VERSION);
+  app.require_subcommand(1);
+  int exit_code = cli::kPassed;
+  cli::add_run(app, exit_code);
+  cli::add_list(app, exit_code);
+  cli::add_check(app, exit_code);
+  cli::add_params(app, exit_code);
+  cli::add_waveform(app, exit_code);
+  cli::add_report(app, exit_code);
+  cli::add_runs(app, exit_code);
+  cli::add_study(app, exit_code);
+  cli::add_measures(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? cli::kPassed : cli::kBadInput;
+  } catch (const profile::ConfigurationError& error) {
+    return complain(error.what(), cli::kBadInput);
+  } catch (const record::StoreError& error) {
+    return complain(error.what(), cli::kBadInput);
+  } catch (const render::WriteError& error) {
+    return complain(error.what(), cli::kBadInput);
+  } catch (const std::exception& error) {
+    return complain(error.what(), cli::kErrored);
+  }
+  return exit_code;
+}

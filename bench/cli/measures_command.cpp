@@ -1,0 +1,54 @@
+#include "commands.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include <judge/catalogue.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+std::string unit_or_words(const judge::Measure& measure) {
+  if (!measure.is_word()) {
+    return measure.unit.empty() ? "number" : measure.unit;
+  }
+  std::string words;
+  for (const std::string& word : measure.words) {
+    words += (words.empty() ? "" : "|") + word;
+  }
+  return words;
+}
+
+void measures(bool json) {
+  if (json) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const judge::Measure& measure : judge::catalogue()) {
+      out.push_back({{"name", measure.name},
+                     {"unit", measure.unit},
+                     {"words", measure.words},
+                     {"definition", measure.definition},
+                     {"needs", measure.needs}});
+    }
+    std::printf("%s\n", out.dump(2).c_str());
+    return;
+  }
+  for (const judge::Measure& measure : judge::catalogue()) {
+    std::printf("%s [%s]\n    %s\n    Needs: %s.\n", measure.name.c_str(),
+                unit_or_words(measure).c_str(), measure.definition.c_str(), measure.needs.c_str());
+  }
+}
+
+}  // namespace
+
+void add_measures(CLI::App& app, int&) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command =
+      app.add_subcommand("measures", "What a profile can set limits to: names, units, definitions");
+  command->add_flag("--json", *json, "Print as JSON");
+  command->footer("Example:\n  gsbench measures");
+  command->callback([json] { measures(*json); });
+}
+
+}  // namespace gsbench::cli

@@ -1,0 +1,108 @@
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "run_folder.hpp"
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <judge/catalogue.hpp>
+#include <profile/load.hpp>
+#include <record/store.hpp>
+#include <render/render.hpp>
+#include <station/run.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+struct RunArguments {
+  std::string profile;
+  profile::Overrides overrides;
+  std::string output_folder = "runs";
+  std::string station = "simulated";
+  bool real_time = false;
+  bool json = false;
+  std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+};
+
+int run(const RunArguments& arguments) {
+  const profile::Plan plan =
+      profile::load_profile(arguments.profile, judge::measure_names(), arguments.overrides);
+  station::SimulatedOptions simulated;
+  simulated.real_time = arguments.real_time;
+  simulated.threads = arguments.threads;
+  const auto station = station::simulated_station(plan, simulated);
+  const std::atomic<bool>& interrupted = catch_interrupts();
+
+  RunFolder folder(arguments.output_folder);
+  record::RunRecord run;
+  {
+    record::Writer writer(folder.file(kRecordFile));
+    Progress progress(plan.name);
+    station::RunOptions options;
+    options.writer = &writer;
+    options.stop = &interrupted;
+    options.progress = [&](double part) { progress.show(part); };
+    run = station::run(plan, *station, options);
+  }
+  write_reports(run, folder.path());
+  folder.keep(run.run_id);
+
+  if (arguments.json) {
+    std::fputs(render::json(run).c_str(), stdout);
+  } else {
+    std::fputs(render::terminal(run, isatty(STDOUT_FILENO) == 1).c_str(), stdout);
+    std::printf("\nReport: %s\n", folder.file("report.html").c_str());
+  }
+  return interrupted ? kInterrupted : exit_code_of(run.verdict);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand(
+      "run", "Play a profile into outlets, judge what they did, keep and report it");
+  command->add_option("profile", arguments->profile, "A shipped profile, or a .toml file")
+      ->required();
+  command->add_option("--out", arguments->output_folder, "Folder that keeps the runs")
+      ->capture_default_str();
+  command->add_option("--seed", arguments->overrides.seed,
+                      "Seed of the noise, in place of the profile's");
+  command->add_option("--station", arguments->station, "Where the outlets are")
+      ->check(CLI::IsMember({"simulated"}))
+      ->capture_default_str();
+  command->add_flag("--real-time", arguments->real_time,
+                    "Pace by the wall clock, not as fast as possible");
+  command
+      ->add_option("--threads", arguments->threads,
+                   "For simulated outlets; the result is the same for any")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  waveform::TraceColumns& columns = arguments->overrides.trace_columns;
+  CLI::Option* trace =
+      command->add_option("--trace", arguments->overrides.trace_path,
+                          "Play this CSV recording in place of the profile's frequency");
+  command->add_option("--trace-time", columns.time, "Its column of times")->needs(trace);
+  command->add_option("--trace-frequency", columns.frequency, "Its column of frequencies, Hz")
+      ->needs(trace);
+  command
+      ->add_option("--trace-voltage", columns.voltage, "Its column of RMS voltages; none: nominal")
+      ->needs(trace);
+  command
+      ->add_option("--trace-nominal-voltage", columns.nominal_voltage,
+                   "Nominal voltage in that column's unit; none: the column's median")
+      ->needs(trace);
+  command->add_flag("--json", arguments->json, "Print the result as JSON");
+  command->footer(
+      "Examples:\n"
+      "  gsbench run paper/loss-500mw\n"
+      "  gsbench run my-profile.toml --seed 7 --out my-runs --json\n"
+      "  gsbench run regression/backup --trace grid.csv --trace-time time --trace-frequency f");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace gsbench::cli

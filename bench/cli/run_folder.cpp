@@ -1,0 +1,94 @@
+#include "run_folder.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include <profile/load.hpp>
+#include <record/store.hpp>
+#include <render/render.hpp>
+
+namespace gsbench::cli {
+
+namespace fs = std::filesystem;
+
+RunFolder::RunFolder(const std::string& output_folder) : output_folder_(output_folder) {
+  std::error_code error;
+  made_output_folder_ = fs::create_directories(output_folder, error);
+  if (!error) {
+    path_ = output_folder + "/.unfinished-" + std::to_string(getpid());
+    fs::create_directory(path_, error);
+  }
+  if (error) {
+    throw record::StoreError(output_folder + ": cannot keep runs here: " + error.message() +
+                             "; name another folder with --out");
+  }
+}
+
+RunFolder::~RunFolder() {
+  if (kept_) {
+    return;
+  }
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+  if (made_output_folder_) {
+    fs::remove(output_folder_, ignored);
+  }
+}
+
+void RunFolder::keep(const std::string& run_id) {
+  const std::string named = output_folder_ + "/" + run_id;
+  std::error_code error;
+  fs::rename(path_, named, error);
+  if (error) {
+    throw record::StoreError(named + ": " + error.message());
+  }
+  path_ = named;
+  kept_ = true;
+}
+
+void write_reports(const record::RunRecord& run, const std::string& folder) {
+  render::write_file(folder + "/report.html", render::html(run));
+  render::write_file(folder + "/result.json", render::json(run));
+  render::write_file(folder + "/junit.xml", render::junit_xml(run));
+  render::write_file(folder + "/traces.csv", render::csv(run));
+}
+
+std::vector<std::string> list_records(const std::string& output_folder) {
+  std::vector<std::string> records;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output_folder, error)) {
+    const fs::path record = entry.path() / kRecordFile;
+    if (entry.path().filename().string().front() != '.' && fs::exists(record, error)) {
+      records.push_back(record.string());
+    }
+  }
+  std::sort(records.begin(), records.end());
+  return records;
+}
+
+std::string find_record(const std::string& run, const std::string& output_folder) {
+  std::error_code error;
+  if (fs::is_directory(run, error) && fs::exists(fs::path(run) / kRecordFile, error)) {
+    return (fs::path(run) / kRecordFile).string();
+  }
+  if (fs::is_regular_file(run, error)) {
+    return run;
+  }
+  std::vector<std::string> found;
+  for (const std::string& record : list_records(output_folder)) {
+    if (fs::path(record).parent_path().filename().string().rfind(run, 0) == 0) {
+      found.push_back(record);
+    }
+  }
+  if (found.size() == 1) {
+    return found.front();
+  }
+  throw profile::ConfigurationError(
+      found.empty()
+          ? run + ": no such run; `gsbench runs` lists those in " + output_folder
+          : run + ": " + std::to_string(found.size()) + " runs begin so; give more of the id");
+}
+
+}  // namespace gsbench::cli

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+
+#include <judge/case.hpp>
+
+namespace gsbench::judge {
+namespace {
+
+// Edges nearer to one another than this are one change and its bounces.
+constexpr double kBounceWindowMs = 10.0;
+
+}  // namespace
+
+double Case::seconds(std::int64_t tick) const {
+  return static_cast<double>(tick) / static_cast<double>(plan.stimulus.sample_rate_hz);
+}
+
+double Case::milliseconds_between(std::int64_t from_tick, std::int64_t to_tick) const {
+  return 1e3 * seconds(to_tick - from_tick);
+}
+
+double Case::tracker_delay_s() const {
+  const auto said = outlet.settings.find("tracker_delay_s");
+  return said == outlet.settings.end() ? 0.0 : said->second;
+}
+
+std::optional<std::int64_t> Case::first_loss_tick() const {
+  std::optional<std::int64_t> first;
+  if (plan.stimulus.kind != profile::TruthKind::kLosses) {
+    return first;
+  }
+  for (const grid::PowerChange& loss : plan.stimulus.losses) {
+    const auto tick = static_cast<std::int64_t>(
+        std::ceil(loss.at_s * static_cast<double>(plan.stimulus.sample_rate_hz)));
+    if (loss.power_mw > 0.0 && (!first || tick < *first)) {
+      first = tick;
+    }
+  }
+  return first;
+}
+
+double Case::lost_mw(std::int64_t tick) const {
+  double sum_mw = 0.0;
+  for (const grid::PowerChange& loss : plan.stimulus.losses) {
+    if (loss.at_s <= seconds(tick)) {
+      sum_mw += loss.power_mw;
+    }
+  }
+  return sum_mw;
+}
+
+double Case::true_voltage_pu(double t_s) const {
+  double voltage_pu = truth.voltage_pu(t_s);
+  for (const waveform::AmplitudeStep& step : plan.stimulus.signal.amplitude_steps) {
+    if (t_s >= step.at_s && t_s < step.at_s + step.duration_s) {
+      voltage_pu *= step.level_pct / 100.0;
+    }
+  }
+  return voltage_pu;
+}
+
+const record::Mark* Case::first_mark(const std::string& kind, std::int64_t from_tick) const {
+  const auto found = std::find_if(
+      outlet.marks.begin(), outlet.marks.end(),
+      [&](const record::Mark& mark) { return mark.tick >= from_tick && mark.kind == kind; });
+  return found == outlet.marks.end() ? nullptr : &*found;
+}
+
+Contact contact(const Case& c) {
+  Contact contact;
+  std::int64_t last_tick = 0;
+  bool in_burst = false;
+  ContactChange burst{};
+  const auto end_burst = [&] {
+    if (in_burst && burst.closed != contact.closed) {
+      contact.changes.push_back(burst);
+      contact.closed = burst.closed;
+    } else if (in_burst) {
+      contact.idle_edges += burst.edges;
+    }
+    in_burst = false;
+  };
+  for (const record::Mark& mark : c.outlet.marks) {
+    if (mark.kind != "relay.sense") {
+      continue;
+    }
+    const bool closed = mark.value > 0.5;
+    if (in_burst && c.milliseconds_between(last_tick, mark.tick) <= kBounceWindowMs) {
+      burst.closed = closed;
+      ++burst.edges;
+    } else {
+      end_burst();
+      burst = {mark.tick, closed, 1};
+      in_burst = true;
+    }
+    last_tick = mark.tick;
+  }
+  end_burst();
+  return contact;
+}
+
+}  // namespace gsbench::judge

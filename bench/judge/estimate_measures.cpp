@@ -1,0 +1,126 @@
+#include <judge/catalogue.hpp>
+
+namespace gsbench::judge {
+namespace {
+
+Reading marked(const Case& c, const char* kind, const char* missing) {
+  const record::Mark* mark = c.first_mark(kind);
+  return mark == nullptr ? not_done(missing) : number(mark->value);
+}
+
+Reading lse_loss(const Case& c) {
+  return marked(c, "lse", "no LSE");
+}
+Reading ekf_loss(const Case& c) {
+  return marked(c, "decision.loss", "no decision");
+}
+
+Reading relative_error(const Case& c, const char* kind, const char* missing) {
+  const record::Mark* mark = c.first_mark(kind);
+  if (mark == nullptr) {
+    return not_done(missing);
+  }
+  const double lost_mw = c.lost_mw(mark->tick);
+  if (!(lost_mw > 0.0)) {
+    return not_known("the profile says of no lost power");
+  }
+  return number(100.0 * (mark->value / lost_mw - 1.0));
+}
+
+Reading lse_error(const Case& c) {
+  return relative_error(c, "lse", "no LSE");
+}
+Reading ekf_error(const Case& c) {
+  return relative_error(c, "decision.loss", "no decision");
+}
+
+Reading t_x_error(const Case& c) {
+  const record::Mark* decision = c.first_mark("decision");
+  const auto loss = c.first_loss_tick();
+  if (!loss) {
+    return not_known("the profile plays no loss");
+  }
+  if (decision == nullptr) {
+    return not_done("no decision");
+  }
+  const record::EstimateTrace& estimates = c.outlet.estimates;
+  for (std::size_t i = estimates.tick.size(); i-- > 0;) {
+    if (estimates.tick[i] <= decision->tick) {
+      const double error_s = static_cast<double>(estimates.t_x_s[i]) - c.seconds(*loss);
+      return number(1e3 * error_s, c.uncertainty.outlet_clock_ms);
+    }
+  }
+  return not_done("no estimate");
+}
+
+Reading decision_delay(const Case& c) {
+  const auto loss = c.first_loss_tick();
+  if (!loss) {
+    return not_known("the profile plays no loss");
+  }
+  const record::Mark* decision = c.first_mark("decision", *loss);
+  if (decision == nullptr) {
+    return not_done("no decision after the loss");
+  }
+  return number(c.milliseconds_between(*loss, decision->tick), c.uncertainty.outlet_clock_ms);
+}
+
+Reading decision_cause(const Case& c) {
+  for (const record::Mark& mark : c.outlet.marks) {
+    if (mark.kind == "relay.word" && mark.value < 0.5) {
+      return word(mark.text);
+    }
+  }
+  return word("none");
+}
+
+}  // namespace
+
+std::vector<Measure> estimate_measures() {
+  return {
+      {"lse.loss",
+       "MW",
+       "Lost power by the least-squares estimate of the first event, eq. (18).",
+       "an event",
+       {},
+       lse_loss},
+      {"lse.error",
+       "%",
+       "The same against the power really lost by then.",
+       "an event, losses in the profile",
+       {},
+       lse_error},
+      {"ekf.loss",
+       "MW",
+       "Lost power by the EKF at the first decision.",
+       "a decision",
+       {},
+       ekf_loss},
+      {"ekf.error",
+       "%",
+       "The same against the power really lost by then.",
+       "a decision, losses in the profile",
+       {},
+       ekf_error},
+      {"ekf.t_x_error",
+       "ms",
+       "Instant of the loss by the EKF at the first decision, less the true one.",
+       "a decision, a loss in the profile",
+       {},
+       t_x_error},
+      {"decision.delay",
+       "ms",
+       "From the first loss to the decision on it, for or against, by the outlet's stamp.",
+       "a loss in the profile, a decision after it",
+       {},
+       decision_delay},
+      {"decision.cause",
+       "",
+       "Which of the three criteria opened the relay first.",
+       "nothing",
+       {"none", "loss", "frequency", "command"},
+       decision_cause},
+  };
+}
+
+}  // namespace gsbench::judge

@@ -1,0 +1,84 @@
+#include <algorithm>
+
+#include <judge/catalogue.hpp>
+
+namespace gsbench::judge {
+namespace {
+
+// An event is honest if the true frequency fell by at least half of the least drop that makes one,
+// from its highest to the end, in the half second before the report.
+constexpr double kLookBackS = 0.5;
+constexpr double kLookStepS = 0.016;
+
+double event_drop_hz(const Case& c) {
+  const auto sent = c.outlet.settings.find("event_drop_hz");
+  return sent == c.outlet.settings.end() ? 0.0 : sent->second;
+}
+
+bool is_false(const Case& c, const record::Mark& event) {
+  const double end_s = std::max(c.seconds(event.tick) - c.tracker_delay_s(), 0.0);
+  const double end_hz = c.truth.frequency_hz(end_s);
+  double highest_hz = end_hz;
+  for (double back_s = 0.0; back_s <= std::min(kLookBackS, end_s); back_s += kLookStepS) {
+    highest_hz = std::max(highest_hz, c.truth.frequency_hz(end_s - back_s));
+  }
+  return highest_hz - end_hz < 0.5 * event_drop_hz(c);
+}
+
+Reading count(const Case& c) {
+  return number(static_cast<double>(
+      std::count_if(c.outlet.marks.begin(), c.outlet.marks.end(),
+                    [](const record::Mark& mark) { return mark.kind == "event"; })));
+}
+
+Reading false_events(const Case& c) {
+  return number(static_cast<double>(std::count_if(
+      c.outlet.marks.begin(), c.outlet.marks.end(),
+      [&](const record::Mark& mark) { return mark.kind == "event" && is_false(c, mark); })));
+}
+
+Reading delay(const Case& c) {
+  const auto loss = c.first_loss_tick();
+  if (!loss) {
+    return not_known("the profile plays no loss");
+  }
+  const record::Mark* event = c.first_mark("event", *loss);
+  if (event == nullptr) {
+    return not_done("no event after the loss");
+  }
+  return number(c.milliseconds_between(*loss, event->tick), c.uncertainty.outlet_clock_ms);
+}
+
+Reading hits(const Case& c) {
+  const record::Mark* mark = c.first_mark("decision.hits");
+  return mark == nullptr ? not_done("no decision") : number(mark->value);
+}
+
+}  // namespace
+
+std::vector<Measure> event_measures() {
+  return {
+      {"event.count", "", "Events the outlet detected in the whole run.", "nothing", {}, count},
+      {"event.false",
+       "",
+       "Events before which the true frequency had not fallen by half of the least drop that makes "
+       "one.",
+       "nothing",
+       {},
+       false_events},
+      {"event.delay",
+       "ms",
+       "From the first loss to the first event after it, by the outlet's stamp.",
+       "a loss in the profile, an event after it",
+       {},
+       delay},
+      {"condition.hits",
+       "",
+       "Measurements that met a load-shedding condition, at the first decision.",
+       "a decision",
+       {},
+       hits},
+  };
+}
+
+}  // namespace gsbench::judge

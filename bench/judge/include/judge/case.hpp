@@ -1,0 +1,56 @@
+// What a measurement is made of: one outlet's record, beside the truth that was played.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <profile/plan.hpp>
+#include <record/run_record.hpp>
+#include <waveform/truth.hpp>
+
+namespace gsbench::judge {
+
+// What the bench itself can get wrong, expanded (k = 2).
+struct BenchUncertainty {
+  double relay_sense_ms = 0.0;   // an edge's time
+  double outlet_clock_ms = 0.0;  // an outlet's stamp on the run's time base
+  double frequency_mhz = 0.0;    // what the source plays against what it was told
+};
+
+struct Case {
+  const profile::Plan& plan;
+  const waveform::Truth& truth;
+  const record::OutletRecord& outlet;
+  BenchUncertainty uncertainty;
+
+  double seconds(std::int64_t tick) const;
+  double milliseconds_between(std::int64_t from_tick, std::int64_t to_tick) const;
+  // An outlet's frequency is that of so long before its stamp.
+  double tracker_delay_s() const;
+  // The first loss of power that the profile plays.
+  std::optional<std::int64_t> first_loss_tick() const;
+  // Power lost in sum by then, MW.
+  double lost_mw(std::int64_t tick) const;
+  // Amplitude at the outlet's terminals, per unit of nominal, noise and harmonics aside.
+  double true_voltage_pu(double t_s) const;
+  const record::Mark* first_mark(const std::string& kind, std::int64_t from_tick = 0) const;
+};
+
+// A contact's change as the relay sense saw it: a burst of edges, its bounces, taken as one.
+struct ContactChange {
+  std::int64_t first_tick;  // of its first edge
+  bool closed;              // where it came to rest
+  int edges;
+};
+
+// Changes that last; a burst that ends where it began is none, but its edges count as chatter.
+struct Contact {
+  std::vector<ContactChange> changes;
+  int idle_edges = 0;  // in bursts that ended where they began
+  bool closed = true;  // at the end
+};
+Contact contact(const Case& c);
+
+}  // namespace gsbench::judge

@@ -1,0 +1,177 @@
+#include <cmath>
+#include <optional>
+
+#include <judge/catalogue.hpp>
+
+namespace gsbench::judge {
+namespace {
+
+const record::Mark* first_word_open(const Case& c, std::int64_t from_tick = 0) {
+  for (const record::Mark& mark : c.outlet.marks) {
+    if (mark.kind == "relay.word" && mark.value < 0.5 && mark.tick >= from_tick) {
+      return &mark;
+    }
+  }
+  return nullptr;
+}
+
+std::optional<std::int64_t> first_opening(const Case& c, std::int64_t from_tick = 0) {
+  for (const ContactChange& change : contact(c).changes) {
+    if (!change.closed && change.first_tick >= from_tick) {
+      return change.first_tick;
+    }
+  }
+  return std::nullopt;
+}
+
+Reading delay(const Case& c) {
+  const auto loss = c.first_loss_tick();
+  if (!loss) {
+    return not_known("the profile plays no loss");
+  }
+  const auto opening = first_opening(c, *loss);
+  if (!opening) {
+    return not_done("the contact did not open after the loss");
+  }
+  return number(c.milliseconds_between(*loss, *opening), c.uncertainty.relay_sense_ms);
+}
+
+Reading delay_by_word(const Case& c) {
+  const auto loss = c.first_loss_tick();
+  if (!loss) {
+    return not_known("the profile plays no loss");
+  }
+  const record::Mark* said = first_word_open(c, *loss);
+  if (said == nullptr) {
+    return not_done("the outlet did not say that it opened after the loss");
+  }
+  return number(c.milliseconds_between(*loss, said->tick), c.uncertainty.outlet_clock_ms);
+}
+
+// From the decision, which the outlet stamps, to the contact, which the bench sees.
+Reading operate_time(const Case& c) {
+  const record::Mark* said = first_word_open(c);
+  const auto opening = first_opening(c);
+  if (said == nullptr || !opening) {
+    return not_done("the relay was not opened");
+  }
+  return number(c.milliseconds_between(said->tick, *opening),
+                std::hypot(c.uncertainty.relay_sense_ms, c.uncertainty.outlet_clock_ms));
+}
+
+Reading word_difference(const Case& c) {
+  const auto loss = c.first_loss_tick();
+  const record::Mark* said = first_word_open(c, loss.value_or(0));
+  const auto opening = first_opening(c, loss.value_or(0));
+  if (said == nullptr && !opening) {
+    return not_done("neither the outlet nor the relay sense tells of an opening");
+  }
+  if (said == nullptr || !opening) {
+    return not_done(said == nullptr ? "the contact opened and the outlet did not say so"
+                                    : "the outlet said that it opened and the contact did not");
+  }
+  return number(c.milliseconds_between(said->tick, *opening),
+                std::hypot(c.uncertainty.relay_sense_ms, c.uncertainty.outlet_clock_ms));
+}
+
+Reading end(const Case& c) {
+  return word(contact(c).closed ? "closed" : "open");
+}
+
+Reading edges(const Case& c) {
+  return number(static_cast<double>(contact(c).changes.size()));
+}
+
+Reading chatter(const Case& c) {
+  const Contact seen = contact(c);
+  int extra = seen.idle_edges;
+  for (const ContactChange& change : seen.changes) {
+    extra += change.edges - 1;
+  }
+  return number(extra);
+}
+
+Reading command_delay(const Case& c) {
+  const record::Mark* command = c.first_mark("command");
+  if (command == nullptr) {
+    return not_known("the profile sends this outlet no command");
+  }
+  const bool close = command->value > 0.5;
+  for (const ContactChange& change : contact(c).changes) {
+    if (change.first_tick >= command->tick && change.closed == close) {
+      return number(c.milliseconds_between(command->tick, change.first_tick),
+                    c.uncertainty.relay_sense_ms);
+    }
+  }
+  return not_done("the contact did not follow the command");
+}
+
+Reading trip_time(const Case& c) {
+  const auto opening = first_opening(c);
+  return opening ? number(c.seconds(*opening), 1e-3 * c.uncertainty.relay_sense_ms)
+                 : not_done("the contact did not open");
+}
+
+}  // namespace
+
+std::vector<Measure> relay_measures() {
+  return {
+      {"relay.delay",
+       "ms",
+       "From the first loss to the contact's opening, by the relay sense.",
+       "a loss in the profile, an opening after it",
+       {},
+       delay},
+      {"relay.delay_by_word",
+       "ms",
+       "The same by the outlet's word.",
+       "a loss in the profile, the outlet's word of an opening",
+       {},
+       delay_by_word},
+      {"relay.word_difference",
+       "ms",
+       "By how much the contact's first opening, by the relay sense, is later than the outlet "
+       "says.",
+       "an opening, told and seen",
+       {},
+       word_difference},
+      {"relay.operate_time",
+       "ms",
+       "From the outlet's order to its relay to the contact's opening, by the relay sense.",
+       "an opening",
+       {},
+       operate_time},
+      {"relay.end",
+       "",
+       "Where the contact stands at the end, by the relay sense.",
+       "nothing",
+       {"closed", "open"},
+       end},
+      {"relay.edges",
+       "",
+       "Lasting changes of the contact, bounces aside, by the relay sense.",
+       "nothing",
+       {},
+       edges},
+      {"relay.chatter",
+       "",
+       "Edges of the contact beyond one for each lasting change.",
+       "nothing",
+       {},
+       chatter},
+      {"command.delay",
+       "ms",
+       "From the first command sent to the contact's change.",
+       "a command",
+       {},
+       command_delay},
+      {"trip.time",
+       "s",
+       "When the contact first opened, from the start of the run.",
+       "an opening",
+       {},
+       trip_time},
+  };
+}
+
+}  // namespace gsbench::judge

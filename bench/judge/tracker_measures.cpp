@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <judge/catalogue.hpp>
+
+namespace gsbench::judge {
+namespace {
+
+constexpr std::uint8_t kValid = 1;
+constexpr std::size_t kFewestReports = 10;
+
+// Reports after the outlet has had this long to settle after start-up.
+constexpr double kSettleS = 1.0;
+
+// Below this a bus is dead; a claim counts once it has been so for longer than a tracker's memory.
+constexpr double kDeadBusPu = 0.10;
+constexpr double kTrackerMemoryS = 0.060;
+
+struct Sample {
+  double t_s;
+  double frequency_hz;
+  double rocof_hz_s;
+};
+
+std::vector<Sample> valid_samples(const Case& c) {
+  std::vector<Sample> samples;
+  const record::MeasurementTrace& trace = c.outlet.trace;
+  for (std::size_t i = 0; i < trace.tick.size(); ++i) {
+    if (trace.validity[i] == kValid) {
+      samples.push_back({c.seconds(trace.tick[i]), static_cast<double>(trace.frequency_hz[i]),
+                         static_cast<double>(trace.rocof_hz_s[i])});
+    }
+  }
+  return samples;
+}
+
+struct ErrorSums {
+  double largest = 0.0;
+  double mean = 0.0;
+  double rms = 0.0;
+};
+
+// Errors of `measured(sample)` against `truth_at(time)`, in their unit.
+template <class Measured, class TruthAt>
+ErrorSums errors(const std::vector<Sample>& samples, double delay_s, Measured measured,
+                 TruthAt truth_at) {
+  ErrorSums sums;
+  for (const Sample& sample : samples) {
+    const double error = measured(sample) - truth_at(std::max(sample.t_s - delay_s, 0.0));
+    sums.largest = std::max(sums.largest, std::fabs(error));
+    sums.mean += error;
+    sums.rms += error * error;
+  }
+  const auto count = static_cast<double>(samples.size());
+  sums.mean /= count;
+  sums.rms = std::sqrt(sums.rms / count);
+  return sums;
+}
+
+template <class Pick>
+Reading frequency_error(const Case& c, Pick pick) {
+  const std::vector<Sample> samples = valid_samples(c);
+  if (samples.size() < kFewestReports) {
+    return not_done("fewer than 10 valid frequency measurements");
+  }
+  const ErrorSums sums = errors(
+      samples, c.tracker_delay_s(), [](const Sample& s) { return s.frequency_hz; },
+      [&](double t_s) { return c.truth.frequency_hz(t_s); });
+  return number(1e3 * pick(sums), c.uncertainty.frequency_mhz);
+}
+
+Reading error_max(const Case& c) {
+  return frequency_error(c, [](const ErrorSums& sums) { return sums.largest; });
+}
+
+Reading error_rms(const Case& c) {
+  return frequency_error(c, [](const ErrorSums& sums) { return sums.rms; });
+}
+
+Reading bias(const Case& c) {
+  return frequency_error(c, [](const ErrorSums& sums) { return sums.mean; });
+}
+
+Reading rocof_error_rms(const Case& c) {
+  const std::vector<Sample> samples = valid_samples(c);
+  if (samples.size() < kFewestReports) {
+    return not_done("fewer than 10 valid frequency measurements");
+  }
+  return number(errors(
+                    samples, c.tracker_delay_s(), [](const Sample& s) { return s.rocof_hz_s; },
+                    [&](double t_s) { return c.truth.rocof_hz_s(t_s); })
+                    .rms);
+}
+
+Reading delay(const Case& c) {
+  constexpr double kLongestDelayS = 0.2;
+  constexpr double kMovingHzS = 0.05;
+  constexpr std::size_t kMostSamples = 2000;
+  std::vector<Sample> moving;
+  for (const Sample& sample : valid_samples(c)) {
+    if (sample.t_s > kLongestDelayS && moving.size() < kMostSamples &&
+        std::fabs(c.truth.rocof_hz_s(sample.t_s)) > kMovingHzS) {
+      moving.push_back(sample);
+    }
+  }
+  if (moving.size() < kFewestReports) {
+    return not_known("the true frequency moves too little to tell a delay");
+  }
+  const auto rms_at = [&](double delay_s) {
+    return errors(
+               moving, delay_s, [](const Sample& s) { return s.frequency_hz; },
+               [&](double t_s) { return c.truth.frequency_hz(t_s); })
+        .rms;
+  };
+  // The RMS over the delay has one valley: golden section.
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double low = 0.0;
+  double high = kLongestDelayS;
+  while (high - low > 1e-4) {
+    const double left = high - golden * (high - low);
+    const double right = low + golden * (high - low);
+    if (rms_at(left) < rms_at(right)) {
+      high = right;
+    } else {
+      low = left;
+    }
+  }
+  return number(1e3 * 0.5 * (low + high), 0.1);
+}
+
+Reading valid_share(const Case& c) {
+  const record::MeasurementTrace& trace = c.outlet.trace;
+  std::size_t all = 0;
+  std::size_t valid = 0;
+  for (std::size_t i = 0; i < trace.tick.size(); ++i) {
+    if (c.seconds(trace.tick[i]) >= kSettleS) {
+      ++all;
+      valid += trace.validity[i] == kValid ? 1 : 0;
+    }
+  }
+  if (all < kFewestReports) {
+    return not_done("fewer than 10 reports after the first second");
+  }
+  return number(100.0 * static_cast<double>(valid) / static_cast<double>(all));
+}
+
+Reading dead_bus_claims(const Case& c) {
+  const record::MeasurementTrace& trace = c.outlet.trace;
+  const double step_s = 0.002;
+  double claims = 0.0;
+  for (std::size_t i = 0; i < trace.tick.size(); ++i) {
+    const double t_s = c.seconds(trace.tick[i]);
+    bool dead = trace.validity[i] == kValid && t_s > kTrackerMemoryS;
+    for (double back_s = 0.0; dead && back_s <= kTrackerMemoryS; back_s += step_s) {
+      dead = c.true_voltage_pu(t_s - back_s) < kDeadBusPu;
+    }
+    claims += dead ? 1.0 : 0.0;
+  }
+  return number(claims);
+}
+
+}  // namespace
+
+std::vector<Measure> tracker_measures() {
+  const std::string needs_ten = "10 valid frequency measurements";
+  return {
+      {"tracker.delay",
+       "ms",
+       "Shift of the true frequency that brings it nearest to the measured one, where it moves by "
+       "more than 0.05 Hz/s.",
+       needs_ten + " while the frequency moves",
+       {},
+       delay},
+      {"tracker.error.max",
+       "mHz",
+       "Largest difference of a valid frequency from the truth at its instant: the report's, less "
+       "the delay the outlet declares.",
+       needs_ten,
+       {},
+       error_max},
+      {"tracker.error.rms", "mHz", "RMS of the same differences.", needs_ten, {}, error_rms},
+      {"tracker.bias", "mHz", "Mean of the same differences.", needs_ten, {}, bias},
+      {"tracker.rocof_error.rms",
+       "Hz/s",
+       "RMS difference of the tracker's ROCOF from the true one at its instant.",
+       needs_ten,
+       {},
+       rocof_error_rms},
+      {"validity.valid_share",
+       "%",
+       "Share of the reports after the first second that are valid.",
+       "10 reports after the first second",
+       {},
+       valid_share},
+      {"validity.dead_bus_claims",
+       "",
+       "Valid frequency reports after the voltage has been below 10 % for over 60 ms.",
+       "nothing",
+       {},
+       dead_bus_claims},
+  };
+}
+
+}  // namespace gsbench::judge

@@ -1,0 +1,38 @@
+// A station: the drivers a run uses, and what they can get wrong.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include <judge/case.hpp>
+#include <link/link.hpp>
+#include <profile/plan.hpp>
+#include <relay/relay_sense.hpp>
+#include <source/source.hpp>
+
+namespace gsbench::station {
+
+class Station {
+ public:
+  virtual ~Station() = default;
+  virtual std::string name() const = 0;
+  virtual source::Source& source() = 0;
+  virtual link::Link& link() = 0;
+  virtual relay::RelaySense& relay_sense() = 0;
+  virtual judge::BenchUncertainty uncertainty() const = 0;
+  // How much is played at a time: short where the wall clock paces, long where nothing does.
+  virtual double block_s() const = 0;
+};
+
+struct SimulatedOptions {
+  bool real_time = false;
+  std::size_t threads = 1;
+  double block_s = 0.0;  // 0: what suits the pace; the record does not depend on it
+};
+
+// Outlets in this process, with the real firmware.
+std::unique_ptr<Station> simulated_station(const profile::Plan& plan,
+                                           const SimulatedOptions& options);
+
+}  // namespace gsbench::station

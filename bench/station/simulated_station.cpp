@@ -1,0 +1,52 @@
+#include <simulated/bench.hpp>
+#include <station/station.hpp>
+
+namespace gsbench::station {
+namespace {
+
+simulated::BenchParameters parameters_of(const profile::Plan& plan,
+                                         const SimulatedOptions& options) {
+  simulated::BenchParameters parameters;
+  for (const profile::Outlet& outlet : plan.outlets) {
+    parameters.outlet_ids.push_back(outlet.id);
+  }
+  parameters.pace = options.real_time ? simulated::Pace::kRealTime : simulated::Pace::kVirtual;
+  parameters.threads = options.threads;
+  return parameters;
+}
+
+class SimulatedStation final : public Station {
+ public:
+  SimulatedStation(const profile::Plan& plan, const SimulatedOptions& options)
+      : bench_(parameters_of(plan, options)),
+        sample_rate_hz_(static_cast<double>(plan.stimulus.sample_rate_hz)),
+        block_s_(options.block_s > 0.0 ? options.block_s : (options.real_time ? 0.016 : 0.512)) {}
+
+  std::string name() const override { return "simulated"; }
+  source::Source& source() override { return bench_.source(); }
+  link::Link& link() override { return bench_.link(); }
+  relay::RelaySense& relay_sense() override { return bench_.relay_sense(); }
+
+  judge::BenchUncertainty uncertainty() const override {
+    // Outlets count the very samples that are played; a contact's edge is known to its tick.
+    judge::BenchUncertainty uncertainty;
+    uncertainty.relay_sense_ms = 1e3 * 0.5 / sample_rate_hz_;
+    return uncertainty;
+  }
+
+  double block_s() const override { return block_s_; }
+
+ private:
+  simulated::Bench bench_;
+  double sample_rate_hz_;
+  double block_s_;
+};
+
+}  // namespace
+
+std::unique_ptr<Station> simulated_station(const profile::Plan& plan,
+                                           const SimulatedOptions& options) {
+  return std::make_unique<SimulatedStation>(plan, options);
+}
+
+}  // namespace gsbench::station

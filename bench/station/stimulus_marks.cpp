@@ -1,0 +1,32 @@
+#include "stimulus_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gsbench::station {
+
+std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
+  const auto rate = static_cast<double>(plan.stimulus.sample_rate_hz);
+  // The first sample at or after the instant is the first that shows it.
+  const auto tick = [rate](double at_s) {
+    return static_cast<std::int64_t>(std::ceil(at_s * rate));
+  };
+  std::vector<record::Mark> marks;
+  for (const grid::PowerChange& loss : plan.stimulus.losses) {
+    marks.push_back({tick(loss.at_s), loss.power_mw > 0.0 ? "loss" : "shed", loss.power_mw, "MW"});
+  }
+  for (const waveform::PhaseJump& jump : plan.stimulus.signal.phase_jumps) {
+    marks.push_back({tick(jump.at_s), "phase jump", jump.degrees, "degrees"});
+  }
+  for (const waveform::AmplitudeStep& step : plan.stimulus.signal.amplitude_steps) {
+    marks.push_back({tick(step.at_s), "amplitude", step.level_pct, "%"});
+    if (std::isfinite(step.duration_s)) {
+      marks.push_back({tick(step.at_s + step.duration_s), "amplitude", 100.0, "%"});
+    }
+  }
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
+  return marks;
+}
+
+}  // namespace gsbench::station
