@@ -9,6 +9,8 @@ constexpr float kNotANumber = __builtin_nanf("");
 // The filter's memory is 56 ms: after four reports of 16 ms a leap has left it.
 constexpr int kReportsToClear = 4;
 constexpr int kReportsToSettle = 16;
+// After it the filter has this long to find a frequency that has moved on meanwhile.
+constexpr std::uint8_t kGraceReports = 8;
 
 // Beyond these the state is no grid's: ±15 Hz, ±30 Hz/s.
 constexpr float kLargestOmega = kTwoPi * 15.0f;
@@ -142,12 +144,15 @@ Measurement track(const TrackerSettings& settings, float nominal_hz, TrackerStat
     const bool leapt = leap > settings.leap_rad || leap < -settings.leap_rad ||
                        leap_amplitude > settings.leap_amplitude ||
                        leap_amplitude < -settings.leap_amplitude;
-    if (s.held > 0 || leapt) {
+    if (s.grace > 0) {
+      --s.grace;
+    } else if (s.held > 0 || leapt) {
       ++s.held;
       if (s.held > kReportsToClear) {
         take_phase(s, z, amplitude);
-        // What happened meanwhile the filter has not seen: ±0.1 Hz, ±1 Hz/s.
-        set_covariance(settings, s, kTwoPi * 0.1f, kTwoPi * 1.0f);
+        // What happened meanwhile the filter has not seen: ±0.5 Hz, ±3 Hz/s.
+        set_covariance(settings, s, kTwoPi * 0.5f, kTwoPi * 3.0f);
+        s.grace = kGraceReports;
       }
       return report(nominal_hz, s, z, Validity::kHeld);
     }
