@@ -210,6 +210,14 @@ std::string css_text(const std::string& text) {
   return css;
 }
 
+// The outlet whose curves are drawn first: the first of those that did worst.
+std::size_t outlet_drawn_first(const record::RunRecord& run) {
+  const auto worst =
+      std::max_element(run.outlets.begin(), run.outlets.end(),
+                       [](const auto& a, const auto& b) { return a.verdict < b.verdict; });
+  return static_cast<std::size_t>(worst - run.outlets.begin());
+}
+
 object page(const record::RunRecord& run) {
   const std::vector<KeyFigure> keys = key_figures(run, kMostColumns);
   const std::vector<Shortfall> missed = shortfalls(run);
@@ -235,6 +243,7 @@ object page(const record::RunRecord& run) {
               {"headings", headings},
               {"outlets", outlets},
               {"has_outlets", flag(!run.outlets.empty())},
+              {"drawn_first", std::to_string(outlet_drawn_first(run))},
               {"has_comparisons", flag(!run.comparisons.empty())},
               {"comparisons", comparison_rows(run)},
               {"has_thinning_note", flag(!note.empty())},

@@ -154,6 +154,14 @@ TEST(Html, DrawsEveryReportAroundAMarkOfALongRun) {
   EXPECT_GE(near, 187);  // 3 s of one report each 16 ms
 }
 
+TEST(Html, DrawsTheOutletFirstThatDidWorst) {
+  RunRecord run = sample::loss_500mw(4);
+  EXPECT_THAT(html(run), HasSubstr("id=\"outlet-choice\" data-first=\"0\""));
+  run.outlets[1].verdict = Verdict::kInconclusive;
+  run.outlets[2].verdict = run.outlets[3].verdict = Verdict::kFail;
+  EXPECT_THAT(html(run), HasSubstr("id=\"outlet-choice\" data-first=\"2\""));
+}
+
 TEST(Html, IsWholeForAnEmptyRecord) {
   const std::string page = html(RunRecord{});
   EXPECT_THAT(page, HasSubstr("Nothing was judged."));

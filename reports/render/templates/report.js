@@ -262,6 +262,6 @@
     opened.forEach((details) => { details.open = false; });
   });
 
-  choice.value = "0";
+  choice.value = choice.dataset.first;  // whatever a reload has kept
   draw();
 })();
