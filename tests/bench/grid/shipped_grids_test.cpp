@@ -1,0 +1,81 @@
+#include "example_grids.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <grid/control_centre.hpp>
+#include <profile/load.hpp>
+
+namespace gsbench::grid {
+namespace {
+
+// Half a unit of the last digit that the expected figure is given with.
+constexpr double kFourDecimals = 0.5e-4;
+constexpr double kThreeDecimals = 0.5e-3;
+constexpr double kTwoDecimals = 0.5e-2;
+
+TEST(ShippedGrids, AreThree) {
+  EXPECT_THAT(profile::list_grids(),
+              ::testing::UnorderedElementsAre("ieee24", "ieee24-by-unit", "island-60hz"));
+}
+
+TEST(ShippedGrids, HaveTheCalibratedIeee24BusSystem) {
+  const Grid grid = profile::load_grid("ieee24");
+  const SfrModel model(grid), expected(ieee24());
+  EXPECT_DOUBLE_EQ(model.inertia_s(), expected.inertia_s());
+  EXPECT_DOUBLE_EQ(model.droop_pu(), expected.droop_pu());
+  EXPECT_NEAR(threshold_mw(model, grid.threshold_hz), 351.92, kTwoDecimals);
+}
+
+TEST(ShippedGrids, HaveTheIeee24BusSystemByUnit) {
+  const Grid grid = profile::load_grid("ieee24-by-unit");
+  const SfrModel model(grid);
+  EXPECT_NEAR(model.inertia_s(), 7.826, kThreeDecimals);
+  EXPECT_NEAR(1.0 / model.droop_pu(), 19.770, kThreeDecimals);
+  EXPECT_NEAR(threshold_mw(model, grid.threshold_hz), 320.67, kTwoDecimals);
+  EXPECT_NEAR(nadir(model, 100.0).t_s, 3.564, kThreeDecimals);
+}
+
+double largest_difference_from_print_hz_s(const Grid& grid) {
+  const auto rows = conditions(SfrModel(grid), grid.threshold_hz, grid.condition_row_hz);
+  const std::vector<double>& printed = grid.reference.condition_rocof_hz_s;
+  EXPECT_EQ(rows.size(), printed.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < std::min(rows.size(), printed.size()); ++i) {
+    largest = std::max(largest, std::abs(rows[i].rocof_below_hz_s - printed[i]));
+  }
+  return largest;
+}
+
+// How far each stands from Table 1, which is why there are two.
+TEST(ShippedGrids, CarryTableOneThatOnlyTheCalibratedSystemReproduces) {
+  EXPECT_LT(largest_difference_from_print_hz_s(profile::load_grid("ieee24")), 3e-4);
+  EXPECT_NEAR(largest_difference_from_print_hz_s(profile::load_grid("ieee24-by-unit")), 0.0232,
+              kFourDecimals);
+}
+
+TEST(ShippedGrids, HaveBlocksToShedAfterTheLossOf500Mw) {
+  const auto blocks = block_settings(profile::load_grid("ieee24"));
+  ASSERT_EQ(blocks.size(), 10u);
+  EXPECT_GT(blocks.back().accumulated_mw, 500.0 - 351.92);
+}
+
+TEST(ShippedGrids, HaveASixtyHertzSystemOfTextbookConstants) {
+  const Grid grid = profile::load_grid("island-60hz");
+  const SfrModel model(grid);
+  EXPECT_EQ(grid.nominal_hz, 60.0);
+  EXPECT_NEAR(model.inertia_s(), 4.0, 0.05)
+      << "inertia by kind of plant, about the 4 s of the book";
+  EXPECT_DOUBLE_EQ(model.droop_pu(), 0.05);
+  // A threshold worth defending: more than a small unit, less than a large one.
+  const double threshold = threshold_mw(model, grid.threshold_hz);
+  EXPECT_GT(threshold, 200.0);
+  EXPECT_LT(threshold, 1000.0);
+  EXPECT_FALSE(block_settings(grid).empty());
+}
+
+}  // namespace
+}  // namespace gsbench::grid
