@@ -148,7 +148,7 @@ TEST_F(DamagedStore, WithBitsFlippedNeverGivesAnotherRecord) {
   const std::string digest = content_digest(run_);
   std::mt19937 random(20260301);
   int refused = 0;
-  constexpr int kTrials = 1500;
+  constexpr int kTrials = 500;
   for (int trial = 0; trial < kTrials; ++trial) {
     std::string damaged = original;
     const std::size_t flips = 1 + random() % 4;
