@@ -52,7 +52,10 @@ class SimulatedSource final : public source::Source {
   }
 
   Status play(std::int64_t first_tick, const float* voltage_pu, std::size_t count) override {
-    if (!shared_.live || first_tick != shared_.tick) {
+    if (!shared_.live) {
+      return Error{"simulated source: asked to play before it was started"};
+    }
+    if (first_tick != shared_.tick) {
       return Error{"simulated source: asked for tick " + std::to_string(first_tick) +
                    ", stands at " + std::to_string(shared_.tick)};
     }

@@ -31,6 +31,12 @@ bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_
   sample_rate_hz_ = sample_rate_hz;
   noise_rms_pu_ = noise_rms_pu;
   seed_ = seed;
+  collector_.messages.clear();
+  relay_changes_read_ = 0;
+  pending_.clear();
+  edges_.clear();
+  coil_changes_ = 0;
+  contact_moves_tick_ = 0;
   gs::outlet::Hardware hardware;
   hardware.sample_rate_hz = static_cast<std::int32_t>(sample_rate_hz);
   hardware.nominal_hz = nominal_hz;
@@ -77,24 +83,32 @@ void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, 
   }
 }
 
-// The coil changed where the firmware says so; the contact follows as the relay's mechanics have
-// it. Where the coil turns again before the contact has moved, the contact never moves.
+// The coil changed where the firmware says so.
 void Outlet::follow_relay() {
-  const random::Stream stream{seed_, random::kRelayModel, index_};
   for (; relay_changes_read_ < collector_.messages.size(); ++relay_changes_read_) {
     const gs::wire::Uplink& message = collector_.messages[relay_changes_read_];
-    if (message.kind != gs::wire::UplinkKind::kRelay) {
-      continue;
+    if (message.kind == gs::wire::UplinkKind::kRelay) {
+      turn_coil(static_cast<std::int64_t>(message.sample), message.relay.closed);
     }
-    const auto coil_tick = static_cast<std::int64_t>(message.sample);
-    const std::vector<ContactEdge> edges =
-        contact_edges(parameters_.relay, stream, coil_changes_++, coil_tick, message.relay.closed,
-                      sample_rate_hz_);
-    edges_.erase(std::remove_if(edges_.begin(), edges_.end(),
-                                [&](const ContactEdge& e) { return e.tick >= edges.front().tick; }),
-                 edges_.end());
-    edges_.insert(edges_.end(), edges.begin(), edges.end());
   }
+}
+
+// The contact follows as the relay's mechanics have it. Where the coil turns back before the
+// contact has moved, the contact never moves.
+void Outlet::turn_coil(std::int64_t coil_tick, bool closes) {
+  const std::uint64_t change = coil_changes_++;
+  if (coil_tick < contact_moves_tick_) {
+    edges_.erase(std::find_if(edges_.begin(), edges_.end(),
+                              [&](const ContactEdge& e) { return e.tick >= contact_moves_tick_; }),
+                 edges_.end());
+    contact_moves_tick_ = coil_tick;
+    return;
+  }
+  const random::Stream stream{seed_, random::kRelayModel, index_};
+  const std::vector<ContactEdge> edges =
+      contact_edges(parameters_.relay, stream, change, coil_tick, closes, sample_rate_hz_);
+  contact_moves_tick_ = edges.front().tick;
+  edges_.insert(edges_.end(), edges.begin(), edges.end());
 }
 
 void Outlet::take_messages(std::vector<gs::wire::Uplink>& messages) {

@@ -23,7 +23,7 @@ class Outlet {
  public:
   Outlet(const OutletParameters& parameters, std::uint32_t index);
 
-  // False where the firmware refuses the hardware.
+  // As new: nothing is left of what was before. False where the firmware refuses the hardware.
   bool start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_pu, std::uint64_t seed);
 
   // Samples first_tick … first_tick + count − 1 reach the outlet's terminals.
@@ -49,6 +49,7 @@ class Outlet {
 
   void feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, std::size_t count);
   void follow_relay();
+  void turn_coil(std::int64_t coil_tick, bool closes);
 
   OutletParameters parameters_;
   std::uint32_t index_;
@@ -61,6 +62,7 @@ class Outlet {
   std::deque<Pending> pending_;
   std::vector<ContactEdge> edges_;
   std::uint64_t coil_changes_ = 0;
+  std::int64_t contact_moves_tick_ = 0;  // first edge of the newest change
   std::vector<float> volts_;
   std::vector<std::int16_t> samples_;
 };

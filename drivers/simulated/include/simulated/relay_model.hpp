@@ -8,6 +8,8 @@
 
 namespace gsbench::simulated {
 
+// The bounces of one change are over before the next can begin:
+// 2·largest_bounces·bounce_ms < operate_ms − operate_spread_ms.
 struct RelayParameters {
   double operate_ms = 8.0;         // coil to contact, mean
   double operate_spread_ms = 1.5;  // ± of it, uniform

@@ -1,0 +1,187 @@
+// A mains voltage to play, and everything a simulated bench says while it is played.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <simulated/bench.hpp>
+
+namespace gsbench::simulated::test {
+
+constexpr std::int64_t kRateHz = 8000;
+
+// Nominal for a second, then falling by 0.5 Hz/s: an event, an estimate, a decision, and after
+// 0.4 s of it the switching-off frequency of settings().
+inline std::vector<float> falling_mains(double duration_s) {
+  constexpr double kTau = 6.283185307179586;
+  std::vector<float> voltage(static_cast<std::size_t>(duration_s * static_cast<double>(kRateHz)));
+  for (std::size_t n = 0; n < voltage.size(); ++n) {
+    const double t_s = static_cast<double>(n) / static_cast<double>(kRateHz);
+    const double after_s = std::fmax(t_s - 1.0, 0.0);
+    const double cycles = 50.0 * t_s - 0.25 * after_s * after_s;
+    voltage[n] = static_cast<float>(std::cos(kTau * (cycles - std::floor(cycles))));
+  }
+  return voltage;
+}
+
+// Of a system like the modified IEEE 24-bus one.
+inline gs::outlet::Settings settings() {
+  gs::outlet::Settings s;
+  s.version = 1;
+  s.response = {7.8e-4F, 0.35F, 0.25F, 3.0F};
+  s.threshold_mw = 350.0F;
+  s.largest_loss_mw = 2745.0F;
+  s.accumulated_mw = 2000.0F;
+  s.switch_off_hz = 49.8F;
+  s.conditions[0] = {49.5F, -0.1F};
+  s.condition_rows = 1;
+  s.loss_sigma_mw = 80.0F;
+  return s;
+}
+
+inline gs::wire::Downlink settings_message() {
+  gs::wire::Downlink message;
+  message.kind = gs::wire::DownlinkKind::kSettings;
+  message.settings = settings();
+  return message;
+}
+
+inline gs::wire::Downlink command(bool close) {
+  gs::wire::Downlink message;
+  message.kind = gs::wire::DownlinkKind::kCommand;
+  message.close_relay = close;
+  return message;
+}
+
+inline std::uint32_t bits(float value) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, &value, sizeof word);
+  return word;
+}
+
+// A message as numbers that compare bit for bit, NaN with NaN among them.
+inline std::vector<std::uint64_t> words(const gs::wire::Uplink& m) {
+  using gs::wire::UplinkKind;
+  std::vector<std::uint64_t> all = {static_cast<std::uint64_t>(m.kind), m.sample};
+  const auto add = [&all](std::initializer_list<std::uint64_t> more) {
+    all.insert(all.end(), more);
+  };
+  switch (m.kind) {
+    case UplinkKind::kHello:
+      add({m.hello.protocol_version, m.hello.firmware_version});
+      break;
+    case UplinkKind::kSettingsAnswer:
+      add({static_cast<std::uint64_t>(m.settings_answer.error), m.settings_answer.version,
+           m.settings_answer.digest});
+      break;
+    case UplinkKind::kMeasurement:
+      add({bits(m.measurement.frequency_hz), bits(m.measurement.rocof_hz_s),
+           bits(m.measurement.voltage_pu), static_cast<std::uint64_t>(m.measurement.validity)});
+      break;
+    case UplinkKind::kEvent:
+      add({bits(m.event.baseline_hz), bits(m.event.baseline_rocof_hz_s)});
+      break;
+    case UplinkKind::kLse:
+      add({bits(m.lse.loss_mw)});
+      break;
+    case UplinkKind::kEstimate:
+      add({bits(m.estimate.loss_mw), bits(m.estimate.loss_sigma_mw),
+           bits(m.estimate.loss_instant_s), static_cast<std::uint64_t>(m.estimate.trust)});
+      break;
+    case UplinkKind::kDecision:
+      add({bits(m.decision.loss_mw), bits(m.decision.required_mw), m.decision.hits,
+           static_cast<std::uint64_t>(m.decision.trust), m.decision.shed ? 1U : 0U});
+      break;
+    case UplinkKind::kRelay:
+      add({m.relay.closed ? 1U : 0U, static_cast<std::uint64_t>(m.relay.cause)});
+      break;
+    case UplinkKind::kAborted:
+      break;
+  }
+  return all;
+}
+
+// All that one outlet said and its contact did, in order.
+struct Heard {
+  std::vector<gs::wire::Uplink> messages;
+  std::vector<relay::Edge> edges;
+
+  std::vector<std::vector<std::uint64_t>> as_words() const {
+    std::vector<std::vector<std::uint64_t>> all;
+    for (const gs::wire::Uplink& message : messages) all.push_back(words(message));
+    for (const relay::Edge& edge : edges) {
+      all.push_back({static_cast<std::uint64_t>(edge.tick), edge.closed ? 1U : 0U});
+    }
+    return all;
+  }
+
+  std::vector<gs::wire::Uplink> of(gs::wire::UplinkKind kind) const {
+    std::vector<gs::wire::Uplink> some;
+    for (const gs::wire::Uplink& message : messages) {
+      if (message.kind == kind) some.push_back(message);
+    }
+    return some;
+  }
+};
+
+inline BenchParameters bench_of(std::size_t outlets, std::size_t threads = 1) {
+  BenchParameters parameters;
+  for (std::size_t i = 0; i < outlets; ++i) {
+    parameters.outlet_ids.push_back("outlet-" + std::to_string(i + 1));
+  }
+  parameters.threads = threads;
+  return parameters;
+}
+
+inline source::SourceSettings mains_settings(float noise_rms_pu, std::uint64_t seed) {
+  source::SourceSettings settings;
+  settings.sample_rate_hz = kRateHz;
+  settings.nominal_hz = 50;
+  settings.noise_rms_pu = noise_rms_pu;
+  settings.seed = seed;
+  return settings;
+}
+
+inline void poll(Bench& bench, std::vector<Heard>& heard) {
+  std::vector<link::Received> messages;
+  std::vector<relay::Edge> edges;
+  ASSERT_TRUE(bench.link().poll(messages).ok());
+  ASSERT_TRUE(bench.relay_sense().poll(edges).ok());
+  for (const link::Received& received : messages) {
+    heard.at(received.outlet).messages.push_back(received.message);
+  }
+  for (const relay::Edge& edge : edges) heard.at(edge.outlet).edges.push_back(edge);
+}
+
+// Starts the bench, sends each outlet its settings and plays, block by block. Blocks take turns
+// through `block_ticks`.
+inline std::vector<Heard> play(Bench& bench, std::size_t outlets,
+                               const source::SourceSettings& settings,
+                               const std::vector<float>& voltage,
+                               const std::vector<std::size_t>& block_ticks) {
+  std::vector<Heard> heard(outlets);
+  const auto started = bench.source().start(settings);
+  EXPECT_TRUE(started.ok());
+  EXPECT_TRUE(bench.link().open().ok());
+  for (std::size_t i = 0; i < outlets; ++i) {
+    EXPECT_TRUE(bench.link().send(i, settings_message()).ok());
+  }
+  std::size_t turn = 0;
+  for (std::size_t tick = 0; tick < voltage.size();) {
+    const std::size_t count =
+        std::min(block_ticks[turn++ % block_ticks.size()], voltage.size() - tick);
+    const auto played =
+        bench.source().play(static_cast<std::int64_t>(tick), voltage.data() + tick, count);
+    EXPECT_TRUE(played.ok());
+    poll(bench, heard);
+    tick += count;
+  }
+  bench.source().make_safe();
+  return heard;
+}
+
+}  // namespace gsbench::simulated::test

@@ -1,0 +1,57 @@
+#include "mains.hpp"
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include <simulated/pacer.hpp>
+
+namespace gsbench::simulated::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Lower bounds only: nothing promises when a machine in use goes on.
+TEST(Pacer, HoldsRealTimeBackToTheWallClock) {
+  Pacer pacer(Pace::kRealTime);
+  const auto before = Clock::now();
+  pacer.start(kRateHz);
+  pacer.wait_until(1600);
+  EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(200));
+}
+
+TEST(Pacer, CountsFromItsLatestStart) {
+  Pacer pacer(Pace::kRealTime);
+  pacer.start(kRateHz);
+  pacer.wait_until(400);
+  const auto before = Clock::now();
+  pacer.start(kRateHz);
+  pacer.wait_until(400);
+  EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(50));
+}
+
+TEST(Pacer, DoesNotHoldBackVirtualTime) {
+  Pacer pacer(Pace::kVirtual);
+  const auto before = Clock::now();
+  pacer.start(kRateHz);
+  pacer.wait_until(3600 * kRateHz);
+  EXPECT_LT(Clock::now() - before, std::chrono::hours(1));
+}
+
+TEST(Pacer, RealTimeBringsTheSameAsVirtualTime) {
+  const std::vector<float> voltage = falling_mains(0.2 + 0.016);
+  BenchParameters parameters = bench_of(2);
+  Bench virtual_time(parameters);
+  parameters.pace = Pace::kRealTime;
+  Bench real_time(parameters);
+  const auto fast = play(virtual_time, 2, mains_settings(0.01F, 1), voltage, {128});
+  const auto before = Clock::now();
+  const auto slow = play(real_time, 2, mains_settings(0.01F, 1), voltage, {128});
+  // The last block is handed over when the one before it is through.
+  EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(200 - 8));
+  EXPECT_EQ(fast[0].as_words(), slow[0].as_words());
+  EXPECT_EQ(fast[1].as_words(), slow[1].as_words());
+}
+
+}  // namespace
+}  // namespace gsbench::simulated::test
