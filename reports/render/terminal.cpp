@@ -51,15 +51,15 @@ std::string one_line(const std::string& text) {
 
 std::string terminal(const record::RunRecord& run, bool colour) {
   std::vector<std::vector<std::string>> rows(1);
-  rows[0].push_back("outlet");
+  rows[0].emplace_back("outlet");
   const std::vector<KeyFigure> keys = key_figures(run, kMostColumns);
-  for (const KeyFigure& key : keys) rows[0].push_back(key.heading);
-  rows[0].push_back("verdict");
+  for (const KeyFigure& key : keys) rows[0].emplace_back(key.heading);
+  rows[0].emplace_back("verdict");
   for (const record::OutletRecord& outlet : run.outlets) {
     std::vector<std::string> row = {one_line(outlet.id)};
     for (const KeyFigure& key : keys)
       row.push_back(one_line(key_text(find_measurement(outlet, key.measurement))));
-    row.push_back(record::to_string(outlet.verdict));
+    row.emplace_back(record::to_string(outlet.verdict));
     rows.push_back(std::move(row));
   }
 

@@ -57,7 +57,7 @@ TEST(Json, GivesNumbersInFullNoneAsNullAndWordsAsWords) {
 TEST(Json, IsValidWhateverTheTexts) {
   RunRecord run = sample::loss_500mw(1);
   run.outlets[0].id = "\xff\"\\\n</script>";
-  EXPECT_NO_THROW(nlohmann::json::parse(json(run)));
+  EXPECT_TRUE(nlohmann::json::accept(json(run)));
 }
 
 struct Element {

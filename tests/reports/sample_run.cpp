@@ -9,8 +9,6 @@
 namespace gsbench::sample {
 namespace {
 
-using record::Verdict;
-
 constexpr std::int64_t kSampleRate_hz = 8000;
 constexpr std::int64_t kReportTicks = 128;  // 16 ms
 constexpr double kLoss_s = 3.0;

@@ -12,15 +12,15 @@ namespace gsbench::record {
 // A verdict only worsens: combine with std::max.
 enum class Verdict : std::uint8_t { kPass = 0, kInconclusive = 1, kFail = 2, kError = 3 };
 
-const char* to_string(Verdict verdict);                 // "PASS", "INCONCLUSIVE", "FAIL", "ERROR"
-Verdict verdict_from_string(const std::string& text);   // throws std::invalid_argument
+const char* to_string(Verdict verdict);                // "PASS", "INCONCLUSIVE", "FAIL", "ERROR"
+Verdict verdict_from_string(const std::string& text);  // throws std::invalid_argument
 
 // One judged measurement of one outlet. NaN in value: not measured. NaN in low or high: no limit.
 struct MeasurementResult {
-  std::string name;         // of the catalogue: "event.delay"
-  std::string definition;   // one sentence
+  std::string name;        // of the catalogue: "event.delay"
+  std::string definition;  // one sentence
   double value = 0.0;
-  std::string word;         // for measurements that are words ("open"); empty: it is a number
+  std::string word;  // for measurements that are words ("open"); empty: it is a number
   std::string expected_word;
   std::string unit;
   double low = 0.0;
@@ -28,7 +28,7 @@ struct MeasurementResult {
   double uncertainty = 0.0;  // expanded, k = 2, in `unit`
   bool judged = false;       // false: for information, no limit declared
   Verdict verdict = Verdict::kPass;
-  std::string reason;        // why not PASS, or where the value comes from
+  std::string reason;  // why not PASS, or where the value comes from
 };
 
 // Something that happened to an outlet at one instant.
@@ -53,16 +53,16 @@ struct EstimateTrace {
   std::vector<std::int64_t> tick;
   std::vector<float> loss_mw;
   std::vector<float> loss_sigma_mw;
-  std::vector<float> t_x_s;            // time of the loss on the run's time base, s
-  std::vector<std::uint8_t> trusted;   // 1 trusted, 0 not
+  std::vector<float> t_x_s;           // time of the loss on the run's time base, s
+  std::vector<std::uint8_t> trusted;  // 1 trusted, 0 not
 };
 
 struct OutletRecord {
   std::string id;
   std::string group;
-  std::string link;             // "simulated", "serial", …
-  std::string firmware;         // version and digest it said of itself
-  std::string settings_digest;  // that it acknowledged, hexadecimal
+  std::string link;                        // "simulated", "serial", …
+  std::string firmware;                    // version and digest it said of itself
+  std::string settings_digest;             // that it acknowledged, hexadecimal
   std::map<std::string, double> settings;  // what it was sent, unit in the name
   Verdict verdict = Verdict::kPass;
   std::vector<MeasurementResult> measurements;
@@ -84,32 +84,32 @@ struct Comparison {
   std::string unit;
   double ours = 0.0;
   double published = 0.0;
-  std::string note;   // why they differ; may be empty
+  std::string note;  // why they differ; may be empty
 };
 
 struct RunRecord {
-  std::string run_id;            // unique; differs from run to run
-  std::string started_utc;       // ISO 8601; wall clock, differs from run to run
+  std::string run_id;       // unique; differs from run to run
+  std::string started_utc;  // ISO 8601; wall clock, differs from run to run
   std::string finished_utc;
   std::string gsbench_version;
-  std::string profile;           // name
+  std::string profile;  // name
   std::string profile_title;
   std::string profile_source;
   std::string profile_sha256;
   std::string profile_text;
   std::string grid;
-  std::string station;           // "simulated"
-  std::string noise;             // "1 % white, independent at each outlet"
-  std::string firmware_sha256;   // of the firmware sources in this build
+  std::string station;          // "simulated"
+  std::string noise;            // "1 % white, independent at each outlet"
+  std::string firmware_sha256;  // of the firmware sources in this build
   std::uint64_t seed = 0;
   std::int64_t sample_rate_hz = 0;
   std::int64_t duration_ticks = 0;
   double nominal_hz = 50.0;
   Verdict verdict = Verdict::kPass;
-  std::string verdict_reason;    // one sentence where it is not PASS
+  std::string verdict_reason;  // one sentence where it is not PASS
   std::vector<Comparison> comparisons;
   TruthTrace truth;
-  std::vector<Mark> stimulus;    // losses, phase jumps, dips … as played
+  std::vector<Mark> stimulus;  // losses, phase jumps, dips … as played
   std::vector<OutletRecord> outlets;
 };
 

@@ -19,7 +19,10 @@ class StoreError : public std::runtime_error {
 
 // Writes one run as it goes: each call is one transaction, so that a crash loses the call in hand
 // and nothing before it. A run that was begun and never finished reads back with verdict ERROR and
-// reason "the run did not finish".
+// reason "the run did not finish". Once closed the record is one plain file, with no -wal or -shm
+// beside it.
+// begin comes first, then the outlets, then finish: another order is std::logic_error; columns of
+// unequal length are std::invalid_argument. After any error what was written before still stands.
 class Writer {
  public:
   // Creates the file; refuses (StoreError) where it exists or cannot be written.
@@ -28,15 +31,17 @@ class Writer {
   Writer(Writer&&) noexcept;
   Writer& operator=(Writer&&) noexcept;
 
-  void begin(const RunRecord& head);             // everything but outlets' results and verdict
-  void add_outlet(const OutletRecord& outlet);   // with traces and results
-  void finish(const RunRecord& whole);           // verdict, stamps, comparisons, truth
+  void begin(const RunRecord& head);            // everything but outlets' results and verdict
+  void add_outlet(const OutletRecord& outlet);  // with traces and results
+  void finish(const RunRecord& whole);          // verdict, stamps, comparisons, truth
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
+// Throws StoreError where the file is no record, of another version, or not what was written: every
+// part is sealed with a digest when it is written.
 RunRecord read_run(const std::string& path);
 
 // Digest (SHA-256, hexadecimal) over all of a record but run id and wall-clock stamps: equal for
