@@ -24,7 +24,7 @@ const MeasureName& find_measure(const Table& table, const std::string& name,
 }
 
 std::string read_unit(const Table& table, const MeasureName& measure) {
-  const std::string unit = table.text("unit").value_or("");
+  std::string unit = table.text("unit").value_or("");
   if (unit_scale(unit, measure.unit)) return unit;
   const auto units = units_like(measure.unit);
   if (measure.unit.empty()) {

@@ -34,6 +34,7 @@ std::vector<std::string> harmonic_set_names() {
 std::vector<waveform::Harmonic> harmonic_set(const std::string& name) {
   if (name != "en50160") throw std::logic_error("not a harmonic set: " + name);
   std::vector<waveform::Harmonic> harmonics;
+  harmonics.reserve(kEn50160.size());
   for (const Limit& limit : kEn50160) {
     harmonics.push_back({limit.order, limit.pct, std::fmod(limit.order * kGoldenAngleDeg, 360.0)});
   }

@@ -16,7 +16,7 @@ std::size_t Mutator::below(std::size_t bound) {
 
 std::string Mutator::next() {
   std::string text = any(corpus_);
-  for (std::size_t i = below(4) + 1; i > 0 && !text.empty(); --i) damage(text);
+  for (std::size_t i = below(3) + 1; i > 0 && !text.empty(); --i) damage(text);
   return text;
 }
 

@@ -14,7 +14,7 @@ class Mutator {
   // `words`: what is tried in place of values and between lines.
   Mutator(std::vector<std::string> corpus, std::vector<std::string> words, std::uint64_t seed);
 
-  // One file of the corpus with one to four damages.
+  // One file of the corpus with one to three damages.
   std::string next();
 
  private:

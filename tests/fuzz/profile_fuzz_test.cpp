@@ -93,8 +93,9 @@ TEST(ProfileFuzz, MutationsAreTakenOrRefusedWithAPlace) {
     } catch (const profile::ConfigurationError&) {
     }
   }
-  // Mutations that all fail alike at the first byte would test nothing.
-  EXPECT_GT(taken, kMutations / 20);
+  // Mutations that all fail alike at the first byte would test nothing. About one in fifteen is
+  // taken; how many hangs on the shipped profiles.
+  EXPECT_GT(taken, kMutations / 50);
   EXPECT_LT(taken, kMutations / 2);
 }
 
