@@ -110,6 +110,7 @@ std::map<std::string, double> described(const Settings& s) {
       {"rocof_samples", static_cast<double>(s.rocof_samples)},
       {"event_drops", static_cast<double>(s.event_drops)},
       {"event_drop_hz", static_cast<double>(s.event_drop_hz)},
+      {"event_departure_hz", static_cast<double>(s.event_departure_hz)},
       {"lse_samples", static_cast<double>(s.lse_samples)},
       {"ekf_samples", static_cast<double>(s.ekf_samples)},
       {"loss_sigma_mw", static_cast<double>(s.loss_sigma_mw)},

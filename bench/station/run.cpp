@@ -12,6 +12,7 @@
 #include <station/outlet_settings.hpp>
 #include <station/run.hpp>
 #include <station/safe_state.hpp>
+#include <waveform/tick.hpp>
 
 namespace gsbench::station {
 namespace {
@@ -21,6 +22,9 @@ using record::Verdict;
 
 // An outlet must have answered to its settings so soon after the start.
 constexpr double kSettingsAnswerS = 0.096;
+// It reports every 16 ms. A longer silence than a source's buffer and a link's delay explain would
+// pass for good behaviour: an outlet that says nothing has no event either.
+constexpr double kLongestSilenceS = 1.0;
 
 // Ends the run with verdict ERROR; never leaves run().
 struct BenchFault : std::runtime_error {
@@ -79,8 +83,7 @@ class Player {
         station_(station),
         options_(options),
         capture_(capture),
-        synthesizer_(plan.synthesizer()),
-        rate_(static_cast<double>(plan.stimulus.sample_rate_hz)) {}
+        synthesizer_(plan.synthesizer()) {}
 
   void start_source() {
     source::SourceSettings settings;
@@ -92,7 +95,7 @@ class Player {
   }
 
   // False where it was stopped.
-  bool play() {
+  bool play(const std::vector<record::OutletRecord>& outlets) {
     const std::int64_t end = plan_.duration_ticks();
     std::size_t command = 0;
     bool answers_checked = false;
@@ -115,9 +118,10 @@ class Player {
       play_block(tick, static_cast<std::size_t>(next - tick));
       tick = next;
       if (!answers_checked && tick >= std::min(tick_of(kSettingsAnswerS), end)) {
-        check_answers();
+        check_answers(outlets);
         answers_checked = true;
       }
+      check_silence(outlets, tick);
       if (options_.progress) {
         options_.progress(static_cast<double>(tick) / static_cast<double>(end));
       }
@@ -126,9 +130,8 @@ class Player {
   }
 
  private:
-  // The first sample at or after the instant.
   std::int64_t tick_of(double t_s) const {
-    return static_cast<std::int64_t>(std::ceil(t_s * rate_ - 1e-6));
+    return waveform::tick_at(t_s, plan_.stimulus.sample_rate_hz);
   }
 
   void play_block(std::int64_t tick, std::size_t count) {
@@ -156,15 +159,24 @@ class Player {
     }
   }
 
-  void check_answers() const {
-    for (std::size_t i = 0; i < plan_.outlets.size(); ++i) {
+  void check_answers(const std::vector<record::OutletRecord>& outlets) const {
+    for (std::size_t i = 0; i < outlets.size(); ++i) {
       const capture::SettingsAnswer& answer = capture_.settings_answer(i);
       if (!answer.came) {
-        throw BenchFault("outlet " + plan_.outlets[i].id + " did not answer to its settings");
+        throw BenchFault("outlet " + outlets[i].id + " did not answer to its settings");
       }
       if (!answer.accepted) {
-        throw BenchFault("outlet " + plan_.outlets[i].id +
-                         " refused its settings: " + answer.reason);
+        throw BenchFault("outlet " + outlets[i].id + " refused its settings: " + answer.reason);
+      }
+    }
+  }
+
+  void check_silence(const std::vector<record::OutletRecord>& outlets, std::int64_t tick) const {
+    for (std::size_t i = 0; i < outlets.size(); ++i) {
+      const std::int64_t last_tick = capture_.last_report_tick(i);
+      if (tick - last_tick > tick_of(kLongestSilenceS)) {
+        throw BenchFault("outlet " + outlets[i].id + " fell silent at tick " +
+                         std::to_string(last_tick));
       }
     }
   }
@@ -174,7 +186,6 @@ class Player {
   const RunOptions& options_;
   capture::Capture& capture_;
   waveform::Synthesizer synthesizer_;
-  double rate_;
   std::vector<float> block_;
   std::vector<link::Received> messages_;
   std::vector<relay::Edge> edges_;
@@ -250,17 +261,17 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
   const std::vector<Settings> settings = settings_for_all(plan);
   const std::shared_ptr<const waveform::Truth> truth = plan.truth();
   record::RunRecord run = head(plan, station, *truth);
-  if (options.writer != nullptr) {
-    options.writer->begin(run);
-  }
   capture::Capture capture(plan.outlets.size(), plan.stimulus.sample_rate_hz);
   {
     const SafeState safe_state(station.source(), station.link());
+    if (options.writer != nullptr) {
+      options.writer->begin(run);
+    }
     try {
       Player player(plan, station, options, capture);
       player.start_source();
       run.outlets = claim_outlets(plan, station, settings);
-      if (!player.play()) {
+      if (!player.play(run.outlets)) {
         set_error(run, "interrupted before its end");
       }
     } catch (const BenchFault& fault) {

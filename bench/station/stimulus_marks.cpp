@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <waveform/tick.hpp>
+
 namespace gsbench::station {
 
 std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
-  const auto rate = static_cast<double>(plan.stimulus.sample_rate_hz);
-  // The first sample at or after the instant is the first that shows it.
-  const auto tick = [rate](double at_s) {
-    return static_cast<std::int64_t>(std::ceil(at_s * rate));
+  const auto tick = [&plan](double at_s) {
+    return waveform::tick_at(at_s, plan.stimulus.sample_rate_hz);
   };
   std::vector<record::Mark> marks;
   for (const grid::PowerChange& loss : plan.stimulus.losses) {

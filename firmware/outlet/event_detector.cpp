@@ -12,7 +12,8 @@ bool event_detected(const Settings& settings, const History& history) {
       return false;
     }
   }
-  return at(history, drops) - at(history, 0) >= settings.event_drop_hz;
+  return at(history, drops) - at(history, 0) >= settings.event_drop_hz &&
+         baseline(history).frequency_hz - at(history, 0) >= settings.event_departure_hz;
 }
 
 Baseline baseline(const History& history) {

@@ -28,6 +28,7 @@ void visit_floats_and_counts(const Settings& s, Visitor&& visit) {
   visit(std::uint32_t{s.rocof_samples});
   visit(std::uint32_t{s.event_drops});
   visit(s.event_drop_hz);
+  visit(s.event_departure_hz);
   visit(std::uint32_t{s.lse_samples});
   visit(std::uint32_t{s.ekf_samples});
   visit(s.measurement_sigma_hz);
@@ -137,7 +138,7 @@ const char* to_string(SettingsError error) {
     case SettingsError::kCounts:
       return "a number of samples out of range";
     case SettingsError::kEvent:
-      return "event drop out of range";
+      return "event drop or departure out of range";
     case SettingsError::kEstimator:
       return "estimator settings out of range";
     case SettingsError::kTracker:
@@ -172,7 +173,7 @@ SettingsError validate(const Settings& s, float nominal_hz) {
   if (!conditions_in_order(s, nominal_hz)) {
     return SettingsError::kConditions;
   }
-  if (!within(s.event_drop_hz, 0.0f, 1.0f)) {
+  if (!within(s.event_drop_hz, 0.0f, 1.0f) || !within(s.event_departure_hz, 0.0f, 1.0f)) {
     return SettingsError::kEvent;
   }
   if (!estimator_in_range(s)) {

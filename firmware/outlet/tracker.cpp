@@ -6,17 +6,37 @@ namespace {
 
 constexpr float kNotANumber = __builtin_nanf("");
 
-// The filter's memory is 56 ms: after four reports of 16 ms a leap has left it.
-constexpr int kReportsToClear = 4;
-constexpr int kReportsToSettle = 16;
-// After it the filter has this long to find a frequency that has moved on meanwhile.
+// A leap is over when nothing has leapt for this long; the front end's memory of 56 ms spreads one
+// over four reports.
+constexpr std::uint8_t kReportsToClear = 2;
+// ... or when it has gone on for so long that the filter is what is wrong.
+constexpr std::uint8_t kLongestHold = 24;
+constexpr std::uint16_t kReportsToSettle = 16;
+// After a leap the filter has this long to find a frequency that has moved on meanwhile: at 10 Hz/s
+// by 1 Hz, which turns the phase by 0.1 rad a report. In this time, as during the leap, only what
+// turns further is a leap, or what changes the amplitude.
 constexpr std::uint8_t kGraceReports = 8;
+constexpr float kGraceFactor = 8.0f;
 
 // Beyond these the state is no grid's: ±15 Hz, ±30 Hz/s.
 constexpr float kLargestOmega = kTwoPi * 15.0f;
 constexpr float kLargestAlpha = kTwoPi * 30.0f;
 
 enum { kPP, kPW, kPA, kWW, kWA, kAA };
+
+bool beyond(float x, float limit) {
+  return x > limit || x < -limit;
+}
+
+// White noise turns a shorter phasor further: by how much more than one of nominal length.
+float phase_noise_factor(const TrackerState& s) {
+  return s.amplitude < 1.0f ? 1.0f / s.amplitude : 1.0f;
+}
+
+float phase_variance(const TrackerSettings& settings, const TrackerState& s) {
+  const float sigma_rad = settings.phase_noise_rad * phase_noise_factor(s);
+  return sigma_rad * sigma_rad;
+}
 
 void predict(const TrackerSettings& settings, TrackerState& s) {
   constexpr float t = kReportS;
@@ -47,7 +67,7 @@ void predict(const TrackerSettings& settings, TrackerState& s) {
 void correct(const TrackerSettings& settings, TrackerState& s, float innovation_rad,
              float innovation_amplitude) {
   float* p = s.covariance;
-  const float r = settings.phase_noise_rad * settings.phase_noise_rad;
+  const float r = phase_variance(settings, s);
   const float inverse = 1.0f / (p[kPP] + r);
   const float gain_phase = p[kPP] * inverse;
   const float gain_omega = p[kPW] * inverse;
@@ -77,6 +97,8 @@ void take_phase(TrackerState& s, const Phasor& z, float amplitude) {
   s.last_innovation_rad = 0.0f;
   s.last_innovation_amplitude = 0.0f;
   s.held = 0;
+  s.quiet = 0;
+  s.grace = 0;
 }
 
 void set_covariance(const TrackerSettings& settings, TrackerState& s, float omega_sigma,
@@ -84,7 +106,7 @@ void set_covariance(const TrackerSettings& settings, TrackerState& s, float omeg
   for (float& entry : s.covariance) {
     entry = 0.0f;
   }
-  s.covariance[kPP] = settings.phase_noise_rad * settings.phase_noise_rad;
+  s.covariance[kPP] = phase_variance(settings, s);
   s.covariance[kWW] = omega_sigma * omega_sigma;
   s.covariance[kAA] = alpha_sigma * alpha_sigma;
 }
@@ -96,6 +118,15 @@ void acquire(const TrackerSettings& settings, TrackerState& s, const Phasor& z, 
   // Anything within ±5 Hz and ±2 Hz/s is as likely as not.
   set_covariance(settings, s, kTwoPi * 5.0f, kTwoPi * 2.0f);
   s.age = 0;
+}
+
+// Has the innovation changed since the last report by more than any grid causes?
+bool leaps(const TrackerSettings& settings, const TrackerState& s, float innovation_rad,
+           float innovation_amplitude) {
+  const bool wide = s.held > 0 || s.grace > 0;
+  const float leap_rad = settings.leap_rad * phase_noise_factor(s) * (wide ? kGraceFactor : 1.0f);
+  return beyond(innovation_rad - s.last_innovation_rad, leap_rad) ||
+         beyond(innovation_amplitude - s.last_innovation_amplitude, settings.leap_amplitude);
 }
 
 Measurement report(float nominal_hz, const TrackerState& s, const Phasor& z, Validity validity) {
@@ -134,32 +165,29 @@ Measurement track(const TrackerSettings& settings, float nominal_hz, TrackerStat
   const float along = z.in_phase * cos_phase + z.quadrature * sin_phase;
   const float across = z.quadrature * cos_phase - z.in_phase * sin_phase;
   const bool settling = s.age < kReportsToSettle;
-  // While settling the frequency may be far off: the whole angle, not its sine.
-  const float innovation_rad = settling ? angle_of(across, along) : across / s.amplitude;
-  const float innovation_amplitude = along / s.amplitude - 1.0f;
+  // The angle itself and the length itself, neither of which can run away, whatever was missed: the
+  // frequency may be far off while settling, and the voltage come back before a leap is looked for.
+  const float innovation_rad = angle_of(across, along);
+  const float innovation_amplitude = amplitude / s.amplitude - 1.0f;
 
-  if (!settling) {
-    const float leap = innovation_rad - s.last_innovation_rad;
-    const float leap_amplitude = innovation_amplitude - s.last_innovation_amplitude;
-    const bool leapt = leap > settings.leap_rad || leap < -settings.leap_rad ||
-                       leap_amplitude > settings.leap_amplitude ||
-                       leap_amplitude < -settings.leap_amplitude;
-    if (s.grace > 0) {
-      --s.grace;
-    } else if (s.held > 0 || leapt) {
-      ++s.held;
-      if (s.held > kReportsToClear) {
-        take_phase(s, z, amplitude);
-        // What happened meanwhile the filter has not seen: ±0.5 Hz, ±3 Hz/s.
-        set_covariance(settings, s, kTwoPi * 0.5f, kTwoPi * 3.0f);
-        s.grace = kGraceReports;
-      }
-      return report(nominal_hz, s, z, Validity::kHeld);
-    }
-  }
-  correct(settings, s, innovation_rad, innovation_amplitude);
+  const bool leapt = leaps(settings, s, innovation_rad, innovation_amplitude);
   s.last_innovation_rad = innovation_rad;
   s.last_innovation_amplitude = innovation_amplitude;
+  if (s.grace > 0) {
+    --s.grace;
+  }
+  if (!settling && (leapt || s.held > 0)) {
+    ++s.held;
+    s.quiet = leapt ? std::uint8_t{0} : static_cast<std::uint8_t>(s.quiet + 1);
+    if (s.quiet >= kReportsToClear || s.held >= kLongestHold) {
+      take_phase(s, z, amplitude);
+      // What happened meanwhile the filter has not seen: ±0.5 Hz, ±3 Hz/s.
+      set_covariance(settings, s, kTwoPi * 0.5f, kTwoPi * 3.0f);
+      s.grace = kGraceReports;
+    }
+    return report(nominal_hz, s, z, Validity::kHeld);
+  }
+  correct(settings, s, innovation_rad, innovation_amplitude);
   if (settling) {
     ++s.age;
   }

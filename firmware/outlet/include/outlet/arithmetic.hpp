@@ -56,7 +56,8 @@ Real cosine(Real x) {
   return sine(0.5f * kPi - select(x < 0.0f, -x, x));
 }
 
-// e^x for −24 <= x <= 0: (e^(x/16))^16, relative error below 3e-6.
+// e^x for −24 <= x <= 0: (e^(x/16))^16. Error below 1e-6; relative to e^x below 2e-6 down to −6,
+// from where the series runs out: 4 % at −24, of 4e-11.
 template <class Real>
 Real exponential(Real x) {
   const Real y = x * 0.0625f;
@@ -74,7 +75,7 @@ Real exponential(Real x) {
   return sum * sum;
 }
 
-// Angle of (x, y), −π … π; 0 for (0, 0). Error below 1e-5 rad.
+// Angle of (x, y), −π … π; 0 for (0, 0). Error below 5e-7 rad.
 inline float angle_of(float y, float x) {
   const float ax = x < 0.0f ? -x : x;
   const float ay = y < 0.0f ? -y : y;

@@ -36,10 +36,11 @@ struct Settings {
   std::uint16_t condition_hits = 20;
   std::uint8_t rocof_samples = 8;  // measurements in the least-squares slope
 
-  // Event detection, §5.1: so many successive drops, and this much in sum. The paper's rule is the
-  // first half alone; by chance it is met hundreds of times an hour (see event_detector.hpp).
+  // Event detection, §5.1: so many successive drops, this much in sum, and so far below the course
+  // before. The paper's rule is the first alone; see event_detector.hpp.
   std::uint8_t event_drops = 5;
-  float event_drop_hz = 0.020f;
+  float event_drop_hz = 0.014f;
+  float event_departure_hz = 0.018f;
 
   std::uint8_t lse_samples = 10;
   std::uint8_t ekf_samples = 40;
@@ -63,7 +64,8 @@ enum class SettingsError : std::uint8_t {
   kSwitchOff = 5,   // not between 80 % of nominal and nominal
   kConditions = 6,  // no row, too many, not descending, or a limit above zero
   kCounts = 7,      // a number of samples out of range
-  kEvent = 8,
+  kEvent = 8,       // drop or departure not within 0 … 1 Hz
+
   kEstimator = 9,
   kTracker = 10,
   kStale = 11,  // version not above the one in force

@@ -27,8 +27,8 @@ struct TrackerSettings {
   // Standard deviations of a measured phase and of the process's jerk; their ratio sets the
   // bandwidth. The phase noise is that of 1 % white noise at 8 kHz.
   float phase_noise_rad = 8.0e-4f;
-  float jerk_rad_s3_per_sqrt_hz = 1.0f;
-  float leap_rad = 0.015f;        // innovation's change from report to report that no grid causes
+  float jerk_rad_s3_per_sqrt_hz = 0.8f;
+  float leap_rad = 0.015f;       // innovation's change from report to report that no grid causes
   float leap_amplitude = 0.06f;  // the same for the amplitude, relative
   float dead_bus_pu = 0.10f;     // below: no frequency; above 1.5 × this: again
 };
@@ -49,8 +49,9 @@ struct TrackerState {
   float covariance[6] = {};
   float last_innovation_rad = 0.0f;
   float last_innovation_amplitude = 0.0f;
-  std::uint16_t age = 0;  // reports since acquisition
-  std::uint8_t held = 0;  // reports since the leap
+  std::uint16_t age = 0;   // reports since acquisition
+  std::uint8_t held = 0;   // reports since the leap began
+  std::uint8_t quiet = 0;  // of these, the newest ones without another leap
   std::uint8_t grace = 0;  // reports for which no leap is looked for
   bool dead = true;
 };
