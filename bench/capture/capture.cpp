@@ -16,7 +16,9 @@ Capture::Capture(std::size_t outlets, std::int64_t sample_rate_hz)
 
 void Capture::add(const std::vector<link::Received>& messages) {
   for (const link::Received& received : messages) {
-    add(tracks_.at(received.outlet), received);
+    if (received.outlet < tracks_.size()) {
+      add(tracks_[received.outlet], received);
+    }
   }
 }
 
@@ -91,9 +93,10 @@ void Capture::add(Track& track, const link::Received& received) const {
 
 void Capture::add(const std::vector<relay::Edge>& edges) {
   for (const relay::Edge& edge : edges) {
-    tracks_.at(edge.outlet)
-        .record.marks.push_back(
-            {edge.tick, "relay.sense", edge.closed ? 1.0 : 0.0, edge.closed ? "closed" : "open"});
+    if (edge.outlet < tracks_.size()) {
+      tracks_[edge.outlet].record.marks.push_back(
+          {edge.tick, "relay.sense", edge.closed ? 1.0 : 0.0, edge.closed ? "closed" : "open"});
+    }
   }
 }
 
@@ -106,8 +109,9 @@ const SettingsAnswer& Capture::settings_answer(std::size_t outlet) const {
   return tracks_.at(outlet).settings_answer;
 }
 
-std::size_t Capture::reports(std::size_t outlet) const {
-  return tracks_.at(outlet).record.trace.tick.size();
+std::int64_t Capture::last_report_tick(std::size_t outlet) const {
+  const std::vector<std::int64_t>& ticks = tracks_.at(outlet).record.trace.tick;
+  return ticks.empty() ? 0 : ticks.back();
 }
 
 void Capture::move_into(std::size_t outlet, record::OutletRecord& record) {

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cmath>
 
 #include <judge/case.hpp>
+#include <waveform/tick.hpp>
 
 namespace gsbench::judge {
 namespace {
@@ -30,8 +30,7 @@ std::optional<std::int64_t> Case::first_loss_tick() const {
     return first;
   }
   for (const grid::PowerChange& loss : plan.stimulus.losses) {
-    const auto tick = static_cast<std::int64_t>(
-        std::ceil(loss.at_s * static_cast<double>(plan.stimulus.sample_rate_hz)));
+    const std::int64_t tick = waveform::tick_at(loss.at_s, plan.stimulus.sample_rate_hz);
     if (loss.power_mw > 0.0 && (!first || tick < *first)) {
       first = tick;
     }
@@ -42,7 +41,7 @@ std::optional<std::int64_t> Case::first_loss_tick() const {
 double Case::lost_mw(std::int64_t tick) const {
   double sum_mw = 0.0;
   for (const grid::PowerChange& loss : plan.stimulus.losses) {
-    if (loss.at_s <= seconds(tick)) {
+    if (waveform::tick_at(loss.at_s, plan.stimulus.sample_rate_hz) <= tick) {
       sum_mw += loss.power_mw;
     }
   }

@@ -10,19 +10,14 @@ namespace {
 constexpr double kLookBackS = 0.5;
 constexpr double kLookStepS = 0.016;
 
-double event_drop_hz(const Case& c) {
-  const auto sent = c.outlet.settings.find("event_drop_hz");
-  return sent == c.outlet.settings.end() ? 0.0 : sent->second;
-}
-
-bool is_false(const Case& c, const record::Mark& event) {
+bool is_false(const Case& c, const record::Mark& event, double event_drop_hz) {
   const double end_s = std::max(c.seconds(event.tick) - c.tracker_delay_s(), 0.0);
   const double end_hz = c.truth.frequency_hz(end_s);
   double highest_hz = end_hz;
   for (double back_s = 0.0; back_s <= std::min(kLookBackS, end_s); back_s += kLookStepS) {
     highest_hz = std::max(highest_hz, c.truth.frequency_hz(end_s - back_s));
   }
-  return highest_hz - end_hz < 0.5 * event_drop_hz(c);
+  return highest_hz - end_hz < 0.5 * event_drop_hz;
 }
 
 Reading count(const Case& c) {
@@ -32,9 +27,14 @@ Reading count(const Case& c) {
 }
 
 Reading false_events(const Case& c) {
-  return number(static_cast<double>(std::count_if(
-      c.outlet.marks.begin(), c.outlet.marks.end(),
-      [&](const record::Mark& mark) { return mark.kind == "event" && is_false(c, mark); })));
+  const auto sent = c.outlet.settings.find("event_drop_hz");
+  if (sent == c.outlet.settings.end()) {
+    return not_known("the record does not say from which drop on the outlet takes an event");
+  }
+  return number(static_cast<double>(
+      std::count_if(c.outlet.marks.begin(), c.outlet.marks.end(), [&](const record::Mark& mark) {
+        return mark.kind == "event" && is_false(c, mark, sent->second);
+      })));
 }
 
 Reading delay(const Case& c) {
@@ -63,7 +63,7 @@ std::vector<Measure> event_measures() {
        "",
        "Events before which the true frequency had not fallen by half of the least drop that makes "
        "one.",
-       "nothing",
+       "the drop that the outlet was set to",
        {},
        false_events},
       {"event.delay",

@@ -59,6 +59,20 @@ MeasurementResult judged(const profile::Expectation& expectation, const Measure&
   return result;
 }
 
+// A limit that cannot be checked is not dropped: the outlet could pass without it.
+MeasurementResult unknown(const profile::Expectation& expectation) {
+  MeasurementResult result;
+  result.name = expectation.measure;
+  result.value = kNone;
+  result.unit = expectation.unit;
+  result.low = expectation.min.value_or(kNone);
+  result.high = expectation.max.value_or(kNone);
+  result.judged = true;
+  result.verdict = Verdict::kInconclusive;
+  result.reason = "there is no such measure";
+  return result;
+}
+
 }  // namespace
 
 std::vector<MeasurementResult> measure(const Case& c) {
@@ -66,10 +80,15 @@ std::vector<MeasurementResult> measure(const Case& c) {
   std::set<std::string> named;
   for (const profile::Expectation& expectation : c.plan.expectations) {
     const Measure* measure = find_measure(expectation.measure);
-    if (measure != nullptr && concerns(expectation, c.outlet)) {
-      results.push_back(judged(expectation, *measure, measure->read(c)));
-      named.insert(measure->name);
+    if (!concerns(expectation, c.outlet)) {
+      continue;
     }
+    if (measure == nullptr) {
+      results.push_back(unknown(expectation));
+      continue;
+    }
+    results.push_back(judged(expectation, *measure, measure->read(c)));
+    named.insert(measure->name);
   }
   for (const Measure& measure : catalogue()) {
     if (named.count(measure.name) == 0) {

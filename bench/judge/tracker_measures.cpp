@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint8_t kValid = 1;
 constexpr std::size_t kFewestReports = 10;
+constexpr const char* kValidNaN = "a measurement said to be valid is no number";
 
 // Reports after the outlet has had this long to settle after start-up.
 constexpr double kSettleS = 1.0;
@@ -67,6 +68,9 @@ Reading frequency_error(const Case& c, Pick pick) {
   const ErrorSums sums = errors(
       samples, c.tracker_delay_s(), [](const Sample& s) { return s.frequency_hz; },
       [&](double t_s) { return c.truth.frequency_hz(t_s); });
+  if (!std::isfinite(sums.rms)) {
+    return not_done(kValidNaN);
+  }
   return number(1e3 * pick(sums), c.uncertainty.frequency_mhz);
 }
 
@@ -87,10 +91,10 @@ Reading rocof_error_rms(const Case& c) {
   if (samples.size() < kFewestReports) {
     return not_done("fewer than 10 valid frequency measurements");
   }
-  return number(errors(
-                    samples, c.tracker_delay_s(), [](const Sample& s) { return s.rocof_hz_s; },
-                    [&](double t_s) { return c.truth.rocof_hz_s(t_s); })
-                    .rms);
+  const ErrorSums sums = errors(
+      samples, c.tracker_delay_s(), [](const Sample& s) { return s.rocof_hz_s; },
+      [&](double t_s) { return c.truth.rocof_hz_s(t_s); });
+  return std::isfinite(sums.rms) ? number(sums.rms) : not_done(kValidNaN);
 }
 
 Reading delay(const Case& c) {
@@ -113,6 +117,9 @@ Reading delay(const Case& c) {
                [&](double t_s) { return c.truth.frequency_hz(t_s); })
         .rms;
   };
+  if (!std::isfinite(rms_at(0.0))) {
+    return not_done(kValidNaN);
+  }
   // The RMS over the delay has one valley: golden section.
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
   double low = 0.0;

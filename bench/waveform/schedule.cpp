@@ -7,6 +7,10 @@
 namespace gsbench::waveform {
 namespace {
 
+// Times closer than this are one: what is left of decimal fractions after some arithmetic in
+// doubles.
+constexpr double kSameTimeS = 1e-9;
+
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
 struct Interval {

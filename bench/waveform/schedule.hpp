@@ -6,15 +6,9 @@
 #include <vector>
 
 #include <waveform/synthesizer.hpp>
+#include <waveform/tick.hpp>
 
 namespace gsbench::waveform {
-
-// Times closer than this are one: what is left of decimal fractions after some arithmetic in
-// doubles.
-constexpr double kSameTimeS = 1e-9;
-
-// The first tick at or after t_s; the largest one for times past the end of counting.
-std::int64_t tick_at(double t_s, std::int64_t sample_rate_hz);
 
 // The signal from `from_tick` on, until the next entry.
 struct ScheduleEntry {

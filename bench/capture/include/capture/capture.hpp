@@ -20,6 +20,7 @@ struct SettingsAnswer {
 
 class Capture {
  public:
+  // Of the first `outlets` of a station; what others say is not for the record.
   Capture(std::size_t outlets, std::int64_t sample_rate_hz);
 
   void add(const std::vector<link::Received>& messages);
@@ -27,8 +28,8 @@ class Capture {
   void add_command(std::size_t outlet, std::int64_t tick, bool close);
 
   const SettingsAnswer& settings_answer(std::size_t outlet) const;
-  // Reports so far: an outlet that has fallen silent has fewer than its neighbours.
-  std::size_t reports(std::size_t outlet) const;
+  // Of the newest measurement; 0 before the first.
+  std::int64_t last_report_tick(std::size_t outlet) const;
 
   // The records' traces, estimates and marks (ascending in time); the capture is empty afterwards.
   void move_into(std::size_t outlet, record::OutletRecord& record);

@@ -1,0 +1,141 @@
+#include "synthetic_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gsbench::judge::test {
+namespace {
+
+using record::MeasurementResult;
+using record::Verdict;
+
+profile::Expectation at_most(const char* measure, const char* unit, double max) {
+  profile::Expectation expectation;
+  expectation.measure = measure;
+  expectation.unit = unit;
+  expectation.max = max;
+  return expectation;
+}
+
+TEST(Judge, TellsLimitAndValueInTheUnitThatTheProfileUses) {
+  SyntheticCase c = loss_of_500_mw();
+  c.plan.expectations = {at_most("event.delay", "s", 0.16)};
+  const MeasurementResult result = measure(c.view()).front();
+  EXPECT_EQ(result.unit, "s");
+  EXPECT_NEAR(result.value, 0.120, 1e-12);
+  EXPECT_NEAR(result.uncertainty, 0.4e-3, 1e-12);
+  EXPECT_EQ(result.high, 0.16);
+  EXPECT_TRUE(std::isnan(result.low));
+  EXPECT_EQ(result.verdict, Verdict::kPass);
+}
+
+// 120 ms with 0.4 ms of uncertainty, against limits in other units.
+TEST(Judge, ConvertsBeforeItCompares) {
+  const SyntheticCase c = loss_of_500_mw();
+  EXPECT_EQ(verdict(c, at_most("event.delay", "us", 121000.0)), Verdict::kPass);
+  EXPECT_EQ(verdict(c, at_most("event.delay", "us", 120100.0)), Verdict::kInconclusive);
+  EXPECT_EQ(verdict(c, at_most("event.delay", "us", 119000.0)), Verdict::kFail);
+  EXPECT_EQ(verdict(c, at_most("tracker.error.max", "Hz", 0.004)), Verdict::kPass);
+  EXPECT_EQ(verdict(c, at_most("tracker.error.max", "Hz", 0.002)), Verdict::kFail);
+  EXPECT_EQ(verdict(c, at_most("lse.loss", "GW", 0.46)), Verdict::kPass);
+  EXPECT_EQ(verdict(c, at_most("lse.loss", "kW", 440000.0)), Verdict::kFail);
+}
+
+TEST(Judge, NeverPassesALimitInAUnitThatDoesNotConvert) {
+  EXPECT_EQ(verdict(loss_of_500_mw(), at_most("event.delay", "Hz", 1e9)), Verdict::kInconclusive);
+}
+
+TEST(Judge, NeverDropsALimitToAMeasureItDoesNotKnow) {
+  SyntheticCase c = loss_of_500_mw();
+  c.plan.expectations = {at_most("event.count", "", 1.0), at_most("event.taste", "", 1.0)};
+  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  EXPECT_EQ(c.outlet.verdict, Verdict::kInconclusive);
+  EXPECT_EQ(c.outlet.measurements[1].name, "event.taste");
+  EXPECT_EQ(c.outlet.measurements[1].reason, "there is no such measure");
+}
+
+TEST(Judge, TellsJudgedMeasuresFirstInTheProfilesOrderAndEveryOtherOnce) {
+  SyntheticCase c = loss_of_500_mw();
+  c.plan.expectations = {at_most("relay.edges", "", 1.0), at_most("event.count", "", 1.0),
+                         at_most("relay.edges", "", 2.0)};
+  const std::vector<MeasurementResult> results = measure(c.view());
+  ASSERT_EQ(results.size(), catalogue().size() + 1);
+  EXPECT_EQ(results[0].name, "relay.edges");
+  EXPECT_EQ(results[0].high, 1.0);
+  EXPECT_EQ(results[1].name, "event.count");
+  EXPECT_EQ(results[2].name, "relay.edges");
+  EXPECT_EQ(results[2].high, 2.0);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    EXPECT_EQ(results[i].judged, i < 3) << results[i].name;
+    EXPECT_FALSE(results[i].definition.empty()) << results[i].name;
+  }
+}
+
+TEST(Judge, GivesNoVerdictOnWhatIsForInformation) {
+  SyntheticCase c = loss_of_500_mw();
+  c.remove_marks("lse");
+  c.plan.expectations = {at_most("event.count", "", 1.0)};
+  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  EXPECT_EQ(c.outlet.verdict, Verdict::kPass);
+  const auto lse = std::find_if(c.outlet.measurements.begin(), c.outlet.measurements.end(),
+                                [](const MeasurementResult& r) { return r.name == "lse.loss"; });
+  ASSERT_NE(lse, c.outlet.measurements.end());
+  EXPECT_EQ(lse->reason, "no LSE");
+}
+
+TEST(Judge, AppliesALimitToTheGroupsItNamesOnly) {
+  profile::Expectation of_others = at_most("event.count", "", 0.0);
+  of_others.groups = {"others", "more"};
+  SyntheticCase c = loss_of_500_mw();
+  c.plan.expectations = {at_most("event.count", "", 1.0), of_others};
+  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  EXPECT_EQ(c.outlet.verdict, Verdict::kPass);
+
+  c = loss_of_500_mw();
+  c.outlet.group = "more";
+  c.plan.expectations = {at_most("event.count", "", 1.0), of_others};
+  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
+}
+
+TEST(Judge, AnOutletOfWhichNothingWasExpectedIsInconclusive) {
+  profile::Expectation of_others = at_most("event.count", "", 1.0);
+  of_others.groups = {"others"};
+  EXPECT_EQ(verdict(loss_of_500_mw(), of_others), Verdict::kInconclusive);
+}
+
+TEST(Judge, TheWorstOfItsMeasurementsIsTheOutletsVerdict) {
+  SyntheticCase c = loss_of_500_mw();
+  // Inconclusive (120 ms ± 0.4), failed, passed.
+  c.plan.expectations = {at_most("event.delay", "ms", 120.0), at_most("event.count", "", 0.0),
+                         at_most("relay.edges", "", 1.0)};
+  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
+  EXPECT_EQ(c.outlet.measurements[0].verdict, Verdict::kInconclusive);
+  EXPECT_EQ(c.outlet.measurements[1].verdict, Verdict::kFail);
+  EXPECT_EQ(c.outlet.measurements[2].verdict, Verdict::kPass);
+}
+
+TEST(Judge, AVerdictOnlyWorsens) {
+  for (const Verdict before : {Verdict::kInconclusive, Verdict::kFail, Verdict::kError}) {
+    SyntheticCase c = loss_of_500_mw();
+    c.outlet.verdict = before;
+    EXPECT_EQ(verdict(c, at_most("event.count", "", 1.0)), before);
+  }
+}
+
+TEST(Judge, AMeasurementThatIsMissingHasNoValueAndItsReason) {
+  SyntheticCase c = loss_of_500_mw();
+  c.remove_marks("lse");
+  c.plan.expectations = {at_most("lse.loss", "MW", 1e9)};
+  const MeasurementResult result = measure(c.view()).front();
+  EXPECT_TRUE(std::isnan(result.value));
+  EXPECT_EQ(result.reason, "no LSE");
+  EXPECT_EQ(result.verdict, Verdict::kFail);
+}
+
+}  // namespace
+}  // namespace gsbench::judge::test

@@ -1,0 +1,113 @@
+// Each measure of the catalogue on a record where its value is known by hand.
+
+#include "synthetic_case.hpp"
+
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace gsbench::judge::test {
+namespace {
+
+struct Known {
+  const char* measure;
+  double value;
+  double tolerance;
+  double uncertainty;
+  const char* word = "";
+};
+
+// A frequency near 50 Hz is kept to 4 µHz in a float, a ROCOF to 30 nHz/s, an instant near 3 s to
+// 0.24 µs: the tolerances of what comes through the traces. What comes from ticks is exact but for
+// the doubles.
+constexpr double kFrequencyMhz = 0.004;
+constexpr double kExact = 1e-9;
+
+const std::vector<Known>& of_the_loss() {
+  static const std::vector<Known> all = {
+      {"tracker.error.max", 3.0, kFrequencyMhz, 0.1},
+      {"tracker.error.rms", std::sqrt(5.0), kFrequencyMhz, 0.1},
+      {"tracker.bias", 1.0, kFrequencyMhz, 0.1},
+      {"tracker.rocof_error.rms", 0.1, 1e-6, 0.0},
+      // 312 reports after the first second, 4 of them not valid.
+      {"validity.valid_share", 100.0 * 308.0 / 312.0, kExact, 0.0},
+      {"validity.dead_bus_claims", 0.0, 0.0, 0.0},
+      {"event.count", 1.0, 0.0, 0.0},
+      {"event.false", 0.0, 0.0, 0.0},
+      {"event.delay", 120.0, kExact, 0.4},
+      {"condition.hits", 30.0, 0.0, 0.0},
+      {"lse.loss", 450.0, 0.0, 0.0},
+      {"lse.error", -10.0, kExact, 0.0},
+      {"ekf.loss", 515.0, 0.0, 0.0},
+      {"ekf.error", 3.0, kExact, 0.0},
+      {"ekf.t_x_error", 10.0, 0.0003, 0.4},
+      {"decision.delay", 920.0, kExact, 0.4},
+      {"decision.cause", NAN, 0.0, 0.0, "loss"},
+      {"relay.delay", 928.0, kExact, 0.3},
+      {"relay.delay_by_word", 920.0, kExact, 0.4},
+      {"relay.word_difference", 8.0, kExact, 0.5},
+      {"relay.operate_time", 8.0, kExact, 0.5},
+      {"relay.end", NAN, 0.0, 0.0, "open"},
+      {"relay.edges", 1.0, 0.0, 0.0},
+      {"relay.chatter", 0.0, 0.0, 0.0},
+      {"trip.time", 3.928, kExact, 0.3e-3},
+  };
+  return all;
+}
+
+void expect_known(const SyntheticCase& c, const Known& known) {
+  const Measure* measure = find_measure(known.measure);
+  ASSERT_NE(measure, nullptr) << known.measure;
+  const Reading reading = measure->read(c.view());
+  EXPECT_EQ(reading.missing, "") << known.measure;
+  EXPECT_EQ(reading.word, known.word) << known.measure;
+  EXPECT_NEAR(reading.uncertainty, known.uncertainty, kExact) << known.measure;
+  if (measure->is_word()) {
+    EXPECT_TRUE(std::isnan(reading.value)) << known.measure;
+  } else {
+    EXPECT_NEAR(reading.value, known.value, known.tolerance) << known.measure;
+  }
+}
+
+// Without the error that the other measures are about, or it would be taken for a delay.
+SyntheticCase exact_tracker(double delay_s) {
+  SyntheticCase c = loss_of_500_mw();
+  for (std::size_t i = 0; i < c.outlet.trace.tick.size(); ++i) {
+    c.outlet.trace.frequency_hz[i] = static_cast<float>(
+        c.truth->frequency_hz(1e-3 * static_cast<double>(c.outlet.trace.tick[i]) - delay_s));
+  }
+  return c;
+}
+
+TEST(KnownValues, OfTheLossAreRead) {
+  const SyntheticCase c = loss_of_500_mw();
+  for (const Known& known : of_the_loss()) expect_known(c, known);
+}
+
+TEST(KnownValues, OfTheCommandAreRead) {
+  const SyntheticCase c = commanded();
+  expect_known(c, {"command.delay", 12.0, kExact, 0.3});
+  expect_known(c, {"relay.operate_time", 7.0, kExact, 0.5});
+  expect_known(c, {"trip.time", 2.012, kExact, 0.3e-3});
+  expect_known(c, {"decision.cause", NAN, 0.0, 0.0, "command"});
+  expect_known(c, {"relay.end", NAN, 0.0, 0.0, "open"});
+}
+
+// The search ends within 0.1 ms; the float adds 4 µHz on 0.4 Hz/s, 0.01 ms.
+TEST(KnownValues, OfTheTrackersDelayIsFoundToATenthOfAMillisecond) {
+  for (const double delay_s : {0.0, 0.028, 0.1}) {
+    expect_known(exact_tracker(delay_s), {"tracker.delay", 1e3 * delay_s, 0.1, 0.1});
+  }
+}
+
+TEST(KnownValues, AreTestedForEveryMeasureOfTheCatalogue) {
+  std::set<std::string> tested = {"command.delay", "tracker.delay"};
+  for (const Known& known : of_the_loss()) tested.insert(known.measure);
+  std::set<std::string> all;
+  for (const Measure& measure : catalogue()) all.insert(measure.name);
+  EXPECT_EQ(tested, all);
+}
+
+}  // namespace
+}  // namespace gsbench::judge::test

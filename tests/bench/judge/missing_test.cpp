@@ -1,0 +1,143 @@
+// What cannot be measured is told, and whose fault it is.
+
+#include "synthetic_case.hpp"
+
+#include <cmath>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gsbench::judge::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Missing {
+  const char* measure;
+  bool outlets_fault;
+  const char* why;
+  Change change;
+};
+
+void no_loss(SyntheticCase& c) {
+  c.plan.stimulus.losses.clear();
+}
+
+Change without(const char* kind) {
+  return [kind](SyntheticCase& c) { c.remove_marks(kind); };
+}
+
+// Six invalid reports and nine valid ones.
+void nine_valid_reports(SyntheticCase& c) {
+  c.cut_trace(15);
+}
+
+const std::vector<Missing>& all_missing() {
+  static const std::vector<Missing> all = {
+      {"tracker.error.max", true, "fewer than 10 valid", nine_valid_reports},
+      {"tracker.error.rms", true, "fewer than 10 valid", nine_valid_reports},
+      {"tracker.bias", true, "fewer than 10 valid", nine_valid_reports},
+      {"tracker.rocof_error.rms", true, "fewer than 10 valid", nine_valid_reports},
+      {"tracker.delay", false, "moves too little",
+       [](SyntheticCase& c) { c.truth = std::make_shared<FallingTruth>(1e9); }},
+      {"tracker.delay", false, "moves too little", nine_valid_reports},
+      {"validity.valid_share", true, "fewer than 10 reports after the first second",
+       [](SyntheticCase& c) { c.cut_trace(71); }},
+      {"event.false", false, "does not say from which drop",
+       [](SyntheticCase& c) { c.outlet.settings.erase("event_drop_hz"); }},
+      {"event.delay", false, "plays no loss", no_loss},
+      {"event.delay", true, "no event after the loss",
+       [](SyntheticCase& c) { c.move_marks("event", -121); }},
+      {"condition.hits", true, "no decision", without("decision.hits")},
+      {"lse.loss", true, "no LSE", without("lse")},
+      {"lse.error", true, "no LSE", without("lse")},
+      {"lse.error", false, "no lost power", no_loss},
+      {"lse.error", false, "no lost power", [](SyntheticCase& c) { c.move_marks("lse", -300); }},
+      {"ekf.loss", true, "no decision", without("decision.loss")},
+      {"ekf.error", true, "no decision", without("decision.loss")},
+      {"ekf.error", false, "no lost power", no_loss},
+      {"ekf.t_x_error", false, "plays no loss", no_loss},
+      {"ekf.t_x_error", true, "no decision", without("decision")},
+      {"ekf.t_x_error", true, "no estimate",
+       [](SyntheticCase& c) { c.outlet.estimates = record::EstimateTrace{}; }},
+      {"decision.delay", false, "plays no loss", no_loss},
+      {"decision.delay", true, "no decision after the loss",
+       [](SyntheticCase& c) { c.move_marks("decision", -921); }},
+      {"relay.delay", false, "plays no loss", no_loss},
+      {"relay.delay", true, "did not open after the loss", without("relay.sense")},
+      {"relay.delay", true, "did not open after the loss",
+       [](SyntheticCase& c) { c.move_marks("relay.sense", -929); }},
+      {"relay.delay_by_word", false, "plays no loss", no_loss},
+      {"relay.delay_by_word", true, "did not say that it opened", without("relay.word")},
+      {"relay.operate_time", true, "was not opened", without("relay.word")},
+      {"relay.operate_time", true, "was not opened", without("relay.sense")},
+      {"relay.word_difference", true, "opened and the outlet did not say so",
+       without("relay.word")},
+      {"relay.word_difference", true, "said that it opened and the contact did not",
+       without("relay.sense")},
+      {"relay.word_difference", true, "neither",
+       [](SyntheticCase& c) {
+         c.remove_marks("relay.word");
+         c.remove_marks("relay.sense");
+       }},
+      {"command.delay", false, "sends this outlet no command", without("command")},
+      {"command.delay", true, "did not follow the command",
+       [](SyntheticCase& c) {
+         c.add_mark(2000, "command", 0.0);
+         c.remove_marks("relay.sense");
+       }},
+      {"trip.time", true, "did not open", without("relay.sense")},
+  };
+  return all;
+}
+
+profile::Expectation any_value_at_all(const Measure& measure) {
+  profile::Expectation expectation;
+  expectation.measure = measure.name;
+  expectation.unit = measure.unit;
+  expectation.max = 1e300;
+  return expectation;
+}
+
+TEST(MissingMeasurement, TellsWhyAndWhoseFaultItIs) {
+  for (const Missing& missing : all_missing()) {
+    SyntheticCase c = loss_of_500_mw();
+    missing.change(c);
+    const Reading reading = c.read(missing.measure);
+    EXPECT_THAT(reading.missing, HasSubstr(missing.why)) << missing.measure;
+    EXPECT_EQ(reading.outlets_fault, missing.outlets_fault) << missing.measure;
+    EXPECT_TRUE(std::isnan(reading.value)) << missing.measure;
+  }
+}
+
+TEST(MissingMeasurement, FailsWhereTheOutletDidNotDoItAndIsInconclusiveWhereTheBenchCannotTell) {
+  for (const Missing& missing : all_missing()) {
+    SyntheticCase c = loss_of_500_mw();
+    missing.change(c);
+    EXPECT_EQ(verdict(c, any_value_at_all(*find_measure(missing.measure))),
+              missing.outlets_fault ? record::Verdict::kFail : record::Verdict::kInconclusive)
+        << missing.measure;
+  }
+}
+
+TEST(MissingMeasurement, IsTestedForEveryMeasureThatNeedsSomething) {
+  std::set<std::string> tested;
+  for (const Missing& missing : all_missing()) tested.insert(missing.measure);
+  for (const Measure& measure : catalogue()) {
+    EXPECT_EQ(tested.count(measure.name) > 0, measure.needs != "nothing") << measure.name;
+  }
+}
+
+// One more report, and there is a value.
+TEST(MissingMeasurement, TenReportsAreEnough) {
+  SyntheticCase c = loss_of_500_mw();
+  c.cut_trace(16);
+  EXPECT_EQ(c.read("tracker.error.rms").missing, "");
+  c = loss_of_500_mw();
+  c.cut_trace(72);
+  EXPECT_EQ(c.read("validity.valid_share").missing, "");
+}
+
+}  // namespace
+}  // namespace gsbench::judge::test
