@@ -1,7 +1,5 @@
 #include "excess_phase.hpp"
 
-#include "schedule.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,19 +27,21 @@ ExcessPhase::ExcessPhase(const Truth& truth, std::int64_t sample_rate_hz)
     : truth_(truth), sample_rate_hz_(static_cast<double>(sample_rate_hz)) {
   for (const double t_s : truth.corners_s()) {
     const double position = t_s * sample_rate_hz_;
-    const double whole = std::round(position);
-    const bool at_sample = std::fabs(position - whole) < kSameTimeS * sample_rate_hz_;
-    corners_.push_back({at_sample ? whole : position, t_s});
+    if (!corners_.empty() && corners_.back().position == position) {
+      corners_.back().last_s = t_s;
+    } else {
+      corners_.push_back({position, t_s, t_s});
+    }
   }
 }
 
 ExcessPhase::Edge ExcessPhase::edge_at(const Corner& corner, std::int64_t block_tick) const {
   const double t_s = corner.position / sample_rate_hz_;
-  // Whichever way the corner was rounded, it lies between the two.
+  // Whichever way the position was rounded, the corner lies between the two.
   const double before_s =
-      std::nextafter(std::min(t_s, corner.t_s), -std::numeric_limits<double>::infinity());
+      std::nextafter(std::min(t_s, corner.first_s), -std::numeric_limits<double>::infinity());
   return {corner.position - static_cast<double>(block_tick), t_s, before_s,
-          std::max(t_s, corner.t_s)};
+          std::max(t_s, corner.last_s)};
 }
 
 ExcessPhase::Edge ExcessPhase::edge_at(std::int64_t tick, std::int64_t block_tick) const {

@@ -44,9 +44,11 @@ class ExcessPhase {
   SmoothPiece piece(const Edge& from, const Edge& to) const;
 
  private:
+  // Truth's corners that fall on one position once it is rounded.
   struct Corner {
-    double position;  // in samples from tick 0; whole where the corner is at a sample
-    double t_s;
+    double position;  // in samples from tick 0
+    double first_s;
+    double last_s;
   };
 
   Edge edge_at(const Corner& corner, std::int64_t block_tick) const;

@@ -90,7 +90,8 @@ class PointTruth final : public Truth {
 
 }  // namespace
 
-std::unique_ptr<Truth> truth_from_points(double nominal_hz, std::vector<FrequencyPoint> points) {
+std::unique_ptr<Truth> truth_from_points(double nominal_hz,
+                                         const std::vector<FrequencyPoint>& points) {
   std::vector<TracePoint> trace;
   trace.reserve(points.size());
   for (const FrequencyPoint& point : points) trace.push_back({point.t_s, point.frequency_hz, 1.0});

@@ -117,7 +117,7 @@ void Synthesizer::Impl::render_block(const Block& block, std::int64_t from, std:
   }
 }
 
-Synthesizer::Synthesizer(std::shared_ptr<const Truth> truth, SignalSpec spec,
+Synthesizer::Synthesizer(std::shared_ptr<const Truth> truth, const SignalSpec& spec,
                          std::int64_t sample_rate_hz)
     : impl_(std::make_unique<const Impl>(std::move(truth), spec, sample_rate_hz)) {}
 

@@ -49,6 +49,7 @@ TEST(GaussianNoise, IsTheSameOnEveryThread) {
   const std::vector<float> alone = gaussians(kStream, 0, 4 * 5000);
   std::vector<float> together(alone.size(), 0.0f);
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (std::size_t part = 0; part < 4; ++part) {
     threads.emplace_back([&together, part] {
       add_gaussian(kStream, part * 5000, 5000, 1.0f, together.data() + part * 5000);

@@ -31,6 +31,7 @@ SignalSpec busy_signal() {
 
 std::shared_ptr<const Truth> busy_truth() {
   std::vector<TracePoint> points;
+  points.reserve(60);
   for (int i = 0; i < 60; ++i) {
     points.push_back({0.0137 * i, 50.0 + 0.5 * std::sin(i), 1.0 - 0.01 * (i % 7)});
   }
@@ -65,6 +66,7 @@ TEST(Synthesizer, IsTheSameOnEveryThread) {
   const std::vector<float> alone = render(synthesizer, 0, 8000);
   std::vector<float> together(alone.size());
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int part = 0; part < 4; ++part) {
     threads.emplace_back([&synthesizer, &together, part] {
       synthesizer.render(2000 * part, 2000, together.data() + 2000 * part);

@@ -1,6 +1,6 @@
 // Counter-based random numbers (Philox 4×32-10, Random123): value n of a stream is a pure function
-// of (seed, stream, n), on any machine, thread and cut of the work. No libm is involved, so that the
-// last bit does not hang on the C library either.
+// of (seed, stream, n), on any machine, thread and cut of the work. No libm is involved, so that
+// the last bit does not hang on the C library either.
 #pragma once
 
 #include <cstddef>

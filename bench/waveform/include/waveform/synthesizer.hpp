@@ -46,7 +46,8 @@ class Synthesizer {
   // sample_rate_hz: a whole multiple of 1000 up to 1 000 000, so that 1 ms and 16 ms are whole
   // numbers of samples. Throws std::invalid_argument otherwise, or where a spec value is out of
   // range or not finite.
-  Synthesizer(std::shared_ptr<const Truth> truth, SignalSpec spec, std::int64_t sample_rate_hz);
+  Synthesizer(std::shared_ptr<const Truth> truth, const SignalSpec& spec,
+              std::int64_t sample_rate_hz);
   ~Synthesizer();
 
   // Samples first_tick … first_tick+count−1 into out, per unit of the nominal amplitude (peak).

@@ -54,7 +54,8 @@ std::unique_ptr<Truth> truth_from_losses(grid::SfrModel model,
 // before the first and after the last. Throws std::invalid_argument where there is no point, times
 // do not ascend, or a value is not finite and positive; a voltage may be zero, and is interpolated
 // linearly.
-std::unique_ptr<Truth> truth_from_points(double nominal_hz, std::vector<FrequencyPoint> points);
+std::unique_ptr<Truth> truth_from_points(double nominal_hz,
+                                         const std::vector<FrequencyPoint>& points);
 std::unique_ptr<Truth> truth_from_trace(double nominal_hz, std::vector<TracePoint> points);
 
 // Reads a CSV recording whose first row names the columns. Time is plain seconds, or a date and
