@@ -6,17 +6,19 @@ namespace {
 
 constexpr float kNotANumber = __builtin_nanf("");
 
+// Beside what the settings allow, an innovation may change by so many of the filter's own standard
+// deviations: that is little once settled, and much right after a leap, when the filter is to find
+// a frequency that has moved on.
+constexpr float kSigmasAllowed = 5.0f;
+// While coasting nothing is corrected, and at 10 Hz/s a phase runs away by 0.1 rad a report after
+// 0.1 s: only what turns further is another leap.
+constexpr float kCoastingFactor = 8.0f;
 // A leap is over when nothing has leapt for this long; the front end's memory of 56 ms spreads one
 // over four reports.
-constexpr std::uint8_t kReportsToClear = 2;
-// ... or when it has gone on for so long that the filter is what is wrong.
-constexpr std::uint8_t kLongestHold = 24;
+constexpr std::uint8_t kReportsToClear = 3;
+// After so many reports in a row without a measurement, what the filter kept is of no use.
+constexpr std::uint8_t kLongestHold = 16;
 constexpr std::uint16_t kReportsToSettle = 16;
-// After a leap the filter has this long to find a frequency that has moved on meanwhile: at 10 Hz/s
-// by 1 Hz, which turns the phase by 0.1 rad a report. In this time, as during the leap, only what
-// turns further is a leap, or what changes the amplitude.
-constexpr std::uint8_t kGraceReports = 8;
-constexpr float kGraceFactor = 8.0f;
 
 // Beyond these the state is no grid's: ±15 Hz, ±30 Hz/s.
 constexpr float kLargestOmega = kTwoPi * 15.0f;
@@ -79,6 +81,7 @@ void correct(const TrackerSettings& settings, TrackerState& s, float innovation_
       bounded(s.alpha_rad_s2 + gain_alpha * innovation_rad, -kLargestAlpha, kLargestAlpha);
   // (1 − gain)·p, written so that no entry of the diagonal can fall below zero.
   const float keep = r * inverse;
+  s.last_innovation_rad = keep * innovation_rad;
   p[kAA] = maximum(p[kAA] - gain_alpha * p[kPA], 0.0f);
   p[kWA] = p[kWA] - gain_omega * p[kPA];
   p[kWW] = maximum(p[kWW] - gain_omega * p[kPW], 0.0f);
@@ -88,6 +91,7 @@ void correct(const TrackerSettings& settings, TrackerState& s, float innovation_
 
   constexpr float kAmplitudeGain = 0.4f;
   s.amplitude += kAmplitudeGain * innovation_amplitude * s.amplitude;
+  s.last_innovation_amplitude = (1.0f - kAmplitudeGain) * innovation_amplitude;
 }
 
 // Phase and amplitude from the phasor itself; what is known of the frequency stays.
@@ -96,9 +100,8 @@ void take_phase(TrackerState& s, const Phasor& z, float amplitude) {
   s.amplitude = amplitude;
   s.last_innovation_rad = 0.0f;
   s.last_innovation_amplitude = 0.0f;
-  s.held = 0;
+  s.coasting = false;
   s.quiet = 0;
-  s.grace = 0;
 }
 
 void set_covariance(const TrackerSettings& settings, TrackerState& s, float omega_sigma,
@@ -118,14 +121,31 @@ void acquire(const TrackerSettings& settings, TrackerState& s, const Phasor& z, 
   // Anything within ±5 Hz and ±2 Hz/s is as likely as not.
   set_covariance(settings, s, kTwoPi * 5.0f, kTwoPi * 2.0f);
   s.age = 0;
+  s.held = 0;
 }
 
-// Has the innovation changed since the last report by more than any grid causes?
+// One report of coasting over a leap.
+void coast(const TrackerSettings& settings, TrackerState& s, const Phasor& z, float amplitude,
+           bool leapt) {
+  s.coasting = true;
+  s.quiet = leapt ? std::uint8_t{0} : static_cast<std::uint8_t>(s.quiet + 1);
+  ++s.held;
+  if (s.held >= kLongestHold) {
+    acquire(settings, s, z, amplitude);
+  } else if (s.quiet >= kReportsToClear) {
+    take_phase(s, z, amplitude);
+    // What happened meanwhile the filter has not seen: ±0.25 Hz, ±3 Hz/s.
+    set_covariance(settings, s, kTwoPi * 0.25f, kTwoPi * 3.0f);
+  }
+}
+
+// Did anything happen since the last report that grids do not cause?
 bool leaps(const TrackerSettings& settings, const TrackerState& s, float innovation_rad,
            float innovation_amplitude) {
-  const bool wide = s.held > 0 || s.grace > 0;
-  const float leap_rad = settings.leap_rad * phase_noise_factor(s) * (wide ? kGraceFactor : 1.0f);
-  return beyond(innovation_rad - s.last_innovation_rad, leap_rad) ||
+  const float leap_rad = settings.leap_rad * phase_noise_factor(s);
+  const float limit_rad =
+      leap_rad * (s.coasting ? kCoastingFactor : 1.0f) + kSigmasAllowed * root(s.covariance[kPP]);
+  return beyond(innovation_rad - s.last_innovation_rad, limit_rad) ||
          beyond(innovation_amplitude - s.last_innovation_amplitude, settings.leap_amplitude);
 }
 
@@ -171,23 +191,18 @@ Measurement track(const TrackerSettings& settings, float nominal_hz, TrackerStat
   const float innovation_amplitude = amplitude / s.amplitude - 1.0f;
 
   const bool leapt = leaps(settings, s, innovation_rad, innovation_amplitude);
-  s.last_innovation_rad = innovation_rad;
-  s.last_innovation_amplitude = innovation_amplitude;
-  if (s.grace > 0) {
-    --s.grace;
+  if (leapt && settling) {
+    acquire(settings, s, z, amplitude);
+    return report(nominal_hz, s, z, Validity::kInvalid);
   }
-  if (!settling && (leapt || s.held > 0)) {
-    ++s.held;
-    s.quiet = leapt ? std::uint8_t{0} : static_cast<std::uint8_t>(s.quiet + 1);
-    if (s.quiet >= kReportsToClear || s.held >= kLongestHold) {
-      take_phase(s, z, amplitude);
-      // What happened meanwhile the filter has not seen: ±0.5 Hz, ±3 Hz/s.
-      set_covariance(settings, s, kTwoPi * 0.5f, kTwoPi * 3.0f);
-      s.grace = kGraceReports;
-    }
+  if (leapt || s.coasting) {
+    s.last_innovation_rad = innovation_rad;
+    s.last_innovation_amplitude = innovation_amplitude;
+    coast(settings, s, z, amplitude, leapt);
     return report(nominal_hz, s, z, Validity::kHeld);
   }
   correct(settings, s, innovation_rad, innovation_amplitude);
+  s.held = 0;
   if (settling) {
     ++s.age;
   }

@@ -7,8 +7,9 @@
 // whose noise is independent, so that the four states need no covariance across the two.
 //
 // A phase jump, a dip or an interruption is no frequency: where the innovation leaps by more than
-// any grid can move it in 16 ms, the filter coasts until the front end's memory has passed the
-// leap, then takes phase and amplitude anew and keeps its frequency.
+// grids move it in 16 ms, the filter coasts until nothing has leapt for three reports, then takes
+// phase and amplitude anew and keeps its frequency. Where leap follows leap it begins anew. A step
+// of the ROCOF by more than 4 Hz/s leaps too, and is followed eight reports later.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,7 @@ struct TrackerSettings {
   // bandwidth. The phase noise is that of 1 % white noise at 8 kHz.
   float phase_noise_rad = 8.0e-4f;
   float jerk_rad_s3_per_sqrt_hz = 0.8f;
-  float leap_rad = 0.015f;       // innovation's change from report to report that no grid causes
+  float leap_rad = 0.015f;  // innovation's change from report to report that grids do not cause
   float leap_amplitude = 0.06f;  // the same for the amplitude, relative
   float dead_bus_pu = 0.10f;     // below: no frequency; above 1.5 × this: again
 };
@@ -47,12 +48,13 @@ struct TrackerState {
   float alpha_rad_s2 = 0.0f;
   // Covariance of (φ, ω, a): pp, pw, pa, ww, wa, aa.
   float covariance[6] = {};
+  // What the last report's innovations left after its corrections.
   float last_innovation_rad = 0.0f;
   float last_innovation_amplitude = 0.0f;
   std::uint16_t age = 0;   // reports since acquisition
-  std::uint8_t held = 0;   // reports since the leap began
-  std::uint8_t quiet = 0;  // of these, the newest ones without another leap
-  std::uint8_t grace = 0;  // reports for which no leap is looked for
+  std::uint8_t held = 0;   // reports since the last measurement
+  std::uint8_t quiet = 0;  // of these, the newest ones without a leap
+  bool coasting = false;   // over a leap
   bool dead = true;
 };
 
