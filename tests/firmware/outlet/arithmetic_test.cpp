@@ -1,0 +1,120 @@
+// The firmware's own functions against the C library's in double precision.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <outlet/arithmetic.hpp>
+
+namespace gs::outlet {
+namespace {
+
+constexpr double kPiExactly = 3.14159265358979323846;
+constexpr int kPoints = 200'000;
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+float point(int i, float low, float high) {
+  return low + (high - low) * (static_cast<float>(i) / static_cast<float>(kPoints));
+}
+
+// Largest error over [low, high]; the bound declared beside the function is to hold it, and not to
+// be ten times what is needed.
+template <class Error>
+double largest_error(float low, float high, Error error) {
+  double largest = 0.0;
+  for (int i = 0; i <= kPoints; ++i) largest = std::max(largest, error(point(i, low, high)));
+  return largest;
+}
+
+void expect_tight(double largest, double declared) {
+  EXPECT_LT(largest, declared);
+  EXPECT_GT(largest, 0.1 * declared);
+}
+
+TEST(Arithmetic, SineIsWithinItsDeclaredErrorOverAWholeTurn) {
+  expect_tight(largest_error(-kPi, kPi,
+                             [](float x) {
+                               return std::abs(static_cast<double>(sine(x)) -
+                                               std::sin(static_cast<double>(x)));
+                             }),
+               2e-7);
+}
+
+TEST(Arithmetic, CosineIsWithinItsDeclaredErrorOverAWholeTurn) {
+  expect_tight(largest_error(-kPi, kPi,
+                             [](float x) {
+                               return std::abs(static_cast<double>(cosine(x)) -
+                                               std::cos(static_cast<double>(x)));
+                             }),
+               2e-7);
+}
+
+double exponential_error(float x) {
+  return std::abs(static_cast<double>(exponential(x)) - std::exp(static_cast<double>(x)));
+}
+
+double exponential_relative_error(float x) {
+  return exponential_error(x) / std::exp(static_cast<double>(x));
+}
+
+TEST(Arithmetic, ExponentialIsWithinItsDeclaredErrors) {
+  expect_tight(largest_error(-24.0F, 0.0F, exponential_error), 1e-6);
+  expect_tight(largest_error(-6.0F, 0.0F, exponential_relative_error), 2e-6);
+}
+
+TEST(Arithmetic, AngleOfAVectorIsWithinItsDeclaredErrorInEveryDirection) {
+  for (const float length : {1e-6F, 1.0F, 1e6F}) {
+    expect_tight(
+        largest_error(-kPi, kPi,
+                      [length](float x) {
+                        const auto angle = static_cast<double>(x);
+                        const auto across = length * static_cast<float>(std::sin(angle));
+                        const auto along = length * static_cast<float>(std::cos(angle));
+                        const double exact =
+                            std::atan2(static_cast<double>(across), static_cast<double>(along));
+                        return std::abs(static_cast<double>(angle_of(across, along)) - exact);
+                      }),
+        5e-7);
+  }
+}
+
+TEST(Arithmetic, AngleOfTheAxesIsExactAndOfNothingIsZero) {
+  EXPECT_EQ(angle_of(0.0F, 1.0F), 0.0F);
+  EXPECT_EQ(angle_of(1.0F, 0.0F), 0.5F * kPi);
+  EXPECT_EQ(angle_of(-1.0F, 0.0F), -0.5F * kPi);
+  EXPECT_EQ(angle_of(0.0F, -1.0F), kPi);
+  EXPECT_EQ(angle_of(0.0F, 0.0F), 0.0F);
+  EXPECT_EQ(angle_of(kNaN, kNaN), 0.0F);
+}
+
+// 300 turns are 1885 rad, of which a float resolves 1.2e-4; the nearest float to 2π is off by
+// 1.7e-7 a turn.
+TEST(Arithmetic, WrappingTakesOffWholeTurnsOnly) {
+  constexpr double kAllowed = 1.2e-4 + 300 * 1.8e-7;
+  for (int i = 0; i <= kPoints; ++i) {
+    const float x = point(i, -300.0F * kTwoPi, 300.0F * kTwoPi);
+    const auto y = static_cast<double>(wrapped(x));
+    ASSERT_LE(std::abs(y), kPiExactly + kAllowed) << x;
+    ASSERT_LE(std::abs(std::remainder(static_cast<double>(x) - y, 2.0 * kPiExactly)), kAllowed)
+        << x;
+  }
+}
+
+TEST(Arithmetic, WrappingLeavesAnAngleWithinHalfATurnAlone) {
+  for (const float x : {-3.14F, -1.0F, 0.0F, 1e-20F, 2.5F, 3.14F}) EXPECT_EQ(wrapped(x), x);
+}
+
+TEST(Arithmetic, BoundedKeepsWhatIsWithinAndMovesTheRestToTheNearerBound) {
+  EXPECT_EQ(bounded(0.5F, 0.0F, 1.0F), 0.5F);
+  EXPECT_EQ(bounded(-0.5F, 0.0F, 1.0F), 0.0F);
+  EXPECT_EQ(bounded(1.5F, 0.0F, 1.0F), 1.0F);
+  EXPECT_EQ(bounded(std::numeric_limits<float>::infinity(), 0.0F, 1.0F), 1.0F);
+  EXPECT_EQ(bounded(-std::numeric_limits<float>::infinity(), 0.0F, 1.0F), 0.0F);
+}
+
+TEST(Arithmetic, BoundedTurnsWhatIsNoNumberIntoTheLowerBound) {
+  EXPECT_EQ(bounded(kNaN, -2.0F, 1.0F), -2.0F);
+}
+
+}  // namespace
+}  // namespace gs::outlet

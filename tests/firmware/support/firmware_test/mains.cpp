@@ -1,0 +1,91 @@
+#include <firmware_test/mains.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <random/noise.hpp>
+
+namespace gs::test {
+
+namespace waveform = gsbench::waveform;
+
+namespace {
+
+// A quarter of the range above the largest amplitude that is played, 1.2 pu.
+constexpr float kCountsPerPu = 32767.0F / 1.5F;
+
+}  // namespace
+
+Mains::Mains(const MainsSpec& spec)
+    : synthesizer_(spec.truth, spec.signal, spec.sample_rate_hz),
+      noise_rms_pu_(static_cast<float>(spec.noise_pct / 100.0)),
+      seed_(spec.seed) {}
+
+outlet::Hardware Mains::hardware() const {
+  outlet::Hardware hardware;
+  hardware.sample_rate_hz = static_cast<std::int32_t>(synthesizer_.sample_rate_hz());
+  hardware.nominal_hz = static_cast<std::int32_t>(synthesizer_.truth().nominal_hz());
+  hardware.counts_per_pu = kCountsPerPu;
+  return hardware;
+}
+
+std::vector<std::int16_t> Mains::samples(std::int64_t first_tick, std::size_t count) const {
+  std::vector<float> volts(count);
+  synthesizer_.render(first_tick, count, volts.data());
+  if (noise_rms_pu_ > 0.0F) {
+    gsbench::random::add_gaussian({seed_, gsbench::random::kTest, 0},
+                                  static_cast<std::uint64_t>(first_tick), count, noise_rms_pu_,
+                                  volts.data());
+  }
+  std::vector<std::int16_t> counts(count);
+  std::transform(volts.begin(), volts.end(), counts.begin(), [](float volt) {
+    const float x = std::clamp(volt * kCountsPerPu, -32767.0F, 32767.0F);
+    return static_cast<std::int16_t>(x + (x < 0.0F ? -0.5F : 0.5F));
+  });
+  return counts;
+}
+
+std::shared_ptr<const waveform::Truth> steady(double nominal_hz, double frequency_hz) {
+  return waveform::truth_from_points(nominal_hz, {{0.0, frequency_hz}});
+}
+
+std::shared_ptr<const waveform::Truth> ramp(double from_hz, double to_hz, double at_s,
+                                            double hz_per_s) {
+  const double end_s = at_s + (to_hz - from_hz) / hz_per_s;
+  return waveform::truth_from_points(50.0, {{at_s, from_hz}, {end_s, to_hz}});
+}
+
+void play(const Mains& mains, double duration_s, const outlet::Config& config, outlet::State& state,
+          const std::function<void(const outlet::Report&)>& each) {
+  const std::int64_t block = 16 * mains.ticks_per_report();
+  const auto end =
+      static_cast<std::int64_t>(duration_s * static_cast<double>(mains.hardware().sample_rate_hz));
+  for (std::int64_t tick = 0; tick < end; tick += block) {
+    const auto count = static_cast<std::size_t>(std::min(block, end - tick));
+    const std::vector<std::int16_t> samples = mains.samples(tick, count);
+    std::size_t done = 0;
+    while (done < count) {
+      outlet::Report report;
+      bool ready = false;
+      done += outlet::step(config, state, samples.data() + done, count - done, report, ready);
+      if (ready) each(report);
+    }
+  }
+}
+
+std::vector<outlet::Report> reports_of(const Mains& mains, double duration_s,
+                                       const outlet::Settings& settings) {
+  outlet::Config config;
+  outlet::State state;
+  if (!outlet::configure(mains.hardware(), config)) {
+    throw std::logic_error("hardware not served");
+  }
+  const outlet::SettingsError error = outlet::apply(config, state, settings);
+  if (error != outlet::SettingsError::kNone) throw std::logic_error(outlet::to_string(error));
+  std::vector<outlet::Report> reports;
+  play(mains, duration_s, config, state,
+       [&](const outlet::Report& report) { reports.push_back(report); });
+  return reports;
+}
+
+}  // namespace gs::test

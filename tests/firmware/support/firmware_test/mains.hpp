@@ -1,0 +1,62 @@
+// What an outlet's ADC would deliver: a synthesised voltage with noise, rounded to counts.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <outlet/outlet.hpp>
+#include <waveform/synthesizer.hpp>
+#include <waveform/truth.hpp>
+
+namespace gs::test {
+
+struct MainsSpec {
+  std::shared_ptr<const gsbench::waveform::Truth> truth;
+  gsbench::waveform::SignalSpec signal = {};
+  double noise_pct = 0.0;  // white, RMS, of the nominal amplitude (peak)
+  std::uint64_t seed = 1;
+  std::int32_t sample_rate_hz = 8000;
+};
+
+class Mains {
+ public:
+  explicit Mains(const MainsSpec& spec);
+
+  outlet::Hardware hardware() const;
+  double frequency_hz(double t_s) const { return synthesizer_.truth().frequency_hz(t_s); }
+  std::int64_t ticks_per_report() const { return synthesizer_.sample_rate_hz() * 16 / 1000; }
+
+  // Samples first_tick … first_tick+count−1.
+  std::vector<std::int16_t> samples(std::int64_t first_tick, std::size_t count) const;
+
+ private:
+  gsbench::waveform::Synthesizer synthesizer_;
+  float noise_rms_pu_;
+  std::uint64_t seed_;
+};
+
+std::shared_ptr<const gsbench::waveform::Truth> steady(double nominal_hz, double frequency_hz);
+
+// Held at the first frequency until `at_s`, then linear to the last one, which is held.
+std::shared_ptr<const gsbench::waveform::Truth> ramp(double from_hz, double to_hz, double at_s,
+                                                     double hz_per_s);
+
+// Plays the first `duration_s` seconds into an outlet, and gives each report to `each`.
+void play(const Mains& mains, double duration_s, const outlet::Config& config, outlet::State& state,
+          const std::function<void(const outlet::Report&)>& each);
+
+// The reports of an outlet with these settings that is played the mains from its start-up on.
+std::vector<outlet::Report> reports_of(const Mains& mains, double duration_s,
+                                       const outlet::Settings& settings);
+
+// When a report was made, and the instant that its frequency is of.
+constexpr double report_s(const outlet::Report& report) {
+  return 0.016 * (static_cast<double>(report.number) + 1.0);
+}
+constexpr double measured_s(const outlet::Report& report) {
+  return report_s(report) - static_cast<double>(outlet::kFrontEndDelayS);
+}
+
+}  // namespace gs::test
