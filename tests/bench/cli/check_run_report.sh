@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# check_run_report.sh GSBENCH CHECK_REPORT FOLDER: plays the 500 MW experiment and has its report
+# checked in a browser against its result.
+set -euo pipefail
+gsbench=$1 check_report=$2 folder=$3
+rm -rf "$folder"
+"$gsbench" run paper/loss-500mw --out "$folder"
+python3 "$check_report" "$folder"/*/report.html "$folder"/*/result.json --pictures "$folder/report"

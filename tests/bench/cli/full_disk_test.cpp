@@ -1,0 +1,53 @@
+// A disk that fills while a run is written: told by name, and nothing half written stays.
+#include "gsbench_process.hpp"
+#include <sys/mount.h>
+
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using gsbench::test::Outcome;
+using gsbench::test::run_gsbench;
+using gsbench::test::TemporaryFolder;
+
+class SmallDisk {
+ public:
+  SmallDisk(const std::string& path, const char* options)
+      : path_(path), mounted_(mount("tmpfs", path.c_str(), "tmpfs", 0, options) == 0) {}
+  ~SmallDisk() {
+    if (mounted_) {
+      umount(path_.c_str());
+    }
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  bool mounted() const { return mounted_; }
+
+ private:
+  std::string path_;
+  bool mounted_;
+};
+
+// The sizes end the writing early in the record, late in it, and among the reports.
+class FullDisk : public testing::TestWithParam<const char*> {};
+
+TEST_P(FullDisk, EndsWithTwoAndLeavesNothing) {
+  const TemporaryFolder folder;
+  const SmallDisk disk(folder.path().string(), GetParam());
+  if (!disk.mounted()) {
+    GTEST_SKIP() << "no small disk can be mounted here: " << std::strerror(errno);
+  }
+  const Outcome outcome =
+      run_gsbench({"run", "paper/loss-500mw", "--out", (folder.path() / "runs").string()});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find(folder.path().string()), std::string::npos) << outcome.err;
+  // The database says it in its own words, a folder or a report in the system's.
+  EXPECT_TRUE(outcome.err.find("o space left on") != std::string::npos) << outcome.err;
+  EXPECT_TRUE(folder.entries().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, FullDisk, testing::Values("size=32k", "size=300k", "size=700k"));
+
+}  // namespace

@@ -1,0 +1,52 @@
+// Runs the gsbench program and collects what it leaves behind.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gsbench::test {
+
+struct Outcome {
+  int exit_code = -1;  // 128 + the signal where one ended it
+  std::string out;
+  std::string err;
+};
+
+Outcome run_gsbench(const std::vector<std::string>& arguments);
+
+// The same, without waiting for its end.
+struct Started {
+  pid_t pid;
+  std::filesystem::path out;
+  std::filesystem::path err;
+};
+Started start_gsbench(const std::vector<std::string>& arguments);
+Outcome wait_for(const Started& started);
+
+std::string text_of(const std::filesystem::path& path);
+
+// A folder of its own for each test, gone afterwards.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  // Writes a file into it and returns its path.
+  std::string write(const std::string& name, const std::string& text) const;
+  // Everything in it, hidden files too, as paths relative to it.
+  std::vector<std::string> entries() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+// The only run kept in an output folder.
+std::filesystem::path only_run(const std::filesystem::path& output_folder);
+
+}  // namespace gsbench::test

@@ -1,0 +1,70 @@
+// The same profile and seed twice give the same bytes, whatever the number of threads.
+#include "gsbench_process.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using gsbench::test::Outcome;
+using gsbench::test::run_gsbench;
+using gsbench::test::TemporaryFolder;
+using gsbench::test::text_of;
+
+struct Result {
+  std::string traces;
+  std::string result;  // without the run's id
+};
+
+Result run_with(const std::string& profile, const std::string& seed, const std::string& threads) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_gsbench(
+      {"run", profile, "--seed", seed, "--threads", threads, "--out", folder.path().string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  const fs::path run = gsbench::test::only_run(folder.path());
+  nlohmann::ordered_json result = nlohmann::ordered_json::parse(text_of(run / "result.json"));
+  result.erase("run_id");
+  return {text_of(run / "traces.csv"), result.dump()};
+}
+
+TEST(Repeatability, ThreadsLeaveNoTrace) {
+  const Result one = run_with("paper/loss-500mw", "7", "1");
+  EXPECT_GT(one.traces.size(), 100000U);
+  for (const std::string threads : {"1", "2", "3", "8"}) {
+    const Result again = run_with("paper/loss-500mw", "7", threads);
+    EXPECT_TRUE(one.traces == again.traces) << threads << " threads";
+    EXPECT_EQ(one.result, again.result) << threads << " threads";
+  }
+}
+
+TEST(Repeatability, AnotherSeedGivesOtherTraces) {
+  EXPECT_FALSE(run_with("paper/loss-500mw", "7", "1").traces ==
+               run_with("paper/loss-500mw", "8", "1").traces);
+}
+
+TEST(Repeatability, AReportRenderedAgainIsTheSame) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_gsbench({"run", "paper/loss-600mw", "--out", folder.path().string()}).exit_code, 0);
+  const fs::path run = gsbench::test::only_run(folder.path());
+  const std::pair<const char*, const char*> formats[] = {{"html", "report.html"},
+                                                         {"json", "result.json"},
+                                                         {"junit", "junit.xml"},
+                                                         {"csv", "traces.csv"}};
+  for (const auto& [format, file] : formats) {
+    const Outcome again = run_gsbench({"report", run.string(), "--format", format});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(again.out == text_of(run / file)) << format;
+  }
+}
+
+TEST(Repeatability, AStudyIsTheSameForAnyNumberOfThreads) {
+  const Outcome one =
+      run_gsbench({"study", "paper/loss-500mw", "--seeds", "6", "--threads", "1", "--json"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  const Outcome three =
+      run_gsbench({"study", "paper/loss-500mw", "--seeds", "6", "--threads", "3", "--json"});
+  EXPECT_EQ(one.out, three.out);
+}
+
+}  // namespace

@@ -1,0 +1,174 @@
+// Speed of the chain from synthesis to capture, beside the parts it cannot do without, all measured
+// in turns within one run. Processor time, so that a busy machine tells in the ratios and not in a
+// verdict; exits with 1 where a figure falls short of what the project wants.
+#include "idle_station.hpp"
+#include <spawn.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <judge/catalogue.hpp>
+#include <node/node.hpp>
+#include <profile/load.hpp>
+#include <random/noise.hpp>
+#include <station/run.hpp>
+
+namespace {
+
+using namespace gsbench;
+
+constexpr int kRounds = 7;
+constexpr double kPlayedS = 60.0;
+constexpr std::size_t kBlock = 4096;
+
+double processor_s() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double wall_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+struct Work {
+  std::string name;
+  std::function<void()> run;
+  double (*clock)() = processor_s;
+  std::vector<double> seconds = {};
+
+  double median() const {
+    std::vector<double> sorted = seconds;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+  }
+};
+
+profile::Plan plan_for(std::size_t outlets) {
+  profile::Plan plan = profile::load_profile("paper/loss-500mw", judge::measure_names());
+  plan.stimulus.duration_s = kPlayedS;
+  plan.outlets.resize(outlets, plan.outlets.front());
+  return plan;
+}
+
+void play_simulated(const profile::Plan& plan) {
+  const auto station = station::simulated_station(plan, {});
+  station::run(plan, *station, {});
+}
+
+// Voltage of the whole plan, block by block.
+template <class Use>
+void for_each_block(const profile::Plan& plan, Use use) {
+  const waveform::Synthesizer synthesizer = plan.synthesizer();
+  std::vector<float> block(kBlock);
+  for (std::int64_t tick = 0; tick < plan.duration_ticks();
+       tick += static_cast<std::int64_t>(kBlock)) {
+    synthesizer.render(tick, kBlock, block.data());
+    use(tick, block);
+  }
+}
+
+class Nowhere final : public gs::node::Outbox {
+ public:
+  void put(const gs::wire::Uplink&) override { ++count; }
+  std::size_t count = 0;
+};
+
+void feed_firmware(const std::vector<std::int16_t>& samples) {
+  gs::node::Node node;
+  Nowhere nowhere;
+  node.start({}, nowhere);
+  node.feed(samples.data(), samples.size(), nowhere);
+}
+
+void spawn(const char* program, const char* argument) {
+  std::string words[] = {program, argument};
+  char* argv[] = {words[0].data(), words[1].data(), nullptr};
+  posix_spawn_file_actions_t quiet;
+  posix_spawn_file_actions_init(&quiet);
+  posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", 1, 0);
+  pid_t child = 0;
+  if (posix_spawn(&child, program, &quiet, nullptr, argv, environ) == 0) {
+    waitpid(child, nullptr, 0);
+  }
+  posix_spawn_file_actions_destroy(&quiet);
+}
+
+bool short_of = false;
+
+void print(const char* what, double value, const char* unit, double limit, bool at_least) {
+  const bool reached = at_least ? value >= limit : value <= limit;
+  short_of = short_of || !reached;
+  std::printf("%-58s %10.3f %-12s wanted %s %g: %s\n", what, value, unit,
+              at_least ? "at least" : "at most", limit, reached ? "reached" : "FALLS SHORT");
+}
+
+}  // namespace
+
+int main() {
+  const profile::Plan one = plan_for(1);
+  const profile::Plan eight = plan_for(8);
+  const double samples = kPlayedS * static_cast<double>(one.stimulus.sample_rate_hz);
+  std::vector<std::int16_t> counts;
+  for_each_block(one, [&](std::int64_t, const std::vector<float>& block) {
+    for (const float voltage_pu : block) {
+      counts.push_back(static_cast<std::int16_t>(voltage_pu * 20000.0F));
+    }
+  });
+  constexpr int kSteps = 3750;  // kPlayedS in steps of 16 ms
+  const random::Stream stream{1, random::kTest, 0};
+
+  std::vector<Work> works = {
+      {"chain, one outlet", [&] { play_simulated(one); }},
+      {"chain, eight outlets", [&] { play_simulated(eight); }},
+      {"synthesis", [&] { for_each_block(one, [](std::int64_t, const std::vector<float>&) {}); }},
+      {"noise",
+       [&] {
+         std::vector<float> block(kBlock);
+         for (std::uint64_t n = 0; n < static_cast<std::uint64_t>(samples); n += kBlock) {
+           random::add_gaussian(stream, n, kBlock, 0.01F, block.data());
+         }
+       }},
+      {"firmware", [&] { feed_firmware(counts); }},
+      {"station, idle drivers, steps of 16 ms",
+       [&] {
+         const auto station = performance::idle_station(eight, 0.016);
+         station::run(eight, *station, {});
+       }},
+      {"gsbench --help", [] { spawn(GSBENCH_PROGRAM, "--help"); }, wall_s},
+      {"true", [] { spawn("/bin/true", ""); }, wall_s},
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    for (Work& work : works) {
+      const double start = work.clock();
+      work.run();
+      work.seconds.push_back(work.clock() - start);
+    }
+  }
+  std::printf("median of %d rounds, each part in turn; %g s played at %lld Hz\n\n", kRounds,
+              kPlayedS, static_cast<long long>(one.stimulus.sample_rate_hz));
+  for (const Work& work : works) {
+    std::printf("  %-40s %10.3f ms", work.name.c_str(), 1e3 * work.median());
+    if (work.clock == processor_s) {
+      std::printf("  %8.2f ns a sample", 1e9 * work.median() / samples);
+    }
+    std::putchar('\n');
+  }
+  const double parts_s = works[2].median() + works[3].median() + works[4].median();
+  std::printf("\n  the chain takes %.2f times its parts (synthesis, noise, firmware)\n\n",
+              works[0].median() / parts_s);
+  print("chain, one outlet, one core", kPlayedS / works[0].median(), "x real time", 1000, true);
+  print("chain, eight outlets, each outlet, one core", 8.0 * kPlayedS / works[1].median(),
+        "x real time", 1000, true);
+  print("a step of the station, eight outlets", 1e3 * works[5].median() / kSteps, "ms", 0.1, false);
+  print("gsbench --help, beyond an empty process", 1e3 * (works[6].median() - works[7].median()),
+        "ms", 50, false);
+  return short_of ? 1 : 0;
+}
