@@ -161,6 +161,10 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
   for (Row& row : study.rows) {
     row.values.sort();
   }
+  if (finished == 0) {
+    study.verdict = record::Verdict::kInconclusive;
+    study.first_reason = "no seed was played to its end";
+  }
   return study;
 }
 

@@ -1,0 +1,100 @@
+// Same plan and seed, same record: whatever the blocks, the threads and the pace.
+
+#include "plans.hpp"
+
+#include <gtest/gtest.h>
+
+#include <record/store.hpp>
+#include <station/run.hpp>
+
+namespace gsbench::station::test {
+namespace {
+
+// A loss, a decision on it, a command off the beat of all blocks, a dip and a phase jump.
+profile::Plan eventful() {
+  return plan(4.5,
+              "noise_pct = 1.0\n"
+              "[[signal.amplitude_step]]\nat_s = 0.7\nduration_s = 0.2\nlevel_pct = 40.0\n"
+              "[[signal.phase_jump]]\nat_s = 4.1\ndegrees = 20.0\n"
+              "[[grid.loss]]\nat_s = 2.0\npower_mw = 500.0\n"
+              "[[command]]\nat_s = 1.2345\nswitch = \"off\"\n"
+              "[[command]]\nat_s = 1.5\nswitch = \"on\"\n",
+              "[[outlet]]\ncount = 3\naccumulated_mw = 100.0\n");
+}
+
+record::RunRecord record_of(const profile::Plan& plan, std::size_t threads, double block_s,
+                            bool real_time = false) {
+  SimulatedOptions options;
+  options.threads = threads;
+  options.block_s = block_s;
+  options.real_time = real_time;
+  const auto station = simulated_station(plan, options);
+  return run(plan, *station, {});
+}
+
+std::string digest(const profile::Plan& plan, std::size_t threads, double block_s) {
+  return record::content_digest(record_of(plan, threads, block_s));
+}
+
+TEST(Determinism, TheRecordHasAllThatCouldDiffer) {
+  const record::RunRecord record = record_of(eventful(), 1, 0.512);
+  EXPECT_NE(record.verdict, record::Verdict::kError) << record.verdict_reason;
+  for (const record::OutletRecord& outlet : record.outlets) {
+    // Off and on by command, off by the decision.
+    int openings = 0;
+    for (const record::Mark& mark : outlet.marks) {
+      openings += mark.kind == "relay.sense" && mark.value < 0.5 ? 1 : 0;
+    }
+    EXPECT_GE(openings, 2) << outlet.id;
+    EXPECT_FALSE(outlet.estimates.tick.empty()) << outlet.id;
+  }
+}
+
+TEST(Determinism, TheRecordDoesNotDependOnBlocksNorThreads) {
+  const profile::Plan plan = eventful();
+  const std::string expected = digest(plan, 1, 0.512);
+  for (const double block_s : {0.016, 0.1, 0.512, 3.0}) {
+    for (const std::size_t threads : {1U, 2U, 3U}) {
+      EXPECT_EQ(digest(plan, threads, block_s), expected) << block_s << " s, " << threads;
+    }
+  }
+}
+
+TEST(Determinism, ABlockMayBeShorterThanASampleAndLongerThanTheRun) {
+  const profile::Plan plan = test::plan(0.2, "noise_pct = 1.0\n");
+  EXPECT_EQ(digest(plan, 1, 1e-9), digest(plan, 1, 1e6));
+}
+
+TEST(Determinism, AnotherSeedIsAnotherRecord) {
+  profile::Plan plan = eventful();
+  const record::RunRecord one = record_of(plan, 1, 0.512);
+  plan.seed = 2;
+  const record::RunRecord other = record_of(plan, 1, 0.512);
+  EXPECT_NE(record::content_digest(one), record::content_digest(other));
+  EXPECT_NE(one.outlets[0].trace.frequency_hz, other.outlets[0].trace.frequency_hz)
+      << "it is the noise that differs, not the seed's number alone";
+}
+
+TEST(Determinism, TwoRunsDifferInTheirNameOnly) {
+  const profile::Plan plan = test::plan(0.2, "noise_pct = 1.0\n");
+  const record::RunRecord one = record_of(plan, 1, 0.512);
+  const record::RunRecord other = record_of(plan, 1, 0.512);
+  EXPECT_NE(one.run_id, other.run_id);
+  EXPECT_EQ(record::content_digest(one), record::content_digest(other));
+}
+
+TEST(Determinism, RealTimeBringsTheRecordOfVirtualTime) {
+  const profile::Plan plan = test::plan(0.3, "noise_pct = 1.0\n");
+  EXPECT_EQ(record::content_digest(record_of(plan, 2, 0.0, true)), digest(plan, 1, 0.0));
+}
+
+// One station can run a plan again.
+TEST(Determinism, ASecondRunOnTheSameStationIsLikeTheFirst) {
+  const profile::Plan plan = eventful();
+  const auto station = simulated_station(plan, {});
+  const std::string first = record::content_digest(run(plan, *station, {}));
+  EXPECT_EQ(record::content_digest(run(plan, *station, {})), first);
+}
+
+}  // namespace
+}  // namespace gsbench::station::test

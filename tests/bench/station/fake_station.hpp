@@ -1,0 +1,97 @@
+// A station whose source, link and relay sense are told when to fail and keep a log of what was
+// asked of them; its outlets answer and report as outlets do, without any firmware.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <station/station.hpp>
+
+namespace gsbench::station::test {
+
+constexpr std::int64_t kNeverTick = std::numeric_limits<std::int64_t>::max();
+
+struct Script {
+  std::size_t outlets = 2;
+  bool noise_per_outlet = false;
+  double block_s = 0.1;
+
+  // What goes wrong. Calls are counted from 0.
+  std::string start_error;
+  std::string open_error;
+  std::optional<int> play_fails_at;
+  std::optional<int> play_throws_at;  // against the rules of drivers
+  std::optional<int> send_fails_at;
+  std::optional<int> link_poll_fails_at;
+  std::optional<int> relay_poll_fails_at;
+
+  // Of the last outlet.
+  std::uint16_t protocol_version = gs::wire::kProtocolVersion;
+  gs::outlet::SettingsError settings_error = gs::outlet::SettingsError::kNone;
+  bool answers_settings = true;
+  std::int64_t silent_from_tick = kNeverTick;
+};
+
+class FakeStation final : public Station,
+                          private source::Source,
+                          private link::Link,
+                          private relay::RelaySense {
+ public:
+  explicit FakeStation(Script script) : script_(std::move(script)) {}
+
+  std::string name() const override { return "fake"; }
+  source::Source& source() override { return *this; }
+  link::Link& link() override { return *this; }
+  relay::RelaySense& relay_sense() override { return *this; }
+  judge::BenchUncertainty uncertainty() const override { return {}; }
+  double block_s() const override { return script_.block_s; }
+
+  // The source is off and the link closed, both after all else that was asked of them.
+  bool is_safe() const { return made_safe_ > 0 && closed_ > 0 && !source_on_ && !link_open_; }
+  bool was_touched() const { return touched_; }
+  bool played_while_off() const { return played_while_off_; }
+  int blocks_played() const { return plays_; }
+  std::int64_t tick() const { return tick_; }
+  const std::vector<gs::wire::Downlink>& sent_to(std::size_t outlet) const {
+    return sent_.at(outlet);
+  }
+
+ private:
+  source::SourceInfo info() const override;
+  drivers::Status start(const source::SourceSettings& settings) override;
+  drivers::Status play(std::int64_t first_tick, const float* voltage_pu,
+                       std::size_t count) override;
+  void make_safe() noexcept override;
+
+  drivers::Result<std::vector<link::OutletPresence>> open() override;
+  drivers::Status send(std::size_t outlet, const gs::wire::Downlink& message) override;
+  drivers::Status poll(std::vector<link::Received>& messages) override;
+  void close() noexcept override;
+
+  double uncertainty_ticks() const override { return 0.5; }
+  drivers::Status poll(std::vector<relay::Edge>& edges) override;
+
+  bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }
+  void answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const;
+
+  Script script_;
+  bool touched_ = false;
+  bool source_on_ = false;
+  bool link_open_ = false;
+  bool played_while_off_ = false;
+  int made_safe_ = 0;
+  int closed_ = 0;
+  int plays_ = 0;
+  int sends_ = 0;
+  int link_polls_ = 0;
+  int relay_polls_ = 0;
+  std::int64_t tick_ = 0;
+  std::int64_t reported_tick_ = 0;
+  std::vector<std::vector<gs::wire::Downlink>> sent_;
+  std::vector<bool> answered_;
+};
+
+}  // namespace gsbench::station::test

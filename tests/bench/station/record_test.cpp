@@ -1,0 +1,197 @@
+// What a run's record says of the run.
+
+#include "../../reports/temporary_folder.hpp"
+#include "fake_station.hpp"
+#include "plans.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <grid/control_centre.hpp>
+#include <record/store.hpp>
+#include <station/outlet_settings.hpp>
+#include <station/run.hpp>
+
+namespace gsbench::station::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+record::RunRecord record_of(const profile::Plan& plan, const Script& script = {}) {
+  FakeStation station(script);
+  return run(plan, station, {});
+}
+
+TEST(RunRecord, SaysWhatWasPlayedWhereAndWithWhat) {
+  profile::Plan plan = test::plan(0.2);
+  plan.seed = 42;
+  const record::RunRecord record = record_of(plan);
+  EXPECT_EQ(record.profile_title, "A test");
+  EXPECT_EQ(record.profile_source, "None");
+  EXPECT_EQ(record.profile_text, profile_text(0.2));
+  EXPECT_EQ(record.profile_sha256, plan.sha256);
+  EXPECT_EQ(record.grid, plan.grid.name);
+  EXPECT_EQ(record.station, "fake");
+  EXPECT_EQ(record.seed, 42U);
+  EXPECT_EQ(record.sample_rate_hz, 8000);
+  EXPECT_EQ(record.duration_ticks, 1600);
+  EXPECT_EQ(record.nominal_hz, 50.0);
+  EXPECT_EQ(record.firmware_sha256.size(), 64U);
+  EXPECT_FALSE(record.gsbench_version.empty());
+  EXPECT_EQ(record.truth.tick.back(), 1600);
+  EXPECT_EQ(record.started_utc.size(), std::string("2025-04-28T12:33:16Z").size());
+  EXPECT_LE(record.started_utc, record.finished_utc);
+}
+
+TEST(RunRecord, SaysOfEachOutletWhoItIsAndWhatItWasSent) {
+  const record::RunRecord record = record_of(test::plan(0.2));
+  ASSERT_EQ(record.outlets.size(), 2U);
+  const record::OutletRecord& outlet = record.outlets[1];
+  EXPECT_EQ(outlet.id, "serial-2") << "its own name, not the profile's";
+  EXPECT_EQ(outlet.group, "all");
+  EXPECT_EQ(outlet.firmware, "1.2.3");
+  EXPECT_NEAR(outlet.settings.at("tracker_delay_s"), 0.028, 1e-9);
+  EXPECT_NEAR(outlet.settings.at("threshold_mw"), 351.92, 0.1);
+}
+
+TEST(RunRecord, LeavesOutOutletsThatThePlanDoesNotNeed) {
+  Script script;
+  script.outlets = 4;
+  FakeStation station(script);
+  const record::RunRecord record = run(test::plan(0.2), station, {});
+  EXPECT_EQ(record.verdict, record::Verdict::kPass) << record.verdict_reason;
+  EXPECT_EQ(record.outlets.size(), 2U);
+  EXPECT_TRUE(station.sent_to(2).empty());
+}
+
+std::string noise_of(const std::string& noise_line, bool per_outlet) {
+  Script script;
+  script.noise_per_outlet = per_outlet;
+  return record_of(test::plan(0.2, noise_line), script).noise;
+}
+
+TEST(RunRecord, SaysWhatNoiseThereWas) {
+  EXPECT_EQ(noise_of("", true), "none");
+  EXPECT_EQ(noise_of("noise_pct = 1.0\n", true), "1 % white, each outlet its own");
+  EXPECT_EQ(noise_of("noise_pct = 0.25\n", false), "0.25 % white, the same at all outlets");
+  EXPECT_EQ(noise_of("noise_pct = 10\n", false), "10 % white, the same at all outlets");
+}
+
+TEST(RunRecord, MarksTheStimulusAtTheTicksItIsPlayedFromInTheOrderOfTime) {
+  // 0.017 s is tick 102 at 6 kHz, though 0.017 · 6000 is a little more in doubles.
+  const record::RunRecord record =
+      record_of(test::plan(0.5,
+                           "sample_rate_hz = 6000\n"
+                           "[[signal.amplitude_step]]\nat_s = 0.2\nduration_s = 0.1\n"
+                           "level_pct = 40.0\n"
+                           "[[signal.amplitude_step]]\nat_s = 0.4\nlevel_pct = 80.0\n"
+                           "[[signal.phase_jump]]\nat_s = 0.017\ndegrees = -20.0\n"
+                           "[[grid.loss]]\nat_s = 0.3\npower_mw = -50.0\n"
+                           "[[grid.loss]]\nat_s = 0.1\npower_mw = 500.0\n"));
+  std::vector<std::string> told;
+  for (const record::Mark& mark : record.stimulus) {
+    told.push_back(std::to_string(mark.tick) + " " + mark.kind + " " +
+                   std::to_string(static_cast<int>(mark.value)) + " " + mark.text);
+  }
+  EXPECT_THAT(told,
+              ElementsAre("102 phase jump -20 degrees", "600 loss 500 MW", "1200 amplitude 40 %",
+                          "1800 shed -50 MW", "1800 amplitude 100 %", "2400 amplitude 80 %"));
+}
+
+TEST(RunRecord, SendsACommandWhenItIsDueToThoseItIsForAndMarksIt) {
+  FakeStation station({});
+  const record::RunRecord record =
+      run(test::plan(1.0,
+                     "[[command]]\nat_s = 0.333\noutlets = [\"b\"]\nswitch = \"off\"\n"
+                     "[[command]]\nat_s = 0.5\nswitch = \"on\"\n",
+                     "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n"),
+          station, {});
+  // Settings first.
+  EXPECT_EQ(station.sent_to(0).size(), 2U);
+  ASSERT_EQ(station.sent_to(1).size(), 3U);
+  EXPECT_FALSE(station.sent_to(1)[1].close_relay);
+  EXPECT_TRUE(station.sent_to(1)[2].close_relay);
+  std::vector<std::int64_t> ticks;
+  for (const record::Mark& mark : record.outlets[1].marks) {
+    if (mark.kind == "command") ticks.push_back(mark.tick);
+  }
+  EXPECT_THAT(ticks, ElementsAre(2664, 4000));
+}
+
+TEST(RunRecord, ComparesTheGridWithWhatIsPublishedOfIt) {
+  const profile::Plan plan = test::plan(0.2);
+  const std::vector<record::Comparison> all = record_of(plan).comparisons;
+  ASSERT_EQ(all.size(), 2 + plan.grid.reference.condition_rocof_hz_s.size());
+  EXPECT_EQ(all[0].name, "threshold power loss");
+  EXPECT_EQ(all[0].unit, "MW");
+  EXPECT_NEAR(all[0].ours, 351.92, 0.1);
+  EXPECT_EQ(all[0].published, *plan.grid.reference.threshold_mw);
+  // The nadir's time is where the paper and its own equations part.
+  EXPECT_EQ(all[1].unit, "s");
+  EXPECT_NEAR(all[1].ours, 3.76, 0.01);
+  EXPECT_NEAR(all[1].published, 3.72, 0.01);
+  EXPECT_FALSE(all[1].note.empty());
+  for (std::size_t row = 2; row < all.size(); ++row) {
+    EXPECT_THAT(all[row].name, StartsWith("condition "));
+    EXPECT_NEAR(all[row].ours, all[row].published, 3e-4) << all[row].name;
+  }
+}
+
+TEST(RunRecord, ComparesNothingWhereNothingIsPublished) {
+  profile::Plan plan = test::plan(0.2);
+  plan.grid.reference = {};
+  EXPECT_TRUE(record_of(plan).comparisons.empty());
+}
+
+TEST(RunRecord, IsWhatTheWriterKept) {
+  TemporaryFolder folder;
+  const std::string path = folder.file("run.gsbench");
+  const profile::Plan plan = test::plan(0.5, "noise_pct = 1.0\n");
+  const auto station = simulated_station(plan, {});
+  record::RunRecord returned;
+  {
+    record::Writer writer(path);
+    RunOptions options;
+    options.writer = &writer;
+    returned = run(plan, *station, options);
+  }
+  const record::RunRecord kept = record::read_run(path);
+  EXPECT_EQ(kept.run_id, returned.run_id);
+  EXPECT_EQ(kept.finished_utc, returned.finished_utc);
+  EXPECT_EQ(record::content_digest(kept), record::content_digest(returned));
+}
+
+TEST(RunRecord, TakesTheWorstOutletsVerdictAndCountsThoseThatDidNotPass) {
+  profile::Plan plan = test::plan(0.5, "", "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n");
+  profile::Expectation impossible = plan.expectations[0];
+  impossible.measure = "relay.edges";
+  impossible.max.reset();
+  impossible.min = 1.0;
+  impossible.groups = {"b"};
+  plan.expectations.push_back(impossible);
+  const record::RunRecord record = record_of(plan);
+  EXPECT_EQ(record.outlets[0].verdict, record::Verdict::kPass);
+  EXPECT_EQ(record.outlets[1].verdict, record::Verdict::kFail);
+  EXPECT_EQ(record.verdict, record::Verdict::kFail);
+  EXPECT_EQ(record.verdict_reason, "1 of 2 outlets did not pass");
+}
+
+TEST(RunRecord, ProgressRisesToTheWhole) {
+  FakeStation station({});
+  std::vector<double> parts;
+  RunOptions options;
+  options.progress = [&](double part) { parts.push_back(part); };
+  run(test::plan(1.0), station, options);
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  EXPECT_GT(parts.front(), 0.0);
+  EXPECT_EQ(parts.back(), 1.0);
+}
+
+}  // namespace
+}  // namespace gsbench::station::test
