@@ -72,7 +72,9 @@ struct Crc32 {
 
 bool response_served(const Settings& s) {
   const Response& r = s.response;
-  if (!(r.gain_hz_per_mw > 0.0f) || !(r.initial_slope_per_s > 0.0f) || !(r.sigma_per_s > 0.0f)) {
+  const float omega_n2 = r.discriminant_per_s2 + r.sigma_per_s * r.sigma_per_s;
+  if (!(r.gain_hz_per_mw > 0.0f) || !(r.initial_slope_per_s > 0.0f) || !(r.sigma_per_s > 0.0f) ||
+      !(omega_n2 > 0.0f)) {
     return false;
   }
   const float tau_s =

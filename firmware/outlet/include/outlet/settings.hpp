@@ -31,7 +31,7 @@ struct Settings {
   // Load-shedding conditions, from f_n down.
   ConditionRow conditions[kMaxConditions];
   std::uint8_t condition_rows = 0;
-  // n_max of §5.2: shed only with more hits than this, of the 1 + ekf_samples reports that count. A
+  // n_max of §5.2: shed only with more hits than this, of the ekf_samples reports that count. A
   // loss at the threshold comes to 25 ± 3, one of 320 MW to 14 ± 3, one of 380 MW to 33 ± 3.
   std::uint16_t condition_hits = 20;
   std::uint8_t rocof_samples = 8;  // measurements in the least-squares slope
@@ -58,7 +58,7 @@ struct Settings {
 enum class SettingsError : std::uint8_t {
   kNone = 0,
   kNotFinite = 1,
-  kResponse = 2,  // gain or slope not positive, or outside what the model's series carry
+  kResponse = 2,  // gain, slope or omega_n² not positive, or outside what the model's series carry
   kThreshold = 3,
   kAccumulated = 4,
   kSwitchOff = 5,   // not between 80 % of nominal and nominal
