@@ -1,0 +1,188 @@
+#include <firmware_test/settings.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <outlet/outlet.hpp>
+
+namespace gs::outlet {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+struct Spoiling {
+  const char* what;
+  SettingsError error;
+  std::function<void(Settings&)> spoil;
+};
+
+std::vector<Spoiling> spoilings() {
+  using S = Settings&;
+  using E = SettingsError;
+  return {
+      {"gain NaN", E::kNotFinite, [](S s) { s.response.gain_hz_per_mw = kNaN; }},
+      {"threshold infinite", E::kNotFinite, [](S s) { s.threshold_mw = kInfinity; }},
+      {"largest loss beyond any grid", E::kNotFinite, [](S s) { s.largest_loss_mw = 2e9F; }},
+      {"a condition NaN", E::kNotFinite, [](S s) { s.conditions[3].rocof_below_hz_s = kNaN; }},
+      {"leap NaN", E::kNotFinite, [](S s) { s.tracker.leap_rad = kNaN; }},
+      {"no gain", E::kResponse, [](S s) { s.response.gain_hz_per_mw = 0.0F; }},
+      {"gain of the wrong sign", E::kResponse, [](S s) { s.response.gain_hz_per_mw *= -1.0F; }},
+      {"no slope", E::kResponse, [](S s) { s.response.initial_slope_per_s = 0.0F; }},
+      {"no decay", E::kResponse, [](S s) { s.response.sigma_per_s = 0.0F; }},
+      {"decay beyond the series", E::kResponse, [](S s) { s.response.sigma_per_s = 20.0F; }},
+      {"swing beyond the series", E::kResponse,
+       [](S s) { s.response.discriminant_per_s2 = 12.0F; }},
+      {"growth beyond the series", E::kResponse,
+       [](S s) { s.response.discriminant_per_s2 = -12.0F; }},
+      {"never settles", E::kResponse, [](S s) { s.response.discriminant_per_s2 = -1.0F; }},
+      {"longer than the series", E::kResponse,
+       [](S s) {
+         s.response.discriminant_per_s2 = 5.0F;
+         s.ekf_samples = 100;
+       }},
+      {"no threshold", E::kThreshold, [](S s) { s.threshold_mw = 0.0F; }},
+      {"no largest loss", E::kThreshold, [](S s) { s.largest_loss_mw = 0.0F; }},
+      {"negative accumulated power", E::kAccumulated, [](S s) { s.accumulated_mw = -1.0F; }},
+      {"switches off at 39 Hz", E::kSwitchOff, [](S s) { s.switch_off_hz = 39.9F; }},
+      {"switches off above nominal", E::kSwitchOff, [](S s) { s.switch_off_hz = 50.1F; }},
+      {"no conditions", E::kConditions, [](S s) { s.condition_rows = 0; }},
+      {"too many conditions", E::kConditions, [](S s) { s.condition_rows = kMaxConditions + 1; }},
+      {"conditions out of order", E::kConditions, [](S s) { s.conditions[1] = s.conditions[0]; }},
+      {"a condition at nominal", E::kConditions, [](S s) { s.conditions[0].from_hz = 50.0F; }},
+      {"a condition on a rise", E::kConditions,
+       [](S s) { s.conditions[0].rocof_below_hz_s = 0.1F; }},
+      {"a slope of one", E::kCounts, [](S s) { s.rocof_samples = 1; }},
+      {"a slope beyond memory", E::kCounts, [](S s) { s.rocof_samples = kHistoryLength + 1; }},
+      {"no drops", E::kCounts, [](S s) { s.event_drops = 0; }},
+      {"drops into the baseline", E::kCounts, [](S s) { s.event_drops = kBaselineAge; }},
+      {"an LSE of one", E::kCounts, [](S s) { s.lse_samples = 1; }},
+      {"an LSE too long", E::kCounts, [](S s) { s.lse_samples = kMaxLseSamples + 1; }},
+      {"no EKF", E::kCounts, [](S s) { s.ekf_samples = 0; }},
+      {"an EKF too long", E::kCounts, [](S s) { s.ekf_samples = 201; }},
+      {"switches off on nothing", E::kCounts, [](S s) { s.switch_off_samples = 0; }},
+      {"switches off after a second", E::kCounts, [](S s) { s.switch_off_samples = 51; }},
+      {"negative drop", E::kEvent, [](S s) { s.event_drop_hz = -0.001F; }},
+      {"a drop of more than a hertz", E::kEvent, [](S s) { s.event_drop_hz = 1.1F; }},
+      {"negative departure", E::kEvent, [](S s) { s.event_departure_hz = -0.001F; }},
+      {"no measurement noise", E::kEstimator, [](S s) { s.measurement_sigma_hz = 0.0F; }},
+      {"no spread of the LSE", E::kEstimator, [](S s) { s.loss_sigma_mw = 0.0F; }},
+      {"spread beyond the system", E::kEstimator,
+       [](S s) { s.loss_sigma_mw = 1.1F * s.largest_loss_mw; }},
+      {"no spread of t_x", E::kEstimator, [](S s) { s.t_x_sigma_s = 0.0F; }},
+      {"no residual is trusted", E::kEstimator, [](S s) { s.trusted_residual_hz = 0.0F; }},
+      {"no phase noise", E::kTracker, [](S s) { s.tracker.phase_noise_rad = 0.0F; }},
+      {"no jerk", E::kTracker, [](S s) { s.tracker.jerk_rad_s3_per_sqrt_hz = 0.0F; }},
+      {"no leap", E::kTracker, [](S s) { s.tracker.leap_rad = 0.0F; }},
+      {"no leap of the amplitude", E::kTracker, [](S s) { s.tracker.leap_amplitude = 0.0F; }},
+      {"no bus is dead", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.0F; }},
+      {"every bus is dead", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.6F; }},
+  };
+}
+
+TEST(Settings, AreAcceptedWhereTheyMakeSense) {
+  EXPECT_EQ(validate(test::ieee24_settings(), 50.0F), SettingsError::kNone);
+}
+
+TEST(Settings, AreRefusedWithTheReasonWhereOneDoesNot) {
+  for (const Spoiling& spoiling : spoilings()) {
+    Settings settings = test::ieee24_settings();
+    spoiling.spoil(settings);
+    EXPECT_STREQ(to_string(validate(settings, 50.0F)), to_string(spoiling.error)) << spoiling.what;
+  }
+}
+
+TEST(Settings, EveryReasonIsReachedAndHasItsOwnWords) {
+  std::set<SettingsError> reached = {SettingsError::kNone, SettingsError::kStale};
+  for (const Spoiling& spoiling : spoilings()) reached.insert(spoiling.error);
+  std::set<std::string> words;
+  for (const SettingsError error : reached) words.insert(to_string(error));
+  EXPECT_EQ(reached.size(), static_cast<std::size_t>(SettingsError::kStale) + 1);
+  EXPECT_EQ(words.size(), reached.size());
+  EXPECT_EQ(words.count("unknown"), 0U);
+}
+
+TEST(Settings, OnesRefusedLeaveTheOldOnesInForce) {
+  Config config;
+  State state;
+  ASSERT_TRUE(configure(Hardware{}, config));
+  ASSERT_EQ(apply(config, state, test::ieee24_settings()), SettingsError::kNone);
+  const std::uint32_t in_force = digest(config.settings);
+  for (const Spoiling& spoiling : spoilings()) {
+    Settings settings = test::ieee24_settings();
+    settings.version = 2;
+    spoiling.spoil(settings);
+    EXPECT_EQ(apply(config, state, settings), spoiling.error) << spoiling.what;
+    EXPECT_EQ(digest(config.settings), in_force) << spoiling.what;
+  }
+}
+
+TEST(Settings, OnesNotNewerThanThoseInForceAreRefusedAsStale) {
+  Config config;
+  State state;
+  ASSERT_TRUE(configure(Hardware{}, config));
+  Settings settings = test::ieee24_settings();
+  settings.version = 7;
+  ASSERT_EQ(apply(config, state, settings), SettingsError::kNone);
+  settings.accumulated_mw = 1.0F;
+  for (const std::uint32_t version : {0U, 6U, 7U}) {
+    settings.version = version;
+    EXPECT_EQ(apply(config, state, settings), SettingsError::kStale) << version;
+    EXPECT_EQ(config.settings.accumulated_mw, 100.0F);
+  }
+  settings.version = 8;
+  EXPECT_EQ(apply(config, state, settings), SettingsError::kNone);
+  EXPECT_EQ(config.settings.accumulated_mw, 1.0F);
+}
+
+TEST(Settings, TheFirstOnesMayHaveAnyVersion) {
+  Config config;
+  State state;
+  ASSERT_TRUE(configure(Hardware{}, config));
+  Settings settings = test::ieee24_settings();
+  settings.version = 0;
+  EXPECT_EQ(apply(config, state, settings), SettingsError::kNone);
+}
+
+// Byte by byte, so that a field added to the struct and forgotten in the digest is found: what may
+// change unseen is the padding alone.
+TEST(Settings, TheDigestChangesWithEveryByteOfEveryField) {
+  Settings settings;
+  std::memset(static_cast<void*>(&settings), 0, sizeof settings);
+  settings = test::ieee24_settings();
+  settings.condition_rows = kMaxConditions;
+  const std::uint32_t before = digest(settings);
+  auto* bytes = reinterpret_cast<unsigned char*>(&settings);
+  std::size_t unseen = 0;
+  for (std::size_t i = 0; i < sizeof settings; ++i) {
+    bytes[i] ^= 0x01U;
+    unseen += digest(settings) == before ? 1 : 0;
+    bytes[i] ^= 0x01U;
+  }
+  EXPECT_EQ(digest(settings), before);
+  const std::size_t padding =
+      offsetof(Settings, condition_hits) - offsetof(Settings, condition_rows) -
+      sizeof settings.condition_rows + offsetof(Settings, event_drop_hz) -
+      offsetof(Settings, event_drops) - sizeof settings.event_drops +
+      offsetof(Settings, measurement_sigma_hz) - offsetof(Settings, ekf_samples) -
+      sizeof settings.ekf_samples + offsetof(Settings, tracker) -
+      offsetof(Settings, switch_off_samples) - sizeof settings.switch_off_samples;
+  EXPECT_EQ(unseen, padding);
+}
+
+TEST(Settings, RowsThatAreNotUsedAreNotDigested) {
+  Settings settings = test::ieee24_settings();
+  const std::uint32_t before = digest(settings);
+  settings.conditions[settings.condition_rows] = {1.0F, -1.0F};
+  EXPECT_EQ(digest(settings), before);
+}
+
+}  // namespace
+}  // namespace gs::outlet
