@@ -8,16 +8,25 @@ namespace gsbench::capture {
 namespace {
 
 constexpr double kToleranceHz = 5e-5;
+constexpr double kToleranceHzS = 5e-3;
 // Longest run of entries one line may replace: bounds the work of looking back over it.
 constexpr std::size_t kLongestRun = 2000;
 
-// Whether the straight line from `first` to `last` is right at every entry between them.
-bool line_serves(const std::vector<double>& ticks, const std::vector<double>& hz, std::size_t first,
-                 std::size_t last) {
-  const double slope = (hz[last] - hz[first]) / (ticks[last] - ticks[first]);
+struct Entries {
+  std::vector<double> tick;
+  std::vector<double> hz;
+  std::vector<double> hz_s;
+};
+
+// Whether straight lines from `first` to `last` are right at every entry between them.
+bool line_serves(const Entries& entries, std::size_t first, std::size_t last) {
+  const auto off_line = [&](const std::vector<double>& y, std::size_t i) {
+    const double part =
+        (entries.tick[i] - entries.tick[first]) / (entries.tick[last] - entries.tick[first]);
+    return std::fabs(y[first] + part * (y[last] - y[first]) - y[i]);
+  };
   for (std::size_t i = first + 1; i < last; ++i) {
-    const double on_line = hz[first] + slope * (ticks[i] - ticks[first]);
-    if (std::fabs(on_line - hz[i]) > kToleranceHz) {
+    if (off_line(entries.hz, i) > kToleranceHz || off_line(entries.hz_s, i) > kToleranceHzS) {
       return false;
     }
   }
@@ -38,22 +47,26 @@ record::TruthTrace truth_trace(const waveform::Truth& truth, std::int64_t durati
   for (const double corner_s : truth.corners_s()) {
     const double tick = std::round(corner_s * rate);
     if (tick > 0.0 && tick < static_cast<double>(duration_ticks)) {
+      // One on each side: there the ROCOF jumps.
+      ticks.push_back(static_cast<std::int64_t>(tick) - 1);
       ticks.push_back(static_cast<std::int64_t>(tick));
     }
   }
   std::sort(ticks.begin(), ticks.end());
   ticks.erase(std::unique(ticks.begin(), ticks.end()), ticks.end());
 
-  std::vector<double> position(ticks.begin(), ticks.end());
-  std::vector<double> hz(ticks.size());
-  for (std::size_t i = 0; i < ticks.size(); ++i) {
-    hz[i] = truth.frequency_hz(position[i] / rate);
+  Entries entries;
+  for (const std::int64_t tick : ticks) {
+    const double t_s = static_cast<double>(tick) / rate;
+    entries.tick.push_back(static_cast<double>(tick));
+    entries.hz.push_back(truth.frequency_hz(t_s));
+    entries.hz_s.push_back(truth.rocof_hz_s(t_s));
   }
   record::TruthTrace trace;
   const auto keep = [&](std::size_t i) {
     trace.tick.push_back(ticks[i]);
-    trace.frequency_hz.push_back(hz[i]);
-    trace.rocof_hz_s.push_back(truth.rocof_hz_s(position[i] / rate));
+    trace.frequency_hz.push_back(entries.hz[i]);
+    trace.rocof_hz_s.push_back(entries.hz_s[i]);
   };
   keep(0);
   std::size_t first = 0;
@@ -62,14 +75,14 @@ record::TruthTrace truth_trace(const waveform::Truth& truth, std::int64_t durati
     std::size_t good = first + 1;
     std::size_t reach = 2;
     while (first + reach < ticks.size() && reach <= kLongestRun &&
-           line_serves(position, hz, first, first + reach)) {
+           line_serves(entries, first, first + reach)) {
       good = first + reach;
       reach *= 2;
     }
     std::size_t bad = std::min(first + reach, ticks.size());
     while (good + 1 < bad) {
       const std::size_t middle = good + (bad - good) / 2;
-      (line_serves(position, hz, first, middle) ? good : bad) = middle;
+      (line_serves(entries, first, middle) ? good : bad) = middle;
     }
     keep(good);
     first = good;

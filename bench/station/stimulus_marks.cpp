@@ -2,10 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include <waveform/tick.hpp>
 
 namespace gsbench::station {
+namespace {
+
+// "500 MW", "-20°", "40 %": at most four digits.
+std::string figure(double value, const char* unit) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.4g%s", value, unit);
+  return text;
+}
+
+}  // namespace
 
 std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
   const auto tick = [&plan](double at_s) {
@@ -13,15 +25,19 @@ std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
   };
   std::vector<record::Mark> marks;
   for (const grid::PowerChange& loss : plan.stimulus.losses) {
-    marks.push_back({tick(loss.at_s), loss.power_mw > 0.0 ? "loss" : "shed", loss.power_mw, "MW"});
+    const bool lost = loss.power_mw > 0.0;
+    marks.push_back({tick(loss.at_s), lost ? "loss" : "shed", loss.power_mw,
+                     figure(std::fabs(loss.power_mw), " MW") + (lost ? " lost" : " shed")});
   }
   for (const waveform::PhaseJump& jump : plan.stimulus.signal.phase_jumps) {
-    marks.push_back({tick(jump.at_s), "phase jump", jump.degrees, "degrees"});
+    marks.push_back(
+        {tick(jump.at_s), "phase jump", jump.degrees, figure(jump.degrees, "° phase jump")});
   }
   for (const waveform::AmplitudeStep& step : plan.stimulus.signal.amplitude_steps) {
-    marks.push_back({tick(step.at_s), "amplitude", step.level_pct, "%"});
+    marks.push_back(
+        {tick(step.at_s), "amplitude", step.level_pct, "voltage " + figure(step.level_pct, " %")});
     if (std::isfinite(step.duration_s)) {
-      marks.push_back({tick(step.at_s + step.duration_s), "amplitude", 100.0, "%"});
+      marks.push_back({tick(step.at_s + step.duration_s), "amplitude", 100.0, "voltage restored"});
     }
   }
   std::stable_sort(marks.begin(), marks.end(),

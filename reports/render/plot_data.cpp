@@ -47,10 +47,14 @@ std::vector<Stretch> around_marks(const record::RunRecord& run,
 
 Json marks_json(const record::RunRecord& run, const std::vector<record::Mark>& marks) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < std::min(marks.size(), kMostMarks); ++i) {
-    list.push_back({{"t", seconds(run, marks[i].tick)},
-                    {"kind", valid_text(marks[i].kind)},
-                    {"label", valid_text(mark_label(marks[i]))}});
+  for (const record::Mark& mark : marks) {
+    // What a decision rested on stands in the tables; one line in the plot is enough.
+    const bool detail = mark.kind.rfind("decision.", 0) == 0;
+    if (!detail && list.size() < kMostMarks) {
+      list.push_back({{"t", seconds(run, mark.tick)},
+                      {"kind", valid_text(mark.kind)},
+                      {"label", valid_text(mark_label(mark))}});
+    }
   }
   return list;
 }
@@ -128,10 +132,13 @@ std::string safe_in_script(const std::string& json) {
 }  // namespace
 
 std::string mark_label(const record::Mark& mark) {
-  static constexpr std::array<std::pair<const char*, const char*>, 6> kLabels = {{
+  static constexpr std::array<std::pair<const char*, const char*>, 9> kLabels = {{
       {"event", "Event"},
       {"lse", "LSE"},
       {"decision", "Decision"},
+      {"decision.loss", "ΔP at the decision"},
+      {"decision.hits", "Conditions met"},
+      {"decision.trust", "Estimate trusted"},
       {"relay.sense", "Relay (sense)"},
       {"relay.word", "Relay (word)"},
       {"command", "Command"},
@@ -147,7 +154,8 @@ std::string mark_value(const record::Mark& mark) {
   if (mark.kind == "relay.word" || mark.kind == "relay.sense") {
     return mark.value != 0.0 ? "closed" : "open";
   }
-  const bool power = mark.kind == "lse" || mark.kind == "loss";
+  const bool power = mark.kind == "lse" || mark.kind == "loss" || mark.kind == "shed" ||
+                     mark.kind == "decision" || mark.kind == "decision.loss";
   return with_unit(figure(mark.value), power ? "MW" : "");
 }
 
