@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <capture/truth_trace.hpp>
+#include <waveform/tick.hpp>
 
 namespace gsbench::capture {
 namespace {
@@ -45,11 +46,11 @@ record::TruthTrace truth_trace(const waveform::Truth& truth, std::int64_t durati
   }
   ticks.push_back(duration_ticks);
   for (const double corner_s : truth.corners_s()) {
-    const double tick = std::round(corner_s * rate);
-    if (tick > 0.0 && tick < static_cast<double>(duration_ticks)) {
+    const std::int64_t tick = waveform::tick_at(corner_s, sample_rate_hz);
+    if (tick > 0 && tick < duration_ticks) {
       // One on each side: there the ROCOF jumps.
-      ticks.push_back(static_cast<std::int64_t>(tick) - 1);
-      ticks.push_back(static_cast<std::int64_t>(tick));
+      ticks.push_back(tick - 1);
+      ticks.push_back(tick);
     }
   }
   std::sort(ticks.begin(), ticks.end());
