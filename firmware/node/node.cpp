@@ -7,7 +7,8 @@ using wire::UplinkKind;
 bool Node::start(const outlet::Hardware& hardware, Outbox& outbox) {
   state_ = outlet::State{};
   samples_ = 0;
-  if (!outlet::configure(hardware, config_)) {
+  started_ = outlet::configure(hardware, config_);
+  if (!started_) {
     return false;
   }
   wire::Uplink hello = message(UplinkKind::kHello);
@@ -20,6 +21,9 @@ bool Node::start(const outlet::Hardware& hardware, Outbox& outbox) {
 }
 
 void Node::feed(const std::int16_t* samples, std::size_t count, Outbox& outbox) {
+  if (!started_) {
+    return;
+  }
   std::size_t done = 0;
   while (done < count) {
     outlet::Report report;
@@ -35,6 +39,9 @@ void Node::feed(const std::int16_t* samples, std::size_t count, Outbox& outbox) 
 }
 
 void Node::receive(const wire::Downlink& downlink, Outbox& outbox) {
+  if (!started_) {
+    return;
+  }
   switch (downlink.kind) {
     case wire::DownlinkKind::kSettings:
       take_settings(downlink.settings, outbox);

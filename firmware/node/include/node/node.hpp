@@ -23,7 +23,8 @@ class Outbox {
 
 class Node {
  public:
-  // False where the hardware is none that can be served; the node then does nothing.
+  // False where the hardware is none that can be served; the node then does nothing, as before its
+  // first start.
   bool start(const outlet::Hardware& hardware, Outbox& outbox);
 
   void feed(const std::int16_t* samples, std::size_t count, Outbox& outbox);
@@ -41,6 +42,7 @@ class Node {
   outlet::Config config_;
   outlet::State state_;
   std::uint64_t samples_ = 0;
+  bool started_ = false;
 };
 
 }  // namespace gs::node
