@@ -1,0 +1,146 @@
+// When an estimate may be acted on, and when it says that it may not.
+#include <firmware_test/settings.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <grid/sfr_model.hpp>
+#include <outlet/estimator.hpp>
+
+namespace gs::outlet {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNominalHz = 50.0F;
+constexpr Line kNoLine = {kNaN, kNaN};
+
+// Deviation in Hz, so long after the event.
+using Deviation = std::function<double(double)>;
+
+// A loss 80 ms before the event, as five drops find it.
+Deviation loss_of(double power_mw) {
+  const gsbench::grid::SfrModel model(test::ieee24());
+  return [model, power_mw](double t_s) { return power_mw * model.unit_deviation_hz(t_s + 0.08); };
+}
+
+struct Played {
+  Settings settings = test::ieee24_settings();
+  EstimatorState state;
+};
+
+Played play(const Deviation& deviation, float rocof_before_hz_s = 0.0F, int reports = 50) {
+  Played played;
+  begin(played.state, {kNominalHz, rocof_before_hz_s});
+  for (int k = 0; k < reports; ++k) {
+    const auto frequency_hz = static_cast<float>(50.0 + deviation(0.016 * k));
+    observe(played.settings, kNominalHz, played.state, true, frequency_hz, kNoLine);
+  }
+  return played;
+}
+
+Trust trust_of(const Played& played) {
+  return trust(played.settings, played.state);
+}
+
+TEST(Trust, ACleanLossIsTrustedAndRight) {
+  const Played played = play(loss_of(500.0));
+  EXPECT_EQ(trust_of(played), Trust::kTrusted);
+  EXPECT_TRUE(complete(played.settings, played.state));
+  // Without noise 4 % would be the paper's; the LSE's start and σ = 5 mHz leave a half.
+  EXPECT_NEAR(played.state.ekf.loss_mw, 500.0F, 2.5F);
+  EXPECT_NEAR(loss_instant_s(played.state), -0.08F - kFrontEndDelayS, 3e-3F);
+}
+
+TEST(Trust, NothingIsTrustedBeforeHalfOfTheReportsAreIn) {
+  for (const int reports : {0, 1, 9, 10, 29}) {
+    const Played played = play(loss_of(500.0), 0.0F, reports);
+    EXPECT_EQ(trust_of(played), Trust::kNotYet) << reports;
+    EXPECT_FALSE(complete(played.settings, played.state));
+  }
+  EXPECT_EQ(trust_of(play(loss_of(500.0), 0.0F, 30)), Trust::kTrusted);
+}
+
+TEST(Trust, AFrequencyThatMovedBeforeTheEventIsNotTrusted) {
+  EXPECT_EQ(trust_of(play(loss_of(500.0), -0.2F)), Trust::kUnsteadyStart);
+  EXPECT_EQ(trust_of(play(loss_of(500.0), 0.2F)), Trust::kUnsteadyStart);
+  EXPECT_EQ(trust_of(play(loss_of(500.0), kNaN)), Trust::kUnsteadyStart);
+  EXPECT_EQ(trust_of(play(loss_of(500.0), 0.05F)), Trust::kTrusted);
+}
+
+// A second loss on top of the first, which the model of one loss cannot follow.
+TEST(Trust, MeasurementsThatDoNotFollowTheModelAreNotTrusted) {
+  const Deviation first = loss_of(300.0);
+  const Deviation second = loss_of(1200.0);
+  const Played played =
+      play([&](double t_s) { return first(t_s) + (t_s > 0.4 ? second(t_s - 0.48) : 0.0); });
+  EXPECT_EQ(trust_of(played), Trust::kResidual);
+}
+
+TEST(Trust, AnInfiniteMeasurementIsNotTrusted) {
+  for (const float odd : {kNaN, std::numeric_limits<float>::infinity()}) {
+    Played played = play(loss_of(500.0), 0.0F, 40);
+    observe(played.settings, kNominalHz, played.state, true, odd, kNoLine);
+    EXPECT_NE(trust_of(played), Trust::kTrusted);
+  }
+}
+
+TEST(Trust, ALossBeyondTheSystemIsAtItsBound) {
+  EXPECT_EQ(trust_of(play(loss_of(4000.0))), Trust::kAtBound);
+}
+
+TEST(Trust, ARisingFrequencyIsAtTheBoundOfNoLoss) {
+  EXPECT_EQ(trust_of(play(loss_of(-500.0))), Trust::kAtBound);
+}
+
+TEST(Trust, ALossLostInTheNoiseIsTooUncertain) {
+  EXPECT_EQ(trust_of(play(loss_of(5.0))), Trust::kUncertain);
+}
+
+TEST(Estimator, AGapBeforeTheLseIsDoneStartsItAfresh) {
+  Played played = play(loss_of(500.0), 0.0F, 9);
+  EXPECT_EQ(played.state.lse.count, 9);
+  observe(played.settings, kNominalHz, played.state, false, kNaN, kNoLine);
+  EXPECT_EQ(played.state.lse.count, 0);
+  EXPECT_FALSE(played.state.started);
+}
+
+TEST(Estimator, AGapWhileTheEkfRunsIsPassedOverWithItsTime) {
+  const Deviation deviation = loss_of(500.0);
+  Played played = play(deviation, 0.0F, 20);
+  for (int k = 20; k < 50; ++k) {
+    const bool valid = k < 25 || k >= 30;
+    const auto frequency_hz = valid ? static_cast<float>(50.0 + deviation(0.016 * k)) : kNaN;
+    observe(played.settings, kNominalHz, played.state, valid, frequency_hz, kNoLine);
+  }
+  EXPECT_EQ(played.state.ekf.count, 35);
+  EXPECT_EQ(trust_of(played), Trust::kTrusted);
+  EXPECT_NEAR(played.state.ekf.loss_mw, 500.0F, 2.5F);
+}
+
+TEST(Estimator, ConditionsCountOnceTheLseIsDone) {
+  Played played;
+  begin(played.state, {kNominalHz, 0.0F});
+  const Line falling = {49.95F, -2.0F};
+  for (int k = 0; k < 50; ++k) {
+    observe(played.settings, kNominalHz, played.state, true, 49.9F, falling);
+    EXPECT_EQ(played.state.hits, std::max(0, k + 1 - 10)) << k;
+  }
+  EXPECT_EQ(played.state.hits, played.settings.ekf_samples);
+}
+
+TEST(Trust, EachStatusHasItsOwnWords) {
+  std::set<std::string> words;
+  for (const Trust trust : {Trust::kTrusted, Trust::kNotYet, Trust::kUnsteadyStart,
+                            Trust::kResidual, Trust::kAtBound, Trust::kUncertain}) {
+    words.insert(to_string(trust));
+  }
+  EXPECT_EQ(words.size(), 6U);
+}
+
+}  // namespace
+}  // namespace gs::outlet
