@@ -1,9 +1,6 @@
-#include <firmware_test/mains.hpp>
-#include <firmware_test/settings.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "noise_events.hpp"
+
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -12,14 +9,6 @@
 
 namespace gs::outlet {
 namespace {
-
-Settings five_drops(float drop_hz, float departure_hz) {
-  Settings settings;
-  settings.event_drops = 5;
-  settings.event_drop_hz = drop_hz;
-  settings.event_departure_hz = departure_hz;
-  return settings;
-}
 
 // Steady at 50 Hz for as long as there is a history, then as given.
 History history_of(const std::vector<float>& latest_hz) {
@@ -106,28 +95,6 @@ TEST(EventDetector, ALineThroughTheHistoryHasItsSlopeAndItsMiddle) {
   }
 }
 
-// Events begun by each of several rules on one hour of 1 % noise at a time.
-template <std::size_t kRules>
-std::array<int, kRules> events_in_noise(const std::array<Settings, kRules>& rules, double hours) {
-  test::MainsSpec spec;
-  spec.truth = test::steady(50.0, 50.0);
-  spec.noise_pct = 1.0;
-  const test::Mains mains(spec);
-  Config config;
-  State state;
-  EXPECT_TRUE(configure(mains.hardware(), config));
-  std::array<int, kRules> events{};
-  std::array<bool, kRules> under_way{};
-  test::play(mains, 3600.0 * hours, config, state, [&](const Report&) {
-    for (std::size_t i = 0; i < kRules; ++i) {
-      const bool detected = event_detected(rules[i], state.history);
-      events[i] += detected && !under_way[i] ? 1 : 0;
-      under_way[i] = detected;
-    }
-  });
-  return events;
-}
-
 // Five drops in a row happen by chance: once in 720 windows of independent noise, which would be
 // 312 an hour, and more often on a tracker's smooth output.
 TEST(EventDetector, InNoiseThePapersRuleAloneIsMetHundredsOfTimesAnHourAndOursNever) {
@@ -136,14 +103,6 @@ TEST(EventDetector, InNoiseThePapersRuleAloneIsMetHundredsOfTimesAnHourAndOursNe
   EXPECT_GT(events[0], 312 * kHours);
   EXPECT_LT(events[0], 10000 * kHours);
   EXPECT_EQ(events[1], 0);
-}
-
-TEST(EventDetectorSlow, IsQuietForFiveHoursOfNoise) {
-  constexpr double kHours = 5.0;
-  // The limits are what keeps it quiet: half of each lets noise through.
-  const auto events = events_in_noise<2>({Settings{}, five_drops(0.007F, 0.005F)}, kHours);
-  EXPECT_EQ(events[0], 0);
-  EXPECT_GT(events[1], 10);
 }
 
 }  // namespace

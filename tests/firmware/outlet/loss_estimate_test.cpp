@@ -251,7 +251,7 @@ TEST(LossEkf, NoMeasurementsMakeItDiverge) {
 TEST(LossEkf, NoSettingsThatAreAcceptedMakeItDiverge) {
   Hostile hostile(2);
   int accepted = 0;
-  for (int run = 0; run < 100'000; ++run) {
+  for (int run = 0; run < 20'000; ++run) {
     Settings s = test::ieee24_settings();
     s.response.gain_hz_per_mw = hostile.decades(-20.0F, 8.0F);
     s.response.sigma_per_s = hostile.decades(-6.0F, 1.5F);
@@ -281,7 +281,7 @@ TEST(LossEkf, NoSettingsThatAreAcceptedMakeItDiverge) {
              << " largest " << s.largest_loss_mw << " loss sigma " << s.loss_sigma_mw;
     }
   }
-  EXPECT_GT(accepted, 10'000);
+  EXPECT_GT(accepted, 2000);
 }
 
 }  // namespace

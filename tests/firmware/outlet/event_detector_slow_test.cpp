@@ -1,0 +1,15 @@
+#include "noise_events.hpp"
+
+namespace gs::outlet {
+namespace {
+
+TEST(EventDetectorForHours, IsQuietForFiveHoursOfNoise) {
+  constexpr double kHours = 5.0;
+  // The limits are what keeps it quiet: half of each lets noise through.
+  const auto events = events_in_noise<2>({Settings{}, five_drops(0.007F, 0.005F)}, kHours);
+  EXPECT_EQ(events[0], 0);
+  EXPECT_GT(events[1], 10);
+}
+
+}  // namespace
+}  // namespace gs::outlet
