@@ -67,7 +67,8 @@ std::string study_table(const StudyResult& study, const Shares& shares) {
   }
   text += "\n";
   for (const auto& [measure, limit] : shares) {
-    if (const Row* row = find_row(study, measure)) {
+    const Row* row = find_row(study, measure);
+    if (row != nullptr && row->values.count() > 0) {
       text += fmt::format("|{}| ≤ {:g} {}: {:.3f} % of {}\n", measure, limit, row->unit,
                           100.0 * row->values.share_within(limit),
                           row->values.count() + row->values.missing());
