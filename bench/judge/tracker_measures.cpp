@@ -16,7 +16,9 @@ constexpr double kSettleS = 1.0;
 
 // Below this a bus is dead; a claim counts once it has been so for longer than a tracker's memory.
 constexpr double kDeadBusPu = 0.10;
-constexpr double kTrackerMemoryS = 0.060;
+constexpr double kLookStepS = 0.002;
+constexpr int kLookSteps = 30;
+constexpr double kTrackerMemoryS = kLookSteps * kLookStepS;
 
 struct Sample {
   double t_s;
@@ -154,13 +156,12 @@ Reading valid_share(const Case& c) {
 
 Reading dead_bus_claims(const Case& c) {
   const record::MeasurementTrace& trace = c.outlet.trace;
-  const double step_s = 0.002;
   double claims = 0.0;
   for (std::size_t i = 0; i < trace.tick.size(); ++i) {
     const double t_s = c.seconds(trace.tick[i]);
     bool dead = trace.validity[i] == kValid && t_s > kTrackerMemoryS;
-    for (double back_s = 0.0; dead && back_s <= kTrackerMemoryS; back_s += step_s) {
-      dead = c.true_voltage_pu(t_s - back_s) < kDeadBusPu;
+    for (int step = 0; dead && step <= kLookSteps; ++step) {
+      dead = c.true_voltage_pu(t_s - step * kLookStepS) < kDeadBusPu;
     }
     claims += dead ? 1.0 : 0.0;
   }

@@ -10,7 +10,6 @@ namespace gsbench::capture {
 namespace {
 
 using gs::outlet::Trust;
-using gs::wire::Uplink;
 using gs::wire::UplinkKind;
 using ::testing::ElementsAre;
 

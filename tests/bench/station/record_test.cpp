@@ -1,11 +1,10 @@
 // What a run's record says of the run.
 
-#include "../../reports/temporary_folder.hpp"
 #include "fake_station.hpp"
 #include "plans.hpp"
+#include "temporary_folder.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,8 +18,6 @@ namespace gsbench::station::test {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::Not;
 using ::testing::StartsWith;
 
 record::RunRecord record_of(const profile::Plan& plan, const Script& script = {}) {

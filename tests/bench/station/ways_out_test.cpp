@@ -1,8 +1,8 @@
 // Every way out of a run leaves the station safe and the record with a reason.
 
-#include "../../reports/temporary_folder.hpp"
 #include "fake_station.hpp"
 #include "plans.hpp"
+#include "temporary_folder.hpp"
 
 #include <functional>
 
@@ -17,7 +17,6 @@ namespace gsbench::station::test {
 namespace {
 
 using record::Verdict;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const char* const kCommand = "[[command]]\nat_s = 0.55\nswitch = \"off\"\n";
