@@ -18,7 +18,7 @@ void check(const std::vector<std::string>& profiles) {
       station::outlet_settings(plan, outlet, 1);
     }
     plan.synthesizer();
-    std::printf("%s: %zu outlets, %g s at %lld Hz, %zu limits\n", plan.name.c_str(),
+    std::printf("%s: outlets: %zu, %g s at %lld Hz, limits: %zu\n", plan.name.c_str(),
                 plan.outlets.size(), plan.stimulus.duration_s,
                 static_cast<long long>(plan.stimulus.sample_rate_hz), plan.expectations.size());
   }

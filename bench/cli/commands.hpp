@@ -2,6 +2,8 @@
 // has understood everything, and leaves its exit code in `exit_code`.
 #pragma once
 
+#include <cstdint>
+
 #include <CLI/CLI.hpp>
 
 #include <record/run_record.hpp>
@@ -16,6 +18,9 @@ enum ExitCode : int {
   kErrored = 4,
   kInterrupted = 130,
 };
+
+// As in a profile.
+inline const CLI::Range kSeedRange(std::int64_t{0}, std::int64_t{1} << 53);
 
 // What a verdict comes to.
 ExitCode exit_code_of(record::Verdict verdict);

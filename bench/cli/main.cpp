@@ -32,7 +32,7 @@ int complain(const char* what, int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace gsbench;
+  namespace cli = gsbench::cli;
   CLI::App app(kAbout, "gsbench");
   app.footer(kExitCodes);
   app.set_version_flag("--version", GSBENCH_VERSION);
@@ -52,14 +52,18 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? cli::kPassed : cli::kBadInput;
-  } catch (const profile::ConfigurationError& error) {
+  } catch (const gsbench::profile::ConfigurationError& error) {
     return complain(error.what(), cli::kBadInput);
-  } catch (const record::StoreError& error) {
+  } catch (const gsbench::record::StoreError& error) {
     return complain(error.what(), cli::kBadInput);
-  } catch (const render::WriteError& error) {
+  } catch (const gsbench::render::WriteError& error) {
     return complain(error.what(), cli::kBadInput);
   } catch (const std::exception& error) {
     return complain(error.what(), cli::kErrored);
+  }
+  // What standard output could not take has been lost: say so.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    return complain("standard output cannot be written", cli::kBadInput);
   }
   return exit_code;
 }

@@ -113,6 +113,9 @@ struct ParamsArguments {
 
 void params(const ParamsArguments& arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
+  if (std::isnan(arguments.row_hz)) {
+    throw profile::ConfigurationError("--row: not a number");
+  }
   const double row_hz = arguments.row_hz > 0.0 ? arguments.row_hz : grid.condition_row_hz;
   if (arguments.json) {
     std::printf("%s\n", as_json(grid, row_hz).dump(2).c_str());

@@ -70,8 +70,10 @@ void add_run(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--out", arguments->output_folder, "Folder that keeps the runs")
       ->capture_default_str();
-  command->add_option("--seed", arguments->overrides.seed,
-                      "Seed of the noise, in place of the profile's");
+  command
+      ->add_option("--seed", arguments->overrides.seed,
+                   "Seed of the noise, in place of the profile's")
+      ->check(kSeedRange);
   command->add_option("--station", arguments->station, "Where the outlets are")
       ->check(CLI::IsMember({"simulated"}))
       ->capture_default_str();

@@ -1,8 +1,8 @@
 #include "run_folder.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 
 #include <profile/load.hpp>
@@ -17,11 +17,15 @@ RunFolder::RunFolder(const std::string& output_folder) : output_folder_(output_f
   std::error_code error;
   made_output_folder_ = fs::create_directories(output_folder, error);
   if (!error) {
-    path_ = output_folder + "/.unfinished-" + std::to_string(getpid());
-    fs::create_directory(path_, error);
+    path_ = output_folder + "/.unfinished-XXXXXX";
+    if (mkdtemp(path_.data()) == nullptr) {
+      error = std::error_code(errno, std::generic_category());
+      path_.clear();
+    }
   }
   if (error) {
-    throw record::StoreError(output_folder + ": cannot keep runs here: " + error.message() +
+    throw record::StoreError((output_folder.empty() ? "--out" : output_folder) +
+                             ": cannot keep runs here: " + error.message() +
                              "; name another folder with --out");
   }
 }

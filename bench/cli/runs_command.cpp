@@ -19,7 +19,14 @@ struct RunsArguments {
 void runs(const RunsArguments& arguments) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (const std::string& path : list_records(arguments.output_folder)) {
-    const record::RunRecord run = record::read_run(path);
+    record::RunRecord run;
+    try {
+      run = record::read_run(path);
+    } catch (const record::StoreError& error) {
+      // The others can still be listed.
+      std::fprintf(stderr, "gsbench: %s\n", error.what());
+      continue;
+    }
     if (arguments.json) {
       out.push_back({{"run_id", run.run_id},
                      {"started_utc", run.started_utc},

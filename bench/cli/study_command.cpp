@@ -3,7 +3,9 @@
 #include "progress.hpp"
 #include "study_output.hpp"
 
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <thread>
 
@@ -25,15 +27,13 @@ Shares parse_shares(const std::vector<std::string>& texts) {
   Shares shares;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
-    std::size_t used = 0;
-    double limit = 0.0;
-    try {
-      limit = std::stod(text.substr(equals == std::string::npos ? 0 : equals + 1), &used);
-    } catch (const std::exception&) {
-      used = 0;
+    const std::string figure = equals == std::string::npos ? "" : text.substr(equals + 1);
+    double limit = std::numeric_limits<double>::quiet_NaN();
+    if (!CLI::detail::lexical_cast(figure, limit)) {
+      limit = std::numeric_limits<double>::quiet_NaN();
     }
     const std::string name = text.substr(0, equals);
-    if (equals == std::string::npos || used == 0 || judge::find_measure(name) == nullptr) {
+    if (!std::isfinite(limit) || judge::find_measure(name) == nullptr) {
       throw profile::ConfigurationError(
           "--within " + text +
           ": write MEASURE=LIMIT, such as ekf.error=4; `gsbench measures` lists them");
@@ -76,6 +76,7 @@ void add_study(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10000000}))
       ->capture_default_str();
   command->add_option("--first-seed", arguments->options.first_seed, "The first of them")
+      ->check(kSeedRange)
       ->capture_default_str();
   command->add_option("--threads", arguments->options.threads, "The result is the same for any")
       ->check(CLI::Range(1, 256))

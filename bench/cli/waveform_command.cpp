@@ -62,7 +62,7 @@ void add_waveform(CLI::App& app, int&) {
   command->add_option("profile", arguments->profile, "A shipped profile, or a .toml file")
       ->required();
   command->add_option("-o,--output", arguments->output, "The CSV file")->required();
-  command->add_option("--seed", arguments->overrides.seed, "Seed of the noise");
+  command->add_option("--seed", arguments->overrides.seed, "Seed of the noise")->check(kSeedRange);
   command->footer("Example:\n  gsbench waveform paper/loss-500mw -o loss.csv");
   command->callback([arguments] { write_waveform(*arguments); });
 }

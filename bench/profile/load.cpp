@@ -71,7 +71,8 @@ Plan parse_profile(const std::string& text, const std::string& path,
   const bool replaced = !overrides.trace_path.empty();
   plan.stimulus = read_stimulus(signal, grid_section, plan.grid, replaced);
   if (replaced) {
-    replace_by_recording(overrides.trace_path, overrides.trace_columns, plan.stimulus);
+    replace_by_recording(overrides.trace_path, overrides.trace_columns, plan.grid.nominal_hz,
+                         plan.stimulus);
   }
   plan.seed = overrides.seed.value_or(plan.seed);
   plan.outlets = read_outlets(top, plan.grid);

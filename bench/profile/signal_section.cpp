@@ -12,7 +12,6 @@
 namespace gsbench::profile {
 namespace {
 
-constexpr double kLongestRun_s = 1.0e7;  // 2777 h; ticks stay far from overflow
 constexpr std::int64_t kRateStep_hz = 1000;
 constexpr std::int64_t kHighestRate_hz = 32000;
 constexpr int kHighestOrder = 50;
@@ -183,7 +182,7 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
   } else if (skip_recording) {
     stimulus.duration_s = duration_s.value_or(kLongestRun_s);
   } else {
-    read_trace_section(signal, stimulus);
+    read_trace_section(signal, grid.nominal_hz, stimulus);
     if (duration_s && *duration_s > stimulus.duration_s) {
       signal.refuse("duration_s", fmt::format("duration_s is {}; the recording ends at {} s",
                                               *duration_s, stimulus.duration_s));

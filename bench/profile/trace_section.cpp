@@ -20,6 +20,23 @@ std::vector<waveform::TracePoint> read_recording(const std::string& path,
   }
 }
 
+// A recording is held to what break points and durations in a profile are held to.
+void check(const std::vector<waveform::TracePoint>& points, const std::string& path,
+           double nominal_hz) {
+  if (!(points.back().t_s <= kLongestRun_s)) {
+    throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at most", path,
+                                         points.back().t_s, kLongestRun_s));
+  }
+  for (const waveform::TracePoint& point : points) {
+    if (!(point.frequency_hz >= 0.5 * nominal_hz && point.frequency_hz <= 1.5 * nominal_hz)) {
+      throw ConfigurationError(fmt::format(
+          "{}: {} Hz at {} s from its start: half to one and a half of the nominal {} Hz "
+          "can be played",
+          path, point.frequency_hz, point.t_s, nominal_hz));
+    }
+  }
+}
+
 void use(std::vector<waveform::TracePoint> points, std::string path, Stimulus& stimulus) {
   stimulus.kind = TruthKind::kTrace;
   stimulus.duration_s = points.back().t_s;
@@ -29,7 +46,7 @@ void use(std::vector<waveform::TracePoint> points, std::string path, Stimulus& s
 
 }  // namespace
 
-void read_trace_section(const Table& signal, Stimulus& stimulus) {
+void read_trace_section(const Table& signal, double nominal_hz, Stimulus& stimulus) {
   const Table table(
       signal.document(), *signal.table("trace"), "[signal.trace]",
       {"file", "time", "frequency", "voltage", "nominal_voltage", "from_s", "until_s"});
@@ -60,16 +77,22 @@ void read_trace_section(const Table& signal, Stimulus& stimulus) {
   }
   const double first_s = points.front().t_s;
   for (waveform::TracePoint& point : points) point.t_s -= first_s;
+  check(points, path, nominal_hz);
   use(std::move(points), path, stimulus);
 }
 
 void replace_by_recording(const std::string& path, const waveform::TraceColumns& columns,
-                          Stimulus& stimulus) {
+                          double nominal_hz, Stimulus& stimulus) {
+  if (columns.time.empty() || columns.frequency.empty()) {
+    throw ConfigurationError(
+        "--trace needs --trace-time and --trace-frequency: the columns' names");
+  }
   if (!is_regular_file(path)) throw ConfigurationError(fmt::format("{}: no such recording", path));
   auto points = read_recording(path, columns);
   if (points.size() < 2) {
     throw ConfigurationError(fmt::format("{}: less than two rows to play", path));
   }
+  check(points, path, nominal_hz);
   stimulus.losses.clear();
   stimulus.points.clear();
   stimulus.signal.amplitude_steps.clear();

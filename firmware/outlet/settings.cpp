@@ -146,7 +146,7 @@ const char* to_string(SettingsError error) {
     case SettingsError::kTracker:
       return "tracker settings out of range";
     case SettingsError::kStale:
-      return "older than the settings in force";
+      return "not newer than the settings in force";
   }
   return "unknown";
 }

@@ -1,4 +1,5 @@
 #include <QFile>
+#include <QFileInfo>
 #include <QSaveFile>
 #include <QString>
 
@@ -7,6 +8,11 @@
 namespace gsbench::render {
 
 void write_file(const std::string& path, const std::string& content) {
+  const QFileInfo there(QFile::decodeName(path.c_str()));
+  if (there.exists() && !there.isFile()) {
+    // The rename would put a file in the place of a device, to the harm of everyone else.
+    throw WriteError(path + ": cannot be written: it is there and no ordinary file");
+  }
   QSaveFile file(QFile::decodeName(path.c_str()));
   const auto refuse = [&] {
     throw WriteError(path + ": cannot be written: " + file.errorString().toStdString());

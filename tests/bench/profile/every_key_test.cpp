@@ -1,6 +1,7 @@
 // No key can be forgotten by the loader or by the documentation: for each line of profiles that use
 // every key, a value of a wrong type is refused on that line, and the key stands in the README.
 #include <profile_test/texts.hpp>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -35,7 +36,7 @@ class EveryKey : public testing::TestWithParam<const char*> {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / "gsbench-every-key";
+      std::filesystem::path(testing::TempDir()) / ("gsbench-every-key-" + std::to_string(getpid()));
 };
 
 TEST_P(EveryKey, IsReadAndRefusedWhereItsTypeIsWrong) {

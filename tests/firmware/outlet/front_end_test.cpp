@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -53,7 +54,11 @@ TEST(FrontEnd, RefusesHardwareItCannotServe) {
 }
 
 bool same_bits(float a, float b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  std::uint32_t bits_a = 0;
+  std::uint32_t bits_b = 0;
+  std::memcpy(&bits_a, &a, sizeof bits_a);
+  std::memcpy(&bits_b, &b, sizeof bits_b);
+  return bits_a == bits_b;
 }
 
 void expect_same(const Report& a, const Report& b) {
@@ -100,7 +105,7 @@ TEST(FrontEnd, ReportsDoNotDependOnHowTheSamplesAreHandedOver) {
     spec.noise_pct = 1.0;
     spec.sample_rate_hz = rate;
     const test::Mains mains(spec);
-    const auto samples = mains.samples(0, static_cast<std::size_t>(2 * rate));
+    const auto samples = mains.samples(0, 2 * static_cast<std::size_t>(rate));
     const std::vector<Report> whole =
         reports_in_pieces(mains, samples, [&] { return samples.size(); });
     ASSERT_EQ(whole.size(), 125U);
