@@ -4,8 +4,6 @@
 namespace gs::outlet {
 namespace {
 
-constexpr float kSteadyHzS = 0.1f;
-
 EkfSettings ekf_settings(const Settings& settings) {
   EkfSettings ekf;
   ekf.measurement_sigma_hz = settings.measurement_sigma_hz;

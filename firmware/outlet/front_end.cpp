@@ -114,7 +114,7 @@ std::size_t feed(const FrontEndConfig& config, FrontEndState& state, const std::
   return taken;
 }
 
-Phasor phasor(const FrontEndConfig&, const FrontEndState& state) {
+Phasor phasor(const FrontEndState& state) {
   Phasor out;
   float squares = 0.0f;
   int newest = state.head;

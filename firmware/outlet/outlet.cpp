@@ -3,10 +3,7 @@
 namespace gs::outlet {
 namespace {
 
-constexpr float kNotANumber = __builtin_nanf("");
-
 // After a decision the detector is armed again once f has been steady for half a second.
-constexpr float kSteadyHzS = 0.1f;
 constexpr std::uint16_t kSteadyReports = 31;
 
 std::uint8_t happened(std::uint8_t bits, Happened bit) {
@@ -172,8 +169,8 @@ std::size_t step(const Config& config, State& state, const std::int16_t* samples
   report = Report{};
   report.number = state.reports++;
   const float nominal_hz = static_cast<float>(config.hardware.nominal_hz);
-  report.measurement = track(config.settings.tracker, nominal_hz, state.tracker,
-                             phasor(config.front_end, state.front_end));
+  report.measurement =
+      track(config.settings.tracker, nominal_hz, state.tracker, phasor(state.front_end));
   remember(state, report.measurement);
   const int window = config.settings.rocof_samples;
   report.line = state.history.unbroken >= window ? fit_line(state.history, 0, window)

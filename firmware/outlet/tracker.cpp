@@ -4,8 +4,6 @@
 namespace gs::outlet {
 namespace {
 
-constexpr float kNotANumber = __builtin_nanf("");
-
 // Beside what the settings allow, an innovation may change by so many of the filter's own standard
 // deviations: that is little once settled, and much right after a leap, when the filter is to find
 // a frequency that has moved on.

@@ -11,7 +11,8 @@ void write_file(const std::string& path, const std::string& content) {
   const QFileInfo there(QFile::decodeName(path.c_str()));
   if (there.exists() && !there.isFile()) {
     // The rename would put a file in the place of a device, to the harm of everyone else.
-    throw WriteError(path + ": cannot be written: it is there and no ordinary file");
+    throw WriteError(path + ": cannot be written: it is " +
+                     (there.isDir() ? "a directory" : "a device or pipe, no ordinary file"));
   }
   QSaveFile file(QFile::decodeName(path.c_str()));
   const auto refuse = [&] {

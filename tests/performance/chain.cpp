@@ -4,12 +4,12 @@
 #include "idle_station.hpp"
 #include <spawn.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,7 +22,12 @@
 
 namespace {
 
-using namespace gsbench;
+namespace judge = gsbench::judge;
+namespace performance = gsbench::performance;
+namespace profile = gsbench::profile;
+namespace random = gsbench::random;
+namespace station = gsbench::station;
+namespace waveform = gsbench::waveform;
 
 constexpr int kRounds = 7;
 constexpr double kPlayedS = 60.0;

@@ -110,15 +110,37 @@ TEST(BadInput, ARecordingThatDoesNotExistIsNamed) {
   EXPECT_NE(outcome.err.find("no-such.csv"), std::string::npos) << outcome.err;
 }
 
+TEST(BadInput, ARecordingThatNoGridCouldHaveMadeIsRefused) {
+  const TemporaryFolder folder;
+  for (const std::string rows : {"0,50\n1,1e308\n", "0,50\n1,20\n", "0,50\n1e9,50\n"}) {
+    const std::string path = folder.write("recording.csv", "t,f\n" + rows);
+    const Outcome outcome = run_gsbench({"run", "regression/backup", "--trace", path,
+                                         "--trace-time", "t", "--trace-frequency", "f"});
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(BadInput, ADeviceIsNoPlaceForAReport) {
+  const Outcome outcome = run_gsbench({"waveform", "regression/command", "-o", "/dev/null"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("/dev/null"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
 TEST(BadInput, UsageMistakesExitWithTwo) {
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{},
-                                             {"runn"},
-                                             {"run"},
-                                             {"run", "paper/loss-500mw", "--sed", "3"},
-                                             {"run", "paper/loss-500mw", "--seed", "three"},
-                                             {"study", "paper/loss-500mw", "--within", "nonsense"},
-                                             {"report", "no-such-run"}}) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {},
+           {"runn"},
+           {"run"},
+           {"run", "paper/loss-500mw", "--sed", "3"},
+           {"run", "paper/loss-500mw", "--seed", "three"},
+           {"run", "paper/loss-500mw", "--seed", "-1"},
+           {"run", "regression/steady", "--trace", "grid.csv"},
+           {"params", "ieee24", "--row", "nan"},
+           {"study", "paper/loss-500mw", "--within", "nonsense"},
+           {"study", "paper/loss-500mw", "--within", "ekf.error=4abc"},
+           {"report", "no-such-run"}}) {
     const Outcome outcome = run_gsbench(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
     EXPECT_NE(outcome.err, "");

@@ -45,6 +45,7 @@ Started start_gsbench(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {GSBENCH_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) {
     argv.push_back(word.data());
   }

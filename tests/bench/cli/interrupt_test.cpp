@@ -1,8 +1,8 @@
 // A run that is stopped from outside: kept, and told as what it is.
 #include "gsbench_process.hpp"
-#include <signal.h>
 
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using gsbench::test::TemporaryFolder;
 
 // In real time the six seconds of the profile leave room for a signal.
 Started start_slow_run(const fs::path& runs) {
-  const Started started = gsbench::test::start_gsbench(
+  Started started = gsbench::test::start_gsbench(
       {"run", "paper/loss-500mw", "--real-time", "--json", "--out", runs.string()});
   // It is under way once its record is there.
   for (int tries = 0; tries < 1000; ++tries) {

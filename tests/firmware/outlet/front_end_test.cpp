@@ -145,7 +145,7 @@ Complex settled_phasor(const FrontEndConfig& config, double rate_hz, double tone
   for (std::size_t at = 0; at < samples.size();) {
     at += feed(config, state, samples.data() + at, samples.size() - at, ready);
   }
-  const Phasor p = phasor(config, state);
+  const Phasor p = phasor(state);
   EXPECT_TRUE(ready && p.complete);
   const double scale = 1.0 / (kAmplitude * static_cast<double>(config.pu_per_count));
   return {scale * static_cast<double>(p.in_phase), scale * static_cast<double>(p.quadrature)};

@@ -9,6 +9,7 @@
 namespace gs::outlet {
 
 constexpr float kPi = 3.14159265358979f;
+constexpr float kNotANumber = __builtin_nanf("");
 constexpr float kTwoPi = 6.28318530717959f;
 
 // Square root, correctly rounded by IEEE 754 on every target (VSQRT, SQRTSS).

@@ -69,6 +69,6 @@ bool make_front_end(const Hardware& hardware, FrontEndConfig& config);
 std::size_t feed(const FrontEndConfig& config, FrontEndState& state, const std::int16_t* samples,
                  std::size_t count, bool& ready);
 
-Phasor phasor(const FrontEndConfig& config, const FrontEndState& state);
+Phasor phasor(const FrontEndState& state);
 
 }  // namespace gs::outlet

@@ -26,6 +26,9 @@ inline float at(const History& history, int age) {
   return history.frequency_hz[(history.head - 1 - age) & (kHistoryLength - 1)];
 }
 
+// Below this a course counts as steady.
+constexpr float kSteadyHzS = 0.1f;
+
 struct Line {
   float mean_hz = 0.0f;  // of the entries, so the frequency in their middle
   float slope_hz_s = 0.0f;
