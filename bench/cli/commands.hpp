@@ -2,6 +2,7 @@
 // has understood everything, and leaves its exit code in `exit_code`.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,9 @@ enum ExitCode : int {
 
 // As in a profile.
 inline const CLI::Range kSeedRange(std::int64_t{0}, std::int64_t{1} << 53);
+
+// Threads that simulated outlets are played on, where nothing else is asked for.
+std::size_t default_threads();
 
 // What a verdict comes to.
 ExitCode exit_code_of(record::Verdict verdict);

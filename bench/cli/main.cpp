@@ -2,12 +2,14 @@
 
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include <profile/load.hpp>
 #include <record/store.hpp>
-#include <render/render.hpp>
+#include <render/file.hpp>
 
 namespace {
 
@@ -29,6 +31,13 @@ int complain(const char* what, int exit_code) {
   return exit_code;
 }
 
+std::string usage_mistake(const CLI::App* app, const CLI::Error& error) {
+  const std::vector<std::string> unknown = app->remaining();
+  const bool no_command = app->get_subcommands().empty() && !unknown.empty();
+  return "gsbench: " + (no_command ? unknown.front() + " is no command" : error.what()) +
+         "; `gsbench --help` and `gsbench COMMAND --help` say more\n";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -37,6 +46,7 @@ int main(int argc, char** argv) {
   app.footer(kExitCodes);
   app.set_version_flag("--version", GSBENCH_VERSION);
   app.require_subcommand(1);
+  app.failure_message(usage_mistake);
   int exit_code = cli::kPassed;
   cli::add_run(app, exit_code);
   cli::add_list(app, exit_code);
@@ -50,8 +60,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? cli::kPassed : cli::kBadInput;
+    return app.exit(error) == 0 ? cli::kPassed : cli::kBadInput;
   } catch (const gsbench::profile::ConfigurationError& error) {
     return complain(error.what(), cli::kBadInput);
   } catch (const gsbench::record::StoreError& error) {

@@ -7,6 +7,7 @@
 
 #include <profile/load.hpp>
 #include <record/store.hpp>
+#include <render/file.hpp>
 #include <render/render.hpp>
 
 namespace gsbench::cli {

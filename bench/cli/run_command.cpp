@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include <judge/catalogue.hpp>
 #include <profile/load.hpp>
@@ -25,7 +24,7 @@ struct RunArguments {
   std::string station = "simulated";
   bool real_time = false;
   bool json = false;
-  std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  std::size_t threads = default_threads();
 };
 
 int run(const RunArguments& arguments) {

@@ -7,17 +7,41 @@
 
 #include <profile/load.hpp>
 #include <record/store.hpp>
+#include <render/file.hpp>
 #include <render/render.hpp>
 
 namespace gsbench::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* kUnfinished = ".unfinished-";
+
+// Folders in an output folder that hold a record, in order of their names.
+std::vector<fs::path> folders_with_records(const std::string& output_folder) {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output_folder, error)) {
+    if (fs::exists(entry.path() / kRecordFile, error)) {
+      folders.push_back(entry.path());
+    }
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+bool is_unfinished(const fs::path& folder) {
+  return folder.filename().string().rfind(kUnfinished, 0) == 0;
+}
+
+}  // namespace
+
 RunFolder::RunFolder(const std::string& output_folder) : output_folder_(output_folder) {
   std::error_code error;
   made_output_folder_ = fs::create_directories(output_folder, error);
   if (!error) {
-    path_ = output_folder + "/.unfinished-XXXXXX";
+    path_ = output_folder + "/" + kUnfinished + "XXXXXX";
     if (mkdtemp(path_.data()) == nullptr) {
       error = std::error_code(errno, std::generic_category());
       path_.clear();
@@ -61,15 +85,22 @@ void write_reports(const record::RunRecord& run, const std::string& folder) {
 
 std::vector<std::string> list_records(const std::string& output_folder) {
   std::vector<std::string> records;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(output_folder, error)) {
-    const fs::path record = entry.path() / kRecordFile;
-    if (entry.path().filename().string().front() != '.' && fs::exists(record, error)) {
-      records.push_back(record.string());
+  for (const fs::path& folder : folders_with_records(output_folder)) {
+    if (!is_unfinished(folder)) {
+      records.push_back((folder / kRecordFile).string());
     }
   }
-  std::sort(records.begin(), records.end());
   return records;
+}
+
+std::vector<std::string> list_unfinished(const std::string& output_folder) {
+  std::vector<std::string> unfinished;
+  for (const fs::path& folder : folders_with_records(output_folder)) {
+    if (is_unfinished(folder)) {
+      unfinished.push_back(folder.string());
+    }
+  }
+  return unfinished;
 }
 
 std::string find_record(const std::string& run, const std::string& output_folder) {

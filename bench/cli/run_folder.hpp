@@ -39,7 +39,10 @@ void write_reports(const record::RunRecord& run, const std::string& folder);
 // `run`: a run's folder, its record file, or a run id (or its beginning) in `output_folder`.
 std::string find_record(const std::string& run, const std::string& output_folder);
 
-// Record files in an output folder, oldest first.
+// Record files of ended runs in an output folder, oldest first.
 std::vector<std::string> list_records(const std::string& output_folder);
+
+// Folders of runs under way, or whose process was killed.
+std::vector<std::string> list_unfinished(const std::string& output_folder);
 
 }  // namespace gsbench::cli

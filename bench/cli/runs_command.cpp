@@ -39,6 +39,13 @@ void runs(const RunsArguments& arguments) {
                   static_cast<unsigned long long>(run.seed));
     }
   }
+  for (const std::string& folder : list_unfinished(arguments.output_folder)) {
+    std::fprintf(
+        stderr,
+        "gsbench: %s: a run that has not ended, or was killed; `gsbench report` shows what "
+        "it kept\n",
+        folder.c_str());
+  }
   if (arguments.json) {
     std::printf("%s\n", out.dump(2).c_str());
   }
@@ -50,6 +57,7 @@ void add_runs(CLI::App& app, int&) {
   auto arguments = std::make_shared<RunsArguments>();
   CLI::App* command = app.add_subcommand("runs", "The runs that are kept, oldest first");
   command->add_option("--out", arguments->output_folder, "Folder that keeps the runs")
+      ->check(CLI::ExistingDirectory)
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->footer("Example:\n  gsbench runs");

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
-#include <thread>
 
 #include <judge/catalogue.hpp>
 #include <profile/load.hpp>
@@ -67,7 +66,7 @@ int run_study(const StudyArguments& arguments) {
 void add_study(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<StudyArguments>();
   arguments->options.seeds = 20;
-  arguments->options.threads = std::max(1U, std::thread::hardware_concurrency());
+  arguments->options.threads = default_threads();
   CLI::App* command = app.add_subcommand(
       "study", "Run a profile over many seeds on simulated outlets: how its measurements spread");
   command->add_option("profile", arguments->profile, "A shipped profile, or a .toml file")

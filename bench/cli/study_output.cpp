@@ -49,9 +49,9 @@ std::string words_of(const Row& row) {
 std::string study_table(const StudyResult& study, const Shares& shares) {
   std::string text = fmt::format("{:<26}{:>7}{:>9}", "measure", "unit", "n");
   for (const auto& [name, p] : kQuantiles) {
-    text += fmt::format("{:>10}", name);
+    text += fmt::format("{:>11}", name);
   }
-  text += fmt::format("{:>10}{:>10}  {}\n", "mean", "σ", "judged");
+  text += fmt::format("{:>11}{:>11}  {}\n", "mean", "σ", "judged");
   for (const Row& row : study.rows) {
     text += fmt::format("{:<26}{:>7}", row.measure, row.unit);
     if (!row.values.words().empty()) {
@@ -60,9 +60,9 @@ std::string study_table(const StudyResult& study, const Shares& shares) {
     }
     text += fmt::format("{:>9}", row.values.count());
     for (const auto& [name, p] : kQuantiles) {
-      text += fmt::format("{:>10}", figure(row.values.quantile(p)));
+      text += fmt::format("{:>11}", figure(row.values.quantile(p)));
     }
-    text += fmt::format("{:>10}{:>10}  {}\n", figure(row.values.mean()),
+    text += fmt::format("{:>11}{:>11}  {}\n", figure(row.values.mean()),
                         figure(row.values.standard_deviation()), verdicts_of(row.verdicts));
   }
   text += "\n";

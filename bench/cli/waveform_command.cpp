@@ -1,4 +1,6 @@
 #include "commands.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -8,7 +10,7 @@
 #include <judge/catalogue.hpp>
 #include <profile/load.hpp>
 #include <random/noise.hpp>
-#include <render/render.hpp>
+#include <render/file.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -19,43 +21,56 @@ struct WaveformArguments {
   std::string output;
 };
 
-// As the first outlet of a simulated station gets it.
-std::string waveform_csv(const profile::Plan& plan) {
+// As the first outlet of a simulated station gets it. False where it was interrupted.
+bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupted,
+                   render::File& file) {
   const waveform::Synthesizer synthesizer = plan.synthesizer();
   const waveform::Truth& truth = synthesizer.truth();
-  const auto noise_rms_pu = static_cast<float>(plan.stimulus.noise_pct / 100.0);
   const random::Stream stream{plan.seed, random::kSourceNoise, 0};
   const std::int64_t end = plan.duration_ticks();
   constexpr std::int64_t kBlock = 4096;
+  Progress progress(plan.name);
   std::vector<float> voltage_pu(kBlock);
   fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "t_s,frequency_hz,rocof_hz_s,voltage_pu\n");
+  file.append("t_s,frequency_hz,rocof_hz_s,voltage_pu\n");
   for (std::int64_t first = 0; first < end; first += kBlock) {
+    if (interrupted) {
+      return false;
+    }
     const auto count = static_cast<std::size_t>(std::min(kBlock, end - first));
     synthesizer.render(first, count, voltage_pu.data());
-    random::add_gaussian(stream, static_cast<std::uint64_t>(first), count, noise_rms_pu,
-                         voltage_pu.data());
+    random::add_gaussian(stream, static_cast<std::uint64_t>(first), count,
+                         plan.stimulus.noise_rms_pu(), voltage_pu.data());
+    text.clear();
     for (std::size_t i = 0; i < count; ++i) {
       const double t_s = static_cast<double>(first + static_cast<std::int64_t>(i)) /
                          static_cast<double>(plan.stimulus.sample_rate_hz);
       fmt::format_to(std::back_inserter(text), "{:.6f},{:.9f},{:.9f},{:.7f}\n", t_s,
                      truth.frequency_hz(t_s), truth.rocof_hz_s(t_s), voltage_pu[i]);
     }
+    file.append({text.data(), text.size()});
+    progress.show(static_cast<double>(first) / static_cast<double>(end));
   }
-  return fmt::to_string(text);
+  return true;
 }
 
-void write_waveform(const WaveformArguments& arguments) {
+int write_waveform(const WaveformArguments& arguments) {
   const profile::Plan plan =
       profile::load_profile(arguments.profile, judge::measure_names(), arguments.overrides);
-  render::write_file(arguments.output, waveform_csv(plan));
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  render::File file(arguments.output);
+  if (!write_samples(plan, interrupted, file)) {
+    return kInterrupted;
+  }
+  file.commit();
   std::printf("%s: %lld samples\n", arguments.output.c_str(),
               static_cast<long long>(plan.duration_ticks()));
+  return kPassed;
 }
 
 }  // namespace
 
-void add_waveform(CLI::App& app, int&) {
+void add_waveform(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<WaveformArguments>();
   CLI::App* command = app.add_subcommand(
       "waveform", "Write what a profile plays as CSV: t_s, frequency_hz, rocof_hz_s, voltage_pu");
@@ -64,7 +79,7 @@ void add_waveform(CLI::App& app, int&) {
   command->add_option("-o,--output", arguments->output, "The CSV file")->required();
   command->add_option("--seed", arguments->overrides.seed, "Seed of the noise")->check(kSeedRange);
   command->footer("Example:\n  gsbench waveform paper/loss-500mw -o loss.csv");
-  command->callback([arguments] { write_waveform(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = write_waveform(*arguments); });
 }
 
 }  // namespace gsbench::cli

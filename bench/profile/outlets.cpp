@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t kMostOutlets = 1000;  // of one run; studies of more have no profile
 constexpr std::size_t kLongestId = 64;
 
-// What outlets accept of their settings.
+// What outlets accept of their settings (outlet/settings.hpp), told here by line and key.
 constexpr double kLowestSwitchOff_pu = 0.8;
 constexpr double kLargestDrop_hz = 1.0;
 constexpr int kMostHits = 1000;
@@ -55,6 +55,7 @@ OutletSettings read_settings(const Table& table, const grid::Grid& grid) {
   Range drop = above(0.0);
   drop.high = kLargestDrop_hz;
   settings.event_drop_hz = table.number("event_drop_hz", drop);
+  settings.event_departure_hz = table.number("event_departure_hz", drop);
   settings.condition_hits = read_count(table, "condition_hits", 0, kMostHits);
   settings.lse_samples = read_count(table, "lse_samples", 2, kMostLseSamples);  // a slope takes two
   settings.ekf_samples = read_count(table, "ekf_samples", 1, kMostEkfSamples);
@@ -69,7 +70,7 @@ std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid) {
     const Table table(
         top.document(), *value, "[[outlet]]",
         {"count", "id", "group", "accumulated_mw", "power_mw", "threshold_mw", "switch_off_hz",
-         "event_drop_hz", "condition_hits", "lse_samples", "ekf_samples"});
+         "event_drop_hz", "event_departure_hz", "condition_hits", "lse_samples", "ekf_samples"});
     const std::int64_t count = table.integer("count", 1, kMostOutlets).value_or(1);
     const auto prefix = read_identifier(table, "id");
     const std::string group = read_identifier(table, "group").value_or(prefix.value_or("all"));

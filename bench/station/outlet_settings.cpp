@@ -80,6 +80,9 @@ Settings outlet_settings(const profile::Plan& plan, const profile::Outlet& outle
   if (wanted.event_drop_hz) {
     settings.event_drop_hz = static_cast<float>(*wanted.event_drop_hz);
   }
+  if (wanted.event_departure_hz) {
+    settings.event_departure_hz = static_cast<float>(*wanted.event_departure_hz);
+  }
   set_count(wanted.condition_hits, "condition_hits", plan, settings.condition_hits);
   set_count(wanted.lse_samples, "lse_samples", plan, settings.lse_samples);
   set_count(wanted.ekf_samples, "ekf_samples", plan, settings.ekf_samples);

@@ -89,7 +89,7 @@ class Player {
     source::SourceSettings settings;
     settings.sample_rate_hz = plan_.stimulus.sample_rate_hz;
     settings.nominal_hz = static_cast<int>(std::lround(plan_.grid.nominal_hz));
-    settings.noise_rms_pu = static_cast<float>(plan_.stimulus.noise_pct / 100.0);
+    settings.noise_rms_pu = plan_.stimulus.noise_rms_pu();
     settings.seed = plan_.seed;
     require(station_.source().start(settings));
   }
@@ -241,7 +241,7 @@ void set_error(record::RunRecord& run, const std::string& reason) {
   run.verdict_reason = reason;
 }
 
-void judge_all(const profile::Plan& plan, const waveform::Truth& truth, const Station& station,
+void judge_all(const profile::Plan& plan, const waveform::Truth& truth, Station& station,
                record::RunRecord& run) {
   std::size_t worst = 0;
   for (record::OutletRecord& outlet : run.outlets) {

@@ -27,10 +27,10 @@ class SimulatedStation final : public Station {
   link::Link& link() override { return bench_.link(); }
   relay::RelaySense& relay_sense() override { return bench_.relay_sense(); }
 
-  judge::BenchUncertainty uncertainty() const override {
-    // Outlets count the very samples that are played; a contact's edge is known to its tick.
+  judge::BenchUncertainty uncertainty() override {
+    // Outlets count the very samples that are played.
     judge::BenchUncertainty uncertainty;
-    uncertainty.relay_sense_ms = 1e3 * 0.5 / sample_rate_hz_;
+    uncertainty.relay_sense_ms = 1e3 * bench_.relay_sense().uncertainty_ticks() / sample_rate_hz_;
     return uncertainty;
   }
 

@@ -100,9 +100,12 @@ std::size_t place_in_catalogue(const std::string& name) {
 }  // namespace
 
 StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
-  std::vector<SeedResult> results(options.seeds);
-  std::vector<char> done(options.seeds, 0);
+  StudyResult study;
+  // Merged in order of the seeds, so that threads leave no trace; those that ended before an
+  // earlier one wait for it.
+  std::map<std::uint64_t, SeedResult> waiting;
   std::mutex mutex;
+  std::uint64_t merged = 0;
   std::uint64_t next = 0;
   std::uint64_t finished = 0;
   std::exception_ptr failure;
@@ -124,8 +127,11 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
       failure = failure == nullptr ? thrown : failure;
       // A seed that was stopped half way says nothing.
       if (thrown == nullptr && !stopped()) {
-        results[index] = std::move(result);
-        done[index] = 1;
+        waiting.emplace(index, std::move(result));
+        for (; waiting.count(merged) > 0; ++merged) {
+          merge(waiting.at(merged), study);
+          waiting.erase(merged);
+        }
         ++finished;
         if (options.progress) {
           options.progress(finished, options.seeds);
@@ -145,16 +151,12 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
     std::rethrow_exception(failure);
   }
 
-  StudyResult study;
+  for (const auto& [index, result] : waiting) {
+    merge(result, study);  // behind one that was stopped
+  }
   study.seeds_done = finished;
   study.hours = static_cast<double>(finished) * static_cast<double>(plan.outlets.size()) *
                 plan.stimulus.duration_s / 3600.0;
-  // In order of the seeds, so that threads leave no trace.
-  for (std::uint64_t index = 0; index < options.seeds; ++index) {
-    if (done[index] != 0) {
-      merge(results[index], study);
-    }
-  }
   std::stable_sort(study.rows.begin(), study.rows.end(), [](const Row& a, const Row& b) {
     return place_in_catalogue(a.measure) < place_in_catalogue(b.measure);
   });

@@ -6,6 +6,7 @@
 #include <exception>
 #include <string>
 
+#include <render/file.hpp>
 #include <render/render.hpp>
 
 namespace {

@@ -71,7 +71,7 @@ class IdleStation final : public station::Station {
   source::Source& source() override { return source_; }
   link::Link& link() override { return link_; }
   relay::RelaySense& relay_sense() override { return relay_sense_; }
-  judge::BenchUncertainty uncertainty() const override { return {}; }
+  judge::BenchUncertainty uncertainty() override { return {}; }
   double block_s() const override { return block_s_; }
 
  private:

@@ -1,8 +1,8 @@
 // What a crash of the bench leaves behind: a child process writes, says how far it came, and is
 // killed between two calls.
 #include "sample_run.hpp"
-#include "temporary_folder.hpp"
 #include <sys/wait.h>
+#include <test_support/temporary_folder.hpp>
 #include <unistd.h>
 
 #include <csignal>
@@ -42,7 +42,7 @@ void killed_after(Write&& write) {
 class CrashedStore : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(CrashedStore, KeepsEveryFinishedCall) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder.file("run.sqlite");
   const RunRecord run = sample::loss_500mw(4);
   const std::size_t written = GetParam();
@@ -65,7 +65,7 @@ TEST_P(CrashedStore, KeepsEveryFinishedCall) {
 INSTANTIATE_TEST_SUITE_P(OutletsWritten, CrashedStore, ::testing::Values(0, 1, 4));
 
 TEST(StoreAfterFinish, IsWholeWhenTheCrashComesAfterFinish) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder.file("run.sqlite");
   const RunRecord run = sample::loss_500mw(1);
   killed_after([&](auto&& done) {

@@ -1,8 +1,8 @@
 // Files that are no records, are of another version, or were damaged or forged: always StoreError,
 // never a wrong figure and never undefined behaviour (run these under the sanitizer preset too).
 #include "sample_run.hpp"
-#include "temporary_folder.hpp"
 #include <sqlite3.h>
+#include <test_support/temporary_folder.hpp>
 
 #include <QByteArray>
 #include <QCryptographicHash>
@@ -61,7 +61,7 @@ class DamagedStore : public ::testing::Test {
     return "no StoreError";
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   std::string path_;
   RunRecord run_;
 };

@@ -2,9 +2,9 @@
 // all.
 #include "format.hpp"
 #include "sample_run.hpp"
-#include "temporary_folder.hpp"
 #include "thinning.hpp"
 #include <sys/mount.h>
+#include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <render/file.hpp>
 #include <render/render.hpp>
 
 namespace gsbench::render {
@@ -216,7 +217,7 @@ std::string write_error(const std::string& path, const std::string& content) {
 }
 
 TEST(WriteFile, WritesAndReplaces) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder.file("r\xc3\xa9port.html");
   write_file(path, std::string("a\0b", 3));
   EXPECT_EQ(content_of(path), std::string("a\0b", 3));
@@ -225,7 +226,7 @@ TEST(WriteFile, WritesAndReplaces) {
 }
 
 TEST(WriteFile, NamesPathAndCause) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string missing = folder.file("no/report.html");
   EXPECT_THAT(write_error(missing, "x"),
               AllOf(StartsWith(missing), HasSubstr("No such file or directory")));
@@ -235,7 +236,7 @@ TEST(WriteFile, NamesPathAndCause) {
 
 // Sizes below and above what any buffer holds: a disk may fill up at the first or at a later write.
 TEST(WriteFile, LeavesTheOldFileWhenTheDiskIsFull) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0) {
     GTEST_SKIP() << "mounting a small tmpfs is not allowed here";
   }

@@ -1,6 +1,6 @@
 #include "sample_run.hpp"
-#include "temporary_folder.hpp"
 #include <sys/mount.h>
+#include <test_support/temporary_folder.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -50,7 +50,7 @@ bool same_bits(const std::vector<Value>& a, const std::vector<Value>& b) {
 }
 
 TEST(Store, ReadsBackWhatWasWritten) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const RunRecord run = sample::loss_500mw();
   write(folder.file("run.sqlite"), run);
   RunRecord read = read_run(folder.file("run.sqlite"));
@@ -65,7 +65,7 @@ TEST(Store, ReadsBackWhatWasWritten) {
 }
 
 TEST(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   RunRecord run = sample::loss_500mw(1);
   MeasurementTrace& trace = run.outlets[0].trace;
   trace.tick[0] = std::numeric_limits<std::int64_t>::min();
@@ -87,7 +87,7 @@ TEST(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
 }
 
 TEST(Store, KeepsAnyText) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   RunRecord run = sample::loss_500mw(1);
   run.profile_text = std::string("nul ") + '\0' + ", quote ', bytes \xff\xfe, ü";
   run.outlets[0].id = "'; DROP TABLE outlet; --";
@@ -98,7 +98,7 @@ TEST(Store, KeepsAnyText) {
 }
 
 TEST(Store, KeepsARunWithoutOutletsAndAnOutletWithoutReports) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   RunRecord run;
   write(folder.file("empty.sqlite"), run);
   EXPECT_EQ(content_digest(read_run(folder.file("empty.sqlite"))), content_digest(run));
@@ -108,7 +108,7 @@ TEST(Store, KeepsARunWithoutOutletsAndAnOutletWithoutReports) {
 }
 
 TEST(Store, IsOnePlainFileOnceWritten) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write(folder.file("run.sqlite"), sample::loss_500mw(1));
   read_run(folder.file("run.sqlite"));
   std::vector<std::string> files;
@@ -119,7 +119,7 @@ TEST(Store, IsOnePlainFileOnceWritten) {
 }
 
 TEST(Store, WritesTheSameBytesForTheSameRecord) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const RunRecord run = sample::loss_500mw(2);
   write(folder.file("a.sqlite"), run);
   write(folder.file("b.sqlite"), run);
@@ -129,7 +129,7 @@ TEST(Store, WritesTheSameBytesForTheSameRecord) {
 // An hour of one outlet is 225 000 reports of 21 bytes. What noise leaves incompressible are about
 // two bytes each of frequency and voltage and three of ROCOF, whose mantissa is noise throughout.
 TEST(Store, TakesUnderEightBytesAReport) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const RunRecord run = sample::steady(1, 3600.0);
   write(folder.file("hour.sqlite"), run);
   const double bytes_per_report =
@@ -140,7 +140,7 @@ TEST(Store, TakesUnderEightBytesAReport) {
 }
 
 TEST(Store, ReadsAnUnfinishedRunAsErrorWithWhatItHas) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const RunRecord run = sample::loss_500mw(3);
   {
     Writer writer(folder.file("run.sqlite"));
@@ -156,13 +156,13 @@ TEST(Store, ReadsAnUnfinishedRunAsErrorWithWhatItHas) {
 }
 
 TEST(Store, ReadsARunThatWasNeverBegunAsError) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   { const Writer writer(folder.file("run.sqlite")); }
   EXPECT_EQ(read_run(folder.file("run.sqlite")).verdict, Verdict::kError);
 }
 
 TEST(Store, CanBeReadWhileItIsWritten) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const RunRecord run = sample::loss_500mw(2);
   Writer writer(folder.file("run.sqlite"));
   writer.begin(run);
@@ -174,7 +174,7 @@ TEST(Store, CanBeReadWhileItIsWritten) {
 }
 
 TEST(Store, RefusesAnExistingFileAndLeavesItAlone) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder.file("run.sqlite");
   write(path, sample::loss_500mw(1));
   EXPECT_THAT(store_error([&] { Writer writer(path); }),
@@ -183,7 +183,7 @@ TEST(Store, RefusesAnExistingFileAndLeavesItAlone) {
 }
 
 TEST(Store, NamesTheMissingFolder) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder.file("no/such/run.sqlite");
   EXPECT_THAT(store_error([&] { Writer writer(path); }),
               AllOf(StartsWith(path), HasSubstr("No such file or directory")));
@@ -192,7 +192,7 @@ TEST(Store, NamesTheMissingFolder) {
 }
 
 TEST(Store, RefusesTwoOutletsOfOneName) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const RunRecord run = sample::loss_500mw(1);
   Writer writer(folder.file("run.sqlite"));
   writer.begin(run);
@@ -203,7 +203,7 @@ TEST(Store, RefusesTwoOutletsOfOneName) {
 }
 
 TEST(Store, RefusesColumnsOfUnequalLengthAndStaysUsable) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const RunRecord run = sample::loss_500mw(1);
   Writer writer(folder.file("run.sqlite"));
   writer.begin(run);
@@ -216,7 +216,7 @@ TEST(Store, RefusesColumnsOfUnequalLengthAndStaysUsable) {
 }
 
 TEST(Store, RefusesCallsOutOfOrder) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const RunRecord run = sample::loss_500mw(1);
   Writer writer(folder.file("run.sqlite"));
   EXPECT_THROW(writer.add_outlet(run.outlets[0]), std::logic_error);
@@ -238,7 +238,7 @@ class SmallDisk {
   std::string file(const std::string& name) const { return folder_.file(name); }
 
  private:
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   bool mounted_;
 };
 

@@ -1,5 +1,6 @@
 // Bad input of every kind: exit code 2, a message that says what and where, nothing written.
 #include "gsbench_process.hpp"
+#include <test_support/temporary_folder.hpp>
 
 #include <gtest/gtest.h>
 
@@ -143,8 +144,21 @@ TEST(BadInput, UsageMistakesExitWithTwo) {
            {"report", "no-such-run"}}) {
     const Outcome outcome = run_gsbench(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_NE(outcome.err, "");
+    EXPECT_EQ(outcome.err.rfind("gsbench: ", 0), 0) << outcome.err;
   }
+}
+
+TEST(BadInput, AnUnknownCommandIsNamed) {
+  const Outcome outcome = run_gsbench({"frobnicate", "ieee24"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("frobnicate is no command"), std::string::npos) << outcome.err;
+}
+
+TEST(BadInput, RunsOfAMissingFolderAreRefused) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_gsbench({"runs", "--out", folder.file("none")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find(folder.file("none")), std::string::npos) << outcome.err;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // A disk that fills while a run is written: told by name, and nothing half written stays.
 #include "gsbench_process.hpp"
 #include <sys/mount.h>
+#include <test_support/temporary_folder.hpp>
 
 #include <cstring>
 

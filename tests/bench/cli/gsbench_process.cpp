@@ -4,9 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -77,33 +75,6 @@ Outcome wait_for(const Started& started) {
 
 Outcome run_gsbench(const std::vector<std::string>& arguments) {
   return wait_for(start_gsbench(arguments));
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "gsbench-test-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) {
-    throw std::runtime_error("no temporary folder");
-  }
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
-  std::ofstream(path_ / name, std::ios::binary) << text;
-  return (path_ / name).string();
-}
-
-std::vector<std::string> TemporaryFolder::entries() const {
-  std::vector<std::string> all;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_)) {
-    all.push_back(fs::relative(entry.path(), path_).string());
-  }
-  std::sort(all.begin(), all.end());
-  return all;
 }
 
 fs::path only_run(const fs::path& output_folder) {

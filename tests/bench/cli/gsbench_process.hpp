@@ -28,24 +28,6 @@ Outcome wait_for(const Started& started);
 
 std::string text_of(const std::filesystem::path& path);
 
-// A folder of its own for each test, gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  // Writes a file into it and returns its path.
-  std::string write(const std::string& name, const std::string& text) const;
-  // Everything in it, hidden files too, as paths relative to it.
-  std::vector<std::string> entries() const;
-
- private:
-  std::filesystem::path path_;
-};
-
 // The only run kept in an output folder.
 std::filesystem::path only_run(const std::filesystem::path& output_folder);
 

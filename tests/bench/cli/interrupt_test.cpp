@@ -1,5 +1,6 @@
 // A run that is stopped from outside: kept, and told as what it is.
 #include "gsbench_process.hpp"
+#include <test_support/temporary_folder.hpp>
 
 #include <chrono>
 #include <csignal>
@@ -62,6 +63,7 @@ TEST(Interrupt, AKilledRunLeavesNoRunThatLooksFinished) {
   const Outcome list = gsbench::test::run_gsbench({"runs", "--out", runs.string()});
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_EQ(list.out, "");
+  EXPECT_NE(list.err.find("not ended, or was killed"), std::string::npos) << list.err;
   // What it had kept can still be read.
   const Outcome report =
       gsbench::test::run_gsbench({"report", gsbench::test::only_run(runs).string()});

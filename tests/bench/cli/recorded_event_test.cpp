@@ -1,6 +1,7 @@
 // The Iberian blackout of 28 April 2025 as a grid analyser in Toledo recorded it, every 2 s from
 // 11:00:00: replayed where the recording is at hand.
 #include "gsbench_process.hpp"
+#include <test_support/temporary_folder.hpp>
 
 #include <cstdlib>
 

@@ -1,5 +1,6 @@
 // The same profile and seed twice give the same bytes, whatever the number of threads.
 #include "gsbench_process.hpp"
+#include <test_support/temporary_folder.hpp>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

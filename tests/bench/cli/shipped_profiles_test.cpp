@@ -1,5 +1,6 @@
 // Every shipped profile passes, from the first sample to the reports.
 #include "gsbench_process.hpp"
+#include <test_support/temporary_folder.hpp>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

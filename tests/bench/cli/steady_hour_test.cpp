@@ -1,5 +1,6 @@
 // An hour at nominal frequency with 1 % noise: nothing happens.
 #include "gsbench_process.hpp"
+#include <test_support/temporary_folder.hpp>
 
 #include <gtest/gtest.h>
 

@@ -22,13 +22,13 @@ const Spoilt kOutlets[] = {
      "test.toml:58:9: count is 0; it must be a whole number from 1 to 1000"},
     {"TooMany", "count = 3", "count = 1001",
      "test.toml:58:9: count is 1001; it must be a whole number from 1 to 1000"},
-    {"TooManyInSum", "count = 2", "count = 998", "test.toml:71:1: more than 1000 outlets in all"},
+    {"TooManyInSum", "count = 2", "count = 998", "test.toml:72:1: more than 1000 outlets in all"},
     {"SameIdTwice", "id = \"alone\"", "id = \"shed-2\"",
-     "test.toml:70:6: there is an outlet \"shed-2\" already; give this one another id"},
+     "test.toml:71:6: there is an outlet \"shed-2\" already; give this one another id"},
     {"IdWithABlank", "id = \"alone\"", "id = \"all alone\"",
-     "test.toml:70:6: id is \"all alone\"; it must be of letters, digits, '-', '_' and '.', at "
+     "test.toml:71:6: id is \"all alone\"; it must be of letters, digits, '-', '_' and '.', at "
      "most 64 of them"},
-    {"EmptyId", "id = \"alone\"", "id = \"\"", "test.toml:70:6: id is an empty text"},
+    {"EmptyId", "id = \"alone\"", "id = \"\"", "test.toml:71:6: id is an empty text"},
     {"NegativeAccumulated", "accumulated_mw = 100.0", "accumulated_mw = -1",
      "test.toml:61:18: accumulated_mw is -1; it must be at least 0 and at most 800 (the grid's "
      "load)"},
@@ -50,30 +50,32 @@ const Spoilt kOutlets[] = {
      "test.toml:65:17: event_drop_hz is 0; it must be above 0 and at most 1"},
     {"DropInMillihertz", "event_drop_hz = 0.03", "event_drop_hz = 30",
      "test.toml:65:17: event_drop_hz is 30; it must be above 0 and at most 1"},
+    {"DepartureZero", "event_departure_hz = 0.04", "event_departure_hz = 0",
+     "test.toml:66:22: event_departure_hz is 0; it must be above 0 and at most 1"},
     {"HitsNotWhole", "condition_hits = 12", "condition_hits = 12.5",
-     "test.toml:66:18: condition_hits is 12.5; it must be a whole number from 0 to 1000"},
+     "test.toml:67:18: condition_hits is 12.5; it must be a whole number from 0 to 1000"},
     {"SlopeOfOneSample", "lse_samples = 8", "lse_samples = 1",
-     "test.toml:67:15: lse_samples is 1; it must be a whole number from 2 to 64"},
+     "test.toml:68:15: lse_samples is 1; it must be a whole number from 2 to 64"},
     {"TooManyEkfSamples", "ekf_samples = 30", "ekf_samples = 201",
-     "test.toml:68:15: ekf_samples is 201; it must be a whole number from 1 to 200"},
+     "test.toml:69:15: ekf_samples is 201; it must be a whole number from 1 to 200"},
     {"UnknownSetting", "ekf_samples = 30", "ekf_sample = 30",
-     "test.toml:68:1: unknown key \"ekf_sample\" in [[outlet]]; did you mean \"ekf_samples\"?"},
+     "test.toml:69:1: unknown key \"ekf_sample\" in [[outlet]]; did you mean \"ekf_samples\"?"},
 };
 INSTANTIATE_TEST_SUITE_P(Outlets, Refuses, testing::ValuesIn(kOutlets), name_of);
 
 const Spoilt kCommands[] = {
     {"AfterTheEnd", "[[command]]\nat_s = 7.0", "[[command]]\nat_s = 10.5",
-     "test.toml:74:8: at_s is 10.5; it must be at least 0 and below 10 (the run's duration)"},
+     "test.toml:75:8: at_s is 10.5; it must be at least 0 and below 10 (the run's duration)"},
     {"UnknownOutlet", "\"alone\", \"early\"", "\"alone\", \"shed-4\"",
-     "test.toml:75:21: no outlet or group \"shed-4\"; did you mean \"shed-1\"?"},
+     "test.toml:76:21: no outlet or group \"shed-4\"; did you mean \"shed-1\"?"},
     {"NobodyNamed", "[\"alone\", \"early\"]", "[]",
-     "test.toml:75:11: outlets is empty; leave it out, or give an array of texts"},
+     "test.toml:76:11: outlets is empty; leave it out, or give an array of texts"},
     {"OutletsIsAText", "[\"alone\", \"early\"]", "\"alone\"",
-     "test.toml:75:11: outlets is the text \"alone\"; it must be an array of texts"},
+     "test.toml:76:11: outlets is the text \"alone\"; it must be an array of texts"},
     {"UnknownPosition", "switch = \"off\"", "switch = \"of\"",
-     "test.toml:79:10: switch is \"of\"; did you mean \"off\"?"},
+     "test.toml:80:10: switch is \"of\"; did you mean \"off\"?"},
     {"NoPosition", "switch = \"off\"", "",
-     "test.toml:77:1: [[command]] lacks \"switch\": \"off\" or \"on\""},
+     "test.toml:78:1: [[command]] lacks \"switch\": \"off\" or \"on\""},
 };
 INSTANTIATE_TEST_SUITE_P(Commands, Refuses, testing::ValuesIn(kCommands), name_of);
 

@@ -139,6 +139,7 @@ TEST(Profile, GivesEachOutletItsSettings) {
   EXPECT_EQ(settings.threshold_mw, 200.0);
   EXPECT_EQ(settings.switch_off_hz, 58.5);
   EXPECT_EQ(settings.event_drop_hz, 0.03);
+  EXPECT_EQ(settings.event_departure_hz, 0.04);
   EXPECT_EQ(settings.condition_hits, 12);
   EXPECT_EQ(settings.lse_samples, 8);
   EXPECT_EQ(settings.ekf_samples, 30);
@@ -163,7 +164,7 @@ TEST(Profile, HoldsLimitsInTheUnitTheyWereGivenIn) {
   EXPECT_EQ(expectations[0].min, 0.03);
   EXPECT_EQ(expectations[0].max, 0.16);
   EXPECT_THAT(expectations[0].groups, ElementsAre("early"));
-  EXPECT_EQ(expectations[0].line, 81);
+  EXPECT_EQ(expectations[0].line, 82);
   EXPECT_EQ(expectations[1].equals, "open");
   EXPECT_FALSE(expectations[1].min);
   EXPECT_THAT(expectations[1].groups, IsEmpty());

@@ -219,28 +219,28 @@ INSTANTIATE_TEST_SUITE_P(Course, RefusesOfAPointsProfile, testing::ValuesIn(kCou
 
 const Spoilt kLimits[] = {
     {"UnitOfAnotherDimension", "unit = \"s\"", "unit = \"MW\"",
-     "test.toml:82:8: event.delay is not in \"MW\"; its unit must be s or ms or us"},
+     "test.toml:83:8: event.delay is not in \"MW\"; its unit must be s or ms or us"},
     {"UnknownUnit", "unit = \"s\"", "unit = \"seconds\"",
-     "test.toml:82:8: event.delay is not in \"seconds\"; its unit must be s or ms or us"},
+     "test.toml:83:8: event.delay is not in \"seconds\"; its unit must be s or ms or us"},
     {"NoUnit", "unit = \"s\"", "",
-     "test.toml:80:1: [[expect]] lacks \"unit\": event.delay is in s or ms or us"},
+     "test.toml:81:1: [[expect]] lacks \"unit\": event.delay is in s or ms or us"},
     {"MinAboveMax", "min = 0.03", "min = 0.3",
-     "test.toml:83:7: min is 0.3, above max 0.16: nothing could pass"},
+     "test.toml:84:7: min is 0.3, above max 0.16: nothing could pass"},
     {"TextForALimit", "max = 0.16", "max = \"160 ms\"",
-     "test.toml:84:7: max is the text \"160 ms\"; it must be a plain number, in the unit that its "
+     "test.toml:85:7: max is the text \"160 ms\"; it must be a plain number, in the unit that its "
      "name says"},
     {"UnknownGroup", "outlets = [\"early\"]", "outlets = [\"erly\"]",
-     "test.toml:85:12: no group \"erly\"; did you mean \"early\"?"},
+     "test.toml:86:12: no group \"erly\"; did you mean \"early\"?"},
     {"NoGroupInTheList", "outlets = [\"early\"]", "outlets = []",
-     "test.toml:85:11: outlets is empty; leave it out, or give an array of texts"},
+     "test.toml:86:11: outlets is empty; leave it out, or give an array of texts"},
     {"GroupIsNoText", "outlets = [\"early\"]", "outlets = [1]",
-     "test.toml:85:12: outlets holds 1; it must hold texts in quotes"},
+     "test.toml:86:12: outlets holds 1; it must hold texts in quotes"},
     {"LimitForAWord", "equals = \"open\"", "max = 1",
-     "test.toml:88:7: relay.end is a word, not a number; it takes equals"},
+     "test.toml:89:7: relay.end is a word, not a number; it takes equals"},
     {"NoWord", "equals = \"open\"", "",
-     "test.toml:86:1: [[expect]] lacks \"equals\": the word that relay.end must be"},
+     "test.toml:87:1: [[expect]] lacks \"equals\": the word that relay.end must be"},
     {"UnknownWord", "equals = \"open\"", "equals = \"opne\"",
-     "test.toml:88:10: equals is \"opne\"; did you mean \"open\"?"},
+     "test.toml:89:10: equals is \"opne\"; did you mean \"open\"?"},
 };
 INSTANTIATE_TEST_SUITE_P(Limits, RefusesOfALossesProfile, testing::ValuesIn(kLimits), name_of);
 

@@ -46,7 +46,7 @@ class FakeStation final : public Station,
   source::Source& source() override { return *this; }
   link::Link& link() override { return *this; }
   relay::RelaySense& relay_sense() override { return *this; }
-  judge::BenchUncertainty uncertainty() const override { return {}; }
+  judge::BenchUncertainty uncertainty() override { return {}; }
   double block_s() const override { return script_.block_s; }
 
   // The source is off and the link closed, both after all else that was asked of them.

@@ -57,6 +57,7 @@ TEST(OutletSettings, LeaveTheFirmwaresDefaultsWhereTheProfileSaysNothing) {
   const Settings s = settings_of(with_outlet(""));
   EXPECT_EQ(s.condition_hits, defaults.condition_hits);
   EXPECT_EQ(s.event_drop_hz, defaults.event_drop_hz);
+  EXPECT_EQ(s.event_departure_hz, defaults.event_departure_hz);
   EXPECT_EQ(s.lse_samples, defaults.lse_samples);
   EXPECT_EQ(s.ekf_samples, defaults.ekf_samples);
   EXPECT_EQ(s.tracker.leap_rad, defaults.tracker.leap_rad);
@@ -65,10 +66,12 @@ TEST(OutletSettings, LeaveTheFirmwaresDefaultsWhereTheProfileSaysNothing) {
 TEST(OutletSettings, TakeWhatTheProfileSays) {
   const Settings s =
       settings_of(with_outlet("threshold_mw = 400.0\nswitch_off_hz = 49.25\nevent_drop_hz = 0.05\n"
+                              "event_departure_hz = 0.06\n"
                               "condition_hits = 0\nlse_samples = 12\nekf_samples = 30\n"));
   EXPECT_EQ(s.threshold_mw, 400.0F);
   EXPECT_EQ(s.switch_off_hz, 49.25F);
   EXPECT_EQ(s.event_drop_hz, 0.05F);
+  EXPECT_EQ(s.event_departure_hz, 0.06F);
   EXPECT_EQ(s.condition_hits, 0);
   EXPECT_EQ(s.lse_samples, 12);
   EXPECT_EQ(s.ekf_samples, 30);

@@ -2,7 +2,7 @@
 
 #include "fake_station.hpp"
 #include "plans.hpp"
-#include "temporary_folder.hpp"
+#include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
 
@@ -147,7 +147,7 @@ TEST(RunRecord, ComparesNothingWhereNothingIsPublished) {
 }
 
 TEST(RunRecord, IsWhatTheWriterKept) {
-  TemporaryFolder folder;
+  gsbench::test::TemporaryFolder folder;
   const std::string path = folder.file("run.gsbench");
   const profile::Plan plan = test::plan(0.5, "noise_pct = 1.0\n");
   const auto station = simulated_station(plan, {});

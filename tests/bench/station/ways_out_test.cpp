@@ -2,7 +2,7 @@
 
 #include "fake_station.hpp"
 #include "plans.hpp"
-#include "temporary_folder.hpp"
+#include <test_support/temporary_folder.hpp>
 
 #include <functional>
 
@@ -198,7 +198,7 @@ TEST(WaysOut, AProgressThatThrows) {
 }
 
 TEST(WaysOut, ARecordThatCannotBeBegun) {
-  TemporaryFolder folder;
+  gsbench::test::TemporaryFolder folder;
   record::Writer writer(folder.file("run.gsbench"));
   writer.begin({});  // a second time is refused
   FakeStation station({});
@@ -210,7 +210,7 @@ TEST(WaysOut, ARecordThatCannotBeBegun) {
 }
 
 TEST(WaysOut, ARecordThatCannotBeWrittenAtTheEnd) {
-  TemporaryFolder folder;
+  gsbench::test::TemporaryFolder folder;
   record::Writer writer(folder.file("run.gsbench"));
   FakeStation station({});
   RunOptions options;
@@ -226,7 +226,7 @@ TEST(WaysOut, ARecordThatCannotBeWrittenAtTheEnd) {
 }
 
 TEST(WaysOut, SettingsThatTheFirmwareRefusesEndTheRunBeforeAnythingIsTouched) {
-  TemporaryFolder folder;
+  gsbench::test::TemporaryFolder folder;
   record::Writer writer(folder.file("run.gsbench"));
   profile::Plan refused = one_second();
   refused.outlets[1].settings.threshold_mw = -1.0;
@@ -239,7 +239,7 @@ TEST(WaysOut, SettingsThatTheFirmwareRefusesEndTheRunBeforeAnythingIsTouched) {
 }
 
 TEST(WaysOut, AFaultIsInTheRecordOnTheDiskToo) {
-  TemporaryFolder folder;
+  gsbench::test::TemporaryFolder folder;
   const std::string path = folder.file("run.gsbench");
   Script script;
   script.link_poll_fails_at = 3;

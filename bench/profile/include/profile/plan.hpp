@@ -28,19 +28,22 @@ struct Stimulus {
   double duration_s = 0.0;             // > 0
   std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000
   double noise_pct = 0.0;              // white, RMS, of the nominal amplitude (peak)
+
+  float noise_rms_pu() const { return static_cast<float>(noise_pct / 100.0); }
 };
 
 // Settings of an outlet that a profile may set; what it leaves out the control centre derives from
 // the grid, or the firmware's default stands.
 struct OutletSettings {
-  double accumulated_mw = 0.0;          // P^A, >= 0
-  std::optional<double> power_mw;       // of the outlet's block, for eq. (17)
-  std::optional<double> threshold_mw;   // ΔP_s in place of eq. (15)
-  std::optional<double> switch_off_hz;  // f^B in place of eq. (17)
-  std::optional<double> event_drop_hz;  // least drop that makes five drops an event
-  std::optional<int> condition_hits;    // n_max of §5.2
-  std::optional<int> lse_samples;       // n of eq. (19)
-  std::optional<int> ekf_samples;       // EKF iterations before the decision
+  double accumulated_mw = 0.0;               // P^A, >= 0
+  std::optional<double> power_mw;            // of the outlet's block, for eq. (17)
+  std::optional<double> threshold_mw;        // ΔP_s in place of eq. (15)
+  std::optional<double> switch_off_hz;       // f^B in place of eq. (17)
+  std::optional<double> event_drop_hz;       // least sum of the drops that make an event
+  std::optional<double> event_departure_hz;  // least fall below the course before, for the same
+  std::optional<int> condition_hits;         // n_max of §5.2
+  std::optional<int> lse_samples;            // n of eq. (19)
+  std::optional<int> ekf_samples;            // EKF iterations before the decision
 };
 
 struct Outlet {

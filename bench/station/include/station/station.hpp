@@ -20,7 +20,7 @@ class Station {
   virtual source::Source& source() = 0;
   virtual link::Link& link() = 0;
   virtual relay::RelaySense& relay_sense() = 0;
-  virtual judge::BenchUncertainty uncertainty() const = 0;
+  virtual judge::BenchUncertainty uncertainty() = 0;
   // How much is played at a time: short where the wall clock paces, long where nothing does.
   virtual double block_s() const = 0;
 };

@@ -89,6 +89,7 @@ power_mw = 40.0
 threshold_mw = 200.0
 switch_off_hz = 58.5
 event_drop_hz = 0.03
+event_departure_hz = 0.04
 condition_hits = 12
 lse_samples = 8
 ekf_samples = 30
