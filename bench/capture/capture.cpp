@@ -28,6 +28,11 @@ void Capture::add(Track& track, const link::Received& received) const {
   const std::int64_t tick = received.tick;
   switch (message.kind) {
     case UplinkKind::kHello:
+    case UplinkKind::kCommandAnswer:
+    case UplinkKind::kStatus:
+    case UplinkKind::kSelfTest:
+    case UplinkKind::kEcho:
+    case UplinkKind::kError:
       break;
     case UplinkKind::kSettingsAnswer: {
       const gs::wire::SettingsAnswer& answer = message.settings_answer;

@@ -17,7 +17,7 @@ namespace {
 struct Shared {
   explicit Shared(const BenchParameters& p) : parameters(p) {
     for (std::uint32_t index = 0; index < p.outlet_ids.size(); ++index) {
-      outlets.emplace_back(p.outlet, index);
+      outlets.emplace_back(p.outlet, p.outlet_ids[index], index);
     }
   }
 

@@ -23,8 +23,12 @@ void Outlet::Collector::put(const gs::wire::Uplink& message) {
   messages.push_back(message);
 }
 
-Outlet::Outlet(const OutletParameters& parameters, std::uint32_t index)
-    : parameters_(parameters), index_(index) {}
+Outlet::Outlet(const OutletParameters& parameters, const std::string& id, std::uint32_t index)
+    : parameters_(parameters), index_(index) {
+  gs::node::set_text(identity_.id, id.c_str());
+  gs::node::set_text(identity_.board, "simulated");
+  identity_.instance = index;
+}
 
 bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_pu,
                    std::uint64_t seed) {
@@ -41,7 +45,7 @@ bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_
   hardware.sample_rate_hz = static_cast<std::int32_t>(sample_rate_hz);
   hardware.nominal_hz = nominal_hz;
   hardware.counts_per_pu = kCountsPerPu;
-  return node_.start(hardware, collector_);
+  return node_.start(hardware, identity_, nullptr, collector_);
 }
 
 void Outlet::send(std::int64_t tick, const gs::wire::Downlink& message) {

@@ -1,23 +1,32 @@
 #include <node/node.hpp>
+#include <node/self_test.hpp>
 
 namespace gs::node {
 
 using wire::UplinkKind;
 
-bool Node::start(const outlet::Hardware& hardware, Outbox& outbox) {
+bool Node::start(const outlet::Hardware& hardware, const Identity& identity, SettingsArea* area,
+                 Outbox& outbox) {
   state_ = outlet::State{};
   samples_ = 0;
+  samples_lost_ = 0;
+  messages_bad_ = 0;
+  messages_unsent_ = 0;
+  for (std::uint32_t& count : errors_) {
+    count = 0;
+  }
   started_ = outlet::configure(hardware, config_);
   if (!started_) {
     return false;
   }
-  wire::Uplink hello = message(UplinkKind::kHello);
-  hello.hello.firmware_version = kFirmwareVersion;
-  hello.hello.sample_rate_hz = hardware.sample_rate_hz;
-  hello.hello.nominal_hz = hardware.nominal_hz;
-  hello.hello.tracker_delay_s = outlet::kFrontEndDelayS;
-  outbox.put(hello);
+  identity_ = identity;
+  area_ = area;
+  introduce(outbox);
   return true;
+}
+
+bool Node::restore(const outlet::Settings& settings) {
+  return started_ && outlet::apply(config_, state_, settings) == outlet::SettingsError::kNone;
 }
 
 void Node::feed(const std::int16_t* samples, std::size_t count, Outbox& outbox) {
@@ -44,22 +53,114 @@ void Node::receive(const wire::Downlink& downlink, Outbox& outbox) {
   }
   switch (downlink.kind) {
     case wire::DownlinkKind::kSettings:
-      take_settings(downlink.settings, outbox);
-      break;
+      return take_settings(downlink.settings, outbox);
     case wire::DownlinkKind::kCommand:
-      if (outlet::command(state_, downlink.close_relay)) {
-        outbox.put(relay_message());
-      }
-      break;
+      return take_command(downlink, outbox);
+    case wire::DownlinkKind::kIdentify:
+      return introduce(outbox);
+    case wire::DownlinkKind::kAskStatus:
+      return tell_status(outbox);
+    case wire::DownlinkKind::kAskSelfTest:
+      return test_itself(outbox);
+    case wire::DownlinkKind::kPing: {
+      wire::Uplink echo = message(UplinkKind::kEcho);
+      echo.echo = {downlink.token};
+      return outbox.put(echo);
+    }
   }
 }
 
+void Node::note(wire::ErrorCode error, Outbox& outbox) {
+  const auto place = static_cast<std::size_t>(error);
+  if (!started_ || place > static_cast<std::size_t>(wire::kLastErrorCode)) {
+    return;
+  }
+  if (error == wire::ErrorCode::kBadFrame || error == wire::ErrorCode::kMalformed ||
+      error == wire::ErrorCode::kUnknownKind) {
+    ++messages_bad_;
+  }
+  wire::Uplink told = message(UplinkKind::kError);
+  told.error = {error, ++errors_[place]};
+  outbox.put(told);
+}
+
+void Node::note_samples_lost(std::uint32_t count, Outbox& outbox) {
+  samples_lost_ += count;
+  samples_ += count;
+  note(wire::ErrorCode::kSamplesLost, outbox);
+}
+
+void Node::introduce(Outbox& outbox) const {
+  wire::Uplink told = message(UplinkKind::kHello);
+  wire::Hello& hello = told.hello;
+  hello = wire::Hello{};
+  set_text(hello.id, identity_.id);
+  set_text(hello.board, identity_.board);
+  hello.instance = identity_.instance;
+  hello.firmware_version = kFirmwareVersion;
+  hello.build = identity_.build;
+  hello.capabilities = identity_.capabilities;
+  hello.sample_rate_hz = config_.hardware.sample_rate_hz;
+  hello.nominal_hz = config_.hardware.nominal_hz;
+  hello.tracker_delay_s = outlet::kFrontEndDelayS;
+  hello.voltage_delay_s = outlet::kVoltageDelayS;
+  if (config_.has_settings) {
+    hello.settings_version = config_.settings.version;
+    hello.settings_digest = outlet::digest(config_.settings);
+  }
+  outbox.put(told);
+}
+
 void Node::take_settings(const outlet::Settings& settings, Outbox& outbox) {
+  const outlet::SettingsError error = outlet::apply(config_, state_, settings);
+  // An outlet that cannot keep them still follows them; the answer says so.
+  const bool tried = error == outlet::SettingsError::kNone && area_ != nullptr;
+  const bool kept = tried && area_->keep(settings);
   wire::Uplink answer = message(UplinkKind::kSettingsAnswer);
-  answer.settings_answer.error = outlet::apply(config_, state_, settings);
-  answer.settings_answer.version = config_.settings.version;
-  answer.settings_answer.digest = outlet::digest(config_.settings);
+  answer.settings_answer = {error, config_.settings.version, outlet::digest(config_.settings),
+                            kept};
   outbox.put(answer);
+  if (tried && !kept) {
+    note(wire::ErrorCode::kSettingsArea, outbox);
+  }
+}
+
+void Node::take_command(const wire::Downlink& command, Outbox& outbox) {
+  const bool changed = outlet::command(state_, command.close_relay);
+  wire::Uplink answer = message(UplinkKind::kCommandAnswer);
+  answer.command_answer = {command.request, state_.relay_closed};
+  outbox.put(answer);
+  if (changed) {
+    outbox.put(relay_message());
+  }
+}
+
+void Node::test_itself(Outbox& outbox) const {
+  wire::Uplink told = message(UplinkKind::kSelfTest);
+  wire::SelfTest result;
+  result.fingerprint = arithmetic_fingerprint();
+  const auto errors = [&](wire::ErrorCode code) { return errors_[static_cast<std::size_t>(code)]; };
+  if (result.fingerprint != kFingerprint) {
+    result.failed |= wire::kArithmetic;
+  }
+  if (area_ != nullptr && !area_->usable()) {
+    result.failed |= wire::kSettingsArea;
+  }
+  if (errors(wire::ErrorCode::kClock) > 0) {
+    result.failed |= wire::kClock;
+  }
+  if (state_.reports == 0) {
+    result.failed |= wire::kConverter;
+  }
+  told.self_test = result;
+  outbox.put(told);
+}
+
+void Node::tell_status(Outbox& outbox) const {
+  wire::Uplink told = message(UplinkKind::kStatus);
+  told.status = {state_.reports, state_.relay_closed, state_.cause,    state_.phase,
+                 samples_lost_,  messages_bad_,       messages_unsent_};
+  outbox.put(told);
 }
 
 void Node::tell(const outlet::Report& report, Outbox& outbox) const {

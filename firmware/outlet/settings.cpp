@@ -1,47 +1,12 @@
+#include <outlet/crc32.hpp>
 #include <outlet/event_detector.hpp>
 #include <outlet/loss_ekf.hpp>
 #include <outlet/loss_lse.hpp>
 #include <outlet/settings.hpp>
+#include <outlet/settings_fields.hpp>
 
 namespace gs::outlet {
 namespace {
-
-// Calls visit(field) for every field in order: validation and digest cannot forget one that the
-// other knows.
-template <class Visitor>
-void visit_floats_and_counts(const Settings& s, Visitor&& visit) {
-  visit(s.version);
-  visit(s.response.gain_hz_per_mw);
-  visit(s.response.sigma_per_s);
-  visit(s.response.discriminant_per_s2);
-  visit(s.response.initial_slope_per_s);
-  visit(s.threshold_mw);
-  visit(s.largest_loss_mw);
-  visit(s.accumulated_mw);
-  visit(s.switch_off_hz);
-  visit(std::uint32_t{s.condition_rows});
-  for (int row = 0; row < s.condition_rows && row < kMaxConditions; ++row) {
-    visit(s.conditions[row].from_hz);
-    visit(s.conditions[row].rocof_below_hz_s);
-  }
-  visit(std::uint32_t{s.condition_hits});
-  visit(std::uint32_t{s.rocof_samples});
-  visit(std::uint32_t{s.event_drops});
-  visit(s.event_drop_hz);
-  visit(s.event_departure_hz);
-  visit(std::uint32_t{s.lse_samples});
-  visit(std::uint32_t{s.ekf_samples});
-  visit(s.measurement_sigma_hz);
-  visit(s.loss_sigma_mw);
-  visit(s.t_x_sigma_s);
-  visit(s.trusted_residual_hz);
-  visit(std::uint32_t{s.switch_off_samples});
-  visit(s.tracker.phase_noise_rad);
-  visit(s.tracker.jerk_rad_s3_per_sqrt_hz);
-  visit(s.tracker.leap_rad);
-  visit(s.tracker.leap_amplitude);
-  visit(s.tracker.dead_bus_pu);
-}
 
 bool within(float x, float low, float high) {
   return x >= low && x <= high;
@@ -51,10 +16,14 @@ struct AllFinite {
   bool finite = true;
   void operator()(float x) { finite = finite && within(x, -1.0e9f, 1.0e9f); }
   void operator()(std::uint32_t) {}
+  void operator()(std::uint16_t) {}
+  void operator()(std::uint8_t) {}
+  void count(std::uint8_t, int) {}
 };
 
-struct Crc32 {
-  std::uint32_t value = 0xFFFFFFFFu;
+// Every count as a 32-bit word, every float as its bits.
+struct Digest {
+  Crc32 crc;
   void operator()(float x) {
     std::uint32_t bits = 0;
     __builtin_memcpy(&bits, &x, sizeof bits);
@@ -62,12 +31,12 @@ struct Crc32 {
   }
   void operator()(std::uint32_t word) {
     for (int byte = 0; byte < 4; ++byte) {
-      value ^= (word >> (8 * byte)) & 0xFFu;
-      for (int bit = 0; bit < 8; ++bit) {
-        value = (value >> 1) ^ ((value & 1u) != 0 ? 0xEDB88320u : 0u);
-      }
+      crc.add(static_cast<std::uint8_t>(word >> (8 * byte)));
     }
   }
+  void operator()(std::uint16_t x) { (*this)(std::uint32_t{x}); }
+  void operator()(std::uint8_t x) { (*this)(std::uint32_t{x}); }
+  void count(std::uint8_t rows, int) { (*this)(rows); }
 };
 
 bool response_served(const Settings& s) {
@@ -153,7 +122,7 @@ const char* to_string(SettingsError error) {
 
 SettingsError validate(const Settings& s, float nominal_hz) {
   AllFinite all;
-  visit_floats_and_counts(s, all);
+  visit_fields(s, all);
   if (!all.finite) {
     return SettingsError::kNotFinite;
   }
@@ -188,9 +157,9 @@ SettingsError validate(const Settings& s, float nominal_hz) {
 }
 
 std::uint32_t digest(const Settings& settings) {
-  Crc32 crc;
-  visit_floats_and_counts(settings, crc);
-  return ~crc.value;
+  Digest all;
+  visit_fields(settings, all);
+  return all.crc.value();
 }
 
 }  // namespace gs::outlet

@@ -89,7 +89,7 @@ class Nowhere final : public gs::node::Outbox {
 void feed_firmware(const std::vector<std::int16_t>& samples) {
   gs::node::Node node;
   Nowhere nowhere;
-  node.start({}, nowhere);
+  node.start({}, {}, nullptr, nowhere);
   node.feed(samples.data(), samples.size(), nowhere);
 }
 

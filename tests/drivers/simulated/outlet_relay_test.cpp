@@ -20,7 +20,7 @@ Edges contact_after(const std::vector<std::int64_t>& coil_ticks, std::size_t blo
   parameters.relay.operate_ms = 8.0;  // 64 ticks
   parameters.relay.operate_spread_ms = 0.0;
   parameters.relay.largest_bounces = 0;
-  Outlet outlet(parameters, 0);
+  Outlet outlet(parameters, "outlet", 0);
   EXPECT_TRUE(outlet.start(kRateHz, 50, 0.0F, 1));
   bool close = false;
   for (const std::int64_t tick : coil_ticks) {

@@ -46,12 +46,22 @@ wire::Downlink command_message(bool close) {
   wire::Downlink message;
   message.kind = wire::DownlinkKind::kCommand;
   message.close_relay = close;
+  message.request = 9;
   return message;
+}
+
+Identity identity() {
+  Identity identity;
+  set_text(identity.id, "outlet-7");
+  set_text(identity.board, "test");
+  identity.instance = 77;
+  identity.build = 0xABCD1234U;
+  return identity;
 }
 
 class NodeTest : public testing::Test {
  protected:
-  void start() { ASSERT_TRUE(node_.start(outlet::Hardware{}, letters_)); }
+  void start() { ASSERT_TRUE(node_.start(outlet::Hardware{}, identity(), nullptr, letters_)); }
 
   void feed(const test::Mains& mains, double duration_s) {
     const auto samples = mains.samples(0, static_cast<std::size_t>(8000 * duration_s));
@@ -85,12 +95,18 @@ TEST_F(NodeTest, IntroducesItselfFirst) {
   EXPECT_EQ(hello.hello.sample_rate_hz, 8000);
   EXPECT_EQ(hello.hello.nominal_hz, 50);
   EXPECT_EQ(hello.hello.tracker_delay_s, outlet::kFrontEndDelayS);
+  EXPECT_EQ(hello.hello.voltage_delay_s, outlet::kVoltageDelayS);
+  EXPECT_STREQ(hello.hello.id, "outlet-7");
+  EXPECT_STREQ(hello.hello.board, "test");
+  EXPECT_EQ(hello.hello.instance, 77U);
+  EXPECT_EQ(hello.hello.build, 0xABCD1234U);
+  EXPECT_EQ(hello.hello.settings_version, 0U);
 }
 
 TEST_F(NodeTest, DoesNothingOnHardwareItCannotServe) {
   outlet::Hardware hardware;
   hardware.sample_rate_hz = 44100;
-  EXPECT_FALSE(node_.start(hardware, letters_));
+  EXPECT_FALSE(node_.start(hardware, identity(), nullptr, letters_));
   const std::vector<std::int16_t> samples(1000);
   node_.feed(samples.data(), samples.size(), letters_);
   node_.receive(command_message(false), letters_);
@@ -165,23 +181,27 @@ TEST_F(NodeTest, SettingsAreAnsweredWithWhatIsInForce) {
   }
 }
 
-TEST_F(NodeTest, ACommandIsAnsweredWhereTheRelayChanges) {
+TEST_F(NodeTest, EveryCommandIsAnsweredAndTheRelayToldWhereItChanges) {
   start();
   feed(steady_mains(), 0.1);
   letters_.all.clear();
   node_.receive(command_message(true), letters_);
-  EXPECT_TRUE(letters_.all.empty());
-  node_.receive(command_message(false), letters_);
   ASSERT_EQ(letters_.all.size(), 1U);
-  EXPECT_EQ(letters_.all[0].kind, UplinkKind::kRelay);
-  EXPECT_EQ(letters_.all[0].sample, 800U);
-  EXPECT_FALSE(letters_.all[0].relay.closed);
-  EXPECT_EQ(letters_.all[0].relay.cause, Cause::kCommand);
+  EXPECT_EQ(letters_.all[0].kind, UplinkKind::kCommandAnswer);
+  EXPECT_EQ(letters_.all[0].command_answer.request, 9U);
+  EXPECT_TRUE(letters_.all[0].command_answer.closed);
+  node_.receive(command_message(false), letters_);
+  ASSERT_EQ(letters_.all.size(), 3U);
+  EXPECT_FALSE(letters_.all[1].command_answer.closed);
+  EXPECT_EQ(letters_.all[2].kind, UplinkKind::kRelay);
+  EXPECT_EQ(letters_.all[2].sample, 800U);
+  EXPECT_FALSE(letters_.all[2].relay.closed);
+  EXPECT_EQ(letters_.all[2].relay.cause, Cause::kCommand);
   EXPECT_FALSE(node_.relay_closed());
   node_.receive(command_message(true), letters_);
-  ASSERT_EQ(letters_.all.size(), 2U);
-  EXPECT_TRUE(letters_.all[1].relay.closed);
-  EXPECT_EQ(letters_.all[1].relay.cause, Cause::kNone);
+  ASSERT_EQ(letters_.all.size(), 5U);
+  EXPECT_TRUE(letters_.all[4].relay.closed);
+  EXPECT_EQ(letters_.all[4].relay.cause, Cause::kNone);
 }
 
 TEST_F(NodeTest, TellsAnEventFromItsBeginningToTheRelay) {

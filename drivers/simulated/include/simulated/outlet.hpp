@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <vector>
 
 #include <node/node.hpp>
@@ -21,7 +22,7 @@ constexpr double kFullScalePu = 1.5;
 
 class Outlet {
  public:
-  Outlet(const OutletParameters& parameters, std::uint32_t index);
+  Outlet(const OutletParameters& parameters, const std::string& id, std::uint32_t index);
 
   // As new: nothing is left of what was before. False where the firmware refuses the hardware.
   bool start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_pu, std::uint64_t seed);
@@ -52,6 +53,7 @@ class Outlet {
   void turn_coil(std::int64_t coil_tick, bool closes);
 
   OutletParameters parameters_;
+  gs::node::Identity identity_;
   std::uint32_t index_;
   std::int64_t sample_rate_hz_ = 0;
   float noise_rms_pu_ = 0.0F;

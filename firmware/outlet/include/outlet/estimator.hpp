@@ -18,6 +18,7 @@ enum class Trust : std::uint8_t {
   kAtBound = 4,        // ΔP or t_x stands at what is physical
   kUncertain = 5,      // σ of ΔP above a tenth of it
 };
+constexpr Trust kLastTrust = Trust::kUncertain;
 
 const char* to_string(Trust trust);
 

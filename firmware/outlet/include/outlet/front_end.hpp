@@ -21,6 +21,7 @@ constexpr int kFilterLength = 56;
 constexpr float kFrontEndDelayS = 0.028f;
 // Voltage is measured over 50 ms: five half periods of 50 Hz, six of 60 Hz.
 constexpr int kVoltageWindowMs = 50;
+constexpr float kVoltageDelayS = 0.025f;
 
 constexpr std::int32_t kMaxSampleRateHz = 32000;
 constexpr std::size_t kMaxTable = 1600;  // kMaxSampleRateHz / gcd with 60

@@ -1,10 +1,11 @@
 // What an outlet and a control centre (or the bench in its place) say to each other, over any link.
 //
 // Time in a message is the outlet's own sample count: the number of samples it had taken when the
-// thing happened. Plain data without pointers; how it is put on a serial line or a broker is the
-// link's business.
+// thing happened. Plain data without pointers; fields.hpp lists each message's fields in the order
+// in which they stand on the wire, README.md describes the protocol for other implementations.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <outlet/outlet.hpp>
@@ -12,33 +13,57 @@
 namespace gs::wire {
 
 constexpr std::uint16_t kProtocolVersion = 1;
+constexpr std::size_t kLongestId = 32;
+constexpr std::size_t kLongestBoard = 16;
 
 // ---- from the outlet
 
 enum class UplinkKind : std::uint8_t {
-  kHello = 1,
-  kSettingsAnswer = 2,
-  kMeasurement = 3,
+  kHello = 1,           // after start-up, and when asked to identify itself
+  kSettingsAnswer = 2,  // to settings
+  kMeasurement = 3,     // every 16 ms
   kEvent = 4,
   kLse = 5,
   kEstimate = 6,
   kDecision = 7,
-  kRelay = 8,
+  kRelay = 8,  // the relay was told to change
   kAborted = 9,
+  kCommandAnswer = 10,
+  kStatus = 11,
+  kSelfTest = 12,
+  kEcho = 13,
+  kError = 14,
+};
+constexpr UplinkKind kLastUplink = UplinkKind::kError;
+
+// What an outlet can do, as bits of Hello::capabilities.
+enum Capability : std::uint32_t {
+  kKeepsSettings = 1,  // over a loss of power
+  kHasWatchdog = 2,
 };
 
+// An outlet of any protocol version begins its hello with protocol_version and id.
 struct Hello {
   std::uint16_t protocol_version = kProtocolVersion;
+  char id[kLongestId + 1] = {};        // given at manufacture: letters, digits, '-', '_', '.'
+  char board[kLongestBoard + 1] = {};  // what it is made of: "mps2-an386"
+  std::uint32_t instance = 0;  // of this very piece of hardware; tells two with one id apart
   std::uint32_t firmware_version = 0;  // major·10⁶ + minor·10³ + patch
+  std::uint32_t build = 0;             // first 32 bits of the SHA-256 over the firmware's sources
+  std::uint32_t capabilities = 0;
   std::int32_t sample_rate_hz = 0;
   std::int32_t nominal_hz = 0;
-  float tracker_delay_s = 0.0f;  // a measurement is of the frequency so long before its stamp
+  float tracker_delay_s = 0.0f;        // a measured frequency is that of so long before its stamp
+  float voltage_delay_s = 0.0f;        // the same for the voltage
+  std::uint32_t settings_version = 0;  // in force; 0: none
+  std::uint32_t settings_digest = 0;   // outlet::digest of them
 };
 
 struct SettingsAnswer {
   outlet::SettingsError error = outlet::SettingsError::kNone;
   std::uint32_t version = 0;  // in force now
   std::uint32_t digest = 0;   // of what is in force now
+  bool kept = false;          // they would survive a loss of power
 };
 
 struct MeasurementMessage {
@@ -77,6 +102,54 @@ struct RelayMessage {
   outlet::Cause cause = outlet::Cause::kNone;
 };
 
+struct CommandAnswer {
+  std::uint32_t request = 0;  // of the command
+  bool closed = true;         // the relay's state now
+};
+
+struct Status {
+  std::uint32_t reports = 0;  // since start-up, 16 ms each
+  bool relay_closed = true;
+  outlet::Cause cause = outlet::Cause::kNone;
+  outlet::Phase phase = outlet::Phase::kQuiet;
+  std::uint32_t samples_lost = 0;     // by the ADC, since start-up
+  std::uint32_t messages_bad = 0;     // received and not understood
+  std::uint32_t messages_unsent = 0;  // dropped because the link did not take them
+};
+
+// Bits of SelfTest::failed.
+enum SelfTestPart : std::uint32_t {
+  kArithmetic = 1,    // a known signal gave other bits than it must
+  kSettingsArea = 2,  // cannot be read or holds nothing valid though it should
+  kClock = 4,         // the crystal did not start; the board runs on what it has
+  kConverter = 8,     // no samples come
+};
+
+struct SelfTest {
+  std::uint32_t failed = 0;
+  std::uint32_t fingerprint = 0;  // of the known signal's result: equal on every board and build
+};
+
+struct Echo {
+  std::uint32_t token = 0;  // of the ping
+};
+
+enum class ErrorCode : std::uint8_t {
+  kBadFrame = 1,      // not COBS, too long, or its CRC is wrong
+  kMalformed = 2,     // not a message of this protocol
+  kUnknownKind = 3,   // a message of no known kind
+  kSamplesLost = 4,   // the firmware was too slow for its ADC
+  kSettingsArea = 5,  // settings could not be kept
+  kWatchdog = 6,      // the watchdog had to restart the outlet
+  kClock = 7,         // the crystal did not start
+};
+constexpr ErrorCode kLastErrorCode = ErrorCode::kClock;
+
+struct ErrorMessage {
+  ErrorCode code = ErrorCode::kMalformed;
+  std::uint32_t detail = 0;  // how many so far
+};
+
 struct Uplink {
   UplinkKind kind = UplinkKind::kHello;
   std::uint64_t sample = 0;
@@ -89,6 +162,11 @@ struct Uplink {
     EstimateMessage estimate;
     DecisionMessage decision;
     RelayMessage relay;
+    CommandAnswer command_answer;
+    Status status;
+    SelfTest self_test;
+    Echo echo;
+    ErrorMessage error;
   };
 
   Uplink() : hello{} {}
@@ -96,12 +174,25 @@ struct Uplink {
 
 // ---- to the outlet
 
-enum class DownlinkKind : std::uint8_t { kSettings = 1, kCommand = 2 };
+enum class DownlinkKind : std::uint8_t {
+  kSettings = 1,
+  kCommand = 2,
+  kIdentify = 3,  // answered by a hello
+  kAskStatus = 4,
+  kAskSelfTest = 5,
+  kPing = 6,  // answered by an echo, at once
+};
+constexpr DownlinkKind kLastDownlink = DownlinkKind::kPing;
 
 struct Downlink {
   DownlinkKind kind = DownlinkKind::kCommand;
   outlet::Settings settings;  // of kSettings
   bool close_relay = true;    // of kCommand
+  std::uint32_t request = 0;  // of kCommand: comes back in its answer
+  std::uint32_t token = 0;    // of kPing
 };
+
+const char* to_string(UplinkKind kind);
+const char* to_string(ErrorCode code);
 
 }  // namespace gs::wire

@@ -1,0 +1,29 @@
+// CRC-32 of IEEE 802.3: reflected, polynomial 0x04C11DB7; of "123456789" it is 0xCBF43926. Bit by
+// bit: a table would cost an outlet more memory than the time is worth.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gs::outlet {
+
+class Crc32 {
+ public:
+  void add(std::uint8_t byte) {
+    state_ ^= byte;
+    for (int bit = 0; bit < 8; ++bit) {
+      state_ = (state_ >> 1) ^ ((state_ & 1u) != 0 ? 0xEDB88320u : 0u);
+    }
+  }
+  void add(const std::uint8_t* bytes, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      add(bytes[i]);
+    }
+  }
+  std::uint32_t value() const { return ~state_; }
+
+ private:
+  std::uint32_t state_ = 0xFFFFFFFFu;
+};
+
+}  // namespace gs::outlet

@@ -1,0 +1,215 @@
+#include <wire/cbor.hpp>
+#include <wire/codec.hpp>
+#include <wire/fields.hpp>
+
+namespace gs::wire {
+namespace {
+
+struct Counter {
+  std::size_t items = 0;
+
+  template <class T>
+  void operator()(const T&) {
+    ++items;
+  }
+  template <class E>
+  void choice(const E&, E) {
+    ++items;
+  }
+  void count(std::uint8_t, int) { ++items; }
+};
+
+struct Encoder {
+  cbor::Writer& writer;
+
+  void operator()(bool value) { writer.boolean(value); }
+  void operator()(float value) { writer.single(value); }
+  void operator()(std::uint8_t value) { writer.unsigned_integer(value); }
+  void operator()(std::uint16_t value) { writer.unsigned_integer(value); }
+  void operator()(std::uint32_t value) { writer.unsigned_integer(value); }
+  void operator()(std::int32_t value) { writer.integer(value); }
+  template <std::size_t N>
+  void operator()(const char (&text)[N]) {
+    std::size_t length = 0;
+    while (length < N - 1 && text[length] != '\0') {
+      ++length;
+    }
+    writer.text(text, length);
+  }
+  template <class E>
+  void choice(E value, E) {
+    writer.unsigned_integer(static_cast<std::uint8_t>(value));
+  }
+  void count(std::uint8_t rows, int) { writer.unsigned_integer(rows); }
+};
+
+// After the first field that is not what it must be, takes nothing more.
+struct Decoder {
+  cbor::Reader& reader;
+  std::size_t items;  // left of the array
+  bool ok = true;
+
+  void operator()(bool& value) { ok = next() && reader.boolean(value); }
+  void operator()(float& value) { ok = next() && reader.single(value); }
+  void operator()(std::uint8_t& value) { number(value); }
+  void operator()(std::uint16_t& value) { number(value); }
+  void operator()(std::uint32_t& value) { number(value); }
+  void operator()(std::int32_t& value) {
+    std::int64_t wide = 0;
+    ok = next() && reader.integer(wide) && wide >= INT32_MIN && wide <= INT32_MAX;
+    value = ok ? static_cast<std::int32_t>(wide) : value;
+  }
+  template <std::size_t N>
+  void operator()(char (&text)[N]) {
+    ok = next() && reader.text(text, N - 1);
+  }
+  template <class E>
+  void choice(E& value, E last) {
+    std::uint8_t raw = 0;
+    number(raw);
+    ok = ok && raw <= static_cast<std::uint8_t>(last);
+    value = ok ? static_cast<E>(raw) : value;
+  }
+  void count(std::uint8_t& rows, int most) {
+    number(rows);
+    ok = ok && rows <= most;
+    rows = ok ? rows : std::uint8_t{0};
+  }
+
+  bool next() {
+    if (!ok || items == 0) {
+      return false;
+    }
+    --items;
+    return true;
+  }
+
+  template <class T>
+  void number(T& value) {
+    std::uint64_t wide = 0;
+    ok = next() && reader.unsigned_integer(wide) && wide <= static_cast<T>(-1);
+    value = ok ? static_cast<T>(wide) : value;
+  }
+
+  // Over what a later version has added; nothing may follow the array.
+  bool finish() {
+    for (; ok && items > 0; --items) {
+      ok = reader.skip();
+    }
+    return ok && reader.left() == 0;
+  }
+};
+
+std::size_t finished(const cbor::Writer& writer) {
+  return writer.ok() ? writer.size() : 0;
+}
+
+// Takes the head that both directions have: [kind, sequence, …
+Decoded open(cbor::Reader& reader, std::size_t& items, std::uint8_t last_kind, std::uint8_t& kind,
+             std::uint32_t& sequence) {
+  std::uint64_t wide_kind = 0;
+  std::uint64_t wide_sequence = 0;
+  if (!reader.array(items) || items < 2 || !reader.unsigned_integer(wide_kind) ||
+      !reader.unsigned_integer(wide_sequence) || wide_sequence > 0xFFFFFFFFu) {
+    return Decoded::kMalformed;
+  }
+  items -= 2;
+  sequence = static_cast<std::uint32_t>(wide_sequence);
+  if (wide_kind == 0 || wide_kind > last_kind) {
+    return Decoded::kUnknownKind;
+  }
+  kind = static_cast<std::uint8_t>(wide_kind);
+  return Decoded::kOk;
+}
+
+}  // namespace
+
+std::size_t encode(const Uplink& message, std::uint32_t sequence, std::uint8_t* out,
+                   std::size_t capacity) {
+  Counter counter;
+  uplink_fields(message, counter);
+  cbor::Writer writer(out, capacity);
+  writer.array(3 + counter.items);
+  writer.unsigned_integer(static_cast<std::uint8_t>(message.kind));
+  writer.unsigned_integer(sequence);
+  writer.unsigned_integer(message.sample);
+  Encoder encoder{writer};
+  uplink_fields(message, encoder);
+  return finished(writer);
+}
+
+std::size_t encode(const Downlink& message, std::uint32_t sequence, std::uint8_t* out,
+                   std::size_t capacity) {
+  Counter counter;
+  downlink_fields(message, counter);
+  cbor::Writer writer(out, capacity);
+  writer.array(2 + counter.items);
+  writer.unsigned_integer(static_cast<std::uint8_t>(message.kind));
+  writer.unsigned_integer(sequence);
+  Encoder encoder{writer};
+  downlink_fields(message, encoder);
+  return finished(writer);
+}
+
+std::size_t encode(const outlet::Settings& settings, std::uint8_t* out, std::size_t capacity) {
+  Counter counter;
+  outlet::visit_fields(settings, counter);
+  cbor::Writer writer(out, capacity);
+  writer.array(counter.items);
+  Encoder encoder{writer};
+  outlet::visit_fields(settings, encoder);
+  return finished(writer);
+}
+
+Decoded decode(const std::uint8_t* bytes, std::size_t size, Uplink& message,
+               std::uint32_t& sequence) {
+  cbor::Reader reader(bytes, size);
+  std::size_t items = 0;
+  std::uint8_t kind = 0;
+  const Decoded opened =
+      open(reader, items, static_cast<std::uint8_t>(kLastUplink), kind, sequence);
+  if (opened != Decoded::kOk) {
+    return opened;
+  }
+  std::uint64_t sample = 0;
+  if (items == 0 || !reader.unsigned_integer(sample)) {
+    return Decoded::kMalformed;
+  }
+  message = Uplink{};
+  message.kind = static_cast<UplinkKind>(kind);
+  message.sample = sample;
+  Decoder decoder{reader, items - 1};
+  uplink_fields(message, decoder);
+  return decoder.finish() ? Decoded::kOk : Decoded::kMalformed;
+}
+
+Decoded decode(const std::uint8_t* bytes, std::size_t size, Downlink& message,
+               std::uint32_t& sequence) {
+  cbor::Reader reader(bytes, size);
+  std::size_t items = 0;
+  std::uint8_t kind = 0;
+  const Decoded opened =
+      open(reader, items, static_cast<std::uint8_t>(kLastDownlink), kind, sequence);
+  if (opened != Decoded::kOk) {
+    return opened;
+  }
+  message = Downlink{};
+  message.kind = static_cast<DownlinkKind>(kind);
+  Decoder decoder{reader, items};
+  downlink_fields(message, decoder);
+  return decoder.finish() ? Decoded::kOk : Decoded::kMalformed;
+}
+
+Decoded decode(const std::uint8_t* bytes, std::size_t size, outlet::Settings& settings) {
+  cbor::Reader reader(bytes, size);
+  std::size_t items = 0;
+  if (!reader.array(items)) {
+    return Decoded::kMalformed;
+  }
+  settings = outlet::Settings{};
+  Decoder decoder{reader, items};
+  outlet::visit_fields(settings, decoder);
+  return decoder.finish() ? Decoded::kOk : Decoded::kMalformed;
+}
+
+}  // namespace gs::wire

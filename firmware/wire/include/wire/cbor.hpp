@@ -1,0 +1,61 @@
+// The part of CBOR (RFC 8949) that messages are made of: integers, single-precision floats,
+// booleans, short text and arrays of definite length. No heap, no recursion over outside bytes
+// without a bound.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gs::wire::cbor {
+
+// Writes what fits; ok() says whether everything did. Integers take their shortest form.
+class Writer {
+ public:
+  Writer(std::uint8_t* out, std::size_t capacity) : out_(out), capacity_(capacity) {}
+
+  void array(std::size_t items) { head(4, items); }
+  void unsigned_integer(std::uint64_t value) { head(0, value); }
+  void integer(std::int64_t value);
+  void single(float value);  // any NaN as 0x7FC00000
+  void boolean(bool value) { put(value ? 0xF5 : 0xF4); }
+  void text(const char* text, std::size_t length);
+
+  bool ok() const { return ok_; }
+  std::size_t size() const { return size_; }
+
+ private:
+  void put(std::uint8_t byte);
+  void head(std::uint8_t major, std::uint64_t value);
+
+  std::uint8_t* out_;
+  std::size_t capacity_;
+  std::size_t size_ = 0;
+  bool ok_ = true;
+};
+
+// Each call takes one item and returns false where the next item is another, or is cut short; the
+// reader then stands where it stood.
+class Reader {
+ public:
+  Reader(const std::uint8_t* bytes, std::size_t size) : at_(bytes), end_(bytes + size) {}
+
+  [[nodiscard]] bool array(std::size_t& items);
+  [[nodiscard]] bool unsigned_integer(std::uint64_t& value);
+  [[nodiscard]] bool integer(std::int64_t& value);
+  [[nodiscard]] bool single(float& value);
+  [[nodiscard]] bool boolean(bool& value);
+  // Up to `most` bytes, and a zero after them.
+  [[nodiscard]] bool text(char* out, std::size_t most);
+  // One item of whatever kind, with all it holds.
+  [[nodiscard]] bool skip();
+
+  std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+
+ private:
+  bool head(std::uint8_t& major, std::uint8_t& info, std::uint64_t& value);
+
+  const std::uint8_t* at_;
+  const std::uint8_t* end_;
+};
+
+}  // namespace gs::wire::cbor

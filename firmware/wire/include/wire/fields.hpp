@@ -1,0 +1,113 @@
+// The fields of every message in the order in which they stand on the wire. Encoder and decoder
+// both walk these lists, so that they cannot disagree.
+//
+// A visitor takes bool, std::uint8_t … std::uint32_t, std::int32_t, float and char arrays by
+// visit(field), enumerations by visit.choice(field, last), and the number of condition rows by
+// visit.count(field, most).
+#pragma once
+
+#include <outlet/settings_fields.hpp>
+#include <wire/messages.hpp>
+
+namespace gs::wire {
+
+// Each `M` is the message or its const form.
+template <class M, class V>
+void hello_fields(M& m, V& visit) {
+  visit(m.protocol_version);
+  visit(m.id);
+  visit(m.board);
+  visit(m.instance);
+  visit(m.firmware_version);
+  visit(m.build);
+  visit(m.capabilities);
+  visit(m.sample_rate_hz);
+  visit(m.nominal_hz);
+  visit(m.tracker_delay_s);
+  visit(m.voltage_delay_s);
+  visit(m.settings_version);
+  visit(m.settings_digest);
+}
+
+template <class M, class V>
+void status_fields(M& m, V& visit) {
+  visit(m.reports);
+  visit(m.relay_closed);
+  visit.choice(m.cause, outlet::Cause::kCommand);
+  visit.choice(m.phase, outlet::Phase::kCooling);
+  visit(m.samples_lost);
+  visit(m.messages_bad);
+  visit(m.messages_unsent);
+}
+
+template <class U, class V>
+void uplink_fields(U& m, V& visit) {
+  using outlet::Trust;
+  switch (m.kind) {
+    case UplinkKind::kHello:
+      return hello_fields(m.hello, visit);
+    case UplinkKind::kSettingsAnswer:
+      visit.choice(m.settings_answer.error, outlet::SettingsError::kStale);
+      visit(m.settings_answer.version);
+      visit(m.settings_answer.digest);
+      return visit(m.settings_answer.kept);
+    case UplinkKind::kMeasurement:
+      visit(m.measurement.frequency_hz);
+      visit(m.measurement.rocof_hz_s);
+      visit(m.measurement.voltage_pu);
+      return visit.choice(m.measurement.validity, outlet::Validity::kHeld);
+    case UplinkKind::kEvent:
+      visit(m.event.baseline_hz);
+      return visit(m.event.baseline_rocof_hz_s);
+    case UplinkKind::kLse:
+      return visit(m.lse.loss_mw);
+    case UplinkKind::kEstimate:
+      visit(m.estimate.loss_mw);
+      visit(m.estimate.loss_sigma_mw);
+      visit(m.estimate.loss_instant_s);
+      return visit.choice(m.estimate.trust, outlet::kLastTrust);
+    case UplinkKind::kDecision:
+      visit(m.decision.loss_mw);
+      visit(m.decision.required_mw);
+      visit(m.decision.hits);
+      visit.choice(m.decision.trust, outlet::kLastTrust);
+      return visit(m.decision.shed);
+    case UplinkKind::kRelay:
+      visit(m.relay.closed);
+      return visit.choice(m.relay.cause, outlet::Cause::kCommand);
+    case UplinkKind::kAborted:
+      return;
+    case UplinkKind::kCommandAnswer:
+      visit(m.command_answer.request);
+      return visit(m.command_answer.closed);
+    case UplinkKind::kStatus:
+      return status_fields(m.status, visit);
+    case UplinkKind::kSelfTest:
+      visit(m.self_test.failed);
+      return visit(m.self_test.fingerprint);
+    case UplinkKind::kEcho:
+      return visit(m.echo.token);
+    case UplinkKind::kError:
+      visit.choice(m.error.code, kLastErrorCode);
+      return visit(m.error.detail);
+  }
+}
+
+template <class D, class V>
+void downlink_fields(D& m, V& visit) {
+  switch (m.kind) {
+    case DownlinkKind::kSettings:
+      return outlet::visit_fields(m.settings, visit);
+    case DownlinkKind::kCommand:
+      visit(m.request);
+      return visit(m.close_relay);
+    case DownlinkKind::kIdentify:
+    case DownlinkKind::kAskStatus:
+    case DownlinkKind::kAskSelfTest:
+      return;
+    case DownlinkKind::kPing:
+      return visit(m.token);
+  }
+}
+
+}  // namespace gs::wire
