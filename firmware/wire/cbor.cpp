@@ -14,6 +14,8 @@ constexpr std::uint8_t kSimple = 7;
 
 constexpr std::uint8_t kFalse = 20;
 constexpr std::uint8_t kTrue = 21;
+constexpr std::uint8_t kSimpleByte = 24;  // the simple value is in the byte that follows
+constexpr std::uint8_t kFirstLongSimple = 32;
 constexpr std::uint8_t kSingle = 26;
 
 }  // namespace
@@ -97,6 +99,9 @@ bool Reader::head(std::uint8_t& major, std::uint8_t& info, std::uint64_t& value)
     for (std::size_t i = 0; i < bytes; ++i) {
       value = (value << 8) | *next++;
     }
+    if (major == kSimple && info == kSimpleByte && value < kFirstLongSimple) {
+      return false;  // has a form of one byte, the only one RFC 8949, §3.3 allows
+    }
   }
   at_ = next;
   return true;
@@ -178,9 +183,14 @@ bool Reader::text(char* out, std::size_t most) {
   if (!next.head(major, info, length) || major != kText || length > most || length > next.left()) {
     return false;
   }
-  __builtin_memcpy(out, next.at_, static_cast<std::size_t>(length));
+  for (std::size_t i = 0; i < length; ++i) {
+    const std::uint8_t character = *next.at_++;
+    if (character < ' ' || character > '~') {
+      return false;
+    }
+    out[i] = static_cast<char>(character);
+  }
   out[length] = '\0';
-  next.at_ += length;
   *this = next;
   return true;
 }

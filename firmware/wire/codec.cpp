@@ -13,7 +13,7 @@ struct Counter {
     ++items;
   }
   template <class E>
-  void choice(const E&, E) {
+  void choice(const E&, E, E = E{}) {
     ++items;
   }
   void count(std::uint8_t, int) { ++items; }
@@ -37,11 +37,21 @@ struct Encoder {
     writer.text(text, length);
   }
   template <class E>
-  void choice(E value, E) {
+  void choice(E value, E, E = E{}) {
     writer.unsigned_integer(static_cast<std::uint8_t>(value));
   }
   void count(std::uint8_t rows, int) { writer.unsigned_integer(rows); }
 };
+
+// What a later version has added; nothing may follow the array.
+bool pass_over(cbor::Reader& reader, std::size_t items) {
+  for (; items > 0; --items) {
+    if (!reader.skip()) {
+      return false;
+    }
+  }
+  return reader.left() == 0;
+}
 
 // After the first field that is not what it must be, takes nothing more.
 struct Decoder {
@@ -64,10 +74,10 @@ struct Decoder {
     ok = next() && reader.text(text, N - 1);
   }
   template <class E>
-  void choice(E& value, E last) {
+  void choice(E& value, E last, E first = E{}) {
     std::uint8_t raw = 0;
     number(raw);
-    ok = ok && raw <= static_cast<std::uint8_t>(last);
+    ok = ok && raw >= static_cast<std::uint8_t>(first) && raw <= static_cast<std::uint8_t>(last);
     value = ok ? static_cast<E>(raw) : value;
   }
   void count(std::uint8_t& rows, int most) {
@@ -91,13 +101,7 @@ struct Decoder {
     value = ok ? static_cast<T>(wide) : value;
   }
 
-  // Over what a later version has added; nothing may follow the array.
-  bool finish() {
-    for (; ok && items > 0; --items) {
-      ok = reader.skip();
-    }
-    return ok && reader.left() == 0;
-  }
+  bool finish() { return ok && pass_over(reader, items); }
 };
 
 std::size_t finished(const cbor::Writer& writer) {
@@ -116,7 +120,7 @@ Decoded open(cbor::Reader& reader, std::size_t& items, std::uint8_t last_kind, s
   items -= 2;
   sequence = static_cast<std::uint32_t>(wide_sequence);
   if (wide_kind == 0 || wide_kind > last_kind) {
-    return Decoded::kUnknownKind;
+    return pass_over(reader, items) ? Decoded::kUnknownKind : Decoded::kMalformed;
   }
   kind = static_cast<std::uint8_t>(wide_kind);
   return Decoded::kOk;

@@ -64,7 +64,7 @@ class Stuffer {
 
 std::size_t frame(const std::uint8_t* message, std::size_t size, std::uint8_t* out,
                   std::size_t capacity) {
-  if (size > kLongestMessage) {
+  if (size == 0 || size > kLongestMessage) {
     return 0;
   }
   outlet::Crc32 crc;

@@ -44,7 +44,7 @@ class Reader {
   [[nodiscard]] bool integer(std::int64_t& value);
   [[nodiscard]] bool single(float& value);
   [[nodiscard]] bool boolean(bool& value);
-  // Up to `most` bytes, and a zero after them.
+  // Up to `most` characters of printable ASCII, and a zero after them.
   [[nodiscard]] bool text(char* out, std::size_t most);
   // One item of whatever kind, with all it holds.
   [[nodiscard]] bool skip();

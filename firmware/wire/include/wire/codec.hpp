@@ -12,8 +12,11 @@
 
 namespace gs::wire {
 
-// No message is longer: the settings with all their rows come to 543 bytes.
+// What any version may say at most, and what a link must carry; the settings with all their rows
+// are this version's longest.
 constexpr std::size_t kLongestMessage = 560;
+constexpr std::size_t kLongestOfThisVersion = 443;
+static_assert(kLongestOfThisVersion <= kLongestMessage, "");
 
 enum class Decoded : std::uint8_t {
   kOk = 0,

@@ -2,8 +2,8 @@
 // both walk these lists, so that they cannot disagree.
 //
 // A visitor takes bool, std::uint8_t … std::uint32_t, std::int32_t, float and char arrays by
-// visit(field), enumerations by visit.choice(field, last), and the number of condition rows by
-// visit.count(field, most).
+// visit(field), enumerations by visit.choice(field, last) or, where they do not begin at 0,
+// visit.choice(field, last, first), and the number of condition rows by visit.count(field, most).
 #pragma once
 
 #include <outlet/settings_fields.hpp>
@@ -16,6 +16,10 @@ template <class M, class V>
 void hello_fields(M& m, V& visit) {
   visit(m.protocol_version);
   visit(m.id);
+  // What another version says after these two is not for us to read.
+  if (m.protocol_version != kProtocolVersion) {
+    return;
+  }
   visit(m.board);
   visit(m.instance);
   visit(m.firmware_version);
@@ -88,7 +92,7 @@ void uplink_fields(U& m, V& visit) {
     case UplinkKind::kEcho:
       return visit(m.echo.token);
     case UplinkKind::kError:
-      visit.choice(m.error.code, kLastErrorCode);
+      visit.choice(m.error.code, kLastErrorCode, kFirstErrorCode);
       return visit(m.error.detail);
   }
 }

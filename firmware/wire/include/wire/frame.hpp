@@ -15,7 +15,7 @@ constexpr std::size_t kCrcLength = 4;
 constexpr std::size_t kLongestFrame =
     kLongestMessage + kCrcLength + (kLongestMessage + kCrcLength) / 254 + 3;
 
-// Returns the number of bytes; 0 where message or frame is too long.
+// Returns the number of bytes; 0 where the message is empty, or it or its frame too long.
 std::size_t frame(const std::uint8_t* message, std::size_t size, std::uint8_t* out,
                   std::size_t capacity);
 

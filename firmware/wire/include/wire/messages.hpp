@@ -42,7 +42,8 @@ enum Capability : std::uint32_t {
   kHasWatchdog = 2,
 };
 
-// An outlet of any protocol version begins its hello with protocol_version and id.
+// An outlet of any protocol version begins its hello with protocol_version and id; of another
+// version's, those two alone are read.
 struct Hello {
   std::uint16_t protocol_version = kProtocolVersion;
   char id[kLongestId + 1] = {};        // given at manufacture: letters, digits, '-', '_', '.'
@@ -143,6 +144,7 @@ enum class ErrorCode : std::uint8_t {
   kWatchdog = 6,      // the watchdog had to restart the outlet
   kClock = 7,         // the crystal did not start
 };
+constexpr ErrorCode kFirstErrorCode = ErrorCode::kBadFrame;
 constexpr ErrorCode kLastErrorCode = ErrorCode::kClock;
 
 struct ErrorMessage {

@@ -1,0 +1,296 @@
+// What is no message is told from what is one, wherever the fault lies; what later versions add is
+// passed over.
+#include <wire_test/messages.hpp>
+
+#include <gtest/gtest.h>
+
+#include <wire/cbor.hpp>
+
+namespace gs::wire::test {
+namespace {
+
+constexpr std::uint32_t kSequence = 1000;
+
+Decoded decode_uplink(const Bytes& bytes) {
+  Uplink message;
+  std::uint32_t sequence = 0;
+  return decode(bytes.data(), bytes.size(), message, sequence);
+}
+
+Decoded decode_downlink(const Bytes& bytes) {
+  Downlink message;
+  std::uint32_t sequence = 0;
+  return decode(bytes.data(), bytes.size(), message, sequence);
+}
+
+Decoded decode_settings(const Bytes& bytes) {
+  outlet::Settings settings;
+  return decode(bytes.data(), bytes.size(), settings);
+}
+
+// A well-formed message of each kind, and what reads it.
+struct Case {
+  Bytes bytes;
+  Decoded (*decode)(const Bytes&);
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  std::mt19937 random(7);
+  for (const Fill fill : {Fill::kLongest, Fill::kLowest, Fill::kAnything}) {
+    for (const UplinkKind kind : uplink_kinds()) {
+      all.push_back({encoded(uplink(kind, fill, random), kSequence), decode_uplink});
+    }
+    for (const DownlinkKind kind : downlink_kinds()) {
+      all.push_back({encoded(downlink(kind, fill, random), kSequence), decode_downlink});
+    }
+    all.push_back(
+        {encoded(downlink(DownlinkKind::kSettings, fill, random).settings), decode_settings});
+  }
+  return all;
+}
+
+// The items of an array, each by itself.
+std::vector<Bytes> items_of(const Bytes& message) {
+  cbor::Reader reader(message.data(), message.size());
+  std::size_t count = 0;
+  EXPECT_TRUE(reader.array(count));
+  std::vector<Bytes> items;
+  for (; count > 0; --count) {
+    const auto* begin = message.data() + (message.size() - reader.left());
+    EXPECT_TRUE(reader.skip());
+    const auto* end = message.data() + (message.size() - reader.left());
+    items.emplace_back(begin, end);
+  }
+  EXPECT_EQ(reader.left(), 0U);
+  return items;
+}
+
+Bytes array_of(const std::vector<Bytes>& items) {
+  Bytes bytes(9);
+  cbor::Writer writer(bytes.data(), bytes.size());
+  writer.array(items.size());
+  bytes.resize(writer.size());
+  for (const Bytes& item : items) bytes.insert(bytes.end(), item.begin(), item.end());
+  return bytes;
+}
+
+// One item of each type, and the limits of the numbers.
+const std::vector<Bytes> kAnyItem = {
+    {0x00},
+    {0x1B, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF},
+    {0x20},
+    {0x3B, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF},
+    {0x41, 'x'},
+    {0x61, 'x'},
+    {0x82, 0x01, 0x81, 0x80},
+    {0xA1, 0x01, 0xF6},
+    {0xC1, 0x00},
+    {0xF4},
+    {0xF6},
+    {0xF9, 0x3C, 0x00},
+    {0xFA, 0x3F, 0x80, 0x00, 0x00},
+    {0xFB, 0x3F, 0xF0, 0, 0, 0, 0, 0, 0},
+};
+
+TEST(Refusal, AMessageCutAnywhereIsMalformed) {
+  for (const Case& one : cases()) {
+    ASSERT_EQ(one.decode(one.bytes), Decoded::kOk);
+    for (std::size_t length = 0; length < one.bytes.size(); ++length) {
+      const Bytes cut(one.bytes.begin(), one.bytes.begin() + static_cast<std::ptrdiff_t>(length));
+      EXPECT_EQ(one.decode(cut), Decoded::kMalformed) << hex(cut);
+    }
+  }
+}
+
+TEST(Refusal, BytesBehindTheMessageMakeItMalformed) {
+  for (const Case& one : cases()) {
+    for (const std::uint8_t extra : Bytes{0x00, 0x80, 0xF6, 0xFF}) {
+      Bytes longer = one.bytes;
+      longer.push_back(extra);
+      EXPECT_EQ(one.decode(longer), Decoded::kMalformed) << hex(longer);
+    }
+  }
+}
+
+TEST(Refusal, AMessageThatLacksItsLastItemsIsMalformed) {
+  for (const Case& one : cases()) {
+    std::vector<Bytes> items = items_of(one.bytes);
+    while (!items.empty()) {
+      items.pop_back();
+      EXPECT_EQ(one.decode(array_of(items)), Decoded::kMalformed) << hex(array_of(items));
+    }
+  }
+}
+
+// Every item replaced by one of every other type. Where the type is right the value may be in
+// range, and the message then is one; of another type never.
+TEST(Refusal, AnItemOfAnotherTypeIsMalformedOrOfAnUnknownKind) {
+  const auto type_of = [](const Bytes& item) {
+    const int major = item[0] >> 5;
+    if (item[0] == 0xF4 || item[0] == 0xF5) return 100;
+    return major == 7 ? static_cast<int>(item[0]) : major;
+  };
+  for (const Case& one : cases()) {
+    const std::vector<Bytes> items = items_of(one.bytes);
+    for (std::size_t at = 0; at < items.size(); ++at) {
+      for (const Bytes& other : kAnyItem) {
+        const int was = type_of(items[at]);
+        const int is = type_of(other);
+        const bool both_integers = was <= 1 && is <= 1;
+        if (was == is || both_integers) continue;
+        std::vector<Bytes> changed = items;
+        changed[at] = other;
+        EXPECT_EQ(one.decode(array_of(changed)), Decoded::kMalformed)
+            << "item " << at << ": " << hex(array_of(changed));
+      }
+    }
+  }
+}
+
+TEST(Refusal, ExtraItemsOfAnyTypeArePassedOver) {
+  for (const Case& one : cases()) {
+    std::vector<Bytes> items = items_of(one.bytes);
+    for (const Bytes& extra : kAnyItem) {
+      items.push_back(extra);
+      EXPECT_EQ(one.decode(array_of(items)), Decoded::kOk) << hex(array_of(items));
+    }
+  }
+}
+
+TEST(Refusal, IllFormedExtraItemsAreMalformed) {
+  for (const Case& one : cases()) {
+    for (const Bytes& extra : {Bytes{0x9F, 0xFF}, Bytes{0x5F, 0x40, 0xFF}, Bytes{0xFF}, Bytes{0x1C},
+                               Bytes{0xF8, 0x14}, Bytes{0x41}}) {
+      std::vector<Bytes> items = items_of(one.bytes);
+      items.push_back(extra);
+      EXPECT_EQ(one.decode(array_of(items)), Decoded::kMalformed) << hex(array_of(items));
+    }
+  }
+}
+
+TEST(Refusal, AnArrayOfIndefiniteLengthIsMalformed) {
+  for (const Case& one : cases()) {
+    Bytes bytes = {0x9F};
+    for (const Bytes& item : items_of(one.bytes))
+      bytes.insert(bytes.end(), item.begin(), item.end());
+    bytes.push_back(0xFF);
+    EXPECT_EQ(one.decode(bytes), Decoded::kMalformed) << hex(bytes);
+  }
+}
+
+TEST(Refusal, AnArrayThatPromisesMoreThanThereIsIsMalformed) {
+  for (const Bytes& head :
+       {Bytes{0x9B, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF},
+        Bytes{0x9B, 0, 0, 0, 1, 0, 0, 0, 3}, Bytes{0x9A, 0xFF, 0xFF, 0xFF, 0xFF}}) {
+    for (const Case& one : cases()) {
+      Bytes bytes = head;
+      for (const Bytes& item : items_of(one.bytes)) {
+        bytes.insert(bytes.end(), item.begin(), item.end());
+      }
+      EXPECT_EQ(one.decode(bytes), Decoded::kMalformed) << hex(bytes);
+    }
+  }
+}
+
+TEST(Refusal, NestedBombsBehindTheFieldsAreMalformed) {
+  for (const Case& one : cases()) {
+    std::vector<Bytes> items = items_of(one.bytes);
+    items.push_back(Bytes(10000, 0x81));
+    EXPECT_EQ(one.decode(array_of(items)), Decoded::kMalformed);
+  }
+}
+
+TEST(Refusal, WhatIsNoArrayIsMalformed) {
+  for (const Bytes& item : kAnyItem) {
+    EXPECT_EQ(decode_uplink(item), Decoded::kMalformed) << hex(item);
+    EXPECT_EQ(decode_downlink(item), Decoded::kMalformed) << hex(item);
+    EXPECT_EQ(decode_settings(item), Decoded::kMalformed) << hex(item);
+  }
+}
+
+TEST(Refusal, AMessageOfAnUnknownKindIsToldFromAMalformedOne) {
+  // Kinds 0, one above the last, 255, 2^64 − 1, and any fields.
+  for (const Bytes& kind : {Bytes{0x00}, Bytes{0x0F}, Bytes{0x18, 0xFF}, kAnyItem[1]}) {
+    EXPECT_EQ(decode_uplink(array_of({kind, {0x01}})), Decoded::kUnknownKind);
+    EXPECT_EQ(decode_uplink(array_of({kind, {0x01}, {0xF6}, {0x81, 0x01}})), Decoded::kUnknownKind);
+    EXPECT_EQ(decode_downlink(array_of({kind, {0x01}})), Decoded::kUnknownKind);
+    EXPECT_EQ(decode_uplink(array_of({kind})), Decoded::kMalformed) << "no sequence";
+    EXPECT_EQ(decode_uplink(array_of({kind, {0x01}, {0x41}})), Decoded::kMalformed) << "cut short";
+  }
+  EXPECT_EQ(decode_downlink({0x82, 0x07, 0x01}), Decoded::kUnknownKind);
+  EXPECT_EQ(decode_uplink({0x83, 0x0F, 0x01, 0x02, 0x00}), Decoded::kMalformed)
+      << "a byte too many";
+}
+
+// Replaces the last field of a message by an integer.
+Decoded with_field(const Uplink& message, std::size_t field, std::uint64_t value) {
+  std::vector<Bytes> items = items_of(encoded(message, kSequence));
+  Bytes number(9);
+  cbor::Writer writer(number.data(), number.size());
+  writer.unsigned_integer(value);
+  number.resize(writer.size());
+  items.at(3 + field) = number;
+  return decode_uplink(array_of(items));
+}
+
+TEST(Refusal, EnumeratorsBeyondTheirRangeAreMalformed) {
+  struct Range {
+    UplinkKind kind;
+    std::size_t field;
+    std::uint64_t first;
+    std::uint64_t last;
+  };
+  const Range ranges[] = {
+      {UplinkKind::kSettingsAnswer, 0, 0, 11}, {UplinkKind::kMeasurement, 3, 0, 2},
+      {UplinkKind::kEstimate, 3, 0, 5},        {UplinkKind::kDecision, 3, 0, 5},
+      {UplinkKind::kRelay, 1, 0, 3},           {UplinkKind::kStatus, 2, 0, 3},
+      {UplinkKind::kStatus, 3, 0, 2},          {UplinkKind::kError, 0, 1, 7}};
+  std::mt19937 random(8);
+  for (const Range& range : ranges) {
+    const Uplink message = uplink(range.kind, Fill::kHighest, random);
+    for (std::uint64_t value = 0; value < 600; ++value) {
+      const bool in_range = value >= range.first && value <= range.last;
+      EXPECT_EQ(with_field(message, range.field, value),
+                in_range ? Decoded::kOk : Decoded::kMalformed)
+          << to_string(range.kind) << " field " << range.field << " = " << value;
+    }
+  }
+}
+
+TEST(Refusal, NumbersBeyondTheirFieldAreMalformed) {
+  std::mt19937 random(9);
+  const Uplink decision = uplink(UplinkKind::kDecision, Fill::kLowest, random);
+  EXPECT_EQ(with_field(decision, 2, 0xFFFF), Decoded::kOk);
+  EXPECT_EQ(with_field(decision, 2, 0x10000), Decoded::kMalformed);
+  const Uplink echo = uplink(UplinkKind::kEcho, Fill::kLowest, random);
+  EXPECT_EQ(with_field(echo, 0, 0xFFFFFFFF), Decoded::kOk);
+  EXPECT_EQ(with_field(echo, 0, 0x100000000), Decoded::kMalformed);
+  const Uplink hello = uplink(UplinkKind::kHello, Fill::kLowest, random);
+  EXPECT_EQ(with_field(hello, 7, 0x7FFFFFFF), Decoded::kOk);
+  EXPECT_EQ(with_field(hello, 7, 0x80000000), Decoded::kMalformed);
+  // A sequence number of more than 32 bits.
+  EXPECT_EQ(decode_downlink({0x82, 0x03, 0x1A, 0xFF, 0xFF, 0xFF, 0xFF}), Decoded::kOk);
+  EXPECT_EQ(decode_downlink({0x82, 0x03, 0x1B, 0, 0, 0, 1, 0, 0, 0, 0}), Decoded::kMalformed);
+}
+
+TEST(Refusal, MoreConditionRowsThanThereIsRoomForAreMalformed) {
+  std::mt19937 random(10);
+  const outlet::Settings full = downlink(DownlinkKind::kSettings, Fill::kHighest, random).settings;
+  const std::vector<Bytes> items = items_of(encoded(full));
+  constexpr std::size_t kRowsAt = 9;  // the number of rows stands behind nine fields
+  ASSERT_EQ(items.at(kRowsAt), (Bytes{0x18, 0x20}));
+  for (const int rows : {33, 34, 255}) {
+    std::vector<Bytes> more = items;
+    more[kRowsAt] = {0x18, static_cast<std::uint8_t>(rows)};
+    more.insert(more.begin() + kRowsAt + 1, static_cast<std::size_t>(2 * (rows - 32)),
+                Bytes{0xFA, 0, 0, 0, 0});
+    EXPECT_EQ(decode_settings(array_of(more)), Decoded::kMalformed) << rows;
+  }
+  std::vector<Bytes> fewer = items;
+  fewer[kRowsAt] = {0x18, 0x1F};  // one row less than stands there
+  EXPECT_EQ(decode_settings(array_of(fewer)), Decoded::kMalformed);
+}
+
+}  // namespace
+}  // namespace gs::wire::test

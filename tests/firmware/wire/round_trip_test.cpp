@@ -1,0 +1,167 @@
+// What is encoded and decoded again is the same message, bit for bit; how long messages can be.
+#include <wire_test/messages.hpp>
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include <wire/frame.hpp>
+
+namespace gs::wire::test {
+namespace {
+
+constexpr int kTimes = 300;
+
+template <class Message>
+void expect_round_trip(const Message& message, std::uint32_t sequence) {
+  const Bytes bytes = encoded(message, sequence);
+  ASSERT_FALSE(bytes.empty());
+  Message back;
+  std::uint32_t back_sequence = ~sequence;
+  ASSERT_EQ(decode(bytes.data(), bytes.size(), back, back_sequence), Decoded::kOk) << hex(bytes);
+  EXPECT_EQ(back.kind, message.kind);
+  EXPECT_EQ(back_sequence, sequence);
+  EXPECT_EQ(fields_of(back), fields_of(message)) << hex(bytes);
+  EXPECT_EQ(encoded(back, sequence), bytes);
+}
+
+TEST(RoundTrip, EveryUplinkKindIsTheSameBitForBit) {
+  for (const Uplink& message : many_uplinks(kTimes)) {
+    SCOPED_TRACE(to_string(message.kind));
+    expect_round_trip(message, 0);
+    expect_round_trip(message, 0xFFFFFFFFU);
+  }
+}
+
+TEST(RoundTrip, EveryDownlinkKindIsTheSameBitForBit) {
+  for (const Downlink& message : many_downlinks(kTimes)) {
+    SCOPED_TRACE(static_cast<int>(message.kind));
+    expect_round_trip(message, 0);
+    expect_round_trip(message, 0xFFFFFFFFU);
+  }
+}
+
+TEST(RoundTrip, SampleCountKeepsAllSixtyFourBits) {
+  Uplink message;
+  message.kind = UplinkKind::kAborted;
+  for (const std::uint64_t sample : {0ULL, 23ULL, 24ULL, 0xFFULL, 0x100ULL, 0xFFFFULL, 0x10000ULL,
+                                     0xFFFFFFFFULL, 0x100000000ULL, 0xFFFFFFFFFFFFFFFFULL}) {
+    message.sample = sample;
+    const Bytes bytes = encoded(message, 7);
+    Uplink back;
+    std::uint32_t sequence = 0;
+    ASSERT_EQ(decode(bytes.data(), bytes.size(), back, sequence), Decoded::kOk);
+    EXPECT_EQ(back.sample, sample);
+  }
+}
+
+// Every kind is walked by the sample messages, so that a new kind cannot be forgotten here.
+TEST(RoundTrip, EveryKindHasANameAndFields) {
+  EXPECT_EQ(uplink_kinds().size(), 14U);
+  for (const UplinkKind kind : uplink_kinds()) {
+    EXPECT_STRNE(to_string(kind), "unknown");
+    std::mt19937 random(1);
+    const bool bare = kind == UplinkKind::kAborted;
+    EXPECT_EQ(fields_of(uplink(kind, Fill::kHighest, random)).empty(), bare) << to_string(kind);
+  }
+  for (int code = static_cast<int>(kFirstErrorCode); code <= static_cast<int>(kLastErrorCode);
+       ++code) {
+    EXPECT_STRNE(to_string(static_cast<ErrorCode>(code)), "unknown error");
+  }
+}
+
+TEST(RoundTrip, SettingsKeepTheirDigest) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 2000; ++i) {
+    outlet::Settings settings = downlink(DownlinkKind::kSettings, Fill::kAnything, random).settings;
+    // Of the many NaNs one is left on the wire; settings with a NaN are refused in any case.
+    const Bytes bytes = encoded(settings);
+    outlet::Settings back;
+    ASSERT_EQ(decode(bytes.data(), bytes.size(), back), Decoded::kOk);
+    EXPECT_EQ(fields_of(back), fields_of(settings));
+    EXPECT_EQ(encoded(back), bytes);
+    if (outlet::validate(settings, 50.0F) != outlet::SettingsError::kNotFinite) {
+      EXPECT_EQ(outlet::digest(back), outlet::digest(settings));
+    }
+  }
+  const outlet::Settings defaults;
+  const Bytes bytes = encoded(defaults);
+  outlet::Settings back;
+  ASSERT_EQ(decode(bytes.data(), bytes.size(), back), Decoded::kOk);
+  EXPECT_EQ(outlet::digest(back), outlet::digest(defaults));
+}
+
+TEST(RoundTrip, AnyNaNIsWrittenAsTheOneOfTheProtocol) {
+  std::mt19937 random(1);
+  Uplink message = uplink(UplinkKind::kLse, Fill::kNaN, random);
+  message.sample = 5;
+  EXPECT_EQ(hex(encoded(message, 1)), "84 05 01 05 fa 7f c0 00 00");
+}
+
+TEST(RoundTrip, HelloOfAnotherVersionIsReadAsFarAsItsId) {
+  std::mt19937 random(1);
+  Uplink message = uplink(UplinkKind::kHello, Fill::kHighest, random);
+  // [1, 3, 9, version 2, "a-7", what this version knows nothing of]
+  const Bytes bytes = {0x87, 0x01, 0x03, 0x09, 0x02, 0x63, 'a', '-', '7', 0xF6, 0xA0};
+  std::uint32_t sequence = 0;
+  ASSERT_EQ(decode(bytes.data(), bytes.size(), message, sequence), Decoded::kOk);
+  EXPECT_EQ(message.hello.protocol_version, 2);
+  EXPECT_STREQ(message.hello.id, "a-7");
+  EXPECT_EQ(sequence, 3U);
+  EXPECT_EQ(message.sample, 9U);
+}
+
+// ---- lengths
+
+std::size_t longest_of_all() {
+  std::size_t longest = 0;
+  std::mt19937 random(3);
+  for (const UplinkKind kind : uplink_kinds()) {
+    longest = std::max(longest, encoded(uplink(kind, Fill::kLongest, random), 0xFFFFFFFFU).size());
+  }
+  for (const DownlinkKind kind : downlink_kinds()) {
+    longest =
+        std::max(longest, encoded(downlink(kind, Fill::kLongest, random), 0xFFFFFFFFU).size());
+  }
+  return longest;
+}
+
+TEST(Length, TheLongestFillIsLongerThanAnyOther) {
+  const std::size_t longest = longest_of_all();
+  for (const Uplink& message : many_uplinks(kTimes)) {
+    EXPECT_LE(encoded(message, 0xFFFFFFFFU).size(), longest);
+  }
+  for (const Downlink& message : many_downlinks(kTimes)) {
+    EXPECT_LE(encoded(message, 0xFFFFFFFFU).size(), longest);
+  }
+}
+
+TEST(Length, SettingsWithAllRowsAreTheLongestMessage) {
+  EXPECT_EQ(longest_of_all(), kLongestOfThisVersion);
+}
+
+TEST(Length, ABufferTooShortIsRefusedWhateverItsLength) {
+  std::mt19937 random(4);
+  for (const UplinkKind kind : uplink_kinds()) {
+    const Uplink message = uplink(kind, Fill::kLongest, random);
+    const Bytes whole = encoded(message, 1);
+    for (std::size_t capacity = 0; capacity < whole.size(); ++capacity) {
+      Bytes out(capacity);
+      EXPECT_EQ(encode(message, 1, out.data(), capacity), 0U) << to_string(kind) << capacity;
+    }
+    Bytes out(whole.size());
+    EXPECT_EQ(encode(message, 1, out.data(), out.size()), whole.size());
+  }
+  const Downlink message = downlink(DownlinkKind::kSettings, Fill::kLongest, random);
+  const std::size_t size = encoded(message, 1).size();
+  const std::size_t settings_size = encoded(message.settings).size();
+  for (std::size_t capacity = 0; capacity < size; ++capacity) {
+    Bytes out(capacity);
+    EXPECT_EQ(encode(message, 1, out.data(), capacity), 0U);
+    EXPECT_EQ(encode(message.settings, out.data(), capacity),
+              capacity < settings_size ? 0U : settings_size);
+  }
+}
+
+}  // namespace
+}  // namespace gs::wire::test
