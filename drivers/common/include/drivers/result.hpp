@@ -20,6 +20,8 @@ class [[nodiscard]] Result {
 
   bool ok() const { return std::holds_alternative<T>(content_); }
   const T& value() const { return std::get<T>(content_); }
+  // For what can only be moved.
+  T take() { return std::move(std::get<T>(content_)); }
   const std::string& error() const { return std::get<Error>(content_).message; }
 
  private:

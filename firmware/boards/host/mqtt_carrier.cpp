@@ -1,0 +1,220 @@
+#include "mqtt_carrier.hpp"
+
+#include <mosquitto.h>
+#include <mqtt_protocol.h>
+#include <poll.h>
+
+#include <charconv>
+#include <cstdio>
+
+#include <wire/cbor.hpp>
+#include <wire/messages.hpp>
+
+namespace gs::host {
+
+using std::chrono::steady_clock;
+
+namespace {
+
+constexpr int kKeepAliveS = 10;
+constexpr auto kBetweenAttempts = std::chrono::milliseconds(500);
+constexpr auto kBetweenUpkeep = std::chrono::milliseconds(100);
+constexpr std::size_t kMostWaiting = 1000;  // messages at 543 bytes at most
+constexpr int kMostInFlight = 65535;
+
+struct Library {
+  Library() { mosquitto_lib_init(); }
+  ~Library() { mosquitto_lib_cleanup(); }
+};
+
+wire::UplinkKind kind_of(const std::uint8_t* message, std::size_t size) {
+  wire::cbor::Reader reader(message, size);
+  std::size_t items = 0;
+  std::uint64_t kind = 0;
+  if (!reader.array(items) || !reader.unsigned_integer(kind)) {
+    kind = 0;
+  }
+  return static_cast<wire::UplinkKind>(kind);
+}
+
+bool parse(const std::string& url, std::string& host, int& port, bool& tls) {
+  const std::size_t scheme_end = url.find("://");
+  const std::size_t colon = url.rfind(':');
+  if (scheme_end == std::string::npos || colon <= scheme_end + 3) {
+    return false;
+  }
+  const std::string scheme = url.substr(0, scheme_end);
+  host = url.substr(scheme_end + 3, colon - scheme_end - 3);
+  const char* const end = url.data() + url.size();
+  const auto number = std::from_chars(url.data() + colon + 1, end, port);
+  tls = scheme == "mqtts";
+  return (tls || scheme == "mqtt") && number.ec == std::errc() && number.ptr == end && port > 0 &&
+         port <= 65535;
+}
+
+}  // namespace
+
+MqttCarrier::~MqttCarrier() {
+  if (client_ == nullptr) {
+    return;
+  }
+  mosquitto_disconnect_v5(client_, MQTT_RC_DISCONNECT_WITH_WILL_MSG, nullptr);
+  mosquitto_destroy(client_);
+}
+
+bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
+  static const Library library;
+  bool tls = false;
+  if (!parse(options.url, host_, port_, tls)) {
+    why = '"' + options.url + "\" is no mqtts://host:port or mqtt://host:port";
+    return false;
+  }
+  hello_topic_ = "gs/" + options.id + "/hello";
+  up_topic_ = "gs/" + options.id + "/up";
+  down_topic_ = "gs/" + options.id + "/down";
+  char instance[9];
+  std::snprintf(instance, sizeof instance, "%08x", static_cast<unsigned>(options.instance));
+  client_ = mosquitto_new((options.id + '-' + instance).c_str(), true, this);
+  if (client_ == nullptr) {
+    why = "no memory for an MQTT client";
+    return false;
+  }
+  mosquitto_connect_v5_callback_set(client_, on_connect);
+  mosquitto_disconnect_v5_callback_set(client_, on_disconnect);
+  mosquitto_publish_v5_callback_set(client_, on_publish);
+  mosquitto_message_v5_callback_set(client_, on_message);
+  int error = mosquitto_int_option(client_, MOSQ_OPT_PROTOCOL_VERSION, MQTT_PROTOCOL_V5);
+  const auto then = [&error](int result) { error = error == MOSQ_ERR_SUCCESS ? result : error; };
+  then(mosquitto_int_option(client_, MOSQ_OPT_TCP_NODELAY, 1));
+  then(mosquitto_int_option(client_, MOSQ_OPT_SEND_MAXIMUM, kMostInFlight));
+  then(mosquitto_username_pw_set(client_, options.user.c_str(), options.password.c_str()));
+  then(mosquitto_will_set_v5(client_, hello_topic_.c_str(), 0, nullptr, 1, true, nullptr));
+  if (tls) {
+    const int given =
+        mosquitto_tls_set(client_, options.ca_file.c_str(), nullptr, nullptr, nullptr, nullptr);
+    if (given != MOSQ_ERR_SUCCESS) {
+      why = "the CA file \"" + options.ca_file + "\" cannot be read";
+      return false;
+    }
+  }
+  if (error != MOSQ_ERR_SUCCESS) {
+    why = mosquitto_strerror(error);
+    return false;
+  }
+  connect();
+  return true;
+}
+
+void MqttCarrier::connect() {
+  next_attempt_ = steady_clock::now() + kBetweenAttempts;
+  check(mosquitto_connect_bind_v5(client_, host_.c_str(), port_, kKeepAliveS, nullptr, nullptr));
+}
+
+void MqttCarrier::check(int error) {
+  if (error != MOSQ_ERR_SUCCESS && trouble_.empty()) {
+    trouble_ = mosquitto_strerror(error);
+  }
+}
+
+bool MqttCarrier::send(const std::uint8_t* message, std::size_t size) {
+  const wire::UplinkKind kind = kind_of(message, size);
+  const bool at_least_once = kind != wire::UplinkKind::kMeasurement;
+  if (!connected_ && (!at_least_once || waiting_ >= kMostWaiting)) {
+    return false;
+  }
+  const bool hello = kind == wire::UplinkKind::kHello;
+  const int error =
+      mosquitto_publish_v5(client_, nullptr, (hello ? hello_topic_ : up_topic_).c_str(),
+                           static_cast<int>(size), message, at_least_once ? 1 : 0, hello, nullptr);
+  // The library keeps what must arrive until it can be sent.
+  const bool kept = at_least_once && (error == MOSQ_ERR_NO_CONN || error == MOSQ_ERR_CONN_LOST);
+  waiting_ += connected_ ? 0 : 1;
+  return error == MOSQ_ERR_SUCCESS || kept;
+}
+
+void MqttCarrier::serve() {
+  const auto now = steady_clock::now();
+  if (descriptor() < 0) {
+    if (now >= next_attempt_) {
+      connect();
+    }
+    return;
+  }
+  check(mosquitto_loop_read(client_, 1));
+  if (mosquitto_want_write(client_)) {
+    check(mosquitto_loop_write(client_, 1));
+  }
+  if (now >= next_upkeep_) {
+    next_upkeep_ = now + kBetweenUpkeep;
+    check(mosquitto_loop_misc(client_));
+  }
+}
+
+int MqttCarrier::descriptor() const {
+  return client_ == nullptr ? -1 : mosquitto_socket(client_);
+}
+
+bool MqttCarrier::wants_to_write() const {
+  return mosquitto_want_write(client_);
+}
+
+void MqttCarrier::wait(std::chrono::milliseconds longest) const {
+  pollfd waited{descriptor(), POLLIN, 0};
+  if (waited.fd >= 0 && wants_to_write()) {
+    waited.events |= POLLOUT;
+  }
+  // poll passes over a descriptor of −1.
+  poll(&waited, 1, static_cast<int>(longest.count()));
+}
+
+bool MqttCarrier::take(std::vector<std::uint8_t>& message) {
+  if (received_.empty()) {
+    return false;
+  }
+  message = std::move(received_.front());
+  received_.pop_front();
+  return true;
+}
+
+bool MqttCarrier::take_reconnected() {
+  return std::exchange(reconnected_, false);
+}
+
+void MqttCarrier::on_connect(mosquitto* client, void* self, int reason, int,
+                             const mosquitto_property*) {
+  auto& carrier = *static_cast<MqttCarrier*>(self);
+  if (reason != MQTT_RC_SUCCESS) {
+    carrier.trouble_ = mosquitto_reason_string(reason);
+    return;
+  }
+  // Before the hello that this connection brings, so that whoever answers it is heard.
+  mosquitto_subscribe_v5(client, nullptr, carrier.down_topic_.c_str(), 1, 0, nullptr);
+  carrier.trouble_.clear();
+  carrier.connected_ = true;
+  carrier.waiting_ = 0;
+  carrier.reconnected_ = carrier.was_connected_;
+  carrier.was_connected_ = true;
+}
+
+void MqttCarrier::on_disconnect(mosquitto*, void* self, int reason, const mosquitto_property*) {
+  auto& carrier = *static_cast<MqttCarrier*>(self);
+  carrier.connected_ = false;
+  carrier.next_attempt_ = steady_clock::now() + kBetweenAttempts;
+  if (carrier.trouble_.empty()) {
+    carrier.trouble_ = mosquitto_strerror(reason);
+  }
+}
+
+void MqttCarrier::on_publish(mosquitto*, void* self, int, int reason, const mosquitto_property*) {
+  if (reason >= MQTT_RC_UNSPECIFIED) {
+    ++static_cast<MqttCarrier*>(self)->refused_;
+  }
+}
+
+void MqttCarrier::on_message(mosquitto*, void* self, const mosquitto_message* message,
+                             const mosquitto_property*) {
+  const auto* bytes = static_cast<const std::uint8_t*>(message->payload);
+  static_cast<MqttCarrier*>(self)->received_.emplace_back(bytes, bytes + message->payloadlen);
+}
+
+}  // namespace gs::host
