@@ -6,7 +6,7 @@ namespace gs::node {
 using wire::UplinkKind;
 
 bool Node::start(const outlet::Hardware& hardware, const Identity& identity, SettingsArea* area,
-                 Outbox& outbox) {
+                 Outbox& outbox, const outlet::Settings* kept) {
   state_ = outlet::State{};
   samples_ = 0;
   samples_lost_ = 0;
@@ -21,7 +21,11 @@ bool Node::start(const outlet::Hardware& hardware, const Identity& identity, Set
   }
   identity_ = identity;
   area_ = area;
+  const bool refused = kept != nullptr && !restore(*kept);
   introduce(outbox);
+  if (refused) {
+    note(wire::ErrorCode::kSettingsArea, outbox);
+  }
   return true;
 }
 

@@ -131,8 +131,10 @@ const char* to_string(Cause cause) {
 }
 
 bool configure(const Hardware& hardware, Config& config) {
-  config = Config{};
+  // Field by field: a whole Config to copy from would not fit onto an outlet's stack.
   config.hardware = hardware;
+  config.settings = Settings{};
+  config.has_settings = false;
   return make_front_end(hardware, config.front_end);
 }
 

@@ -1,0 +1,50 @@
+# The images for other builds: made by a build of their own, in firmware-m4/ beside it, whenever a
+# source of theirs has changed. Sets GSBENCH_M4_IMAGE_FOLDER and GSBENCH_M4_IMAGE (the emulated
+# outlet's) in the cache, and the target `firmware_m4` that both need.
+find_program(GSBENCH_ARM_GXX arm-none-eabi-g++)
+if(NOT GSBENCH_ARM_GXX)
+  message(
+    FATAL_ERROR
+      "arm-none-eabi-g++ is not there: install gcc-arm-none-eabi, libnewlib-arm-none-eabi and "
+      "libstdc++-arm-none-eabi-dev.")
+endif()
+
+set(m4_folder ${PROJECT_BINARY_DIR}/firmware-m4)
+set(GSBENCH_M4_IMAGE_FOLDER
+    ${m4_folder}/bin
+    CACHE INTERNAL "Where the images for the Cortex-M4F are")
+set(GSBENCH_M4_IMAGE
+    ${GSBENCH_M4_IMAGE_FOLDER}/gs-outlet-mps2_an386.elf
+    CACHE INTERNAL "The emulated outlet's image")
+
+set(images "")
+foreach(name mps2_an386 mps2_an386-Os mps2_an386-contracted stm32f405)
+  list(APPEND images ${GSBENCH_M4_IMAGE_FOLDER}/gs-outlet-${name}.elf)
+endforeach()
+
+file(
+  GLOB_RECURSE
+  m4_sources
+  CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/firmware/*.cpp
+  ${PROJECT_SOURCE_DIR}/firmware/*.hpp
+  ${PROJECT_SOURCE_DIR}/firmware/*.ld
+  ${PROJECT_SOURCE_DIR}/firmware/*.cmake
+  ${PROJECT_SOURCE_DIR}/firmware/*CMakeLists.txt)
+# The preset's own folder would be shared by all builds of the tree, which may run at once.
+add_custom_command(
+  OUTPUT ${m4_folder}/.built
+  BYPRODUCTS ${images}
+  COMMAND ${CMAKE_COMMAND} --preset firmware-m4 -B ${m4_folder}
+  COMMAND ${CMAKE_COMMAND} --build ${m4_folder}
+  COMMAND ${CMAKE_COMMAND} -E touch ${m4_folder}/.built
+  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+  DEPENDS ${m4_sources}
+          ${PROJECT_SOURCE_DIR}/CMakeLists.txt
+          ${PROJECT_SOURCE_DIR}/CMakePresets.json
+          ${PROJECT_SOURCE_DIR}/bench/cmake/arm-none-eabi.cmake
+          ${PROJECT_SOURCE_DIR}/bench/cmake/compiler.cmake
+          ${PROJECT_SOURCE_DIR}/bench/cmake/targets.cmake
+  COMMENT "Firmware for the Cortex-M4F"
+  VERBATIM)
+add_custom_target(firmware_m4 ALL DEPENDS ${m4_folder}/.built)

@@ -1,0 +1,55 @@
+// The processor's own registers and instructions (ARMv7-M Architecture Reference Manual, B3), as
+// far as the boards need them.
+#pragma once
+
+#include <cstdint>
+
+namespace gs::cortex_m4 {
+
+inline volatile std::uint32_t& word_at(std::uintptr_t address) {
+  return *reinterpret_cast<volatile std::uint32_t*>(address);
+}
+
+struct SysTick {
+  volatile std::uint32_t CSR, RVR, CVR, CALIB;
+};
+inline SysTick& systick() {
+  return *reinterpret_cast<SysTick*>(0xE000E010u);
+}
+// An interrupt every `cycles` of the processor's clock, at most 2^24.
+inline void start_systick(std::uint32_t cycles) {
+  constexpr std::uint32_t kEnable = 1u, kInterrupt = 2u, kProcessorClock = 4u;
+  systick().RVR = cycles - 1;
+  systick().CVR = 0;
+  systick().CSR = kEnable | kInterrupt | kProcessorClock;
+}
+
+inline void enable_interrupt(unsigned number) {
+  word_at(0xE000E100u + 4 * (number / 32)) = 1u << (number % 32);
+}
+
+// What is written before is seen before what is written after, by whoever else looks.
+inline void memory_barrier() {
+  asm volatile("dmb" ::: "memory");
+}
+
+// No interrupt in its scope, bar the NMI and faults. Not to be nested.
+class InterruptsMasked {
+ public:
+  InterruptsMasked() { asm volatile("cpsid i" ::: "memory"); }
+  ~InterruptsMasked() { asm volatile("cpsie i\n\tisb" ::: "memory"); }
+  InterruptsMasked(const InterruptsMasked&) = delete;
+  InterruptsMasked& operator=(const InterruptsMasked&) = delete;
+};
+
+// Sleeps unless `work_waits()`. With interrupts masked: one that comes between the look and the
+// instruction is pending, and wakes it at once.
+template <class Predicate>
+void sleep_unless(Predicate work_waits) {
+  const InterruptsMasked masked;
+  if (!work_waits()) {
+    asm volatile("dsb\n\twfi" ::: "memory");
+  }
+}
+
+}  // namespace gs::cortex_m4

@@ -1,0 +1,35 @@
+// Peripherals of ARM's Cortex-M System Design Kit as AN386 maps them, with its registers' names.
+#pragma once
+
+#include <cstdint>
+
+namespace gs::mps2_an386 {
+
+constexpr std::uint32_t kClockHz = 25'000'000;
+
+struct Uart {
+  volatile std::uint32_t DATA, STATE, CTRL, INTSTATUS, BAUDDIV;
+};
+constexpr std::uint32_t kStateTxFull = 1u << 0, kStateRxFull = 1u << 1;
+constexpr std::uint32_t kCtrlTxEnable = 1u << 0, kCtrlRxEnable = 1u << 1;
+constexpr std::uint32_t kCtrlTxInterrupt = 1u << 2, kCtrlRxInterrupt = 1u << 3;
+constexpr std::uint32_t kIntTx = 1u << 0, kIntRx = 1u << 1;
+
+inline Uart& uart0() {
+  return *reinterpret_cast<Uart*>(0x40004000u);
+}
+inline Uart& uart1() {
+  return *reinterpret_cast<Uart*>(0x40005000u);
+}
+constexpr unsigned kUart0RxIrq = 0, kUart0TxIrq = 1, kUart1RxIrq = 2;
+
+struct Watchdog {
+  volatile std::uint32_t LOAD, VALUE, CONTROL, INTCLR;
+};
+constexpr std::uint32_t kWatchdogInterrupt = 1u << 0, kWatchdogReset = 1u << 1;
+
+inline Watchdog& watchdog() {
+  return *reinterpret_cast<Watchdog*>(0x40008000u);
+}
+
+}  // namespace gs::mps2_an386

@@ -1,0 +1,86 @@
+#include "cmsdk.hpp"
+#include "mps2_board.hpp"
+#include "terminal_flash.hpp"
+#include <bare_metal/loop.hpp>
+#include <cortex_m4/core.hpp>
+#include <cortex_m4/vectors.hpp>
+
+namespace gs::mps2_an386 {
+namespace {
+
+terminals::Terminals& terminals() {
+  return *reinterpret_cast<terminals::Terminals*>(0x21000000u);  // PSRAM
+}
+
+bool wired() {
+  return *static_cast<const volatile std::uint32_t*>(&terminals().magic) == terminals::kMagic;
+}
+
+Mps2Board& board() {
+  static Mps2Board board(terminals());
+  return board;
+}
+
+bare_metal::StartUp start_up() {
+  bare_metal::StartUp start_up;
+  start_up.hardware = {terminals().sample_rate_hz, terminals().nominal_hz,
+                       terminals().counts_per_pu};
+  node::set_text(start_up.identity.id, terminals().id);
+  node::set_text(start_up.identity.board, "mps2-an386");
+  start_up.identity.instance = terminals().instance;
+  start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
+  start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
+  start_up.clock_failed = terminals().crystal_fails != 0;
+  start_up.watchdog_barked = watchdog_barked();
+  return start_up;
+}
+
+void on_link_receive() {
+  board().on_receive();
+}
+
+void on_link_transmit() {
+  board().on_transmit();
+}
+
+// The bench rings after each block of samples; the byte itself says nothing.
+void on_doorbell() {
+  while ((uart1().STATE & kStateRxFull) != 0) {
+    static_cast<void>(uart1().DATA);
+  }
+  uart1().INTSTATUS = kIntRx;
+}
+
+// Only wakes the loop.
+void on_systick() {}
+
+__attribute__((section(".vectors"), used)) const cortex_m4::VectorTable<3> vectors = [] {
+  cortex_m4::VectorTable<3> table;
+  table.nmi = note_watchdog;
+  table.systick = on_systick;
+  table.interrupts[kUart0RxIrq] = on_link_receive;
+  table.interrupts[kUart0TxIrq] = on_link_transmit;
+  table.interrupts[kUart1RxIrq] = on_doorbell;
+  return table;
+}();
+
+}  // namespace
+}  // namespace gs::mps2_an386
+
+int main() {
+  using namespace gs;
+  // Nothing is wired to an outlet whose terminals the bench has not written.
+  while (!mps2_an386::wired()) {
+  }
+  mps2_an386::Mps2Board& board = mps2_an386::board();
+  board.start();
+  static mps2_an386::TerminalFlash flash(mps2_an386::terminals());
+  static settings_area::FlashSettingsArea area(flash);
+  static bare_metal::Loop loop(board, area);
+  loop.start(mps2_an386::start_up());
+  for (;;) {
+    if (!loop.turn()) {
+      board.sleep();
+    }
+  }
+}

@@ -1,0 +1,129 @@
+#include "mps2_board.hpp"
+
+#include "cmsdk.hpp"
+#include <cortex_m4/core.hpp>
+
+#include <initializer_list>
+
+namespace gs::mps2_an386 {
+namespace {
+
+using cortex_m4::InterruptsMasked;
+using terminals::kPinEdges;
+using terminals::kRingSamples;
+
+constexpr std::uint32_t kBaud = 921'600;
+// The emulator's clock is the wall's, and the machine it runs on may be busy: a warning after 5 s,
+// the reset after as much again.
+constexpr std::uint32_t kWatchdogTicks = 5 * kClockHz;
+// The loop has to turn now and then to feed the watchdog while no sample and no byte comes.
+constexpr std::uint32_t kTurnTicks = kClockHz / 2;
+
+constexpr std::uint32_t kBarked = 0x4241524Bu;  // "BARK"
+__attribute__((section(".noinit"))) volatile std::uint32_t barked;
+
+}  // namespace
+
+bool watchdog_barked() {
+  const bool was = barked == kBarked;
+  barked = 0;
+  return was;
+}
+
+void note_watchdog() {
+  barked = kBarked;
+}
+
+void Mps2Board::start() {
+  terminals_.starts = terminals_.starts + 1;
+  terminals_.taken = terminals_.written;
+  uart0().BAUDDIV = kClockHz / kBaud;
+  uart0().CTRL = kCtrlTxEnable | kCtrlRxEnable | kCtrlTxInterrupt | kCtrlRxInterrupt;
+  uart1().BAUDDIV = kClockHz / kBaud;
+  uart1().CTRL = kCtrlRxEnable | kCtrlRxInterrupt;
+  for (const unsigned irq : {kUart0RxIrq, kUart0TxIrq, kUart1RxIrq}) {
+    cortex_m4::enable_interrupt(irq);
+  }
+  watchdog().LOAD = kWatchdogTicks;
+  watchdog().CONTROL = kWatchdogInterrupt | kWatchdogReset;
+  cortex_m4::start_systick(kTurnTicks);
+}
+
+void Mps2Board::sleep() {
+  cortex_m4::sleep_unless(
+      [this] { return received_.used() > 0 || terminals_.written != terminals_.taken; });
+}
+
+bool Mps2Board::send(const std::uint8_t* bytes, std::size_t count) {
+  const InterruptsMasked masked;
+  const bool taken = to_send_.put(bytes, count);
+  pump();
+  return taken;
+}
+
+std::size_t Mps2Board::take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) {
+  const std::uint32_t taken = terminals_.taken;
+  const std::uint32_t waiting = terminals_.written - taken;
+  std::size_t count = waiting < most ? waiting : most;
+  cortex_m4::memory_barrier();
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i] = terminals_.ring[(taken + i) % kRingSamples];
+  }
+  cortex_m4::memory_barrier();
+  // Looked at after the copy: what was written over meanwhile is lost as well.
+  const std::uint32_t ahead = terminals_.written - taken;
+  lost = 0;
+  if (ahead > kRingSamples) {
+    // Half a ring on, where the bench will not be at once.
+    lost = ahead - kRingSamples / 2;
+    count = 0;
+  }
+  terminals_.taken = taken + lost + static_cast<std::uint32_t>(count);
+  return count;
+}
+
+bool Mps2Board::take_byte(std::uint8_t& byte) {
+  return received_.take(byte);
+}
+
+bool Mps2Board::relay_closed() const {
+  const std::uint32_t edges = terminals_.edges;
+  return edges == 0 || terminals_.edge[(edges - 1) % kPinEdges].closed != 0;
+}
+
+void Mps2Board::drive_relay(bool closed) {
+  if (closed == relay_closed()) {
+    return;
+  }
+  const std::uint32_t edges = terminals_.edges;
+  terminals_.edge[edges % kPinEdges] = {terminals_.taken, closed ? 1u : 0u};
+  cortex_m4::memory_barrier();
+  terminals_.edges = edges + 1;
+}
+
+void Mps2Board::feed_watchdog() {
+  watchdog().INTCLR = 1;  // and begins anew
+  barked = 0;
+}
+
+void Mps2Board::on_receive() {
+  while ((uart0().STATE & kStateRxFull) != 0) {
+    // Where the loop is behind, the byte is lost and its frame is told as bad.
+    received_.put(static_cast<std::uint8_t>(uart0().DATA));
+  }
+  uart0().INTSTATUS = kIntRx;
+}
+
+void Mps2Board::on_transmit() {
+  uart0().INTSTATUS = kIntTx;
+  pump();
+}
+
+void Mps2Board::pump() {
+  std::uint8_t byte = 0;
+  while ((uart0().STATE & kStateTxFull) == 0 && to_send_.take(byte)) {
+    uart0().DATA = byte;
+  }
+}
+
+}  // namespace gs::mps2_an386

@@ -1,0 +1,44 @@
+// ARM's MPS2 with AN386, as qemu emulates it, with the terminals of terminals.hpp in its PSRAM.
+#pragma once
+
+#include <bare_metal/board.hpp>
+#include <bare_metal/byte_ring.hpp>
+
+#include <terminals/terminals.hpp>
+
+namespace gs::mps2_an386 {
+
+class Mps2Board final : public bare_metal::Board {
+ public:
+  explicit Mps2Board(terminals::Terminals& terminals) : terminals_(terminals) {}
+
+  // After the terminals are written: link, doorbell and watchdog run, the mains is followed from
+  // its newest sample on.
+  void start();
+  void sleep();
+
+  bool send(const std::uint8_t* bytes, std::size_t count) override;
+  std::size_t take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) override;
+  bool take_byte(std::uint8_t& byte) override;
+  void drive_relay(bool closed) override;
+  void feed_watchdog() override;
+  bool converter_rests() const override { return terminals_.written == terminals_.taken; }
+
+  void on_receive();
+  void on_transmit();
+
+ private:
+  void pump();
+  bool relay_closed() const;
+
+  terminals::Terminals& terminals_;
+  bare_metal::ByteRing<512> received_;
+  bare_metal::ByteRing<1024> to_send_;
+};
+
+// The watchdog ran out before this start, though power stayed on. Told once.
+bool watchdog_barked();
+// From its first warning, half a period before it resets.
+void note_watchdog();
+
+}  // namespace gs::mps2_an386
