@@ -25,7 +25,7 @@ void Capture::add(const std::vector<link::Received>& messages) {
 void Capture::add(Track& track, const link::Received& received) const {
   const gs::wire::Uplink& message = received.message;
   std::vector<record::Mark>& marks = track.record.marks;
-  const std::int64_t tick = received.tick;
+  const auto tick = static_cast<std::int64_t>(message.sample);
   switch (message.kind) {
     case UplinkKind::kHello:
     case UplinkKind::kCommandAnswer:
@@ -57,7 +57,7 @@ void Capture::add(Track& track, const link::Received& received) const {
       break;
     }
     case UplinkKind::kEvent:
-      track.event_tick = tick;
+      track.newest_event_sample = tick;
       marks.push_back({tick, "event", static_cast<double>(message.event.baseline_hz),
                        "frequency before it, Hz"});
       break;
@@ -69,9 +69,8 @@ void Capture::add(Track& track, const link::Received& received) const {
       estimates.tick.push_back(tick);
       estimates.loss_mw.push_back(message.estimate.loss_mw);
       estimates.loss_sigma_mw.push_back(message.estimate.loss_sigma_mw);
-      const double event_s = static_cast<double>(track.event_tick) / sample_rate_hz_;
-      estimates.t_x_s.push_back(
-          static_cast<float>(event_s + static_cast<double>(message.estimate.loss_instant_s)));
+      track.loss_instant_s.push_back(message.estimate.loss_instant_s);
+      track.event_sample.push_back(track.newest_event_sample);
       estimates.trusted.push_back(message.estimate.trust == Trust::kTrusted ? 1 : 0);
       break;
     }
@@ -99,14 +98,14 @@ void Capture::add(Track& track, const link::Received& received) const {
 void Capture::add(const std::vector<relay::Edge>& edges) {
   for (const relay::Edge& edge : edges) {
     if (edge.outlet < tracks_.size()) {
-      tracks_[edge.outlet].record.marks.push_back(
+      tracks_[edge.outlet].bench_marks.push_back(
           {edge.tick, "relay.sense", edge.closed ? 1.0 : 0.0, edge.closed ? "closed" : "open"});
     }
   }
 }
 
 void Capture::add_command(std::size_t outlet, std::int64_t tick, bool close) {
-  tracks_.at(outlet).record.marks.push_back(
+  tracks_.at(outlet).bench_marks.push_back(
       {tick, "command", close ? 1.0 : 0.0, close ? "switch on" : "switch off"});
 }
 
@@ -114,21 +113,49 @@ const SettingsAnswer& Capture::settings_answer(std::size_t outlet) const {
   return tracks_.at(outlet).settings_answer;
 }
 
-std::int64_t Capture::last_report_tick(std::size_t outlet) const {
-  const std::vector<std::int64_t>& ticks = tracks_.at(outlet).record.trace.tick;
-  return ticks.empty() ? 0 : ticks.back();
+std::uint64_t Capture::last_report_sample(std::size_t outlet) const {
+  const std::vector<std::int64_t>& samples = tracks_.at(outlet).record.trace.tick;
+  return samples.empty() ? 0 : static_cast<std::uint64_t>(samples.back());
 }
 
-void Capture::move_into(std::size_t outlet, record::OutletRecord& record) {
-  record::OutletRecord& from = tracks_.at(outlet).record;
+VoltageTrace Capture::voltage_trace(std::size_t outlet) const {
+  const record::MeasurementTrace& trace = tracks_.at(outlet).record.trace;
+  VoltageTrace voltage;
+  voltage.sample.assign(trace.tick.begin(), trace.tick.end());
+  voltage.voltage_pu = trace.voltage_pu;
+  return voltage;
+}
+
+void Capture::move_into(std::size_t outlet, const OutletClock& clock,
+                        record::OutletRecord& record) {
+  Track& track = tracks_.at(outlet);
+  record::OutletRecord& from = track.record;
+  const auto to_tick = [&](std::int64_t sample) {
+    return clock.tick_of(static_cast<std::uint64_t>(sample));
+  };
+  for (std::int64_t& tick : from.trace.tick) {
+    tick = to_tick(tick);
+  }
+  for (std::int64_t& tick : from.estimates.tick) {
+    tick = to_tick(tick);
+  }
+  for (std::size_t i = 0; i < from.estimates.tick.size(); ++i) {
+    const double event_s = static_cast<double>(to_tick(track.event_sample[i])) / sample_rate_hz_;
+    from.estimates.t_x_s.push_back(
+        static_cast<float>(event_s + static_cast<double>(track.loss_instant_s[i])));
+  }
+  for (record::Mark& mark : from.marks) {
+    mark.tick = to_tick(mark.tick);
+  }
   record.settings_digest = std::move(from.settings_digest);
   record.trace = std::move(from.trace);
   record.estimates = std::move(from.estimates);
   record.marks = std::move(from.marks);
-  // Stable: what one instant brought keeps the order in which it was said.
+  record.marks.insert(record.marks.end(), track.bench_marks.begin(), track.bench_marks.end());
+  // Stable: what one instant brought keeps the order in which it was said, the outlet's word first.
   std::stable_sort(record.marks.begin(), record.marks.end(),
                    [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
-  from = record::OutletRecord{};
+  track = Track{};
 }
 
 }  // namespace gsbench::capture

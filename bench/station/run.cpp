@@ -1,5 +1,6 @@
 #include "comparisons.hpp"
 #include "identity.hpp"
+#include "played_signal.hpp"
 #include "stimulus_marks.hpp"
 
 #include <algorithm>
@@ -17,7 +18,6 @@
 namespace gsbench::station {
 namespace {
 
-using gs::outlet::Settings;
 using record::Verdict;
 
 // An outlet must have answered to its settings so soon after the start.
@@ -74,7 +74,24 @@ record::RunRecord head(const profile::Plan& plan, Station& station, const wavefo
   return run;
 }
 
-// Plays a plan from its first tick to its last.
+// The first fault of an outlet stands; later ones often follow from it.
+void note(record::OutletRecord& outlet, const std::string& fault) {
+  if (outlet.fault.empty()) {
+    outlet.fault = fault;
+  }
+}
+
+std::string first_fault(const std::vector<record::OutletRecord>& outlets) {
+  for (const record::OutletRecord& outlet : outlets) {
+    if (!outlet.fault.empty()) {
+      return "outlet " + outlet.id + " " + outlet.fault;
+    }
+  }
+  return {};
+}
+
+// Plays a plan from its first tick to its last. What goes wrong with one outlet is that outlet's
+// fault, and the others go on; what goes wrong with the bench ends the run.
 class Player {
  public:
   Player(const profile::Plan& plan, Station& station, const RunOptions& options,
@@ -83,7 +100,7 @@ class Player {
         station_(station),
         options_(options),
         capture_(capture),
-        synthesizer_(plan.synthesizer()) {}
+        signal_(plan, !station.outlets_count_ticks()) {}
 
   void start_source() {
     source::SourceSettings settings;
@@ -94,34 +111,35 @@ class Player {
     require(station_.source().start(settings));
   }
 
+  const capture::Markers& markers() const { return signal_.markers(); }
+
   // False where it was stopped.
-  bool play(const std::vector<record::OutletRecord>& outlets) {
-    const std::int64_t end = plan_.duration_ticks();
+  bool play(std::vector<record::OutletRecord>& outlets) {
+    heard_tick_.assign(outlets.size(), 0);
+    const std::int64_t lead = signal_.lead_ticks();
+    const std::int64_t end = signal_.total_ticks();
+    // Where nothing is played before the run, answers come during its first reports.
+    const std::int64_t answers_due = std::min(std::max(lead, tick_of(kSettingsAnswerS)), end);
     std::size_t command = 0;
-    bool answers_checked = false;
     for (std::int64_t tick = 0; tick < end;) {
       if (options_.stop != nullptr && options_.stop->load()) {
         return false;
       }
-      for (; command < plan_.commands.size() && tick_of(plan_.commands[command].at_s) <= tick;
-           ++command) {
+      for (; command < plan_.commands.size() && command_tick(command) <= tick; ++command) {
         send(plan_.commands[command], tick);
       }
       std::int64_t next = tick + std::max<std::int64_t>(tick_of(station_.block_s()), 1);
-      if (!answers_checked) {
-        next = std::min(next, tick_of(kSettingsAnswerS));
+      for (const std::int64_t stop :
+           {answers_due, command < plan_.commands.size() ? command_tick(command) : end, end}) {
+        next = stop > tick ? std::min(next, stop) : next;
       }
-      if (command < plan_.commands.size()) {
-        next = std::min(next, tick_of(plan_.commands[command].at_s));
-      }
-      next = std::min(next, end);
-      play_block(tick, static_cast<std::size_t>(next - tick));
-      tick = next;
-      if (!answers_checked && tick >= std::min(tick_of(kSettingsAnswerS), end)) {
+      play_block(tick, static_cast<std::size_t>(next - tick), outlets);
+      if (tick < answers_due && next >= answers_due) {
         check_answers(outlets);
-        answers_checked = true;
       }
+      tick = next;
       check_silence(outlets, tick);
+      require_an_outlet(outlets);
       if (options_.progress) {
         options_.progress(static_cast<double>(tick) / static_cast<double>(end));
       }
@@ -134,50 +152,75 @@ class Player {
     return waveform::tick_at(t_s, plan_.stimulus.sample_rate_hz);
   }
 
-  void play_block(std::int64_t tick, std::size_t count) {
+  std::int64_t command_tick(std::size_t command) const {
+    return signal_.lead_ticks() + tick_of(plan_.commands[command].at_s);
+  }
+
+  void play_block(std::int64_t tick, std::size_t count,
+                  std::vector<record::OutletRecord>& outlets) {
     block_.resize(count);
-    synthesizer_.render(tick, count, block_.data());
+    signal_.render(tick, count, block_.data());
     require(station_.source().play(tick, block_.data(), count));
     messages_.clear();
+    faults_.clear();
     edges_.clear();
-    require(station_.link().poll(messages_));
+    require(station_.link().poll(messages_, faults_));
     require(station_.relay_sense().poll(edges_));
+    for (relay::Edge& edge : edges_) {
+      edge.tick -= signal_.lead_ticks();
+    }
     capture_.add(messages_);
     capture_.add(edges_);
+    for (const link::Received& received : messages_) {
+      if (received.outlet < heard_tick_.size()) {
+        heard_tick_[received.outlet] = tick + static_cast<std::int64_t>(count);
+      }
+    }
+    for (const link::Fault& fault : faults_) {
+      if (fault.outlet < outlets.size()) {
+        note(outlets[fault.outlet], fault.what);
+      }
+    }
   }
 
   void send(const profile::Command& command, std::int64_t tick) {
     gs::wire::Downlink message;
     message.kind = gs::wire::DownlinkKind::kCommand;
     message.close_relay = command.switch_on;
+    message.request = ++requests_;
     for (std::size_t i = 0; i < plan_.outlets.size(); ++i) {
       if (command.outlets.empty() ||
           std::count(command.outlets.begin(), command.outlets.end(), plan_.outlets[i].id) > 0) {
         require(station_.link().send(i, message));
-        capture_.add_command(i, tick, command.switch_on);
+        capture_.add_command(i, tick - signal_.lead_ticks(), command.switch_on);
       }
     }
   }
 
-  void check_answers(const std::vector<record::OutletRecord>& outlets) const {
+  void check_answers(std::vector<record::OutletRecord>& outlets) const {
     for (std::size_t i = 0; i < outlets.size(); ++i) {
       const capture::SettingsAnswer& answer = capture_.settings_answer(i);
       if (!answer.came) {
-        throw BenchFault("outlet " + outlets[i].id + " did not answer to its settings");
-      }
-      if (!answer.accepted) {
-        throw BenchFault("outlet " + outlets[i].id + " refused its settings: " + answer.reason);
+        note(outlets[i], "did not answer to its settings");
+      } else if (!answer.accepted) {
+        note(outlets[i], "refused its settings: " + answer.reason);
       }
     }
   }
 
-  void check_silence(const std::vector<record::OutletRecord>& outlets, std::int64_t tick) const {
+  void check_silence(std::vector<record::OutletRecord>& outlets, std::int64_t tick) const {
     for (std::size_t i = 0; i < outlets.size(); ++i) {
-      const std::int64_t last_tick = capture_.last_report_tick(i);
-      if (tick - last_tick > tick_of(kLongestSilenceS)) {
-        throw BenchFault("outlet " + outlets[i].id + " fell silent at tick " +
-                         std::to_string(last_tick));
+      if (tick - heard_tick_[i] > tick_of(kLongestSilenceS)) {
+        note(outlets[i],
+             "fell silent after its sample " + std::to_string(capture_.last_report_sample(i)));
       }
+    }
+  }
+
+  static void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
+    if (std::all_of(outlets.begin(), outlets.end(),
+                    [](const record::OutletRecord& o) { return !o.fault.empty(); })) {
+      throw BenchFault(first_fault(outlets) + "; no outlet is left");
     }
   }
 
@@ -185,22 +228,58 @@ class Player {
   Station& station_;
   const RunOptions& options_;
   capture::Capture& capture_;
-  waveform::Synthesizer synthesizer_;
+  PlayedSignal signal_;
+  std::uint32_t requests_ = 0;
+  std::vector<std::int64_t> heard_tick_;  // of the source, when each outlet was last heard
   std::vector<float> block_;
   std::vector<link::Received> messages_;
+  std::vector<link::Fault> faults_;
   std::vector<relay::Edge> edges_;
 };
 
-std::vector<Settings> settings_for_all(const profile::Plan& plan) {
-  std::vector<Settings> all;
+// Before anything is touched: what the firmware would refuse is the profile's mistake.
+void check_settings(const profile::Plan& plan) {
   for (const profile::Outlet& outlet : plan.outlets) {
-    all.push_back(outlet_settings(plan, outlet, 1));
+    outlet_settings(plan, outlet, 1);
   }
-  return all;
 }
 
-std::vector<record::OutletRecord> claim_outlets(const profile::Plan& plan, Station& station,
-                                                const std::vector<Settings>& settings) {
+std::string version_text(std::uint32_t version) {
+  return std::to_string(version / 1000000) + "." + std::to_string(version / 1000 % 1000) + "." +
+         std::to_string(version % 1000);
+}
+
+record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
+                           const link::OutletPresence& present, link::Link& link) {
+  const gs::wire::Hello& hello = present.hello;
+  record::OutletRecord record;
+  record.id = present.id;
+  record.group = plan.outlets[i].group;
+  record.link = present.where;
+  record.firmware = version_text(hello.firmware_version);
+  if (hello.protocol_version != gs::wire::kProtocolVersion) {
+    note(record, "speaks protocol " + std::to_string(hello.protocol_version) + ", not " +
+                     std::to_string(gs::wire::kProtocolVersion));
+    return record;
+  }
+  if (hello.sample_rate_hz != plan.stimulus.sample_rate_hz ||
+      hello.nominal_hz != static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz))) {
+    note(record, "samples at " + std::to_string(hello.sample_rate_hz) + " Hz for mains of " +
+                     std::to_string(hello.nominal_hz) + " Hz, which is not the profile's");
+    return record;
+  }
+  // An outlet takes no settings that are older than those it has.
+  gs::wire::Downlink message;
+  message.kind = gs::wire::DownlinkKind::kSettings;
+  message.settings = outlet_settings(plan, plan.outlets[i], hello.settings_version + 1);
+  record.settings = described(message.settings);
+  record.settings["tracker_delay_s"] = static_cast<double>(hello.tracker_delay_s);
+  record.settings["voltage_delay_s"] = static_cast<double>(hello.voltage_delay_s);
+  require(link.send(i, message));
+  return record;
+}
+
+std::vector<record::OutletRecord> claim_outlets(const profile::Plan& plan, Station& station) {
   const auto present = station.link().open();
   if (!present.ok()) {
     throw BenchFault(present.error());
@@ -211,29 +290,28 @@ std::vector<record::OutletRecord> claim_outlets(const profile::Plan& plan, Stati
   }
   std::vector<record::OutletRecord> records;
   for (std::size_t i = 0; i < plan.outlets.size(); ++i) {
-    const gs::wire::Hello& hello = present.value()[i].hello;
-    if (hello.protocol_version != gs::wire::kProtocolVersion) {
-      throw BenchFault("outlet " + present.value()[i].id + " speaks protocol " +
-                       std::to_string(hello.protocol_version) + ", not " +
-                       std::to_string(gs::wire::kProtocolVersion));
-    }
-    record::OutletRecord record;
-    record.id = present.value()[i].id;
-    record.group = plan.outlets[i].group;
-    record.link = station.link().name();
-    record.firmware = std::to_string(hello.firmware_version / 1000000) + "." +
-                      std::to_string(hello.firmware_version / 1000 % 1000) + "." +
-                      std::to_string(hello.firmware_version % 1000);
-    record.settings = described(settings[i]);
-    record.settings["tracker_delay_s"] = static_cast<double>(hello.tracker_delay_s);
-    records.push_back(record);
-
-    gs::wire::Downlink message;
-    message.kind = gs::wire::DownlinkKind::kSettings;
-    message.settings = settings[i];
-    require(station.link().send(i, message));
+    records.push_back(claim(plan, i, present.value()[i], station.link()));
   }
   return records;
+}
+
+// Brings what an outlet said onto the run's time base, into its record.
+void collect(std::size_t i, const Station& station, const capture::Markers& markers,
+             std::int64_t sample_rate_hz, capture::Capture& capture, record::OutletRecord& outlet) {
+  capture::OutletClock clock;
+  if (!station.outlets_count_ticks()) {
+    const auto rate_hz = static_cast<double>(sample_rate_hz);
+    capture::VoltageTrace voltage = capture.voltage_trace(i);
+    voltage.delay_samples = outlet.settings["voltage_delay_s"] * rate_hz;
+    const auto alignment = capture::align(voltage, markers, rate_hz);
+    if (alignment) {
+      clock = alignment->clock;
+      outlet.clock = alignment->told;
+    } else {
+      note(outlet, "did not show the marks before the run in its voltage: its time is not known");
+    }
+  }
+  capture.move_into(i, clock, outlet);
 }
 
 void set_error(record::RunRecord& run, const std::string& reason) {
@@ -245,32 +323,40 @@ void judge_all(const profile::Plan& plan, const waveform::Truth& truth, Station&
                record::RunRecord& run) {
   std::size_t worst = 0;
   for (record::OutletRecord& outlet : run.outlets) {
-    judge::judge_outlet(plan, truth, station.uncertainty(), outlet);
+    judge::BenchUncertainty uncertainty = station.uncertainty();
+    uncertainty.outlet_clock_ms =
+        std::hypot(uncertainty.outlet_clock_ms, outlet.clock.uncertainty_ms);
+    judge::judge_outlet(plan, truth, uncertainty, outlet);
+    if (!outlet.fault.empty()) {
+      outlet.verdict = Verdict::kError;
+    }
     run.verdict = std::max(run.verdict, outlet.verdict);
     worst += outlet.verdict == Verdict::kPass ? 0 : 1;
   }
   if (worst > 0) {
     run.verdict_reason = std::to_string(worst) + " of " + std::to_string(run.outlets.size()) +
                          " outlets did not pass";
+    const std::string fault = first_fault(run.outlets);
+    run.verdict_reason += fault.empty() ? "" : ": " + fault;
   }
 }
 
 }  // namespace
 
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options) {
-  const std::vector<Settings> settings = settings_for_all(plan);
+  check_settings(plan);
   const std::shared_ptr<const waveform::Truth> truth = plan.truth();
   record::RunRecord run = head(plan, station, *truth);
   capture::Capture capture(plan.outlets.size(), plan.stimulus.sample_rate_hz);
+  Player player(plan, station, options, capture);
   {
     const SafeState safe_state(station.source(), station.link());
     if (options.writer != nullptr) {
       options.writer->begin(run);
     }
     try {
-      Player player(plan, station, options, capture);
       player.start_source();
-      run.outlets = claim_outlets(plan, station, settings);
+      run.outlets = claim_outlets(plan, station);
       if (!player.play(run.outlets)) {
         set_error(run, "interrupted before its end");
       }
@@ -279,7 +365,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
     }
   }
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
-    capture.move_into(i, run.outlets[i]);
+    collect(i, station, player.markers(), plan.stimulus.sample_rate_hz, capture, run.outlets[i]);
   }
   if (run.verdict == Verdict::kError) {
     for (record::OutletRecord& outlet : run.outlets) {

@@ -34,6 +34,7 @@ class SimulatedStation final : public Station {
     return uncertainty;
   }
 
+  bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return block_s_; }
 
  private:

@@ -122,6 +122,8 @@ Synthesizer::Synthesizer(std::shared_ptr<const Truth> truth, const SignalSpec& s
     : impl_(std::make_unique<const Impl>(std::move(truth), spec, sample_rate_hz)) {}
 
 Synthesizer::~Synthesizer() = default;
+Synthesizer::Synthesizer(Synthesizer&&) noexcept = default;
+Synthesizer& Synthesizer::operator=(Synthesizer&&) noexcept = default;
 
 void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out) const {
   if (first_tick < 0) {

@@ -96,7 +96,7 @@ class SimulatedLink final : public link::Link {
       shared_.outlets[i].take_messages(messages);
       for (const gs::wire::Uplink& message : messages) {
         if (message.kind == gs::wire::UplinkKind::kHello) {
-          present.push_back({shared_.parameters.outlet_ids[i], message.hello});
+          present.push_back({shared_.parameters.outlet_ids[i], name(), message.hello});
         }
       }
     }
@@ -114,13 +114,12 @@ class SimulatedLink final : public link::Link {
     return Done{};
   }
 
-  Status poll(std::vector<link::Received>& messages) override {
+  Status poll(std::vector<link::Received>& messages, std::vector<link::Fault>&) override {
     for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
       inbox_.clear();
       shared_.outlets[i].take_messages(inbox_);
       for (const gs::wire::Uplink& message : inbox_) {
-        // The simulated outlet's sample count is the bench's own tick.
-        messages.push_back({i, static_cast<std::int64_t>(message.sample), message});
+        messages.push_back({i, message});
       }
     }
     return Done{};

@@ -76,6 +76,10 @@ struct Fields<OutletRecord> {
     visitor("link", outlet.link);
     visitor("firmware", outlet.firmware);
     visitor("settings_digest", outlet.settings_digest);
+    visitor("fault", outlet.fault);
+    visitor("clock_drift_ppm", outlet.clock.drift_ppm);
+    visitor("clock_drift_uncertainty_ppm", outlet.clock.drift_uncertainty_ppm);
+    visitor("clock_uncertainty_ms", outlet.clock.uncertainty_ms);
     visitor("verdict", outlet.verdict);
   }
 };

@@ -23,7 +23,12 @@ const std::vector<FolderRule>& folder_rules() {
       {"drivers/source", {"drivers/common", "firmware/wire", "drivers/link", "drivers/relay"}},
       {"drivers/link", {"drivers/common", "firmware/wire", "drivers/source", "drivers/relay"}},
       {"drivers/relay", {"drivers/common", "firmware/wire", "drivers/source", "drivers/link"}},
+      {"drivers/link/serial", {"drivers/common", "drivers/link", "firmware/wire"}},
+      {"drivers/link/mqtt", {"drivers/common", "drivers/link", "firmware/wire"}},
+      {"drivers/process", {"drivers/common"}},
+      {"drivers/broker", {"drivers/common", "drivers/process"}},
       {"drivers/simulated", {"drivers", "firmware", "bench/random"}},
+      {"drivers/emulated", {"drivers", "firmware", "bench/random"}},
       {"bench/random", {}},
       {"bench/grid", {}},
       {"bench/waveform", {"bench/grid"}},
@@ -66,13 +71,13 @@ const std::vector<LibraryRule>& library_rules() {
         "drivers/link", "drivers/relay", "reports"}},
       {"libserialport", {"libserialport.h"}, {"drivers/source", "drivers/link", "drivers/relay"}},
       {"Paho", {"MQTT", "mqtt/"}, {"drivers/source", "drivers/link", "drivers/relay"}},
+      {"libmosquitto", {"mosquitto.h", "mqtt_protocol.h"}, {"firmware/boards/host", "tests"}},
       {"ALSA", {"alsa/"}, {"drivers/source", "drivers/link", "drivers/relay"}},
       {"GoogleTest", {"gtest/", "gmock/"}, {"tests"}},
       {"Google Benchmark", {"benchmark/"}, {"tests"}},
       {"POSIX",
        {"dirent.h", "fcntl.h", "poll.h", "pthread.h", "signal.h", "sys/", "termios.h", "unistd.h"},
-       {"bench/station", "bench/cli", "drivers/source", "drivers/link", "drivers/relay",
-        "reports"}},
+       {"bench/station", "bench/cli", "drivers", "firmware/boards/host", "reports"}},
   };
   return rules;
 }

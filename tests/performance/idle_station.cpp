@@ -27,14 +27,17 @@ class IdleLink final : public link::Link {
   Result<std::vector<link::OutletPresence>> open() override {
     std::vector<link::OutletPresence> present;
     for (const profile::Outlet& outlet : plan_.outlets) {
-      present.push_back({outlet.id, {}});
+      link::OutletPresence here{outlet.id, "idle", {}};
+      here.hello.sample_rate_hz = static_cast<std::int32_t>(plan_.stimulus.sample_rate_hz);
+      here.hello.nominal_hz = static_cast<std::int32_t>(plan_.grid.nominal_hz);
+      present.push_back(here);
     }
     return present;
   }
 
   Status send(std::size_t, const gs::wire::Downlink&) override { return Done{}; }
 
-  Status poll(std::vector<link::Received>& messages) override {
+  Status poll(std::vector<link::Received>& messages, std::vector<link::Fault>&) override {
     for (std::size_t i = 0; i < plan_.outlets.size(); ++i) {
       gs::wire::Uplink message;
       message.kind =
@@ -44,7 +47,8 @@ class IdleLink final : public link::Link {
       } else {
         message.measurement = {50.0F, 0.0F, 1.0F, gs::outlet::Validity::kValid};
       }
-      messages.push_back({i, polls_ * 128, message});
+      message.sample = polls_ * 128;
+      messages.push_back({i, message});
     }
     ++polls_;
     return Done{};
@@ -54,7 +58,7 @@ class IdleLink final : public link::Link {
 
  private:
   const profile::Plan& plan_;
-  std::int64_t polls_ = 0;
+  std::uint64_t polls_ = 0;
 };
 
 class IdleRelaySense final : public relay::RelaySense {
@@ -72,6 +76,7 @@ class IdleStation final : public station::Station {
   link::Link& link() override { return link_; }
   relay::RelaySense& relay_sense() override { return relay_sense_; }
   judge::BenchUncertainty uncertainty() override { return {}; }
+  bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return block_s_; }
 
  private:

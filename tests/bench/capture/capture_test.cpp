@@ -18,7 +18,7 @@ constexpr std::int64_t kRateHz = 8000;
 link::Received received(std::size_t outlet, std::int64_t tick, UplinkKind kind) {
   link::Received message;
   message.outlet = outlet;
-  message.tick = tick;
+  message.message.sample = static_cast<std::uint64_t>(tick);
   message.message.kind = kind;
   return message;
 }
@@ -49,7 +49,7 @@ link::Received estimate(std::int64_t tick, float loss_instant_s, Trust trust) {
 
 record::OutletRecord taken(Capture& capture, std::size_t outlet) {
   record::OutletRecord record;
-  capture.move_into(outlet, record);
+  capture.move_into(outlet, OutletClock(), record);
   return record;
 }
 
@@ -68,8 +68,8 @@ TEST(Capture, KeepsMeasurementsAsTheTraceOfTheirOutlet) {
   Capture capture(2, kRateHz);
   capture.add({measurement(0, 128, 50.0F), measurement(1, 128, 49.0F)});
   capture.add({measurement(0, 256, std::numeric_limits<float>::quiet_NaN())});
-  EXPECT_EQ(capture.last_report_tick(0), 256);
-  EXPECT_EQ(capture.last_report_tick(1), 128);
+  EXPECT_EQ(capture.last_report_sample(0), 256);
+  EXPECT_EQ(capture.last_report_sample(1), 128);
   const record::MeasurementTrace first = taken(capture, 0).trace;
   EXPECT_THAT(first.tick, ElementsAre(128, 256));
   EXPECT_EQ(first.frequency_hz[0], 50.0F);
@@ -82,7 +82,7 @@ TEST(Capture, KeepsMeasurementsAsTheTraceOfTheirOutlet) {
 
 TEST(Capture, KnowsNoReportOfAnOutletThatHasSaidNothing) {
   const Capture capture(1, kRateHz);
-  EXPECT_EQ(capture.last_report_tick(0), 0);
+  EXPECT_EQ(capture.last_report_sample(0), 0);
   EXPECT_FALSE(capture.settings_answer(0).came);
 }
 
@@ -167,7 +167,7 @@ TEST(Capture, KeepsWhatTheRecordKnowsOfTheOutletAlready) {
   record.id = "outlet-7";
   record.settings = {{"threshold_mw", 351.9}};
   record.verdict = record::Verdict::kError;
-  capture.move_into(0, record);
+  capture.move_into(0, OutletClock(), record);
   EXPECT_EQ(record.id, "outlet-7");
   EXPECT_EQ(record.settings.size(), 1U);
   EXPECT_EQ(record.verdict, record::Verdict::kError);

@@ -47,6 +47,9 @@ drivers::Result<std::vector<link::OutletPresence>> FakeStation::open() {
   for (std::size_t i = 0; i < present.size(); ++i) {
     present[i].id = "serial-" + std::to_string(i + 1);
     present[i].hello.firmware_version = 1002003;
+    present[i].where = "fake";
+    present[i].hello.sample_rate_hz = 8000;
+    present[i].hello.nominal_hz = 50;
     present[i].hello.tracker_delay_s = 0.028F;
     if (is_last(i)) present[i].hello.protocol_version = script_.protocol_version;
   }
@@ -65,14 +68,14 @@ Status FakeStation::send(std::size_t outlet, const gs::wire::Downlink& message) 
 void FakeStation::answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const {
   link::Received answer;
   answer.outlet = outlet;
-  answer.tick = tick_;
+  answer.message.sample = static_cast<std::uint64_t>(tick_);
   answer.message.kind = gs::wire::UplinkKind::kSettingsAnswer;
   answer.message.settings_answer = {};
   if (is_last(outlet)) answer.message.settings_answer.error = script_.settings_error;
   messages.push_back(answer);
 }
 
-Status FakeStation::poll(std::vector<link::Received>& messages) {
+Status FakeStation::poll(std::vector<link::Received>& messages, std::vector<link::Fault>&) {
   if (script_.link_poll_fails_at == link_polls_++) return Error{"fake link: broken"};
   for (std::size_t i = 0; i < sent_.size(); ++i) {
     if (!sent_[i].empty() && !answered_[i] && !(is_last(i) && !script_.answers_settings)) {
@@ -83,8 +86,8 @@ Status FakeStation::poll(std::vector<link::Received>& messages) {
       if (is_last(i) && tick >= script_.silent_from_tick) break;
       link::Received report;
       report.outlet = i;
-      report.tick = tick;
       report.message.kind = gs::wire::UplinkKind::kMeasurement;
+      report.message.sample = static_cast<std::uint64_t>(tick);
       report.message.measurement = {50.0F, 0.0F, 1.0F, gs::outlet::Validity::kValid};
       messages.push_back(report);
     }

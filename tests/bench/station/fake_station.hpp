@@ -47,6 +47,7 @@ class FakeStation final : public Station,
   link::Link& link() override { return *this; }
   relay::RelaySense& relay_sense() override { return *this; }
   judge::BenchUncertainty uncertainty() override { return {}; }
+  bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return script_.block_s; }
 
   // The source is off and the link closed, both after all else that was asked of them.
@@ -68,7 +69,8 @@ class FakeStation final : public Station,
 
   drivers::Result<std::vector<link::OutletPresence>> open() override;
   drivers::Status send(std::size_t outlet, const gs::wire::Downlink& message) override;
-  drivers::Status poll(std::vector<link::Received>& messages) override;
+  drivers::Status poll(std::vector<link::Received>& messages,
+                       std::vector<link::Fault>& faults) override;
   void close() noexcept override;
 
   double uncertainty_ticks() const override { return 0.5; }

@@ -45,6 +45,22 @@ void expect_error(const Script& script, const std::string& reason, double durati
   }
 }
 
+// One outlet is lost, the other goes on to the end.
+void expect_fault_of_the_last(const Script& script, const std::string& reason,
+                              double duration_s = 1.0) {
+  FakeStation station(script);
+  const record::RunRecord record = run(plan(duration_s, kCommand), station, {});
+  expect_safe(station);
+  EXPECT_EQ(record.verdict, Verdict::kError) << reason;
+  EXPECT_THAT(record.verdict_reason, HasSubstr("serial-2 " + reason));
+  ASSERT_EQ(record.outlets.size(), 2U);
+  EXPECT_EQ(record.outlets[0].verdict, Verdict::kPass) << record.outlets[0].fault;
+  EXPECT_EQ(record.outlets[1].verdict, Verdict::kError);
+  EXPECT_THAT(record.outlets[1].fault, HasSubstr(reason));
+  const auto reports = static_cast<std::size_t>(duration_s / 0.016);
+  EXPECT_EQ(record.outlets[0].trace.tick.size(), reports);
+}
+
 TEST(WaysOut, TheNormalEndIsSafeAndNoError) {
   FakeStation station({});
   const record::RunRecord record = run(one_second(), station, {});
@@ -108,28 +124,28 @@ TEST(WaysOut, TooFewOutlets) {
 TEST(WaysOut, AnOutletOfAnotherProtocol) {
   Script script;
   script.protocol_version = 7;
-  expect_error(script, "serial-2 speaks protocol 7, not 1");
+  expect_fault_of_the_last(script, "speaks protocol 7, not 1");
 }
 
 TEST(WaysOut, AnOutletThatRefusesItsSettings) {
   Script script;
   script.settings_error = gs::outlet::SettingsError::kThreshold;
-  expect_error(script, std::string("serial-2 refused its settings: ") +
-                           to_string(gs::outlet::SettingsError::kThreshold));
+  expect_fault_of_the_last(script, std::string("refused its settings: ") +
+                                       to_string(gs::outlet::SettingsError::kThreshold));
 }
 
 TEST(WaysOut, AnOutletThatDoesNotAnswerToItsSettings) {
   Script script;
   script.answers_settings = false;
-  expect_error(script, "serial-2 did not answer to its settings");
+  expect_fault_of_the_last(script, "did not answer to its settings");
   // In a run that ends before the answer is due, too.
-  expect_error(script, "serial-2 did not answer to its settings", 0.56);
+  expect_fault_of_the_last(script, "did not answer to its settings", 0.56);
 }
 
 TEST(WaysOut, AnOutletThatFallsSilent) {
   Script script;
   script.silent_from_tick = 8000;
-  expect_error(script, "serial-2 fell silent at tick 7936", 3.0);
+  expect_fault_of_the_last(script, "fell silent after its sample 7936", 3.0);
 }
 
 TEST(WaysOut, AnOutletThatIsSilentForASecondIsStillThere) {
@@ -138,6 +154,20 @@ TEST(WaysOut, AnOutletThatIsSilentForASecondIsStillThere) {
   script.silent_from_tick = 8000;
   FakeStation station(script);
   EXPECT_EQ(run(plan(1.99), station, {}).verdict, Verdict::kPass);
+}
+
+TEST(WaysOut, TheOnlyOutletLostEndsTheRunEarly) {
+  Script script;
+  script.outlets = 1;
+  script.silent_from_tick = 8000;
+  FakeStation station(script);
+  profile::Plan alone = plan(30.0);
+  alone.outlets.resize(1);
+  const record::RunRecord record = run(alone, station, {});
+  expect_safe(station);
+  EXPECT_EQ(record.verdict, Verdict::kError);
+  EXPECT_THAT(record.verdict_reason, HasSubstr("fell silent after its sample 7936"));
+  EXPECT_LT(station.tick(), 3 * 8000);
 }
 
 TEST(WaysOut, AFaultKeepsWhatWasCapturedUntilThen) {

@@ -3,12 +3,13 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <simulated/bench.hpp>
+#include <wire/codec.hpp>
 
 namespace gsbench::simulated::test {
 
@@ -57,51 +58,10 @@ inline gs::wire::Downlink command(bool close) {
   return message;
 }
 
-inline std::uint32_t bits(float value) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, &value, sizeof word);
-  return word;
-}
-
-// A message as numbers that compare bit for bit, NaN with NaN among them.
-inline std::vector<std::uint64_t> words(const gs::wire::Uplink& m) {
-  using gs::wire::UplinkKind;
-  std::vector<std::uint64_t> all = {static_cast<std::uint64_t>(m.kind), m.sample};
-  const auto add = [&all](std::initializer_list<std::uint64_t> more) {
-    all.insert(all.end(), more);
-  };
-  switch (m.kind) {
-    case UplinkKind::kHello:
-      add({m.hello.protocol_version, m.hello.firmware_version});
-      break;
-    case UplinkKind::kSettingsAnswer:
-      add({static_cast<std::uint64_t>(m.settings_answer.error), m.settings_answer.version,
-           m.settings_answer.digest});
-      break;
-    case UplinkKind::kMeasurement:
-      add({bits(m.measurement.frequency_hz), bits(m.measurement.rocof_hz_s),
-           bits(m.measurement.voltage_pu), static_cast<std::uint64_t>(m.measurement.validity)});
-      break;
-    case UplinkKind::kEvent:
-      add({bits(m.event.baseline_hz), bits(m.event.baseline_rocof_hz_s)});
-      break;
-    case UplinkKind::kLse:
-      add({bits(m.lse.loss_mw)});
-      break;
-    case UplinkKind::kEstimate:
-      add({bits(m.estimate.loss_mw), bits(m.estimate.loss_sigma_mw),
-           bits(m.estimate.loss_instant_s), static_cast<std::uint64_t>(m.estimate.trust)});
-      break;
-    case UplinkKind::kDecision:
-      add({bits(m.decision.loss_mw), bits(m.decision.required_mw), m.decision.hits,
-           static_cast<std::uint64_t>(m.decision.trust), m.decision.shed ? 1U : 0U});
-      break;
-    case UplinkKind::kRelay:
-      add({m.relay.closed ? 1U : 0U, static_cast<std::uint64_t>(m.relay.cause)});
-      break;
-    case UplinkKind::kAborted:
-      break;
-  }
+// A message as bytes that compare bit for bit, NaN with NaN among them.
+inline std::vector<std::uint8_t> bytes(const gs::wire::Uplink& message) {
+  std::vector<std::uint8_t> all(gs::wire::kLongestMessage);
+  all.resize(gs::wire::encode(message, 0, all.data(), all.size()));
   return all;
 }
 
@@ -110,11 +70,15 @@ struct Heard {
   std::vector<gs::wire::Uplink> messages;
   std::vector<relay::Edge> edges;
 
-  std::vector<std::vector<std::uint64_t>> as_words() const {
-    std::vector<std::vector<std::uint64_t>> all;
-    for (const gs::wire::Uplink& message : messages) all.push_back(words(message));
+  // The same for all of it, the contact's edges as text.
+  std::vector<std::string> as_bytes() const {
+    std::vector<std::string> all;
+    for (const gs::wire::Uplink& message : messages) {
+      const std::vector<std::uint8_t> one = bytes(message);
+      all.emplace_back(one.begin(), one.end());
+    }
     for (const relay::Edge& edge : edges) {
-      all.push_back({static_cast<std::uint64_t>(edge.tick), edge.closed ? 1U : 0U});
+      all.push_back(std::to_string(edge.tick) + (edge.closed ? " closed" : " open"));
     }
     return all;
   }
@@ -148,8 +112,10 @@ inline source::SourceSettings mains_settings(float noise_rms_pu, std::uint64_t s
 
 inline void poll(Bench& bench, std::vector<Heard>& heard) {
   std::vector<link::Received> messages;
+  std::vector<link::Fault> faults;
   std::vector<relay::Edge> edges;
-  ASSERT_TRUE(bench.link().poll(messages).ok());
+  ASSERT_TRUE(bench.link().poll(messages, faults).ok());
+  ASSERT_TRUE(faults.empty());
   ASSERT_TRUE(bench.relay_sense().poll(edges).ok());
   for (const link::Received& received : messages) {
     heard.at(received.outlet).messages.push_back(received.message);

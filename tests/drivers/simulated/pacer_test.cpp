@@ -49,8 +49,8 @@ TEST(Pacer, RealTimeBringsTheSameAsVirtualTime) {
   const auto slow = play(real_time, 2, mains_settings(0.01F, 1), voltage, {128});
   // The last block is handed over when the one before it is through.
   EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(200 - 8));
-  EXPECT_EQ(fast[0].as_words(), slow[0].as_words());
-  EXPECT_EQ(fast[1].as_words(), slow[1].as_words());
+  EXPECT_EQ(fast[0].as_bytes(), slow[0].as_bytes());
+  EXPECT_EQ(fast[1].as_bytes(), slow[1].as_bytes());
 }
 
 }  // namespace

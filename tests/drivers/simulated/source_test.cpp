@@ -71,7 +71,7 @@ class CutUp : public ::testing::Test {
 
   static void expect_equal(const std::vector<Heard>& a, const std::vector<Heard>& b) {
     for (std::size_t i = 0; i < kOutlets; ++i) {
-      EXPECT_EQ(a[i].as_words(), b[i].as_words()) << "outlet " << i;
+      EXPECT_EQ(a[i].as_bytes(), b[i].as_bytes()) << "outlet " << i;
     }
   }
 };
@@ -105,7 +105,7 @@ TEST_F(CutUp, SaysTheSameBitForBitOnAnyNumberOfThreads) {
 }
 
 TEST_F(CutUp, AnotherSeedIsHeard) {
-  EXPECT_NE(heard({4096}, 1, 5)[0].as_words(), heard({4096}, 1, 6)[0].as_words());
+  EXPECT_NE(heard({4096}, 1, 5)[0].as_bytes(), heard({4096}, 1, 6)[0].as_bytes());
 }
 
 TEST(SimulatedSource, StartedAgainIsAsNew) {
@@ -121,7 +121,7 @@ TEST(SimulatedSource, StartedAgainIsAsNew) {
   ASSERT_TRUE(bench.source().play(0, voltage.data(), 20).ok());
   ASSERT_TRUE(bench.link().send(0, command(true)).ok());
   const auto second = play(bench, 1, mains_settings(0.01F, 3), voltage, {1000});
-  EXPECT_EQ(first[0].as_words(), second[0].as_words());
+  EXPECT_EQ(first[0].as_bytes(), second[0].as_bytes());
 }
 
 // ---- noise
@@ -168,15 +168,15 @@ TEST(SimulatedNoise, OfAnOutletDoesNotDependOnItsNeighbours) {
   const std::vector<float> voltage = steady_mains(2.0);
   Bench alone(bench_of(1));
   Bench among(bench_of(3, 2));
-  EXPECT_EQ(play(alone, 1, mains_settings(0.01F, 2), voltage, {1000})[0].as_words(),
-            play(among, 3, mains_settings(0.01F, 2), voltage, {1000})[0].as_words());
+  EXPECT_EQ(play(alone, 1, mains_settings(0.01F, 2), voltage, {1000})[0].as_bytes(),
+            play(among, 3, mains_settings(0.01F, 2), voltage, {1000})[0].as_bytes());
 }
 
 TEST(SimulatedNoise, IsNotThereWhereNoneIsAskedFor) {
   const std::vector<float> voltage = steady_mains(2.0);
   Bench bench(bench_of(2));
   const auto heard = play(bench, 2, mains_settings(0.0F, 2), voltage, {1000});
-  EXPECT_EQ(heard[0].as_words(), heard[1].as_words());
+  EXPECT_EQ(heard[0].as_bytes(), heard[1].as_bytes());
 }
 
 }  // namespace

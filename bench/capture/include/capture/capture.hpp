@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <capture/clock.hpp>
 #include <link/link.hpp>
 #include <record/run_record.hpp>
 #include <relay/relay_sense.hpp>
@@ -18,6 +19,8 @@ struct SettingsAnswer {
   std::string reason;  // where it refused
 };
 
+// What outlets say is kept by their own sample counts and comes onto the run's time base when it is
+// moved into the record; edges and commands are given in ticks of the run.
 class Capture {
  public:
   // Of the first `outlets` of a station; what others say is not for the record.
@@ -28,17 +31,21 @@ class Capture {
   void add_command(std::size_t outlet, std::int64_t tick, bool close);
 
   const SettingsAnswer& settings_answer(std::size_t outlet) const;
-  // Of the newest measurement; 0 before the first.
-  std::int64_t last_report_tick(std::size_t outlet) const;
+  // Stamp of the newest measurement; 0 before the first.
+  std::uint64_t last_report_sample(std::size_t outlet) const;
+  VoltageTrace voltage_trace(std::size_t outlet) const;  // its delay is for the caller to set
 
   // The records' traces, estimates and marks (ascending in time); the capture is empty afterwards.
-  void move_into(std::size_t outlet, record::OutletRecord& record);
+  void move_into(std::size_t outlet, const OutletClock& clock, record::OutletRecord& record);
 
  private:
   struct Track {
-    record::OutletRecord record;
+    record::OutletRecord record;  // ticks in it are still samples of the outlet
+    std::vector<record::Mark> bench_marks;
+    std::vector<float> loss_instant_s;  // of each estimate, against its event
+    std::vector<std::int64_t> event_sample;
     SettingsAnswer settings_answer;
-    std::int64_t event_tick = 0;
+    std::int64_t newest_event_sample = 0;
   };
 
   void add(Track& track, const link::Received& received) const;

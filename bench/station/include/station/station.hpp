@@ -20,7 +20,11 @@ class Station {
   virtual source::Source& source() = 0;
   virtual link::Link& link() = 0;
   virtual relay::RelaySense& relay_sense() = 0;
+  // Without the outlets' clocks: those are measured in each run.
   virtual judge::BenchUncertainty uncertainty() = 0;
+  // Does an outlet's sample count begin at 0 with the source's first tick, and keep step with it?
+  // If not, markers are played around the run.
+  virtual bool outlets_count_ticks() const = 0;
   // How much is played at a time: short where the wall clock paces, long where nothing does.
   virtual double block_s() const = 0;
 };

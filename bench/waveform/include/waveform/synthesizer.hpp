@@ -49,6 +49,8 @@ class Synthesizer {
   Synthesizer(std::shared_ptr<const Truth> truth, const SignalSpec& spec,
               std::int64_t sample_rate_hz);
   ~Synthesizer();
+  Synthesizer(Synthesizer&&) noexcept;
+  Synthesizer& operator=(Synthesizer&&) noexcept;
 
   // Samples first_tick … first_tick+count−1 into out, per unit of the nominal amplitude (peak).
   // first_tick >= 0, or std::invalid_argument. Cheapest in whole blocks of 16 ms.

@@ -12,13 +12,20 @@ namespace gsbench::link {
 
 struct OutletPresence {
   std::string id;
+  std::string where;  // "simulated", "/dev/ttyUSB0", "ssl://127.0.0.1:8883"
   gs::wire::Hello hello;
+};
+
+// What a link found wrong with one outlet. The others go on.
+struct Fault {
+  std::size_t outlet = 0;  // place in what open() returned
+  std::string what;        // one sentence, for people
 };
 
 struct Received {
   std::size_t outlet = 0;  // place in what open() returned
-  std::int64_t tick = 0;   // the outlet's stamp on the bench's time base
   gs::wire::Uplink message;
+  std::int64_t arrival_ns = 0;  // std::chrono::steady_clock; 0: of no meaning, as in simulation
 };
 
 class Link {
@@ -26,12 +33,16 @@ class Link {
   virtual ~Link() = default;
   virtual std::string name() const = 0;  // "simulated", "serial", "mqtt"
 
-  // Finds the outlets; those that answered, in a fixed order.
+  // Finds the outlets; those that answered, in a fixed order. Two that say they are the same, or
+  // one that cannot be spoken to, is an error.
   [[nodiscard]] virtual drivers::Result<std::vector<OutletPresence>> open() = 0;
+  // Does not wait for an answer. An outlet that cannot be reached now is a Fault, not an error.
   [[nodiscard]] virtual drivers::Status send(std::size_t outlet,
                                              const gs::wire::Downlink& message) = 0;
-  // Appends what came since the last call, in order of arrival for each outlet.
-  [[nodiscard]] virtual drivers::Status poll(std::vector<Received>& messages) = 0;
+  // Appends what came since the last call, in order of arrival for each outlet, each message once.
+  // An error is one of the link as a whole.
+  [[nodiscard]] virtual drivers::Status poll(std::vector<Received>& messages,
+                                             std::vector<Fault>& faults) = 0;
   virtual void close() noexcept = 0;
 };
 

@@ -57,12 +57,21 @@ struct EstimateTrace {
   std::vector<std::uint8_t> trusted;  // 1 trusted, 0 not
 };
 
+// An outlet's sample count against the source's ticks. All zero where it counts the very ticks.
+struct Clock {
+  double drift_ppm = 0.0;              // by how much its crystal is fast
+  double drift_uncertainty_ppm = 0.0;  // expanded, k = 2
+  double uncertainty_ms = 0.0;         // of its stamps on the run's time base, expanded
+};
+
 struct OutletRecord {
   std::string id;
   std::string group;
-  std::string link;                        // "simulated", "serial", …
-  std::string firmware;                    // version and digest it said of itself
-  std::string settings_digest;             // that it acknowledged, hexadecimal
+  std::string link;             // "simulated", "serial", …
+  std::string firmware;         // version and digest it said of itself
+  std::string settings_digest;  // that it acknowledged, hexadecimal
+  std::string fault;            // what first went wrong between the bench and it; empty: nothing
+  Clock clock;
   std::map<std::string, double> settings;  // what it was sent, unit in the name
   Verdict verdict = Verdict::kPass;
   std::vector<MeasurementResult> measurements;

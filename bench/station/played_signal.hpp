@@ -1,0 +1,40 @@
+// What a source plays in a run: the plan's signal and, where outlets count their own samples, calm
+// mains with dips before and after it, by which their counts are aligned (capture/clock.hpp).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <capture/clock.hpp>
+#include <profile/plan.hpp>
+#include <waveform/synthesizer.hpp>
+
+namespace gsbench::station {
+
+class PlayedSignal {
+ public:
+  PlayedSignal(const profile::Plan& plan, bool with_markers);
+
+  // The source's ticks before the run's tick 0, and all of them.
+  std::int64_t lead_ticks() const { return lead_ticks_; }
+  std::int64_t total_ticks() const { return lead_ticks_ + run_ticks_ + tail_ticks_; }
+  // In ticks of the run: negative before it.
+  const capture::Markers& markers() const { return markers_; }
+
+  // Samples first_tick … first_tick + count − 1 by the source's ticks.
+  void render(std::int64_t first_tick, std::size_t count, float* out) const;
+
+ private:
+  struct Part {
+    std::int64_t first_tick;
+    waveform::Synthesizer synthesizer;
+  };
+
+  std::int64_t lead_ticks_ = 0;
+  std::int64_t run_ticks_;
+  std::int64_t tail_ticks_ = 0;
+  capture::Markers markers_;
+  std::vector<Part> parts_;  // ascending
+};
+
+}  // namespace gsbench::station

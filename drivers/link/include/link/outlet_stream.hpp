@@ -1,0 +1,37 @@
+// The bench's end of one outlet's messages: decoded, in order, each once; what is missing, damaged
+// or told by an outlet that began anew is told as a fault.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <wire/codec.hpp>
+#include <wire/frame.hpp>
+
+namespace gsbench::link {
+
+class OutletStream {
+ public:
+  // One whole message. Nothing for a duplicate, and where it cannot be read: then a fault is noted.
+  // An outlet that begins anew says hello unasked.
+  std::optional<gs::wire::Uplink> take(const std::uint8_t* message, std::size_t size);
+
+  // Any other fault of this outlet's, such as a frame with a wrong CRC.
+  void note(const std::string& fault) { faults_.push_back(fault); }
+  std::vector<std::string> take_faults();
+
+  // The next message to it, as bytes. Identifying restarts the numbering.
+  std::vector<std::uint8_t> encode(const gs::wire::Downlink& message);
+
+ private:
+  gs::wire::Sequence received_;
+  std::uint32_t sent_ = 0;
+  bool said_hello_ = false;
+  std::uint64_t last_sample_ = 0;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace gsbench::link

@@ -1,0 +1,56 @@
+#include <link/outlet_stream.hpp>
+
+namespace gsbench::link {
+
+using gs::wire::Decoded;
+using gs::wire::Sequence;
+using gs::wire::UplinkKind;
+
+std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, std::size_t size) {
+  gs::wire::Uplink message;
+  std::uint32_t sequence = 0;
+  const Decoded decoded = gs::wire::decode(bytes, size, message, sequence);
+  if (decoded != Decoded::kOk) {
+    note(decoded == Decoded::kUnknownKind ? "sent a message of an unknown kind"
+                                          : "sent a message that cannot be read");
+    return std::nullopt;
+  }
+  // An outlet numbers from 0 at start-up, and what it says first is its hello.
+  const bool began_anew = message.kind == UplinkKind::kHello && sequence == 0;
+  if (began_anew) {
+    if (said_hello_ && (last_sample_ > message.sample || message.sample == 0)) {
+      note("began anew after its sample " + std::to_string(last_sample_));
+    }
+    received_.restart();
+  }
+  switch (received_.take(sequence)) {
+    case Sequence::Order::kDuplicate:
+      return std::nullopt;
+    case Sequence::Order::kGap:
+      note(std::to_string(received_.missed()) + " of its messages were lost before its sample " +
+           std::to_string(message.sample));
+      break;
+    case Sequence::Order::kNext:
+      break;
+  }
+  said_hello_ = said_hello_ || message.kind == UplinkKind::kHello;
+  last_sample_ = message.sample;
+  return message;
+}
+
+std::vector<std::string> OutletStream::take_faults() {
+  std::vector<std::string> faults;
+  faults.swap(faults_);
+  return faults;
+}
+
+std::vector<std::uint8_t> OutletStream::encode(const gs::wire::Downlink& message) {
+  if (message.kind == gs::wire::DownlinkKind::kIdentify) {
+    sent_ = 0;
+  }
+  std::vector<std::uint8_t> bytes(gs::wire::kLongestMessage);
+  bytes.resize(gs::wire::encode(message, sent_++, bytes.data(), bytes.size()));
+  return bytes;
+}
+
+}  // namespace gsbench::link
