@@ -1,0 +1,18 @@
+// Settings in sectors 1 and 2 of the flash (memory.ld says why these).
+//
+// While a sector is erased, half a second at worst, the processor stands still: the samples of that
+// time are lost, and told. Settings are to come while nothing happens.
+#pragma once
+
+#include <settings_area/settings_area.hpp>
+
+namespace gs::stm32f405 {
+
+class SectorFlash final : public settings_area::Flash {
+ public:
+  bool erase(int slot) override;
+  bool program(int slot, std::size_t offset, std::uint32_t word) override;
+  std::uint32_t read(int slot, std::size_t offset) const override;
+};
+
+}  // namespace gs::stm32f405
