@@ -1,0 +1,92 @@
+// Real messages, frames, settings and settings areas: what the wire fuzzers start from.
+#include "flash_cells.hpp"
+#include "wire_input.hpp"
+#include <firmware_test/settings.hpp>
+#include <settings_area/settings_area.hpp>
+#include <wire_test/messages.hpp>
+
+namespace gsbench::fuzz {
+namespace {
+
+using gs::wire::test::Bytes;
+using gs::wire::test::encoded;
+using gs::wire::test::framed;
+
+std::string text_of(const Bytes& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
+std::vector<Bytes> messages() {
+  constexpr int kTimes = 3;
+  std::vector<Bytes> all;
+  std::uint32_t sequence = 0;
+  for (const auto& message : gs::wire::test::many_uplinks(kTimes)) {
+    all.push_back(encoded(message, sequence++));
+  }
+  for (const auto& message : gs::wire::test::many_downlinks(kTimes)) {
+    all.push_back(encoded(message, sequence++));
+  }
+  gs::wire::Downlink valid;
+  valid.kind = gs::wire::DownlinkKind::kSettings;
+  valid.settings = gs::test::ieee24_settings();
+  all.push_back(encoded(valid, sequence));
+  return all;
+}
+
+std::vector<std::string> message_seeds() {
+  std::vector<std::string> seeds;
+  for (const Bytes& message : messages()) seeds.push_back(text_of(message));
+  return seeds;
+}
+
+// Single frames, and all of them one behind the other.
+std::vector<std::string> stream_seeds() {
+  std::vector<std::string> seeds;
+  std::string all;
+  for (const Bytes& message : messages()) {
+    seeds.push_back(text_of(framed(message)));
+    all += seeds.back();
+  }
+  seeds.push_back(all);
+  return seeds;
+}
+
+std::vector<gs::outlet::Settings> some_settings() {
+  std::vector<gs::outlet::Settings> all = {gs::test::ieee24_settings(), gs::outlet::Settings{}};
+  gs::outlet::Settings one_row = all[0];
+  one_row.condition_rows = 1;
+  one_row.version = 0xFFFFFFFFU;
+  all.push_back(one_row);
+  return all;
+}
+
+std::vector<std::string> settings_seeds() {
+  std::vector<std::string> seeds;
+  for (const auto& settings : some_settings()) seeds.push_back(text_of(encoded(settings)));
+  return seeds;
+}
+
+// Erased, with one slot written, with both.
+std::vector<std::string> flash_seeds() {
+  FlashCells cells;
+  gs::settings_area::FlashSettingsArea area(cells);
+  std::vector<std::string> seeds = {text_of(cells.bytes())};
+  for (const auto& settings : some_settings()) {
+    if (area.keep(settings)) seeds.push_back(text_of(cells.bytes()));
+  }
+  return seeds;
+}
+
+}  // namespace
+
+const std::vector<WireFuzzer>& wire_fuzzers() {
+  static const std::vector<WireFuzzer> fuzzers = {
+      {"frame", wrong_with_stream, stream_seeds},
+      {"cbor", wrong_with_message, message_seeds},
+      {"settings", wrong_with_settings, settings_seeds},
+      {"flash", wrong_with_flash, flash_seeds},
+  };
+  return fuzzers;
+}
+
+}  // namespace gsbench::fuzz
