@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cstdio>
+#include <utility>
 
 #include <wire/cbor.hpp>
 #include <wire/messages.hpp>

@@ -19,6 +19,7 @@
 
 struct mosquitto;
 struct mosquitto_message;
+struct mqtt5__property;
 
 namespace gs::host {
 
@@ -63,11 +64,11 @@ class MqttCarrier final : public node::Carrier {
   std::uint64_t refused() const { return refused_; }       // messages the broker has no leave for
 
  private:
-  static void on_connect(mosquitto*, void* self, int reason, int, const struct mqtt5__property*);
-  static void on_disconnect(mosquitto*, void* self, int reason, const struct mqtt5__property*);
-  static void on_publish(mosquitto*, void* self, int, int reason, const struct mqtt5__property*);
+  static void on_connect(mosquitto*, void* self, int reason, int, const mqtt5__property*);
+  static void on_disconnect(mosquitto*, void* self, int reason, const mqtt5__property*);
+  static void on_publish(mosquitto*, void* self, int, int reason, const mqtt5__property*);
   static void on_message(mosquitto*, void* self, const mosquitto_message* message,
-                         const struct mqtt5__property*);
+                         const mqtt5__property*);
   void connect();
   void check(int error);
 

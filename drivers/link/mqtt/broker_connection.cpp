@@ -1,0 +1,274 @@
+#include "broker_connection.hpp"
+
+#include <mqtt/async_client.h>
+
+#include <chrono>
+#include <random>
+#include <thread>
+#include <utility>
+
+namespace gsbench::link {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Status;
+
+namespace {
+
+constexpr auto kToConnect = std::chrono::seconds(10);
+constexpr auto kToDisconnect = std::chrono::seconds(1);
+constexpr auto kToSubscribe = std::chrono::seconds(5);
+constexpr auto kToFindRoom = std::chrono::milliseconds(500);
+constexpr int kKeepAliveS = 5;       // a broker that has gone silent is lost after 1.5 of these
+constexpr int kKeepSessionS = 60;    // the broker keeps what it has for a bench that is away
+constexpr int kMostWaiting = 10000;  // messages to outlets, without a connection
+constexpr int kMostInFlight = 65535;
+constexpr int kNoRoom = MQTTASYNC_MAX_BUFFERED_MESSAGES;
+
+std::string paho_url(const std::string& url) {
+  for (const auto& [ours, theirs] : {std::pair("mqtts://", "ssl://"), {"mqtt://", "tcp://"}}) {
+    if (url.rfind(ours, 0) == 0) {
+      return theirs + url.substr(std::string(ours).size());
+    }
+  }
+  return url;
+}
+
+bool uses_tls(const MqttOptions& options) {
+  return options.url.rfind("mqtts://", 0) == 0;
+}
+
+// Of this opening alone: no session of an earlier one is taken up.
+std::string new_client_id() {
+  std::random_device device;
+  return "gsbench-" + std::to_string(device()) + '-' + std::to_string(device());
+}
+
+// Paho gives the broker's reason as if it were an error code of its own.
+bool refused_login(const mqtt::exception& error) {
+  return error.get_return_code() == mqtt::ReasonCode::BAD_USER_NAME_OR_PASSWORD ||
+         error.get_return_code() == mqtt::ReasonCode::NOT_AUTHORIZED;
+}
+
+}  // namespace
+
+class BrokerConnection::Client final : public mqtt::callback, public mqtt::iaction_listener {
+ public:
+  Client(const MqttOptions& options, Arrivals& arrivals)
+      : options_(options),
+        arrivals_(arrivals),
+        client_(paho_url(options.url), new_client_id(),
+                mqtt::create_options(MQTTVERSION_5, kMostWaiting)) {
+    client_.set_callback(*this);
+  }
+
+  Status connect();
+  Status subscribe(std::vector<std::string> filters);
+  void publish(std::size_t outlet, const std::string& topic,
+               const std::vector<std::uint8_t>& message);
+  void close();
+
+ private:
+  // What Paho calls, from threads of its own.
+  void connected(const std::string&) override;
+  void connection_lost(const std::string&) override;
+  void message_arrived(mqtt::const_message_ptr message) override;
+  void on_failure(const mqtt::token& token) override;
+  void on_success(const mqtt::token&) override {}
+
+  mqtt::connect_options connect_options();
+  std::vector<mqtt::token_ptr> ask_for_filters();
+  std::string why_not_connected(const mqtt::exception& error);
+
+  const MqttOptions& options_;
+  Arrivals& arrivals_;
+  std::mutex mutex_;
+  std::vector<std::string> filters_;
+  std::string tls_error_;
+  std::atomic<bool> lost_{false};
+  mqtt::async_client client_;  // last: its threads end before what they use
+};
+
+mqtt::connect_options BrokerConnection::Client::connect_options() {
+  mqtt::connect_options asked;
+  asked.set_mqtt_version(MQTTVERSION_5);
+  asked.set_clean_start(false);
+  asked.set_properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, kKeepSessionS},
+                        {mqtt::property::RECEIVE_MAXIMUM, kMostInFlight}});
+  asked.set_keep_alive_interval(kKeepAliveS);
+  asked.set_connect_timeout(kToConnect);
+  asked.set_automatic_reconnect(1, 2);
+  asked.set_max_inflight(kMostInFlight);
+  asked.set_user_name(options_.user);
+  asked.set_password(options_.password);
+  if (uses_tls(options_)) {
+    mqtt::ssl_options tls;
+    tls.set_trust_store(options_.ca_file);
+    tls.set_enable_server_cert_auth(true);
+    tls.set_verify(true);
+    tls.set_error_handler([this](const std::string& error) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      tls_error_ += (tls_error_.empty() ? "" : "; ") + error;
+    });
+    asked.set_ssl(tls);
+  }
+  return asked;
+}
+
+Status BrokerConnection::Client::connect() {
+  try {
+    const mqtt::token_ptr connecting = client_.connect(connect_options());
+    if (!connecting->wait_for(kToConnect)) {
+      return Error{"the broker " + options_.url + " does not answer"};
+    }
+    return Done{};
+  } catch (const mqtt::exception& error) {
+    return Error{why_not_connected(error)};
+  }
+}
+
+std::string BrokerConnection::Client::why_not_connected(const mqtt::exception& error) {
+  const std::string broker = "the broker " + options_.url;
+  if (refused_login(error)) {
+    return broker + " refuses the user name \"" + options_.user + "\" or its password";
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!tls_error_.empty()) {
+    return broker + " cannot be trusted with the CA file \"" + options_.ca_file +
+           "\": " + tls_error_;
+  }
+  // Paho does not tell these two apart.
+  const std::string name = uses_tls(options_) ? ", or its certificate is for another name" : "";
+  return broker + " cannot be reached" + name + ": " + error.to_string();
+}
+
+std::vector<mqtt::token_ptr> BrokerConnection::Client::ask_for_filters() {
+  // What the broker keeps is of interest once, not again for a subscription that it still has.
+  const mqtt::subscribe_options once(false, false, mqtt::subscribe_options::SEND_RETAINED_ON_NEW);
+  std::vector<std::string> filters;
+  {
+    // Not held over a call into Paho, which calls us with locks of its own.
+    const std::lock_guard<std::mutex> lock(mutex_);
+    filters = filters_;
+  }
+  std::vector<mqtt::token_ptr> asked;
+  // One by one: Paho 1.2.0 crashes over several with options.
+  for (const std::string& filter : filters) {
+    asked.push_back(client_.subscribe(filter, 1, once));
+  }
+  return asked;
+}
+
+Status BrokerConnection::Client::subscribe(std::vector<std::string> filters) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    filters_ = std::move(filters);
+  }
+  const auto until = std::chrono::steady_clock::now() + kToSubscribe;
+  try {
+    for (const mqtt::token_ptr& asked : ask_for_filters()) {
+      if (!asked->wait_until(until)) {
+        return Error{"the broker " + options_.url + " does not answer a subscription"};
+      }
+    }
+    return Done{};
+  } catch (const mqtt::exception& error) {
+    return Error{"the broker " + options_.url + " refuses a subscription: " + error.to_string()};
+  }
+}
+
+void BrokerConnection::Client::publish(std::size_t outlet, const std::string& topic,
+                                       const std::vector<std::uint8_t>& message) {
+  const auto until = std::chrono::steady_clock::now() + kToFindRoom;
+  const auto payload =
+      mqtt::make_message(topic, static_cast<const void*>(message.data()), message.size(), 1, false);
+  while (true) {
+    try {
+      client_.publish(payload, reinterpret_cast<void*>(outlet), *this);
+      return;
+    } catch (const mqtt::exception& error) {
+      if (error.get_return_code() != kNoRoom || std::chrono::steady_clock::now() > until) {
+        return arrivals_.note(outlet, "cannot be sent a message: " + error.to_string());
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+void BrokerConnection::Client::close() {
+  client_.disable_callbacks();
+  if (client_.is_connected()) {
+    client_
+        .disconnect(mqtt::disconnect_options_builder()
+                        .properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, 0}})
+                        .timeout(kToDisconnect)
+                        .finalize())
+        ->wait_for(kToDisconnect);
+  }
+}
+
+void BrokerConnection::Client::connected(const std::string&) {
+  try {
+    ask_for_filters();
+  } catch (const mqtt::exception&) {
+    return;  // lost again; the next connection asks again
+  }
+  if (lost_.exchange(false)) {
+    arrivals_.note_all("has its broker back");
+  }
+}
+
+void BrokerConnection::Client::connection_lost(const std::string&) {
+  if (!lost_.exchange(true)) {
+    arrivals_.note_all("has lost its broker: the connection to " + options_.url + " broke");
+  }
+}
+
+void BrokerConnection::Client::message_arrived(mqtt::const_message_ptr message) {
+  const mqtt::binary& payload = message->get_payload();
+  arrivals_.take(message->get_topic(), reinterpret_cast<const std::uint8_t*>(payload.data()),
+                 payload.size(), message->is_retained());
+}
+
+void BrokerConnection::Client::on_failure(const mqtt::token& token) {
+  const int reason = token.get_reason_code();
+  arrivals_.note(
+      reinterpret_cast<std::uintptr_t>(token.get_user_context()),
+      reason == mqtt::ReasonCode::NOT_AUTHORIZED
+          ? "was not sent a message: the broker does not allow \"" + options_.user + "\" to"
+          : "was not sent a message: the broker gives reason " + std::to_string(reason));
+}
+
+BrokerConnection::BrokerConnection(const MqttOptions& options, Arrivals& arrivals)
+    : client_(std::make_unique<Client>(options, arrivals)) {}
+
+BrokerConnection::~BrokerConnection() {
+  close();
+}
+
+Status BrokerConnection::connect() {
+  return client_->connect();
+}
+
+Status BrokerConnection::subscribe(std::vector<std::string> filters) {
+  return client_->subscribe(std::move(filters));
+}
+
+void BrokerConnection::publish(std::size_t outlet, const std::string& topic,
+                               const std::vector<std::uint8_t>& message) {
+  client_->publish(outlet, topic, message);
+}
+
+void BrokerConnection::close() noexcept {
+  if (!client_) {
+    return;
+  }
+  try {
+    client_->close();
+    client_.reset();
+  } catch (const mqtt::exception&) {
+    client_.reset();  // it was not connected
+  }
+}
+
+}  // namespace gsbench::link

@@ -1,0 +1,55 @@
+// Outlets behind an MQTT 5 broker, all over one connection. The topics are those of the outlets'
+// own end: gs/<id>/hello (retained for as long as the outlet is there), gs/<id>/up, gs/<id>/down.
+//
+// The broker must let as many messages to the bench be under way at once as MQTT can number
+// (Mosquitto: max_inflight_messages 65535): one that holds an acknowledged message back while it
+// lets later measurements pass changes their order, and the one held back then counts as lost.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <link/link.hpp>
+
+namespace gsbench::link {
+
+struct MqttOptions {
+  std::string url;      // mqtts://host:port with TLS, mqtt://host:port without
+  std::string ca_file;  // for TLS: who may vouch for the broker
+  std::string user;
+  std::string password;
+  std::vector<std::string> outlets;  // their ids; none: all that are found
+
+  std::chrono::milliseconds search = std::chrono::seconds(1);    // where no outlets are named
+  std::chrono::milliseconds patience = std::chrono::seconds(3);  // for those named, and each answer
+};
+
+class MqttLink final : public Link {
+ public:
+  explicit MqttLink(MqttOptions options);
+  ~MqttLink() override;
+
+  std::string name() const override { return "mqtt"; }
+  [[nodiscard]] drivers::Result<std::vector<OutletPresence>> open() override;
+  // What the broker did not take or had nobody to give to comes back as a fault. While the broker
+  // is away, messages wait for it.
+  [[nodiscard]] drivers::Status send(std::size_t outlet,
+                                     const gs::wire::Downlink& message) override;
+  // A broker that is lost is a fault of each outlet's, once; the link connects again by itself.
+  [[nodiscard]] drivers::Status poll(std::vector<Received>& messages,
+                                     std::vector<Fault>& faults) override;
+  void close() noexcept override;
+
+ private:
+  class Opened;
+
+  drivers::Status find_outlets(std::vector<std::string>& ids);
+  drivers::Result<std::vector<OutletPresence>> identify(const std::vector<std::string>& ids);
+
+  MqttOptions options_;
+  std::unique_ptr<Opened> opened_;
+};
+
+}  // namespace gsbench::link

@@ -1,0 +1,165 @@
+// What opening a link finds, and what it refuses.
+#include "outlets_on_a_broker.hpp"
+
+#include <wire/codec.hpp>
+
+namespace {
+
+using gsbench::link::MqttLink;
+using gsbench::link::MqttOptions;
+using gsbench::test::MqttOutlet;
+using gsbench::test::OutletsOnABroker;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class FindingOutlets : public OutletsOnABroker {};
+
+TEST_F(FindingOutlets, FindsThoseNamedInTheOrderNamed) {
+  const MqttOutlet a(*broker_, "a", 10);
+  const MqttOutlet b(*broker_, "b", 11);
+  const MqttOutlet c(*broker_, "c", 12);
+  MqttLink link(options({"c", "a"}));
+  const auto opened = link.open();
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  ASSERT_EQ(opened.value().size(), 2U);
+  EXPECT_EQ(opened.value()[0].id, "c");
+  EXPECT_EQ(opened.value()[0].hello.instance, 12U);
+  EXPECT_EQ(opened.value()[1].id, "a");
+  EXPECT_EQ(opened.value()[1].hello.instance, 10U);
+  EXPECT_STREQ(opened.value()[1].hello.board, "test");
+  EXPECT_EQ(opened.value()[0].where, broker_->url());
+}
+
+TEST_F(FindingOutlets, FindsAllWhereNoneIsNamed) {
+  const MqttOutlet b(*broker_, "b");
+  const MqttOutlet a(*broker_, "a");
+  MqttLink link(options({}));
+  const auto opened = link.open();
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  ASSERT_EQ(opened.value().size(), 2U);
+  EXPECT_EQ(opened.value()[0].id, "a");
+  EXPECT_EQ(opened.value()[1].id, "b");
+}
+
+TEST_F(FindingOutlets, NamesTheOneThatIsNotThere) {
+  const MqttOutlet a(*broker_, "a");
+  EXPECT_THAT(refusal(options({"a", "b"})), AllOf(HasSubstr("\"b\""), HasSubstr(broker_->url()),
+                                                  testing::Not(HasSubstr("\"a\""))));
+}
+
+TEST_F(FindingOutlets, NamesTheOneThatLeftBefore) {
+  { const MqttOutlet a(*broker_, "a"); }
+  EXPECT_THAT(refusal(options({"a"})), HasSubstr("\"a\" is not on the broker"));
+}
+
+TEST_F(FindingOutlets, RefusesTwoOutletsOfOneId) {
+  const MqttOutlet one(*broker_, "a", 0x1111);
+  const MqttOutlet two(*broker_, "a", 0x2222);
+  const MqttOutlet b(*broker_, "b");
+  EXPECT_THAT(refusal(options({"b", "a"})),
+              AllOf(HasSubstr("\"a\""), HasSubstr("0x00001111"), HasSubstr("0x00002222")));
+}
+
+// Says one hello, and whatever is sent to it again.
+class Parrot {
+ public:
+  Parrot(const gsbench::broker::PrivateBroker& broker, const std::string& id,
+         const gs::wire::Uplink& hello) {
+    std::string why;
+    EXPECT_TRUE(carrier_.start(gsbench::test::options_of(broker, id, 1), why)) << why;
+    size_ = gs::wire::encode(hello, 0, bytes_, sizeof bytes_);
+    carrier_.send(bytes_, size_);
+    thread_ = std::thread([this] { run(); });
+  }
+  ~Parrot() {
+    ending_ = true;
+    thread_.join();
+  }
+
+ private:
+  void run() {
+    std::vector<std::uint8_t> message;
+    while (!ending_) {
+      carrier_.wait(std::chrono::milliseconds(1));
+      carrier_.serve();
+      while (carrier_.take(message)) {
+        carrier_.send(bytes_, size_);
+      }
+    }
+  }
+
+  gs::host::MqttCarrier carrier_;
+  std::uint8_t bytes_[gs::wire::kLongestMessage] = {};
+  std::size_t size_ = 0;
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
+
+TEST_F(FindingOutlets, PassesOnWhichProtocolVersionAnOutletSpeaks) {
+  gs::wire::Uplink hello;
+  hello.hello.protocol_version = 77;
+  gs::node::set_text(hello.hello.id, "a");
+  const Parrot a(*broker_, "a", hello);
+  MqttLink link(options({"a"}));
+  const auto opened = link.open();
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  EXPECT_EQ(opened.value()[0].hello.protocol_version, 77);
+}
+
+TEST_F(FindingOutlets, RefusesAnOutletOnTheTopicOfAnother) {
+  gs::wire::Uplink hello;
+  gs::node::set_text(hello.hello.id, "b");
+  const Parrot a(*broker_, "a", hello);
+  EXPECT_THAT(refusal(options({"a"})), AllOf(HasSubstr("\"a\""), HasSubstr("\"b\"")));
+}
+
+TEST_F(FindingOutlets, NamesTheOneThatDoesNotAnswer) {
+  MqttOutlet a(*broker_, "a");
+  open({"a"});
+  a.stop_answering();
+  EXPECT_THAT(refusal(options({"a"})), HasSubstr("outlet \"a\" does not answer"));
+}
+
+TEST_F(FindingOutlets, SaysWhichBrokerRefusesItsPassword) {
+  MqttOptions wrong = options({"a"});
+  wrong.password = "guessed";
+  EXPECT_THAT(refusal(wrong), AllOf(HasSubstr(broker_->url()), HasSubstr("refuses the user name"),
+                                    HasSubstr("\"bench\"")));
+}
+
+TEST_F(FindingOutlets, TrustsNoBrokerOfAnotherAuthority) {
+  auto other = gsbench::broker::PrivateBroker::start({folder_.file("other"), {}});
+  ASSERT_TRUE(other.ok()) << other.error();
+  MqttOptions wrong = options({"a"});
+  wrong.ca_file = other.value().ca_file();
+  EXPECT_THAT(refusal(wrong), AllOf(HasSubstr(broker_->url()), HasSubstr("cannot be trusted")));
+}
+
+TEST_F(FindingOutlets, TrustsNoBrokerWithoutAnAuthority) {
+  MqttOptions wrong = options({"a"});
+  wrong.ca_file.clear();
+  EXPECT_THAT(refusal(wrong), AllOf(HasSubstr(broker_->url()), HasSubstr("cannot be trusted")));
+}
+
+// The certificate is for 127.0.0.1 alone.
+TEST_F(FindingOutlets, TrustsNoBrokerUnderAnotherName) {
+  MqttOptions wrong = options({"a"});
+  wrong.url = "mqtts://localhost:" + std::to_string(broker_->port());
+  EXPECT_THAT(refusal(wrong), AllOf(HasSubstr("localhost"), HasSubstr("certificate")));
+}
+
+TEST_F(FindingOutlets, SaysWhichBrokerCannotBeReached) {
+  broker_->kill();
+  EXPECT_THAT(refusal(options({"a"})), AllOf(HasSubstr(broker_->url()), HasSubstr("reached")));
+}
+
+TEST_F(FindingOutlets, AnOutletsLoginOpensNoLink) {
+  const MqttOutlet a(*broker_, "a");
+  MqttOptions wrong = options({"a"});
+  wrong.user = broker_->outlet("b").user;
+  wrong.password = broker_->outlet("b").password;
+  EXPECT_THAT(refusal(wrong), HasSubstr("outlet \"a\" is not on the broker"));
+  EXPECT_TRUE(MqttLink(options({"a"})).open().ok());
+}
+
+}  // namespace

@@ -1,0 +1,55 @@
+// An outlet on a broker: the firmware's node behind the host board's MQTT, in a thread of its own.
+#pragma once
+
+#include <mqtt_carrier.hpp>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <broker/private_broker.hpp>
+#include <node/endpoint.hpp>
+
+namespace gsbench::test {
+
+gs::host::MqttOptions options_of(const broker::PrivateBroker& broker, const std::string& id,
+                                 std::uint32_t instance);
+
+class MqttOutlet {
+ public:
+  // Connected when this returns.
+  MqttOutlet(const broker::PrivateBroker& broker, const std::string& id,
+             std::uint32_t instance = 1);
+  ~MqttOutlet();  // leaves, as one that is switched off by hand
+
+  // In the outlet's thread, between two of its turns.
+  void with_node(const std::function<void(gs::node::Node&, gs::node::Outbox&)>& act);
+
+  void take_samples(std::size_t count);  // of steady 50 Hz; 128 make a measurement
+  void tell_status();                    // takes one sample before, which tells statuses apart
+  void stop_answering();                 // stays connected and says nothing more
+  void lose_power();                     // without a word
+  void restart();                        // begins anew, on the connection that it has
+  bool relay_closed();
+  bool connected();
+
+ private:
+  void run();
+  void serve();
+  void start_node();
+
+  gs::node::Identity identity_;
+  gs::host::MqttCarrier carrier_;
+  gs::node::Node node_;
+  std::optional<gs::node::MessageEndpoint> endpoint_;
+  std::mutex mutex_;
+  std::uint64_t taken_ = 0;
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
+
+}  // namespace gsbench::test
