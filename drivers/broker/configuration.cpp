@@ -27,9 +27,11 @@ constexpr const char* kAccess =
 
 // Order is kept among all messages of an outlet only while none waits for the acknowledgement of
 // others: as many may be under way as MQTT can number. Nothing is dropped for a bench that reads
-// slowly, and nothing survives the broker: outlets say hello again to the next one.
+// slowly. Sessions are written down every second or two, so that the next broker keeps what outlets
+// say before the bench is back.
 constexpr const char* kLimits =
-    "persistence false\n"
+    "persistence true\n"
+    "autosave_interval 1\n"
     "allow_anonymous false\n"
     "max_inflight_messages 65535\n"
     "max_queued_messages 0\n"
@@ -85,6 +87,7 @@ Result<std::string> write_configuration(const std::string& folder, std::uint16_t
   if (geteuid() == 0) {
     text += "user root\n";
   }
+  text += "persistence_location " + folder + "/\n";
   text += "password_file " + folder + "/passwords\n";
   text += "acl_file " + folder + "/access\n";
   text += "listener " + std::to_string(port) + " 127.0.0.1\n";

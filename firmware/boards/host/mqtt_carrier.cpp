@@ -108,6 +108,7 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
 
 void MqttCarrier::connect() {
   next_attempt_ = steady_clock::now() + kBetweenAttempts;
+  connected_ = false;
   check(mosquitto_connect_bind_v5(client_, host_.c_str(), port_, kKeepAliveS, nullptr, nullptr));
 }
 
@@ -118,18 +119,27 @@ void MqttCarrier::check(int error) {
 }
 
 bool MqttCarrier::send(const std::uint8_t* message, std::size_t size) {
-  const wire::UplinkKind kind = kind_of(message, size);
-  const bool at_least_once = kind != wire::UplinkKind::kMeasurement;
-  if (!connected_ && (!at_least_once || waiting_ >= kMostWaiting)) {
+  if (connected() && waiting_.empty()) {
+    return publish(message, size);
+  }
+  // Kept here and not by the library: that sends it as soon as it has a socket, before the older
+  // ones that it repeats once the broker has answered.
+  if (kind_of(message, size) == wire::UplinkKind::kMeasurement || waiting_.size() >= kMostWaiting) {
     return false;
   }
+  waiting_.emplace_back(message, message + size);
+  return true;
+}
+
+bool MqttCarrier::publish(const std::uint8_t* message, std::size_t size) {
+  const wire::UplinkKind kind = kind_of(message, size);
+  const bool at_least_once = kind != wire::UplinkKind::kMeasurement;
   const bool hello = kind == wire::UplinkKind::kHello;
   const int error =
       mosquitto_publish_v5(client_, nullptr, (hello ? hello_topic_ : up_topic_).c_str(),
                            static_cast<int>(size), message, at_least_once ? 1 : 0, hello, nullptr);
-  // The library keeps what must arrive until it can be sent.
+  // What must arrive and was on its way when the connection broke, the library repeats.
   const bool kept = at_least_once && (error == MOSQ_ERR_NO_CONN || error == MOSQ_ERR_CONN_LOST);
-  waiting_ += connected_ ? 0 : 1;
   return error == MOSQ_ERR_SUCCESS || kept;
 }
 
@@ -142,6 +152,10 @@ void MqttCarrier::serve() {
     return;
   }
   check(mosquitto_loop_read(client_, 1));
+  while (connected() && !waiting_.empty()) {
+    publish(waiting_.front().data(), waiting_.front().size());
+    waiting_.pop_front();
+  }
   if (mosquitto_want_write(client_)) {
     check(mosquitto_loop_write(client_, 1));
   }
@@ -192,7 +206,6 @@ void MqttCarrier::on_connect(mosquitto* client, void* self, int reason, int,
   mosquitto_subscribe_v5(client, nullptr, carrier.down_topic_.c_str(), 1, 0, nullptr);
   carrier.trouble_.clear();
   carrier.connected_ = true;
-  carrier.waiting_ = 0;
   carrier.reconnected_ = carrier.was_connected_;
   carrier.was_connected_ = true;
 }

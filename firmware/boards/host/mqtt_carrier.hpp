@@ -59,7 +59,7 @@ class MqttCarrier final : public node::Carrier {
   // True once after each connection but the first: the broker may have forgotten the hello.
   bool take_reconnected();
 
-  bool connected() const { return connected_; }
+  bool connected() const { return connected_ && descriptor() >= 0; }
   const std::string& trouble() const { return trouble_; }  // of the last connection that failed
   std::uint64_t refused() const { return refused_; }       // messages the broker has no leave for
 
@@ -70,6 +70,7 @@ class MqttCarrier final : public node::Carrier {
   static void on_message(mosquitto*, void* self, const mosquitto_message* message,
                          const mqtt5__property*);
   void connect();
+  bool publish(const std::uint8_t* message, std::size_t size);
   void check(int error);
 
   mosquitto* client_ = nullptr;
@@ -81,7 +82,7 @@ class MqttCarrier final : public node::Carrier {
   std::deque<std::vector<std::uint8_t>> received_;
   std::chrono::steady_clock::time_point next_attempt_;
   std::chrono::steady_clock::time_point next_upkeep_;
-  std::size_t waiting_ = 0;  // taken without a connection
+  std::deque<std::vector<std::uint8_t>> waiting_;  // taken without a connection
   std::uint64_t refused_ = 0;
   std::string trouble_;
   bool connected_ = false;

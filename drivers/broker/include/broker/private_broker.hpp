@@ -37,11 +37,14 @@ class PrivateBroker {
   const Login& bench() const { return bench_; }
   const Login& outlet(const std::string& id) const { return outlets_.at(id); }
   pid_t pid() const { return child_.pid(); }
+  // Where it writes down what a restart is to remember.
+  std::string memory_file() const { return folder_ + "/mosquitto.db"; }
   bool running() { return child_.running(); }
 
   void stop() noexcept { child_.stop(); }
   void kill() noexcept { child_.kill(); }
-  // On the same port, whatever became of it; it remembers nothing.
+  // On the same port, whatever became of it. After a kill, it remembers the sessions and hellos of
+  // two seconds before.
   drivers::Status restart();
 
  private:

@@ -1,6 +1,8 @@
 // A broker that dies and comes back.
 #include "outlets_on_a_broker.hpp"
 
+#include <filesystem>
+
 namespace {
 
 using gs::wire::Downlink;
@@ -12,6 +14,15 @@ using testing::IsEmpty;
 
 class BrokerOutage : public OutletsOnABroker {
  protected:
+  // Until the broker has written down that there is a bench.
+  bool remembered() {
+    const auto opened = std::filesystem::file_time_type::clock::now();
+    return until([&] {
+      std::error_code missing;
+      return std::filesystem::last_write_time(broker_->memory_file(), missing) > opened;
+    });
+  }
+
   static std::ptrdiff_t times(const std::vector<std::string>& faults, const std::string& words) {
     return std::count_if(faults.begin(), faults.end(), [&](const std::string& fault) {
       return fault.find(words) != std::string::npos;
@@ -24,17 +35,24 @@ TEST_F(BrokerOutage, LosesNoneOfWhatMustArriveAndRepeatsNone) {
   MqttOutlet a(*broker_, "a");
   MqttOutlet b(*broker_, "b");
   open({"a", "b"});
+  ASSERT_TRUE(remembered());
   for (std::size_t i = 0; i < kStatuses; ++i) {
-    a.tell_status();
-    b.tell_status();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (i == kStatuses / 3) {
+      // A broker takes with it what it has acknowledged and not passed on yet; MQTT promises no
+      // more. All of that has come.
+      ASSERT_TRUE(until([&] {
+        return messages(0, UplinkKind::kStatus).size() == i &&
+               messages(1, UplinkKind::kStatus).size() == i;
+      }));
       broker_->kill();
     }
-    if (i == kStatuses / 2) {
+    if (i == kStatuses / 2) {  // the rest is said while outlets and bench come back, in any order
       const auto restarted = broker_->restart();
       ASSERT_TRUE(restarted.ok()) << restarted.error();
     }
+    a.tell_status();
+    b.tell_status();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_TRUE(until([&] {
     return messages(0, UplinkKind::kStatus).size() >= kStatuses &&
@@ -49,7 +67,10 @@ TEST_F(BrokerOutage, LosesNoneOfWhatMustArriveAndRepeatsNone) {
     EXPECT_EQ(times(faults(outlet), "has lost its broker"), 1);
     EXPECT_EQ(times(faults(outlet), "has its broker back"), 1);
     EXPECT_EQ(times(faults(outlet), "began anew"), 0);
-    EXPECT_EQ(times(faults(outlet), "were lost"), 0);
+    // Measurements may be lost, one in 128 samples, but not without a word.
+    const auto measurements = messages(outlet, UplinkKind::kMeasurement).size();
+    EXPECT_EQ(times(faults(outlet), "1 of its messages were lost"),
+              static_cast<std::ptrdiff_t>(kStatuses / 128 - measurements));
   }
 }
 
