@@ -19,6 +19,9 @@ constexpr std::uint32_t kWatchdogTicks = 5 * kClockHz;
 // The loop has to turn now and then to feed the watchdog while no sample and no byte comes.
 constexpr std::uint32_t kTurnTicks = kClockHz / 2;
 
+// What a report can come to, with event, estimate, decision and relay: no more than this.
+constexpr std::size_t kReportBytes = 384;
+
 constexpr std::uint32_t kBarked = 0x4241524Bu;  // "BARK"
 __attribute__((section(".noinit"))) volatile std::uint32_t barked;
 
@@ -50,8 +53,12 @@ void Mps2Board::start() {
 }
 
 void Mps2Board::sleep() {
-  cortex_m4::sleep_unless(
-      [this] { return received_.used() > 0 || terminals_.written != terminals_.taken; });
+  cortex_m4::sleep_unless([this] { return received_.used() > 0 || !converter_rests(); });
+}
+
+bool Mps2Board::converter_rests() const {
+  const std::uint32_t waiting = terminals_.written - terminals_.taken;
+  return waiting == 0 || (waiting <= kRingSamples / 2 && to_send_.room() < kReportBytes);
 }
 
 bool Mps2Board::send(const std::uint8_t* bytes, std::size_t count) {
@@ -62,6 +69,10 @@ bool Mps2Board::send(const std::uint8_t* bytes, std::size_t count) {
 }
 
 std::size_t Mps2Board::take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) {
+  lost = 0;
+  if (converter_rests()) {
+    return 0;
+  }
   const std::uint32_t taken = terminals_.taken;
   const std::uint32_t waiting = terminals_.written - taken;
   std::size_t count = waiting < most ? waiting : most;
@@ -72,7 +83,6 @@ std::size_t Mps2Board::take_samples(std::int16_t* out, std::size_t most, std::ui
   cortex_m4::memory_barrier();
   // Looked at after the copy: what was written over meanwhile is lost as well.
   const std::uint32_t ahead = terminals_.written - taken;
-  lost = 0;
   if (ahead > kRingSamples) {
     // Half a ring on, where the bench will not be at once.
     lost = ahead - kRingSamples / 2;
@@ -107,11 +117,12 @@ void Mps2Board::feed_watchdog() {
 }
 
 void Mps2Board::on_receive() {
+  // First: for a byte that comes while these are read, the interrupt is to come again.
+  uart0().INTSTATUS = kIntRx;
   while ((uart0().STATE & kStateRxFull) != 0) {
     // Where the loop is behind, the byte is lost and its frame is told as bad.
     received_.put(static_cast<std::uint8_t>(uart0().DATA));
   }
-  uart0().INTSTATUS = kIntRx;
 }
 
 void Mps2Board::on_transmit() {

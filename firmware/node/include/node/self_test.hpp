@@ -6,7 +6,7 @@
 
 namespace gs::node {
 
-constexpr std::uint32_t kFingerprint = 0x00000000u;
+constexpr std::uint32_t kFingerprint = 0xAD397094u;
 
 std::uint32_t arithmetic_fingerprint();
 

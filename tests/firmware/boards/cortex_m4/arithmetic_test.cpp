@@ -1,0 +1,172 @@
+// One stream of samples, one firmware: in process, on the emulated Cortex-M4F at -O2 and at -Os.
+#include "emulated_outlet.hpp"
+#include <firmware_test/mains.hpp>
+#include <firmware_test/settings.hpp>
+
+#include <chrono>
+#include <iostream>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <node/endpoint.hpp>
+#include <node/self_test.hpp>
+
+namespace gs::test {
+namespace {
+
+using wire::UplinkKind;
+
+constexpr double kDurationS = 14.0;
+
+const std::vector<std::int16_t>& stream() {
+  static const std::vector<std::int16_t> samples = [] {
+    MainsSpec spec;
+    spec.truth = loss_of(500.0, 3.0);
+    spec.noise_pct = 1.0;
+    return Mains(spec).samples(0, static_cast<std::size_t>(8000 * kDurationS));
+  }();
+  return samples;
+}
+
+wire::Downlink settings_message() {
+  wire::Downlink message;
+  message.kind = wire::DownlinkKind::kSettings;
+  message.settings = ieee24_settings();
+  return message;
+}
+
+wire::Downlink question(wire::DownlinkKind kind) {
+  wire::Downlink message;
+  message.kind = kind;
+  return message;
+}
+
+struct Outcome {
+  std::vector<Message> messages;
+  std::set<UplinkKind> kinds;
+  std::uint32_t failed_parts = 0;
+};
+
+void add(Outcome& outcome, const wire::Uplink& uplink, Message message) {
+  outcome.kinds.insert(uplink.kind);
+  if (uplink.kind == UplinkKind::kSelfTest) outcome.failed_parts = uplink.self_test.failed;
+  outcome.messages.push_back(std::move(message));
+}
+
+Outcome in_process(const wire::Hello& as) {
+  class Collector final : public node::Carrier {
+   public:
+    bool send(const std::uint8_t* bytes, std::size_t count) override {
+      wire::Uplink uplink;
+      std::uint32_t sequence = 0;
+      EXPECT_EQ(wire::decode(bytes, count, uplink, sequence), wire::Decoded::kOk);
+      add(outcome, uplink, Message(bytes, bytes + count));
+      return true;
+    }
+    Outcome outcome;
+  };
+  class Keeps final : public node::SettingsArea {
+   public:
+    bool keep(const outlet::Settings&) override { return true; }
+    bool usable() const override { return true; }
+  };
+  Collector collector;
+  Keeps area;
+  node::Node node;
+  node::MessageEndpoint endpoint(node, collector);
+  MainsSpec spec;
+  spec.truth = steady(50.0, 50.0);
+  node::Identity identity;
+  node::set_text(identity.id, as.id);
+  node::set_text(identity.board, as.board);
+  identity.instance = as.instance;
+  identity.build = as.build;
+  identity.capabilities = as.capabilities;
+  EXPECT_TRUE(node.start(Mains(spec).hardware(), identity, &area, endpoint));
+  node.receive(settings_message(), endpoint);
+  node.feed(stream().data(), stream().size(), endpoint);
+  node.receive(question(wire::DownlinkKind::kAskStatus), endpoint);
+  node.receive(question(wire::DownlinkKind::kAskSelfTest), endpoint);
+  return collector.outcome;
+}
+
+Outcome emulated(EmulatedOutlet& outlet, const std::string& image) {
+  outlet.start(image);
+  Line& line = outlet.line();
+  line.wait_for(UplinkKind::kHello);
+  line.send(settings_message());
+  line.wait_for(UplinkKind::kSettingsAnswer);
+  const auto begin = std::chrono::steady_clock::now();
+  outlet.play(stream());
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  std::cout << kDurationS / wall.count() << " x real time\n";
+  line.send(question(wire::DownlinkKind::kAskStatus));
+  line.send(question(wire::DownlinkKind::kAskSelfTest));
+  line.wait_for(UplinkKind::kSelfTest);
+  Outcome outcome;
+  for (const Letter& letter : line.letters()) add(outcome, letter.uplink, letter.bytes);
+  return outcome;
+}
+
+class BitIdentity : public testing::Test {
+ protected:
+  Outcome emulated(const std::string& image) { return test::emulated(outlet_, image); }
+  Outcome in_process() {
+    return test::in_process(outlet_.line().of(UplinkKind::kHello).at(0).uplink.hello);
+  }
+
+  EmulatedOutlet outlet_;
+};
+
+TEST(Fingerprint, IsTheKnownOneInProcess) {
+  EXPECT_EQ(node::arithmetic_fingerprint(), node::kFingerprint);
+}
+
+class SameArithmetic : public BitIdentity, public testing::WithParamInterface<const char*> {};
+
+TEST_P(SameArithmetic, SaysByteForByteWhatTheOneInProcessSays) {
+  const Outcome there = emulated(GetParam());
+  const Outcome here = in_process();
+  ASSERT_GE(stream().size(), 100'000U);
+  // The stream has all of it happen.
+  for (const UplinkKind kind :
+       {UplinkKind::kHello, UplinkKind::kSettingsAnswer, UplinkKind::kMeasurement,
+        UplinkKind::kEvent, UplinkKind::kLse, UplinkKind::kEstimate, UplinkKind::kDecision,
+        UplinkKind::kRelay, UplinkKind::kStatus, UplinkKind::kSelfTest}) {
+    EXPECT_EQ(here.kinds.count(kind), 1U) << wire::to_string(kind);
+  }
+  ASSERT_EQ(there.messages.size(), here.messages.size());
+  for (std::size_t i = 0; i < here.messages.size(); ++i) {
+    ASSERT_EQ(there.messages[i], here.messages[i]) << "message " << i;
+  }
+  EXPECT_EQ(there.failed_parts, 0U);
+}
+
+TEST_P(SameArithmetic, ThePinChangesAtTheSampleOfTheRelayMessage) {
+  emulated(GetParam());
+  const auto told = outlet_.line().of(UplinkKind::kRelay);
+  ASSERT_EQ(told.size(), 1U);
+  ASSERT_EQ(outlet_.terminals().edges, 1U);
+  EXPECT_EQ(outlet_.terminals().edge[0].closed, 0U);
+  EXPECT_EQ(outlet_.terminals().edge[0].sample, told[0].uplink.sample);
+}
+
+INSTANTIATE_TEST_SUITE_P(Images, SameArithmetic,
+                         testing::Values(GSBENCH_M4_IMAGE, GSBENCH_M4_IMAGE_OS),
+                         [](const auto& image) {
+                           return std::string(image.index == 0 ? "O2" : "Os");
+                         });
+
+// The check above sees what it must: an image whose compiler was let contract multiplication and
+// addition.
+TEST_F(BitIdentity, IsLostWithContractionAndTheSelfTestTells) {
+  const Outcome there = emulated(GSBENCH_M4_IMAGE_CONTRACTED);
+  const Outcome here = in_process();
+  EXPECT_NE(there.messages, here.messages);
+  EXPECT_EQ(there.failed_parts, std::uint32_t{wire::kArithmetic});
+}
+
+}  // namespace
+}  // namespace gs::test

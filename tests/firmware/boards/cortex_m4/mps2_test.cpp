@@ -1,0 +1,229 @@
+// The emulated outlet as a whole: what it says, keeps and does when things go wrong.
+#include "debugger.hpp"
+#include "emulated_outlet.hpp"
+#include <firmware_test/mains.hpp>
+#include <firmware_test/settings.hpp>
+
+#include <iostream>
+#include <map>
+#include <random>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <node/node.hpp>
+
+namespace gs::test {
+namespace {
+
+using wire::UplinkKind;
+
+std::vector<std::int16_t> quiet_mains(double duration_s) {
+  MainsSpec spec;
+  spec.truth = steady(50.0, 50.0);
+  return Mains(spec).samples(0, static_cast<std::size_t>(8000 * duration_s));
+}
+
+wire::Downlink settings_message(std::uint32_t version) {
+  wire::Downlink message;
+  message.kind = wire::DownlinkKind::kSettings;
+  message.settings = ieee24_settings();
+  message.settings.version = version;
+  message.settings.accumulated_mw = static_cast<float>(version);
+  return message;
+}
+
+wire::Downlink command(bool close) {
+  wire::Downlink message;
+  message.kind = wire::DownlinkKind::kCommand;
+  message.close_relay = close;
+  return message;
+}
+
+wire::Downlink question(wire::DownlinkKind kind) {
+  wire::Downlink message;
+  message.kind = kind;
+  return message;
+}
+
+class Mps2 : public testing::Test {
+ protected:
+  void start() {
+    outlet_.start(GSBENCH_M4_IMAGE);
+    hello_ = outlet_.line().wait_for(UplinkKind::kHello).uplink.hello;
+  }
+  wire::Status status() {
+    Line& line = outlet_.line();
+    const std::size_t first = line.letters().size();
+    line.send(question(wire::DownlinkKind::kAskStatus));
+    return line.wait_for(UplinkKind::kStatus, first).uplink.status;
+  }
+
+  EmulatedOutlet outlet_;
+  wire::Hello hello_;
+};
+
+TEST_F(Mps2, IntroducesItselfAsItsTerminalsSay) {
+  start();
+  EXPECT_STREQ(hello_.id, "outlet-7");
+  EXPECT_STREQ(hello_.board, "mps2-an386");
+  EXPECT_EQ(hello_.instance, 77U);
+  EXPECT_EQ(hello_.firmware_version, node::kFirmwareVersion);
+  EXPECT_EQ(hello_.build, GSBENCH_FIRMWARE_BUILD);
+  EXPECT_EQ(hello_.capabilities, wire::kKeepsSettings | wire::kHasWatchdog);
+  EXPECT_EQ(hello_.settings_version, 0U);
+  EXPECT_EQ(outlet_.terminals().starts, 1U);
+}
+
+TEST_F(Mps2, ThePinFollowsCommandsAndIsClosedAgainAfterALossOfPower) {
+  start();
+  Line& line = outlet_.line();
+  outlet_.play(quiet_mains(0.5));
+  line.send(command(false));
+  line.wait_for(UplinkKind::kRelay);
+  ASSERT_EQ(outlet_.terminals().edges, 1U);
+  EXPECT_EQ(outlet_.terminals().edge[0].closed, 0U);
+  EXPECT_EQ(outlet_.terminals().edge[0].sample, 4000U);
+  outlet_.kill();
+  start();
+  ASSERT_EQ(outlet_.terminals().edges, 2U);
+  EXPECT_EQ(outlet_.terminals().edge[1].closed, 1U);
+  EXPECT_EQ(outlet_.terminals().starts, 2U);
+}
+
+TEST_F(Mps2, ACrystalThatDoesNotStartIsToldAndFoundByTheSelfTest) {
+  outlet_.terminals().crystal_fails = 1;
+  start();
+  Line& line = outlet_.line();
+  outlet_.play(quiet_mains(0.1));
+  line.send(question(wire::DownlinkKind::kAskSelfTest));
+  EXPECT_EQ(line.wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
+            std::uint32_t{wire::kClock});
+  EXPECT_TRUE(line.has_error(wire::ErrorCode::kClock));
+}
+
+TEST_F(Mps2, TheSelfTestFindsAConverterThatGivesNoSamples) {
+  start();
+  outlet_.line().send(question(wire::DownlinkKind::kAskSelfTest));
+  EXPECT_EQ(outlet_.line().wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
+            std::uint32_t{wire::kConverter});
+}
+
+TEST_F(Mps2, CountsTheSamplesThatABenchTooFarAheadWroteOver) {
+  start();
+  constexpr std::uint32_t kAhead = terminals::kRingSamples + 1000;
+  outlet_.terminals().written = outlet_.terminals().written + kAhead;
+  outlet_.ring_doorbell();
+  outlet_.line().wait_for(UplinkKind::kError);
+  EXPECT_TRUE(outlet_.line().has_error(wire::ErrorCode::kSamplesLost));
+  EXPECT_EQ(status().samples_lost, kAhead - terminals::kRingSamples / 2);
+  outlet_.line().read_until(
+      [&] { return outlet_.terminals().taken == outlet_.terminals().written; },
+      "the samples that are left to be taken");
+}
+
+TEST_F(Mps2, SettingsOutliveALossOfPower) {
+  start();
+  outlet_.line().send(settings_message(5));
+  const auto answer = outlet_.line().wait_for(UplinkKind::kSettingsAnswer).uplink.settings_answer;
+  EXPECT_TRUE(answer.kept);
+  outlet_.kill();
+  start();
+  EXPECT_EQ(hello_.settings_version, 5U);
+  EXPECT_EQ(hello_.settings_digest, outlet::digest(settings_message(5).settings));
+}
+
+// Power goes at random while settings come: what is in force at the next start is what was
+// acknowledged last, or something newer that was sent.
+TEST_F(Mps2, ALossOfPowerAtAnyMomentLeavesSettingsThatWereSent) {
+  constexpr int kCuts = 30;
+  std::mt19937 random(1);
+  std::map<std::uint32_t, std::uint32_t> digests = {{0, 0}};  // by version
+  std::uint32_t acknowledged = 0;
+  std::uint32_t sent = 0;
+  int cut_short = 0;
+  for (int cut = 0; cut < kCuts; ++cut) {
+    start();
+    ASSERT_EQ(digests.count(hello_.settings_version), 1U);
+    ASSERT_EQ(hello_.settings_digest, digests[hello_.settings_version]);
+    ASSERT_GE(hello_.settings_version, acknowledged);
+    Line& line = outlet_.line();
+    for (int i = 0; i < 20; ++i) {
+      const wire::Downlink message = settings_message(++sent);
+      digests[sent] = outlet::digest(message.settings);
+      line.send(message);
+    }
+    line.read_for(std::chrono::milliseconds(100));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 20'000));
+    outlet_.kill();
+    // What it said before it died.
+    for (std::size_t had = line.letters().size() + 1; line.letters().size() != had;) {
+      had = line.letters().size();
+      line.read_for(std::chrono::milliseconds(0));
+    }
+    for (const Letter& letter : line.of(UplinkKind::kSettingsAnswer)) {
+      ASSERT_TRUE(letter.uplink.settings_answer.kept);
+      acknowledged = std::max(acknowledged, letter.uplink.settings_answer.version);
+    }
+    if (acknowledged < sent) ++cut_short;
+  }
+  EXPECT_GT(acknowledged, 0U);
+  EXPECT_GT(cut_short, 0) << "each outlet had kept all of its settings before it died";
+}
+
+TEST_F(Mps2, TheWatchdogRestartsAFirmwareThatHangsAndTheRestartIsTold) {
+  start();
+  Line& line = outlet_.line();
+  line.send(settings_message(3));
+  line.wait_for(UplinkKind::kSettingsAnswer);
+  const std::size_t before = line.letters().size();
+  Debugger(outlet_.machine()).go_to(address_of_symbol(GSBENCH_M4_IMAGE, "gs_hang"));
+  const auto hello = line.wait_for(UplinkKind::kHello, before).uplink.hello;
+  EXPECT_EQ(hello.settings_version, 3U);
+  line.wait_for(UplinkKind::kError, before);
+  EXPECT_TRUE(line.has_error(wire::ErrorCode::kWatchdog));
+  EXPECT_EQ(outlet_.terminals().starts, 2U);
+}
+
+// The watchdog's whole time and half of it again.
+TEST_F(Mps2, AnOutletThatOnlyWaitsIsLeftAloneByItsWatchdog) {
+  start();
+  outlet_.line().read_for(std::chrono::milliseconds(15'000));
+  EXPECT_EQ(status().reports, 0U);
+  EXPECT_EQ(outlet_.terminals().starts, 1U);
+  EXPECT_FALSE(outlet_.line().has_error(wire::ErrorCode::kWatchdog));
+}
+
+// Everything that goes deep: settings, kept ones at a start, self test, a decision, every command.
+TEST_F(Mps2, TheStackKeepsAnEighthInReserve) {
+  start();
+  outlet_.line().send(settings_message(1));
+  outlet_.line().wait_for(UplinkKind::kSettingsAnswer);
+  outlet_.kill();
+  start();
+  Line& line = outlet_.line();
+  line.send(settings_message(2));
+  line.wait_for(UplinkKind::kSettingsAnswer);
+  MainsSpec spec;
+  spec.truth = loss_of(500.0, 1.0);
+  outlet_.play(Mains(spec).samples(0, 8000 * 4));
+  line.send(command(true));
+  line.send(question(wire::DownlinkKind::kIdentify));
+  line.send(question(wire::DownlinkKind::kAskSelfTest));
+  line.wait_for(UplinkKind::kSelfTest);
+  status();
+
+  const std::uint32_t bottom = address_of_symbol(GSBENCH_M4_IMAGE, "gs_stack_bottom");
+  const std::uint32_t top = address_of_symbol(GSBENCH_M4_IMAGE, "gs_stack_top");
+  const auto stack = Debugger(outlet_.machine()).memory(bottom, top - bottom);
+  std::size_t free = 0;
+  while (free < stack.size() && stack[free] == 0xA5) ++free;
+  std::cout << "stack: " << stack.size() - free << " of " << stack.size() << " bytes used\n";
+  RecordProperty("stack_bytes_used", static_cast<int>(stack.size() - free));
+  EXPECT_GE(free, stack.size() / 8);
+  EXPECT_LT(free, stack.size() / 2) << "was it painted, and did anything run?";
+}
+
+}  // namespace
+}  // namespace gs::test

@@ -1,0 +1,70 @@
+// The STM32F405's image in qemu's machine with that chip, which has its memories and USARTs, but
+// neither clocks nor DMA, flash that cannot be programmed, and no unique id.
+#include "emulated_outlet.hpp"
+#include <firmware_test/settings.hpp>
+
+#include <gtest/gtest.h>
+
+namespace gs::test {
+namespace {
+
+using wire::UplinkKind;
+
+class Stm32 : public testing::Test {
+ protected:
+  gsbench::test::TemporaryFolder folder_;
+  Machine machine_{
+      folder_.path().string(), {"-M", "netduinoplus2", "-kernel", GSBENCH_STM32_IMAGE}, 1};
+  Line line_{machine_.serial(0)};
+};
+
+TEST_F(Stm32, ComesUpWithoutAClockThatStartsAndSaysSo) {
+  const auto hello = line_.wait_for(UplinkKind::kHello).uplink.hello;
+  EXPECT_STREQ(hello.board, "stm32f405");
+  EXPECT_STREQ(hello.id, "stm32-00000000");
+  EXPECT_EQ(hello.sample_rate_hz, 8000);
+  EXPECT_EQ(hello.build, GSBENCH_FIRMWARE_BUILD);
+  line_.wait_for(UplinkKind::kError);
+  EXPECT_TRUE(line_.has_error(wire::ErrorCode::kClock));
+  EXPECT_FALSE(line_.has_error(wire::ErrorCode::kWatchdog));
+}
+
+TEST_F(Stm32, ItsSelfTestFindsWhatTheEmulatorLacksAndThatItsArithmeticIsRight) {
+  line_.wait_for(UplinkKind::kHello);
+  wire::Downlink ask;
+  ask.kind = wire::DownlinkKind::kAskSelfTest;
+  line_.send(ask);
+  EXPECT_EQ(line_.wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
+            wire::kClock | wire::kConverter);
+}
+
+TEST_F(Stm32, FollowsSettingsThatItsFlashDoesNotTakeAndSaysSo) {
+  line_.wait_for(UplinkKind::kHello);
+  line_.wait_for(UplinkKind::kError);
+  wire::Downlink message;
+  message.kind = wire::DownlinkKind::kSettings;
+  message.settings = ieee24_settings();
+  const std::size_t before = line_.letters().size();
+  line_.send(message);
+  const auto answer = line_.wait_for(UplinkKind::kSettingsAnswer).uplink.settings_answer;
+  EXPECT_EQ(answer.error, outlet::SettingsError::kNone);
+  EXPECT_EQ(answer.digest, outlet::digest(message.settings));
+  EXPECT_FALSE(answer.kept);
+  EXPECT_EQ(line_.wait_for(UplinkKind::kError, before).uplink.error.code,
+            wire::ErrorCode::kSettingsArea);
+}
+
+TEST_F(Stm32, ObeysCommands) {
+  line_.wait_for(UplinkKind::kHello);
+  wire::Downlink open;
+  open.kind = wire::DownlinkKind::kCommand;
+  open.close_relay = false;
+  open.request = 4;
+  line_.send(open);
+  const auto answer = line_.wait_for(UplinkKind::kCommandAnswer).uplink.command_answer;
+  EXPECT_EQ(answer.request, 4U);
+  EXPECT_FALSE(answer.closed);
+}
+
+}  // namespace
+}  // namespace gs::test

@@ -1,0 +1,75 @@
+// Flash that behaves as flash does, and loses power at a step of the test's choosing: each erase
+// and each programming takes several, and leaves in between what a real one may leave.
+#pragma once
+
+#include <settings_area/settings_area.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace gs::test {
+
+class SimulatedFlash : public settings_area::Flash {
+ public:
+  static constexpr std::size_t kWords = settings_area::kSlotBytes / 4;
+  static constexpr int kEraseSteps = 8;
+
+  SimulatedFlash() {
+    for (auto& slot : slots_) slot.fill(0xFFFFFFFFU);
+  }
+
+  // After so many more steps nothing is written any more; returns how many were taken till then.
+  void cut_power_after(int steps) { steps_left_ = steps; }
+  void restore_power() { steps_left_ = kAlways; }
+  bool has_power() const { return steps_left_ > 0; }
+
+  void refuse_to_program(bool refuses) { refuses_ = refuses; }
+  std::uint32_t& word(int slot, std::size_t offset) {
+    return slots_.at(static_cast<std::size_t>(slot)).at(offset / 4);
+  }
+  int erases(int slot) const { return erases_.at(static_cast<std::size_t>(slot)); }
+
+  bool erase(int slot) override {
+    ++erases_.at(static_cast<std::size_t>(slot));
+    // Not from front to back: words lose their charge as they please.
+    for (int step = 0; step < kEraseSteps; ++step) {
+      if (!take_step()) return true;
+      for (std::size_t i = 0; i < kWords; ++i) {
+        if ((i * 5 + 3) % kEraseSteps == static_cast<std::size_t>(step)) {
+          word(slot, 4 * i) = 0xFFFFFFFFU;
+        }
+      }
+    }
+    return true;
+  }
+
+  bool program(int slot, std::size_t offset, std::uint32_t value) override {
+    if (refuses_) return false;
+    // Half of the bits, then the other half; only ever from 1 to 0.
+    for (const std::uint32_t not_yet : {0x5A5A5A5AU, 0U}) {
+      if (!take_step()) return true;
+      word(slot, offset) &= value | not_yet;
+    }
+    return true;
+  }
+
+  std::uint32_t read(int slot, std::size_t offset) const override {
+    return slots_.at(static_cast<std::size_t>(slot)).at(offset / 4);
+  }
+
+ private:
+  static constexpr int kAlways = 1 << 30;
+
+  bool take_step() {
+    if (steps_left_ == 0) return false;
+    --steps_left_;
+    return true;
+  }
+
+  std::array<std::array<std::uint32_t, kWords>, settings_area::kSlots> slots_ = {};
+  std::array<int, settings_area::kSlots> erases_ = {};
+  int steps_left_ = kAlways;
+  bool refuses_ = false;
+};
+
+}  // namespace gs::test
