@@ -193,6 +193,7 @@ class RawClient {
 struct Capacity {
   double per_second = 0.0;            // flat out, on this machine with all it does beside
   double per_processor_second = 0.0;  // of the broker's alone
+  double client_share = 0.0;          // the raw client's processor time by the broker's
 };
 
 Capacity measure_capacity(const PrivateBroker& broker, const TemporaryFolder& folder) {
@@ -204,14 +205,17 @@ Capacity measure_capacity(const PrivateBroker& broker, const TemporaryFolder& fo
   std::uint8_t bytes[gs::wire::kLongestMessage];
   const std::size_t size = gs::wire::encode(ping(0), 0, bytes, sizeof bytes);
   const double before = processor_s(broker.pid());
+  const double client_before = own_processor_s();
   const auto begin = steady_clock::now();
   for (const std::string& id : ids) {
     bench.publish("gs/" + id + "/down", bytes, static_cast<int>(size));
   }
   const std::size_t all = kSenders * (kFlatOut + 1);  // the answer to the ping, too
   demand(wait_for([&] { return came >= all; }), "the broker lost messages");
-  return {static_cast<double>(all) / seconds_since(begin),
-          static_cast<double>(all) / (processor_s(broker.pid()) - before)};
+  const double wall_s = seconds_since(begin);
+  const double broker_s = processor_s(broker.pid()) - before;
+  return {static_cast<double>(all) / wall_s, static_cast<double>(all) / broker_s,
+          (own_processor_s() - client_before) / broker_s};
 }
 
 struct Carried {
@@ -344,6 +348,7 @@ int main() {
   const Capacity capacity = measure_capacity(broker, folder);
   print("the broker flat out, 200 outlets to one raw client", capacity.per_second, "messages/s");
   print("  of its own processor time", capacity.per_processor_second, "messages/s");
+  print("  the raw client's processor time by the broker's", capacity.client_share, "");
   const auto carried_outlets = std::min(
       kOutlets, static_cast<std::size_t>(kShareOfCapacity * capacity.per_second / kPerSecond));
 

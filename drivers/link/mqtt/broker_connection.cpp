@@ -1,5 +1,6 @@
 #include "broker_connection.hpp"
 
+#include "send_at_once.hpp"
 #include <mqtt/async_client.h>
 
 #include <chrono>
@@ -208,6 +209,7 @@ void BrokerConnection::Client::close() {
 }
 
 void BrokerConnection::Client::connected(const std::string&) {
+  send_at_once(options_.url);
   try {
     ask_for_filters();
   } catch (const mqtt::exception&) {
