@@ -1,7 +1,7 @@
-#include "../settings_area/simulated_flash.hpp"
 #include <bare_metal/loop.hpp>
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
+#include <firmware_test/simulated_flash.hpp>
 
 #include <deque>
 #include <vector>

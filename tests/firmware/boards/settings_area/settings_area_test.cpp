@@ -1,5 +1,5 @@
-#include "simulated_flash.hpp"
 #include <firmware_test/settings.hpp>
+#include <firmware_test/simulated_flash.hpp>
 #include <settings_area/settings_area.hpp>
 
 #include <functional>
