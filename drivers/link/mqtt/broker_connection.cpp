@@ -60,6 +60,8 @@ class BrokerConnection::Client final : public mqtt::callback, public mqtt::iacti
         arrivals_(arrivals),
         client_(paho_url(options.url), new_client_id(),
                 mqtt::create_options(MQTTVERSION_5, kMostWaiting)) {
+    // By default, Paho words and keeps a trace of every packet that nobody reads.
+    MQTTAsync_setTraceLevel(MQTTASYNC_TRACE_ERROR);
     client_.set_callback(*this);
   }
 
