@@ -6,7 +6,6 @@ set(m4_libraries
     firmware_boards_settings_area
     firmware_boards_bare_metal
     firmware_boards_cortex_m4)
-string(SUBSTRING ${GSBENCH_FIRMWARE_SHA256} 0 8 m4_build)
 
 # Of images: what ships, and what must not be, for the tests that show that they would see it.
 set(GSBENCH_M4_O2 -O2 -ffp-contract=off)
@@ -36,7 +35,7 @@ function(gs_m4_image name)
     ${name} PROPERTIES SUFFIX .elf LINK_DEPENDS
                        "${CMAKE_CURRENT_SOURCE_DIR}/memory.ld;${m4_folder}/sections.ld")
   target_include_directories(${name} PRIVATE ${include_roots})
-  target_compile_definitions(${name} PRIVATE GSBENCH_FIRMWARE_BUILD=0x${m4_build}u NDEBUG)
+  target_compile_definitions(${name} PRIVATE GSBENCH_FIRMWARE_BUILD=${GSBENCH_FIRMWARE_BUILD} NDEBUG)
   target_compile_options(
     ${name}
     PRIVATE -fno-exceptions

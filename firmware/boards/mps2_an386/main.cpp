@@ -1,9 +1,10 @@
 #include "cmsdk.hpp"
 #include "mps2_board.hpp"
-#include "terminal_flash.hpp"
 #include <bare_metal/loop.hpp>
 #include <cortex_m4/core.hpp>
 #include <cortex_m4/vectors.hpp>
+
+#include <terminals/terminal_flash.hpp>
 
 namespace gs::mps2_an386 {
 namespace {
@@ -74,7 +75,7 @@ int main() {
   }
   mps2_an386::Mps2Board& board = mps2_an386::board();
   board.start();
-  static mps2_an386::TerminalFlash flash(mps2_an386::terminals());
+  static terminals::TerminalFlash flash(mps2_an386::terminals());
   static settings_area::FlashSettingsArea area(flash);
   static bare_metal::Loop loop(board, area);
   loop.start(mps2_an386::start_up());

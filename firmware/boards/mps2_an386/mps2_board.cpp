@@ -9,7 +9,6 @@ namespace gs::mps2_an386 {
 namespace {
 
 using cortex_m4::InterruptsMasked;
-using terminals::kPinEdges;
 using terminals::kRingSamples;
 
 constexpr std::uint32_t kBaud = 921'600;
@@ -38,8 +37,7 @@ void note_watchdog() {
 }
 
 void Mps2Board::start() {
-  terminals_.starts = terminals_.starts + 1;
-  terminals_.taken = terminals_.written;
+  port_.start();
   uart0().BAUDDIV = kClockHz / kBaud;
   uart0().CTRL = kCtrlTxEnable | kCtrlRxEnable | kCtrlTxInterrupt | kCtrlRxInterrupt;
   uart1().BAUDDIV = kClockHz / kBaud;
@@ -73,42 +71,11 @@ std::size_t Mps2Board::take_samples(std::int16_t* out, std::size_t most, std::ui
   if (converter_rests()) {
     return 0;
   }
-  const std::uint32_t taken = terminals_.taken;
-  const std::uint32_t waiting = terminals_.written - taken;
-  std::size_t count = waiting < most ? waiting : most;
-  cortex_m4::memory_barrier();
-  for (std::size_t i = 0; i < count; ++i) {
-    out[i] = terminals_.ring[(taken + i) % kRingSamples];
-  }
-  cortex_m4::memory_barrier();
-  // Looked at after the copy: what was written over meanwhile is lost as well.
-  const std::uint32_t ahead = terminals_.written - taken;
-  if (ahead > kRingSamples) {
-    // Half a ring on, where the bench will not be at once.
-    lost = ahead - kRingSamples / 2;
-    count = 0;
-  }
-  terminals_.taken = taken + lost + static_cast<std::uint32_t>(count);
-  return count;
+  return port_.take_samples(out, most, lost);
 }
 
 bool Mps2Board::take_byte(std::uint8_t& byte) {
   return received_.take(byte);
-}
-
-bool Mps2Board::relay_closed() const {
-  const std::uint32_t edges = terminals_.edges;
-  return edges == 0 || terminals_.edge[(edges - 1) % kPinEdges].closed != 0;
-}
-
-void Mps2Board::drive_relay(bool closed) {
-  if (closed == relay_closed()) {
-    return;
-  }
-  const std::uint32_t edges = terminals_.edges;
-  terminals_.edge[edges % kPinEdges] = {terminals_.taken, closed ? 1u : 0u};
-  cortex_m4::memory_barrier();
-  terminals_.edges = edges + 1;
 }
 
 void Mps2Board::feed_watchdog() {

@@ -4,13 +4,13 @@
 #include <bare_metal/board.hpp>
 #include <bare_metal/byte_ring.hpp>
 
-#include <terminals/terminals.hpp>
+#include <terminals/terminal_port.hpp>
 
 namespace gs::mps2_an386 {
 
 class Mps2Board final : public bare_metal::Board {
  public:
-  explicit Mps2Board(terminals::Terminals& terminals) : terminals_(terminals) {}
+  explicit Mps2Board(terminals::Terminals& terminals) : terminals_(terminals), port_(terminals) {}
 
   // After the terminals are written: link, doorbell and watchdog run, the mains is followed from
   // its newest sample on.
@@ -20,7 +20,7 @@ class Mps2Board final : public bare_metal::Board {
   bool send(const std::uint8_t* bytes, std::size_t count) override;
   std::size_t take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) override;
   bool take_byte(std::uint8_t& byte) override;
-  void drive_relay(bool closed) override;
+  void drive_relay(bool closed) override { port_.drive_relay(closed); }
   void feed_watchdog() override;
   // The samples are this outlet's time. Where the link falls behind, as it does when they come
   // faster than real time, they wait, up to half a ring; beyond, messages are dropped as on a real
@@ -32,9 +32,9 @@ class Mps2Board final : public bare_metal::Board {
 
  private:
   void pump();
-  bool relay_closed() const;
 
-  terminals::Terminals& terminals_;
+  const terminals::Terminals& terminals_;
+  terminals::TerminalPort port_;
   bare_metal::ByteRing<512> received_;
   bare_metal::ByteRing<1024> to_send_;
 };

@@ -53,6 +53,11 @@ class Mps2 : public testing::Test {
     outlet_.start(GSBENCH_M4_IMAGE);
     hello_ = outlet_.line().wait_for(UplinkKind::kHello).uplink.hello;
   }
+  // The pin changes just after it is told.
+  void wait_for_edges(std::uint32_t count) {
+    outlet_.line().read_until([&] { return outlet_.terminals().edges == count; },
+                              "edge " + std::to_string(count) + " of the pin");
+  }
   wire::Status status() {
     Line& line = outlet_.line();
     const std::size_t first = line.letters().size();
@@ -82,12 +87,12 @@ TEST_F(Mps2, ThePinFollowsCommandsAndIsClosedAgainAfterALossOfPower) {
   outlet_.play(quiet_mains(0.5));
   line.send(command(false));
   line.wait_for(UplinkKind::kRelay);
-  ASSERT_EQ(outlet_.terminals().edges, 1U);
+  wait_for_edges(1);
   EXPECT_EQ(outlet_.terminals().edge[0].closed, 0U);
   EXPECT_EQ(outlet_.terminals().edge[0].sample, 4000U);
   outlet_.kill();
   start();
-  ASSERT_EQ(outlet_.terminals().edges, 2U);
+  wait_for_edges(2);
   EXPECT_EQ(outlet_.terminals().edge[1].closed, 1U);
   EXPECT_EQ(outlet_.terminals().starts, 2U);
 }

@@ -27,10 +27,14 @@ class Loop {
   // be served; the loop then only turns.
   bool start(const StartUp& start_up);
 
+  // Says hello again, to whom it may have escaped.
+  void introduce() { node_.receive(identify(), endpoint_); }
+
   // False where there was nothing to do: the board may sleep until an interrupt.
   bool turn();
 
  private:
+  static wire::Downlink identify();
   bool take_bytes();
   bool take_samples();
 

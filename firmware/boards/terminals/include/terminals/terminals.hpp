@@ -12,7 +12,7 @@
 
 namespace gs::terminals {
 
-constexpr std::uint32_t kMagic = 0x47535431u;    // "GST1"
+constexpr std::uint32_t kMagic = 0x47535431u;     // "GST1"
 constexpr std::uint32_t kRingSamples = 1u << 16;  // 8 s at 8 kHz
 constexpr std::uint32_t kPinEdges = 256;
 constexpr std::size_t kFlashSlotBytes = 4096;

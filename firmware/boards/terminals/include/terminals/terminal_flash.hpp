@@ -1,15 +1,15 @@
-// The emulated outlet's flash: bytes in the terminals, that outlive the emulator.
+// An emulated outlet's flash: bytes in the terminals, that outlive its process.
 #pragma once
 
 #include <settings_area/settings_area.hpp>
 
 #include <terminals/terminals.hpp>
 
-namespace gs::mps2_an386 {
+namespace gs::terminals {
 
 class TerminalFlash final : public settings_area::Flash {
  public:
-  explicit TerminalFlash(terminals::Terminals& terminals) : terminals_(terminals) {}
+  explicit TerminalFlash(Terminals& terminals) : terminals_(terminals) {}
 
   bool erase(int slot) override;
   bool program(int slot, std::size_t offset, std::uint32_t word) override;
@@ -18,7 +18,7 @@ class TerminalFlash final : public settings_area::Flash {
  private:
   volatile std::uint32_t& word(int slot, std::size_t offset) const;
 
-  terminals::Terminals& terminals_;
+  Terminals& terminals_;
 };
 
-}  // namespace gs::mps2_an386
+}  // namespace gs::terminals

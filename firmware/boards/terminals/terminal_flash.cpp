@@ -1,16 +1,16 @@
-#include "terminal_flash.hpp"
+#include <terminals/terminal_flash.hpp>
 
-namespace gs::mps2_an386 {
+namespace gs::terminals {
 
-static_assert(settings_area::kSlots <= static_cast<int>(terminals::kFlashSlots));
-static_assert(settings_area::kSlotBytes <= terminals::kFlashSlotBytes);
+static_assert(settings_area::kSlots <= static_cast<int>(kFlashSlots));
+static_assert(settings_area::kSlotBytes <= kFlashSlotBytes);
 
 volatile std::uint32_t& TerminalFlash::word(int slot, std::size_t offset) const {
   return *reinterpret_cast<volatile std::uint32_t*>(terminals_.flash[slot] + offset);
 }
 
 bool TerminalFlash::erase(int slot) {
-  for (std::size_t at = 0; at < terminals::kFlashSlotBytes; at += sizeof(std::uint32_t)) {
+  for (std::size_t at = 0; at < kFlashSlotBytes; at += sizeof(std::uint32_t)) {
     word(slot, at) = 0xFFFFFFFFu;
   }
   return true;
@@ -26,4 +26,4 @@ std::uint32_t TerminalFlash::read(int slot, std::size_t offset) const {
   return word(slot, offset);
 }
 
-}  // namespace gs::mps2_an386
+}  // namespace gs::terminals

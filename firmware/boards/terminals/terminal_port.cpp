@@ -1,0 +1,54 @@
+#include <terminals/terminal_port.hpp>
+
+namespace gs::terminals {
+namespace {
+
+// Between what a counter counts and the counter.
+void barrier() {
+  __atomic_thread_fence(__ATOMIC_SEQ_CST);
+}
+
+}  // namespace
+
+void TerminalPort::start() {
+  terminals_.starts = terminals_.starts + 1;
+  terminals_.taken = terminals_.written;
+}
+
+std::size_t TerminalPort::take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) {
+  const std::uint32_t taken = terminals_.taken;
+  const std::uint32_t waiting = terminals_.written - taken;
+  std::size_t count = waiting < most ? waiting : most;
+  barrier();
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i] = terminals_.ring[(taken + i) % kRingSamples];
+  }
+  barrier();
+  // Looked at after the copy: what was written over meanwhile is lost as well.
+  const std::uint32_t ahead = terminals_.written - taken;
+  lost = 0;
+  if (ahead > kRingSamples) {
+    // Half a ring on, where the bench will not be at once.
+    lost = ahead - kRingSamples / 2;
+    count = 0;
+  }
+  terminals_.taken = taken + lost + static_cast<std::uint32_t>(count);
+  return count;
+}
+
+bool TerminalPort::relay_closed() const {
+  const std::uint32_t edges = terminals_.edges;
+  return edges == 0 || terminals_.edge[(edges - 1) % kPinEdges].closed != 0;
+}
+
+void TerminalPort::drive_relay(bool closed) {
+  if (closed == relay_closed()) {
+    return;
+  }
+  const std::uint32_t edges = terminals_.edges;
+  terminals_.edge[edges % kPinEdges] = {terminals_.taken, closed ? 1u : 0u};
+  barrier();
+  terminals_.edges = edges + 1;
+}
+
+}  // namespace gs::terminals
