@@ -54,6 +54,14 @@ struct Fields<RunRecord> {
     visitor("profile_sha256", run.profile_sha256);
     visitor("profile_text", run.profile_text);
     visitor("grid", run.grid);
+    visitor("grid_sha256", run.grid_sha256);
+    visitor("recording_file", run.recording.file);
+    visitor("recording_sha256", run.recording.sha256);
+    visitor("recording_time", run.recording.time);
+    visitor("recording_frequency", run.recording.frequency);
+    visitor("recording_voltage", run.recording.voltage);
+    visitor("recording_nominal_voltage", run.recording.nominal_voltage);
+    visitor("recording_replaces_profile", run.recording.replaces_profile);
     visitor("station", run.station);
     visitor("noise", run.noise);
     visitor("firmware_sha256", run.firmware_sha256);
@@ -61,6 +69,7 @@ struct Fields<RunRecord> {
     visitor("sample_rate_hz", run.sample_rate_hz);
     visitor("duration_ticks", run.duration_ticks);
     visitor("nominal_hz", run.nominal_hz);
+    visitor("interrupted", run.interrupted);
     visitor("verdict", run.verdict);
     visitor("verdict_reason", run.verdict_reason);
   }

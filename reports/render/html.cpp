@@ -80,6 +80,7 @@ List facts(const record::RunRecord& run) {
   add("Profile", run.profile);
   add("Source", run.profile_source);
   add("Grid", run.grid);
+  add("Recording", run.recording.file);
   add("Station", run.station);
   add("Noise", run.noise);
   add("Duration", with_unit(figure(duration_s), "s") + " at " +
@@ -92,7 +93,19 @@ List facts(const record::RunRecord& run) {
   add("Run", run.run_id, true);
   add("Firmware SHA-256", run.firmware_sha256, true);
   add("Profile SHA-256", run.profile_sha256, true);
+  add("Grid SHA-256", run.grid_sha256, true);
+  add("Recording SHA-256", run.recording.sha256, true);
   add("Content SHA-256", record::content_digest(run), true);
+  return list;
+}
+
+List fault_rows(const std::vector<const record::OutletRecord*>& faulty) {
+  List list;
+  for (std::size_t i = 0; i < std::min(faulty.size(), kMostShortfalls); ++i) {
+    object row{{"outlet", valid_text(faulty[i]->id)}, {"text", outlet_sentence(*faulty[i])}};
+    set_verdict(row, faulty[i]->verdict);
+    list.push_back(row);
+  }
   return list;
 }
 
@@ -152,6 +165,15 @@ List setting_rows(const record::OutletRecord& outlet) {
   return list;
 }
 
+std::string clock_text(const record::Clock& clock) {
+  if (clock.uncertainty_ms == 0.0 && clock.drift_uncertainty_ppm == 0.0) {
+    return "the source's own ticks";
+  }
+  return typographic(fmt::format("{} ± {} ppm fast, stamps within {}", figure(clock.drift_ppm, 3),
+                                 figure(clock.drift_uncertainty_ppm, 2),
+                                 with_unit(figure(clock.uncertainty_ms, 2), "ms")));
+}
+
 object outlet_object(const record::RunRecord& run, std::size_t index,
                      const std::vector<KeyFigure>& keys) {
   const record::OutletRecord& outlet = run.outlets[index];
@@ -165,6 +187,9 @@ object outlet_object(const record::RunRecord& run, std::size_t index,
               {"link", valid_text(outlet.link)},
               {"firmware", valid_text(outlet.firmware)},
               {"settings_digest", valid_text(outlet.settings_digest)},
+              {"fault", valid_text(outlet.fault)},
+              {"has_fault", flag(!outlet.fault.empty())},
+              {"clock", clock_text(outlet.clock)},
               {"open", flag(outlet.verdict != Verdict::kPass)},
               {"cells", cells},
               {"measurements", measurement_rows(outlet)},
@@ -221,6 +246,7 @@ std::size_t outlet_drawn_first(const record::RunRecord& run) {
 object page(const record::RunRecord& run) {
   const std::vector<KeyFigure> keys = key_figures(run, kMostColumns);
   const std::vector<Shortfall> missed = shortfalls(run);
+  const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
   List headings;
   for (const KeyFigure& key : keys) {
     headings.push_back(object{{"heading", std::string(key.heading)}});
@@ -230,13 +256,15 @@ object page(const record::RunRecord& run) {
     outlets.push_back(outlet_object(run, i, keys));
   }
   const std::string note = thinning_note(run);
+  const std::string played = played_sentence(run);
   object view{{"title", valid_text(run.profile_title.empty() ? run.profile : run.profile_title)},
               {"profile", valid_text(run.profile)},
               {"run_id", valid_text(run.run_id)},
               {"run_id_css", css_text(run.run_id)},
               {"sentence", verdict_sentence(run)},
               {"facts", facts(run)},
-              {"has_missed", flag(!missed.empty())},
+              {"has_missed", flag(!missed.empty() || !faulty.empty())},
+              {"faults", fault_rows(faulty)},
               {"missed", shortfall_rows(missed)},
               {"more_missed", flag(missed.size() > kMostShortfalls)},
               {"missed_in_all", std::to_string(missed.size())},
@@ -248,6 +276,11 @@ object page(const record::RunRecord& run) {
               {"comparisons", comparison_rows(run)},
               {"has_thinning_note", flag(!note.empty())},
               {"thinning_note", note},
+              {"profile_heading", std::string(run.recording.replaces_profile
+                                                  ? "The profile, and what was played in its place"
+                                                  : "The profile as it was played")},
+              {"has_played", flag(!played.empty())},
+              {"played", played},
               {"profile_text", valid_text(run.profile_text)},
               {"plot_data", plot_data(run)},
               {"report_css", std::string(templates::report_css)},

@@ -94,7 +94,7 @@ std::string junit_xml(const record::RunRecord& run) {
     std::vector<Case> cases;
     for (const auto& result : outlet.measurements) cases.push_back(case_of(result));
     if (outlet.verdict > worst(cases)) {
-      cases.push_back(own_verdict("outlet", outlet.verdict, "the outlet as a whole"));
+      cases.push_back(own_verdict("outlet", outlet.verdict, outlet_sentence(outlet)));
     }
     told = std::max(told, worst(cases));
     write_suite(xml, run, outlet.id, cases);

@@ -38,6 +38,32 @@ std::string shortfall_text(const record::MeasurementResult& result) {
   return text;
 }
 
+std::string outlet_sentence(const record::OutletRecord& outlet) {
+  return outlet.fault.empty() ? "the outlet as a whole" : "it " + valid_text(outlet.fault);
+}
+
+std::vector<const record::OutletRecord*> faulty_outlets(const record::RunRecord& run) {
+  std::vector<const record::OutletRecord*> faulty;
+  for (const record::OutletRecord& outlet : run.outlets) {
+    if (!outlet.fault.empty()) faulty.push_back(&outlet);
+  }
+  return faulty;
+}
+
+std::string played_sentence(const record::RunRecord& run) {
+  const record::Recording& recording = run.recording;
+  if (recording.file.empty()) return "";
+  std::string columns = "columns " + recording.time + ", " + recording.frequency;
+  if (!recording.voltage.empty()) columns += ", " + recording.voltage;
+  const std::string what =
+      fmt::format("the recording {} ({}; SHA-256 {})", recording.file, columns, recording.sha256);
+  return valid_text(recording.replaces_profile
+                        ? "Played was " + what +
+                              ", to its end, in place of all frequency, losses, amplitude steps "
+                              "and phase jumps of this profile."
+                        : "Its [signal.trace] is " + what + ".");
+}
+
 std::string verdict_sentence(const record::RunRecord& run) {
   std::size_t judged = 0;
   for (const record::OutletRecord& outlet : run.outlets) {

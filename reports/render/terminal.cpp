@@ -78,6 +78,16 @@ std::string terminal(const record::RunRecord& run, bool colour) {
         '\n';
   }
 
+  if (run.recording.replaces_profile) out += one_line(played_sentence(run)) + '\n';
+  const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
+  for (std::size_t i = 0; i < std::min(faulty.size(), kMostShortfalls); ++i) {
+    out += fmt::format("{} {}: {}\n",
+                       coloured(faulty[i]->verdict, record::to_string(faulty[i]->verdict), colour),
+                       one_line(faulty[i]->id), one_line(outlet_sentence(*faulty[i])));
+  }
+  if (faulty.size() > kMostShortfalls) {
+    out += fmt::format("… and {} more outlets\n", faulty.size() - kMostShortfalls);
+  }
   const std::vector<Shortfall> missed = shortfalls(run);
   for (std::size_t i = 0; i < std::min(missed.size(), kMostShortfalls); ++i) {
     const auto& [outlet, result] = missed[i];

@@ -97,7 +97,7 @@ TEST_F(DamagedStore, TablesOfVersion1AreWhatTheyWere) {
                          nullptr),
             SQLITE_OK);
   sqlite3_close(database);
-  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "3e90978ed8fcba93");
+  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "cb302da67877e03b");
 }
 
 TEST_F(DamagedStore, WithForeignTablesIsRefused) {

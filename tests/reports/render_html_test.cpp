@@ -55,6 +55,43 @@ TEST(Html, ShowsVerdictReasonFactsAndEveryMeasurement) {
   EXPECT_THAT(page, HasSubstr("noise_pct = 1.0   # &lt;white&gt;"));   // the profile's text
 }
 
+TEST(Html, SaysThatARecordingWasPlayedInPlaceOfTheProfile) {
+  RunRecord run = sample::loss_500mw(1);
+  EXPECT_THAT(html(run), HasSubstr("The profile as it was played</h2>"));
+  EXPECT_THAT(html(run), Not(HasSubstr("id=\"played\"")));
+  run.grid_sha256 = "ab12";
+  run.recording = {"grid.csv", "cd34", "t", "f", "u", 230.0, true};
+  const std::string page = html(run);
+  EXPECT_THAT(page, Not(HasSubstr("The profile as it was played")));
+  const std::string said = between(page, "id=\"played\">", "</p>");
+  for (const char* part : {"recording grid.csv", "columns t, f, u", "cd34", "in place of"}) {
+    EXPECT_THAT(said, HasSubstr(part));
+  }
+  EXPECT_THAT(page, HasSubstr("<code>ab12</code>"));
+}
+
+TEST(Html, NamesTheRecordingOfAProfile) {
+  RunRecord run = sample::loss_500mw(1);
+  run.recording = {"grid.csv", "cd34", "t", "f", "", 0.0, false};
+  const std::string page = html(run);
+  EXPECT_THAT(page, HasSubstr("The profile as it was played</h2>"));
+  EXPECT_THAT(between(page, "id=\"played\">", "</p>"),
+              HasSubstr("[signal.trace] is the recording grid.csv"));
+}
+
+TEST(Html, TellsWhatWentWrongWithAnOutletAndHowItsClockRan) {
+  RunRecord run = sample::loss_500mw(2);
+  EXPECT_THAT(html(run), HasSubstr("<dt>Clock</dt><dd>the source&apos;s own ticks</dd>"));
+  run.outlets[1].verdict = Verdict::kError;
+  run.outlets[1].fault = "fell <silent>";
+  run.outlets[1].clock = {-12.5, 0.4, 0.05};
+  const std::string page = html(run);
+  EXPECT_THAT(page, HasSubstr("What did not pass"));
+  EXPECT_THAT(page, HasSubstr("<b>stays-2</b> it fell &lt;silent&gt;</li>"));
+  EXPECT_THAT(page, HasSubstr("stays-2: it fell &lt;silent&gt;</summary>"));
+  EXPECT_THAT(page, HasSubstr("−12.5 ± 0.4 ppm fast, stamps within 0.05 ms"));
+}
+
 TEST(Html, AsksForNoOtherFile) {
   const std::string page = html(sample::loss_500mw(1));
   EXPECT_THAT(page, Not(HasSubstr("<script src")));
@@ -68,19 +105,38 @@ TEST(Html, AsksForNoOtherFile) {
 TEST(Html, EscapesEveryTextOfTheRecord) {
   RunRecord run = sample::loss_500mw(1);
   const std::string plain = html(run);
-  for (std::string* text :
-       {&run.run_id, &run.started_utc, &run.finished_utc, &run.gsbench_version, &run.profile,
-        &run.profile_title, &run.profile_source, &run.profile_sha256, &run.profile_text, &run.grid,
-        &run.station, &run.noise, &run.firmware_sha256, &run.verdict_reason,
-        &run.comparisons[0].name, &run.comparisons[0].unit, &run.comparisons[0].note,
-        &run.stimulus[0].kind, &run.stimulus[0].text}) {
+  for (std::string* text : {&run.run_id,
+                            &run.started_utc,
+                            &run.finished_utc,
+                            &run.gsbench_version,
+                            &run.profile,
+                            &run.profile_title,
+                            &run.profile_source,
+                            &run.profile_sha256,
+                            &run.profile_text,
+                            &run.grid,
+                            &run.grid_sha256,
+                            &run.recording.file,
+                            &run.recording.sha256,
+                            &run.recording.time,
+                            &run.recording.frequency,
+                            &run.recording.voltage,
+                            &run.station,
+                            &run.noise,
+                            &run.firmware_sha256,
+                            &run.verdict_reason,
+                            &run.comparisons[0].name,
+                            &run.comparisons[0].unit,
+                            &run.comparisons[0].note,
+                            &run.stimulus[0].kind,
+                            &run.stimulus[0].text}) {
     *text = kAttack;
   }
   record::OutletRecord& outlet = run.outlets[0];
   outlet.settings[kAttack] = 1.0;
   outlet.marks[0] = {1, kAttack, 1.0, kAttack};
-  for (std::string* text :
-       {&outlet.id, &outlet.group, &outlet.link, &outlet.firmware, &outlet.settings_digest}) {
+  for (std::string* text : {&outlet.id, &outlet.group, &outlet.link, &outlet.firmware,
+                            &outlet.settings_digest, &outlet.fault}) {
     *text = kAttack;
   }
   for (auto& result : outlet.measurements) {

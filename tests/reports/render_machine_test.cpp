@@ -29,11 +29,61 @@ std::vector<std::string> keys(const nlohmann::ordered_json& object) {
 
 TEST(Json, HasTheKeysScriptsRelyOn) {
   const auto whole = nlohmann::ordered_json::parse(json(sample::loss_500mw(1)));
-  EXPECT_THAT(keys(whole), ElementsAre("run_id", "profile", "profile_sha256", "firmware_sha256",
-                                       "seed", "verdict", "outlets"));
-  EXPECT_THAT(keys(whole["outlets"][0]), ElementsAre("id", "verdict", "measurements"));
+  EXPECT_THAT(keys(whole), ElementsAre("run_id", "profile", "profile_sha256", "grid", "grid_sha256",
+                                       "recording", "firmware_sha256", "seed", "interrupted",
+                                       "verdict", "verdict_reason", "outlets"));
+  EXPECT_THAT(keys(whole["outlets"][0]),
+              ElementsAre("id", "group", "link", "verdict", "fault", "clock", "measurements"));
   EXPECT_THAT(keys(whole["outlets"][0]["measurements"][0]),
-              ElementsAre("name", "value", "unit", "low", "high", "uncertainty", "verdict"));
+              ElementsAre("name", "value", "unit", "low", "high", "uncertainty", "judged",
+                          "expected_word", "verdict", "reason"));
+}
+
+TEST(Json, GivesNoVerdictOnWhatWasNotJudgedAndAReasonForWhatDidNotPass) {
+  RunRecord run = sample::loss_500mw(1);
+  run.verdict_reason = "1 of 1 outlets did not pass";
+  auto& delay = sample::measurement(run.outlets[0], "event.delay");
+  delay.verdict = Verdict::kFail;
+  delay.reason = "outside its limits";
+  const auto whole = nlohmann::ordered_json::parse(json(run));
+  EXPECT_EQ(whole["verdict_reason"], run.verdict_reason);
+  std::map<std::string, nlohmann::ordered_json> results;
+  for (const auto& result : whole["outlets"][0]["measurements"]) results[result["name"]] = result;
+  EXPECT_EQ(results["lse.loss"]["judged"], false);
+  EXPECT_TRUE(results["lse.loss"]["verdict"].is_null());
+  EXPECT_EQ(results["event.delay"]["judged"], true);
+  EXPECT_EQ(results["event.delay"]["verdict"], "FAIL");
+  EXPECT_EQ(results["event.delay"]["reason"], "outside its limits");
+  EXPECT_TRUE(results["event.delay"]["expected_word"].is_null());
+  EXPECT_EQ(results["decision.cause"]["expected_word"], results["decision.cause"]["value"]);
+}
+
+TEST(Json, TellsAnOutletsFaultAndClock) {
+  RunRecord run = sample::loss_500mw(2);
+  run.outlets[0].fault = "fell silent after its sample 4711";
+  run.outlets[0].clock = {12.5, 0.4, 0.05};
+  const auto outlets = nlohmann::json::parse(json(run))["outlets"];
+  EXPECT_EQ(outlets[0]["fault"], "fell silent after its sample 4711");
+  EXPECT_EQ(outlets[0]["clock"],
+            (nlohmann::json{
+                {"drift_ppm", 12.5}, {"drift_uncertainty_ppm", 0.4}, {"uncertainty_ms", 0.05}}));
+  EXPECT_TRUE(outlets[1]["fault"].is_null());
+}
+
+TEST(Json, NamesTheRecordingThatWasPlayedAndTheGridByTheirContent) {
+  RunRecord run = sample::loss_500mw(1);
+  EXPECT_TRUE(nlohmann::json::parse(json(run))["recording"].is_null());
+  run.grid_sha256 = "ab12";
+  run.recording = {"grid.csv", "cd34", "t", "f", "u", 230.0, true};
+  const auto whole = nlohmann::json::parse(json(run));
+  EXPECT_EQ(whole["grid_sha256"], "ab12");
+  EXPECT_EQ(whole["recording"], (nlohmann::json{{"file", "grid.csv"},
+                                                {"sha256", "cd34"},
+                                                {"time", "t"},
+                                                {"frequency", "f"},
+                                                {"voltage", "u"},
+                                                {"nominal_voltage", 230.0},
+                                                {"replaces_profile", true}}));
 }
 
 TEST(Json, GivesNumbersInFullNoneAsNullAndWordsAsWords) {
@@ -103,6 +153,15 @@ TEST(JunitXml, HasASuiteAnOutletAndACaseAMeasurement) {
   ASSERT_EQ(cases.size(), 28U);
   EXPECT_EQ(cases[3].attributes.at("name"), "event.delay");
   EXPECT_EQ(cases[3].attributes.at("classname"), "paper/loss-500mw.sheds-1");
+}
+
+TEST(JunitXml, TellsWhatWentWrongWithAnOutlet) {
+  RunRecord run = sample::loss_500mw(1);
+  run.outlets[0].verdict = Verdict::kError;
+  run.outlets[0].fault = "fell silent after its sample 4711";
+  const auto errors = named(elements(junit_xml(run)), "error");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].attributes.at("message"), "it fell silent after its sample 4711");
 }
 
 TEST(JunitXml, FailsWhatIsNotPass) {

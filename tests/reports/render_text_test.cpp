@@ -144,6 +144,22 @@ TEST(Terminal, ListsWhatDidNotPassUpToTen) {
   EXPECT_EQ(all.back(), "FAIL: 38 of 38 judged measurements on 4 outlets did not pass.");
 }
 
+TEST(Terminal, TellsWhatWentWrongWithAnOutlet) {
+  RunRecord run = sample::loss_500mw(2);
+  run.outlets[1].verdict = run.verdict = Verdict::kError;
+  run.outlets[1].fault = "fell silent after its sample 4711";
+  EXPECT_THAT(lines(terminal(run, false)),
+              Contains("ERROR stays-2: it fell silent after its sample 4711"));
+}
+
+TEST(Terminal, SaysWhatWasPlayedInPlaceOfTheProfile) {
+  RunRecord run = sample::loss_500mw(1);
+  run.recording = {"grid.csv", "cd34", "t", "f", "", 0.0, true};
+  EXPECT_THAT(
+      lines(terminal(run, false)),
+      Contains(StartsWith("Played was the recording grid.csv (columns t, f; SHA-256 cd34)")));
+}
+
 TEST(Terminal, ShowsTheMeasurementsTheRunHas) {
   RunRecord run = sample::steady(1, 1.0);
   record::MeasurementResult error;

@@ -96,6 +96,17 @@ struct Comparison {
   std::string note;  // why they differ; may be empty
 };
 
+// A CSV recording whose frequency was played. All empty where none was.
+struct Recording {
+  std::string file;  // as it was named
+  std::string sha256;
+  std::string time;  // columns
+  std::string frequency;
+  std::string voltage;            // empty: nominal voltage
+  double nominal_voltage = 0.0;   // in that column's unit; 0: the column's median
+  bool replaces_profile = false;  // it came in place of what the profile itself would have played
+};
+
 struct RunRecord {
   std::string run_id;       // unique; differs from run to run
   std::string started_utc;  // ISO 8601; wall clock, differs from run to run
@@ -107,6 +118,8 @@ struct RunRecord {
   std::string profile_sha256;
   std::string profile_text;
   std::string grid;
+  std::string grid_sha256;  // of the grid file's text; empty where the profile holds the grid
+  Recording recording;
   std::string station;          // "simulated"
   std::string noise;            // "1 % white, independent at each outlet"
   std::string firmware_sha256;  // of the firmware sources in this build
@@ -114,6 +127,7 @@ struct RunRecord {
   std::int64_t sample_rate_hz = 0;
   std::int64_t duration_ticks = 0;
   double nominal_hz = 50.0;
+  bool interrupted = false;  // stopped from outside before its end
   Verdict verdict = Verdict::kPass;
   std::string verdict_reason;  // one sentence where it is not PASS
   std::vector<Comparison> comparisons;
