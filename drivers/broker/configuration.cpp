@@ -8,7 +8,6 @@
 
 namespace gsbench::broker {
 
-using drivers::Done;
 using drivers::Error;
 using drivers::Result;
 using drivers::Status;

@@ -54,9 +54,10 @@ Status write_private(const std::string& file, const std::string& text) {
   while (done < text.size()) {
     const ssize_t written = write(descriptor, text.data() + done, text.size() - done);
     if (written <= 0) {
-      const std::string why = std::strerror(errno);
+      std::string why = file + ": ";
+      why += std::strerror(errno);
       close(descriptor);
-      return Error{file + ": " + why};
+      return Error{why};
     }
     done += static_cast<std::size_t>(written);
   }

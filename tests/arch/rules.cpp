@@ -33,10 +33,11 @@ const std::vector<FolderRule>& folder_rules() {
         "firmware/boards/bare_metal", "firmware/boards/cortex_m4"}},
       {"drivers/common", {}, "drivers"},
       {"drivers/source", {"drivers/common", "firmware/wire", "drivers/link", "drivers/relay"}},
+      // Below drivers/link, and before it: the first that fits counts.
+      {"drivers/link/serial", {"drivers/common", "drivers/link", "firmware/wire"}, "link_serial"},
+      {"drivers/link/mqtt", {"drivers/common", "drivers/link", "firmware/wire"}, "link_mqtt"},
       {"drivers/link", {"drivers/common", "firmware/wire", "drivers/source", "drivers/relay"}},
       {"drivers/relay", {"drivers/common", "firmware/wire", "drivers/source", "drivers/link"}},
-      {"drivers/link/serial", {"drivers/common", "drivers/link", "firmware/wire"}},
-      {"drivers/link/mqtt", {"drivers/common", "drivers/link", "firmware/wire"}},
       {"drivers/process", {"drivers/common"}},
       {"drivers/broker", {"drivers/common", "drivers/process"}},
       {"drivers/simulated", {"drivers", "firmware", "bench/random"}},
@@ -88,7 +89,8 @@ const std::vector<LibraryRule>& library_rules() {
       {"GoogleTest", {"gtest/", "gmock/"}, {"tests"}},
       {"Google Benchmark", {"benchmark/"}, {"tests"}},
       {"POSIX",
-       {"dirent.h", "fcntl.h", "poll.h", "pthread.h", "signal.h", "sys/", "termios.h", "unistd.h"},
+       {"arpa/", "dirent.h", "fcntl.h", "netinet/", "poll.h", "pthread.h", "signal.h", "sys/",
+        "termios.h", "unistd.h"},
        {"bench/station", "bench/cli", "drivers", "firmware/boards/host", "reports"}},
   };
   return rules;

@@ -141,7 +141,7 @@ int main(int count, char** words) {
     return 2;
   }
   const std::string ca_file = words[2][0] == '-' ? "" : words[2];
-  const double per_second = std::atof(words[5]);
+  const double per_second = std::strtod(words[5], nullptr);
   Load load;
   load.measurements = std::strtoull(words[4], nullptr, 10);
   if (per_second > 0.0) {

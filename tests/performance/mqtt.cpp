@@ -121,7 +121,7 @@ Child start_outlets(const PrivateBroker& broker, const std::vector<std::string>&
   }
   const std::string output = folder.write("many-outlets.log", "");
   Child outlets = or_die(Child::start(
-      {{GSBENCH_BINARY_DIR "/bin/many_outlets", broker.url(),
+      {{std::string(GSBENCH_BINARY_DIR) + "/bin/many_outlets", broker.url(),
         broker.ca_file().empty() ? "-" : broker.ca_file(), folder.write("logins", lines),
         std::to_string(measurements), std::to_string(per_second)},
        output}));
@@ -149,8 +149,9 @@ class RawClient {
 
   RawClient(const PrivateBroker& broker, const Login& login, const std::string& topic,
             OnMessage on_message)
-      : on_message_(std::move(on_message)), topic_(topic) {
-    client_ = mosquitto_new(nullptr, true, this);
+      : on_message_(std::move(on_message)),
+        topic_(topic),
+        client_(mosquitto_new(nullptr, true, this)) {
     mosquitto_int_option(client_, MOSQ_OPT_PROTOCOL_VERSION, MQTT_PROTOCOL_V5);
     mosquitto_int_option(client_, MOSQ_OPT_TCP_NODELAY, 1);
     mosquitto_username_pw_set(client_, login.user.c_str(), login.password.c_str());
@@ -185,7 +186,7 @@ class RawClient {
   OnMessage on_message_;
   std::string topic_;
   std::atomic<bool> subscribed_{false};
-  mosquitto* client_ = nullptr;
+  mosquitto* client_;
 };
 
 // ---- what is measured

@@ -155,6 +155,7 @@ std::vector<mqtt::token_ptr> BrokerConnection::Client::ask_for_filters() {
     filters = filters_;
   }
   std::vector<mqtt::token_ptr> asked;
+  asked.reserve(filters.size());
   // One by one: Paho 1.2.0 crashes over several with options.
   for (const std::string& filter : filters) {
     asked.push_back(client_.subscribe(filter, 1, once));
@@ -185,9 +186,11 @@ void BrokerConnection::Client::publish(std::size_t outlet, const std::string& to
   const auto until = std::chrono::steady_clock::now() + kToFindRoom;
   const auto payload =
       mqtt::make_message(topic, static_cast<const void*>(message.data()), message.size(), 1, false);
+  // Paho's context is an address; the outlet's place goes in its stead.
+  void* const place = reinterpret_cast<void*>(outlet);  // NOLINT(performance-no-int-to-ptr)
   while (true) {
     try {
-      client_.publish(payload, reinterpret_cast<void*>(outlet), *this);
+      client_.publish(payload, place, *this);
       return;
     } catch (const mqtt::exception& error) {
       if (error.get_return_code() != kNoRoom || std::chrono::steady_clock::now() > until) {

@@ -57,7 +57,7 @@ Status MqttLink::find_outlets(std::vector<std::string>& ids) {
   if (filters.empty()) {
     filters = {hello_topic("+"), up_topic("+")};
   }
-  const Status subscribed = opened_->connection.subscribe(std::move(filters));
+  Status subscribed = opened_->connection.subscribe(std::move(filters));
   if (!subscribed.ok()) {
     return subscribed;
   }

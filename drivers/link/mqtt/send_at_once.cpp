@@ -34,7 +34,8 @@ void send_at_once(const std::string& url) {
       static_cast<unsigned>(std::strtoul(url.c_str() + url.rfind(':') + 1, nullptr, 10));
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", none)) {
-    const int descriptor = std::atoi(entry.path().filename().c_str());
+    const int descriptor =
+        static_cast<int>(std::strtol(entry.path().filename().c_str(), nullptr, 10));
     if (port != 0 && peer_port(descriptor) == port) {
       const int yes = 1;
       setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
