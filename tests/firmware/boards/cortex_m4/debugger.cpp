@@ -33,17 +33,26 @@ std::string Debugger::ask(const std::string& packet) {
   for (const char c : packet) sum += static_cast<unsigned char>(c);
   const std::string framed = "$" + packet + "#" + hex(sum & 0xFFU);
   socket_.send(framed.data(), framed.size());
-  std::string answer;
   for (;;) {
-    const auto begin = answer.find('$');
-    const auto end = answer.find('#');
-    if (begin != std::string::npos && end != std::string::npos && answer.size() >= end + 3) {
+    const std::string answer = next_packet(packet);
+    // That the machine has stopped is told when it has, in the middle of anything.
+    if (packet == "?" || answer.empty() || answer[0] != 'T') return answer;
+  }
+}
+
+std::string Debugger::next_packet(const std::string& after) {
+  for (;;) {
+    const auto begin = received_.find('$');
+    const auto end = received_.find('#', begin);
+    if (begin != std::string::npos && end != std::string::npos && received_.size() >= end + 3) {
+      const std::string packet = received_.substr(begin + 1, end - begin - 1);
+      received_.erase(0, end + 3);
       socket_.send("+", 1);
-      return answer.substr(begin + 1, end - begin - 1);
+      return packet;
     }
     const std::string more = socket_.receive(65536, kPatience);
-    if (more.empty()) throw std::runtime_error("no answer to " + packet);
-    answer += more;
+    if (more.empty()) throw std::runtime_error("no answer to " + after);
+    received_ += more;
   }
 }
 

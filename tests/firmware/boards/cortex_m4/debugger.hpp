@@ -22,8 +22,10 @@ class Debugger {
 
  private:
   std::string ask(const std::string& packet);
+  std::string next_packet(const std::string& after);
 
   Socket socket_;
+  std::string received_;
 };
 
 // The address of a symbol in an image, by `nm`.
