@@ -121,9 +121,10 @@ List shortfall_rows(const std::vector<Shortfall>& all) {
   return list;
 }
 
-object key_cell(const KeyFigure& key, const record::MeasurementResult* result) {
+object key_cell(const record::OutletRecord& outlet, const KeyFigure& key) {
+  const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
   object cell{{"heading", std::string(key.heading)}, {"missed", flag(false)}};
-  cell["text"] = typographic(valid_text(key_text(result)));
+  cell["text"] = typographic(valid_text(key_text(outlet, key)));
   cell["missed"] = flag(result != nullptr && result->judged && result->verdict != Verdict::kPass);
   return cell;
 }
@@ -179,7 +180,7 @@ object outlet_object(const record::RunRecord& run, std::size_t index,
   const record::OutletRecord& outlet = run.outlets[index];
   List cells;
   for (const KeyFigure& key : keys) {
-    cells.push_back(key_cell(key, find_measurement(outlet, key.measurement)));
+    cells.push_back(key_cell(outlet, key));
   }
   object view{{"id", valid_text(outlet.id)},
               {"index", std::to_string(index)},
@@ -256,6 +257,7 @@ object page(const record::RunRecord& run) {
     outlets.push_back(outlet_object(run, i, keys));
   }
   const std::string note = thinning_note(run);
+  const std::string doubt = doubt_note(run);
   const std::string played = played_sentence(run);
   object view{{"title", valid_text(run.profile_title.empty() ? run.profile : run.profile_title)},
               {"profile", valid_text(run.profile)},
@@ -269,6 +271,7 @@ object page(const record::RunRecord& run) {
               {"more_missed", flag(missed.size() > kMostShortfalls)},
               {"missed_in_all", std::to_string(missed.size())},
               {"headings", headings},
+              {"doubt_note", doubt.empty() ? "" : ". " + doubt},
               {"outlets", outlets},
               {"has_outlets", flag(!run.outlets.empty())},
               {"drawn_first", std::to_string(outlet_drawn_first(run))},

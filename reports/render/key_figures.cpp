@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace gsbench::render {
 namespace {
@@ -33,6 +34,17 @@ bool has_value(const record::OutletRecord& outlet, const KeyFigure& key) {
   return result != nullptr && (!result->word.empty() || !std::isnan(result->value));
 }
 
+bool is_estimate(const KeyFigure& key) {
+  return std::string_view(key.measurement).substr(0, 4) == "ekf.";
+}
+
+bool is_doubted(const record::OutletRecord& outlet) {
+  const auto trust =
+      std::find_if(outlet.marks.begin(), outlet.marks.end(),
+                   [](const record::Mark& mark) { return mark.kind == "decision.trust"; });
+  return trust != outlet.marks.end() && trust->value < 0.5;
+}
+
 }  // namespace
 
 const record::MeasurementResult* find_measurement(const record::OutletRecord& outlet,
@@ -54,7 +66,8 @@ std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t mos
   return keys;
 }
 
-std::string key_text(const record::MeasurementResult* result) {
+std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key) {
+  const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
   if (result == nullptr) return "–";
   if (!result->word.empty()) return result->word;
   if (std::isnan(result->value)) return "–";
@@ -62,7 +75,13 @@ std::string key_text(const record::MeasurementResult* result) {
   const int significant = std::abs(result->value) < 1.0    ? 2
                           : std::abs(result->value) < 10.0 ? 3
                                                            : 4;
-  return with_unit(figure(result->value, significant), result->unit);
+  const std::string text = with_unit(figure(result->value, significant), result->unit);
+  return is_estimate(key) && is_doubted(outlet) ? text + " ?" : text;
+}
+
+std::string doubt_note(const record::RunRecord& run) {
+  const bool any = std::any_of(run.outlets.begin(), run.outlets.end(), is_doubted);
+  return any ? "?: an estimate that the outlet itself did not trust when it decided" : "";
 }
 
 }  // namespace gsbench::render

@@ -20,7 +20,11 @@ std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t mos
 const record::MeasurementResult* find_measurement(const record::OutletRecord& outlet,
                                                   const std::string& name);
 
-// Its value in few digits; "–" where there is none.
-std::string key_text(const record::MeasurementResult* result);
+// An outlet's key figure in few digits; "–" where there is none, and "?" behind an estimate that
+// the outlet itself did not trust when it decided.
+std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key);
+
+// What that "?" means; empty where no outlet has one.
+std::string doubt_note(const record::RunRecord& run);
 
 }  // namespace gsbench::render

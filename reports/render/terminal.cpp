@@ -57,8 +57,7 @@ std::string terminal(const record::RunRecord& run, bool colour) {
   rows[0].emplace_back("verdict");
   for (const record::OutletRecord& outlet : run.outlets) {
     std::vector<std::string> row = {one_line(outlet.id)};
-    for (const KeyFigure& key : keys)
-      row.push_back(one_line(key_text(find_measurement(outlet, key.measurement))));
+    for (const KeyFigure& key : keys) row.push_back(one_line(key_text(outlet, key)));
     row.emplace_back(record::to_string(outlet.verdict));
     rows.push_back(std::move(row));
   }
@@ -78,6 +77,8 @@ std::string terminal(const record::RunRecord& run, bool colour) {
         '\n';
   }
 
+  const std::string doubt = doubt_note(run);
+  if (!doubt.empty()) out += doubt + '\n';
   if (run.recording.replaces_profile) out += one_line(played_sentence(run)) + '\n';
   const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
   for (std::size_t i = 0; i < std::min(faulty.size(), kMostShortfalls); ++i) {

@@ -92,6 +92,16 @@ TEST(Html, TellsWhatWentWrongWithAnOutletAndHowItsClockRan) {
   EXPECT_THAT(page, HasSubstr("−12.5 ± 0.4 ppm fast, stamps within 0.05 ms"));
 }
 
+TEST(Html, MarksAnEstimateThatTheOutletDidNotTrust) {
+  RunRecord run = sample::loss_500mw(2);
+  EXPECT_THAT(html(run), Not(HasSubstr(" MW ?</td>")));
+  run.outlets[1].marks.push_back({0, "decision.trust", 0.0, "not settled"});
+  const std::string page = html(run);
+  EXPECT_THAT(page, HasSubstr(" MW ?</td>"));
+  EXPECT_THAT(page, HasSubstr("by the outlet’s word. ?: an estimate that the outlet itself did not "
+                              "trust when it decided.</caption>"));
+}
+
 TEST(Html, AsksForNoOtherFile) {
   const std::string page = html(sample::loss_500mw(1));
   EXPECT_THAT(page, Not(HasSubstr("<script src")));

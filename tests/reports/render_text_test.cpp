@@ -144,6 +144,19 @@ TEST(Terminal, ListsWhatDidNotPassUpToTen) {
   EXPECT_EQ(all.back(), "FAIL: 38 of 38 judged measurements on 4 outlets did not pass.");
 }
 
+TEST(Terminal, MarksAnEstimateThatTheOutletDidNotTrust) {
+  RunRecord run = sample::loss_500mw(2);
+  const auto doubts = [&] {
+    const std::string text = terminal(run, false);
+    return std::count(text.begin(), text.end(), '?');
+  };
+  run.outlets[0].marks.push_back({0, "decision.trust", 1.0, "trusted"});
+  EXPECT_EQ(doubts(), 0);
+  run.outlets[1].marks.push_back({0, "decision.trust", 0.0, "not settled"});
+  EXPECT_EQ(doubts(), 3) << "ΔP, its error, and what the mark means";
+  EXPECT_THAT(lines(terminal(run, false))[3], HasSubstr(" MW ?"));
+}
+
 TEST(Terminal, TellsWhatWentWrongWithAnOutlet) {
   RunRecord run = sample::loss_500mw(2);
   run.outlets[1].verdict = run.verdict = Verdict::kError;

@@ -64,6 +64,18 @@ TEST(Store, ReadsBackWhatWasWritten) {
   EXPECT_TRUE(std::isnan(sample::measurement(read.outlets[7], "relay.delay").value));
 }
 
+TEST(Store, GivesTheHeadWithoutTheOutlets) {
+  const test::TemporaryFolder folder;
+  RunRecord run = sample::loss_500mw(2);
+  write(folder.file("run.sqlite"), run);
+  const RunRecord head = read_head(folder.file("run.sqlite"));
+  run.outlets.clear();
+  EXPECT_EQ(content_digest(head), content_digest(run));
+  EXPECT_EQ(head.run_id, run.run_id);
+  Writer(folder.file("begun.sqlite")).begin(run);
+  EXPECT_EQ(read_head(folder.file("begun.sqlite")).verdict_reason, "the run did not finish");
+}
+
 TEST(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
   const test::TemporaryFolder folder;
   RunRecord run = sample::loss_500mw(1);

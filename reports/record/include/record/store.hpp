@@ -44,6 +44,9 @@ class Writer {
 // part is sealed with a digest when it is written.
 RunRecord read_run(const std::string& path);
 
+// The same without the outlets, which are by far the most of it.
+RunRecord read_head(const std::string& path);
+
 // Digest (SHA-256, hexadecimal) over all of a record but run id and wall-clock stamps: equal for
 // equal profile, seed and build.
 std::string content_digest(const RunRecord& run);
