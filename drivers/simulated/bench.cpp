@@ -27,6 +27,12 @@ struct Shared {
   bool live = false;
 };
 
+std::string full_scale_text() {
+  std::string digits = std::to_string(kFullScalePu);
+  digits.erase(digits.find_last_not_of('0') + 1);
+  return digits;
+}
+
 class SimulatedSource final : public source::Source {
  public:
   explicit SimulatedSource(Shared& shared)
@@ -63,7 +69,7 @@ class SimulatedSource final : public source::Source {
       if (!(std::fabs(voltage_pu[i]) <= static_cast<float>(kFullScalePu))) {
         return Error{"simulated source: " + std::to_string(voltage_pu[i]) + " pu at tick " +
                      std::to_string(first_tick + static_cast<std::int64_t>(i)) +
-                     " is beyond its full scale of 1.5 pu"};
+                     " is beyond its full scale of " + full_scale_text() + " pu"};
       }
     }
     pacer_.wait_until(first_tick);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <simulated/workers.hpp>
 
@@ -6,8 +7,13 @@ namespace gsbench::simulated {
 
 Workers::Workers(std::size_t threads) {
   const std::size_t helpers = std::max<std::size_t>(threads, 1) - 1;
-  for (std::size_t i = 0; i < helpers; ++i) {
-    threads_.emplace_back([this] { serve(); });
+  threads_.reserve(helpers);
+  try {
+    while (threads_.size() < helpers) {
+      threads_.emplace_back([this] { serve(); });
+    }
+  } catch (const std::exception&) {
+    // No room for so many: those that are there do it all.
   }
 }
 
@@ -32,6 +38,9 @@ void Workers::run(std::size_t pieces, const std::function<void(std::size_t)>& wo
   take_pieces(lock);
   done_.wait(lock, [this] { return unfinished_ == 0; });
   work_ = nullptr;
+  if (failure_ != nullptr) {
+    std::rethrow_exception(std::exchange(failure_, nullptr));
+  }
 }
 
 void Workers::serve() {
@@ -47,8 +56,14 @@ void Workers::take_pieces(std::unique_lock<std::mutex>& lock) {
     const std::size_t piece = next_++;
     const std::function<void(std::size_t)>& work = *work_;
     lock.unlock();
-    work(piece);
+    std::exception_ptr thrown;
+    try {
+      work(piece);
+    } catch (...) {
+      thrown = std::current_exception();
+    }
     lock.lock();
+    failure_ = failure_ == nullptr ? thrown : failure_;
     if (--unfinished_ == 0) {
       done_.notify_all();
     }

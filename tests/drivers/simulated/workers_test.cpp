@@ -1,6 +1,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,22 @@ TEST(Workers, HandOverManyShortRunsOneAfterAnother) {
     ASSERT_EQ(done[static_cast<std::size_t>(run) % done.size()], run + 1);
   }
   EXPECT_EQ(done, std::vector<int>(5, kRuns));
+}
+
+TEST(Workers, HandTheirCallerWhatAPieceThrewOnceAllAreDone) {
+  for (const std::size_t threads : {1U, 4U}) {
+    Workers workers(threads);
+    std::vector<int> done(16, 0);
+    const auto odd_ones_throw = [&](std::size_t piece) {
+      ++done[piece];
+      if (piece % 2 == 1) throw std::runtime_error("odd");
+    };
+    EXPECT_THROW(workers.run(done.size(), odd_ones_throw), std::runtime_error);
+    EXPECT_EQ(done, std::vector<int>(16, 1));
+    EXPECT_NO_THROW(workers.run(done.size(), [&](std::size_t piece) { ++done[piece]; }))
+        << "what was thrown is thrown once";
+    EXPECT_EQ(done, std::vector<int>(16, 2));
+  }
 }
 
 TEST(Workers, ComeAndGoWithoutWork) {

@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -13,12 +14,14 @@ namespace gsbench::simulated {
 
 class Workers {
  public:
-  explicit Workers(std::size_t threads);  // at least 1; the caller's thread is one of them
+  // At least 1; the caller's thread is one of them. Fewer where the system gives no more.
+  explicit Workers(std::size_t threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  // Calls work(0) … work(pieces − 1), each once, and returns when all are done.
+  // Calls work(0) … work(pieces − 1), each once, and returns when all are done; then throws the
+  // first exception that came out of any.
   void run(std::size_t pieces, const std::function<void(std::size_t)>& work);
 
  private:
@@ -32,6 +35,7 @@ class Workers {
   std::size_t pieces_ = 0;
   std::size_t next_ = 0;
   std::size_t unfinished_ = 0;
+  std::exception_ptr failure_;
   bool ending_ = false;
   std::vector<std::thread> threads_;
 };
