@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include <judge/catalogue.hpp>
+#include <profile/units.hpp>
 #include <station/run.hpp>
 #include <study/study.hpp>
 
@@ -18,25 +20,37 @@ struct SeedResult {
   std::map<record::Verdict, std::size_t> verdicts;
 };
 
-Row& row_of(std::vector<Row>& rows, const record::MeasurementResult& result) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-    return row.measure == result.name && row.unit == result.unit;
-  });
+Row& row_of(std::vector<Row>& rows, const std::string& measure, const std::string& unit) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row& row) { return row.measure == measure; });
   if (found != rows.end()) {
     return *found;
   }
-  rows.push_back({result.name, result.unit, {}, {}});
+  rows.push_back({measure, unit, {}, {}});
   return rows.back();
+}
+
+// A judged result is in the unit of its limit.
+double in_unit(const std::string& unit, const record::MeasurementResult& result) {
+  return result.value * profile::unit_scale(result.unit, unit).value_or(1.0);
 }
 
 void take(const record::OutletRecord& outlet, std::uint64_t seed, SeedResult& into) {
   ++into.verdicts[outlet.verdict];
+  if (!outlet.fault.empty()) {
+    into.reason = "seed " + std::to_string(seed) + ", " + outlet.id + " " + outlet.fault;
+  }
+  std::set<std::string> taken;
   for (const record::MeasurementResult& result : outlet.measurements) {
-    Row& row = row_of(into.rows, result);
-    if (result.word.empty()) {
-      row.values.add(result.value);
-    } else {
-      row.values.add_word(result.word);
+    const judge::Measure* measure = judge::find_measure(result.name);
+    Row& row = row_of(into.rows, result.name, measure != nullptr ? measure->unit : result.unit);
+    // Several limits on one measure are several results of one value.
+    if (taken.insert(result.name).second) {
+      if (result.word.empty()) {
+        row.values.add(in_unit(row.unit, result));
+      } else {
+        row.values.add_word(result.word);
+      }
     }
     if (!result.judged) {
       continue;
@@ -75,16 +89,10 @@ void merge(const SeedResult& seed, StudyResult& into) {
     into.verdicts[verdict] += count;
   }
   for (const Row& row : seed.rows) {
-    const auto found = std::find_if(into.rows.begin(), into.rows.end(), [&](const Row& other) {
-      return other.measure == row.measure && other.unit == row.unit;
-    });
-    if (found == into.rows.end()) {
-      into.rows.push_back(row);
-      continue;
-    }
-    found->values.merge(row.values);
+    Row& all = row_of(into.rows, row.measure, row.unit);
+    all.values.merge(row.values);
     for (const auto& [verdict, count] : row.verdicts) {
-      found->verdicts[verdict] += count;
+      all.verdicts[verdict] += count;
     }
   }
 }
@@ -111,22 +119,14 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
   std::exception_ptr failure;
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
 
-  const auto work = [&] {
-    std::unique_lock<std::mutex> lock(mutex);
+  const auto play_seeds = [&](std::unique_lock<std::mutex>& lock) {
     while (next < options.seeds && failure == nullptr && !stopped()) {
       const std::uint64_t index = next++;
       lock.unlock();
-      SeedResult result;
-      std::exception_ptr thrown;
-      try {
-        result = run_seed(plan, options.first_seed + index, options.stop);
-      } catch (...) {
-        thrown = std::current_exception();
-      }
+      SeedResult result = run_seed(plan, options.first_seed + index, options.stop);
       lock.lock();
-      failure = failure == nullptr ? thrown : failure;
       // A seed that was stopped half way says nothing.
-      if (thrown == nullptr && !stopped()) {
+      if (!stopped()) {
         waiting.emplace(index, std::move(result));
         for (; waiting.count(merged) > 0; ++merged) {
           merge(waiting.at(merged), study);
@@ -139,9 +139,25 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
       }
     }
   };
+  const auto work = [&] {
+    std::unique_lock<std::mutex> lock(mutex);
+    try {
+      play_seeds(lock);
+    } catch (...) {
+      if (!lock.owns_lock()) {
+        lock.lock();
+      }
+      failure = failure == nullptr ? std::current_exception() : failure;
+    }
+  };
   std::vector<std::thread> helpers;
-  for (std::size_t i = 1; i < options.threads; ++i) {
-    helpers.emplace_back(work);
+  helpers.reserve(options.threads);
+  try {
+    while (helpers.size() + 1 < options.threads) {
+      helpers.emplace_back(work);
+    }
+  } catch (const std::exception&) {
+    // No room for so many: those that are there do it all.
   }
   work();
   for (std::thread& helper : helpers) {

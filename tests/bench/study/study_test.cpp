@@ -97,6 +97,28 @@ TEST(Study, HasAValueOfEachOutletAndSeed) {
   EXPECT_TRUE(row(result, "relay.edges").verdicts.empty()) << "for information";
 }
 
+// A limit in another unit and two on one measure: still one value of each outlet and seed.
+TEST(Study, CountsAnOutletOnceWhateverTheNumberAndUnitsOfItsLimits) {
+  const StudyResult plain = study_of(quiet(), 2);
+  const StudyResult limited =
+      study_of(parse("[[expect]]\nmeasure = \"tracker.error.rms\"\nunit = \"Hz\"\nmax = 0.010\n"
+                     "[[expect]]\nmeasure = \"tracker.error.rms\"\nunit = \"mHz\"\nmax = 1e-6\n"
+                     "[[expect]]\nmeasure = \"relay.end\"\nequals = \"closed\"\n"
+                     "[[expect]]\nmeasure = \"relay.end\"\nequals = \"closed\"\n"),
+               2);
+  EXPECT_EQ(limited.rows.size(), judge::catalogue().size());
+  const Row& rms = row(limited, "tracker.error.rms");
+  EXPECT_EQ(rms.unit, "mHz");
+  EXPECT_EQ(rms.values.count(), 4U);
+  // A factor of 1000 and back rounds twice.
+  EXPECT_NEAR(rms.values.quantile(1.0), row(plain, "tracker.error.rms").values.quantile(1.0),
+              1e-12);
+  EXPECT_EQ(rms.verdicts,
+            (std::map<Verdict, std::size_t>{{Verdict::kPass, 4}, {Verdict::kFail, 4}}));
+  EXPECT_EQ(row(limited, "relay.end").values.words(),
+            (std::map<std::string, std::size_t>{{"closed", 4}}));
+}
+
 TEST(Study, HasItsRowsInTheOrderOfTheCatalogue) {
   const StudyResult result = study_of(half_failing(), 1);
   ASSERT_EQ(result.rows.size(), judge::catalogue().size());

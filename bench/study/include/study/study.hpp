@@ -22,11 +22,12 @@ struct StudyOptions {
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;  // from any thread, in turn
 };
 
+// One measure: a value of each outlet and seed, and beside them what each limit on it came to.
 struct Row {
   std::string measure;
-  std::string unit;
+  std::string unit;  // the catalogue's
   Distribution values;
-  std::map<record::Verdict, std::size_t> verdicts;  // of those that were judged
+  std::map<record::Verdict, std::size_t> verdicts;  // of outlets, seeds and limits
 };
 
 struct StudyResult {
