@@ -10,6 +10,9 @@
 namespace gsbench::profile {
 namespace {
 
+// Ours are five deep.
+constexpr std::size_t kDeepestNesting = 64;
+
 Position position_of(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
@@ -56,6 +59,106 @@ Value convert(const toml::node& node) {
   return value;
 }
 
+// Refuses what is nested too deeply before the TOML library sees it, as that follows tables within
+// tables by recursion: each dot of a key is one more table, and so is each bracket. Dots of numbers
+// count as well, until the next comma; no number has more than one.
+class NestingCheck {
+ public:
+  NestingCheck(const std::string& text, const std::string& path) : text_(text), path_(path) {}
+
+  void run() {
+    while (at_ < text_.size()) {
+      switch (text_[at_]) {
+        case '"':
+        case '\'':
+          skip_text(text_[at_]);
+          continue;
+        case '#':
+          at_ = std::min(text_.find('\n', at_), text_.size());
+          continue;
+        case '[':
+        case '{':
+          deeper();
+          open_.push_back(0);
+          break;
+        case ']':
+        case '}':
+          leave();
+          break;
+        case ',':
+          leave_key();
+          break;
+        case '.':
+          deeper();
+          ++dots();
+          break;
+        case '\n':
+          end_line();
+          break;
+        default:
+          break;
+      }
+      ++at_;
+    }
+  }
+
+ private:
+  std::size_t& dots() { return open_.empty() ? top_dots_ : open_.back(); }
+
+  void deeper() {
+    if (++depth_ > kDeepestNesting) {
+      throw error_at(
+          path_, {line_, static_cast<int>(at_ - line_start_) + 1},
+          fmt::format("tables within tables, {} deep; {} at most", depth_, kDeepestNesting));
+    }
+  }
+
+  void leave_key() {
+    depth_ -= dots();
+    dots() = 0;
+  }
+
+  void leave() {
+    if (open_.empty()) return;  // the library will say so
+    depth_ -= open_.back() + 1;
+    open_.pop_back();
+  }
+
+  void end_line() {
+    if (open_.empty()) leave_key();
+    ++line_;
+    line_start_ = at_ + 1;
+  }
+
+  // A text in quotes of either kind, on one line or, in three quotes, on several.
+  void skip_text(char quote) {
+    const std::string three(3, quote);
+    const bool long_text = text_.compare(at_, 3, three) == 0;
+    at_ += long_text ? 3 : 1;
+    for (; at_ < text_.size(); ++at_) {
+      if (text_[at_] == '\n') {
+        if (!long_text) return;  // the library will say so
+        ++line_;
+        line_start_ = at_ + 1;
+      } else if (text_[at_] == '\\' && quote == '"') {
+        ++at_;
+      } else if (long_text ? text_.compare(at_, 3, three) == 0 : text_[at_] == quote) {
+        at_ += long_text ? 3 : 1;
+        return;
+      }
+    }
+  }
+
+  const std::string& text_;
+  const std::string& path_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+  std::size_t line_start_ = 0;
+  std::size_t depth_ = 0;          // of all that is open, and the dots in there
+  std::size_t top_dots_ = 0;       // of a key outside all brackets
+  std::vector<std::size_t> open_;  // dots of the key in hand within each open bracket
+};
+
 struct Describe {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
@@ -75,6 +178,7 @@ struct Describe {
 }  // namespace
 
 Document parse_toml(const std::string& text, const std::string& path) {
+  NestingCheck(text, path).run();
   try {
     return {path, convert(toml::parse(text))};
   } catch (const toml::parse_error& error) {

@@ -2,6 +2,8 @@
 
 #include "nearest.hpp"
 
+#include <QCryptographicHash>
+#include <QFile>
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -22,6 +24,19 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".toml";
 constexpr const char* kGridsFolder = "grids";
+constexpr const char* kStationsFolder = "stations";
+
+// Room for break points each second of the longest run, and half as much again.
+constexpr std::uintmax_t kLargestFile = 4U << 20U;
+
+void require_profiles_folder() {
+  std::error_code error;
+  if (!fs::is_directory(profiles_folder(), error)) {
+    throw ConfigurationError(
+        fmt::format("{}: no such folder to look for profiles in; GSBENCH_PROFILES names it",
+                    profiles_folder()));
+  }
+}
 
 fs::path grids_folder() {
   return fs::path(profiles_folder()) / kGridsFolder;
@@ -117,19 +132,44 @@ std::string read_file(const std::string& path) {
         fmt::format("{}: cannot be read: {}", path,
                     errno != 0 ? std::strerror(errno) : "it is no regular file"));
   }
+  std::error_code ignored;
+  const std::uintmax_t bytes = fs::file_size(path, ignored);
+  if (bytes > kLargestFile) {
+    throw ConfigurationError(
+        fmt::format("{}: {} bytes; a profile or grid has {} at most", path, bytes, kLargestFile));
+  }
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+std::string sha256_of_file(const std::string& path) {
+  QFile file(QFile::decodeName(path.c_str()));
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file)) {
+    throw ConfigurationError(
+        fmt::format("{}: cannot be read: {}", path, file.errorString().toStdString()));
+  }
+  return hash.result().toHex().toStdString();
+}
+
+std::string sha256(const std::string& text) {
+  return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256)
+      .toHex()
+      .toStdString();
+}
+
 std::vector<NamedFile> all_profiles() {
+  require_profiles_folder();
   auto files = files_below(profiles_folder());
-  const std::string grids = std::string(kGridsFolder) + '/';
-  files.erase(std::remove_if(files.begin(), files.end(),
-                             [&](const NamedFile& file) { return file.name.rfind(grids, 0) == 0; }),
-              files.end());
+  const auto is_no_profile = [](const NamedFile& file) {
+    const fs::path folder = *fs::path(file.name).begin();
+    return folder == kGridsFolder || folder == kStationsFolder;
+  };
+  files.erase(std::remove_if(files.begin(), files.end(), is_no_profile), files.end());
   return files;
 }
 
 std::vector<NamedFile> all_grids() {
+  require_profiles_folder();
   return files_below(grids_folder());
 }
 

@@ -30,6 +30,10 @@ bool is_regular_file(const std::string& path);
 // Throws ConfigurationError where it is no readable regular file.
 std::string read_file(const std::string& path);
 
+// Hexadecimal. Of a file: throws ConfigurationError where it cannot be read.
+std::string sha256(const std::string& text);
+std::string sha256_of_file(const std::string& path);
+
 std::vector<NamedFile> all_profiles();  // by name
 std::vector<NamedFile> all_grids();     // by name
 

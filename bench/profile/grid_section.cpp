@@ -5,13 +5,22 @@
 
 #include <fmt/format.h>
 
+#include <grid/control_centre.hpp>
+
 namespace gsbench::profile {
 namespace {
+
+// What outlets keep (outlet/settings.hpp), told here by line and key.
+constexpr std::size_t kMostConditions = 32;
 
 constexpr const char* kInPlaceName = "in the profile";
 
 void read_system(const Table& table, grid::Grid& grid) {
   grid.nominal_hz = table.required_number("nominal_hz");
+  if (grid.nominal_hz != 50.0 && grid.nominal_hz != 60.0) {
+    table.refuse("nominal_hz", fmt::format("nominal_hz is {}; outlets are made for 50 and for 60",
+                                           grid.nominal_hz));
+  }
   grid.threshold_hz = table.required_number("threshold_hz");
   grid.base_mw = table.required_number("base_mw");
   grid.load_mw = table.required_number("load_mw");
@@ -108,10 +117,15 @@ grid::Grid read_parts(const Table& holder, std::string name, std::string title,
 }  // namespace
 
 grid::Grid read_grid_file(const NamedFile& file) {
-  const Document document = parse_toml(read_file(file.path), file.path);
+  const std::string text = read_file(file.path);
+  const Document document = parse_toml(text, file.path);
   const Table top(document, document.root, "a grid file",
                   {"title", "source", "system", "plant", "block", "reference"});
-  return read_parts(top, file.name, top.required_text("title"), top.required_text("source"));
+  grid::Grid grid =
+      read_parts(top, file.name, top.required_text("title"), top.required_text("source"));
+  grid.path = file.path;
+  grid.sha256 = sha256(text);
+  return grid;
 }
 
 grid::Grid read_grid_section(const Table& section, const std::string& title,
@@ -134,6 +148,22 @@ grid::Grid read_grid_section(const Table& section, const std::string& title,
   const auto file = find_grid(name, folder);
   if (!file) section.refuse("system", no_such_grid(name));
   return read_grid_file(*file);
+}
+
+void check_conditions(const Table& section, const grid::Grid& grid) {
+  const std::size_t rows =
+      grid::conditions(grid::SfrModel(grid), grid.threshold_hz, grid.condition_row_hz).size();
+  if (rows <= kMostConditions) return;
+  const Value* system = section.table("system");
+  Position at = system->at;
+  if (const auto* entries = std::get_if<Entries>(&system->data)) {
+    for (const Entry& entry : *entries) {
+      if (entry.key == "condition_row_hz") at = entry.value.at;
+    }
+  }
+  section.refuse(at, fmt::format("rows of {} Hz make {} load-shedding conditions; an outlet keeps "
+                                 "{} at most: condition_row_hz must be greater",
+                                 grid.condition_row_hz, rows, kMostConditions));
 }
 
 }  // namespace gsbench::profile

@@ -17,4 +17,8 @@ grid::Grid read_grid_file(const NamedFile& file);
 grid::Grid read_grid_section(const Table& section, const std::string& title,
                              const std::string& source);
 
+// Refuses a grid that asks for more load-shedding conditions than outlets keep; on its own such a
+// grid is fine.
+void check_conditions(const Table& section, const grid::Grid& grid);
+
 }  // namespace gsbench::profile

@@ -6,7 +6,6 @@
 #include "signal_section.hpp"
 #include "trace_section.hpp"
 
-#include <QCryptographicHash>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -15,12 +14,6 @@
 
 namespace gsbench::profile {
 namespace {
-
-std::string sha256(const std::string& text) {
-  return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256)
-      .toHex()
-      .toStdString();
-}
 
 Table open_top(const Document& document) {
   return {document,
@@ -59,7 +52,7 @@ Plan parse_profile(const std::string& text, const std::string& path,
   plan.title = top.required_text("title");
   plan.source = top.required_text("source");
   plan.seed = static_cast<std::uint64_t>(
-      top.integer("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(1));
+      top.integer("seed", 0, static_cast<std::int64_t>(kLargestSeed)).value_or(1));
   const Table grid_section =
       open_section(top, "grid", "the power system: [grid] system = \"ieee24\"",
                    {"system", "loss", "plant", "block", "reference"});
@@ -68,6 +61,7 @@ Plan parse_profile(const std::string& text, const std::string& path,
       {"duration_s", "sample_rate_hz", "noise_pct", "harmonics", "harmonic_set", "frequency",
        "amplitude_step", "phase_jump", "dc_offset_pct", "initial_phase_deg", "trace"});
   plan.grid = read_grid_section(grid_section, plan.title, plan.source);
+  check_conditions(grid_section, plan.grid);
   const bool replaced = !overrides.trace_path.empty();
   plan.stimulus = read_stimulus(signal, grid_section, plan.grid, replaced);
   if (replaced) {
@@ -79,6 +73,7 @@ Plan parse_profile(const std::string& text, const std::string& path,
   plan.commands = read_commands(top, plan.outlets, plan.stimulus.duration_s);
   plan.expectations = read_expectations(top, plan.outlets, catalogue);
   check_playable(plan);
+  check_full_scale(signal, plan.stimulus, *plan.truth());
   return plan;
 }
 

@@ -12,6 +12,8 @@ constexpr std::size_t kLongestId = 64;
 
 // What outlets accept of their settings (outlet/settings.hpp), told here by line and key.
 constexpr double kLowestSwitchOff_pu = 0.8;
+constexpr double kLeastPower_mw = 1e-6;  // as of a grid's powers: past these it is another unit
+constexpr double kMostPower_mw = 1e7;
 constexpr double kLargestDrop_hz = 1.0;
 constexpr int kMostHits = 1000;
 constexpr int kMostLseSamples = 64;
@@ -47,11 +49,17 @@ OutletSettings read_settings(const Table& table, const grid::Grid& grid) {
   block.high = settings.accumulated_mw;
   block.note = "accumulated_mw, which counts the outlet's own block";
   settings.power_mw = table.number("power_mw", block);
-  settings.threshold_mw = table.number("threshold_mw", above(0.0));
+  settings.threshold_mw = table.number("threshold_mw", between(kLeastPower_mw, kMostPower_mw));
   Range below_nominal = between(kLowestSwitchOff_pu * grid.nominal_hz, grid.nominal_hz);
   below_nominal.high_open = true;
   below_nominal.note = "the grid's nominal_hz";
   settings.switch_off_hz = table.number("switch_off_hz", below_nominal);
+  if (settings.switch_off_hz &&
+      !(static_cast<float>(*settings.switch_off_hz) < static_cast<float>(grid.nominal_hz))) {
+    table.refuse("switch_off_hz", fmt::format("switch_off_hz is {}; in the outlets' single "
+                                              "precision that is nominal_hz itself",
+                                              *settings.switch_off_hz));
+  }
   Range drop = above(0.0);
   drop.high = kLargestDrop_hz;
   settings.event_drop_hz = table.number("event_drop_hz", drop);

@@ -27,6 +27,10 @@ void check(const std::vector<waveform::TracePoint>& points, const std::string& p
     throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at most", path,
                                          points.back().t_s, kLongestRun_s));
   }
+  if (!(points.back().t_s >= kShortestRun_s)) {
+    throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at least", path,
+                                         points.back().t_s, kShortestRun_s));
+  }
   for (const waveform::TracePoint& point : points) {
     if (!(point.frequency_hz >= 0.5 * nominal_hz && point.frequency_hz <= 1.5 * nominal_hz)) {
       throw ConfigurationError(fmt::format(
@@ -37,11 +41,12 @@ void check(const std::vector<waveform::TracePoint>& points, const std::string& p
   }
 }
 
-void use(std::vector<waveform::TracePoint> points, std::string path, Stimulus& stimulus) {
+void use(std::vector<waveform::TracePoint> points, Recording recording, Stimulus& stimulus) {
   stimulus.kind = TruthKind::kTrace;
   stimulus.duration_s = points.back().t_s;
   stimulus.trace = std::move(points);
-  stimulus.trace_path = std::move(path);
+  recording.sha256 = sha256_of_file(recording.path);
+  stimulus.recording = std::move(recording);
 }
 
 }  // namespace
@@ -50,7 +55,8 @@ void read_trace_section(const Table& signal, double nominal_hz, Stimulus& stimul
   const Table table(
       signal.document(), *signal.table("trace"), "[signal.trace]",
       {"file", "time", "frequency", "voltage", "nominal_voltage", "from_s", "until_s"});
-  const std::string path = resolve(table.required_text("file"), table.document().path);
+  const std::string file = table.required_text("file");
+  const std::string path = resolve(file, table.document().path);
   waveform::TraceColumns columns;
   columns.time = table.required_text("time");
   columns.frequency = table.required_text("frequency");
@@ -78,7 +84,7 @@ void read_trace_section(const Table& signal, double nominal_hz, Stimulus& stimul
   const double first_s = points.front().t_s;
   for (waveform::TracePoint& point : points) point.t_s -= first_s;
   check(points, path, nominal_hz);
-  use(std::move(points), path, stimulus);
+  use(std::move(points), {file, path, "", columns, false}, stimulus);
 }
 
 void replace_by_recording(const std::string& path, const waveform::TraceColumns& columns,
@@ -97,7 +103,7 @@ void replace_by_recording(const std::string& path, const waveform::TraceColumns&
   stimulus.points.clear();
   stimulus.signal.amplitude_steps.clear();
   stimulus.signal.phase_jumps.clear();
-  use(std::move(points), path, stimulus);
+  use(std::move(points), {path, path, "", columns, true}, stimulus);
 }
 
 }  // namespace gsbench::profile

@@ -12,6 +12,8 @@ namespace gsbench::profile {
 // A run's records are held in memory, 130 MB an outlet for this long; longer times are studied over
 // many seeds.
 constexpr double kLongestRun_s = 1.0e5;
+// An outlet has 96 ms to answer to its settings.
+constexpr double kShortestRun_s = 0.1;
 
 // [signal.trace]: sets the stimulus's kind, trace and duration.
 void read_trace_section(const Table& signal, double nominal_hz, Stimulus& stimulus);

@@ -62,6 +62,15 @@ record::RunRecord head(const profile::Plan& plan, Station& station, const wavefo
   run.profile_sha256 = plan.sha256;
   run.profile_text = plan.text;
   run.grid = plan.grid.name;
+  run.grid_sha256 = plan.grid.sha256;
+  const profile::Recording& recording = plan.stimulus.recording;
+  run.recording = {recording.file,
+                   recording.sha256,
+                   recording.columns.time,
+                   recording.columns.frequency,
+                   recording.columns.voltage,
+                   recording.columns.nominal_voltage,
+                   recording.replaces_profile};
   run.station = station.name();
   run.noise = noise_text(plan, station.source().info());
   run.seed = plan.seed;
@@ -358,6 +367,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
       player.start_source();
       run.outlets = claim_outlets(plan, station);
       if (!player.play(run.outlets)) {
+        run.interrupted = true;
         set_error(run, "interrupted before its end");
       }
     } catch (const BenchFault& fault) {

@@ -69,6 +69,8 @@ TEST_F(GridFile, IsNamedByItsFileAndHasTheDocumentedDefaults) {
   EXPECT_EQ(grid.condition_row_hz, 0.05);
   EXPECT_TRUE(grid.blocks.empty());
   EXPECT_FALSE(grid.reference.threshold_mw);
+  EXPECT_EQ(grid.sha256, "3849cd1463c76ffd2dfb8cfc66602c500229c7e7f67a7e5e2a254e7019773b05")
+      << "of its text";
 }
 
 TEST_F(GridFile, IsFoundBesideTheProfile) {

@@ -39,7 +39,14 @@ const Spoilt kOutlets[] = {
      "test.toml:62:12: power_mw is 140; it must be above 0 and at most 100 (accumulated_mw, which "
      "counts the outlet's own block)"},
     {"ThresholdZero", "threshold_mw = 200.0", "threshold_mw = 0",
-     "test.toml:63:16: threshold_mw is 0; it must be above 0"},
+     "test.toml:63:16: threshold_mw is 0; it must be at least 1e-06 and at most 10000000"},
+    {"ThresholdBelowAnyPower", "threshold_mw = 200.0", "threshold_mw = 1e-300",
+     "test.toml:63:16: threshold_mw is 1e-300; it must be at least 1e-06 and at most 10000000"},
+    {"ThresholdAboveAnyPower", "threshold_mw = 200.0", "threshold_mw = 1e300",
+     "test.toml:63:16: threshold_mw is 1e+300; it must be at least 1e-06 and at most 10000000"},
+    {"SwitchOffAtNominalInSinglePrecision", "switch_off_hz = 58.5", "switch_off_hz = 59.9999999",
+     "test.toml:64:17: switch_off_hz is 59.9999999; in the outlets' single precision that is "
+     "nominal_hz itself"},
     {"SwitchOffAtNominal", "switch_off_hz = 58.5", "switch_off_hz = 60",
      "test.toml:64:17: switch_off_hz is 60; it must be at least 48 and below 60 (the grid's "
      "nominal_hz)"},
@@ -82,6 +89,11 @@ INSTANTIATE_TEST_SUITE_P(Commands, Refuses, testing::ValuesIn(kCommands), name_o
 const Spoilt kGrids[] = {
     {"NoBase", "base_mw = 900.0", "",
      "test.toml:4:1: [system] lacks \"base_mw\": a number must be given: a finite number"},
+    {"NominalThatNoOutletIsMadeFor", "nominal_hz = 60.0", "nominal_hz = 55.0",
+     "test.toml:5:14: nominal_hz is 55; outlets are made for 50 and for 60"},
+    {"MoreConditionsThanOutletsKeep", "condition_row_hz = 0.1", "condition_row_hz = 0.02",
+     "test.toml:13:20: rows of 0.02 Hz make 35 load-shedding conditions; an outlet keeps 32 at "
+     "most: condition_row_hz must be greater"},
     {"NegativeDamping", "damping_pu = 1.5", "damping_pu = -1.5",
      "test.toml:9:14: damping_pu is -1.5: must be from 0 to 1000"},
     {"ThresholdAboveNominal", "threshold_hz = 59.3", "threshold_hz = 60.5",

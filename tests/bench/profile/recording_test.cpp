@@ -63,7 +63,7 @@ class Recording : public testing::Test {
 TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
   const Plan plan = parse_here(kRecording);
   EXPECT_EQ(plan.stimulus.kind, TruthKind::kTrace);
-  EXPECT_EQ(plan.stimulus.trace_path, path("recording.csv"));
+  EXPECT_EQ(plan.stimulus.recording.path, path("recording.csv"));
   ASSERT_THAT(plan.stimulus.trace, SizeIs(4));  // of 1 s … 4 s
   EXPECT_EQ(plan.stimulus.trace[0].t_s, 0.0);
   EXPECT_EQ(plan.stimulus.trace[0].frequency_hz, 49.9);
@@ -71,6 +71,21 @@ TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
   EXPECT_EQ(plan.stimulus.trace[3].t_s, 3.0);
   EXPECT_EQ(plan.stimulus.duration_s, 2.0);
   EXPECT_NEAR(plan.truth()->frequency_hz(2.0), 49.7, 1e-12);  // rounding of a cubic
+}
+
+TEST_F(Recording, IsKnownByItsNameColumnsAndContent) {
+  const profile::Recording own = parse_here(kRecording).stimulus.recording;
+  EXPECT_EQ(own.file, "recording.csv") << "as the profile names it";
+  EXPECT_EQ(own.columns.voltage, "u");
+  EXPECT_EQ(own.sha256, "4fa5e3a1c3d7576c5d86a01f68b4974c7a3055ae4491f197a1af73e00d069837");
+  EXPECT_FALSE(own.replaces_profile);
+  write("other.csv", "t,f\n0,50\n9,50\n");
+  const profile::Recording other = parse_here(kRecording, replay("other.csv")).stimulus.recording;
+  EXPECT_EQ(other.file, path("other.csv"));
+  EXPECT_EQ(other.columns.voltage, "");
+  EXPECT_NE(other.sha256, own.sha256);
+  EXPECT_TRUE(other.replaces_profile);
+  EXPECT_EQ(parse(kMinimal).stimulus.recording.file, "");
 }
 
 TEST_F(Recording, IsPlayedToItsEndWhereTheProfileGivesNoDuration) {
@@ -123,8 +138,26 @@ TEST_F(Recording, OfTheCommandLineTakesThePlaceOfWhateverHappens) {
 TEST_F(Recording, OfTheCommandLineTakesThePlaceOfOneThatIsNotThere) {
   const Plan plan =
       parse_here(replaced(kRecording, "recording.csv", "none.csv"), replay("recording.csv"));
-  EXPECT_EQ(plan.stimulus.trace_path, path("recording.csv"));
+  EXPECT_EQ(plan.stimulus.recording.path, path("recording.csv"));
   EXPECT_EQ(plan.stimulus.duration_s, 5.0);
+}
+
+TEST_F(Recording, WithAVoltageBeyondFullScaleIsRefused) {
+  EXPECT_EQ(
+      refusal_here(replaced(kRecording, "nominal_voltage = 230.0", "nominal_voltage = 150.0")),
+      path("case.toml") +
+          ":7:1: the voltage reaches 1.533 pu (at 0 s, with harmonics and offset); "
+          "a source plays 1.5 pu at most");
+  Overrides overrides = replay("recording.csv");
+  overrides.trace_columns = {"t", "f", "u", 150.0};
+  EXPECT_THAT(refusal_here(kMinimal, overrides),
+              StartsWith(path("recording.csv") + ": the voltage reaches 1.533 pu (at 0 s"));
+}
+
+TEST_F(Recording, ThatIsTooShortForARunIsRefused) {
+  write("short.csv", "t,f\n0,50\n0.09,50\n");
+  EXPECT_EQ(refusal_here(kMinimal, replay("short.csv")),
+            path("short.csv") + ": 0.09 s long; a run takes 0.1 s at least");
 }
 
 TEST_F(Recording, OfTheCommandLineThatIsMissingIsRefused) {

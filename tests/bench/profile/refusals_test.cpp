@@ -43,9 +43,9 @@ const Spoilt kHeadAndShape[] = {
     {"EmptyTitle", "\"A test\"", "\"\"", "test.toml:1:9: title is an empty text"},
     {"NumberForText", "\"A test\"", "5", "test.toml:1:9: title is 5; it must be a text in quotes"},
     {"NegativeSeed", "source", "seed = -1\nsource",
-     "test.toml:2:8: seed is -1; it must be a whole number from 0 to 9223372036854775807"},
+     "test.toml:2:8: seed is -1; it must be a whole number from 0 to 9007199254740992"},
     {"RealSeed", "source", "seed = 1.5\nsource",
-     "test.toml:2:8: seed is 1.5; it must be a whole number from 0 to 9223372036854775807"},
+     "test.toml:2:8: seed is 1.5; it must be a whole number from 0 to 9007199254740992"},
     {"UnknownKeyNearAKnownOne", "duration_s", "duration",
      "test.toml:6:1: unknown key \"duration\" in [signal]; did you mean \"duration_s\"?"},
     {"UnknownKeyNearNone", "source", "colour = 1\nsource",
@@ -98,13 +98,15 @@ const Spoilt kSignal[] = {
     {"NoDuration", "duration_s = 6.0", "",
      "test.toml:5:1: [signal] lacks \"duration_s\": the length of the run, in seconds"},
     {"NegativeDuration", "6.0", "-6.0",
-     "test.toml:6:14: duration_s is -6; it must be above 0 and at most 100000"},
+     "test.toml:6:14: duration_s is -6; it must be at least 0.1 and at most 100000"},
     {"ZeroDuration", "6.0", "0",
-     "test.toml:6:14: duration_s is 0; it must be above 0 and at most 100000"},
+     "test.toml:6:14: duration_s is 0; it must be at least 0.1 and at most 100000"},
     {"NotANumber", "6.0", "nan",
-     "test.toml:6:14: duration_s is nan; it must be above 0 and at most 100000"},
+     "test.toml:6:14: duration_s is nan; it must be at least 0.1 and at most 100000"},
     {"Infinity", "6.0", "inf",
-     "test.toml:6:14: duration_s is inf; it must be above 0 and at most 100000"},
+     "test.toml:6:14: duration_s is inf; it must be at least 0.1 and at most 100000"},
+    {"DurationTooShortForAnAnswer", "6.0", "0.09",
+     "test.toml:6:14: duration_s is 0.09; it must be at least 0.1 and at most 100000"},
     {"TextForANumber", "6.0", "\"6 s\"",
      "test.toml:6:14: duration_s is the text \"6 s\"; it must be a plain number, in the unit that "
      "its name says"},
@@ -157,6 +159,20 @@ const Spoilt kDisturbances[] = {
      "test.toml:45:17: dc_offset_pct is 250; it must be at least -100 and at most 100"},
     {"InitialPhaseBeyondATurn", "initial_phase_deg = 30.0", "initial_phase_deg = 361",
      "test.toml:46:21: initial_phase_deg is 361; it must be at least -360 and at most 360"},
+    // The figures are those of sin θ + Σ a sin(kθ + φ) over a period, worked out elsewhere.
+    {"StepAboveFullScale", "level_pct = 40.0", "level_pct = 140.0",
+     "test.toml:47:1: the voltage reaches 1.587 pu (at 5 s, with harmonics and offset); a source "
+     "plays 1.5 pu at most"},
+    {"StepsAboveFullScaleTogether", "at_s = 8.0\nlevel_pct = 0.0",
+     "at_s = 6.0\nlevel_pct = 130.0\n[[signal.amplitude_step]]\nat_s = 7.0\nlevel_pct = 110",
+     "test.toml:51:1: the voltage reaches 1.62 pu (at 7 s, with harmonics and offset); a source "
+     "plays 1.5 pu at most"},
+    {"HarmonicsAboveFullScale", "5.0, 90.0", "60.0, 90.0",
+     "test.toml:43:13: the voltage reaches 1.682 pu (at 0 s, with harmonics and offset); a source "
+     "plays 1.5 pu at most"},
+    {"OffsetAboveFullScale", "dc_offset_pct = 0.25", "dc_offset_pct = -90",
+     "test.toml:45:17: the voltage reaches 1.951 pu (at 0 s, with harmonics and offset); a source "
+     "plays 1.5 pu at most"},
     {"StepAfterTheEnd", "at_s = 8.0", "at_s = 10.0",
      "test.toml:52:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
     {"StepBeforeTheStart", "at_s = 8.0", "at_s = -1",
@@ -167,10 +183,10 @@ const Spoilt kDisturbances[] = {
     {"StepOfNoLength", "duration_s = 1.5", "duration_s = 0",
      "test.toml:49:14: duration_s is 0; it must be above 0"},
     {"StepLevelNegative", "level_pct = 40.0", "level_pct = -40.0",
-     "test.toml:50:13: level_pct is -40; it must be at least 0 and at most 200"},
+     "test.toml:50:13: level_pct is -40; it must be at least 0 and at most 150"},
     {"StepWithoutLevel", "level_pct = 40.0", "",
      "test.toml:47:1: [[signal.amplitude_step]] lacks \"level_pct\": a number must be given: at "
-     "least 0 and at most 200"},
+     "least 0 and at most 150"},
     {"JumpAfterTheEnd", "at_s = 3.0", "at_s = 12.0",
      "test.toml:55:8: at_s is 12; it must be at least 0 and below 10 (the run's duration)"},
     {"JumpBeyondHalfATurn", "-20.0", "-200.0",
@@ -243,6 +259,37 @@ const Spoilt kLimits[] = {
      "test.toml:89:10: equals is \"opne\"; did you mean \"open\"?"},
 };
 INSTANTIATE_TEST_SUITE_P(Limits, RefusesOfALossesProfile, testing::ValuesIn(kLimits), name_of);
+
+TEST(Nesting, OfTablesByDotsOrBracketsIsRefusedBeforeItCouldOverflowTheStack) {
+  const auto repeated = [](const std::string& piece, int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i) text += piece;
+    return text;
+  };
+  const std::string says = "tables within tables, 65 deep; 64 at most";
+  EXPECT_EQ(refusal(repeated("a.", 50000) + "b = 1\n"), "test.toml:1:130: " + says);
+  EXPECT_EQ(refusal("[" + repeated("a.", 50000) + "b]\n"), "test.toml:1:129: " + says);
+  EXPECT_EQ(refusal("x = " + repeated("[", 50000)), "test.toml:1:69: " + says);
+  EXPECT_EQ(refusal("x = " + repeated("{a = ", 50000)), "test.toml:1:325: " + says);
+  EXPECT_EQ(refusal("x = 1\ny = " + repeated("{a.b.c = ", 50000)), "test.toml:2:196: " + says);
+}
+
+TEST(Nesting, CountsNoDotsOrBracketsOfTextsCommentsAndNumbers) {
+  const std::string dots(1000, '.');
+  const std::string brackets(1000, '[');
+  const std::string escaped = "\\\"" + dots;
+  const auto titled = [](const std::string& title) {
+    return replaced(kMinimal, "\"A test\"", title);
+  };
+  EXPECT_EQ(refusal(titled("\"" + dots + brackets + escaped + "\"  # " + dots + brackets)), "");
+  EXPECT_EQ(refusal(titled("'" + dots + brackets + "'")), "");
+  EXPECT_EQ(refusal(titled("\"\"\"" + dots + "\n\"" + brackets + "\"\"\"")), "");
+  std::string points = "duration_s = 6.0\nfrequency = [";
+  for (int i = 0; i < 500; ++i) {
+    points += "[" + std::to_string(0.01 * i) + ", 50.0],\n";
+  }
+  EXPECT_EQ(refusal(replaced(kMinimal, "duration_s = 6.0", points + "]")), "");
+}
 
 }  // namespace
 }  // namespace gsbench::profile::test

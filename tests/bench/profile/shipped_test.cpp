@@ -130,10 +130,21 @@ TEST(ProfilesFolder, IsTakenFromTheEnvironment) {
   fs::remove_all(folder);
 }
 
-TEST(ProfilesFolder, ThatIsMissingHoldsNothing) {
+TEST(ProfilesFolder, ThatIsMissingIsRefused) {
   const ProfilesElsewhere elsewhere("nowhere/at/all");
-  EXPECT_TRUE(list_profiles().empty());
-  EXPECT_THAT(refusal_of_name("paper/loss-500mw"), HasSubstr("there are no profiles"));
+  const std::string says = "nowhere/at/all: no such folder to look for profiles in";
+  EXPECT_THAT(refusal_of_name("paper/loss-500mw"), StartsWith(says));
+  EXPECT_THROW(list_profiles(), ConfigurationError);
+  EXPECT_THROW(list_grids(), ConfigurationError);
+}
+
+TEST(ProfileFile, ThatIsHugeIsRefusedUnread) {
+  const fs::path path = fs::path(testing::TempDir()) / "gsbench-huge.toml";
+  std::ofstream(path) << kMinimal;
+  fs::resize_file(path, std::uintmax_t{1} << 40U);  // sparse
+  EXPECT_EQ(refusal_of_name(path.string()),
+            path.string() + ": 1099511627776 bytes; a profile or grid has 4194304 at most");
+  fs::remove(path);
 }
 
 TEST(ProfileFile, ThatIsAFolderIsRefused) {

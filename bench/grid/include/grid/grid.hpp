@@ -40,6 +40,8 @@ struct Grid {
   std::string name;
   std::string title;
   std::string source;
+  std::string path;                // of the file, as opened; empty where it is in none
+  std::string sha256;              // of the file's text, hexadecimal; empty where it is in no file
   double nominal_hz = 50.0;        // f_n, the frequency before the contingency; > 0
   double threshold_hz = 49.5;      // f_s, the nadir that must not be undershot; 0 < f_s < f_n
   double base_mw = 0.0;            // S_B, base of D, H and R; > 0

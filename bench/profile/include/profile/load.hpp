@@ -31,6 +31,9 @@ using MeasureCatalogue = std::vector<MeasureName>;
 // Folder that profiles are looked for in: $GSBENCH_PROFILES if set, else the shipped ones.
 std::string profiles_folder();
 
+// Seeds are 0 … this: whole numbers that every reader of JSON keeps exactly.
+constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
+
 // What the command line says in place of the profile.
 struct Overrides {
   std::optional<std::uint64_t> seed;

@@ -18,12 +18,21 @@ namespace gsbench::profile {
 // Where the played frequency comes from; just one of the three in a profile.
 enum class TruthKind { kLosses, kPoints, kTrace };
 
+// A CSV recording that is played.
+struct Recording {
+  std::string file;    // as the profile or the command line names it
+  std::string path;    // as opened
+  std::string sha256;  // of its content, hexadecimal
+  waveform::TraceColumns columns;
+  bool replaces_profile = false;  // the command line gave it in place of the profile's own signal
+};
+
 struct Stimulus {
   TruthKind kind = TruthKind::kLosses;
   std::vector<grid::PowerChange> losses;         // [[grid.loss]]
   std::vector<waveform::FrequencyPoint> points;  // [signal] frequency = [[t, hz], …]
   std::vector<waveform::TracePoint> trace;       // [signal.trace], already read
-  std::string trace_path;
+  Recording recording;                           // where `trace` came from
   waveform::SignalSpec signal;
   double duration_s = 0.0;             // > 0
   std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000
