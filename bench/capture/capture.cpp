@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <utility>
+#include <iterator>
 
 #include <capture/capture.hpp>
 
@@ -126,35 +126,46 @@ VoltageTrace Capture::voltage_trace(std::size_t outlet) const {
   return voltage;
 }
 
-void Capture::move_into(std::size_t outlet, const OutletClock& clock,
+void Capture::move_into(std::size_t outlet, const OutletClock& clock, std::int64_t last_tick,
                         record::OutletRecord& record) {
   Track& track = tracks_.at(outlet);
   record::OutletRecord& from = track.record;
   const auto to_tick = [&](std::int64_t sample) {
     return clock.tick_of(static_cast<std::uint64_t>(sample));
   };
-  for (std::int64_t& tick : from.trace.tick) {
-    tick = to_tick(tick);
-  }
-  for (std::int64_t& tick : from.estimates.tick) {
-    tick = to_tick(tick);
+  const auto in_run = [&](std::int64_t tick) { return tick >= 0 && tick <= last_tick; };
+  for (std::size_t i = 0; i < from.trace.tick.size(); ++i) {
+    const std::int64_t tick = to_tick(from.trace.tick[i]);
+    if (in_run(tick)) {
+      record.trace.tick.push_back(tick);
+      record.trace.frequency_hz.push_back(from.trace.frequency_hz[i]);
+      record.trace.rocof_hz_s.push_back(from.trace.rocof_hz_s[i]);
+      record.trace.voltage_pu.push_back(from.trace.voltage_pu[i]);
+      record.trace.validity.push_back(from.trace.validity[i]);
+    }
   }
   for (std::size_t i = 0; i < from.estimates.tick.size(); ++i) {
-    const double event_s = static_cast<double>(to_tick(track.event_sample[i])) / sample_rate_hz_;
-    from.estimates.t_x_s.push_back(
-        static_cast<float>(event_s + static_cast<double>(track.loss_instant_s[i])));
+    const std::int64_t tick = to_tick(from.estimates.tick[i]);
+    if (in_run(tick)) {
+      const double event_s = static_cast<double>(to_tick(track.event_sample[i])) / sample_rate_hz_;
+      record.estimates.tick.push_back(tick);
+      record.estimates.loss_mw.push_back(from.estimates.loss_mw[i]);
+      record.estimates.loss_sigma_mw.push_back(from.estimates.loss_sigma_mw[i]);
+      record.estimates.t_x_s.push_back(
+          static_cast<float>(event_s + static_cast<double>(track.loss_instant_s[i])));
+      record.estimates.trusted.push_back(from.estimates.trusted[i]);
+    }
   }
   for (record::Mark& mark : from.marks) {
     mark.tick = to_tick(mark.tick);
   }
-  record.settings_digest = std::move(from.settings_digest);
-  record.trace = std::move(from.trace);
-  record.estimates = std::move(from.estimates);
-  record.marks = std::move(from.marks);
-  record.marks.insert(record.marks.end(), track.bench_marks.begin(), track.bench_marks.end());
+  from.marks.insert(from.marks.end(), track.bench_marks.begin(), track.bench_marks.end());
   // Stable: what one instant brought keeps the order in which it was said, the outlet's word first.
-  std::stable_sort(record.marks.begin(), record.marks.end(),
+  std::stable_sort(from.marks.begin(), from.marks.end(),
                    [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
+  std::copy_if(from.marks.begin(), from.marks.end(), std::back_inserter(record.marks),
+               [&](const record::Mark& mark) { return in_run(mark.tick); });
+  record.settings_digest = from.settings_digest;
   track = Track{};
 }
 

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <profile/load.hpp>
 #include <record/run_record.hpp>
 
 namespace gsbench::cli {
@@ -21,7 +22,7 @@ enum ExitCode : int {
 };
 
 // As in a profile.
-inline const CLI::Range kSeedRange(std::int64_t{0}, std::int64_t{1} << 53);
+inline const CLI::Range kSeedRange(std::uint64_t{0}, profile::kLargestSeed);
 
 // Threads that simulated outlets are played on, where nothing else is asked for.
 std::size_t default_threads();
@@ -30,8 +31,10 @@ std::size_t default_threads();
 ExitCode exit_code_of(record::Verdict verdict);
 
 void add_check(CLI::App& app, int& exit_code);
+void add_devices(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_measures(CLI::App& app, int& exit_code);
+void add_monitor(CLI::App& app, int& exit_code);
 void add_params(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);

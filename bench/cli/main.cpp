@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ int main(int argc, char** argv) {
   cli::add_runs(app, exit_code);
   cli::add_study(app, exit_code);
   cli::add_measures(app, exit_code);
+  cli::add_devices(app, exit_code);
+  cli::add_monitor(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -67,6 +70,10 @@ int main(int argc, char** argv) {
     return complain(error.what(), cli::kBadInput);
   } catch (const gsbench::render::WriteError& error) {
     return complain(error.what(), cli::kBadInput);
+  } catch (const std::bad_alloc&) {
+    return complain(
+        "out of memory: fewer outlets, a shorter run or fewer --threads would need less",
+        cli::kErrored);
   } catch (const std::exception& error) {
     return complain(error.what(), cli::kErrored);
   }

@@ -10,9 +10,11 @@
 
 #include <judge/catalogue.hpp>
 #include <profile/load.hpp>
+#include <profile/station_spec.hpp>
 #include <record/store.hpp>
 #include <render/render.hpp>
 #include <station/run.hpp>
+#include <station/stations.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -28,12 +30,14 @@ struct RunArguments {
 };
 
 int run(const RunArguments& arguments) {
-  const profile::Plan plan =
+  const profile::Plan asked =
       profile::load_profile(arguments.profile, judge::measure_names(), arguments.overrides);
+  const profile::StationSpec spec = profile::load_station(arguments.station);
+  const profile::Plan plan = station::fit_to_station(spec, asked);
   station::SimulatedOptions simulated;
   simulated.real_time = arguments.real_time;
   simulated.threads = arguments.threads;
-  const auto station = station::simulated_station(plan, simulated);
+  const auto station = station::make_station(spec, plan, simulated);
   const std::atomic<bool>& interrupted = catch_interrupts();
 
   RunFolder folder(arguments.output_folder);
@@ -47,8 +51,8 @@ int run(const RunArguments& arguments) {
     options.progress = [&](double part) { progress.show(part); };
     run = station::run(plan, *station, options);
   }
-  write_reports(run, folder.path());
   folder.keep(run.run_id);
+  write_reports(run, folder.path());
 
   if (arguments.json) {
     std::fputs(render::json(run).c_str(), stdout);
@@ -56,7 +60,7 @@ int run(const RunArguments& arguments) {
     std::fputs(render::terminal(run, isatty(STDOUT_FILENO) == 1).c_str(), stdout);
     std::printf("\nReport: %s\n", folder.file("report.html").c_str());
   }
-  return interrupted ? kInterrupted : exit_code_of(run.verdict);
+  return run.interrupted ? kInterrupted : exit_code_of(run.verdict);
 }
 
 }  // namespace
@@ -73,8 +77,9 @@ void add_run(CLI::App& app, int& exit_code) {
       ->add_option("--seed", arguments->overrides.seed,
                    "Seed of the noise, in place of the profile's")
       ->check(kSeedRange);
-  command->add_option("--station", arguments->station, "Where the outlets are")
-      ->check(CLI::IsMember({"simulated"}))
+  command
+      ->add_option("--station", arguments->station,
+                   "Where the outlets are: a shipped station, or a .toml file")
       ->capture_default_str();
   command->add_flag("--real-time", arguments->real_time,
                     "Pace by the wall clock, not as fast as possible");
@@ -102,7 +107,8 @@ void add_run(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  gsbench run paper/loss-500mw\n"
       "  gsbench run my-profile.toml --seed 7 --out my-runs --json\n"
-      "  gsbench run regression/backup --trace grid.csv --trace-time time --trace-frequency f");
+      "  gsbench run my-profile.toml --trace grid.csv --trace-time time --trace-frequency f\n"
+      "With --trace the profile's limits still hold: take one without a loss to detect.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

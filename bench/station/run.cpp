@@ -306,7 +306,8 @@ std::vector<record::OutletRecord> claim_outlets(const profile::Plan& plan, Stati
 
 // Brings what an outlet said onto the run's time base, into its record.
 void collect(std::size_t i, const Station& station, const capture::Markers& markers,
-             std::int64_t sample_rate_hz, capture::Capture& capture, record::OutletRecord& outlet) {
+             std::int64_t plan_ticks, std::int64_t sample_rate_hz, capture::Capture& capture,
+             record::OutletRecord& outlet) {
   capture::OutletClock clock;
   if (!station.outlets_count_ticks()) {
     const auto rate_hz = static_cast<double>(sample_rate_hz);
@@ -320,7 +321,7 @@ void collect(std::size_t i, const Station& station, const capture::Markers& mark
       note(outlet, "did not show the marks before the run in its voltage: its time is not known");
     }
   }
-  capture.move_into(i, clock, outlet);
+  capture.move_into(i, clock, plan_ticks, outlet);
 }
 
 void set_error(record::RunRecord& run, const std::string& reason) {
@@ -375,7 +376,8 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
     }
   }
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
-    collect(i, station, player.markers(), plan.stimulus.sample_rate_hz, capture, run.outlets[i]);
+    collect(i, station, player.markers(), plan.duration_ticks(), plan.stimulus.sample_rate_hz,
+            capture, run.outlets[i]);
   }
   if (run.verdict == Verdict::kError) {
     for (record::OutletRecord& outlet : run.outlets) {

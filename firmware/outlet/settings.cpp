@@ -103,7 +103,7 @@ const char* to_string(SettingsError error) {
     case SettingsError::kAccumulated:
       return "accumulated power negative";
     case SettingsError::kSwitchOff:
-      return "switching-off frequency not between 80 % of nominal and nominal";
+      return "switching-off frequency not from 80 % of nominal to below nominal";
     case SettingsError::kConditions:
       return "load-shedding conditions missing, too many or not descending";
     case SettingsError::kCounts:
@@ -138,7 +138,7 @@ SettingsError validate(const Settings& s, float nominal_hz) {
   if (!(s.accumulated_mw >= 0.0f)) {
     return SettingsError::kAccumulated;
   }
-  if (!within(s.switch_off_hz, 0.8f * nominal_hz, nominal_hz)) {
+  if (!(s.switch_off_hz >= 0.8f * nominal_hz) || !(s.switch_off_hz < nominal_hz)) {
     return SettingsError::kSwitchOff;
   }
   if (!conditions_in_order(s, nominal_hz)) {

@@ -49,7 +49,7 @@ link::Received estimate(std::int64_t tick, float loss_instant_s, Trust trust) {
 
 record::OutletRecord taken(Capture& capture, std::size_t outlet) {
   record::OutletRecord record;
-  capture.move_into(outlet, OutletClock(), record);
+  capture.move_into(outlet, OutletClock(), 1 << 30, record);
   return record;
 }
 
@@ -167,7 +167,7 @@ TEST(Capture, KeepsWhatTheRecordKnowsOfTheOutletAlready) {
   record.id = "outlet-7";
   record.settings = {{"threshold_mw", 351.9}};
   record.verdict = record::Verdict::kError;
-  capture.move_into(0, OutletClock(), record);
+  capture.move_into(0, OutletClock(), 1 << 30, record);
   EXPECT_EQ(record.id, "outlet-7");
   EXPECT_EQ(record.settings.size(), 1U);
   EXPECT_EQ(record.verdict, record::Verdict::kError);

@@ -35,8 +35,10 @@ class Capture {
   std::uint64_t last_report_sample(std::size_t outlet) const;
   VoltageTrace voltage_trace(std::size_t outlet) const;  // its delay is for the caller to set
 
-  // The records' traces, estimates and marks (ascending in time); the capture is empty afterwards.
-  void move_into(std::size_t outlet, const OutletClock& clock, record::OutletRecord& record);
+  // The records' traces, estimates and marks (ascending in time) of the run itself, from tick 0 to
+  // its last; what was before and after is left out. The capture is empty afterwards.
+  void move_into(std::size_t outlet, const OutletClock& clock, std::int64_t last_tick,
+                 record::OutletRecord& record);
 
  private:
   struct Track {

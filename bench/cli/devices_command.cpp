@@ -1,0 +1,84 @@
+#include "commands.hpp"
+#include "link_arguments.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+struct DevicesArguments {
+  LinkArguments link;
+  bool json = false;
+};
+
+std::string version_of(const gs::wire::Hello& hello) {
+  return fmt::format("{}.{}.{}", hello.firmware_version / 1000000,
+                     hello.firmware_version / 1000 % 1000, hello.firmware_version % 1000);
+}
+
+nlohmann::ordered_json as_json(const link::OutletPresence& outlet) {
+  const gs::wire::Hello& hello = outlet.hello;
+  return {{"id", outlet.id},
+          {"where", outlet.where},
+          {"board", hello.board},
+          {"instance", hello.instance},
+          {"protocol", hello.protocol_version},
+          {"firmware", version_of(hello)},
+          {"build", fmt::format("{:08x}", hello.build)},
+          {"sample_rate_hz", hello.sample_rate_hz},
+          {"nominal_hz", hello.nominal_hz},
+          {"settings_version", hello.settings_version},
+          {"settings_digest", fmt::format("{:08x}", hello.settings_digest)},
+          {"keeps_settings", (hello.capabilities & gs::wire::kKeepsSettings) != 0},
+          {"has_watchdog", (hello.capabilities & gs::wire::kHasWatchdog) != 0}};
+}
+
+int devices(const DevicesArguments& arguments) {
+  const std::unique_ptr<link::Link> link = make_link(arguments.link);
+  const std::vector<link::OutletPresence> present = open_link(*link);
+  link->close();
+  if (arguments.json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const link::OutletPresence& outlet : present) {
+      all.push_back(as_json(outlet));
+    }
+    std::printf("%s\n", all.dump(2).c_str());
+    return kPassed;
+  }
+  if (present.empty()) {
+    std::fputs("gsbench: no outlet answers\n", stderr);
+    return kPassed;
+  }
+  fmt::print("{:<24}{:<28}{:<14}{:<10}{:<10}{:>9}{:>9}  {}\n", "outlet", "where", "board",
+             "firmware", "build", "samples", "nominal", "settings");
+  for (const link::OutletPresence& outlet : present) {
+    const gs::wire::Hello& hello = outlet.hello;
+    fmt::print("{:<24}{:<28}{:<14}{:<10}{:08x}  {:>6} Hz{:>6} Hz  {}\n", outlet.id, outlet.where,
+               hello.board, version_of(hello), hello.build, hello.sample_rate_hz, hello.nominal_hz,
+               hello.settings_version == 0
+                   ? std::string("none")
+                   : fmt::format("version {}, digest {:08x}", hello.settings_version,
+                                 hello.settings_digest));
+  }
+  return kPassed;
+}
+
+}  // namespace
+
+void add_devices(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<DevicesArguments>();
+  CLI::App* command = app.add_subcommand("devices", "Finds outlets on ports and brokers");
+  add_link_options(*command, arguments->link);
+  command->add_flag("--json", arguments->json, "Print as JSON");
+  command->footer(
+      "Examples:\n"
+      "  gsbench devices                          on every serial port of this machine\n"
+      "  gsbench devices --port /dev/ttyUSB0\n"
+      "  gsbench devices --station my-station.toml");
+  command->callback([arguments, &exit_code] { exit_code = devices(*arguments); });
+}
+
+}  // namespace gsbench::cli

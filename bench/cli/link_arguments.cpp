@@ -1,0 +1,58 @@
+#include "link_arguments.hpp"
+
+#include <link_serial/serial_link.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <emulated/serial_ports.hpp>
+#include <profile/station_spec.hpp>
+#include <station/stations.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+bool is_pseudo_terminal(const std::string& port) {
+  return port.rfind("/dev/pts/", 0) == 0;
+}
+
+}  // namespace
+
+void add_link_options(CLI::App& command, LinkArguments& arguments) {
+  CLI::Option* station = command.add_option("--station", arguments.station,
+                                            "A station file, or the name of a shipped one");
+  command.add_option("--port", arguments.ports, "A serial port; may be given more than once")
+      ->excludes(station);
+}
+
+std::unique_ptr<link::Link> make_link(const LinkArguments& arguments) {
+  profile::StationSpec spec;
+  if (!arguments.station.empty()) {
+    spec = profile::load_station(arguments.station);
+    if (spec.kind != profile::StationKind::kPhysical) {
+      throw profile::ConfigurationError(spec.path +
+                                        ": its outlets are there only while a run plays to them");
+    }
+  } else {
+    spec.serial_ports = arguments.ports.empty() ? link::serial_ports() : arguments.ports;
+    if (spec.serial_ports.empty()) {
+      throw profile::ConfigurationError(
+          "this machine has no serial port; name a station with --station");
+    }
+  }
+  if (std::any_of(spec.serial_ports.begin(), spec.serial_ports.end(), is_pseudo_terminal) &&
+      !emulated::pseudo_terminals_are_serial_ports()) {
+    throw std::runtime_error(emulated::restart_with_pseudo_terminals().error());
+  }
+  return station::make_link(spec);
+}
+
+std::vector<link::OutletPresence> open_link(link::Link& link) {
+  const auto present = link.open();
+  if (!present.ok()) {
+    throw std::runtime_error(present.error());
+  }
+  return present.value();
+}
+
+}  // namespace gsbench::cli

@@ -1,0 +1,95 @@
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "link_arguments.hpp"
+#include "message_text.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <thread>
+
+#include <profile/load.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
+
+struct MonitorArguments {
+  LinkArguments link;
+  std::string outlet;
+  double seconds = std::numeric_limits<double>::infinity();
+  bool quiet = false;
+};
+
+bool wanted(const MonitorArguments& arguments, const std::string& id) {
+  return arguments.outlet.empty() || arguments.outlet == id;
+}
+
+int monitor(const MonitorArguments& arguments) {
+  const std::unique_ptr<link::Link> link = make_link(arguments.link);
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  const std::vector<link::OutletPresence> present = open_link(*link);
+  if (std::none_of(present.begin(), present.end(), [&](const link::OutletPresence& outlet) {
+        return wanted(arguments, outlet.id);
+      })) {
+    throw profile::ConfigurationError(arguments.outlet.empty()
+                                          ? "no outlet answers"
+                                          : "no outlet " + arguments.outlet + " answers");
+  }
+  for (const link::OutletPresence& outlet : present) {
+    if (wanted(arguments, outlet.id)) {
+      gs::wire::Uplink hello;
+      hello.hello = outlet.hello;
+      std::printf("%s\n", message_text(outlet.id, hello).c_str());
+    }
+  }
+  std::fflush(stdout);
+  const auto started = std::chrono::steady_clock::now();
+  std::vector<link::Received> messages;
+  std::vector<link::Fault> faults;
+  while (!interrupted && !std::ferror(stdout) &&
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() <
+             arguments.seconds) {
+    messages.clear();
+    faults.clear();
+    const drivers::Status status = link->poll(messages, faults);
+    if (!status.ok()) {
+      throw std::runtime_error(status.error());
+    }
+    for (const link::Received& received : messages) {
+      const std::string& id = present.at(received.outlet).id;
+      const bool measurement = received.message.kind == gs::wire::UplinkKind::kMeasurement;
+      if (wanted(arguments, id) && !(arguments.quiet && measurement)) {
+        std::printf("%s\n", message_text(id, received.message).c_str());
+      }
+    }
+    for (const link::Fault& fault : faults) {
+      std::printf("%-20s ! %s\n", present.at(fault.outlet).id.c_str(), fault.what.c_str());
+    }
+    std::fflush(stdout);
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+  // An interrupt is how one ends looking.
+  return kPassed;
+}
+
+}  // namespace
+
+void add_monitor(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<MonitorArguments>();
+  CLI::App* command = app.add_subcommand("monitor", "Prints what outlets say, as they say it");
+  add_link_options(*command, arguments->link);
+  command->add_option("--outlet", arguments->outlet, "Only this one's messages");
+  command->add_option("--seconds", arguments->seconds, "End after so long; else at an interrupt")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--quiet", arguments->quiet, "Without the measurement of every 16 ms");
+  command->footer(
+      "Examples:\n"
+      "  gsbench monitor --port /dev/ttyUSB0\n"
+      "  gsbench monitor --station my-station.toml --outlet kitchen-1 --quiet");
+  command->callback([arguments, &exit_code] { exit_code = monitor(*arguments); });
+}
+
+}  // namespace gsbench::cli

@@ -1,0 +1,126 @@
+#include "emulated_station.hpp"
+
+#include <link_mqtt/mqtt_link.hpp>
+#include <link_serial/serial_link.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <emulated/desk.hpp>
+#include <emulated/serial_ports.hpp>
+#include <link/combined_link.hpp>
+
+namespace gsbench::station {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Outlets in a busy machine's processes take their time to come up.
+constexpr double kAnswerS = 10.0;
+
+// Where the program's own companions are: beside it.
+std::string companion(const std::string& name) {
+  std::error_code error;
+  return (fs::read_symlink("/proc/self/exe", error).parent_path() / name).string();
+}
+
+emulated::DeskOptions options_of(const profile::StationSpec& spec, const profile::Plan& plan) {
+  emulated::DeskOptions options;
+  options.sample_rate_hz = plan.stimulus.sample_rate_hz;
+  options.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
+  options.image = spec.image.empty() ? GSBENCH_M4_IMAGE : spec.image;
+  options.host_program = companion("gs-outlet");
+  for (const profile::EmulatedOutletSpec& outlet : spec.emulated) {
+    options.outlets.push_back(
+        {outlet.id, outlet.board == "host" ? emulated::Board::kHost : emulated::Board::kMps2An386,
+         outlet.link == "mqtt" ? emulated::Connection::kMqtt : emulated::Connection::kSerial,
+         outlet.crystal_ppm});
+  }
+  return options;
+}
+
+std::string first_line(const std::string& path) {
+  std::string line;
+  if (!path.empty() && !std::getline(std::ifstream(path), line)) {
+    throw profile::ConfigurationError(path + ": no password can be read");
+  }
+  return line;
+}
+
+}  // namespace
+
+EmulatedStation::EmulatedStation(const profile::StationSpec& spec, const profile::Plan& plan)
+    : name_(spec.name), sample_rate_hz_(static_cast<double>(plan.stimulus.sample_rate_hz)) {
+  auto desk = emulated::Desk::set_up(options_of(spec, plan));
+  if (!desk.ok()) {
+    throw std::runtime_error("station " + spec.name + ": " + desk.error());
+  }
+  desk_ = desk.take();
+  std::vector<std::unique_ptr<link::Link>> links;
+  if (!desk_->serial_ports().empty()) {
+    links.push_back(link_of(desk_->serial_ports(), link::kSerialBaud, {}, false));
+  }
+  if (const broker::PrivateBroker* const broker = desk_->broker(); broker != nullptr) {
+    link::MqttOptions options;
+    options.url = broker->url();
+    options.ca_file = broker->ca_file();
+    options.user = broker->bench().user;
+    options.password = broker->bench().password;
+    options.outlets = desk_->mqtt_ids();
+    options.patience = std::chrono::milliseconds(static_cast<int>(1e3 * kAnswerS));
+    links.push_back(std::make_unique<link::MqttLink>(options));
+  }
+  link_ = std::make_unique<link::CombinedLink>(std::move(links));
+}
+
+// The link lets go of its ports before they are gone.
+EmulatedStation::~EmulatedStation() {
+  link_->close();
+}
+
+judge::BenchUncertainty EmulatedStation::uncertainty() {
+  judge::BenchUncertainty uncertainty;
+  uncertainty.relay_sense_ms = 1e3 * desk_->relay_sense().uncertainty_ticks() / sample_rate_hz_;
+  return uncertainty;
+}
+
+std::unique_ptr<Station> emulated_station(const profile::StationSpec& spec,
+                                          const profile::Plan& plan) {
+  const bool needs_terminals =
+      std::any_of(spec.emulated.begin(), spec.emulated.end(),
+                  [](const profile::EmulatedOutletSpec& o) { return o.link == "serial"; });
+  if (needs_terminals && !emulated::pseudo_terminals_are_serial_ports()) {
+    const drivers::Status restarted = emulated::restart_with_pseudo_terminals();
+    throw std::runtime_error("station " + spec.name + ": " + restarted.error());
+  }
+  return std::make_unique<EmulatedStation>(spec, plan);
+}
+
+std::unique_ptr<link::Link> link_of(const std::vector<std::string>& ports, int baud,
+                                    const profile::BrokerSpec& broker, bool skip_silent) {
+  std::vector<std::unique_ptr<link::Link>> links;
+  if (!ports.empty()) {
+    link::SerialOptions options;
+    options.ports = ports;
+    options.baud = baud;
+    options.skip_silent = skip_silent;
+    options.answer_s = skip_silent ? 2.0 : kAnswerS;
+    links.push_back(std::make_unique<link::SerialLink>(options));
+  }
+  if (!broker.url.empty()) {
+    link::MqttOptions options;
+    options.url = broker.url;
+    options.ca_file = broker.ca_file;
+    options.user = broker.user;
+    options.password = first_line(broker.password_file);
+    options.outlets = broker.outlets;
+    links.push_back(std::make_unique<link::MqttLink>(options));
+  }
+  return std::make_unique<link::CombinedLink>(std::move(links));
+}
+
+}  // namespace gsbench::station

@@ -1,0 +1,49 @@
+// Stations of emulated outlets, and links as station files describe them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <emulated/desk.hpp>
+#include <link/link.hpp>
+#include <profile/plan.hpp>
+#include <profile/station_spec.hpp>
+#include <station/station.hpp>
+
+namespace gsbench::station {
+
+// A desk of emulated outlets and the links to them, the same as to real ones.
+class EmulatedStation final : public Station {
+ public:
+  // Where an outlet is on a serial line, pseudo-terminals must be serial ports (emulated/
+  // serial_ports.hpp). Throws std::runtime_error where it cannot be set up.
+  EmulatedStation(const profile::StationSpec& spec, const profile::Plan& plan);
+  ~EmulatedStation() override;
+
+  std::string name() const override { return name_; }
+  source::Source& source() override { return desk_->source(); }
+  link::Link& link() override { return *link_; }
+  relay::RelaySense& relay_sense() override { return desk_->relay_sense(); }
+  judge::BenchUncertainty uncertainty() override;
+  bool outlets_count_ticks() const override { return false; }
+  double block_s() const override { return 0.016; }
+
+  emulated::Desk& desk() { return *desk_; }
+
+ private:
+  std::string name_;
+  double sample_rate_hz_;
+  std::unique_ptr<emulated::Desk> desk_;
+  std::unique_ptr<link::Link> link_;
+};
+
+// The same, with pseudo-terminals made serial ports first where that is needed.
+std::unique_ptr<Station> emulated_station(const profile::StationSpec& spec,
+                                          const profile::Plan& plan);
+
+// One link to outlets on ports and behind a broker.
+std::unique_ptr<link::Link> link_of(const std::vector<std::string>& ports, int baud,
+                                    const profile::BrokerSpec& broker, bool skip_silent);
+
+}  // namespace gsbench::station

@@ -1,0 +1,68 @@
+#include "emulated_station.hpp"
+
+#include <algorithm>
+
+#include <station/stations.hpp>
+
+namespace gsbench::station {
+
+std::unique_ptr<Station> make_station(const profile::StationSpec& spec, const profile::Plan& plan,
+                                      const SimulatedOptions& simulated) {
+  switch (spec.kind) {
+    case profile::StationKind::kSimulated:
+      return simulated_station(plan, simulated);
+    case profile::StationKind::kEmulated:
+      return emulated_station(spec, plan);
+    case profile::StationKind::kPhysical:
+      break;
+  }
+  throw profile::ConfigurationError(
+      spec.path +
+      ": this station has outlets and no source to play to them; `gsbench devices` and `gsbench "
+      "monitor` work on it");
+}
+
+std::unique_ptr<link::Link> make_link(const profile::StationSpec& spec) {
+  return link_of(spec.serial_ports, spec.baud, spec.broker, true);
+}
+
+profile::Plan fit_to_station(const profile::StationSpec& spec, const profile::Plan& plan) {
+  const std::size_t there = spec.emulated.size();
+  if (spec.kind != profile::StationKind::kEmulated || there >= plan.outlets.size()) {
+    return plan;
+  }
+  std::vector<std::string> groups;
+  for (const profile::Outlet& outlet : plan.outlets) {
+    if (std::count(groups.begin(), groups.end(), outlet.group) == 0) {
+      groups.push_back(outlet.group);
+    }
+  }
+  if (groups.size() > there) {
+    throw profile::ConfigurationError(plan.path + ": has " + std::to_string(groups.size()) +
+                                      " groups of outlets, and the station " + spec.name +
+                                      " only " + std::to_string(there) + " outlets");
+  }
+  // One of each group in turn.
+  std::vector<bool> taken(plan.outlets.size(), false);
+  for (std::size_t chosen = 0; chosen < there;) {
+    for (const std::string& group : groups) {
+      for (std::size_t i = 0; i < plan.outlets.size() && chosen < there; ++i) {
+        if (!taken[i] && plan.outlets[i].group == group) {
+          taken[i] = true;
+          ++chosen;
+          break;
+        }
+      }
+    }
+  }
+  profile::Plan fitted = plan;
+  fitted.outlets.clear();
+  for (std::size_t i = 0; i < plan.outlets.size(); ++i) {
+    if (taken[i]) {
+      fitted.outlets.push_back(plan.outlets[i]);
+    }
+  }
+  return fitted;
+}
+
+}  // namespace gsbench::station

@@ -1,0 +1,75 @@
+// A desk full of emulated outlets: their processes (the firmware's image for the Cortex-M4F in an
+// emulator, or the firmware as a process of this machine), the mains at their terminals, cables to
+// those on serial lines, a private broker for those on MQTT. All of it ends with the desk, also
+// when the bench is killed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <broker/private_broker.hpp>
+#include <drivers/result.hpp>
+#include <emulated/mains.hpp>
+#include <emulated/null_modem.hpp>
+#include <process/child.hpp>
+
+namespace gsbench::emulated {
+
+enum class Board { kMps2An386, kHost };
+enum class Connection { kSerial, kMqtt };
+
+struct DeskOutlet {
+  std::string id;
+  Board board = Board::kHost;
+  Connection connection = Connection::kSerial;
+  double crystal_ppm = 0.0;
+};
+
+struct DeskOptions {
+  std::vector<DeskOutlet> outlets;
+  std::int64_t sample_rate_hz = 8000;
+  int nominal_hz = 50;
+  bool real_time = true;
+  std::string image;         // for the emulated board
+  std::string host_program;  // gs-outlet
+};
+
+class Desk {
+ public:
+  // Start it from a thread that lives as long as it should.
+  static drivers::Result<std::unique_ptr<Desk>> set_up(const DeskOptions& options);
+  ~Desk();
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  source::Source& source() { return mains_->source(); }
+  relay::RelaySense& relay_sense() { return mains_->relay_sense(); }
+
+  // The bench's ends, in the order of the outlets on serial lines.
+  std::vector<std::string> serial_ports() const;
+  // Those behind the broker, in their order.
+  std::vector<std::string> mqtt_ids() const;
+  broker::PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
+
+  // For faults on purpose.
+  process::Child& outlet_process(std::size_t outlet) { return processes_.at(outlet); }
+  drivers::Status restart_outlet(std::size_t outlet);
+  NullModem& cable(std::size_t outlet) { return *cables_.at(outlet); }
+
+ private:
+  explicit Desk(const DeskOptions& options) : options_(options) {}
+  drivers::Status set_up();
+  drivers::Status plug_in(std::size_t outlet);
+  drivers::Result<process::Command> command_of(std::size_t outlet) const;
+
+  DeskOptions options_;
+  std::string folder_;
+  std::unique_ptr<Mains> mains_;
+  std::unique_ptr<broker::PrivateBroker> broker_;
+  std::vector<std::unique_ptr<NullModem>> cables_;  // null for outlets behind the broker
+  std::vector<process::Child> processes_;
+};
+
+}  // namespace gsbench::emulated

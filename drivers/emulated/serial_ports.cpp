@@ -1,0 +1,56 @@
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <emulated/serial_ports.hpp>
+
+namespace gsbench::emulated {
+namespace {
+
+constexpr const char* kLibrary = "libgsbench-pty.so";
+
+std::vector<std::string> own_arguments() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+}  // namespace
+
+bool pseudo_terminals_are_serial_ports() {
+  // Only the preloaded library makes one of this place.
+  char where[8];
+  return readlink("/sys/class/tty/pts/0", where, sizeof where) > 0;
+}
+
+drivers::Status restart_with_pseudo_terminals() {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path library = self.parent_path() / kLibrary;
+  if (error || !std::filesystem::exists(library, error)) {
+    return drivers::Error{library.string() + " is missing: emulated serial ports need it"};
+  }
+  const char* before = std::getenv("LD_PRELOAD");
+  const std::string preload =
+      library.string() + (before != nullptr && *before != '\0' ? ':' + std::string(before) : "");
+  setenv("LD_PRELOAD", preload.c_str(), 1);
+  std::vector<std::string> words = own_arguments();
+  std::vector<char*> argv;
+  for (std::string& word : words) {
+    argv.push_back(word.data());
+  }
+  argv.push_back(nullptr);
+  execv(self.c_str(), argv.data());
+  return drivers::Error{self.string() + ": " + std::strerror(errno)};
+}
+
+}  // namespace gsbench::emulated

@@ -1,0 +1,303 @@
+#include "port.hpp"
+#include <libserialport.h>
+#include <link_serial/serial_link.hpp>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <link/outlet_stream.hpp>
+
+namespace gsbench::link {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Result;
+using drivers::Status;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr auto kReopenEvery = std::chrono::milliseconds(250);
+constexpr auto kAskEvery = std::chrono::milliseconds(500);
+
+std::vector<std::uint8_t> framed(const std::vector<std::uint8_t>& message) {
+  std::vector<std::uint8_t> bytes(gs::wire::kLongestFrame);
+  bytes.resize(gs::wire::frame(message.data(), message.size(), bytes.data(), bytes.size()));
+  return bytes;
+}
+
+gs::wire::Downlink identify() {
+  gs::wire::Downlink message;
+  message.kind = gs::wire::DownlinkKind::kIdentify;
+  return message;
+}
+
+// What is known of one port and the outlet behind it.
+struct Line {
+  Line(const std::string& path, int baud) : port(path, baud) {}
+
+  Port port;
+  gs::wire::FrameReader reader;
+  OutletStream stream;
+  std::optional<gs::wire::Hello> hello;
+  std::optional<std::size_t> outlet;  // place in what open() returned
+  bool unplugged = false;
+};
+
+}  // namespace
+
+struct SerialLink::Impl {
+  explicit Impl(SerialOptions given) : options(std::move(given)) {}
+
+  // All of these with `mutex` held.
+  Status open_ports();
+  void ask();
+  bool all_answered() const;
+  Result<std::vector<OutletPresence>> present();
+  void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
+  void lose(Line& line);
+  void find_again();
+
+  void listen();
+  std::vector<pollfd> waited_for();
+
+  SerialOptions options;
+  std::mutex mutex;
+  std::condition_variable hello_came;
+  std::vector<std::unique_ptr<Line>> lines;
+  std::vector<Received> received;
+  std::vector<Line*> outlets;  // in the order that open() returned
+  bool ending = false;
+  int wake = -1;  // an eventfd: there is something new to wait for
+  std::thread listener;
+};
+
+Status SerialLink::Impl::open_ports() {
+  for (const std::string& path : options.ports) {
+    auto line = std::make_unique<Line>(path, options.baud);
+    const Status opened = line->port.open();
+    if (opened.ok()) {
+      lines.push_back(std::move(line));
+    } else if (!options.skip_silent) {
+      return opened;
+    }
+  }
+  return Done{};
+}
+
+void SerialLink::Impl::ask() {
+  for (const auto& line : lines) {
+    if (!line->hello && line->port.is_open()) {
+      line->port.write(framed(line->stream.encode(identify())));
+    }
+  }
+}
+
+bool SerialLink::Impl::all_answered() const {
+  for (const auto& line : lines) {
+    if (!line->hello) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Result<std::vector<OutletPresence>> SerialLink::Impl::present() {
+  std::vector<OutletPresence> all;
+  std::map<std::string, std::string> where;
+  for (const auto& line : lines) {
+    if (!line->hello) {
+      if (options.skip_silent) {
+        continue;
+      }
+      return Error{line->port.path() + ": no outlet answers"};
+    }
+    const std::string id = line->hello->id;
+    const auto [other, is_first] = where.emplace(id, line->port.path());
+    if (!is_first) {
+      return Error{"two outlets say they are " + id + ": on " + other->second + " and on " +
+                   line->port.path()};
+    }
+    line->outlet = all.size();
+    outlets.push_back(line.get());
+    all.push_back({id, line->port.path(), *line->hello});
+  }
+  return all;
+}
+
+void SerialLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
+                            std::int64_t arrival_ns) {
+  for (const std::uint8_t byte : bytes) {
+    const auto taken = line.reader.take(byte);
+    if (taken == gs::wire::FrameReader::Taken::kBadFrame && line.hello) {
+      line.stream.note("sent a damaged frame");
+    }
+    if (taken != gs::wire::FrameReader::Taken::kMessage) {
+      continue;
+    }
+    const auto message = line.stream.take(line.reader.message(), line.reader.size());
+    if (message && message->kind == gs::wire::UplinkKind::kHello && !line.hello) {
+      line.hello = message->hello;
+      hello_came.notify_all();
+    } else if (message && line.outlet) {
+      received.push_back({*line.outlet, *message, arrival_ns});
+    }
+  }
+}
+
+void SerialLink::Impl::lose(Line& line) {
+  line.port.close();
+  line.unplugged = true;
+  line.reader = gs::wire::FrameReader();
+  line.stream.note("was unplugged from " + line.port.path());
+}
+
+void SerialLink::Impl::find_again() {
+  for (const auto& line : lines) {
+    if (line->unplugged && line->port.open().ok()) {
+      line->unplugged = false;
+      line->stream.note("is back on " + line->port.path());
+      line->port.write(framed(line->stream.encode(identify())));
+    }
+  }
+}
+
+std::vector<pollfd> SerialLink::Impl::waited_for() {
+  std::vector<pollfd> all = {{wake, POLLIN, 0}};
+  for (const auto& line : lines) {
+    all.push_back({line->port.descriptor(), POLLIN, 0});  // -1 is passed over
+  }
+  return all;
+}
+
+void SerialLink::Impl::listen() {
+  std::unique_lock<std::mutex> lock(mutex);
+  Clock::time_point next_look = Clock::now();
+  std::vector<std::uint8_t> bytes;
+  while (!ending) {
+    std::vector<pollfd> ready = waited_for();
+    lock.unlock();
+    ::poll(ready.data(), ready.size(), static_cast<int>(kReopenEvery.count()));
+    const std::int64_t arrival_ns =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch())
+            .count();
+    lock.lock();
+    for (std::size_t i = 0; i + 1 < ready.size(); ++i) {
+      Line& line = *lines[i];
+      if (ready[i + 1].revents == 0 || !line.port.is_open()) {
+        continue;
+      }
+      bytes.clear();
+      const bool there = line.port.read(bytes);
+      take(line, bytes, arrival_ns);
+      // A hang-up with nothing left to read is the far end's death.
+      if (!there || (bytes.empty() && (ready[i + 1].revents & (POLLHUP | POLLERR)) != 0)) {
+        lose(line);
+      }
+    }
+    if (Clock::now() >= next_look) {
+      find_again();
+      next_look = Clock::now() + kReopenEvery;
+    }
+  }
+}
+
+SerialLink::SerialLink(SerialOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
+
+SerialLink::~SerialLink() {
+  close();
+}
+
+Result<std::vector<OutletPresence>> SerialLink::open() {
+  close();
+  std::unique_lock<std::mutex> lock(impl_->mutex);
+  const Status opened = impl_->open_ports();
+  if (!opened.ok()) {
+    impl_->lines.clear();
+    return Error{opened.error()};
+  }
+  impl_->ending = false;
+  impl_->wake = eventfd(0, EFD_CLOEXEC);
+  if (impl_->wake < 0) {
+    return Error{"serial link: no event descriptor is left"};
+  }
+  impl_->listener = std::thread([this] { impl_->listen(); });
+  const Clock::time_point end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                         std::chrono::duration<double>(impl_->options.answer_s));
+  // Asked more than once: what an emulator or an adapter drops while it starts is gone.
+  while (!impl_->all_answered() && Clock::now() < end) {
+    impl_->ask();
+    impl_->hello_came.wait_until(lock, std::min(end, Clock::now() + kAskEvery),
+                                 [this] { return impl_->all_answered(); });
+  }
+  return impl_->present();
+}
+
+Status SerialLink::send(std::size_t outlet, const gs::wire::Downlink& message) {
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  if (outlet >= impl_->outlets.size()) {
+    return Error{"serial link: no outlet " + std::to_string(outlet)};
+  }
+  Line& line = *impl_->outlets[outlet];
+  const std::vector<std::uint8_t> bytes = framed(line.stream.encode(message));
+  if (!line.port.is_open() || !line.port.write(bytes)) {
+    line.stream.note("does not take what is sent to it on " + line.port.path());
+  }
+  return Done{};
+}
+
+Status SerialLink::poll(std::vector<Received>& messages, std::vector<Fault>& faults) {
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  messages.insert(messages.end(), impl_->received.begin(), impl_->received.end());
+  impl_->received.clear();
+  for (std::size_t i = 0; i < impl_->outlets.size(); ++i) {
+    for (std::string& fault : impl_->outlets[i]->stream.take_faults()) {
+      faults.push_back({i, std::move(fault)});
+    }
+  }
+  return Done{};
+}
+
+void SerialLink::close() noexcept {
+  {
+    const std::lock_guard<std::mutex> lock(impl_->mutex);
+    impl_->ending = true;
+    const std::uint64_t one = 1;
+    if (impl_->wake >= 0 && ::write(impl_->wake, &one, sizeof one) != sizeof one) {
+      // The listener looks a few times a second by itself.
+    }
+  }
+  if (impl_->listener.joinable()) {
+    impl_->listener.join();
+  }
+  if (impl_->wake >= 0) {
+    ::close(impl_->wake);
+    impl_->wake = -1;
+  }
+  impl_->lines.clear();
+  impl_->outlets.clear();
+  impl_->received.clear();
+}
+
+std::vector<std::string> serial_ports() {
+  std::vector<std::string> paths;
+  sp_port** ports = nullptr;
+  if (sp_list_ports(&ports) != SP_OK) {
+    return paths;
+  }
+  for (std::size_t i = 0; ports[i] != nullptr; ++i) {
+    paths.emplace_back(sp_get_port_name(ports[i]));
+  }
+  sp_free_port_list(ports);
+  return paths;
+}
+
+}  // namespace gsbench::link

@@ -1,0 +1,78 @@
+#include "host_board.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace gs::host {
+namespace {
+
+constexpr int kLongestWaitMs = 100;
+
+}  // namespace
+
+HostBoard::~HostBoard() {
+  if (doorbell_ >= 0) {
+    ::close(doorbell_);
+  }
+}
+
+bool HostBoard::start(const std::string& doorbell, std::string& why) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (doorbell.size() >= sizeof address.sun_path) {
+    why = doorbell + ": too long for a socket";
+    return false;
+  }
+  std::memcpy(address.sun_path, doorbell.c_str(), doorbell.size() + 1);
+  doorbell_ = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (doorbell_ < 0 ||
+      connect(doorbell_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    why = doorbell + ": " + std::strerror(errno);
+    return false;
+  }
+  port_.start();
+  return true;
+}
+
+bool HostBoard::wait() {
+  const auto line_events = static_cast<short>(line_.wants_to_write() ? POLLIN | POLLOUT : POLLIN);
+  pollfd waited[] = {{doorbell_, POLLIN, 0}, {line_.descriptor(), line_events, 0}};
+  ::poll(waited, 2, kLongestWaitMs);
+  if (waited[0].revents != 0) {
+    char rings[256];
+    if (::recv(doorbell_, rings, sizeof rings, MSG_DONTWAIT) == 0) {
+      return false;
+    }
+  }
+  line_.serve();
+  return true;
+}
+
+terminals::Terminals* map_terminals(const std::string& path, std::string& why) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) {
+    why = path + ": " + std::strerror(errno);
+    return nullptr;
+  }
+  const off_t size = lseek(file, 0, SEEK_END);
+  void* mapped =
+      size >= static_cast<off_t>(sizeof(terminals::Terminals))
+          ? mmap(nullptr, sizeof(terminals::Terminals), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0)
+          : MAP_FAILED;
+  ::close(file);
+  auto* terminals = mapped == MAP_FAILED ? nullptr : static_cast<terminals::Terminals*>(mapped);
+  if (terminals == nullptr || terminals->magic != terminals::kMagic) {
+    why = path + ": holds no terminals";
+    return nullptr;
+  }
+  return terminals;
+}
+
+}  // namespace gs::host

@@ -1,0 +1,48 @@
+// An outlet as a process of this machine: terminals in a mapped file in place of converter, coil
+// and flash, a line in place of a radio or a UART.
+#pragma once
+
+#include "line.hpp"
+#include <bare_metal/board.hpp>
+
+#include <string>
+
+#include <terminals/terminal_port.hpp>
+
+namespace gs::host {
+
+class HostBoard final : public bare_metal::Board {
+ public:
+  HostBoard(terminals::Terminals& terminals, Line& line) : port_(terminals), line_(line) {}
+  ~HostBoard();
+  HostBoard(const HostBoard&) = delete;
+  HostBoard& operator=(const HostBoard&) = delete;
+
+  // Connects to the doorbell, on which the bench rings for each block of samples.
+  bool start(const std::string& doorbell, std::string& why);
+
+  // Returns when there are samples or bytes, or after a tenth of a second. False where the bench is
+  // gone: nothing will ever ring again.
+  bool wait();
+
+  bool send(const std::uint8_t* bytes, std::size_t count) override {
+    return line_.send(bytes, count);
+  }
+  std::size_t take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) override {
+    return port_.take_samples(out, most, lost);
+  }
+  bool take_byte(std::uint8_t& byte) override { return line_.take_byte(byte); }
+  void drive_relay(bool closed) override { port_.drive_relay(closed); }
+  void feed_watchdog() override {}
+  bool converter_rests() const override { return !port_.samples_wait(); }
+
+ private:
+  terminals::TerminalPort port_;
+  Line& line_;
+  int doorbell_ = -1;
+};
+
+// Maps the file; null, with the reason, where it holds no terminals.
+terminals::Terminals* map_terminals(const std::string& path, std::string& why);
+
+}  // namespace gs::host

@@ -1,0 +1,23 @@
+// What carries a host outlet's frames: a serial line, or a broker.
+#pragma once
+
+#include <cstdint>
+
+#include <node/endpoint.hpp>
+
+namespace gs::host {
+
+class Line : public node::Carrier {
+ public:
+  virtual ~Line() = default;
+  // The next byte of a frame to the outlet.
+  virtual bool take_byte(std::uint8_t& byte) = 0;
+  // Sees to what came and what waits to be sent.
+  virtual void serve() = 0;
+  virtual int descriptor() const = 0;  // -1: none now
+  virtual bool wants_to_write() const = 0;
+  // True once where the other end may have lost sight of the outlet: it then says hello again.
+  virtual bool take_reconnected() { return false; }
+};
+
+}  // namespace gs::host

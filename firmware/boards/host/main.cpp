@@ -1,0 +1,154 @@
+// gs-outlet: an outlet as a process, on a serial line or a broker.
+#include "host_board.hpp"
+#include "mqtt_line.hpp"
+#include "serial_line.hpp"
+#include <bare_metal/loop.hpp>
+#include <getopt.h>
+
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include <terminals/terminal_flash.hpp>
+
+namespace {
+
+using namespace gs;
+
+constexpr const char* kHelp =
+    "gs-outlet: a Grid Sense outlet as a process of this machine.\n"
+    "\n"
+    "usage: gs-outlet --serial PATH | --mqtt URL  --terminals FILE --doorbell SOCKET\n"
+    "\n"
+    "  --serial PATH         the line it speaks on: /dev/ttyUSB0\n"
+    "  --mqtt URL            or the broker: mqtts://host:port, mqtt://host:port without TLS\n"
+    "    --ca FILE             certificate that vouches for the broker\n"
+    "    --user NAME           its name there; without: its id\n"
+    "    --password-file FILE  holds its password in the first line\n"
+    "  --terminals FILE      memory that stands for its converter, relay and flash; the bench\n"
+    "                        makes it, with the outlet's id\n"
+    "  --doorbell SOCKET     on which the bench rings for each block of samples\n"
+    "\n"
+    "It ends when the bench is gone. Exit codes: 0 so, or by SIGTERM; 2 bad usage.\n"
+    "\n"
+    "Example:\n"
+    "  gs-outlet --serial /dev/ttyUSB0 --terminals shed-1.terminals --doorbell shed-1.doorbell\n";
+
+struct Arguments {
+  std::string serial;
+  std::string password_file;
+  std::string terminals;
+  std::string doorbell;
+  host::MqttOptions mqtt;
+};
+
+volatile std::sig_atomic_t ended = 0;
+
+int refuse(const std::string& why) {
+  std::fprintf(stderr, "gs-outlet: %s; `gs-outlet --help` says more\n", why.c_str());
+  return 2;
+}
+
+bool parse(int argc, char** argv, Arguments& arguments) {
+  const option options[] = {{"serial", required_argument, nullptr, 's'},
+                            {"mqtt", required_argument, nullptr, 'm'},
+                            {"ca", required_argument, nullptr, 'c'},
+                            {"user", required_argument, nullptr, 'u'},
+                            {"password-file", required_argument, nullptr, 'p'},
+                            {"terminals", required_argument, nullptr, 't'},
+                            {"doorbell", required_argument, nullptr, 'd'},
+                            {nullptr, 0, nullptr, 0}};
+  for (int given = 0; (given = getopt_long(argc, argv, "", options, nullptr)) != -1;) {
+    std::string* place = given == 's'   ? &arguments.serial
+                         : given == 'm' ? &arguments.mqtt.url
+                         : given == 'c' ? &arguments.mqtt.ca_file
+                         : given == 'u' ? &arguments.mqtt.user
+                         : given == 'p' ? &arguments.password_file
+                         : given == 't' ? &arguments.terminals
+                         : given == 'd' ? &arguments.doorbell
+                                        : nullptr;
+    if (place == nullptr) {
+      return false;
+    }
+    *place = optarg;
+  }
+  return optind == argc;
+}
+
+bare_metal::StartUp start_up(const terminals::Terminals& terminals) {
+  bare_metal::StartUp start_up;
+  start_up.hardware = {terminals.sample_rate_hz, terminals.nominal_hz, terminals.counts_per_pu};
+  node::set_text(start_up.identity.id, terminals.id);
+  node::set_text(start_up.identity.board, "host");
+  start_up.identity.instance = terminals.instance;
+  start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
+  start_up.identity.capabilities = wire::kKeepsSettings;
+  start_up.clock_failed = terminals.crystal_fails != 0;
+  return start_up;
+}
+
+std::unique_ptr<host::Line> make_line(Arguments& arguments, const terminals::Terminals& terminals,
+                                      std::string& why) {
+  if (!arguments.serial.empty()) {
+    auto line = std::make_unique<host::SerialLine>(arguments.serial);
+    return line->open(why) ? std::move(line) : nullptr;
+  }
+  arguments.mqtt.id = terminals.id;
+  arguments.mqtt.instance = terminals.instance;
+  if (arguments.mqtt.user.empty()) {
+    arguments.mqtt.user = terminals.id;
+  }
+  if (!arguments.password_file.empty() &&
+      !std::getline(std::ifstream(arguments.password_file), arguments.mqtt.password)) {
+    why = arguments.password_file + ": cannot be read";
+    return nullptr;
+  }
+  auto line = std::make_unique<host::MqttLine>();
+  return line->start(arguments.mqtt, why) ? std::move(line) : nullptr;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "--help") {
+    std::fputs(kHelp, stdout);
+    return 0;
+  }
+  Arguments arguments;
+  if (!parse(argc, argv, arguments)) {
+    return refuse("that is not understood");
+  }
+  if (arguments.serial.empty() == arguments.mqtt.url.empty()) {
+    return refuse("one of --serial and --mqtt is needed");
+  }
+  std::string why;
+  terminals::Terminals* terminals = host::map_terminals(arguments.terminals, why);
+  if (terminals == nullptr) {
+    return refuse(why);
+  }
+  const std::unique_ptr<host::Line> line = make_line(arguments, *terminals, why);
+  if (line == nullptr) {
+    return refuse(why);
+  }
+  std::signal(SIGTERM, [](int) { ended = 1; });
+  host::HostBoard board(*terminals, *line);
+  if (!board.start(arguments.doorbell, why)) {
+    return refuse(why);
+  }
+  terminals::TerminalFlash flash(*terminals);
+  settings_area::FlashSettingsArea area(flash);
+  bare_metal::Loop loop(board, area);
+  if (!loop.start(start_up(*terminals))) {
+    return refuse("the terminals are of hardware that the firmware does not serve");
+  }
+  while (ended == 0 && board.wait()) {
+    if (line->take_reconnected()) {
+      loop.introduce();
+    }
+    while (loop.turn()) {
+    }
+  }
+  return 0;
+}

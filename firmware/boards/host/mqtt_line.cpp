@@ -1,0 +1,36 @@
+#include "mqtt_line.hpp"
+
+namespace gs::host {
+
+bool MqttLine::send(const std::uint8_t* bytes, std::size_t count) {
+  bool sent = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (reader_.take(bytes[i]) == wire::FrameReader::Taken::kMessage) {
+      sent = carrier_.send(reader_.message(), reader_.size()) && sent;
+    }
+  }
+  return sent;
+}
+
+bool MqttLine::take_byte(std::uint8_t& byte) {
+  std::vector<std::uint8_t> message;
+  while (received_.empty() && carrier_.take(message)) {
+    std::uint8_t framed[wire::kLongestFrame];
+    // A message too long for a frame is none of this protocol's: a damaged frame in its place tells
+    // the outlet that something came.
+    const std::size_t size = wire::frame(message.data(), message.size(), framed, sizeof framed);
+    if (size > 0) {
+      received_.insert(received_.end(), framed, framed + size);
+    } else {
+      received_.insert(received_.end(), {0, 1, 0});
+    }
+  }
+  if (received_.empty()) {
+    return false;
+  }
+  byte = received_.front();
+  received_.pop_front();
+  return true;
+}
+
+}  // namespace gs::host
