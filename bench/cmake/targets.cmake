@@ -34,13 +34,19 @@ function(gs_library name)
   endif()
 endfunction()
 
-# gs_test(NAME SOURCES a.cpp … DEPENDS targets [LABELS …] [TIMEOUT s]): a GoogleTest program, one
-# CTest test a case. What is labelled `slow` or `browser` is not run under the sanitizers; a slow
-# suite keeps a short form without the label.
+# gs_test(NAME SOURCES a.cpp … DEPENDS targets [LABELS …] [TIMEOUT s] [THREADS]): a GoogleTest
+# program, one CTest test a case. What is labelled `slow` or `browser` is not run under the
+# sanitizers; a slow suite keeps a short form without the label. THREADS: for the thread sanitizer,
+# which runs only these.
+add_custom_target(threaded_tests)
 function(gs_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;DEPENDS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "TIMEOUT" "SOURCES;DEPENDS;LABELS")
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
+  endif()
+  if(arg_THREADS)
+    add_dependencies(threaded_tests ${name})
+    list(APPEND arg_LABELS threads)
   endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main gs_warnings)
