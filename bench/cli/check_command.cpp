@@ -10,29 +10,40 @@
 namespace gsbench::cli {
 namespace {
 
-void check(const std::vector<std::string>& profiles) {
-  for (const std::string& name : profiles) {
-    const profile::Plan plan = profile::load_profile(name, judge::measure_names());
-    // What only the outlets could refuse is a mistake in the profile as well.
-    for (const profile::Outlet& outlet : plan.outlets) {
-      station::outlet_settings(plan, outlet, 1);
-    }
-    plan.synthesizer();
-    std::printf("%s: outlets: %zu, %g s at %lld Hz, limits: %zu\n", plan.name.c_str(),
-                plan.outlets.size(), plan.stimulus.duration_s,
-                static_cast<long long>(plan.stimulus.sample_rate_hz), plan.expectations.size());
+void check(const std::string& name) {
+  const profile::Plan plan = profile::load_profile(name, judge::measure_names());
+  // What only the outlets could refuse is a mistake in the profile as well.
+  for (const profile::Outlet& outlet : plan.outlets) {
+    station::outlet_settings(plan, outlet, 1);
   }
+  std::printf("%s: outlets: %zu, %g s at %lld Hz, limits: %zu\n", plan.name.c_str(),
+              plan.outlets.size(), plan.stimulus.duration_s,
+              static_cast<long long>(plan.stimulus.sample_rate_hz), plan.expectations.size());
+}
+
+// Each of them, whatever is wrong with those before it.
+int check_all(const std::vector<std::string>& profiles) {
+  int exit_code = kPassed;
+  for (const std::string& name : profiles) {
+    try {
+      check(name);
+    } catch (const profile::ConfigurationError& error) {
+      std::fprintf(stderr, "gsbench: %s\n", error.what());
+      exit_code = kBadInput;
+    }
+  }
+  return exit_code;
 }
 
 }  // namespace
 
-void add_check(CLI::App& app, int&) {
+void add_check(CLI::App& app, int& exit_code) {
   auto profiles = std::make_shared<std::vector<std::string>>();
   CLI::App* command =
       app.add_subcommand("check", "Say whether profiles make sense, and play nothing");
   command->add_option("profile", *profiles, "Shipped profiles, or .toml files")->required();
-  command->footer("Example:\n  gsbench check my-profile.toml");
-  command->callback([profiles] { check(*profiles); });
+  command->footer("Example:\n  gsbench check my-profile.toml regression/backup");
+  command->callback([profiles, &exit_code] { exit_code = check_all(*profiles); });
 }
 
 }  // namespace gsbench::cli

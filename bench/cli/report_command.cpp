@@ -1,13 +1,11 @@
 #include "commands.hpp"
+#include "output_file.hpp"
 #include "run_folder.hpp"
 #include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 
-#include <profile/load.hpp>
 #include <record/store.hpp>
-#include <render/file.hpp>
 #include <render/render.hpp>
 
 namespace gsbench::cli {
@@ -17,7 +15,7 @@ struct ReportArguments {
   std::string run;
   std::string output_folder = "runs";
   std::string format = "terminal";
-  std::string output;
+  std::string output = "-";
 };
 
 std::string rendered(const record::RunRecord& run, const std::string& format, bool colour) {
@@ -37,13 +35,12 @@ std::string rendered(const record::RunRecord& run, const std::string& format, bo
 }
 
 void report(const ReportArguments& arguments) {
-  const record::RunRecord run =
-      record::read_run(find_record(arguments.run, arguments.output_folder));
-  if (arguments.output.empty()) {
-    std::fputs(rendered(run, arguments.format, isatty(STDOUT_FILENO) == 1).c_str(), stdout);
-  } else {
-    render::write_file(arguments.output, rendered(run, arguments.format, false));
-  }
+  const std::string record_path = find_record(arguments.run, arguments.output_folder);
+  const record::RunRecord run = record::read_run(record_path);
+  OutputFile file(arguments.output, {record_path});
+  file.append(
+      rendered(run, arguments.format, file.is_standard_output() && isatty(STDOUT_FILENO) == 1));
+  file.commit();
 }
 
 }  // namespace
@@ -57,7 +54,8 @@ void add_report(CLI::App& app, int&) {
   command->add_option("--format", arguments->format, "What to render")
       ->check(CLI::IsMember({"terminal", "html", "json", "junit", "csv"}))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->output, "File to write; none: standard output");
+  command->add_option("-o,--output", arguments->output, "File to write; -: standard output")
+      ->capture_default_str();
   command->footer(
       "Examples:\n  gsbench report 20260101T120000Z-0123abcd\n"
       "  gsbench report runs/20260101T120000Z-0123abcd --format csv -o traces.csv");

@@ -1,9 +1,12 @@
 #include "run_folder.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
+#include <random>
 
 #include <profile/load.hpp>
 #include <record/store.hpp>
@@ -18,17 +21,64 @@ namespace {
 
 constexpr const char* kUnfinished = ".unfinished-";
 
+[[noreturn]] void refuse(const std::string& path, const std::error_code& error) {
+  throw record::StoreError(path + ": " + error.message());
+}
+
+// What may not be looked at is there: reading it says why it cannot be read.
+bool holds_record(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / kRecordFile, error) || error == std::errc::permission_denied;
+}
+
 // Folders in an output folder that hold a record, in order of their names.
 std::vector<fs::path> folders_with_records(const std::string& output_folder) {
   std::vector<fs::path> folders;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(output_folder, error)) {
-    if (fs::exists(entry.path() / kRecordFile, error)) {
-      folders.push_back(entry.path());
+  fs::directory_iterator entry(output_folder, error);
+  if (error && error != std::errc::no_such_file_or_directory) {
+    refuse(output_folder, error);
+  }
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    if (holds_record(entry->path())) {
+      folders.push_back(entry->path());
     }
   }
   std::sort(folders.begin(), folders.end());
   return folders;
+}
+
+// Makes a folder and those above it; returns those that were not there, the innermost first.
+std::vector<fs::path> make_folders(const std::string& folder, std::error_code& error) {
+  std::vector<fs::path> made;
+  fs::path path;
+  for (const fs::path& part : fs::absolute(folder, error)) {
+    path /= part;
+    if (!error && !part.empty() && fs::create_directory(path, error)) {
+      made.insert(made.begin(), path);
+    }
+  }
+  return made;
+}
+
+// Of a name that nobody has, with the permissions that the user gives new folders.
+std::string make_unfinished(const std::string& output_folder, std::error_code& error) {
+  std::random_device random;
+  do {
+    char name[32];
+    std::snprintf(name, sizeof name, "%s%08x", kUnfinished, random());
+    const std::string path = output_folder + "/" + name;
+    if (mkdir(path.c_str(), 0777) == 0) {
+      error.clear();
+      return path;
+    }
+    error = std::error_code(errno, std::generic_category());
+  } while (error == std::errc::file_exists);
+  return "";
+}
+
+bool is_hidden(const fs::path& folder) {
+  return folder.filename().string().front() == '.';
 }
 
 bool is_unfinished(const fs::path& folder) {
@@ -39,15 +89,12 @@ bool is_unfinished(const fs::path& folder) {
 
 RunFolder::RunFolder(const std::string& output_folder) : output_folder_(output_folder) {
   std::error_code error;
-  made_output_folder_ = fs::create_directories(output_folder, error);
+  made_ = make_folders(output_folder, error);
   if (!error) {
-    path_ = output_folder + "/" + kUnfinished + "XXXXXX";
-    if (mkdtemp(path_.data()) == nullptr) {
-      error = std::error_code(errno, std::generic_category());
-      path_.clear();
-    }
+    path_ = make_unfinished(output_folder, error);
   }
   if (error) {
+    remove_made();
     throw record::StoreError((output_folder.empty() ? "--out" : output_folder) +
                              ": cannot keep runs here: " + error.message() +
                              "; name another folder with --out");
@@ -55,13 +102,17 @@ RunFolder::RunFolder(const std::string& output_folder) : output_folder_(output_f
 }
 
 RunFolder::~RunFolder() {
-  if (kept_) {
-    return;
+  if (!kept_) {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    remove_made();
   }
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-  if (made_output_folder_) {
-    fs::remove(output_folder_, ignored);
+}
+
+void RunFolder::remove_made() noexcept {
+  std::error_code ignored;  // someone else may use them by now
+  for (const fs::path& folder : made_) {
+    fs::remove(folder, ignored);
   }
 }
 
@@ -77,16 +128,22 @@ void RunFolder::keep(const std::string& run_id) {
 }
 
 void write_reports(const record::RunRecord& run, const std::string& folder) {
-  render::write_file(folder + "/report.html", render::html(run));
-  render::write_file(folder + "/result.json", render::json(run));
-  render::write_file(folder + "/junit.xml", render::junit_xml(run));
-  render::write_file(folder + "/traces.csv", render::csv(run));
+  try {
+    render::write_file(folder + "/report.html", render::html(run));
+    render::write_file(folder + "/result.json", render::json(run));
+    render::write_file(folder + "/junit.xml", render::junit_xml(run));
+    render::write_file(folder + "/traces.csv", render::csv(run));
+  } catch (const render::WriteError& error) {
+    throw render::WriteError(std::string(error.what()) +
+                             "; the run is kept without it: `gsbench report " + folder +
+                             "` renders it");
+  }
 }
 
 std::vector<std::string> list_records(const std::string& output_folder) {
   std::vector<std::string> records;
   for (const fs::path& folder : folders_with_records(output_folder)) {
-    if (!is_unfinished(folder)) {
+    if (!is_hidden(folder)) {
       records.push_back((folder / kRecordFile).string());
     }
   }
@@ -105,11 +162,14 @@ std::vector<std::string> list_unfinished(const std::string& output_folder) {
 
 std::string find_record(const std::string& run, const std::string& output_folder) {
   std::error_code error;
-  if (fs::is_directory(run, error) && fs::exists(fs::path(run) / kRecordFile, error)) {
+  if (fs::is_directory(run, error) && holds_record(run)) {
     return (fs::path(run) / kRecordFile).string();
   }
   if (fs::is_regular_file(run, error)) {
     return run;
+  }
+  if (error == std::errc::permission_denied) {
+    refuse(run, error);
   }
   std::vector<std::string> found;
   for (const std::string& record : list_records(output_folder)) {

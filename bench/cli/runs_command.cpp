@@ -1,8 +1,11 @@
 #include "commands.hpp"
 #include "run_folder.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <tuple>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -16,17 +19,25 @@ struct RunsArguments {
   bool json = false;
 };
 
+// By their beginning, the oldest first. What cannot be read is told, and the others still listed.
+std::vector<record::RunRecord> heads_by_age(const std::string& output_folder) {
+  std::vector<record::RunRecord> heads;
+  for (const std::string& path : list_records(output_folder)) {
+    try {
+      heads.push_back(record::read_head(path));
+    } catch (const record::StoreError& error) {
+      std::fprintf(stderr, "gsbench: %s\n", error.what());
+    }
+  }
+  std::sort(heads.begin(), heads.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.started_utc, a.run_id) < std::tie(b.started_utc, b.run_id);
+  });
+  return heads;
+}
+
 void runs(const RunsArguments& arguments) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
-  for (const std::string& path : list_records(arguments.output_folder)) {
-    record::RunRecord run;
-    try {
-      run = record::read_run(path);
-    } catch (const record::StoreError& error) {
-      // The others can still be listed.
-      std::fprintf(stderr, "gsbench: %s\n", error.what());
-      continue;
-    }
+  for (const record::RunRecord& run : heads_by_age(arguments.output_folder)) {
     if (arguments.json) {
       out.push_back({{"run_id", run.run_id},
                      {"started_utc", run.started_utc},

@@ -18,9 +18,16 @@ namespace {
 struct StudyArguments {
   std::string profile;
   study::StudyOptions options;
-  std::vector<std::string> within = {"ekf.error=1", "ekf.error=4"};
+  std::vector<std::string> within;
   bool json = false;
 };
+
+// What the paper tells of its estimates; printed where there are any.
+const Shares kUsualShares = {{"ekf.error", 1.0}, {"ekf.error", 4.0}};
+
+[[noreturn]] void refuse_share(const std::string& text, const std::string& why) {
+  throw profile::ConfigurationError("--within " + text + ": " + why);
+}
 
 Shares parse_shares(const std::vector<std::string>& texts) {
   Shares shares;
@@ -31,19 +38,40 @@ Shares parse_shares(const std::vector<std::string>& texts) {
     if (!CLI::detail::lexical_cast(figure, limit)) {
       limit = std::numeric_limits<double>::quiet_NaN();
     }
-    const std::string name = text.substr(0, equals);
-    if (!std::isfinite(limit) || judge::find_measure(name) == nullptr) {
-      throw profile::ConfigurationError(
-          "--within " + text +
-          ": write MEASURE=LIMIT, such as ekf.error=4; `gsbench measures` lists them");
+    const judge::Measure* measure = judge::find_measure(text.substr(0, equals));
+    if (!std::isfinite(limit) || measure == nullptr) {
+      refuse_share(text, "write MEASURE=LIMIT, such as ekf.error=4; `gsbench measures` lists them");
     }
-    shares.emplace_back(name, limit);
+    if (measure->is_word()) {
+      refuse_share(text, measure->name + " is a word, no number");
+    }
+    if (limit < 0.0) {
+      refuse_share(text, "no magnitude is below 0; the limit must be at least 0");
+    }
+    shares.emplace_back(measure->name, limit);
+  }
+  return shares;
+}
+
+Shares usual_shares(const study::StudyResult& study) {
+  Shares shares;
+  for (const auto& share : kUsualShares) {
+    const study::Row* row = find_row(study, share.first);
+    if (row != nullptr && row->values.count() > 0) {
+      shares.push_back(share);
+    }
   }
   return shares;
 }
 
 int run_study(const StudyArguments& arguments) {
-  const Shares shares = parse_shares(arguments.within);
+  if (arguments.options.seeds - 1 > profile::kLargestSeed - arguments.options.first_seed) {
+    throw profile::ConfigurationError(
+        "--first-seed " + std::to_string(arguments.options.first_seed) + " and " +
+        std::to_string(arguments.options.seeds) + " seeds go beyond the largest, " +
+        std::to_string(profile::kLargestSeed));
+  }
+  Shares shares = parse_shares(arguments.within);
   const profile::Plan plan = profile::load_profile(arguments.profile, judge::measure_names());
   const std::atomic<bool>& interrupted = catch_interrupts();
   study::StudyOptions options = arguments.options;
@@ -56,8 +84,12 @@ int run_study(const StudyArguments& arguments) {
     };
     result = study::study(plan, options);
   }
-  std::fputs((arguments.json ? study_json(result, shares) : study_table(result, shares)).c_str(),
-             stdout);
+  if (shares.empty()) {
+    shares = usual_shares(result);
+  }
+  const std::string text = arguments.json ? study_json(plan, options.first_seed, result, shares)
+                                          : study_table(result, shares);
+  std::fputs(text.c_str(), stdout);
   return interrupted ? kInterrupted : exit_code_of(result.verdict);
 }
 
@@ -82,12 +114,14 @@ void add_study(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--within", arguments->within,
-                   "Print the share of a measure within ± a limit: MEASURE=LIMIT")
-      ->capture_default_str();
+                   "MEASURE=LIMIT: print the share of a measure within ± a limit, in the unit that "
+                   "`gsbench measures` lists; may be given several times; without: ekf.error=1 and "
+                   "ekf.error=4")
+      ->allow_extra_args(false);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->footer(
       "Examples:\n"
-      "  gsbench study paper/loss-500mw --seeds 200\n"
+      "  gsbench study paper/loss-500mw --seeds 200 --within event.delay=140\n"
       "  gsbench study regression/steady --seeds 1000     1000 times the profile's hour");
   command->callback([arguments, &exit_code] { exit_code = run_study(*arguments); });
 }

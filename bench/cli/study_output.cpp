@@ -19,15 +19,6 @@ std::string figure(double value) {
   return std::isnan(value) ? "–" : fmt::format("{:.4g}", value);
 }
 
-const Row* find_row(const StudyResult& study, const std::string& measure) {
-  for (const Row& row : study.rows) {
-    if (row.measure == measure) {
-      return &row;
-    }
-  }
-  return nullptr;
-}
-
 std::string verdicts_of(const std::map<record::Verdict, std::size_t>& verdicts) {
   std::string text;
   for (const auto& [verdict, count] : verdicts) {
@@ -44,7 +35,24 @@ std::string words_of(const Row& row) {
   return text;
 }
 
+ordered_json counts(const std::map<record::Verdict, std::size_t>& verdicts) {
+  ordered_json out = ordered_json::object();
+  for (const auto& [verdict, count] : verdicts) {
+    out[record::to_string(verdict)] = count;
+  }
+  return out;
+}
+
 }  // namespace
+
+const Row* find_row(const StudyResult& study, const std::string& measure) {
+  for (const Row& row : study.rows) {
+    if (row.measure == measure) {
+      return &row;
+    }
+  }
+  return nullptr;
+}
 
 std::string study_table(const StudyResult& study, const Shares& shares) {
   std::string text = fmt::format("{:<26}{:>7}{:>9}", "measure", "unit", "n");
@@ -68,7 +76,9 @@ std::string study_table(const StudyResult& study, const Shares& shares) {
   text += "\n";
   for (const auto& [measure, limit] : shares) {
     const Row* row = find_row(study, measure);
-    if (row != nullptr && row->values.count() > 0) {
+    if (row == nullptr || row->values.count() == 0) {
+      text += fmt::format("|{}| ≤ {:g}: no outlet has a value\n", measure, limit);
+    } else {
       text += fmt::format("|{}| ≤ {:g} {}: {:.3f} % of {}\n", measure, limit, row->unit,
                           100.0 * row->values.share_within(limit),
                           row->values.count() + row->values.missing());
@@ -82,17 +92,21 @@ std::string study_table(const StudyResult& study, const Shares& shares) {
   return text;
 }
 
-std::string study_json(const StudyResult& study, const Shares& shares) {
+std::string study_json(const profile::Plan& plan, std::uint64_t first_seed,
+                       const StudyResult& study, const Shares& shares) {
   const auto finite_or_null = [](double value) {
     return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
   };
   ordered_json out;
+  out["profile"] = plan.name;
+  out["profile_sha256"] = plan.sha256;
+  out["first_seed"] = first_seed;
   out["seeds"] = study.seeds_done;
   out["hours"] = study.hours;
   out["verdict"] = record::to_string(study.verdict);
-  for (const auto& [verdict, count] : study.verdicts) {
-    out["outlets"][record::to_string(verdict)] = count;
-  }
+  out["first_reason"] =
+      study.first_reason.empty() ? ordered_json(nullptr) : ordered_json(study.first_reason);
+  out["outlets"] = counts(study.verdicts);
   out["measures"] = ordered_json::array();
   for (const Row& row : study.rows) {
     ordered_json entry = {{"name", row.measure}, {"unit", row.unit}};
@@ -107,6 +121,7 @@ std::string study_json(const StudyResult& study, const Shares& shares) {
       entry["mean"] = finite_or_null(row.values.mean());
       entry["standard_deviation"] = finite_or_null(row.values.standard_deviation());
     }
+    entry["verdicts"] = counts(row.verdicts);
     out["measures"].push_back(entry);
   }
   out["shares"] = ordered_json::array();
@@ -115,6 +130,7 @@ std::string study_json(const StudyResult& study, const Shares& shares) {
       out["shares"].push_back({{"name", measure},
                                {"unit", row->unit},
                                {"within", limit},
+                               {"count", row->values.count()},
                                {"share", finite_or_null(row->values.share_within(limit))}});
     }
   }

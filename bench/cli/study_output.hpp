@@ -9,10 +9,15 @@
 
 namespace gsbench::cli {
 
-// Shares asked for: of the values of a measure with a magnitude up to a limit, in its unit.
+// Shares asked for: of the values of a measure with a magnitude up to a limit, in the catalogue's
+// unit.
 using Shares = std::vector<std::pair<std::string, double>>;
 
 std::string study_table(const study::StudyResult& study, const Shares& shares);
-std::string study_json(const study::StudyResult& study, const Shares& shares);
+std::string study_json(const profile::Plan& plan, std::uint64_t first_seed,
+                       const study::StudyResult& study, const Shares& shares);
+
+// nullptr where the study has no such measure.
+const study::Row* find_row(const study::StudyResult& study, const std::string& measure);
 
 }  // namespace gsbench::cli

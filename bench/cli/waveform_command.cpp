@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "output_file.hpp"
 #include "progress.hpp"
 
 #include <cstdio>
@@ -10,7 +11,6 @@
 #include <judge/catalogue.hpp>
 #include <profile/load.hpp>
 #include <random/noise.hpp>
-#include <render/file.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -23,7 +23,7 @@ struct WaveformArguments {
 
 // As the first outlet of a simulated station gets it. False where it was interrupted.
 bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupted,
-                   render::File& file) {
+                   OutputFile& file) {
   const waveform::Synthesizer synthesizer = plan.synthesizer();
   const waveform::Truth& truth = synthesizer.truth();
   const random::Stream stream{plan.seed, random::kSourceNoise, 0};
@@ -58,13 +58,15 @@ int write_waveform(const WaveformArguments& arguments) {
   const profile::Plan plan =
       profile::load_profile(arguments.profile, judge::measure_names(), arguments.overrides);
   const std::atomic<bool>& interrupted = catch_interrupts();
-  render::File file(arguments.output);
+  OutputFile file(arguments.output, {plan.path, plan.grid.path, plan.stimulus.recording.path});
   if (!write_samples(plan, interrupted, file)) {
     return kInterrupted;
   }
   file.commit();
-  std::printf("%s: %lld samples\n", arguments.output.c_str(),
-              static_cast<long long>(plan.duration_ticks()));
+  if (!file.is_standard_output()) {
+    std::printf("%s: %lld samples\n", arguments.output.c_str(),
+                static_cast<long long>(plan.duration_ticks()));
+  }
   return kPassed;
 }
 
@@ -76,7 +78,8 @@ void add_waveform(CLI::App& app, int& exit_code) {
       "waveform", "Write what a profile plays as CSV: t_s, frequency_hz, rocof_hz_s, voltage_pu");
   command->add_option("profile", arguments->profile, "A shipped profile, or a .toml file")
       ->required();
-  command->add_option("-o,--output", arguments->output, "The CSV file")->required();
+  command->add_option("-o,--output", arguments->output, "The CSV file; -: standard output")
+      ->required();
   command->add_option("--seed", arguments->overrides.seed, "Seed of the noise")->check(kSeedRange);
   command->footer("Example:\n  gsbench waveform paper/loss-500mw -o loss.csv");
   command->callback([arguments, &exit_code] { exit_code = write_waveform(*arguments); });

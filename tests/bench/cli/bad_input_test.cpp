@@ -141,6 +141,10 @@ TEST(BadInput, UsageMistakesExitWithTwo) {
            {"params", "ieee24", "--row", "nan"},
            {"study", "paper/loss-500mw", "--within", "nonsense"},
            {"study", "paper/loss-500mw", "--within", "ekf.error=4abc"},
+           {"study", "paper/loss-500mw", "--within", "ekf.error=-4"},
+           {"study", "paper/loss-500mw", "--within", "relay.end=1"},
+           {"study", "paper/loss-500mw", "--first-seed", "9007199254740992", "--seeds", "2"},
+           {"run", "paper/loss-500mw", "--seed", "9007199254740993"},
            {"report", "no-such-run"}}) {
     const Outcome outcome = run_gsbench(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
@@ -152,6 +156,45 @@ TEST(BadInput, AnUnknownCommandIsNamed) {
   const Outcome outcome = run_gsbench({"frobnicate", "ieee24"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("frobnicate is no command"), std::string::npos) << outcome.err;
+}
+
+TEST(BadInput, AFolderThatCannotBeMadeLeavesNoneAboveIt) {
+  const TemporaryFolder folder;
+  folder.write("file", "");
+  const Outcome outcome =
+      run_gsbench({"run", "paper/loss-500mw", "--out", folder.file("a/b/../../file/runs")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(folder.entries(), std::vector<std::string>{"file"});
+}
+
+TEST(BadInput, OutputThatIsTheInputIsRefusedAndUntouched) {
+  const TemporaryFolder folder;
+  const std::string profile = folder.write("my.toml", kGood);
+  const std::string other_name = folder.file("link.csv");
+  std::filesystem::create_hard_link(profile, other_name);
+  for (const std::string& output : {profile, other_name}) {
+    const Outcome outcome = run_gsbench({"waveform", profile, "-o", output});
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find(output), std::string::npos) << outcome.err;
+    EXPECT_EQ(gsbench::test::text_of(profile), kGood);
+  }
+  const std::filesystem::path runs = folder.path() / "runs";
+  ASSERT_EQ(run_gsbench({"run", profile, "--out", runs.string()}).exit_code, 0);
+  const std::string run = gsbench::test::only_run(runs).string();
+  const Outcome outcome = run_gsbench({"report", run, "-o", run + "/record.sqlite"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(run_gsbench({"report", run}).exit_code, 0) << "the record is still there";
+}
+
+TEST(BadInput, CheckGoesThroughAllAndTellsOfEach) {
+  const TemporaryFolder folder;
+  const std::string bad = folder.write("bad.toml", "title = ");
+  const Outcome outcome = run_gsbench({"check", bad, "paper/loss-500mw", "no-such"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find(bad + ":1:"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("no-such"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("paper/loss-500mw: outlets: 8"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run_gsbench({"check", "paper/loss-500mw", "regression/backup"}).exit_code, 0);
 }
 
 TEST(BadInput, RunsOfAMissingFolderAreRefused) {

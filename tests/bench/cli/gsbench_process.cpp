@@ -1,6 +1,7 @@
 #include "gsbench_process.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,16 +30,9 @@ void redirect(const fs::path& path, int descriptor) {
   close(file);
 }
 
-}  // namespace
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-Started start_gsbench(const std::vector<std::string>& arguments) {
+// `prepare` is called in the new process.
+template <class Prepare>
+Started start(const std::vector<std::string>& arguments, Prepare prepare) {
   Started started{-1, new_file(), new_file()};
   std::vector<std::string> words = {GSBENCH_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -55,10 +49,24 @@ Started start_gsbench(const std::vector<std::string>& arguments) {
   if (started.pid == 0) {
     redirect(started.out, STDOUT_FILENO);
     redirect(started.err, STDERR_FILENO);
+    prepare();
     execv(argv[0], argv.data());
     _exit(127);
   }
   return started;
+}
+
+}  // namespace
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Started start_gsbench(const std::vector<std::string>& arguments) {
+  return start(arguments, [] {});
 }
 
 Outcome wait_for(const Started& started) {
@@ -75,6 +83,24 @@ Outcome wait_for(const Started& started) {
 
 Outcome run_gsbench(const std::vector<std::string>& arguments) {
   return wait_for(start_gsbench(arguments));
+}
+
+Outcome run_gsbench_as_nobody(const std::vector<std::string>& arguments) {
+  return wait_for(start(arguments, [] {
+    constexpr uid_t kNobody = 65534;
+    if (setgid(kNobody) != 0 || setuid(kNobody) != 0) {
+      _exit(127);
+    }
+  }));
+}
+
+Outcome run_gsbench_within(std::uint64_t most_bytes, const std::vector<std::string>& arguments) {
+  return wait_for(start(arguments, [&] {
+    const rlimit limit{most_bytes, most_bytes};
+    if (setrlimit(RLIMIT_AS, &limit) != 0) {
+      _exit(127);
+    }
+  }));
 }
 
 fs::path only_run(const fs::path& output_folder) {

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +17,12 @@ struct Outcome {
 };
 
 Outcome run_gsbench(const std::vector<std::string>& arguments);
+
+// The same with no rights but everyone's; only root can do so.
+Outcome run_gsbench_as_nobody(const std::vector<std::string>& arguments);
+
+// The same where the process may take no more address space than this.
+Outcome run_gsbench_within(std::uint64_t most_bytes, const std::vector<std::string>& arguments);
 
 // The same, without waiting for its end.
 struct Started {

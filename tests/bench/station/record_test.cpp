@@ -34,6 +34,10 @@ TEST(RunRecord, SaysWhatWasPlayedWhereAndWithWhat) {
   EXPECT_EQ(record.profile_text, profile_text(0.2));
   EXPECT_EQ(record.profile_sha256, plan.sha256);
   EXPECT_EQ(record.grid, plan.grid.name);
+  EXPECT_EQ(record.grid_sha256, plan.grid.sha256);
+  EXPECT_EQ(record.grid_sha256.size(), 64U);
+  EXPECT_EQ(record.recording.file, "");
+  EXPECT_FALSE(record.interrupted);
   EXPECT_EQ(record.station, "fake");
   EXPECT_EQ(record.seed, 42U);
   EXPECT_EQ(record.sample_rate_hz, 8000);

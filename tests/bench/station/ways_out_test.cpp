@@ -191,6 +191,19 @@ TEST(WaysOut, AStopBeforeTheFirstBlock) {
   EXPECT_EQ(station.blocks_played(), 0);
   EXPECT_EQ(record.verdict, Verdict::kError);
   EXPECT_THAT(record.verdict_reason, HasSubstr("interrupted"));
+  EXPECT_TRUE(record.interrupted);
+}
+
+TEST(WaysOut, AStopAfterTheLastBlockChangesNothing) {
+  std::atomic<bool> stop{false};
+  FakeStation station({});
+  RunOptions options;
+  options.stop = &stop;
+  options.progress = [&](double part) { stop = part >= 1.0; };
+  const record::RunRecord record = run(one_second(), station, options);
+  EXPECT_TRUE(stop);
+  EXPECT_EQ(record.verdict, Verdict::kPass) << record.verdict_reason;
+  EXPECT_FALSE(record.interrupted);
 }
 
 TEST(WaysOut, AStopInTheMiddleEndsAfterTheBlockInHand) {
