@@ -53,6 +53,7 @@ std::vector<Spoiling> spoilings() {
       {"negative accumulated power", E::kAccumulated, [](S s) { s.accumulated_mw = -1.0F; }},
       {"switches off at 39 Hz", E::kSwitchOff, [](S s) { s.switch_off_hz = 39.9F; }},
       {"switches off above nominal", E::kSwitchOff, [](S s) { s.switch_off_hz = 50.1F; }},
+      {"switches off at nominal", E::kSwitchOff, [](S s) { s.switch_off_hz = 50.0F; }},
       {"no conditions", E::kConditions, [](S s) { s.condition_rows = 0; }},
       {"too many conditions", E::kConditions, [](S s) { s.condition_rows = kMaxConditions + 1; }},
       {"conditions out of order", E::kConditions, [](S s) { s.conditions[1] = s.conditions[0]; }},
