@@ -16,6 +16,9 @@ constexpr std::uint64_t kMegabyte = 1U << 20U;
 class LittleMemory : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(LittleMemory, EndsWithAResultOrTellsThatItWasTooLittle) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer takes terabytes of address space";
+#endif
   const TemporaryFolder folder;
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"study", "paper/loss-500mw", "--seeds", "2", "--threads", "256"},
