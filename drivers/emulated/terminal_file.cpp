@@ -5,7 +5,6 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -79,8 +78,8 @@ void TerminalFile::write(const std::int16_t* samples, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     terminals_->ring[(written + i) % kRingSamples] = samples[i];
   }
-  std::atomic_thread_fence(std::memory_order_release);
-  terminals_->written = written + static_cast<std::uint32_t>(count);
+  __atomic_store_n(&terminals_->written, written + static_cast<std::uint32_t>(count),
+                   __ATOMIC_RELEASE);
 }
 
 void TerminalFile::ring() {

@@ -3,9 +3,12 @@
 namespace gs::terminals {
 namespace {
 
-// Between what a counter counts and the counter.
-void barrier() {
-  __atomic_thread_fence(__ATOMIC_SEQ_CST);
+// What a counter counts is there before the counter says so.
+std::uint32_t read_counter(const volatile std::uint32_t& counter) {
+  return __atomic_load_n(&counter, __ATOMIC_ACQUIRE);
+}
+void write_counter(volatile std::uint32_t& counter, std::uint32_t value) {
+  __atomic_store_n(&counter, value, __ATOMIC_RELEASE);
 }
 
 }  // namespace
@@ -17,14 +20,14 @@ void TerminalPort::start() {
 
 std::size_t TerminalPort::take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) {
   const std::uint32_t taken = terminals_.taken;
-  const std::uint32_t waiting = terminals_.written - taken;
+  const std::uint32_t waiting = read_counter(terminals_.written) - taken;
   std::size_t count = waiting < most ? waiting : most;
-  barrier();
+  const volatile std::int16_t* const ring = terminals_.ring;
   for (std::size_t i = 0; i < count; ++i) {
-    out[i] = terminals_.ring[(taken + i) % kRingSamples];
+    out[i] = ring[(taken + i) % kRingSamples];
   }
-  barrier();
-  // Looked at after the copy: what was written over meanwhile is lost as well.
+  // Looked at after the copy, which volatile keeps before it: what was written over meanwhile is
+  // lost as well.
   const std::uint32_t ahead = terminals_.written - taken;
   lost = 0;
   if (ahead > kRingSamples) {
@@ -32,7 +35,7 @@ std::size_t TerminalPort::take_samples(std::int16_t* out, std::size_t most, std:
     lost = ahead - kRingSamples / 2;
     count = 0;
   }
-  terminals_.taken = taken + lost + static_cast<std::uint32_t>(count);
+  write_counter(terminals_.taken, taken + lost + static_cast<std::uint32_t>(count));
   return count;
 }
 
@@ -47,8 +50,7 @@ void TerminalPort::drive_relay(bool closed) {
   }
   const std::uint32_t edges = terminals_.edges;
   terminals_.edge[edges % kPinEdges] = {terminals_.taken, closed ? 1u : 0u};
-  barrier();
-  terminals_.edges = edges + 1;
+  write_counter(terminals_.edges, edges + 1);
 }
 
 }  // namespace gs::terminals
