@@ -113,6 +113,14 @@ INSTANTIATE_TEST_SUITE_P(OfEachLibrary, MisplacedLibrary,
                                          Misplaced{"bench/grid/a.cpp", "boost/optional.hpp"},
                                          Misplaced{"bench/grid/a.cpp", "math.h"}));
 
+TEST(IncludeCheck, OfTheBoardsOnlyTheHostsHasAnOperatingSystem) {
+  const Tree host = {{"firmware/boards/host/a.cpp", include("string") + include("termios.h")}};
+  const Tree metal = {{"firmware/boards/stm32f405/a.cpp", include("string")}};
+  EXPECT_THAT(check_includes(host), IsEmpty());
+  EXPECT_THAT(check_includes(metal),
+              ElementsAre(At("firmware/boards/stm32f405/a.cpp", 1, "not for firmware")));
+}
+
 TEST(IncludeCheck, KnowsAFolderWhoseIncludeRootHasAnotherName) {
   const Tree granted = {{"drivers/link/a.hpp", include("drivers/result.hpp")}};
   const Tree not_granted = {{"bench/grid/a.hpp", include("drivers/result.hpp")}};

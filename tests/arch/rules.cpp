@@ -31,6 +31,9 @@ const std::vector<FolderRule>& folder_rules() {
       {"firmware/boards/stm32f405",
        {"firmware/outlet", "firmware/wire", "firmware/node", "firmware/boards/settings_area",
         "firmware/boards/bare_metal", "firmware/boards/cortex_m4"}},
+      {"firmware/boards/host",
+       {"firmware/outlet", "firmware/wire", "firmware/node", "firmware/boards/settings_area",
+        "firmware/boards/terminals", "firmware/boards/bare_metal"}},
       {"drivers/common", {}, "drivers"},
       {"drivers/source", {"drivers/common", "firmware/wire", "drivers/link", "drivers/relay"}},
       // Below drivers/link, and before it: the first that fits counts.
@@ -88,9 +91,11 @@ const std::vector<LibraryRule>& library_rules() {
       {"ALSA", {"alsa/"}, {"drivers/source", "drivers/link", "drivers/relay"}},
       {"GoogleTest", {"gtest/", "gmock/"}, {"tests"}},
       {"Google Benchmark", {"benchmark/"}, {"tests"}},
+      {"the C library", {"errno.h", "stdarg.h", "stdlib.h", "string.h"}, {"drivers/emulated"}},
+      {"the dynamic linker", {"dlfcn.h"}, {"drivers/emulated"}},
       {"POSIX",
-       {"arpa/", "dirent.h", "fcntl.h", "netinet/", "poll.h", "pthread.h", "signal.h", "sys/",
-        "termios.h", "unistd.h"},
+       {"arpa/", "dirent.h", "fcntl.h", "getopt.h", "netinet/", "poll.h", "pthread.h", "signal.h",
+        "sys/", "termios.h", "unistd.h"},
        {"bench/station", "bench/cli", "drivers", "firmware/boards/host", "reports"}},
   };
   return rules;
@@ -107,6 +112,10 @@ bool is_freestanding_header(std::string_view header) {
       "algorithm",        "array",  "cfloat",   "climits", "cstddef",     "cstdint", "cstring",
       "initializer_list", "limits", "optional", "tuple",   "type_traits", "utility"};
   return headers.count(header) > 0;
+}
+
+bool is_freestanding(std::string_view path) {
+  return is_within(path, "firmware") && !is_within(path, "firmware/boards/host");
 }
 
 bool may_stand_at_top_level(std::string_view entry) {

@@ -27,7 +27,9 @@ const std::vector<FolderRule>& folder_rules();
 const std::vector<LibraryRule>& library_rules();
 
 bool is_standard_header(std::string_view header);      // by its form: lower case, no dot
-bool is_freestanding_header(std::string_view header);  // what firmware/ may use of them
+bool is_freestanding_header(std::string_view header);  // what freestanding code may use of them
+// Firmware, but for the board that is a process of the host.
+bool is_freestanding(std::string_view path);
 bool may_stand_at_top_level(std::string_view entry);
 
 // The table's folder a file is in; nullptr: in none.
