@@ -1,31 +1,17 @@
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
+#include "desk_folder.hpp"
+
 #include <fstream>
 
 #include <emulated/desk.hpp>
 
 namespace gsbench::emulated {
 
-namespace fs = std::filesystem;
 using drivers::Done;
 using drivers::Error;
 using drivers::Result;
 using drivers::Status;
 
-namespace {
-
-// In memory where that is possible: samples pass through files here.
-std::string new_folder() {
-  std::error_code error;
-  const fs::path place =
-      fs::is_directory("/dev/shm", error) ? fs::path("/dev/shm") : fs::temp_directory_path(error);
-  std::string pattern = (place / "gsbench-desk-XXXXXX").string();
-  return mkdtemp(pattern.data()) == nullptr ? std::string() : pattern;
-}
-
-}  // namespace
+Desk::Desk(const DeskOptions& options) : options_(options) {}
 
 Result<std::unique_ptr<Desk>> Desk::set_up(const DeskOptions& options) {
   std::unique_ptr<Desk> desk(new Desk(options));
@@ -43,20 +29,16 @@ Desk::~Desk() {
   cables_.clear();
   broker_.reset();
   mains_.reset();
-  std::error_code ignored;
-  if (!folder_.empty()) {
-    fs::remove_all(folder_, ignored);
-  }
 }
 
 Status Desk::set_up() {
-  folder_ = new_folder();
-  if (folder_.empty()) {
-    return Error{std::string("emulated outlets: no folder for their files: ") +
-                 std::strerror(errno)};
+  auto folder = DeskFolder::create();
+  if (!folder.ok()) {
+    return Error{folder.error()};
   }
+  folder_ = std::make_unique<DeskFolder>(folder.take());
   MainsOptions mains;
-  mains.folder = folder_;
+  mains.folder = folder_->path();
   mains.sample_rate_hz = options_.sample_rate_hz;
   mains.nominal_hz = options_.nominal_hz;
   mains.real_time = options_.real_time;
@@ -69,7 +51,7 @@ Status Desk::set_up() {
   }
   mains_ = made.take();
   if (!mqtt_ids().empty()) {
-    auto started = broker::PrivateBroker::start({folder_ + "/broker", mqtt_ids(), true});
+    auto started = broker::PrivateBroker::start({folder_->path() + "/broker", mqtt_ids(), true});
     if (!started.ok()) {
       return Error{started.error()};
     }
@@ -88,8 +70,9 @@ Status Desk::plug_in(std::size_t outlet) {
   const DeskOutlet& it = options_.outlets[outlet];
   cables_.emplace_back();
   if (it.connection == Connection::kSerial) {
-    auto cable = it.board == Board::kHost ? NullModem::between_terminals()
-                                          : NullModem::to_socket(folder_ + "/" + it.id + ".line");
+    auto cable = it.board == Board::kHost
+                     ? NullModem::between_terminals()
+                     : NullModem::to_socket(folder_->path() + "/" + it.id + ".line");
     if (!cable.ok()) {
       return Error{cable.error()};
     }
@@ -125,7 +108,7 @@ Result<process::Command> Desk::command_of(std::size_t outlet) const {
   const std::string& terminals = mains_->terminal_path(outlet);
   const std::string& doorbell = mains_->doorbell_path(outlet);
   process::Command command;
-  command.output = folder_ + "/" + it.id + ".log";
+  command.output = folder_->path() + "/" + it.id + ".log";
   if (it.board == Board::kMps2An386) {
     if (it.connection != Connection::kSerial) {
       return Error{"outlet " + it.id + ": the emulated board has no radio: its link is serial"};
@@ -158,12 +141,16 @@ Result<process::Command> Desk::command_of(std::size_t outlet) const {
     return command;
   }
   // Not on the command line, where everybody can read it.
-  const std::string password_file = folder_ + "/" + it.id + ".password";
+  const std::string password_file = folder_->path() + "/" + it.id + ".password";
   std::ofstream(password_file) << broker_->outlet(it.id).password << '\n';
   command.words.insert(command.words.end(),
                        {"--mqtt", broker_->url(), "--ca", broker_->ca_file(), "--user",
                         broker_->outlet(it.id).user, "--password-file", password_file});
   return command;
+}
+
+const std::string& Desk::folder() const {
+  return folder_->path();
 }
 
 std::vector<std::string> Desk::serial_ports() const {

@@ -66,7 +66,8 @@ class MainsSource final : public source::Source {
     if (settings.sample_rate_hz != shared_.options.sample_rate_hz ||
         settings.nominal_hz != shared_.options.nominal_hz) {
       return Error{"emulated mains: its outlets sample at " +
-                   std::to_string(shared_.options.sample_rate_hz) + " Hz"};
+                   std::to_string(shared_.options.sample_rate_hz) + " Hz for mains of " +
+                   std::to_string(shared_.options.nominal_hz) + " Hz"};
     }
     shared_.seed = settings.seed;
     for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {

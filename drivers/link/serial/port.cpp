@@ -4,6 +4,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace gsbench::link {
 
@@ -26,7 +27,10 @@ Error Port::failure(const std::string& doing) const {
 
 Status Port::open() {
   close();
-  if (sp_get_port_by_name(path_.c_str(), &port_) != SP_OK) {
+  // libserialport knows devices by their own names only; those under /dev/serial/by-id are links.
+  std::error_code none;
+  const std::filesystem::path device = std::filesystem::canonical(path_, none);
+  if (sp_get_port_by_name(none ? path_.c_str() : device.c_str(), &port_) != SP_OK) {
     port_ = nullptr;
     return failure("cannot be found");
   }

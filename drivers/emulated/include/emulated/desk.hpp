@@ -36,6 +36,8 @@ struct DeskOptions {
   std::string host_program;  // gs-outlet
 };
 
+class DeskFolder;
+
 class Desk {
  public:
   // Start it from a thread that lives as long as it should.
@@ -43,6 +45,9 @@ class Desk {
   ~Desk();
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
+
+  // For the outlets' files; gone with the desk, or when the next one is set up.
+  const std::string& folder() const;
 
   source::Source& source() { return mains_->source(); }
   relay::RelaySense& relay_sense() { return mains_->relay_sense(); }
@@ -59,13 +64,13 @@ class Desk {
   NullModem& cable(std::size_t outlet) { return *cables_.at(outlet); }
 
  private:
-  explicit Desk(const DeskOptions& options) : options_(options) {}
+  explicit Desk(const DeskOptions& options);
   drivers::Status set_up();
   drivers::Status plug_in(std::size_t outlet);
   drivers::Result<process::Command> command_of(std::size_t outlet) const;
 
   DeskOptions options_;
-  std::string folder_;
+  std::unique_ptr<DeskFolder> folder_;
   std::unique_ptr<Mains> mains_;
   std::unique_ptr<broker::PrivateBroker> broker_;
   std::vector<std::unique_ptr<NullModem>> cables_;  // null for outlets behind the broker
