@@ -51,6 +51,11 @@ bool refused_login(const mqtt::exception& error) {
          error.get_return_code() == mqtt::ReasonCode::NOT_AUTHORIZED;
 }
 
+// What the broker keeps is of interest once, not again for a subscription that it still has.
+mqtt::subscribe_options once() {
+  return mqtt::subscribe_options(false, false, mqtt::subscribe_options::SEND_RETAINED_ON_NEW);
+}
+
 }  // namespace
 
 class BrokerConnection::Client final : public mqtt::callback, public mqtt::iaction_listener {
@@ -79,8 +84,22 @@ class BrokerConnection::Client final : public mqtt::callback, public mqtt::iacti
   void on_failure(const mqtt::token& token) override;
   void on_success(const mqtt::token&) override {}
 
+  // The broker is back once it has answered the last subscription: what it gets before, it may
+  // have for nobody.
+  class Resubscription final : public mqtt::iaction_listener {
+   public:
+    explicit Resubscription(Client& client) : client_(client) {}
+    void begin(std::size_t filters) { left_ = filters; }
+    void on_success(const mqtt::token&) override;
+    void on_failure(const mqtt::token&) override {}  // lost again; the next connection asks again
+
+   private:
+    Client& client_;
+    std::atomic<std::size_t> left_{0};
+  };
+
   mqtt::connect_options connect_options();
-  std::vector<mqtt::token_ptr> ask_for_filters();
+  std::vector<std::string> filters();
   std::string why_not_connected(const mqtt::exception& error);
 
   const MqttOptions& options_;
@@ -89,6 +108,7 @@ class BrokerConnection::Client final : public mqtt::callback, public mqtt::iacti
   std::vector<std::string> filters_;
   std::string tls_error_;
   std::atomic<bool> lost_{false};
+  Resubscription resubscription_{*this};
   mqtt::async_client client_;  // last: its threads end before what they use
 };
 
@@ -145,33 +165,26 @@ std::string BrokerConnection::Client::why_not_connected(const mqtt::exception& e
   return broker + " cannot be reached" + name + ": " + error.to_string();
 }
 
-std::vector<mqtt::token_ptr> BrokerConnection::Client::ask_for_filters() {
-  // What the broker keeps is of interest once, not again for a subscription that it still has.
-  const mqtt::subscribe_options once(false, false, mqtt::subscribe_options::SEND_RETAINED_ON_NEW);
-  std::vector<std::string> filters;
-  {
-    // Not held over a call into Paho, which calls us with locks of its own.
-    const std::lock_guard<std::mutex> lock(mutex_);
-    filters = filters_;
-  }
-  std::vector<mqtt::token_ptr> asked;
-  asked.reserve(filters.size());
-  // One by one: Paho 1.2.0 crashes over several with options.
-  for (const std::string& filter : filters) {
-    asked.push_back(client_.subscribe(filter, 1, once));
-  }
-  return asked;
+// A copy: the lock is not held over a call into Paho, which calls us with locks of its own.
+std::vector<std::string> BrokerConnection::Client::filters() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return filters_;
 }
 
-Status BrokerConnection::Client::subscribe(std::vector<std::string> filters) {
+Status BrokerConnection::Client::subscribe(std::vector<std::string> wanted) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    filters_ = std::move(filters);
+    filters_ = std::move(wanted);
   }
   const auto until = std::chrono::steady_clock::now() + kToSubscribe;
   try {
-    for (const mqtt::token_ptr& asked : ask_for_filters()) {
-      if (!asked->wait_until(until)) {
+    std::vector<mqtt::token_ptr> asked;
+    // One by one: Paho 1.2.0 crashes over several with options.
+    for (const std::string& filter : filters()) {
+      asked.push_back(client_.subscribe(filter, 1, once()));
+    }
+    for (const mqtt::token_ptr& one : asked) {
+      if (!one->wait_until(until)) {
         return Error{"the broker " + options_.url + " does not answer a subscription"};
       }
     }
@@ -215,13 +228,23 @@ void BrokerConnection::Client::close() {
 
 void BrokerConnection::Client::connected(const std::string&) {
   send_at_once(options_.url);
+  if (!lost_) {
+    return;  // the first time: subscribe() asks
+  }
+  const std::vector<std::string> wanted = filters();
+  resubscription_.begin(wanted.size());
   try {
-    ask_for_filters();
+    for (const std::string& filter : wanted) {
+      client_.subscribe(filter, 1, nullptr, resubscription_, once());
+    }
   } catch (const mqtt::exception&) {
     return;  // lost again; the next connection asks again
   }
-  if (lost_.exchange(false)) {
-    arrivals_.note_all("has its broker back");
+}
+
+void BrokerConnection::Client::Resubscription::on_success(const mqtt::token&) {
+  if (--left_ == 0 && client_.lost_.exchange(false)) {
+    client_.arrivals_.note_all("has its broker back");
   }
 }
 

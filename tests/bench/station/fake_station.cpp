@@ -68,7 +68,7 @@ Status FakeStation::send(std::size_t outlet, const gs::wire::Downlink& message) 
 void FakeStation::answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const {
   link::Received answer;
   answer.outlet = outlet;
-  answer.message.sample = static_cast<std::uint64_t>(tick_);
+  answer.message.sample = static_cast<std::uint64_t>(reported_tick_);
   answer.message.kind = gs::wire::UplinkKind::kSettingsAnswer;
   answer.message.settings_answer = {};
   if (is_last(outlet)) answer.message.settings_answer.error = script_.settings_error;
