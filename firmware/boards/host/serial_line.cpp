@@ -78,7 +78,8 @@ void SerialLine::receive() {
       received_.insert(received_.end(), bytes, bytes + got);
       continue;
     }
-    if (got < 0 && errno != EAGAIN && errno != EINTR) {
+    // 0 is a hang-up: a line that merely has nothing to say is EAGAIN.
+    if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
       close();
     }
     return;
