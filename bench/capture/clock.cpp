@@ -1,3 +1,5 @@
+#include "dips.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,145 +10,201 @@ namespace {
 
 // Of a crystal without temperature compensation, over its range.
 constexpr double kCrystalPpm = 100.0;
-// The voltage is a mean over tens of milliseconds, read every 16 ms: the middle of a dip comes out
-// this well at best, whatever the residuals of six of them say.
-constexpr double kLeastSigmaMs = 0.05;
-// A spacing or a length that differs from a marker's by more is another disturbance's.
-constexpr double kToleranceMs = 20.0;
+// Residuals of readings that carry no noise would promise more than the arithmetic holds.
+constexpr double kLeastSigma = 1e-4;
+constexpr int kIterations = 8;
+constexpr std::size_t kFewestReadings = 6;
 
-struct Seen {
-  double middle_sample = 0.0;
-  double length_samples = 0.0;
-};
-
-// A stretch in which V² is below the middle between marker and nominal. Its middle is that of the
-// missing V², its length that over the marker's depth: both independent of how the outlet smooths.
-class DipFinder {
+// The mean square of what was played, as the outlet forms it, over twice the nominal one's: 1 for
+// calm mains.
+class PlayedSquare {
  public:
-  DipFinder(const VoltageTrace& trace, double level)
-      : trace_(trace), full_depth_(1.0 - level * level) {}
+  PlayedSquare(const MarkedStretch& stretch, double window_ticks)
+      : stretch_(stretch), window_ticks_(window_ticks) {}
 
-  std::vector<Seen> find() const {
-    std::vector<Seen> found;
-    const double threshold = 1.0 - 0.5 * full_depth_;
-    for (std::size_t i = 0; i < trace_.sample.size(); ++i) {
-      if (square(i) >= threshold) {
-        continue;
-      }
-      std::size_t end = i;
-      while (end < trace_.sample.size() && square(end) < threshold) {
-        ++end;
-      }
-      // What the smoothing has spread to either side belongs to it.
-      if (i >= kFlank && end + kFlank <= trace_.sample.size() && end > i) {
-        measure(i - kFlank, end + kFlank, found);
-      }
-      i = end;
-    }
-    return found;
+  bool covers(double tick) const {
+    const double last = first() + static_cast<double>(stretch_.square_sum.size()) - 2.0;
+    return tick - window_ticks_ >= first() && tick <= last;
+  }
+  double at(double tick) const {
+    return 2.0 / window_ticks_ * (sum_until(tick) - sum_until(tick - window_ticks_));
+  }
+  double slope_at(double tick) const {
+    return 2.0 / window_ticks_ * (square_at(tick) - square_at(tick - window_ticks_));
+  }
+  // Does its window end or begin in different voltages than it did a moment before?
+  bool in_flank(double tick) const {
+    return std::any_of(stretch_.dips.begin(), stretch_.dips.end(), [&](const Dip& dip) {
+      const auto holds = [&](std::int64_t edge) {
+        const auto at = static_cast<double>(edge);
+        return tick - window_ticks_ < at && at < tick;
+      };
+      return holds(dip.from_tick) != holds(dip.to_tick);
+    });
   }
 
  private:
-  static constexpr std::size_t kFlank = 5;
-
-  double square(std::size_t i) const {
-    const auto v = static_cast<double>(trace_.voltage_pu[i]);
-    return v * v;
+  double first() const { return static_cast<double>(stretch_.first_tick); }
+  double square_at(double tick) const {
+    const auto i = static_cast<std::size_t>(tick - first());
+    return stretch_.square_sum[i + 1] - stretch_.square_sum[i];
+  }
+  double sum_until(double tick) const {
+    const auto i = static_cast<std::size_t>(tick - first());
+    return stretch_.square_sum[i] + (tick - first() - static_cast<double>(i)) * square_at(tick);
   }
 
-  double sample(std::size_t i) const { return static_cast<double>(trace_.sample[i]); }
+  const MarkedStretch& stretch_;
+  double window_ticks_;
+};
 
-  void measure(std::size_t first, std::size_t end, std::vector<Seen>& found) const {
-    // Undisturbed voltage on either side, as the two outermost readings have it.
-    const double before = 0.5 * (square(first) + square(first + 1));
-    const double after = 0.5 * (square(end - 1) + square(end - 2));
-    double weight = 0.0;
-    double moment = 0.0;
-    for (std::size_t i = first; i < end; ++i) {
-      const double part = static_cast<double>(i - first) / static_cast<double>(end - 1 - first);
-      const double missing = before + part * (after - before) - square(i);
-      weight += missing;
-      moment += missing * (sample(i) - sample(first));
+// tick = tick_at_centre + ticks_per_sample · (sample − centre_sample)
+struct Line {
+  double centre_sample = 0.0;
+  double tick_at_centre = 0.0;
+  double ticks_per_sample = 1.0;
+
+  double tick(double sample) const {
+    return tick_at_centre + ticks_per_sample * (sample - centre_sample);
+  }
+};
+
+Line through(const std::vector<MarkerSeen>& seen, bool with_slope) {
+  Line line;
+  for (const MarkerSeen& marker : seen) {
+    line.centre_sample += marker.sample / static_cast<double>(seen.size());
+    line.tick_at_centre += marker.tick / static_cast<double>(seen.size());
+  }
+  double product = 0.0;
+  double spread = 0.0;
+  for (const MarkerSeen& marker : seen) {
+    const double from_centre = marker.sample - line.centre_sample;
+    product += from_centre * (marker.tick - line.tick_at_centre);
+    spread += from_centre * from_centre;
+  }
+  line.ticks_per_sample = with_slope ? product / spread : 1.0;
+  return line;
+}
+
+// Normal equations of the line's two parameters.
+struct Normal {
+  double tick_tick = 0.0;
+  double tick_slope = 0.0;
+  double slope_slope = 0.0;
+  double tick_right = 0.0;
+  double slope_right = 0.0;
+  double squares = 0.0;
+  std::size_t readings = 0;
+
+  double determinant() const { return tick_tick * slope_slope - tick_slope * tick_slope; }
+};
+
+// Variances of tick_at_centre and ticks_per_sample.
+struct Covariance {
+  double tick = 0.0;
+  double both = 0.0;
+  double slope = 0.0;
+
+  double sigma_at(double from_centre) const {
+    return std::sqrt(tick + 2.0 * both * from_centre + slope * from_centre * from_centre);
+  }
+};
+
+class Fit {
+ public:
+  Fit(const VoltageTrace& trace, const Markers& markers, const Line& start, bool with_slope)
+      : trace_(trace),
+        parts_{PlayedSquare(markers.before, trace.window_samples),
+               PlayedSquare(markers.after, trace.window_samples)},
+        line_(start),
+        with_slope_(with_slope) {}
+
+  // False where too few readings are left to tell anything by.
+  bool solve() {
+    for (int i = 0; i < kIterations; ++i) {
+      const Normal n = sum_up();
+      if (n.readings < kFewestReadings || !(n.tick_tick > 0.0)) {
+        return false;
+      }
+      if (with_slope_) {
+        line_.tick_at_centre +=
+            (n.slope_slope * n.tick_right - n.tick_slope * n.slope_right) / n.determinant();
+        line_.ticks_per_sample +=
+            (n.tick_tick * n.slope_right - n.tick_slope * n.tick_right) / n.determinant();
+      } else {
+        line_.tick_at_centre += n.tick_right / n.tick_tick;
+      }
     }
-    if (!(weight > 0.0)) {
-      return;
+    return true;
+  }
+
+  const Line& line() const { return line_; }
+
+  Covariance covariance() const {
+    const Normal n = sum_up();
+    const double parameters = with_slope_ ? 3.0 : 2.0;  // and the gain
+    const double sigma2 = std::max(kLeastSigma * kLeastSigma,
+                                   n.squares / (static_cast<double>(n.readings) - parameters));
+    // Neighbours share most of their windows, and so their noise: as many as a window holds count
+    // as one.
+    const double variance = sigma2 * std::max(1.0, trace_.window_samples / spacing());
+    if (with_slope_) {
+      return {variance * n.slope_slope / n.determinant(),
+              -variance * n.tick_slope / n.determinant(), variance * n.tick_tick / n.determinant()};
     }
-    const double spacing = (sample(end - 1) - sample(first)) / static_cast<double>(end - 1 - first);
-    found.push_back({sample(first) + moment / weight - trace_.delay_samples,
-                     weight / (0.5 * (before + after) * full_depth_) * spacing});
+    const double slope_sigma = 0.5e-6 * kCrystalPpm;
+    return {variance / n.tick_tick, 0.0, slope_sigma * slope_sigma};
+  }
+
+ private:
+  double spacing() const {
+    return static_cast<double>(trace_.sample.back() - trace_.sample.front()) /
+           static_cast<double>(trace_.sample.size() - 1);
+  }
+
+  template <class Visit>
+  void visit_flanks(Visit visit) const {
+    for (std::size_t i = 0; i < trace_.sample.size(); ++i) {
+      const auto sample = static_cast<double>(trace_.sample[i]);
+      const double tick = line_.tick(sample);
+      for (const PlayedSquare& played : parts_) {
+        if (played.covers(tick) && played.in_flank(tick)) {
+          const auto volts = static_cast<double>(trace_.voltage_pu[i]);
+          visit(sample, volts * volts, played.at(tick), played.slope_at(tick));
+        }
+      }
+    }
+  }
+
+  Normal sum_up() const {
+    // The outlet's own scale.
+    double product = 0.0;
+    double square = 0.0;
+    visit_flanks([&](double, double seen, double played, double) {
+      product += seen * played;
+      square += played * played;
+    });
+    const double gain = product / square;
+    Normal n;
+    visit_flanks([&](double sample, double seen, double played, double slope) {
+      const double from_centre = sample - line_.centre_sample;
+      const double residual = seen / gain - played;
+      n.tick_tick += slope * slope;
+      n.tick_slope += slope * slope * from_centre;
+      n.slope_slope += slope * slope * from_centre * from_centre;
+      n.tick_right += slope * residual;
+      n.slope_right += slope * residual * from_centre;
+      n.squares += residual * residual;
+      ++n.readings;
+    });
+    return n;
   }
 
   const VoltageTrace& trace_;
-  double full_depth_;
+  PlayedSquare parts_[2];
+  Line line_;
+  bool with_slope_;
 };
-
-double middle(const Dip& dip) {
-  return 0.5 * static_cast<double>(dip.from_tick + dip.to_tick);
-}
-
-// Are seen[at], seen[at + 1], … these dips?
-bool match(const std::vector<Seen>& seen, std::size_t at, const std::vector<Dip>& dips,
-           double tolerance) {
-  if (dips.empty() || at + dips.size() > seen.size()) {
-    return false;
-  }
-  for (std::size_t i = 0; i < dips.size(); ++i) {
-    const double length = static_cast<double>(dips[i].to_tick - dips[i].from_tick);
-    const double since_first = seen[at + i].middle_sample - seen[at].middle_sample;
-    const double due = middle(dips[i]) - middle(dips.front());
-    if (std::fabs(seen[at + i].length_samples - length) > tolerance ||
-        std::fabs(since_first - due) > tolerance) {
-      return false;
-    }
-  }
-  return true;
-}
-
-struct Point {
-  double tick;
-  double sample;
-};
-
-void add_points(const std::vector<Seen>& seen, std::size_t at, const std::vector<Dip>& dips,
-                std::vector<Point>& points) {
-  for (std::size_t i = 0; i < dips.size(); ++i) {
-    points.push_back({middle(dips[i]), seen[at + i].middle_sample});
-  }
-}
-
-struct Fit {
-  double mean_tick = 0.0;
-  double mean_sample = 0.0;
-  double slope = 1.0;
-  double spread = 0.0;  // Σ (tick − mean)²
-};
-
-Fit fit(const std::vector<Point>& points, bool with_slope) {
-  Fit fit;
-  for (const Point& p : points) {
-    fit.mean_tick += p.tick / static_cast<double>(points.size());
-    fit.mean_sample += p.sample / static_cast<double>(points.size());
-  }
-  double product = 0.0;
-  for (const Point& p : points) {
-    fit.spread += (p.tick - fit.mean_tick) * (p.tick - fit.mean_tick);
-    product += (p.tick - fit.mean_tick) * (p.sample - fit.mean_sample);
-  }
-  if (with_slope) {
-    fit.slope = product / fit.spread;
-  }
-  return fit;
-}
-
-double residual_sigma(const std::vector<Point>& points, const Fit& fit, double least) {
-  double squares = 0.0;
-  for (const Point& p : points) {
-    const double r = p.sample - fit.mean_sample - fit.slope * (p.tick - fit.mean_tick);
-    squares += r * r;
-  }
-  const auto freedom = std::max(1.0, static_cast<double>(points.size()) - 2.0);
-  return std::max(least, std::sqrt(squares / freedom));
-}
 
 }  // namespace
 
@@ -156,41 +214,29 @@ std::int64_t OutletClock::tick_of(std::uint64_t sample) const {
 
 std::optional<Alignment> align(const VoltageTrace& trace, const Markers& markers,
                                double sample_rate_hz) {
-  const std::vector<Seen> seen = DipFinder(trace, markers.level).find();
-  const double tolerance = 1e-3 * kToleranceMs * sample_rate_hz;
-  std::vector<Point> points;
-  std::size_t at = 0;
-  while (at < seen.size() && !match(seen, at, markers.before, tolerance)) {
-    ++at;
-  }
-  if (at >= seen.size()) {
+  const MarkersSeen seen = find_markers(trace, markers, sample_rate_hz);
+  if (seen.markers.empty()) {
     return std::nullopt;
   }
-  add_points(seen, at, markers.before, points);
-  bool has_after = false;
-  for (std::size_t last = seen.size(); last-- > at + markers.before.size() && !has_after;) {
-    has_after = match(seen, last, markers.after, tolerance);
-    if (has_after) {
-      add_points(seen, last, markers.after, points);
-    }
+  Fit fit(trace, markers, through(seen.markers, seen.after), seen.after);
+  if (!fit.solve()) {
+    return std::nullopt;
   }
-
-  const Fit line = fit(points, has_after);
-  const double sigma = residual_sigma(points, line, 1e-3 * kLeastSigmaMs * sample_rate_hz);
-  // Of the run's times those farthest from the middle of all dips are known least.
-  const double farthest =
-      std::max(line.mean_tick - middle(markers.before.front()),
-               (has_after ? middle(markers.after.back())
-                          : static_cast<double>(markers.before.back().to_tick)) -
-                   line.mean_tick);
-  const double drift_sigma = has_after ? sigma / std::sqrt(line.spread) : 0.5e-6 * kCrystalPpm;
-  const double at_worst =
-      std::hypot(sigma / std::sqrt(static_cast<double>(points.size())), drift_sigma * farthest);
+  const Line& line = fit.line();
+  const Covariance covariance = fit.covariance();
+  // Of the run's times the first or the last are known least.
+  const double samples_per_tick = 1.0 / line.ticks_per_sample;
+  const double to_start = -line.tick_at_centre * samples_per_tick;
+  const double to_end =
+      seen.after
+          ? (static_cast<double>(markers.after.first_tick) - line.tick_at_centre) * samples_per_tick
+          : static_cast<double>(trace.sample.back()) - line.centre_sample;
+  const double at_worst = std::max(covariance.sigma_at(to_start), covariance.sigma_at(to_end));
   Alignment alignment;
-  alignment.clock = OutletClock(line.mean_sample - line.slope * line.mean_tick, line.slope);
-  alignment.told.drift_ppm = 1e6 * (line.slope - 1.0);
-  alignment.told.drift_uncertainty_ppm = 2e6 * drift_sigma;
-  // A stamp is a whole number of samples; the true instant lies anywhere within.
+  alignment.clock = OutletClock(line.centre_sample + to_start, samples_per_tick);
+  alignment.told.drift_ppm = 1e6 * (samples_per_tick - 1.0);
+  alignment.told.drift_uncertainty_ppm = 2e6 * std::sqrt(covariance.slope);
+  // A stamp comes out as a whole tick: the true instant lies up to half of one beside it.
   alignment.told.uncertainty_ms = 1e3 / sample_rate_hz * (2.0 * at_worst + 0.5);
   return alignment;
 }

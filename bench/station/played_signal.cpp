@@ -1,14 +1,13 @@
-#include "played_signal.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include <station/played_signal.hpp>
+#include <waveform/tick.hpp>
 
 namespace gsbench::station {
 namespace {
 
-using waveform::AmplitudeStep;
-
-// Dips of 170 ms by their beginnings. No spacing occurs twice in a row, so that a dip that is
+// Dips of about 170 ms by their beginnings. No spacing occurs twice in a row, so that a dip that is
 // missed or another one's is told. The last is far enough from the run for a tracker to be calm
 // again.
 constexpr double kDipS = 0.170;
@@ -17,45 +16,92 @@ constexpr double kLeadS = 2.800;
 constexpr double kAfterS[] = {0.400, 0.960, 1.360};
 constexpr double kTailS = 2.000;
 
-waveform::Synthesizer calm(double frequency_hz, double phase_deg, const double (&dips_s)[3],
-                           double level, std::int64_t sample_rate_hz) {
-  waveform::SignalSpec spec;
-  spec.initial_phase_deg = phase_deg;
-  for (const double at_s : dips_s) {
-    spec.amplitude_steps.push_back({at_s, kDipS, 100.0 * level});
-  }
-  return {waveform::truth_from_points(frequency_hz, {{0.0, frequency_hz}}), spec, sample_rate_hz};
+double turns(double x) {
+  return x - std::floor(x);
 }
+
+struct Span {
+  double from_s;
+  double to_s;
+};
+
+// Calm mains of one frequency, with dips from zero crossing to zero crossing: the voltage does not
+// leap in between an outlet's samples.
+class Calm {
+ public:
+  Calm(double frequency_hz, double phase_turns, const double (&about_s)[3])
+      : frequency_hz_(frequency_hz), phase_turns_(phase_turns) {
+    for (const double at_s : about_s) {
+      dips_.push_back({zero_crossing(at_s), zero_crossing(at_s + kDipS)});
+    }
+  }
+
+  const std::vector<Span>& dips() const { return dips_; }
+
+  waveform::Synthesizer synthesizer(double level, std::int64_t sample_rate_hz) const {
+    waveform::SignalSpec spec;
+    spec.initial_phase_deg = 360.0 * phase_turns_;
+    for (const Span& dip : dips_) {
+      spec.amplitude_steps.push_back({dip.from_s, dip.to_s - dip.from_s, 100.0 * level});
+    }
+    return {waveform::truth_from_points(frequency_hz_, {{0.0, frequency_hz_}}), spec,
+            sample_rate_hz};
+  }
+
+ private:
+  double zero_crossing(double t_s) const {
+    const double half_turns = std::ceil(2.0 * (frequency_hz_ * t_s + phase_turns_));
+    return (0.5 * half_turns - phase_turns_) / frequency_hz_;
+  }
+
+  double frequency_hz_;
+  double phase_turns_;
+  std::vector<Span> dips_;
+};
 
 }  // namespace
 
 PlayedSignal::PlayedSignal(const profile::Plan& plan, bool with_markers)
     : run_ticks_(plan.duration_ticks()) {
-  const std::int64_t rate = plan.stimulus.sample_rate_hz;
-  const auto ticks = [&](double t_s) {
-    return static_cast<std::int64_t>(std::llround(t_s * static_cast<double>(rate)));
-  };
+  const std::int64_t rate_hz = plan.stimulus.sample_rate_hz;
+  if (!with_markers) {
+    parts_.push_back({0, plan.synthesizer()});
+    return;
+  }
+  lead_ticks_ = waveform::tick_at(kLeadS, rate_hz);
+  tail_ticks_ = waveform::tick_at(kTailS, rate_hz);
+  // In phase with the run's first sample, and at its frequency: nothing happens at tick 0.
   const double first_hz = plan.truth()->frequency_hz(0.0);
-  if (with_markers) {
-    lead_ticks_ = ticks(kLeadS);
-    tail_ticks_ = ticks(kTailS);
-    // In phase with the run's first sample, and at its frequency: nothing happens at tick 0.
-    const double cycles = first_hz * kLeadS;
-    const double phase_deg =
-        plan.stimulus.signal.initial_phase_deg - 360.0 * (cycles - std::floor(cycles));
-    parts_.push_back({0, calm(first_hz, phase_deg, kBeforeS, markers_.level, rate)});
-    for (const double at_s : kBeforeS) {
-      markers_.before.push_back({ticks(at_s) - lead_ticks_, ticks(at_s + kDipS) - lead_ticks_});
-    }
-  }
+  const double run_turns = plan.stimulus.signal.initial_phase_deg / 360.0;
+  const Calm before(first_hz, turns(run_turns - first_hz * kLeadS), kBeforeS);
+  const Calm after(plan.grid.nominal_hz, 0.0, kAfterS);
+  parts_.push_back({0, before.synthesizer(markers_.level, rate_hz)});
   parts_.push_back({lead_ticks_, plan.synthesizer()});
-  if (with_markers) {
-    parts_.push_back(
-        {lead_ticks_ + run_ticks_, calm(plan.grid.nominal_hz, 0.0, kAfterS, markers_.level, rate)});
-    for (const double at_s : kAfterS) {
-      markers_.after.push_back({run_ticks_ + ticks(at_s), run_ticks_ + ticks(at_s + kDipS)});
+  parts_.push_back({lead_ticks_ + run_ticks_, after.synthesizer(markers_.level, rate_hz)});
+
+  const auto mark = [&](const Calm& calm, std::int64_t first_tick, std::int64_t count) {
+    capture::MarkedStretch stretch;
+    stretch.first_tick = first_tick - lead_ticks_;
+    for (const Span& dip : calm.dips()) {
+      stretch.dips.push_back({stretch.first_tick + waveform::tick_at(dip.from_s, rate_hz),
+                              stretch.first_tick + waveform::tick_at(dip.to_s, rate_hz)});
     }
+    stretch.square_sum = square_sum(first_tick, static_cast<std::size_t>(count));
+    return stretch;
+  };
+  markers_.before = mark(before, 0, lead_ticks_);
+  markers_.after = mark(after, lead_ticks_ + run_ticks_, tail_ticks_);
+}
+
+std::vector<double> PlayedSignal::square_sum(std::int64_t first_tick, std::size_t count) const {
+  std::vector<float> samples(count);
+  render(first_tick, count, samples.data());
+  std::vector<double> sum = {0.0};
+  for (const float sample : samples) {
+    const auto pu = static_cast<double>(sample);
+    sum.push_back(sum.back() + pu * pu);
   }
+  return sum;
 }
 
 void PlayedSignal::render(std::int64_t first_tick, std::size_t count, float* out) const {

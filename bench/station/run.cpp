@@ -1,6 +1,5 @@
 #include "comparisons.hpp"
 #include "identity.hpp"
-#include "played_signal.hpp"
 #include "stimulus_marks.hpp"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <capture/truth_trace.hpp>
 #include <judge/judge.hpp>
 #include <station/outlet_settings.hpp>
+#include <station/played_signal.hpp>
 #include <station/run.hpp>
 #include <station/safe_state.hpp>
 #include <waveform/tick.hpp>
@@ -125,6 +125,7 @@ class Player {
   // False where it was stopped.
   bool play(std::vector<record::OutletRecord>& outlets) {
     heard_tick_.assign(outlets.size(), 0);
+    lives_.assign(outlets.size(), Life{});
     const std::int64_t lead = signal_.lead_ticks();
     const std::int64_t end = signal_.total_ticks();
     // Where nothing is played before the run, answers come during its first reports.
@@ -157,6 +158,12 @@ class Player {
   }
 
  private:
+  // An outlet's count of its samples, from its start-up on.
+  struct Life {
+    std::uint64_t newest_sample = 0;
+    bool over = false;
+  };
+
   std::int64_t tick_of(double t_s) const {
     return waveform::tick_at(t_s, plan_.stimulus.sample_rate_hz);
   }
@@ -178,18 +185,34 @@ class Player {
     for (relay::Edge& edge : edges_) {
       edge.tick -= signal_.lead_ticks();
     }
-    capture_.add(messages_);
-    capture_.add(edges_);
     for (const link::Received& received : messages_) {
       if (received.outlet < heard_tick_.size()) {
         heard_tick_[received.outlet] = tick + static_cast<std::int64_t>(count);
       }
     }
+    leave_out_second_lives();
+    capture_.add(messages_);
+    capture_.add(edges_);
     for (const link::Fault& fault : faults_) {
       if (fault.outlet < outlets.size()) {
         note(outlets[fault.outlet], fault.what);
       }
     }
+  }
+
+  // What an outlet says after it began anew is by another count, which nothing aligns.
+  void leave_out_second_lives() {
+    const auto of_second_life = [this](const link::Received& received) {
+      if (received.outlet >= lives_.size()) {
+        return false;
+      }
+      Life& life = lives_[received.outlet];
+      life.over = life.over || received.message.sample < life.newest_sample;
+      life.newest_sample = received.message.sample;
+      return life.over;
+    };
+    messages_.erase(std::remove_if(messages_.begin(), messages_.end(), of_second_life),
+                    messages_.end());
   }
 
   void send(const profile::Command& command, std::int64_t tick) {
@@ -240,6 +263,7 @@ class Player {
   PlayedSignal signal_;
   std::uint32_t requests_ = 0;
   std::vector<std::int64_t> heard_tick_;  // of the source, when each outlet was last heard
+  std::vector<Life> lives_;
   std::vector<float> block_;
   std::vector<link::Received> messages_;
   std::vector<link::Fault> faults_;
@@ -312,7 +336,7 @@ void collect(std::size_t i, const Station& station, const capture::Markers& mark
   if (!station.outlets_count_ticks()) {
     const auto rate_hz = static_cast<double>(sample_rate_hz);
     capture::VoltageTrace voltage = capture.voltage_trace(i);
-    voltage.delay_samples = outlet.settings["voltage_delay_s"] * rate_hz;
+    voltage.window_samples = 2.0 * outlet.settings["voltage_delay_s"] * rate_hz;
     const auto alignment = capture::align(voltage, markers, rate_hz);
     if (alignment) {
       clock = alignment->clock;

@@ -33,7 +33,7 @@ class Capture {
   const SettingsAnswer& settings_answer(std::size_t outlet) const;
   // Stamp of the newest measurement; 0 before the first.
   std::uint64_t last_report_sample(std::size_t outlet) const;
-  VoltageTrace voltage_trace(std::size_t outlet) const;  // its delay is for the caller to set
+  VoltageTrace voltage_trace(std::size_t outlet) const;  // its window is for the caller to set
 
   // The records' traces, estimates and marks (ascending in time) of the run itself, from tick 0 to
   // its last; what was before and after is left out. The capture is empty afterwards.

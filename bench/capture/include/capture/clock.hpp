@@ -26,23 +26,30 @@ class OutletClock {
   double samples_per_tick_ = 1.0;
 };
 
-// A dip of the voltage to `level` of its amplitude, from one tick to another of the run.
+// A dip of the voltage, from one tick to another of the run.
 struct Dip {
   std::int64_t from_tick = 0;
   std::int64_t to_tick = 0;
 };
 
+// Calm mains with dips, and what was played there.
+struct MarkedStretch {
+  std::int64_t first_tick = 0;
+  std::vector<Dip> dips;           // ascending
+  std::vector<double> square_sum;  // of the samples before each tick from first_tick on, pu²
+};
+
 struct Markers {
-  double level = 0.7;
-  std::vector<Dip> before;  // ascending
-  std::vector<Dip> after;   // none where the run was ended early
+  double level = 0.7;  // of the amplitude, in each dip
+  MarkedStretch before;
+  MarkedStretch after;
 };
 
 // What an outlet said of its voltage, by its own stamps.
 struct VoltageTrace {
   std::vector<std::uint64_t> sample;  // ascending
   std::vector<float> voltage_pu;
-  double delay_samples = 0.0;  // a voltage is that of so long before its stamp
+  double window_samples = 0.0;  // each is the RMS of so much before its stamp
 };
 
 struct Alignment {
@@ -50,9 +57,10 @@ struct Alignment {
   record::Clock told;
 };
 
-// Least squares over the dips' middles. Without those after the run the drift is taken as 0 with
-// the uncertainty of a crystal of ±100 ppm. Nothing where the dips before the run are not found:
-// they are told by their spacing, which no two neighbours share.
+// The line on which the outlet's readings in the dips' flanks come nearest to the RMS of what was
+// played, by least squares. Where the dips after the run are not seen the drift is taken as 0 with
+// the uncertainty of a crystal of ±100 ppm. Nothing where those before it are not seen: they are
+// told by their spacing, which no two neighbours share.
 std::optional<Alignment> align(const VoltageTrace& trace, const Markers& markers,
                                double sample_rate_hz);
 

@@ -30,6 +30,9 @@ class PlayedSignal {
     waveform::Synthesizer synthesizer;
   };
 
+  // Of the samples before each tick from first_tick on.
+  std::vector<double> square_sum(std::int64_t first_tick, std::size_t count) const;
+
   std::int64_t lead_ticks_ = 0;
   std::int64_t run_ticks_;
   std::int64_t tail_ticks_ = 0;
