@@ -8,8 +8,8 @@ namespace {
 
 std::vector<Measure> all_measures() {
   std::vector<Measure> all;
-  for (std::vector<Measure> part :
-       {tracker_measures(), event_measures(), estimate_measures(), relay_measures()}) {
+  for (std::vector<Measure> part : {tracker_measures(), event_measures(), estimate_measures(),
+                                    relay_measures(), clock_measures()}) {
     std::move(part.begin(), part.end(), std::back_inserter(all));
   }
   return all;

@@ -12,7 +12,7 @@ struct Unit {
   double in_base;  // how many of the dimension's base unit one of it is
 };
 
-constexpr std::array<Unit, 15> kUnits = {{
+constexpr std::array<Unit, 16> kUnits = {{
     {"", "number", 1.0},
     {"s", "time", 1.0},
     {"ms", "time", 1e-3},
@@ -25,6 +25,7 @@ constexpr std::array<Unit, 15> kUnits = {{
     {"kW", "power", 1e-3},
     {"GW", "power", 1e3},
     {"%", "ratio", 1.0},
+    {"ppm", "ratio", 1e-4},
     {"pu", "voltage", 1.0},
     {"V", "voltage in volts", 1.0},
     {"deg", "angle", 1.0},

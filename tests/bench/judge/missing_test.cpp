@@ -24,6 +24,10 @@ void no_loss(SyntheticCase& c) {
   c.plan.stimulus.losses.clear();
 }
 
+void no_clock(SyntheticCase& c) {
+  c.outlet.clock = {};
+}
+
 Change without(const char* kind) {
   return [kind](SyntheticCase& c) { c.remove_marks(kind); };
 }
@@ -88,6 +92,8 @@ const std::vector<Missing>& all_missing() {
          c.remove_marks("relay.sense");
        }},
       {"trip.time", true, "did not open", without("relay.sense")},
+      {"clock.drift", false, "counts the source's own ticks", no_clock},
+      {"clock.uncertainty", false, "counts the source's own ticks", no_clock},
   };
   return all;
 }

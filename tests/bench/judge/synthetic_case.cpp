@@ -43,6 +43,7 @@ SyntheticCase quiet(double falls_from_s) {
   c.uncertainty.relay_sense_ms = 0.3;
   c.uncertainty.outlet_clock_ms = 0.4;
   c.uncertainty.frequency_mhz = 0.1;
+  c.outlet.clock = {30.0, 8.0, 0.4};
   add_reports(c);
   return c;
 }

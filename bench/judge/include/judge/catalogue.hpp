@@ -51,5 +51,6 @@ std::vector<Measure> tracker_measures();
 std::vector<Measure> event_measures();
 std::vector<Measure> estimate_measures();
 std::vector<Measure> relay_measures();
+std::vector<Measure> clock_measures();
 
 }  // namespace gsbench::judge

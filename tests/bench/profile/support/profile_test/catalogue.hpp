@@ -34,6 +34,8 @@ inline const MeasureCatalogue& catalogue() {
       {"validity.dead_bus_claims", ""},
       {"validity.valid_share", "%"},
       {"trip.time", "s"},
+      {"clock.drift", "ppm"},
+      {"clock.uncertainty", "ms"},
   };
   return measures;
 }

@@ -1,0 +1,137 @@
+#include "plans.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <node/node.hpp>
+#include <station/played_signal.hpp>
+
+namespace gsbench::station {
+namespace {
+
+using test::plan;
+
+std::vector<float> rendered(const PlayedSignal& signal, std::int64_t first, std::int64_t count) {
+  std::vector<float> samples(static_cast<std::size_t>(count));
+  signal.render(first, samples.size(), samples.data());
+  return samples;
+}
+
+// Off nominal at its first tick, and of a phase of its own.
+profile::Plan off_nominal_plan() {
+  profile::Plan off = plan(2.0, "frequency = [[0.0, 49.8], [2.0, 49.7]]\n");
+  off.stimulus.signal.initial_phase_deg = 75.0;
+  return off;
+}
+
+TEST(PlayedSignal, WithoutMarkersIsThePlansOwn) {
+  const profile::Plan p = plan(1.0);
+  const PlayedSignal signal(p, false);
+  EXPECT_EQ(signal.lead_ticks(), 0);
+  ASSERT_EQ(signal.total_ticks(), p.duration_ticks());
+  std::vector<float> own(static_cast<std::size_t>(p.duration_ticks()));
+  p.synthesizer().render(0, own.size(), own.data());
+  EXPECT_EQ(rendered(signal, 0, signal.total_ticks()), own);
+}
+
+TEST(PlayedSignal, BetweenItsMarkersPlaysThePlansOwn) {
+  const profile::Plan p = plan(1.0);
+  const PlayedSignal signal(p, true);
+  std::vector<float> own(static_cast<std::size_t>(p.duration_ticks()));
+  p.synthesizer().render(0, own.size(), own.data());
+  EXPECT_EQ(rendered(signal, signal.lead_ticks(), p.duration_ticks()), own);
+}
+
+TEST(PlayedSignal, IsTheSameHoweverItIsCut) {
+  const PlayedSignal signal(off_nominal_plan(), true);
+  const std::vector<float> whole = rendered(signal, 0, signal.total_ticks());
+  std::vector<float> pieces;
+  for (std::int64_t tick = 0, size = 1; tick < signal.total_ticks(); tick += size, size += 97) {
+    const std::vector<float> piece =
+        rendered(signal, tick, std::min(size, signal.total_ticks() - tick));
+    pieces.insert(pieces.end(), piece.begin(), piece.end());
+  }
+  EXPECT_EQ(pieces, whole);
+}
+
+TEST(PlayedSignal, MarksWhereItDips) {
+  const PlayedSignal signal(off_nominal_plan(), true);
+  const std::vector<float> whole = rendered(signal, 0, signal.total_ticks());
+  const capture::Markers& markers = signal.markers();
+  // Over two whole periods or so: RMS per unit of the nominal, within the rest of a period.
+  const auto rms = [&](std::int64_t tick) {
+    const auto first = static_cast<std::size_t>(tick + signal.lead_ticks());
+    double sum = 0.0;
+    for (std::size_t i = first; i < first + 321; ++i) {
+      sum += static_cast<double>(whole[i]) * static_cast<double>(whole[i]);
+    }
+    return std::sqrt(2.0 * sum / 321.0);
+  };
+  for (const capture::MarkedStretch* stretch : {&markers.before, &markers.after}) {
+    ASSERT_EQ(stretch->dips.size(), 3U);
+    for (const capture::Dip& dip : stretch->dips) {
+      EXPECT_NEAR(rms(dip.from_tick), markers.level, 0.01);
+      EXPECT_NEAR(rms(dip.to_tick - 321), markers.level, 0.01);
+      EXPECT_NEAR(rms(dip.from_tick - 321), 1.0, 0.01);
+      EXPECT_NEAR(rms(dip.to_tick), 1.0, 0.01);
+      // At a zero crossing, but for what one tick of 1/8 ms makes of it: sin(2π · 50/8000).
+      EXPECT_LT(std::fabs(whole[static_cast<std::size_t>(dip.from_tick + signal.lead_ticks())]),
+                0.04F);
+    }
+    // And what an outlet's RMS is compared with is of these samples.
+    double sum = 0.0;
+    for (std::size_t i = 0; i < stretch->square_sum.size(); ++i) {
+      ASSERT_DOUBLE_EQ(stretch->square_sum[i], sum);
+      const auto at = static_cast<std::size_t>(stretch->first_tick + signal.lead_ticks()) + i;
+      sum += at < whole.size() ? std::pow(static_cast<double>(whole[at]), 2) : 0.0;
+    }
+  }
+  EXPECT_EQ(markers.before.first_tick, -signal.lead_ticks());
+  EXPECT_EQ(markers.after.first_tick, off_nominal_plan().duration_ticks());
+}
+
+struct Reading {
+  std::int64_t tick;
+  gs::wire::MeasurementMessage measured;
+};
+
+class Listener final : public gs::node::Outbox {
+ public:
+  void put(const gs::wire::Uplink& message) override {
+    if (message.kind == gs::wire::UplinkKind::kMeasurement) {
+      readings.push_back({static_cast<std::int64_t>(message.sample), message.measurement});
+    }
+  }
+  std::vector<Reading> readings;
+};
+
+TEST(PlayedSignal, NothingHappensAtTheRunsBeginning) {
+  const PlayedSignal signal(off_nominal_plan(), true);
+  Listener listener;
+  gs::node::Node node;
+  node.start({8000, 50, 20000.0F}, {}, nullptr, listener);
+  std::vector<std::int16_t> counts;
+  for (const float volts : rendered(signal, 0, signal.lead_ticks() + 8000)) {
+    counts.push_back(static_cast<std::int16_t>(std::lround(20000.0F * volts)));
+  }
+  node.feed(counts.data(), counts.size(), listener);
+  int in_first_second = 0;
+  for (const Reading& reading : listener.readings) {
+    const std::int64_t tick = reading.tick - signal.lead_ticks();
+    if (tick < -4000) continue;
+    ASSERT_EQ(reading.measured.validity, gs::outlet::Validity::kValid) << "at tick " << tick;
+    // 49.8 Hz and from tick 0 on 0.05 Hz/s less; a jump of one degree would show as 50 mHz.
+    EXPECT_NEAR(reading.measured.frequency_hz,
+                49.8 - 0.05 / 8000.0 * static_cast<double>(std::max<std::int64_t>(tick, 0)), 0.006)
+        << "at tick " << tick;
+    EXPECT_NEAR(reading.measured.voltage_pu, 1.0F, 0.01F);
+    in_first_second += tick >= 0 ? 1 : 0;
+  }
+  EXPECT_GE(in_first_second, 62);
+}
+
+}  // namespace
+}  // namespace gsbench::station
