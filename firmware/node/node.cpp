@@ -121,8 +121,9 @@ void Node::take_settings(const outlet::Settings& settings, Outbox& outbox) {
   const bool tried = error == outlet::SettingsError::kNone && area_ != nullptr;
   const bool kept = tried && area_->keep(settings);
   wire::Uplink answer = message(UplinkKind::kSettingsAnswer);
-  answer.settings_answer = {error, config_.settings.version, outlet::digest(config_.settings),
-                            kept};
+  // Where none are in force, 0 and 0, as in the hello.
+  answer.settings_answer = {error, config_.has_settings ? config_.settings.version : 0,
+                            config_.has_settings ? outlet::digest(config_.settings) : 0, kept};
   outbox.put(answer);
   if (tried && !kept) {
     note(wire::ErrorCode::kSettingsArea, outbox);

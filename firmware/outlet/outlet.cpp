@@ -143,7 +143,8 @@ SettingsError apply(Config& config, State& state, const Settings& settings) {
   if (error != SettingsError::kNone) {
     return error;
   }
-  if (config.has_settings && settings.version <= config.settings.version) {
+  const std::uint32_t in_force = config.has_settings ? config.settings.version : kNoSettings;
+  if (settings.version <= in_force) {
     return SettingsError::kStale;
   }
   config.settings = settings;

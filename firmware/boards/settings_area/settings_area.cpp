@@ -107,7 +107,9 @@ class SlotWriter {
 
 bool FlashSettingsArea::load(outlet::Settings& settings) {
   const int slot = newest(flash_);
-  return slot >= 0 && decode(flash_, slot, settings);
+  // A whole slot of another firmware's settings may not be readable; the older may be.
+  return slot >= 0 && (decode(flash_, slot, settings) ||
+                       (whole(flash_, 1 - slot) && decode(flash_, 1 - slot, settings)));
 }
 
 bool FlashSettingsArea::keep(const outlet::Settings& settings) {

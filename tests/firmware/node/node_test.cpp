@@ -181,6 +181,17 @@ TEST_F(NodeTest, SettingsAreAnsweredWithWhatIsInForce) {
   }
 }
 
+TEST_F(NodeTest, RefusedSettingsAreAnsweredWithVersionAndDigestZeroWhereNoneAreInForce) {
+  start();
+  outlet::Settings wrong = test::ieee24_settings();
+  wrong.threshold_mw = -1.0F;
+  node_.receive(settings_message(wrong), letters_);
+  ASSERT_EQ(letters_.all.size(), 2U);
+  EXPECT_EQ(letters_.all[1].settings_answer.error, SettingsError::kThreshold);
+  EXPECT_EQ(letters_.all[1].settings_answer.version, outlet::kNoSettings);
+  EXPECT_EQ(letters_.all[1].settings_answer.digest, letters_.all[0].hello.settings_digest);
+}
+
 TEST_F(NodeTest, EveryCommandIsAnsweredAndTheRelayToldWhereItChanges) {
   start();
   feed(steady_mains(), 0.1);

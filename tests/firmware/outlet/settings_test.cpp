@@ -143,12 +143,14 @@ TEST(Settings, OnesNotNewerThanThoseInForceAreRefusedAsStale) {
   EXPECT_EQ(config.settings.accumulated_mw, 1.0F);
 }
 
-TEST(Settings, TheFirstOnesMayHaveAnyVersion) {
+TEST(Settings, TheFirstOnesMayHaveAnyVersionButThatOfNone) {
   Config config;
   State state;
   ASSERT_TRUE(configure(Hardware{}, config));
   Settings settings = test::ieee24_settings();
-  settings.version = 0;
+  settings.version = kNoSettings;
+  EXPECT_EQ(apply(config, state, settings), SettingsError::kStale);
+  settings.version = 1;
   EXPECT_EQ(apply(config, state, settings), SettingsError::kNone);
 }
 

@@ -16,8 +16,10 @@ struct ConditionRow {
   float rocof_below_hz_s = 0.0f;
 };
 
+constexpr std::uint32_t kNoSettings = 0;  // the version of an outlet that has none
+
 struct Settings {
-  std::uint32_t version = 0;  // counts up with each set the control centre issues
+  std::uint32_t version = kNoSettings;  // counts up from 1 with each set the control centre issues
 
   // The system, for the ΔP estimate.
   Response response;

@@ -213,32 +213,42 @@ TEST(SettingsArea, ASetThatReadsBackOtherwiseIsNotKept) {
   EXPECT_EQ(version_in(flash), 1U);
 }
 
+// Words of a whole slot, its CRC behind them, with one changed on the way.
+void rewrite(SimulatedFlash& flash, int slot, std::size_t changed_at, std::uint32_t changed) {
+  const std::uint32_t length = flash.read(slot, 8);
+  outlet::Crc32 crc;
+  std::size_t at = 0;
+  for (; at < kSettingsAt + (length + 3) / 4 * 4; at += 4) {
+    if (at == changed_at) flash.word(slot, at) = changed;
+    const std::uint32_t word = flash.read(slot, at);
+    for (int shift = 0; shift < 32; shift += 8) {
+      crc.add(static_cast<std::uint8_t>(word >> shift));
+    }
+  }
+  flash.word(slot, at) = crc.value();
+}
+
+TEST(SettingsArea, TheOlderSetIsTakenWhereTheNewestIsWholeButNotReadable) {
+  SimulatedFlash flash;
+  FlashSettingsArea area(flash);
+  ASSERT_TRUE(area.keep(settings(1)));
+  ASSERT_TRUE(area.keep(settings(2)));
+  rewrite(flash, 1, kSettingsAt, 0);  // as another firmware's, of another form
+  EXPECT_EQ(version_in(flash), 1U);
+}
+
 TEST(SettingsArea, TheNewestIsFoundWhereSequenceNumbersWrap) {
   SimulatedFlash flash;
   FlashSettingsArea area(flash);
   ASSERT_TRUE(area.keep(settings(1)));
   // As after 2^32 − 1 sets: the slot anew with the last number and its CRC.
-  SimulatedFlash worn;
-  {
-    const auto length = flash.read(0, 8);
-    outlet::Crc32 crc;
-    std::size_t at = 0;
-    for (; at < kSettingsAt + (length + 3) / 4 * 4; at += 4) {
-      const std::uint32_t word = at == kSequenceAt ? 0xFFFFFFFFU : flash.read(0, at);
-      worn.word(0, at) = word;
-      for (int shift = 0; shift < 32; shift += 8) {
-        crc.add(static_cast<std::uint8_t>(word >> shift));
-      }
-    }
-    worn.word(0, at) = crc.value();
-  }
-  FlashSettingsArea worn_area(worn);
-  ASSERT_EQ(version_in(worn), 1U);
-  ASSERT_TRUE(worn_area.keep(settings(2)));
-  EXPECT_EQ(worn.read(1, kSequenceAt), 0U);
-  EXPECT_EQ(version_in(worn), 2U);
-  ASSERT_TRUE(worn_area.keep(settings(3)));
-  EXPECT_EQ(version_in(worn), 3U);
+  rewrite(flash, 0, kSequenceAt, 0xFFFFFFFFU);
+  ASSERT_EQ(version_in(flash), 1U);
+  ASSERT_TRUE(area.keep(settings(2)));
+  EXPECT_EQ(flash.read(1, kSequenceAt), 0U);
+  EXPECT_EQ(version_in(flash), 2U);
+  ASSERT_TRUE(area.keep(settings(3)));
+  EXPECT_EQ(version_in(flash), 3U);
 }
 
 }  // namespace
