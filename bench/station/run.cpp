@@ -334,9 +334,13 @@ void collect(std::size_t i, const Station& station, const capture::Markers& mark
              record::OutletRecord& outlet) {
   capture::OutletClock clock;
   if (!station.outlets_count_ticks()) {
+    const auto delay_s = outlet.settings.find("voltage_delay_s");
+    if (delay_s == outlet.settings.end()) {
+      return;  // it was not spoken to: what it said may mean anything
+    }
     const auto rate_hz = static_cast<double>(sample_rate_hz);
     capture::VoltageTrace voltage = capture.voltage_trace(i);
-    voltage.window_samples = 2.0 * outlet.settings["voltage_delay_s"] * rate_hz;
+    voltage.window_samples = 2.0 * delay_s->second * rate_hz;
     const auto alignment = capture::align(voltage, markers, rate_hz);
     if (alignment) {
       clock = alignment->clock;

@@ -1,0 +1,30 @@
+// The broker fails in a run.
+#include "desk_of_four.hpp"
+
+namespace gsbench::station::test {
+namespace {
+
+using BrokerFault = FaultyDesk;
+
+TEST_F(BrokerFault, KilledAndRestartedIsToldOfTheOutletsBehindItAlone) {
+  at(0.45, [&] { desk().broker()->kill(); });
+  at(0.55, [&] { ASSERT_TRUE(desk().broker()->restart().ok()); });
+  play();
+  expect_faults({{kRadioA, "has lost its broker"}, {kRadioB, "has lost its broker"}});
+}
+
+TEST_F(BrokerFault, GoneForGoodIsToldOfTheOutletsBehindItAlone) {
+  at(0.45, [&] { desk().broker()->kill(); });
+  play();
+  expect_faults({{kRadioA, "has lost its broker"}, {kRadioB, "has lost its broker"}});
+}
+
+TEST_F(BrokerFault, DeadBeforeTheRunEndsItInTime) {
+  desk().broker()->kill();
+  play();
+  EXPECT_EQ(record_.verdict, record::Verdict::kError);
+  EXPECT_THAT(record_.verdict_reason, testing::HasSubstr("broker"));
+}
+
+}  // namespace
+}  // namespace gsbench::station::test

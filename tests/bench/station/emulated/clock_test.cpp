@@ -1,0 +1,95 @@
+// Outlets count their own samples on their own crystals; what they say stands at the right time in
+// the record nevertheless. The crystals and the relay sense know better than the alignment does.
+#include "desk_of_four.hpp"
+#include "plans.hpp"
+
+#include <cmath>
+
+namespace gsbench::station::test {
+namespace {
+
+using gsbench::record::Mark;
+using testing::IsEmpty;
+
+class OutletClocks : public FaultyDesk {
+ protected:
+  static const Mark* mark(const record::OutletRecord& outlet, const std::string& kind) {
+    for (const Mark& mark : outlet.marks) {
+      if (mark.kind == kind) {
+        return &mark;
+      }
+    }
+    return nullptr;
+  }
+
+  void expect_drifts_of_the_crystals() const {
+    const auto spec = desk_of_four();
+    for (std::size_t i = 0; i < record_.outlets.size(); ++i) {
+      const record::Clock& clock = record_.outlets[i].clock;
+      EXPECT_NEAR(clock.drift_ppm, spec.emulated[i].crystal_ppm, clock.drift_uncertainty_ppm)
+          << spec.emulated[i].id;
+      // Not by being unsure of everything: dips a few seconds apart, each known within 0.1 ms.
+      EXPECT_GT(clock.drift_uncertainty_ppm, 0.0);
+      EXPECT_LT(clock.drift_uncertainty_ppm, 150.0);
+      EXPECT_GT(clock.uncertainty_ms, 0.0);
+      EXPECT_LT(clock.uncertainty_ms, 1.0);
+    }
+  }
+};
+
+TEST_F(OutletClocks, AreFoundWithinTheirStatedUncertainty) {
+  play();
+  expect_all_whole();
+  expect_drifts_of_the_crystals();
+}
+
+// Crystals far worse than any that is sold: a wrong sign would be seen at a glance.
+TEST_F(OutletClocks, OfBadCrystalsAreFoundWithTheirSign) {
+  profile::StationSpec spec = desk_of_four();
+  const double ppm[] = {900.0, -900.0, 600.0, -600.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    spec.emulated[i].crystal_ppm = ppm[i];
+  }
+  set_up(spec);
+  play();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const record::Clock& clock = record_.outlets[i].clock;
+    EXPECT_NEAR(clock.drift_ppm, ppm[i], clock.drift_uncertainty_ppm) << i;
+    EXPECT_LT(clock.drift_uncertainty_ppm, 150.0);
+  }
+}
+
+// The coil changes with the sample of the decision, and the sense sees the contact 1 to 20 ms
+// later (drivers/simulated/relay_model.hpp), by the source's own ticks.
+TEST_F(OutletClocks, PutDecisionsBeforeWhatTheRelaySenseSees) {
+  plan_ = parse(
+      "title = \"A loss\"\nsource = \"None\"\n[grid]\nsystem = \"ieee24\"\n[[grid.loss]]\n"
+      "at_s = 0.5\npower_mw = 600.0\n[signal]\nduration_s = 3.0\nnoise_pct = 1.0\n"
+      "[[outlet]]\ncount = 4\naccumulated_mw = 50.0\n"
+      "[[expect]]\nmeasure = \"event.count\"\nmin = 1\nmax = 1\n"
+      "[[expect]]\nmeasure = \"relay.end\"\nequals = \"open\"\n");
+  set_up(desk_of_four());
+  play();
+  expect_all_whole();
+  expect_drifts_of_the_crystals();
+  for (const record::OutletRecord& outlet : record_.outlets) {
+    const Mark* const event = mark(outlet, "event");
+    const Mark* const word = mark(outlet, "relay.word");
+    const Mark* const decision = mark(outlet, "decision");
+    const Mark* const sensed = mark(outlet, "relay.sense");
+    ASSERT_NE(event, nullptr) << outlet.id;
+    ASSERT_NE(word, nullptr) << outlet.id;
+    ASSERT_NE(decision, nullptr) << outlet.id;
+    ASSERT_NE(sensed, nullptr) << outlet.id;
+    EXPECT_EQ(word->tick, decision->tick) << outlet.id;
+    const double uncertainty_ms =
+        outlet.clock.uncertainty_ms + station_->uncertainty().relay_sense_ms;
+    const double operate_ms = static_cast<double>(sensed->tick - decision->tick) / 8.0;
+    EXPECT_GT(operate_ms, 1.0 - uncertainty_ms) << outlet.id;
+    EXPECT_LT(operate_ms, 20.0 + uncertainty_ms) << outlet.id;
+    EXPECT_GT(event->tick, 4000) << outlet.id << " knew of the loss before it came";
+  }
+}
+
+}  // namespace
+}  // namespace gsbench::station::test

@@ -1,0 +1,101 @@
+// Settings that an outlet refuses, does not get whole, or does not answer to. The bench checks what
+// it sends, so what is wrong here is made wrong on its way, in the outlet's memory, or not sent by
+// the bench at all.
+#include "desk_of_four.hpp"
+
+namespace gsbench::station::test {
+namespace {
+
+using gs::wire::Downlink;
+using gs::wire::DownlinkKind;
+using gs::wire::Uplink;
+using gs::wire::UplinkKind;
+using gsbench::test::Bytes;
+using gsbench::test::each_message;
+
+// Stands between the run and the station's own link, and changes what is sent to one outlet.
+class ChangingLink final : public link::Link {
+ public:
+  ChangingLink(link::Link& real, std::size_t outlet, std::function<void(Downlink&)> change)
+      : real_(real), outlet_(outlet), change_(std::move(change)) {}
+  std::string name() const override { return real_.name(); }
+  drivers::Result<std::vector<link::OutletPresence>> open() override { return real_.open(); }
+  drivers::Status send(std::size_t outlet, const Downlink& message) override {
+    Downlink changed = message;
+    if (outlet == outlet_ && message.kind == DownlinkKind::kSettings) {
+      change_(changed);
+    }
+    return real_.send(outlet, changed);
+  }
+  drivers::Status poll(std::vector<link::Received>& messages,
+                       std::vector<link::Fault>& faults) override {
+    return real_.poll(messages, faults);
+  }
+  void close() noexcept override { real_.close(); }
+
+ private:
+  link::Link& real_;
+  std::size_t outlet_;
+  std::function<void(Downlink&)> change_;
+};
+
+class ChangedStation final : public Station {
+ public:
+  ChangedStation(Station& real, std::size_t outlet, std::function<void(Downlink&)> change)
+      : real_(real), link_(real.link(), outlet, std::move(change)) {}
+  std::string name() const override { return real_.name(); }
+  source::Source& source() override { return real_.source(); }
+  link::Link& link() override { return link_; }
+  relay::RelaySense& relay_sense() override { return real_.relay_sense(); }
+  judge::BenchUncertainty uncertainty() override { return real_.uncertainty(); }
+  bool outlets_count_ticks() const override { return real_.outlets_count_ticks(); }
+  double block_s() const override { return real_.block_s(); }
+
+ private:
+  Station& real_;
+  ChangingLink link_;
+};
+
+class SettingsFault : public FaultyDesk {
+ protected:
+  void play_with(std::size_t outlet, std::function<void(Downlink&)> change) {
+    ChangedStation changed(*station_, outlet, std::move(change));
+    record_ = run(plan_, changed, {});
+    expect_safe_state();
+  }
+};
+
+TEST_F(SettingsFault, OutOfRangeAreRefusedWithTheReason) {
+  play_with(kM4, [](Downlink& message) { message.settings.lse_samples = 1; });
+  expect_fault(kM4, "refused its settings: ");
+}
+
+TEST_F(SettingsFault, OutOfRangeAreRefusedBehindTheBrokerToo) {
+  play_with(kRadioA, [](Downlink& message) { message.settings.switch_off_hz = -1.0F; });
+  expect_fault(kRadioA, "refused its settings: ");
+}
+
+TEST_F(SettingsFault, OlderThanThoseInForceAreRefused) {
+  play();
+  expect_all_whole();
+  play_with(kHost, [](Downlink& message) { message.settings.version = 1; });
+  expect_fault(kHost, "refused its settings: ");
+  EXPECT_THAT(record_.outlets[kHost].fault, testing::HasSubstr("not newer"));
+}
+
+TEST_F(SettingsFault, ThatAreNotAnsweredAreToldOfThatOutletAlone) {
+  desk().cable(kM4).spoil(each_message([](const Bytes& message) -> std::vector<Bytes> {
+    Uplink uplink;
+    std::uint32_t sequence = 0;
+    const auto decoded = gs::wire::decode(message.data(), message.size(), uplink, sequence);
+    const bool answer =
+        decoded == gs::wire::Decoded::kOk && uplink.kind == UplinkKind::kSettingsAnswer;
+    return answer ? std::vector<Bytes>{} : std::vector<Bytes>{message};
+  }));
+  play();
+  // The bench knows from the numbers that a message is missing before the answer is due.
+  expect_fault(kM4, "of its messages were lost");
+}
+
+}  // namespace
+}  // namespace gsbench::station::test

@@ -1,0 +1,346 @@
+// Emulated outlets against the clock, and the serial link beside the bare cable it runs on.
+#include <fcntl.h>
+#include <link_serial/serial_link.hpp>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <emulated/desk.hpp>
+#include <emulated/null_modem.hpp>
+#include <wire/frame.hpp>
+
+namespace {
+
+using namespace gsbench;
+using gs::wire::Downlink;
+using gs::wire::DownlinkKind;
+using gs::wire::Uplink;
+using gs::wire::UplinkKind;
+using std::chrono::steady_clock;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::size_t kOutlets = 16;
+constexpr double kPlayedS = 20.0;
+constexpr std::int64_t kRateHz = 8000;
+constexpr std::size_t kBlock = 128;  // 16 ms: one measurement
+constexpr int kRoundTrips = 1000;
+constexpr std::size_t kMessages = 200000;
+constexpr auto kPatience = std::chrono::seconds(60);
+constexpr auto kBetweenLooks = std::chrono::microseconds(20);
+
+[[noreturn]] void die(const std::string& why) {
+  std::fprintf(stderr, "%s\n", why.c_str());
+  std::exit(1);
+}
+
+template <class T>
+T or_die(drivers::Result<T> result) {
+  if (!result.ok()) {
+    die(result.error());
+  }
+  return result.take();
+}
+
+double seconds_since(steady_clock::time_point begin) {
+  return std::chrono::duration<double>(steady_clock::now() - begin).count();
+}
+
+template <class Condition>
+void wait_for(Condition condition, const char* otherwise) {
+  const auto end = steady_clock::now() + kPatience;
+  while (!condition()) {
+    if (steady_clock::now() > end) {
+      die(otherwise);
+    }
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+}
+
+bool short_of = false;
+
+void print(const char* what, double value, const char* unit) {
+  std::printf("%-62s %12.3f %s\n", what, value, unit);
+}
+
+void judge(const char* what, double value, const char* unit, bool reached, const char* wanted) {
+  short_of = short_of || !reached;
+  std::printf("%-62s %12.3f %-12s wanted %s: %s\n", what, value, unit, wanted,
+              reached ? "reached" : "FALLS SHORT");
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// ---- sixteen emulated Cortex-M4F as fast as they go
+
+emulated::DeskOptions desk_of(std::size_t count, emulated::Board board) {
+  emulated::DeskOptions options;
+  options.real_time = false;
+  options.image = GSBENCH_M4_IMAGE;
+  options.host_program = GS_OUTLET_PROGRAM;
+  for (std::size_t i = 0; i < count; ++i) {
+    options.outlets.push_back(
+        {"outlet-" + std::to_string(i), board, emulated::Connection::kSerial, 0.0});
+  }
+  return options;
+}
+
+link::SerialOptions ports_of(const emulated::Desk& desk) {
+  link::SerialOptions options;
+  options.ports = desk.serial_ports();
+  options.answer_s = 30.0;
+  return options;
+}
+
+void start_source(emulated::Desk& desk) {
+  source::SourceSettings settings;
+  settings.sample_rate_hz = kRateHz;
+  settings.nominal_hz = 50;
+  settings.noise_rms_pu = 0.01F;
+  or_die(desk.source().start(settings));
+}
+
+void measure_sixteen_outlets() {
+  const auto desk = or_die(emulated::Desk::set_up(desk_of(kOutlets, emulated::Board::kMps2An386)));
+  link::SerialLink link(ports_of(*desk));
+  or_die(link.open());
+  start_source(*desk);
+  std::vector<link::Received> messages;
+  std::vector<link::Fault> faults;
+  std::size_t measurements = 0;
+  const auto look = [&] {
+    messages.clear();
+    or_die(link.poll(messages, faults));
+    for (const link::Received& received : messages) {
+      measurements += received.message.kind == UplinkKind::kMeasurement ? 1 : 0;
+    }
+  };
+  const auto ticks = static_cast<std::int64_t>(kPlayedS * static_cast<double>(kRateHz));
+  std::vector<float> block(kBlock);
+  const auto begin = steady_clock::now();
+  for (std::int64_t tick = 0; tick < ticks; tick += static_cast<std::int64_t>(kBlock)) {
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const double t_s =
+          static_cast<double>(tick + static_cast<std::int64_t>(i)) / static_cast<double>(kRateHz);
+      block[i] = static_cast<float>(std::sin(2.0 * 3.14159265358979323846 * 50.0 * t_s));
+    }
+    or_die(desk->source().play(tick, block.data(), kBlock));
+    look();
+  }
+  const auto blocks = static_cast<std::size_t>(ticks) / kBlock;
+  wait_for(
+      [&] {
+        look();
+        return measurements >= kOutlets * blocks;
+      },
+      "emulated outlets lost measurements");
+  const double wall_s = seconds_since(begin);
+  for (const link::Fault& fault : faults) {
+    std::printf("  outlet-%zu %s\n", fault.outlet, fault.what.c_str());
+  }
+  judge("16 emulated Cortex-M4F, all measurements received", kPlayedS / wall_s, "x real time",
+        kPlayedS / wall_s >= 1.0, "at least 1");
+  judge("  faults told", static_cast<double>(faults.size()), "", faults.empty(), "none");
+}
+
+// ---- a round trip
+
+double link_round_trip_ms() {
+  const auto desk = or_die(emulated::Desk::set_up(desk_of(1, emulated::Board::kHost)));
+  link::SerialLink link(ports_of(*desk));
+  or_die(link.open());
+  std::vector<link::Received> messages;
+  std::vector<link::Fault> faults;
+  std::vector<double> taken_ms;
+  for (int i = 0; i < kRoundTrips; ++i) {
+    Downlink command;
+    command.kind = DownlinkKind::kCommand;
+    command.request = static_cast<std::uint32_t>(i);
+    messages.clear();
+    const auto begin = steady_clock::now();
+    or_die(link.send(0, command));
+    wait_for(
+        [&] {
+          or_die(link.poll(messages, faults));
+          return !messages.empty();
+        },
+        "a command was not answered");
+    taken_ms.push_back(1e3 * seconds_since(begin));
+  }
+  return median(taken_ms);
+}
+
+int open_end(const std::string& path) {
+  const int end = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (end < 0) {
+    die(path + ": " + std::strerror(errno));
+  }
+  return end;
+}
+
+// Waits for some; none after a tenth of a second.
+std::size_t read_some(int end, Bytes& bytes) {
+  bytes.resize(4096);
+  pollfd ready{end, POLLIN, 0};
+  ::poll(&ready, 1, 100);
+  const ssize_t got = ::read(end, bytes.data(), bytes.size());
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  return bytes.size();
+}
+
+void write_all(int end, const Bytes& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t put = ::write(end, bytes.data() + done, bytes.size() - done);
+    done += static_cast<std::size_t>(std::max<ssize_t>(put, 0));
+    if (put < 0) {
+      pollfd ready{end, POLLOUT, 0};
+      ::poll(&ready, 1, 100);
+    }
+  }
+}
+
+double raw_round_trip_ms() {
+  const auto cable = or_die(emulated::NullModem::between_terminals());
+  const int bench = open_end(cable.bench_end());
+  const int outlet = open_end(cable.outlet_end());
+  std::atomic<bool> ending{false};
+  std::thread echo([&] {
+    Bytes bytes;
+    while (!ending) {
+      if (read_some(outlet, bytes) > 0) {
+        write_all(outlet, bytes);
+      }
+    }
+  });
+  const Bytes command(16, 1);
+  std::vector<double> taken_ms;
+  Bytes bytes;
+  for (int i = 0; i < kRoundTrips; ++i) {
+    const auto begin = steady_clock::now();
+    write_all(bench, command);
+    for (std::size_t came = 0; came < command.size();) {
+      came += read_some(bench, bytes);
+    }
+    taken_ms.push_back(1e3 * seconds_since(begin));
+  }
+  ending = true;
+  echo.join();
+  ::close(bench);
+  ::close(outlet);
+  return median(taken_ms);
+}
+
+// ---- throughput
+
+Bytes framed(const Uplink& message, std::uint32_t sequence) {
+  Bytes bytes(gs::wire::kLongestMessage);
+  bytes.resize(gs::wire::encode(message, sequence, bytes.data(), bytes.size()));
+  Bytes frame(gs::wire::kLongestFrame);
+  frame.resize(gs::wire::frame(bytes.data(), bytes.size(), frame.data(), frame.size()));
+  return frame;
+}
+
+// As an outlet that has nothing to wait for: a write a message.
+void say_measurements(int end) {
+  Uplink message;
+  message.kind = UplinkKind::kMeasurement;
+  message.measurement = {50.0F, 0.0F, 1.0F, gs::outlet::Validity::kValid};
+  for (std::size_t i = 0; i < kMessages; ++i) {
+    message.sample = (i + 1) * kBlock;
+    write_all(end, framed(message, static_cast<std::uint32_t>(i + 1)));
+  }
+}
+
+double link_messages_per_s() {
+  const auto cable = or_die(emulated::NullModem::between_terminals());
+  const int outlet = open_end(cable.outlet_end());
+  std::atomic<bool> opened{false};
+  std::thread saying([&] {
+    Bytes asked;
+    while (read_some(outlet, asked) == 0) {
+    }
+    Uplink hello;
+    std::strcpy(hello.hello.id, "outlet");
+    write_all(outlet, framed(hello, 0));
+    while (!opened) {
+      std::this_thread::sleep_for(kBetweenLooks);
+    }
+    say_measurements(outlet);
+  });
+  link::SerialOptions options;
+  options.ports = {cable.bench_end()};
+  link::SerialLink link(options);
+  or_die(link.open());
+  const auto begin = steady_clock::now();
+  opened = true;
+  std::vector<link::Received> messages;
+  std::vector<link::Fault> faults;
+  std::size_t came = 0;
+  wait_for(
+      [&] {
+        messages.clear();
+        or_die(link.poll(messages, faults));
+        came += messages.size();
+        return came >= kMessages;
+      },
+      "the serial link lost messages");
+  const double wall_s = seconds_since(begin);
+  saying.join();
+  ::close(outlet);
+  if (!faults.empty()) {
+    die("the serial link told a fault: " + faults.front().what);
+  }
+  return static_cast<double>(kMessages) / wall_s;
+}
+
+// The same bytes in the same writes, read and forgotten.
+double raw_messages_per_s() {
+  const auto cable = or_die(emulated::NullModem::between_terminals());
+  const int bench = open_end(cable.bench_end());
+  const int outlet = open_end(cable.outlet_end());
+  std::atomic<bool> said{false};
+  const auto begin = steady_clock::now();
+  std::thread saying([&] {
+    say_measurements(outlet);
+    said = true;
+  });
+  Bytes bytes;
+  double wall_s = 0.0;
+  while (read_some(bench, bytes) > 0 || !said) {
+    wall_s = seconds_since(begin);
+  }
+  saying.join();
+  ::close(bench);
+  ::close(outlet);
+  return static_cast<double>(kMessages) / wall_s;
+}
+
+}  // namespace
+
+int main() {
+  measure_sixteen_outlets();
+  print("round trip of 16 bytes through the cable", raw_round_trip_ms(), "ms");
+  print("round trip of a command to an outlet over the serial link", link_round_trip_ms(), "ms");
+  double raw_per_s = 0.0;
+  double link_per_s = 0.0;
+  // In turn, the best of each: other work of the machine slows the one and not the other.
+  for (int i = 0; i < 3; ++i) {
+    raw_per_s = std::max(raw_per_s, raw_messages_per_s());
+    link_per_s = std::max(link_per_s, link_messages_per_s());
+  }
+  print("throughput of the cable alone, one write a message", raw_per_s, "messages/s");
+  print("throughput of the serial link over it", link_per_s, "messages/s");
+  return short_of ? 1 : 0;
+}
