@@ -6,38 +6,51 @@
 #include <nlohmann/json.hpp>
 
 #include <profile/load.hpp>
+#include <profile/station_spec.hpp>
 
 namespace gsbench::cli {
 namespace {
 
+nlohmann::ordered_json as_json(const std::vector<profile::ProfileSummary>& summaries) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const profile::ProfileSummary& summary : summaries) {
+    all.push_back({{"name", summary.name}, {"title", summary.title}});
+  }
+  return all;
+}
+
+void print(const char* heading, const std::vector<profile::ProfileSummary>& summaries) {
+  std::puts(heading);
+  for (const profile::ProfileSummary& summary : summaries) {
+    std::printf("  %-28s %s\n", summary.name.c_str(), summary.title.c_str());
+  }
+}
+
 void list(bool json) {
   const std::vector<profile::ProfileSummary> profiles = profile::list_profiles();
   const std::vector<std::string> grids = profile::list_grids();
+  const std::vector<profile::ProfileSummary> stations = profile::list_stations();
   if (json) {
     nlohmann::ordered_json out;
-    out["profiles"] = nlohmann::ordered_json::array();
-    for (const profile::ProfileSummary& summary : profiles) {
-      out["profiles"].push_back({{"name", summary.name}, {"title", summary.title}});
-    }
+    out["profiles"] = as_json(profiles);
     out["grids"] = grids;
+    out["stations"] = as_json(stations);
     std::printf("%s\n", out.dump(2).c_str());
     return;
   }
-  std::puts("Profiles");
-  for (const profile::ProfileSummary& summary : profiles) {
-    std::printf("  %-28s %s\n", summary.name.c_str(), summary.title.c_str());
-  }
+  print("Profiles", profiles);
   std::puts("Grids");
   for (const std::string& grid : grids) {
     std::printf("  %s\n", grid.c_str());
   }
+  print("Stations", stations);
 }
 
 }  // namespace
 
 void add_list(CLI::App& app, int&) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("list", "The shipped profiles and grids");
+  CLI::App* command = app.add_subcommand("list", "The shipped profiles, grids and stations");
   command->add_flag("--json", *json, "Print as JSON");
   command->footer("Example:\n  gsbench list");
   command->callback([json] { list(*json); });

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <link/outlet_stream.hpp>
 
 namespace gsbench::link {
@@ -18,10 +20,18 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
   // An outlet numbers from 0 at start-up, and what it says first is its hello.
   const bool began_anew = message.kind == UplinkKind::kHello && sequence == 0;
   if (began_anew) {
+    // A broker may deliver one twice: the very same, and nothing in between.
+    std::vector<std::uint8_t> hello(bytes, bytes + size);
+    if (hello == newest_) {
+      return std::nullopt;
+    }
+    newest_ = std::move(hello);
     if (said_hello_ && (last_sample_ > message.sample || message.sample == 0)) {
       note("began anew after its sample " + std::to_string(last_sample_));
     }
     received_.restart();
+  } else {
+    newest_.clear();
   }
   switch (received_.take(sequence)) {
     case Sequence::Order::kDuplicate:

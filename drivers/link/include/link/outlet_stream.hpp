@@ -31,6 +31,7 @@ class OutletStream {
   std::uint32_t sent_ = 0;
   bool said_hello_ = false;
   std::uint64_t last_sample_ = 0;
+  std::vector<std::uint8_t> newest_;  // where it was a first hello, its bytes
   std::vector<std::string> faults_;
 };
 

@@ -1,0 +1,156 @@
+// Station files: what they say, and what is refused, with the place.
+#include <profile_test/texts.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <profile/station_spec.hpp>
+
+namespace gsbench::profile::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class StationFile : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  StationSpec load(const std::string& text) const {
+    std::ofstream(path()) << text;
+    return load_station(path());
+  }
+  std::string refusal_of(const std::string& text) const {
+    try {
+      load(text);
+    } catch (const ConfigurationError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  std::string path() const { return (folder_ / "desk.toml").string(); }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) /
+      ("stations-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+constexpr const char* kEmulated = "title = \"A desk\"\nkind = \"emulated\"\n";
+constexpr const char* kPhysical = "title = \"A desk\"\nkind = \"physical\"\n";
+
+TEST_F(StationFile, OfEmulatedOutletsTakesThemWithDefaults) {
+  const StationSpec station = load(std::string(kEmulated) +
+                                   "image = \"my.elf\"\n[[outlet]]\nid = \"a\"\n[[outlet]]\n"
+                                   "id = \"b\"\nboard = \"mps2-an386\"\nlink = \"serial\"\n"
+                                   "crystal_ppm = -40.0\n");
+  EXPECT_EQ(station.name, "desk");
+  EXPECT_EQ(station.title, "A desk");
+  EXPECT_EQ(station.kind, StationKind::kEmulated);
+  EXPECT_EQ(station.image, (folder_ / "my.elf").string());
+  ASSERT_EQ(station.emulated.size(), 2U);
+  EXPECT_EQ(station.emulated[0].board, "host");
+  EXPECT_EQ(station.emulated[0].link, "serial");
+  EXPECT_EQ(station.emulated[0].crystal_ppm, 0.0);
+  EXPECT_EQ(station.emulated[1].id, "b");
+  EXPECT_EQ(station.emulated[1].board, "mps2-an386");
+  EXPECT_EQ(station.emulated[1].crystal_ppm, -40.0);
+}
+
+TEST_F(StationFile, OfPhysicalOutletsSaysWhereTheyAre) {
+  const StationSpec station = load(std::string(kPhysical) +
+                                   "[serial]\nports = [\"/dev/ttyUSB0\", \"/dev/ttyUSB1\"]\n"
+                                   "baud = 115200\n[mqtt]\nurl = \"mqtts://b:8883\"\n"
+                                   "ca_file = \"ca.crt\"\nuser = \"u\"\n"
+                                   "password_file = \"pw\"\noutlets = [\"k-1\"]\n");
+  EXPECT_EQ(station.kind, StationKind::kPhysical);
+  EXPECT_THAT(station.serial_ports, ElementsAre("/dev/ttyUSB0", "/dev/ttyUSB1"));
+  EXPECT_EQ(station.baud, 115200);
+  EXPECT_EQ(station.broker.url, "mqtts://b:8883");
+  EXPECT_EQ(station.broker.ca_file, (folder_ / "ca.crt").string());
+  EXPECT_EQ(station.broker.password_file, (folder_ / "pw").string());
+  EXPECT_THAT(station.broker.outlets, ElementsAre("k-1"));
+}
+
+TEST_F(StationFile, NeedsNoCertificateWithoutTls) {
+  const StationSpec station = load(std::string(kPhysical) + "[mqtt]\nurl = \"mqtt://b:1883\"\n");
+  EXPECT_EQ(station.broker.ca_file, "");
+  EXPECT_EQ(station.baud, 921600);
+}
+
+struct Refused {
+  std::string text;
+  std::string place;  // line:column
+  std::string why;
+};
+
+TEST_F(StationFile, IsRefusedWithThePlaceAndWhatWouldBeRight) {
+  const std::string emulated = kEmulated;
+  const std::string physical = kPhysical;
+  std::string many = emulated;
+  for (int i = 0; i < 65; ++i) many += "[[outlet]]\nid = \"o" + std::to_string(i) + "\"\n";
+  const Refused all[] = {
+      {"kind = \"simulated\"\n", "1:1", "title"},
+      {"title = \"A\"\n", "1:1", "kind = "},
+      {"title = \"A\"\nkind = \"real\"\n", "2:8", "simulated"},
+      {"title = \"A\"\nkind = \"simulated\"\nspeed = 3\n", "3:1", "unknown key \"speed\""},
+      {"title = \"A\"\nkind = \"simulated\"\nimage = \"x\"\n", "3:9", "means nothing"},
+      {emulated, "1:1", "at least one [[outlet]]"},
+      {emulated + "[[outlet]]\n", "3:1", "id"},
+      {emulated + "[[outlet]]\nid = \"a b\"\n", "4:6", "letters, digits"},
+      {emulated + "[[outlet]]\nid = \"" + std::string(33, 'a') + "\"\n", "4:6", "at most 32"},
+      {emulated + "[[outlet]]\nid = \"\"\n", "4:6", "id"},
+      {emulated + "[[outlet]]\nid = \"a\"\nboard = \"arduino\"\n", "5:9", "mps2-an386"},
+      {emulated + "[[outlet]]\nid = \"a\"\nlink = \"radio\"\n", "5:8", "mqtt"},
+      {emulated + "[[outlet]]\nid = \"a\"\ncrystal_ppm = 1001.0\n", "5:15", "1000"},
+      {emulated + "[[outlet]]\nid = \"a\"\nboard = \"mps2-an386\"\nlink = \"mqtt\"\n", "6:8",
+       "no radio"},
+      {emulated + "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"a\"\n", "6:6", "already"},
+      {emulated + "[[outlet]]\nid = \"a\"\n[serial]\nports = [\"p\"]\n", "5:1", "means nothing"},
+      {many, "3:1", "more than 64"},
+      {physical, "1:1", "[serial] or [mqtt]"},
+      {physical + "[serial]\n", "3:1", "ports = "},
+      {physical + "[serial]\nports = [\"p\"]\nbaud = 300\n", "5:8", "9600"},
+      {physical + "[mqtt]\n", "3:1", "url"},
+      {physical + "[mqtt]\nurl = \"http://b\"\n", "4:7", "mqtts://host:port"},
+      {physical + "[mqtt]\nurl = \"mqtts://b:8883\"\n", "3:1", "ca_file"},
+      {physical + "[[outlet]]\nid = \"a\"\n", "3:1", "means nothing"},
+  };
+  for (const Refused& refused : all) {
+    const std::string message = refusal_of(refused.text);
+    EXPECT_THAT(message, StartsWith(path() + ":" + refused.place + ": ")) << refused.text;
+    EXPECT_THAT(message, HasSubstr(refused.why)) << refused.text;
+  }
+}
+
+TEST(Stations, AnUnknownNameIsToldWithTheNearest) {
+  try {
+    load_station("emulatd");
+    FAIL() << "no such station";
+  } catch (const ConfigurationError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("\"emulated\""));
+  }
+  EXPECT_THROW(load_station("nowhere/desk.toml"), ConfigurationError);
+}
+
+TEST(Stations, ThatAreShippedAreReadableAndNoProfiles) {
+  const std::vector<ProfileSummary> stations = list_stations();
+  std::vector<std::string> names;
+  for (const ProfileSummary& station : stations) {
+    names.push_back(station.name);
+    EXPECT_NO_THROW(load_station(station.name)) << station.title;
+  }
+  EXPECT_THAT(names, ElementsAre("emulated", "mqtt", "serial", "simulated"));
+  for (const ProfileSummary& profile : list_profiles()) {
+    EXPECT_EQ(profile.name.rfind("stations/", 0), std::string::npos) << profile.name;
+  }
+}
+
+}  // namespace
+}  // namespace gsbench::profile::test
