@@ -1,8 +1,11 @@
 #include "link_arguments.hpp"
 
 #include <link_serial/serial_link.hpp>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
 
 #include <emulated/serial_ports.hpp>
@@ -14,6 +17,16 @@ namespace {
 
 bool is_pseudo_terminal(const std::string& port) {
   return port.rfind("/dev/pts/", 0) == 0;
+}
+
+// Of all the ports of a machine those that cannot be opened are of no interest; of those that
+// somebody named they are a mistake.
+void require_ports(const std::vector<std::string>& named) {
+  for (const std::string& port : named) {
+    if (access(port.c_str(), R_OK | W_OK) != 0) {
+      throw profile::ConfigurationError(port + ": " + std::strerror(errno));
+    }
+  }
 }
 
 }  // namespace
@@ -33,7 +46,9 @@ std::unique_ptr<link::Link> make_link(const LinkArguments& arguments) {
       throw profile::ConfigurationError(spec.path +
                                         ": its outlets are there only while a run plays to them");
     }
+    require_ports(spec.serial_ports);
   } else {
+    require_ports(arguments.ports);
     spec.serial_ports = arguments.ports.empty() ? link::serial_ports() : arguments.ports;
     if (spec.serial_ports.empty()) {
       throw profile::ConfigurationError(

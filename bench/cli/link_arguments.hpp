@@ -19,7 +19,7 @@ struct LinkArguments {
 void add_link_options(CLI::App& command, LinkArguments& arguments);
 
 // To the station's outlets, else to those on the named ports, else on every serial port there is.
-// Throws profile::ConfigurationError where there is nowhere to look.
+// Throws profile::ConfigurationError where there is nowhere to look, or a named port is not there.
 std::unique_ptr<link::Link> make_link(const LinkArguments& arguments);
 
 // Opens it; throws std::runtime_error with what the link says.

@@ -1,0 +1,186 @@
+// What finds outlets and listens to them, on an emulated one's serial line.
+#include "gsbench_process.hpp"
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <emulated/desk.hpp>
+
+namespace {
+
+using gsbench::emulated::Desk;
+using gsbench::test::Outcome;
+using gsbench::test::run_gsbench;
+using gsbench::test::start_gsbench;
+using gsbench::test::Started;
+using gsbench::test::text_of;
+using testing::HasSubstr;
+
+// Calm mains on a desk with one outlet, for as long as a test lasts.
+class ADesk : public testing::Test {
+ protected:
+  void SetUp() override {
+    gsbench::emulated::DeskOptions options;
+    options.outlets = {{"kitchen-1", gsbench::emulated::Board::kHost,
+                        gsbench::emulated::Connection::kSerial, 0.0}};
+    options.host_program = GS_OUTLET_PROGRAM;
+    auto desk = Desk::set_up(options);
+    ASSERT_TRUE(desk.ok()) << desk.error();
+    desk_ = desk.take();
+    mains_ = std::thread([this] { play(); });
+  }
+  void TearDown() override {
+    over_ = true;
+    if (mains_.joinable()) {
+      mains_.join();
+    }
+  }
+
+  std::string port() const { return desk_->serial_ports().front(); }
+
+  std::unique_ptr<Desk> desk_;
+
+ private:
+  void play() {
+    constexpr double kTwoPi = 6.283185307179586;
+    std::vector<float> block(128);
+    gsbench::source::SourceSettings settings;
+    settings.sample_rate_hz = 8000;
+    settings.nominal_hz = 50;
+    ASSERT_TRUE(desk_->source().start(settings).ok());
+    for (std::int64_t tick = 0; !over_; tick += 128) {
+      for (std::size_t i = 0; i < block.size(); ++i) {
+        const auto at = static_cast<double>(tick + static_cast<std::int64_t>(i));
+        block[i] = static_cast<float>(std::sin(kTwoPi * 50.0 / 8000.0 * at));
+      }
+      ASSERT_TRUE(desk_->source().play(tick, block.data(), block.size()).ok());
+    }
+  }
+
+  std::atomic<bool> over_{false};
+  std::thread mains_;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+// Until it has printed that, and no longer than anything here could take.
+bool prints(const Started& started, const std::string& what) {
+  for (int tries = 0; tries < 2000; ++tries) {
+    if (text_of(started.out).find(what) != std::string::npos) {
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+TEST_F(ADesk, IsFoundWithWhatItsOutletSaysOfItself) {
+  const Outcome outcome = run_gsbench({"devices", "--port", port(), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto found = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0]["id"], "kitchen-1");
+  EXPECT_EQ(found[0]["where"], port());
+  EXPECT_EQ(found[0]["board"], "host");
+  EXPECT_EQ(found[0]["sample_rate_hz"], 8000);
+  EXPECT_EQ(found[0]["nominal_hz"], 50);
+  EXPECT_EQ(found[0]["settings_version"], 0);
+  EXPECT_EQ(found[0]["settings_digest"], "00000000");
+  EXPECT_EQ(found[0]["keeps_settings"], true);
+
+  const Outcome table = run_gsbench({"devices", "--port", port()});
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_THAT(table.out, HasSubstr("kitchen-1"));
+  EXPECT_EQ(lines_of(table.out).size(), 2U);
+}
+
+TEST_F(ADesk, IsHeardForAsLongAsAsked) {
+  const Outcome outcome = run_gsbench({"monitor", "--port", port(), "--seconds", "1.5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  // A hello, and of the measurements every 16 ms most, on however slow a machine.
+  ASSERT_GT(lines.size(), 20U);
+  EXPECT_THAT(lines.front(), HasSubstr("hello"));
+  EXPECT_THAT(lines.front(), HasSubstr("8000 Hz samples of 50 Hz mains, no settings"));
+  EXPECT_THAT(lines.back(), testing::StartsWith("kitchen-1"));
+  EXPECT_THAT(outcome.out, HasSubstr("50.0000 Hz"));
+  EXPECT_THAT(outcome.out, HasSubstr("1.0000 pu valid"));
+}
+
+TEST_F(ADesk, IsHeardLiveUntilInterrupted) {
+  const Started started = start_gsbench({"monitor", "--port", port()});
+  EXPECT_TRUE(prints(started, "pu valid"));
+  kill(started.pid, SIGINT);
+  const Outcome outcome = gsbench::test::wait_for(started);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+TEST_F(ADesk, IsHeardNoLongerThanAnybodyReads) {
+  const std::string command = "timeout 30 " + std::string(GSBENCH_PROGRAM) + " monitor --port " +
+                              port() + " 2>&1 | head -n 3";
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  std::string said;
+  for (char part[256]; std::fgets(part, sizeof part, pipe) != nullptr;) {
+    said += part;
+  }
+  const auto began = std::chrono::steady_clock::now();
+  pclose(pipe);
+  EXPECT_EQ(lines_of(said).size(), 3U);
+  // The shell waits for both; without an end of its own the monitor would go on to the 30 s.
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(15));
+}
+
+TEST_F(ADesk, HasNoOutletOfAnotherName) {
+  const Outcome outcome =
+      run_gsbench({"monitor", "--port", port(), "--outlet", "cellar", "--seconds", "1"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("no outlet cellar answers"));
+}
+
+TEST_F(ADesk, WithItsOutletGoneHasNothingToFind) {
+  desk_->outlet_process(0).kill();
+  const Outcome found = run_gsbench({"devices", "--port", port(), "--json"});
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_EQ(nlohmann::json::parse(found.out).size(), 0U);
+  const Outcome heard = run_gsbench({"monitor", "--port", port()});
+  EXPECT_EQ(heard.exit_code, 2);
+  EXPECT_THAT(heard.err, HasSubstr("no outlet answers"));
+}
+
+TEST(Devices, APortThatDoesNotExistIsToldByItsName) {
+  for (const char* command : {"devices", "monitor"}) {
+    const Outcome outcome = run_gsbench({command, "--port", "/dev/ttyNowhere7"});
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("/dev/ttyNowhere7: No such file")) << command;
+  }
+}
+
+TEST(Devices, AStationWithoutOutletsOfItsOwnIsRefused) {
+  const Outcome outcome = run_gsbench({"devices", "--station", "simulated"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("only while a run plays"));
+  const Outcome unknown = run_gsbench({"monitor", "--station", "emulatd"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("\"emulated\""));
+}
+
+}  // namespace
