@@ -63,7 +63,7 @@ enum class SettingsError : std::uint8_t {
   kResponse = 2,  // gain, slope or omega_n² not positive, or outside what the model's series carry
   kThreshold = 3,
   kAccumulated = 4,
-  kSwitchOff = 5,   // not between 80 % of nominal and nominal
+  kSwitchOff = 5,   // below 80 % of nominal, or not below nominal
   kConditions = 6,  // no row, too many, not descending, or a limit above zero
   kCounts = 7,      // a number of samples out of range
   kEvent = 8,       // drop or departure not within 0 … 1 Hz
