@@ -1,6 +1,7 @@
 #include "descriptor.hpp"
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
@@ -79,6 +80,11 @@ struct NullModem::Impl {
 };
 
 void NullModem::Impl::run() {
+  // An end that has gone is an error to tell, not the end of the program.
+  sigset_t broken_pipe;
+  sigemptyset(&broken_pipe);
+  sigaddset(&broken_pipe, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &broken_pipe, nullptr);
   while (true) {
     pollfd waited[] = {{wake.get(), POLLIN, 0},
                        {bench.master.get(), POLLIN, 0},

@@ -1,6 +1,7 @@
 // No key can be forgotten by the loader or by the documentation: for each line of profiles that use
 // every key, a value of a wrong type is refused on that line, and the key stands in the README.
 #include <profile_test/texts.hpp>
+#include <test_support/temporary_folder.hpp>
 #include <unistd.h>
 
 #include <filesystem>
@@ -10,6 +11,8 @@
 #include <sstream>
 
 #include <gtest/gtest.h>
+
+#include <profile/station_spec.hpp>
 
 namespace gsbench::profile::test {
 namespace {
@@ -71,10 +74,41 @@ TEST_P(EveryKey, IsDocumented) {
 INSTANTIATE_TEST_SUITE_P(OfAProfile, EveryKey,
                          testing::Values(kLossesInPlace, kPoints, kRecording));
 
+constexpr const char* kEmulatedStation = R"(
+title = "all keys of an emulated station"
+kind = "emulated"
+image = "outlet.elf"
+[[outlet]]
+id = "a"
+board = "host"
+link = "mqtt"
+crystal_ppm = 20.0
+)";
+constexpr const char* kPhysicalStation = R"(
+title = "all keys of a physical station"
+kind = "physical"
+[serial]
+ports = ["/dev/ttyUSB0"]
+baud = 115200
+[mqtt]
+url = "mqtts://broker.example:8883"
+ca_file = "ca.crt"
+user = "bench"
+password_file = "password"
+outlets = ["a"]
+)";
+
+TEST(Documentation, TheStationsItIsHeldAgainstAreAccepted) {
+  const gsbench::test::TemporaryFolder folder;
+  EXPECT_NO_THROW((void)load_station(folder.write("emulated.toml", kEmulatedStation)));
+  EXPECT_NO_THROW((void)load_station(folder.write("physical.toml", kPhysicalStation)));
+}
+
 TEST(Documentation, NamesNoKeyThatTheLoaderDoesNotKnow) {
   std::ifstream file(GSBENCH_SOURCE_DIR "/profiles/README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  const std::string all = std::string(kLossesInPlace) + kPoints + kRecording;
+  const std::string all =
+      std::string(kLossesInPlace) + kPoints + kRecording + kEmulatedStation + kPhysicalStation;
   const std::regex row(R"(\n\| `([a-z0-9_]+)` \|)");
   int keys = 0;
   for (std::sregex_iterator at(readme.begin(), readme.end(), row), end; at != end; ++at, ++keys) {
