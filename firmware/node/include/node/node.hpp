@@ -56,8 +56,8 @@ class SettingsArea {
 class Node {
  public:
   // False where the hardware is none that can be served; the node then does nothing, as before its
-  // first start. `area` may be null; it must outlive the node. With `kept`, settings from there, the
-  // first hello tells them in force already; where they are refused, it is told as an error.
+  // first start. `area` may be null; it must outlive the node. With `kept`, settings from there,
+  // the first hello tells them in force already; where they are refused, it is told as an error.
   bool start(const outlet::Hardware& hardware, const Identity& identity, SettingsArea* area,
              Outbox& outbox, const outlet::Settings* kept = nullptr);
   // Settings that were kept, before the first sample. False where they are refused.
