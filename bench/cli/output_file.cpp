@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include <profile/load.hpp>
 
 namespace gsbench::cli {
@@ -14,8 +16,8 @@ OutputFile::OutputFile(const std::string& path, const std::vector<std::string>& 
   for (const std::string& input : inputs) {
     std::error_code ignored;  // what is not there is no input
     if (!input.empty() && std::filesystem::equivalent(path, input, ignored)) {
-      throw profile::ConfigurationError(path + ": this is what is read (" + input +
-                                        "); name another file to write");
+      throw profile::ConfigurationError(
+          fmt::format("{}: this is what is read ({}); name another file to write", path, input));
     }
   }
   file_ = std::make_unique<render::File>(path);

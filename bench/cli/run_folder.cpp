@@ -67,7 +67,7 @@ std::string make_unfinished(const std::string& output_folder, std::error_code& e
   do {
     char name[32];
     std::snprintf(name, sizeof name, "%s%08x", kUnfinished, random());
-    const std::string path = output_folder + "/" + name;
+    std::string path = output_folder + "/" + name;
     if (mkdir(path.c_str(), 0777) == 0) {
       error.clear();
       return path;

@@ -62,7 +62,7 @@ bool is_plain_id(const std::string& id) {
 }
 
 std::string read_id(const Table& table) {
-  const std::string id = table.required_text("id");
+  std::string id = table.required_text("id");
   if (!is_plain_id(id)) {
     table.refuse("id", fmt::format("id is \"{}\"; it must be of letters, digits, '-', '_' and '.', "
                                    "at most 32 of them",
@@ -100,6 +100,7 @@ std::vector<EmulatedOutletSpec> read_emulated(const Table& top) {
 
 std::vector<std::string> texts(const std::vector<Word>& words) {
   std::vector<std::string> all;
+  all.reserve(words.size());
   for (const Word& word : words) {
     all.push_back(word.text);
   }

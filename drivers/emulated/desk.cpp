@@ -58,7 +58,7 @@ Status Desk::set_up() {
     broker_ = std::make_unique<broker::PrivateBroker>(started.take());
   }
   for (std::size_t i = 0; i < options_.outlets.size(); ++i) {
-    const Status plugged = plug_in(i);
+    Status plugged = plug_in(i);
     if (!plugged.ok()) {
       return plugged;
     }

@@ -45,6 +45,7 @@ drivers::Status restart_with_pseudo_terminals() {
   setenv("LD_PRELOAD", preload.c_str(), 1);
   std::vector<std::string> words = own_arguments();
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) {
     argv.push_back(word.data());
   }

@@ -82,7 +82,7 @@ struct SerialLink::Impl {
 Status SerialLink::Impl::open_ports() {
   for (const std::string& path : options.ports) {
     auto line = std::make_unique<Line>(path, options.baud);
-    const Status opened = line->port.open();
+    Status opened = line->port.open();
     if (opened.ok()) {
       lines.push_back(std::move(line));
     } else if (!options.skip_silent) {

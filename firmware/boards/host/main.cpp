@@ -15,7 +15,12 @@
 
 namespace {
 
-using namespace gs;
+namespace bare_metal = gs::bare_metal;
+namespace host = gs::host;
+namespace node = gs::node;
+namespace settings_area = gs::settings_area;
+namespace terminals = gs::terminals;
+namespace wire = gs::wire;
 
 constexpr const char* kHelp =
     "gs-outlet: a Grid Sense outlet as a process of this machine.\n"

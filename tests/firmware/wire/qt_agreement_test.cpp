@@ -115,7 +115,7 @@ void expect_qt_value(const Message& message) {
   const std::vector<Field> fields = fields_of(message);
   ASSERT_EQ(static_cast<std::size_t>(array.size()), head + fields.size());
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const QCborValue item = array.at(static_cast<qsizetype>(head + i));
+    const QCborValue item = array.at(static_cast<qsizetype>(head) + static_cast<qsizetype>(i));
     switch (fields[i].type) {
       case Field::Type::kInteger:
         EXPECT_TRUE(item.isInteger());

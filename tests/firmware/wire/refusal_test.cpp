@@ -196,7 +196,7 @@ TEST(Refusal, AnArrayThatPromisesMoreThanThereIsIsMalformed) {
 TEST(Refusal, NestedBombsBehindTheFieldsAreMalformed) {
   for (const Case& one : cases()) {
     std::vector<Bytes> items = items_of(one.bytes);
-    items.push_back(Bytes(10000, 0x81));
+    items.emplace_back(10000, std::uint8_t{0x81});
     EXPECT_EQ(one.decode(array_of(items)), Decoded::kMalformed);
   }
 }
@@ -283,7 +283,7 @@ TEST(Refusal, MoreConditionRowsThanThereIsRoomForAreMalformed) {
   for (const int rows : {33, 34, 255}) {
     std::vector<Bytes> more = items;
     more[kRowsAt] = {0x18, static_cast<std::uint8_t>(rows)};
-    more.insert(more.begin() + kRowsAt + 1, static_cast<std::size_t>(2 * (rows - 32)),
+    more.insert(more.begin() + kRowsAt + 1, 2 * static_cast<std::size_t>(rows - 32),
                 Bytes{0xFA, 0, 0, 0, 0});
     EXPECT_EQ(decode_settings(array_of(more)), Decoded::kMalformed) << rows;
   }

@@ -34,7 +34,7 @@ std::string Debugger::ask(const std::string& packet) {
   const std::string framed = "$" + packet + "#" + hex(sum & 0xFFU);
   socket_.send(framed.data(), framed.size());
   for (;;) {
-    const std::string answer = next_packet(packet);
+    std::string answer = next_packet(packet);
     // That the machine has stopped is told when it has, in the middle of anything.
     if (packet == "?" || answer.empty() || answer[0] != 'T') return answer;
   }
@@ -45,7 +45,7 @@ std::string Debugger::next_packet(const std::string& after) {
     const auto begin = received_.find('$');
     const auto end = received_.find('#', begin);
     if (begin != std::string::npos && end != std::string::npos && received_.size() >= end + 3) {
-      const std::string packet = received_.substr(begin + 1, end - begin - 1);
+      std::string packet = received_.substr(begin + 1, end - begin - 1);
       received_.erase(0, end + 3);
       socket_.send("+", 1);
       return packet;

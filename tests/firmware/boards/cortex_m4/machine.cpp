@@ -107,17 +107,21 @@ Machine::Machine(const std::string& folder, std::vector<std::string> arguments,
   }
   std::vector<Socket> listening;
   for (std::size_t port = 0; port < serial_ports; ++port) {
-    const std::string name = "serial" + std::to_string(port);
-    listening.push_back(Socket::listen(folder + "/" + name));
-    arguments.insert(arguments.end(),
-                     {"-chardev", "socket,id=" + name + ",path=" + folder + "/" + name, "-serial",
-                      "chardev:" + name});
+    std::string name = "serial";
+    name += std::to_string(port);
+    std::string path = folder;
+    path.append("/").append(name);
+    std::string socket = "socket,id=";
+    socket.append(name).append(",path=").append(path);
+    listening.push_back(Socket::listen(path));
+    arguments.insert(arguments.end(), {"-chardev", socket, "-serial", "chardev:" + name});
   }
   ::unlink(debugger_.c_str());
   arguments.insert(arguments.end(),
                    {"-chardev", "socket,id=debugger,server=on,wait=off,path=" + debugger_, "-gdb",
                     "chardev:debugger"});
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   const pid_t parent = ::getpid();
