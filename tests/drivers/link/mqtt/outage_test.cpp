@@ -10,7 +10,6 @@ using gs::wire::DownlinkKind;
 using gs::wire::UplinkKind;
 using gsbench::test::MqttOutlet;
 using gsbench::test::OutletsOnABroker;
-using testing::IsEmpty;
 
 class BrokerOutage : public OutletsOnABroker {
  protected:

@@ -7,7 +7,6 @@ using gsbench::link::SerialLink;
 using gsbench::link::SerialOptions;
 using gsbench::test::OutletsOnCables;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::SizeIs;
 
 using FindingOutlets = OutletsOnCables;
@@ -60,7 +59,7 @@ TEST_F(FindingOutlets, LeavesOutPortsWithoutAnOutletWhereItIsLooking) {
   SerialOptions looking = options();
   looking.answer_s = 0.7;
   looking.skip_silent = true;
-  looking.ports.push_back("/dev/no-such-port");
+  looking.ports.emplace_back("/dev/no-such-port");
   link_ = std::make_unique<SerialLink>(looking);
   const auto opened = link_->open();
   ASSERT_TRUE(opened.ok()) << opened.error();

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <link_serial/serial_link.hpp>
-#include <signal.h>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <memory>
