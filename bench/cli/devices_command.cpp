@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <link/version_text.hpp>
+
 namespace gsbench::cli {
 namespace {
 
@@ -14,11 +16,6 @@ struct DevicesArguments {
   bool json = false;
 };
 
-std::string version_of(const gs::wire::Hello& hello) {
-  return fmt::format("{}.{}.{}", hello.firmware_version / 1000000,
-                     hello.firmware_version / 1000 % 1000, hello.firmware_version % 1000);
-}
-
 nlohmann::ordered_json as_json(const link::OutletPresence& outlet) {
   const gs::wire::Hello& hello = outlet.hello;
   return {{"id", outlet.id},
@@ -26,7 +23,7 @@ nlohmann::ordered_json as_json(const link::OutletPresence& outlet) {
           {"board", hello.board},
           {"instance", hello.instance},
           {"protocol", hello.protocol_version},
-          {"firmware", version_of(hello)},
+          {"firmware", link::version_text(hello.firmware_version)},
           {"build", fmt::format("{:08x}", hello.build)},
           {"sample_rate_hz", hello.sample_rate_hz},
           {"nominal_hz", hello.nominal_hz},
@@ -57,7 +54,8 @@ int devices(const DevicesArguments& arguments) {
   for (const link::OutletPresence& outlet : present) {
     const gs::wire::Hello& hello = outlet.hello;
     fmt::print("{:<24}{:<28}{:<14}{:<10}{:08x}  {:>6} Hz{:>6} Hz  {}\n", outlet.id, outlet.where,
-               hello.board, version_of(hello), hello.build, hello.sample_rate_hz, hello.nominal_hz,
+               hello.board, link::version_text(hello.firmware_version), hello.build,
+               hello.sample_rate_hz, hello.nominal_hz,
                hello.settings_version == 0
                    ? std::string("none")
                    : fmt::format("version {}, digest {:08x}", hello.settings_version,

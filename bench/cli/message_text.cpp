@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <link/version_text.hpp>
+
 namespace gsbench::cli {
 namespace {
 
@@ -25,12 +27,12 @@ const char* position(bool closed) {
 }
 
 std::string hello_text(const gs::wire::Hello& hello) {
-  return fmt::format(
-      "board {}, firmware {}.{}.{} build {:08x}, {} Hz samples of {} Hz mains, {}", hello.board,
-      hello.firmware_version / 1000000, hello.firmware_version / 1000 % 1000,
-      hello.firmware_version % 1000, hello.build, hello.sample_rate_hz, hello.nominal_hz,
-      hello.settings_version == 0 ? std::string("no settings")
-                                  : fmt::format("settings version {}", hello.settings_version));
+  return fmt::format("board {}, firmware {} build {:08x}, {} Hz samples of {} Hz mains, {}",
+                     hello.board, link::version_text(hello.firmware_version), hello.build,
+                     hello.sample_rate_hz, hello.nominal_hz,
+                     hello.settings_version == 0
+                         ? std::string("no settings")
+                         : fmt::format("settings version {}", hello.settings_version));
 }
 
 std::string details(const Uplink& m) {

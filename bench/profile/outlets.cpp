@@ -19,22 +19,6 @@ constexpr int kMostHits = 1000;
 constexpr int kMostLseSamples = 64;
 constexpr int kMostEkfSamples = 200;
 
-// Ids and groups stand in file names, topics and JSON.
-std::optional<std::string> read_identifier(const Table& table, const std::string& key) {
-  auto text = table.text(key);
-  if (!text) return text;
-  const bool plain = std::all_of(text->begin(), text->end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
-  });
-  if (!plain || text->size() > kLongestId) {
-    table.refuse(key, fmt::format("{} is \"{}\"; it must be of letters, digits, '-', '_' and '.', "
-                                  "at most {} of them",
-                                  key, *text, kLongestId));
-  }
-  return text;
-}
-
 std::optional<int> read_count(const Table& table, const std::string& key, int least, int most) {
   const auto value = table.integer(key, least, most);
   return value ? std::optional<int>(static_cast<int>(*value)) : std::nullopt;
@@ -80,8 +64,9 @@ std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid) {
         {"count", "id", "group", "accumulated_mw", "power_mw", "threshold_mw", "switch_off_hz",
          "event_drop_hz", "event_departure_hz", "condition_hits", "lse_samples", "ekf_samples"});
     const std::int64_t count = table.integer("count", 1, kMostOutlets).value_or(1);
-    const auto prefix = read_identifier(table, "id");
-    const std::string group = read_identifier(table, "group").value_or(prefix.value_or("all"));
+    const auto prefix = table.identifier("id", kLongestId);
+    const std::string group =
+        table.identifier("group", kLongestId).value_or(prefix.value_or("all"));
     const OutletSettings settings = read_settings(table, grid);
     if (outlets.size() + static_cast<std::size_t>(count) > kMostOutlets) {
       table.refuse(table.at(), fmt::format("more than {} outlets in all", kMostOutlets));

@@ -12,7 +12,4 @@ namespace gsbench::profile {
 
 std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid);
 
-// Groups of these outlets, each once, in the order of the profile.
-std::vector<std::string> groups_of(const std::vector<Outlet>& outlets);
-
 }  // namespace gsbench::profile

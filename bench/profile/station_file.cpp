@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr double kMostPpm = 1000.0;
 constexpr std::size_t kMostEmulated = 64;  // processes of one desk
+constexpr std::size_t kLongestId = 32;     // that an outlet can say
 
 fs::path stations_folder() {
   return fs::path(profiles_folder()) / "stations";
@@ -54,30 +55,17 @@ NamedFile find_station(const std::string& name) {
                   name, suggestion(name, names, "stations")));
 }
 
-bool is_plain_id(const std::string& id) {
-  return id.size() <= 32 && std::all_of(id.begin(), id.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                  c == '-' || c == '_' || c == '.';
-         });
-}
-
-std::string read_id(const Table& table) {
-  std::string id = table.required_text("id");
-  if (!is_plain_id(id)) {
-    table.refuse("id", fmt::format("id is \"{}\"; it must be of letters, digits, '-', '_' and '.', "
-                                   "at most 32 of them",
-                                   id));
-  }
-  return id;
-}
-
 std::vector<EmulatedOutletSpec> read_emulated(const Table& top) {
   std::vector<EmulatedOutletSpec> outlets;
   std::set<std::string> ids;
   for (const Value* value : top.tables("outlet")) {
     const Table table(top.document(), *value, "[[outlet]]", {"id", "board", "link", "crystal_ppm"});
     EmulatedOutletSpec outlet;
-    outlet.id = read_id(table);
+    const auto id = table.identifier("id", kLongestId);
+    if (!id) {
+      table.refuse_missing("id", "what the outlet is called: id = \"m4-1\"");
+    }
+    outlet.id = *id;
     outlet.board = table.choice("board", {"mps2-an386", "host"}).value_or("host");
     outlet.link = table.choice("link", {"serial", "mqtt"}).value_or("serial");
     outlet.crystal_ppm = table.number("crystal_ppm", between(-kMostPpm, kMostPpm)).value_or(0.0);

@@ -61,6 +61,8 @@ class Table {
                                       std::int64_t high) const;
   std::optional<std::string> text(const std::string& key) const;  // never empty
   std::string required_text(const std::string& key) const;
+  // Of letters, digits, '-', '_' and '.': ids and groups stand in file names, topics and JSON.
+  std::optional<std::string> identifier(const std::string& key, std::size_t longest) const;
   // Of these words, one.
   std::optional<std::string> choice(const std::string& key,
                                     const std::vector<std::string>& words) const;

@@ -9,6 +9,7 @@
 #include <capture/capture.hpp>
 #include <capture/truth_trace.hpp>
 #include <judge/judge.hpp>
+#include <link/version_text.hpp>
 #include <station/outlet_settings.hpp>
 #include <station/played_signal.hpp>
 #include <station/run.hpp>
@@ -277,11 +278,6 @@ void check_settings(const profile::Plan& plan) {
   }
 }
 
-std::string version_text(std::uint32_t version) {
-  return std::to_string(version / 1000000) + "." + std::to_string(version / 1000 % 1000) + "." +
-         std::to_string(version % 1000);
-}
-
 record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
                            const link::OutletPresence& present, link::Link& link) {
   const gs::wire::Hello& hello = present.hello;
@@ -289,7 +285,7 @@ record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
   record.id = present.id;
   record.group = plan.outlets[i].group;
   record.link = present.where;
-  record.firmware = version_text(hello.firmware_version);
+  record.firmware = link::version_text(hello.firmware_version);
   if (hello.protocol_version != gs::wire::kProtocolVersion) {
     note(record, "speaks protocol " + std::to_string(hello.protocol_version) + ", not " +
                      std::to_string(gs::wire::kProtocolVersion));

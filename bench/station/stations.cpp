@@ -31,12 +31,7 @@ profile::Plan fit_to_station(const profile::StationSpec& spec, const profile::Pl
   if (spec.kind != profile::StationKind::kEmulated || there >= plan.outlets.size()) {
     return plan;
   }
-  std::vector<std::string> groups;
-  for (const profile::Outlet& outlet : plan.outlets) {
-    if (std::count(groups.begin(), groups.end(), outlet.group) == 0) {
-      groups.push_back(outlet.group);
-    }
-  }
+  const std::vector<std::string> groups = profile::groups_of(plan.outlets);
   if (groups.size() > there) {
     throw profile::ConfigurationError(plan.path + ": has " + std::to_string(groups.size()) +
                                       " groups of outlets, and the station " + spec.name +

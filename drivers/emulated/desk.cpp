@@ -78,11 +78,7 @@ Status Desk::plug_in(std::size_t outlet) {
     }
     cables_.back() = std::make_unique<NullModem>(cable.take());
   }
-  const auto command = command_of(outlet);
-  if (!command.ok()) {
-    return Error{command.error()};
-  }
-  auto child = process::Child::start(command.value());
+  auto child = start_process(outlet);
   if (!child.ok()) {
     return Error{child.error()};
   }
@@ -91,16 +87,20 @@ Status Desk::plug_in(std::size_t outlet) {
 }
 
 Status Desk::restart_outlet(std::size_t outlet) {
-  const auto command = command_of(outlet);
-  if (!command.ok()) {
-    return Error{command.error()};
-  }
-  auto child = process::Child::start(command.value());
+  auto child = start_process(outlet);
   if (!child.ok()) {
     return Error{child.error()};
   }
   processes_.at(outlet) = child.take();
   return Done{};
+}
+
+Result<process::Child> Desk::start_process(std::size_t outlet) const {
+  const auto command = command_of(outlet);
+  if (!command.ok()) {
+    return Error{command.error()};
+  }
+  return process::Child::start(command.value());
 }
 
 Result<process::Command> Desk::command_of(std::size_t outlet) const {

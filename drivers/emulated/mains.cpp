@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <emulated/mains.hpp>
+#include <simulated/adc.hpp>
 #include <simulated/pacer.hpp>
 #include <simulated/relay_model.hpp>
 
@@ -17,12 +18,10 @@ using drivers::Error;
 using drivers::Result;
 using drivers::Status;
 using simulated::ContactEdge;
+using simulated::kCountsPerPu;
+using simulated::kFullScalePu;
 
 namespace {
-
-// ±1.5 times the nominal peak, as for simulated outlets.
-constexpr double kFullScalePu = 1.5;
-constexpr float kCountsPerPu = static_cast<float>(32767.0 / kFullScalePu);
 
 // Not faster than an outlet takes them: so far it may be behind. One that takes none for so long
 // has ended, and the others do not wait for it.
@@ -94,11 +93,9 @@ class MainsSource final : public source::Source {
                    (shared_.live ? ", stands at " + std::to_string(shared_.tick)
                                  : " before it was started")};
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!(std::fabs(voltage_pu[i]) <= static_cast<float>(kFullScalePu))) {
-        return Error{"emulated mains: " + std::to_string(voltage_pu[i]) +
-                     " pu is beyond its full scale of " + std::to_string(kFullScalePu) + " pu"};
-      }
+    Status playable = simulated::within_full_scale("emulated mains", first_tick, voltage_pu, count);
+    if (!playable.ok()) {
+      return playable;
     }
     pacer_.wait_until(first_tick + static_cast<std::int64_t>(count));
     for (Outlet& outlet : shared_.outlets) {

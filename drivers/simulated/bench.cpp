@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include <simulated/bench.hpp>
 #include <simulated/workers.hpp>
@@ -26,12 +25,6 @@ struct Shared {
   std::int64_t tick = 0;
   bool live = false;
 };
-
-std::string full_scale_text() {
-  std::string digits = std::to_string(kFullScalePu);
-  digits.erase(digits.find_last_not_of('0') + 1);
-  return digits;
-}
 
 class SimulatedSource final : public source::Source {
  public:
@@ -65,12 +58,9 @@ class SimulatedSource final : public source::Source {
       return Error{"simulated source: asked for tick " + std::to_string(first_tick) +
                    ", stands at " + std::to_string(shared_.tick)};
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!(std::fabs(voltage_pu[i]) <= static_cast<float>(kFullScalePu))) {
-        return Error{"simulated source: " + std::to_string(voltage_pu[i]) + " pu at tick " +
-                     std::to_string(first_tick + static_cast<std::int64_t>(i)) +
-                     " is beyond its full scale of " + full_scale_text() + " pu"};
-      }
+    Status playable = within_full_scale("simulated source", first_tick, voltage_pu, count);
+    if (!playable.ok()) {
+      return playable;
     }
     pacer_.wait_until(first_tick);
     workers_.run(shared_.outlets.size(), [&](std::size_t outlet) {

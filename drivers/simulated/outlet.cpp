@@ -9,14 +9,6 @@ namespace {
 // Small enough for the cache, large enough that noise comes in whole batches.
 constexpr std::size_t kChunk = 2048;
 
-constexpr float kCountsPerPu = static_cast<float>(32767.0 / kFullScalePu);
-
-// An ADC ends at its rails; rounding is to the nearest count.
-std::int16_t converted(float voltage_pu) {
-  const float counts = std::min(std::max(voltage_pu * kCountsPerPu, -32768.0F), 32767.0F);
-  return static_cast<std::int16_t>(counts + (counts < 0.0F ? -0.5F : 0.5F));
-}
-
 }  // namespace
 
 void Outlet::Collector::put(const gs::wire::Uplink& message) {
@@ -82,7 +74,7 @@ void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, 
                            noise_rms_pu_, volts_.data());
     }
     std::transform(volts_.begin(), volts_.begin() + static_cast<std::ptrdiff_t>(length),
-                   samples_.begin(), converted);
+                   samples_.begin(), [](float volts) { return adc_counts(volts, kCountsPerPu); });
     node_.feed(samples_.data(), length, collector_);
   }
 }

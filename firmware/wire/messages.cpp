@@ -2,6 +2,12 @@
 
 namespace gs::wire {
 
+Downlink identify() {
+  Downlink message;
+  message.kind = DownlinkKind::kIdentify;
+  return message;
+}
+
 const char* to_string(UplinkKind kind) {
   switch (kind) {
     case UplinkKind::kHello:

@@ -234,8 +234,10 @@ TEST(TextCheck, ReportsAPathOfOneMachine) {
 }
 
 TEST(TextCheck, AcceptsRelativePathsAndUrls) {
-  const Tree tree = {
-      {"README.md", "https://example.org/home/x ./tmp/x ${root}/work/x frame/work/\n"}};
+  const Tree tree = {{"README.md",
+                      "https://example.org/home/x ./tmp/x ${root}/"
+                      "work/x frame/"
+                      "work/\n"}};
   EXPECT_THAT(check_text(tree), IsEmpty());
 }
 

@@ -98,7 +98,7 @@ class BrokerConnection::Client final : public mqtt::callback, public mqtt::iacti
     std::atomic<std::size_t> left_{0};
   };
 
-  void prepare_connect_options();
+  mqtt::connect_options connect_options() const;
   std::vector<std::string> filters();
   std::string why_not_connected(const mqtt::exception& error);
 
@@ -106,38 +106,37 @@ class BrokerConnection::Client final : public mqtt::callback, public mqtt::iacti
   Arrivals& arrivals_;
   std::mutex mutex_;
   std::vector<std::string> filters_;
-  // Paho keeps addresses within these for as long as it connects.
-  mqtt::ssl_options tls_;
-  mqtt::connect_options asked_;
   std::atomic<bool> lost_{false};
   Resubscription resubscription_{*this};
   mqtt::async_client client_;  // last: its threads end before what they use
 };
 
-void BrokerConnection::Client::prepare_connect_options() {
-  asked_.set_mqtt_version(MQTTVERSION_5);
-  asked_.set_clean_start(false);
-  asked_.set_properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, kKeepSessionS},
-                         {mqtt::property::RECEIVE_MAXIMUM, kMostInFlight}});
-  asked_.set_keep_alive_interval(kKeepAliveS);
-  asked_.set_connect_timeout(kToConnect);
-  asked_.set_automatic_reconnect(1, 2);
-  asked_.set_max_inflight(kMostInFlight);
-  asked_.set_user_name(options_.user);
-  asked_.set_password(options_.password);
+mqtt::connect_options BrokerConnection::Client::connect_options() const {
+  mqtt::connect_options asked;
+  asked.set_mqtt_version(MQTTVERSION_5);
+  asked.set_clean_start(false);
+  asked.set_properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, kKeepSessionS},
+                        {mqtt::property::RECEIVE_MAXIMUM, kMostInFlight}});
+  asked.set_keep_alive_interval(kKeepAliveS);
+  asked.set_connect_timeout(kToConnect);
+  asked.set_automatic_reconnect(1, 2);
+  asked.set_max_inflight(kMostInFlight);
+  asked.set_user_name(options_.user);
+  asked.set_password(options_.password);
   if (uses_tls(options_)) {
-    tls_.set_trust_store(options_.ca_file);
-    tls_.set_enable_server_cert_auth(true);
-    tls_.set_verify(true);
+    mqtt::ssl_options tls;
+    tls.set_trust_store(options_.ca_file);
+    tls.set_enable_server_cert_auth(true);
+    tls.set_verify(true);
     // No error handler: Paho 1.2.0 keeps the address of a copy that is gone by then.
-    asked_.set_ssl(tls_);
+    asked.set_ssl(tls);
   }
+  return asked;
 }
 
 Status BrokerConnection::Client::connect() {
-  prepare_connect_options();
   try {
-    const mqtt::token_ptr connecting = client_.connect(asked_);
+    const mqtt::token_ptr connecting = client_.connect(connect_options());
     if (!connecting->wait_for(kToConnect)) {
       return Error{"the broker " + options_.url + " does not answer"};
     }

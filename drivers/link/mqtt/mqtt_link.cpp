@@ -75,11 +75,9 @@ Status MqttLink::find_outlets(std::vector<std::string>& ids) {
 
 Result<std::vector<OutletPresence>> MqttLink::identify(const std::vector<std::string>& ids) {
   opened_->arrivals.expect(ids);
-  gs::wire::Downlink who;
-  who.kind = gs::wire::DownlinkKind::kIdentify;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     opened_->down_topics.push_back(down_topic(ids[i]));
-    const Status sent = send(i, who);
+    const Status sent = send(i, gs::wire::identify());
     if (!sent.ok()) {
       return Error{sent.error()};
     }

@@ -33,12 +33,6 @@ std::vector<std::uint8_t> framed(const std::vector<std::uint8_t>& message) {
   return bytes;
 }
 
-gs::wire::Downlink identify() {
-  gs::wire::Downlink message;
-  message.kind = gs::wire::DownlinkKind::kIdentify;
-  return message;
-}
-
 // What is known of one port and the outlet behind it.
 struct Line {
   Line(const std::string& path, int baud) : port(path, baud) {}
@@ -95,7 +89,7 @@ Status SerialLink::Impl::open_ports() {
 void SerialLink::Impl::ask() {
   for (const auto& line : lines) {
     if (!line->hello && line->port.is_open()) {
-      line->port.write(framed(line->stream.encode(identify())));
+      line->port.write(framed(line->stream.encode(gs::wire::identify())));
     }
   }
 }
@@ -164,7 +158,7 @@ void SerialLink::Impl::find_again() {
     if (line->unplugged && line->port.open().ok()) {
       line->unplugged = false;
       line->stream.note("is back on " + line->port.path());
-      line->port.write(framed(line->stream.encode(identify())));
+      line->port.write(framed(line->stream.encode(gs::wire::identify())));
     }
   }
 }

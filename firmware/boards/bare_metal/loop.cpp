@@ -36,12 +36,6 @@ bool Loop::turn() {
   return had_bytes || had_samples;
 }
 
-wire::Downlink Loop::identify() {
-  wire::Downlink message;
-  message.kind = wire::DownlinkKind::kIdentify;
-  return message;
-}
-
 bool Loop::take_bytes() {
   // At most one frame's worth, so that a flood cannot keep the samples waiting.
   std::uint8_t byte = 0;

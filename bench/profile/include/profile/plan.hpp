@@ -61,6 +61,9 @@ struct Outlet {
   OutletSettings settings;
 };
 
+// Groups of these outlets, each once, in the order of the profile.
+std::vector<std::string> groups_of(const std::vector<Outlet>& outlets);
+
 // A command of the control centre, criterion (3) of §5.5.
 struct Command {
   double at_s = 0.0;

@@ -67,6 +67,7 @@ class Desk {
   explicit Desk(const DeskOptions& options);
   drivers::Status set_up();
   drivers::Status plug_in(std::size_t outlet);
+  drivers::Result<process::Child> start_process(std::size_t outlet) const;
   drivers::Result<process::Command> command_of(std::size_t outlet) const;
 
   DeskOptions options_;

@@ -8,6 +8,7 @@
 
 #include <node/node.hpp>
 #include <random/noise.hpp>
+#include <simulated/adc.hpp>
 #include <simulated/relay_model.hpp>
 
 namespace gsbench::simulated {
@@ -16,9 +17,6 @@ struct OutletParameters {
   RelayParameters relay;
   double downlink_ms = 5.0;  // from send() until the outlet has a message
 };
-
-// Full scale of the ADC: ±1.5 times the nominal peak.
-constexpr double kFullScalePu = 1.5;
 
 class Outlet {
  public:

@@ -194,6 +194,9 @@ struct Downlink {
   std::uint32_t token = 0;    // of kPing
 };
 
+// Asks an outlet who it is.
+Downlink identify();
+
 const char* to_string(UplinkKind kind);
 const char* to_string(ErrorCode code);
 

@@ -37,6 +37,10 @@ class FaultyDesk : public testing::Test {
   // Once in the run, when so much of it has been played.
   void at(double part, std::function<void()> fault);
   void play();
+  void kill_and_restart(Place outlet) {
+    desk().outlet_process(outlet).kill();
+    ASSERT_TRUE(desk().restart_outlet(outlet).ok());
+  }
 
   // ERROR, because of this outlet and for this reason; the others' records are whole.
   void expect_fault(Place outlet, const std::string& what) { expect_faults({{outlet, what}}); }

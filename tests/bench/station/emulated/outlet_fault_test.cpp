@@ -42,28 +42,19 @@ TEST_F(OutletFault, AnEmulatorThatIsKilledFallsSilent) {
 }
 
 TEST_F(OutletFault, AnEmulatorThatIsKilledAndStartedAgainBeganAnew) {
-  at(0.5, [&] {
-    desk().outlet_process(kM4).kill();
-    ASSERT_TRUE(desk().restart_outlet(kM4).ok());
-  });
+  at(0.5, [&] { kill_and_restart(kM4); });
   play();
   expect_fault(kM4, "began anew after its sample ");
 }
 
 TEST_F(OutletFault, AProcessThatIsKilledAndStartedAgainBeganAnew) {
-  at(0.5, [&] {
-    desk().outlet_process(kHost).kill();
-    ASSERT_TRUE(desk().restart_outlet(kHost).ok());
-  });
+  at(0.5, [&] { kill_and_restart(kHost); });
   play();
   expect_fault(kHost, "began anew after its sample ");
 }
 
 TEST_F(OutletFault, AProcessBehindTheBrokerThatIsKilledAndStartedAgainIsTold) {
-  at(0.5, [&] {
-    desk().outlet_process(kRadioB).kill();
-    ASSERT_TRUE(desk().restart_outlet(kRadioB).ok());
-  });
+  at(0.5, [&] { kill_and_restart(kRadioB); });
   play();
   expect_faults({{kRadioB, ""}});
   EXPECT_THAT(record_.outlets[kRadioB].fault,
@@ -72,10 +63,7 @@ TEST_F(OutletFault, AProcessBehindTheBrokerThatIsKilledAndStartedAgainIsTold) {
 
 // What a second life says is by another count: none of it may stand at a wrong time in the record.
 TEST_F(OutletFault, AnOutletThatBeganAnewLeavesOnlyItsFirstLifeInTheRecord) {
-  at(0.6, [&] {
-    desk().outlet_process(kHost).kill();
-    ASSERT_TRUE(desk().restart_outlet(kHost).ok());
-  });
+  at(0.6, [&] { kill_and_restart(kHost); });
   play();
   const std::vector<std::int64_t>& ticks = record_.outlets[kHost].trace.tick;
   ASSERT_FALSE(ticks.empty());

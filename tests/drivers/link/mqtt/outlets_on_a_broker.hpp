@@ -3,14 +3,12 @@
 
 #include "mqtt_outlet.hpp"
 #include <link_mqtt/mqtt_link.hpp>
+#include <link_test/hears_a_link.hpp>
 #include <test_support/temporary_folder.hpp>
 
-#include <algorithm>
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -18,7 +16,7 @@
 
 namespace gsbench::test {
 
-class OutletsOnABroker : public testing::Test {
+class OutletsOnABroker : public HearsALink {
  protected:
   void SetUp() override {
     auto started = broker::PrivateBroker::start({folder_.file("broker"), {"a", "b", "c"}});
@@ -51,52 +49,8 @@ class OutletsOnABroker : public testing::Test {
     return opened.ok() ? "it opened" : opened.error();
   }
 
-  // Polls until it holds; false after ten seconds.
-  bool until(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (true) {
-      EXPECT_TRUE(link_->poll(messages_, faults_).ok());
-      if (condition()) {
-        return true;
-      }
-      if (std::chrono::steady_clock::now() > end) {
-        return false;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-
-  std::vector<link::Received> messages(std::size_t outlet, gs::wire::UplinkKind kind) const {
-    std::vector<link::Received> found;
-    std::copy_if(messages_.begin(), messages_.end(), std::back_inserter(found),
-                 [&](const link::Received& received) {
-                   return received.outlet == outlet && received.message.kind == kind;
-                 });
-    return found;
-  }
-
-  std::vector<std::string> faults(std::size_t outlet) const {
-    std::vector<std::string> told;
-    for (const link::Fault& fault : faults_) {
-      if (fault.outlet == outlet) {
-        told.push_back(fault.what);
-      }
-    }
-    return told;
-  }
-
-  bool told(std::size_t outlet, const std::string& words) const {
-    const auto all = faults(outlet);
-    return std::any_of(all.begin(), all.end(), [&](const std::string& fault) {
-      return fault.find(words) != std::string::npos;
-    });
-  }
-
   TemporaryFolder folder_;
   std::unique_ptr<broker::PrivateBroker> broker_;
-  std::unique_ptr<link::MqttLink> link_;
-  std::vector<link::Received> messages_;
-  std::vector<link::Fault> faults_;
 };
 
 }  // namespace gsbench::test

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <link_serial/serial_link.hpp>
+#include <link_test/hears_a_link.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -24,7 +24,7 @@
 
 namespace gsbench::test {
 
-class OutletsOnCables : public testing::Test {
+class OutletsOnCables : public HearsALink {
  protected:
   struct Outlet {
     std::string id;
@@ -40,7 +40,7 @@ class OutletsOnCables : public testing::Test {
   };
 
   void TearDown() override {
-    link_.reset();
+    HearsALink::TearDown();
     for (Outlet& outlet : outlets_) {
       if (outlet.process) {
         ::kill(outlet.process->pid(), SIGCONT);
@@ -136,26 +136,6 @@ class OutletsOnCables : public testing::Test {
     return opened.ok() ? "it opened" : opened.error();
   }
 
-  void poll() {
-    const auto polled = link_->poll(messages_, faults_);
-    ASSERT_TRUE(polled.ok()) << polled.error();
-  }
-
-  // Polls until it holds; false after ten seconds.
-  bool until(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (true) {
-      poll();
-      if (condition()) {
-        return true;
-      }
-      if (std::chrono::steady_clock::now() > end) {
-        return false;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-
   void send(std::size_t outlet, const gs::wire::Downlink& message) {
     const auto sent = link_->send(outlet, message);
     ASSERT_TRUE(sent.ok()) << sent.error();
@@ -178,38 +158,9 @@ class OutletsOnCables : public testing::Test {
     });
   }
 
-  std::vector<link::Received> messages(std::size_t outlet, gs::wire::UplinkKind kind) const {
-    std::vector<link::Received> found;
-    std::copy_if(messages_.begin(), messages_.end(), std::back_inserter(found),
-                 [&](const link::Received& received) {
-                   return received.outlet == outlet && received.message.kind == kind;
-                 });
-    return found;
-  }
-
-  std::vector<std::string> faults(std::size_t outlet) const {
-    std::vector<std::string> told;
-    for (const link::Fault& fault : faults_) {
-      if (fault.outlet == outlet) {
-        told.push_back(fault.what);
-      }
-    }
-    return told;
-  }
-
-  bool told(std::size_t outlet, const std::string& words) const {
-    const auto all = faults(outlet);
-    return std::any_of(all.begin(), all.end(), [&](const std::string& fault) {
-      return fault.find(words) != std::string::npos;
-    });
-  }
-
   TemporaryFolder folder_;
   std::vector<Outlet> outlets_;
-  std::unique_ptr<link::SerialLink> link_;
   std::vector<link::OutletPresence> present_;
-  std::vector<link::Received> messages_;
-  std::vector<link::Fault> faults_;
 
  private:
   void play_ticks(std::size_t place, std::size_t count) {

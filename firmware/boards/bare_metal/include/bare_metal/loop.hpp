@@ -28,13 +28,12 @@ class Loop {
   bool start(const StartUp& start_up);
 
   // Says hello again, to whom it may have escaped.
-  void introduce() { node_.receive(identify(), endpoint_); }
+  void introduce() { node_.receive(wire::identify(), endpoint_); }
 
   // False where there was nothing to do: the board may sleep until an interrupt.
   bool turn();
 
  private:
-  static wire::Downlink identify();
   bool take_bytes();
   bool take_samples();
 
