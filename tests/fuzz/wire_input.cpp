@@ -94,15 +94,14 @@ std::string wrong_with_stream(const std::uint8_t* bytes, std::size_t size) {
     ended += taken != FrameReader::Taken::kNothing ? 1 : 0;
     if (taken != FrameReader::Taken::kMessage) continue;
     if (reader.size() == 0 || reader.size() > kLongestMessage) return "a message of no such length";
-    const std::string wrong =
-        wrong_with_framing({reader.message(), reader.message() + reader.size()});
+    std::string wrong = wrong_with_framing({reader.message(), reader.message() + reader.size()});
     if (!wrong.empty()) return wrong;
   }
   if (ended > zeros) return "more frames than zeros";
   if (size == 0) return "";
   // The input as a message, behind itself as junk.
   const Bytes message(bytes, bytes + std::min(size, kLongestMessage));
-  const std::string wrong = wrong_with_framing(message);
+  std::string wrong = wrong_with_framing(message);
   if (!wrong.empty()) return wrong;
   FrameReader::Taken last = FrameReader::Taken::kNothing;
   for (const std::uint8_t byte : framed(message)) last = reader.take(byte);

@@ -21,7 +21,10 @@
 
 namespace {
 
-using namespace gsbench;
+namespace drivers = gsbench::drivers;
+namespace emulated = gsbench::emulated;
+namespace link = gsbench::link;
+namespace source = gsbench::source;
 using gs::wire::Downlink;
 using gs::wire::DownlinkKind;
 using gs::wire::Uplink;

@@ -113,7 +113,6 @@ bool mostly(int within, int cases) {
 constexpr double kMostUncertaintyMs = 0.5;
 
 TEST(OutletClock, LiesWithinItsUncertaintyForCrystalsOfAnyCountAndDrift) {
-  Tally all;
   for (const char* grid : {"ieee24", "island-60hz"}) {
     const Tally tally = random_cases(150, 6.0, grid);
     EXPECT_TRUE(mostly(tally.times_within, tally.cases));

@@ -1,11 +1,11 @@
 // What finds outlets and listens to them, on an emulated one's serial line.
 #include "gsbench_process.hpp"
-#include <signal.h>
 #include <sys/wait.h>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <sstream>

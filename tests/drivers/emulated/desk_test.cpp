@@ -1,11 +1,11 @@
 // A desk's folder: in use, left behind, removed.
 #include "desk_folder.hpp"
 #include "waiting.hpp"
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -23,7 +23,6 @@ using gsbench::emulated::Connection;
 using gsbench::emulated::Desk;
 using gsbench::emulated::DeskFolder;
 using gsbench::emulated::DeskOptions;
-using gsbench::test::until;
 using testing::HasSubstr;
 
 TEST(DeskFolder, GoesWithItsOwnerAndAllThatIsInIt) {

@@ -9,7 +9,6 @@ namespace gsbench::station::test {
 namespace {
 
 using gsbench::record::Mark;
-using testing::IsEmpty;
 
 class OutletClocks : public FaultyDesk {
  protected:

@@ -1,10 +1,10 @@
 // gsbench, killed in the middle of a run, leaves no process behind, and no file that the next one
 // does not remove.
 #include "waiting.hpp"
-#include <signal.h>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

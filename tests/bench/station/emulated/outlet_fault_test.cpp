@@ -1,9 +1,9 @@
 // Outlets and their cables that fail in a run, with the real parts. What is asked of each run is in
 // desk_of_four.cpp.
 #include "desk_of_four.hpp"
-#include <signal.h>
 #include <test_support/temporary_folder.hpp>
 
+#include <csignal>
 #include <cstring>
 #include <ostream>
 
