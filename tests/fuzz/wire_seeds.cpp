@@ -59,6 +59,9 @@ std::vector<gs::outlet::Settings> some_settings() {
   one_row.condition_rows = 1;
   one_row.version = 0xFFFFFFFFU;
   all.push_back(one_row);
+  gs::outlet::Settings of_no_version = all[0];
+  of_no_version.version = gs::outlet::kNoSettings;
+  all.push_back(of_no_version);
   return all;
 }
 

@@ -57,6 +57,8 @@ TEST_F(BrokerOutage, LosesNoneOfWhatMustArriveAndRepeatsNone) {
     return messages(0, UplinkKind::kStatus).size() >= kStatuses &&
            messages(1, UplinkKind::kStatus).size() >= kStatuses;
   }));
+  // What waits for the bench comes before the broker's answer to its subscription.
+  EXPECT_TRUE(until([&] { return told(0, "has its broker back"); }));
   for (const std::size_t outlet : {0U, 1U}) {
     const auto statuses = messages(outlet, UplinkKind::kStatus);
     ASSERT_EQ(statuses.size(), kStatuses) << testing::PrintToString(faults(outlet));
