@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "link_arguments.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ nlohmann::ordered_json as_json(const link::OutletPresence& outlet) {
   const gs::wire::Hello& hello = outlet.hello;
   return {{"id", outlet.id},
           {"where", outlet.where},
+          {"fault", outlet.fault},
           {"board", hello.board},
           {"instance", hello.instance},
           {"protocol", hello.protocol_version},
@@ -37,13 +39,16 @@ int devices(const DevicesArguments& arguments) {
   const std::unique_ptr<link::Link> link = make_link(arguments.link);
   const std::vector<link::OutletPresence> present = open_link(*link);
   link->close();
+  const bool at_fault = std::any_of(present.begin(), present.end(),
+                                    [](const auto& outlet) { return !outlet.fault.empty(); });
+  const ExitCode exit_code = at_fault ? kErrored : kPassed;
   if (arguments.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const link::OutletPresence& outlet : present) {
       all.push_back(as_json(outlet));
     }
     std::printf("%s\n", all.dump(2).c_str());
-    return kPassed;
+    return exit_code;
   }
   if (present.empty()) {
     std::fputs("gsbench: no outlet answers\n", stderr);
@@ -52,6 +57,10 @@ int devices(const DevicesArguments& arguments) {
   fmt::print("{:<24}{:<28}{:<14}{:<10}{:<10}{:>9}{:>9}  {}\n", "outlet", "where", "board",
              "firmware", "build", "samples", "nominal", "settings");
   for (const link::OutletPresence& outlet : present) {
+    if (!outlet.fault.empty()) {
+      fmt::print("{:<24}{:<28}! {}\n", outlet.id, outlet.where, outlet.fault);
+      continue;
+    }
     const gs::wire::Hello& hello = outlet.hello;
     fmt::print("{:<24}{:<28}{:<14}{:<10}{:08x}  {:>6} Hz{:>6} Hz  {}\n", outlet.id, outlet.where,
                hello.board, link::version_text(hello.firmware_version), hello.build,
@@ -61,7 +70,7 @@ int devices(const DevicesArguments& arguments) {
                    : fmt::format("version {}, digest {:08x}", hello.settings_version,
                                  hello.settings_digest));
   }
-  return kPassed;
+  return exit_code;
 }
 
 }  // namespace
@@ -72,6 +81,8 @@ void add_devices(CLI::App& app, int& exit_code) {
   add_link_options(*command, arguments->link);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->footer(
+      "Exit code 4 where an outlet does not answer or is there twice.\n"
+      "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"
       "  gsbench devices --port /dev/ttyUSB0\n"

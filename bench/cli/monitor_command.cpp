@@ -27,19 +27,25 @@ bool wanted(const MonitorArguments& arguments, const std::string& id) {
   return arguments.outlet.empty() || arguments.outlet == id;
 }
 
+void print_fault(const std::string& id, const std::string& fault) {
+  std::printf("%-20s ! %s\n", id.c_str(), fault.c_str());
+}
+
 int monitor(const MonitorArguments& arguments) {
   const std::unique_ptr<link::Link> link = make_link(arguments.link);
   const std::atomic<bool>& interrupted = catch_interrupts();
   const std::vector<link::OutletPresence> present = open_link(*link);
   if (std::none_of(present.begin(), present.end(), [&](const link::OutletPresence& outlet) {
-        return wanted(arguments, outlet.id);
+        return outlet.fault.empty() && wanted(arguments, outlet.id);
       })) {
     throw profile::ConfigurationError(arguments.outlet.empty()
                                           ? "no outlet answers"
                                           : "no outlet " + arguments.outlet + " answers");
   }
   for (const link::OutletPresence& outlet : present) {
-    if (wanted(arguments, outlet.id)) {
+    if (!outlet.fault.empty()) {
+      print_fault(outlet.id, outlet.fault);
+    } else if (wanted(arguments, outlet.id)) {
       gs::wire::Uplink hello;
       hello.hello = outlet.hello;
       std::printf("%s\n", message_text(outlet.id, hello).c_str());
@@ -66,7 +72,7 @@ int monitor(const MonitorArguments& arguments) {
       }
     }
     for (const link::Fault& fault : faults) {
-      std::printf("%-20s ! %s\n", present.at(fault.outlet).id.c_str(), fault.what.c_str());
+      print_fault(present.at(fault.outlet).id, fault.what);
     }
     std::fflush(stdout);
     std::this_thread::sleep_for(kBetweenLooks);

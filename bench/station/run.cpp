@@ -285,6 +285,10 @@ record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
   record.id = present.id;
   record.group = plan.outlets[i].group;
   record.link = present.where;
+  if (!present.fault.empty()) {
+    note(record, present.fault);
+    return record;
+  }
   record.firmware = link::version_text(hello.firmware_version);
   if (hello.protocol_version != gs::wire::kProtocolVersion) {
     note(record, "speaks protocol " + std::to_string(hello.protocol_version) + ", not " +

@@ -97,6 +97,9 @@ class MainsSource final : public source::Source {
     if (!playable.ok()) {
       return playable;
     }
+    if (first_tick == 0) {
+      pacer_.restart();  // outlets that do not answer are waited for after the start
+    }
     pacer_.wait_until(first_tick + static_cast<std::int64_t>(count));
     for (Outlet& outlet : shared_.outlets) {
       outlet.samples.clear();

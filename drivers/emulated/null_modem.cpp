@@ -7,6 +7,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -63,7 +64,7 @@ struct NullModem::Impl {
 
   void run();
   void accept_outlet();
-  bool pass(int from, int to, bool may_spoil);
+  bool pass(int from, int to, Way way);
   int outlet_descriptor() const {
     return listening.is_open() ? connection.get() : outlet.master.get();
   }
@@ -75,7 +76,7 @@ struct NullModem::Impl {
   std::string socket_path;
   Descriptor wake;
   std::mutex mutex;
-  Spoiler spoiler;
+  std::array<Spoiler, 2> spoilers;  // by the way
   std::thread pump;
 };
 
@@ -100,12 +101,12 @@ void NullModem::Impl::run() {
       accept_outlet();
     }
     if (waited[1].revents != 0 && outlet_descriptor() >= 0) {
-      pass(bench.master.get(), outlet_descriptor(), false);
+      pass(bench.master.get(), outlet_descriptor(), Way::kToOutlet);
     } else if (waited[1].revents != 0) {
       // Nobody at the other end: lost, as on a cable.
-      pass(bench.master.get(), -1, false);
+      pass(bench.master.get(), -1, Way::kToOutlet);
     }
-    if (waited[2].revents != 0 && !pass(outlet_descriptor(), bench.master.get(), true)) {
+    if (waited[2].revents != 0 && !pass(outlet_descriptor(), bench.master.get(), Way::kToBench)) {
       connection.close();
     }
   }
@@ -116,16 +117,16 @@ void NullModem::Impl::accept_outlet() {
 }
 
 // False where `from` has hung up.
-bool NullModem::Impl::pass(int from, int to, bool may_spoil) {
+bool NullModem::Impl::pass(int from, int to, Way way) {
   std::vector<std::uint8_t> bytes(4096);
   const ssize_t got = ::read(from, bytes.data(), bytes.size());
   if (got <= 0) {
     return got < 0 && (errno == EAGAIN || errno == EINTR);
   }
   bytes.resize(static_cast<std::size_t>(got));
-  if (may_spoil) {
+  {
     const std::lock_guard<std::mutex> lock(mutex);
-    if (spoiler) {
+    if (const Spoiler& spoiler = spoilers[static_cast<std::size_t>(way)]; spoiler) {
       spoiler(bytes);
     }
   }
@@ -190,9 +191,9 @@ const std::string& NullModem::outlet_end() const {
   return impl_->socket_path.empty() ? impl_->outlet.path : impl_->socket_path;
 }
 
-void NullModem::spoil(Spoiler spoiler) {
+void NullModem::spoil(Spoiler spoiler, Way way) {
   const std::lock_guard<std::mutex> lock(impl_->mutex);
-  impl_->spoiler = std::move(spoiler);
+  impl_->spoilers[static_cast<std::size_t>(way)] = std::move(spoiler);
 }
 
 }  // namespace gsbench::emulated

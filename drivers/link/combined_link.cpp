@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 
 #include <link/combined_link.hpp>
@@ -19,22 +20,30 @@ std::string CombinedLink::name() const {
 
 Result<std::vector<OutletPresence>> CombinedLink::open() {
   std::vector<OutletPresence> all;
-  std::map<std::string, std::string> where;
   first_ = {0};
   for (const auto& link : links_) {
     const auto present = link->open();
     if (!present.ok()) {
+      close();
       return Error{present.error()};
     }
-    for (const OutletPresence& outlet : present.value()) {
-      const auto [other, is_first] = where.emplace(outlet.id, outlet.where);
-      if (!is_first) {
-        return Error{"two outlets say they are " + outlet.id + ": on " + other->second +
-                     " and on " + outlet.where};
-      }
-      all.push_back(outlet);
-    }
+    all.insert(all.end(), present.value().begin(), present.value().end());
     first_.push_back(all.size());
+  }
+  // Each link knows its own twins.
+  std::map<std::string, std::vector<std::size_t>> places;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    places[all[i].id].push_back(i);
+  }
+  at_fault_.assign(all.size(), false);
+  for (const auto& [id, twins] : places) {
+    for (std::size_t k = 0; twins.size() > 1 && k < twins.size(); ++k) {
+      OutletPresence& outlet = all[twins[k]];
+      const OutletPresence& other = all[twins[k == 0 ? 1 : 0]];
+      outlet.fault = "is there twice: the one on " + other.where + " says that it is it";
+      outlet.id = id + " on " + outlet.where;
+      at_fault_[twins[k]] = true;
+    }
   }
   return all;
 }
@@ -42,6 +51,9 @@ Result<std::vector<OutletPresence>> CombinedLink::open() {
 Status CombinedLink::send(std::size_t outlet, const gs::wire::Downlink& message) {
   for (std::size_t i = 0; i + 1 < first_.size(); ++i) {
     if (outlet >= first_[i] && outlet < first_[i + 1]) {
+      if (at_fault_[outlet]) {
+        return Done{};
+      }
       return links_[i]->send(outlet - first_[i], message);
     }
   }
@@ -63,10 +75,15 @@ Status CombinedLink::poll(std::vector<Received>& messages, std::vector<Fault>& f
       faults[f].outlet += first_[i];
     }
   }
+  const auto at_fault = [this](const auto& said) { return at_fault_[said.outlet]; };
+  messages.erase(std::remove_if(messages.begin(), messages.end(), at_fault), messages.end());
+  faults.erase(std::remove_if(faults.begin(), faults.end(), at_fault), faults.end());
   return Done{};
 }
 
 void CombinedLink::close() noexcept {
+  first_.clear();
+  at_fault_.clear();
   for (const auto& link : links_) {
     link->close();
   }

@@ -62,6 +62,9 @@ class SimulatedSource final : public source::Source {
     if (!playable.ok()) {
       return playable;
     }
+    if (first_tick == 0) {
+      pacer_.restart();
+    }
     pacer_.wait_until(first_tick);
     workers_.run(shared_.outlets.size(), [&](std::size_t outlet) {
       shared_.outlets[outlet].feed(first_tick, voltage_pu, count);

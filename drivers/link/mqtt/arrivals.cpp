@@ -5,9 +5,6 @@
 
 namespace gsbench::link {
 
-using drivers::Error;
-using drivers::Result;
-
 namespace {
 
 // Two outlets with one id answer within a round trip or two of each other.
@@ -46,6 +43,8 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
   const auto found = places_.find(topic);
   if (found == places_.end()) {
     take_candidate(topic, size);
+  } else if (outlets_[found->second.outlet].left_out) {
+    return;
   } else if (found->second.hello) {
     take_hello(found->second.outlet, message, size, retained);
   } else if (outlets_[found->second.outlet].said_hello) {
@@ -152,6 +151,13 @@ void Arrivals::expect(const std::vector<std::string>& ids) {
   silent_ = outlets_.size();
 }
 
+void Arrivals::leave_out(std::size_t outlet, const std::string& fault) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  outlets_[outlet].trouble = fault;
+  outlets_[outlet].left_out = true;
+  --silent_;
+}
+
 void Arrivals::wait_for_answers(Deadline until) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (changed_.wait_until(lock, until, [this] { return silent_ == 0; })) {
@@ -159,25 +165,26 @@ void Arrivals::wait_for_answers(Deadline until) {
   }
 }
 
-Result<std::vector<gs::wire::Hello>> Arrivals::settle() {
+std::vector<OutletPresence> Arrivals::settle() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<gs::wire::Hello> hellos;
+  std::vector<OutletPresence> all;
   for (Outlet& outlet : outlets_) {
     const auto faults = outlet.stream.take_faults();
     if (!outlet.said_hello && outlet.trouble.empty()) {
       outlet.trouble = faults.empty() ? "does not answer" : faults.front();
     }
-    if (!outlet.trouble.empty()) {
-      return Error{"outlet \"" + outlet.id + "\" " + outlet.trouble};
-    }
-    hellos.push_back(outlet.hello);
+    outlet.left_out = !outlet.trouble.empty();
+    all.push_back({outlet.id, "", outlet.hello, outlet.trouble});
   }
   received_.clear();
-  return hellos;
+  return all;
 }
 
 std::vector<std::uint8_t> Arrivals::encode(std::size_t outlet, const gs::wire::Downlink& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (outlets_[outlet].left_out) {
+    return {};
+  }
   if (!outlets_[outlet].here) {
     outlets_[outlet].stream.note("was not sent a message: it is not on the broker");
     return {};
@@ -206,8 +213,11 @@ void Arrivals::hand_over(std::vector<Received>& messages, std::vector<Fault>& fa
   }
   received_.clear();
   for (std::size_t place = 0; place < outlets_.size(); ++place) {
-    for (std::string& fault : outlets_[place].stream.take_faults()) {
-      faults.push_back({place, std::move(fault)});
+    Outlet& outlet = outlets_[place];
+    for (std::string& fault : outlet.stream.take_faults()) {
+      if (!outlet.left_out) {
+        faults.push_back({place, std::move(fault)});
+      }
     }
   }
 }

@@ -39,10 +39,13 @@ class Arrivals {
   void expect(const std::vector<std::string>& ids);
   // Until each has said hello, and some time for a second one of the same id; or until `until`.
   void wait_for_answers(Deadline until);
-  // Ends the opening: the hello of each outlet, or what is wrong.
-  drivers::Result<std::vector<gs::wire::Hello>> settle();
+  // One of them is at fault, which is known without asking it.
+  void leave_out(std::size_t outlet, const std::string& fault);
+  // Ends the opening: each outlet with its hello, or what is wrong with it, where it is all but the
+  // broker's name.
+  std::vector<OutletPresence> settle();
 
-  // Nothing for an outlet that is not on the broker: that is a fault.
+  // Nothing for an outlet that is at fault, nor for one that has left the broker: that is a fault.
   std::vector<std::uint8_t> encode(std::size_t outlet, const gs::wire::Downlink& message);
   void note(std::size_t outlet, const std::string& fault);
   void hand_over(std::vector<Received>& messages, std::vector<Fault>& faults);
@@ -57,7 +60,8 @@ class Arrivals {
     bool said_hello = false;
     gs::wire::Hello hello;                 // the first one
     std::vector<std::uint8_t> last_hello;  // as it came
-    std::string trouble;                   // why its hello is none
+    std::string trouble;                   // while opening: why it is at fault
+    bool left_out = false;                 // it is at fault: nobody speaks with it
   };
   struct Place {
     std::size_t outlet = 0;

@@ -32,23 +32,22 @@ MqttLink::~MqttLink() {
 Result<std::vector<OutletPresence>> MqttLink::open() {
   close();
   opened_ = std::make_unique<Opened>(options_);
-  std::vector<std::string> ids;
   Status done = opened_->connection.connect();
   if (done.ok()) {
-    done = find_outlets(ids);
+    done = look_for_outlets();
   }
   if (!done.ok()) {
     close();
     return Error{done.error()};
   }
-  auto answered = identify(ids);
+  auto answered = identify();
   if (!answered.ok()) {
     close();
   }
   return answered;
 }
 
-Status MqttLink::find_outlets(std::vector<std::string>& ids) {
+Status MqttLink::look_for_outlets() {
   std::vector<std::string> filters;
   for (const std::string& id : options_.outlets) {
     filters.push_back(hello_topic(id));
@@ -57,39 +56,30 @@ Status MqttLink::find_outlets(std::vector<std::string>& ids) {
   if (filters.empty()) {
     filters = {hello_topic("+"), up_topic("+")};
   }
-  Status subscribed = opened_->connection.subscribe(std::move(filters));
-  if (!subscribed.ok()) {
-    return subscribed;
-  }
-  const auto time = options_.outlets.empty() ? options_.search : options_.patience;
-  const auto found =
-      opened_->arrivals.wait_for_hellos(options_.outlets, steady_clock::now() + time);
-  for (const std::string& id : options_.outlets) {
-    if (std::find(found.begin(), found.end(), id) == found.end()) {
-      return Error{"outlet \"" + id + "\" is not on the broker " + options_.url};
-    }
-  }
-  ids = options_.outlets.empty() ? found : options_.outlets;
-  return Done{};
+  return opened_->connection.subscribe(std::move(filters));
 }
 
-Result<std::vector<OutletPresence>> MqttLink::identify(const std::vector<std::string>& ids) {
-  opened_->arrivals.expect(ids);
+Result<std::vector<OutletPresence>> MqttLink::identify() {
+  Arrivals& arrivals = opened_->arrivals;
+  const bool named = !options_.outlets.empty();
+  const auto found = arrivals.wait_for_hellos(
+      options_.outlets, steady_clock::now() + (named ? options_.patience : options_.search));
+  const std::vector<std::string>& ids = named ? options_.outlets : found;
+  arrivals.expect(ids);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     opened_->down_topics.push_back(down_topic(ids[i]));
+    if (std::find(found.begin(), found.end(), ids[i]) == found.end()) {
+      arrivals.leave_out(i, "is not on the broker");
+    }
     const Status sent = send(i, gs::wire::identify());
     if (!sent.ok()) {
       return Error{sent.error()};
     }
   }
-  opened_->arrivals.wait_for_answers(steady_clock::now() + options_.patience);
-  const auto hellos = opened_->arrivals.settle();
-  if (!hellos.ok()) {
-    return Error{hellos.error() + " (broker " + options_.url + ')'};
-  }
-  std::vector<OutletPresence> outlets;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    outlets.push_back({ids[i], options_.url, hellos.value()[i]});
+  arrivals.wait_for_answers(steady_clock::now() + options_.patience);
+  std::vector<OutletPresence> outlets = arrivals.settle();
+  for (OutletPresence& outlet : outlets) {
+    outlet.where = options_.url;
   }
   return outlets;
 }

@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -42,6 +41,7 @@ struct Line {
   OutletStream stream;
   std::optional<gs::wire::Hello> hello;
   std::optional<std::size_t> outlet;  // place in what open() returned
+  bool at_fault = false;              // since open(): nobody speaks with it
   bool unplugged = false;
 };
 
@@ -54,7 +54,8 @@ struct SerialLink::Impl {
   Status open_ports();
   void ask();
   bool all_answered() const;
-  Result<std::vector<OutletPresence>> present();
+  std::vector<OutletPresence> present();
+  std::string fault_of(const Line& line) const;
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
   void lose(Line& line);
   void find_again();
@@ -103,25 +104,34 @@ bool SerialLink::Impl::all_answered() const {
   return true;
 }
 
-Result<std::vector<OutletPresence>> SerialLink::Impl::present() {
+std::string SerialLink::Impl::fault_of(const Line& line) const {
+  if (!line.hello) {
+    return "does not answer";
+  }
+  for (const auto& other : lines) {
+    if (other.get() != &line && other->hello && other->hello->id == std::string(line.hello->id)) {
+      return "is there twice: the one on " + other->port.path() + " says that it is it";
+    }
+  }
+  return {};
+}
+
+std::vector<OutletPresence> SerialLink::Impl::present() {
   std::vector<OutletPresence> all;
-  std::map<std::string, std::string> where;
   for (const auto& line : lines) {
-    if (!line->hello) {
-      if (options.skip_silent) {
-        continue;
-      }
-      return Error{line->port.path() + ": no outlet answers"};
+    if (!line->hello && options.skip_silent) {
+      continue;
     }
-    const std::string id = line->hello->id;
-    const auto [other, is_first] = where.emplace(id, line->port.path());
-    if (!is_first) {
-      return Error{"two outlets say they are " + id + ": on " + other->second + " and on " +
-                   line->port.path()};
+    const std::string& where = line->port.path();
+    OutletPresence outlet{where, where, line->hello.value_or(gs::wire::Hello()), fault_of(*line)};
+    if (line->hello) {
+      outlet.id = line->hello->id;
+      outlet.id += outlet.fault.empty() ? "" : " on " + where;
     }
+    line->at_fault = !outlet.fault.empty();
     line->outlet = all.size();
     outlets.push_back(line.get());
-    all.push_back({id, line->port.path(), *line->hello});
+    all.push_back(std::move(outlet));
   }
   return all;
 }
@@ -140,7 +150,7 @@ void SerialLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
     if (message && message->kind == gs::wire::UplinkKind::kHello && !line.hello) {
       line.hello = message->hello;
       hello_came.notify_all();
-    } else if (message && line.outlet) {
+    } else if (message && line.outlet && !line.at_fault) {
       received.push_back({*line.outlet, *message, arrival_ns});
     }
   }
@@ -241,6 +251,9 @@ Status SerialLink::send(std::size_t outlet, const gs::wire::Downlink& message) {
     return Error{"serial link: no outlet " + std::to_string(outlet)};
   }
   Line& line = *impl_->outlets[outlet];
+  if (line.at_fault) {
+    return Done{};
+  }
   const std::vector<std::uint8_t> bytes = framed(line.stream.encode(message));
   if (!line.port.is_open() || !line.port.write(bytes)) {
     line.stream.note("does not take what is sent to it on " + line.port.path());
@@ -253,8 +266,11 @@ Status SerialLink::poll(std::vector<Received>& messages, std::vector<Fault>& fau
   messages.insert(messages.end(), impl_->received.begin(), impl_->received.end());
   impl_->received.clear();
   for (std::size_t i = 0; i < impl_->outlets.size(); ++i) {
-    for (std::string& fault : impl_->outlets[i]->stream.take_faults()) {
-      faults.push_back({i, std::move(fault)});
+    Line& line = *impl_->outlets[i];
+    for (std::string& fault : line.stream.take_faults()) {
+      if (!line.at_fault) {
+        faults.push_back({i, std::move(fault)});
+      }
     }
   }
   return Done{};

@@ -16,6 +16,8 @@ namespace gsbench::emulated {
 // What passes the cable in one go; may change, take away or add bytes.
 using Spoiler = std::function<void(std::vector<std::uint8_t>& bytes)>;
 
+enum class Way : std::uint8_t { kToBench, kToOutlet };
+
 class NullModem {
  public:
   // Two terminal devices.
@@ -30,8 +32,8 @@ class NullModem {
   const std::string& bench_end() const;   // "/dev/pts/3"
   const std::string& outlet_end() const;  // another, or the socket
 
-  // From the outlet to the bench; empty: as it is.
-  void spoil(Spoiler spoiler);
+  // Empty: as it is.
+  void spoil(Spoiler spoiler, Way way = Way::kToBench);
 
  private:
   struct Impl;

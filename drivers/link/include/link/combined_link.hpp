@@ -13,7 +13,7 @@ class CombinedLink final : public Link {
   explicit CombinedLink(std::vector<std::unique_ptr<Link>> links) : links_(std::move(links)) {}
 
   std::string name() const override;
-  // An id that two links know is an error.
+  // Outlets of one id on two links are at fault.
   [[nodiscard]] drivers::Result<std::vector<OutletPresence>> open() override;
   [[nodiscard]] drivers::Status send(std::size_t outlet,
                                      const gs::wire::Downlink& message) override;
@@ -24,6 +24,7 @@ class CombinedLink final : public Link {
  private:
   std::vector<std::unique_ptr<Link>> links_;
   std::vector<std::size_t> first_;  // outlet of each link; one more: the end
+  std::vector<bool> at_fault_;      // here, not in their own links
 };
 
 }  // namespace gsbench::link

@@ -10,10 +10,13 @@
 
 namespace gsbench::link {
 
+// An outlet that was looked for. With one that is at fault nobody speaks, and what it says is
+// passed over: no other outlet suffers from it.
 struct OutletPresence {
-  std::string id;
-  std::string where;  // "simulated", "/dev/ttyUSB0", "ssl://127.0.0.1:8883"
+  std::string id;     // its place instead, or both, where that tells nobody apart
+  std::string where;  // "simulated", "/dev/ttyUSB0", "mqtts://127.0.0.1:8883"
   gs::wire::Hello hello;
+  std::string fault = {};  // as in Fault; empty: none
 };
 
 // What a link found wrong with one outlet. The others go on.
@@ -33,8 +36,9 @@ class Link {
   virtual ~Link() = default;
   virtual std::string name() const = 0;  // "simulated", "serial", "mqtt"
 
-  // Finds the outlets; those that answered, in a fixed order. Two that say they are the same, or
-  // one that cannot be spoken to, is an error.
+  // Finds the outlets, in a fixed order: those that were named, with a fault where they do not
+  // answer, or all that answer where none was. Two that say they are the same are both at fault. An
+  // error is one of the link as a whole.
   [[nodiscard]] virtual drivers::Result<std::vector<OutletPresence>> open() = 0;
   // Does not wait for an answer. An outlet that cannot be reached now is a Fault, not an error.
   [[nodiscard]] virtual drivers::Status send(std::size_t outlet,

@@ -21,7 +21,15 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-using OutletFault = FaultyDesk;
+class OutletFault : public FaultyDesk {
+ protected:
+  // So that what happens to it then is what the run meets.
+  bool answers(Place outlet) {
+    const auto present = station_->link().open();
+    station_->link().close();
+    return present.ok() && present.value()[outlet].fault.empty();
+  }
+};
 
 TEST_F(OutletFault, NoneLetsAllFourPassAndTheRecordSaysWhereTheyAre) {
   play();
@@ -105,8 +113,9 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledCable,
                                                   gsbench::test::reorder_two_bytes}),
                          [](const auto& kind) { return kind.param.name; });
 
-TEST_F(OutletFault, OneOfAnotherProtocolVersionIsNotSpokenTo) {
-  desk().cable(kHost).spoil(each_message([](const Bytes& message) -> std::vector<Bytes> {
+// Another hello in the place of the outlet's own.
+emulated::Spoiler another_hello(const std::function<void(gs::wire::Hello&)>& change) {
+  return each_message([change](const Bytes& message) -> std::vector<Bytes> {
     gs::wire::Uplink uplink;
     std::uint32_t sequence = 0;
     if (gs::wire::decode(message.data(), message.size(), uplink, sequence) !=
@@ -114,42 +123,63 @@ TEST_F(OutletFault, OneOfAnotherProtocolVersionIsNotSpokenTo) {
         uplink.kind != gs::wire::UplinkKind::kHello) {
       return {message};
     }
-    uplink.hello.protocol_version = 77;
+    change(uplink.hello);
     Bytes other(gs::wire::kLongestMessage);
     other.resize(gs::wire::encode(uplink, sequence, other.data(), other.size()));
     return {other};
-  }));
+  });
+}
+
+TEST_F(OutletFault, OneOfAnotherProtocolVersionIsNotSpokenTo) {
+  desk().cable(kHost).spoil(
+      another_hello([](gs::wire::Hello& hello) { hello.protocol_version = 77; }));
   play();
   expect_fault(kHost, "speaks protocol 77, not ");
   EXPECT_TRUE(record_.outlets[kHost].settings.empty()) << "it was sent settings";
   EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty()) << "what it says may mean anything";
 }
 
-TEST_F(OutletFault, OneThatNeverSaysHelloStopsTheRunBeforeItBegins) {
+TEST_F(OutletFault, OneThatNeverSaysHelloIsKnownByItsPortAndTheOthersArePlayedTo) {
   desk().cable(kHost).spoil([](Bytes& bytes) { bytes.clear(); });
   play();
-  EXPECT_EQ(record_.verdict, Verdict::kError);
-  EXPECT_EQ(record_.verdict_reason, desk().serial_ports()[kHost] + ": no outlet answers");
+  expect_fault(kHost, "does not answer");
+  EXPECT_EQ(record_.outlets[kHost].id, desk().serial_ports()[kHost]);
+  EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty());
 }
 
-TEST_F(OutletFault, TwoOnSerialLinesWithOneIdStopTheRunBeforeItBegins) {
-  desk().cable(kHost).spoil(each_message([](const Bytes& message) -> std::vector<Bytes> {
-    gs::wire::Uplink uplink;
-    std::uint32_t sequence = 0;
-    if (gs::wire::decode(message.data(), message.size(), uplink, sequence) !=
-            gs::wire::Decoded::kOk ||
-        uplink.kind != gs::wire::UplinkKind::kHello) {
-      return {message};
-    }
-    std::strcpy(uplink.hello.id, "m4");
-    Bytes twin(gs::wire::kLongestMessage);
-    twin.resize(gs::wire::encode(uplink, sequence, twin.data(), twin.size()));
-    return {twin};
-  }));
+TEST_F(OutletFault, OneThatIsOnTheBrokerButNeverAnswersIsPlayedWithout) {
+  ASSERT_TRUE(answers(kRadioA));
+  ASSERT_EQ(::kill(desk().outlet_process(kRadioA).pid(), SIGSTOP), 0);
   play();
-  EXPECT_EQ(record_.verdict, Verdict::kError);
-  EXPECT_EQ(record_.verdict_reason, "two outlets say they are m4: on " + desk().serial_ports()[0] +
-                                        " and on " + desk().serial_ports()[1]);
+  expect_fault(kRadioA, "does not answer");
+  EXPECT_TRUE(record_.outlets[kRadioA].settings.empty()) << "it was sent settings";
+}
+
+TEST_F(OutletFault, OneThatIsNotOnTheBrokerIsPlayedWithout) {
+  ASSERT_TRUE(answers(kRadioB));
+  desk().outlet_process(kRadioB).kill();
+  play();
+  expect_fault(kRadioB, "is not on the broker");
+}
+
+// Which of them is the one that was meant nobody can tell.
+TEST_F(OutletFault, TwoOnSerialLinesWithOneIdAreBothAtFaultAndTheOthersArePlayedTo) {
+  desk().cable(kHost).spoil(
+      another_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "m4"); }));
+  play();
+  expect_faults({{kM4, "is there twice: the one on " + desk().serial_ports()[kHost]},
+                 {kHost, "is there twice: the one on " + desk().serial_ports()[kM4]}});
+  for (const Place twin : {kM4, kHost}) {
+    EXPECT_EQ(record_.outlets[twin].id, "m4 on " + desk().serial_ports()[twin]);
+    EXPECT_TRUE(record_.outlets[twin].settings.empty()) << "it was sent settings";
+  }
+}
+
+TEST_F(OutletFault, OneOnASerialLineWithTheIdOfOneBehindTheBrokerIsTold) {
+  desk().cable(kHost).spoil(
+      another_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "radio-a"); }));
+  play();
+  expect_faults({{kHost, "is there twice"}, {kRadioA, "is there twice"}});
 }
 
 // Behind a broker a twin may come at any time: another piece of hardware with the same id.

@@ -65,6 +65,21 @@ class SettingsFault : public FaultyDesk {
   }
 };
 
+// What is empty does not pass.
+emulated::Spoiler each_settings(const std::function<void(Bytes&)>& change) {
+  return each_message([change](const Bytes& message) -> std::vector<Bytes> {
+    Downlink downlink;
+    std::uint32_t sequence = 0;
+    Bytes changed = message;
+    if (gs::wire::decode(message.data(), message.size(), downlink, sequence) ==
+            gs::wire::Decoded::kOk &&
+        downlink.kind == DownlinkKind::kSettings) {
+      change(changed);
+    }
+    return changed.empty() ? std::vector<Bytes>{} : std::vector<Bytes>{changed};
+  });
+}
+
 TEST_F(SettingsFault, OutOfRangeAreRefusedWithTheReason) {
   play_with(kM4, [](Downlink& message) { message.settings.lse_samples = 1; });
   expect_fault(kM4, "refused its settings: ");
@@ -83,7 +98,22 @@ TEST_F(SettingsFault, OlderThanThoseInForceAreRefused) {
   EXPECT_THAT(record_.outlets[kHost].fault, testing::HasSubstr("not newer"));
 }
 
-TEST_F(SettingsFault, ThatAreNotAnsweredAreToldOfThatOutletAlone) {
+// Whole frames with half a message, by which the outlet must not be misled.
+TEST_F(SettingsFault, ThatCameTruncatedAreNotTakenAndMissed) {
+  desk().cable(kM4).spoil(each_settings([](Bytes& message) { message.resize(message.size() / 2); }),
+                          emulated::Way::kToOutlet);
+  play();
+  expect_fault(kM4, "did not answer to its settings");
+}
+
+TEST_F(SettingsFault, ThatNeverCameAreMissed) {
+  desk().cable(kHost).spoil(each_settings([](Bytes& message) { message.clear(); }),
+                            emulated::Way::kToOutlet);
+  play();
+  expect_fault(kHost, "did not answer to its settings");
+}
+
+TEST_F(SettingsFault, WhoseAnswerIsLostAreToldOfThatOutletAlone) {
   desk().cable(kM4).spoil(each_message([](const Bytes& message) -> std::vector<Bytes> {
     Uplink uplink;
     std::uint32_t sequence = 0;

@@ -38,8 +38,16 @@ class OutletsOnABroker : public HearsALink {
 
   void open(std::vector<std::string> outlets) {
     link_ = std::make_unique<link::MqttLink>(options(std::move(outlets)));
-    const auto opened = link_->open();
+    auto opened = link_->open();
     ASSERT_TRUE(opened.ok()) << opened.error();
+    present_ = opened.take();
+  }
+
+  bool answers(std::size_t outlet) {
+    gs::wire::Downlink ping;
+    ping.kind = gs::wire::DownlinkKind::kPing;
+    return link_->send(outlet, ping).ok() &&
+           until([&] { return !messages(outlet, gs::wire::UplinkKind::kEcho).empty(); });
   }
 
   // The error of an opening that fails.
@@ -51,6 +59,7 @@ class OutletsOnABroker : public HearsALink {
 
   TemporaryFolder folder_;
   std::unique_ptr<broker::PrivateBroker> broker_;
+  std::vector<link::OutletPresence> present_;
 };
 
 }  // namespace gsbench::test

@@ -7,6 +7,7 @@ using gsbench::link::SerialLink;
 using gsbench::link::SerialOptions;
 using gsbench::test::OutletsOnCables;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 using FindingOutlets = OutletsOnCables;
@@ -37,20 +38,46 @@ TEST_F(FindingOutlets, AgainAfterClosing) {
   EXPECT_TRUE(answers(0, 7));
 }
 
-TEST_F(FindingOutlets, RefusesTwoThatSayTheyAreTheSameAndNamesBothPorts) {
+TEST_F(FindingOutlets, TwoThatSayTheyAreTheSameAreBothAtFaultAndNobodySpeaksWithThem) {
   add("twin");
   add("single");
   add("twin");
-  EXPECT_EQ(refusal(options()), "two outlets say they are twin: on " + outlets_[0].bench_port() +
-                                    " and on " + outlets_[2].bench_port());
+  open();
+  ASSERT_THAT(present_, SizeIs(3));
+  EXPECT_EQ(present_[0].id, "twin on " + outlets_[0].bench_port());
+  EXPECT_EQ(present_[0].fault,
+            "is there twice: the one on " + outlets_[2].bench_port() + " says that it is it");
+  EXPECT_EQ(present_[1].fault, "");
+  EXPECT_EQ(present_[2].id, "twin on " + outlets_[2].bench_port());
+  EXPECT_EQ(present_[2].fault,
+            "is there twice: the one on " + outlets_[0].bench_port() + " says that it is it");
+  send(0, ping(1));
+  send(2, ping(1));
+  play(0, 10);
+  unplug(2);
+  ASSERT_TRUE(answers(1, 2));
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  poll();
+  for (const std::size_t twin : {0U, 2U}) {
+    EXPECT_THAT(messages(twin, gs::wire::UplinkKind::kEcho), IsEmpty());
+    EXPECT_THAT(messages(twin, gs::wire::UplinkKind::kMeasurement), IsEmpty());
+    EXPECT_THAT(faults(twin), IsEmpty());
+  }
 }
 
-TEST_F(FindingOutlets, RefusesAPortWithoutAnOutletAndNamesIt) {
-  add("a");
+TEST_F(FindingOutlets, OneThatDoesNotAnswerIsAtFaultByTheNameOfItsPort) {
   lay_cable("nobody");
+  add("a");
   SerialOptions short_wait = options();
   short_wait.answer_s = 0.7;
-  EXPECT_EQ(refusal(short_wait), outlets_[1].bench_port() + ": no outlet answers");
+  link_ = std::make_unique<SerialLink>(short_wait);
+  const auto opened = link_->open();
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  ASSERT_THAT(opened.value(), SizeIs(2));
+  EXPECT_EQ(opened.value()[0].id, outlets_[0].bench_port());
+  EXPECT_EQ(opened.value()[0].fault, "does not answer");
+  EXPECT_EQ(opened.value()[1].fault, "");
+  EXPECT_TRUE(answers(1, 1));
 }
 
 TEST_F(FindingOutlets, LeavesOutPortsWithoutAnOutletWhereItIsLooking) {

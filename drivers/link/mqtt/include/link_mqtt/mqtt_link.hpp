@@ -45,8 +45,8 @@ class MqttLink final : public Link {
  private:
   class Opened;
 
-  drivers::Status find_outlets(std::vector<std::string>& ids);
-  drivers::Result<std::vector<OutletPresence>> identify(const std::vector<std::string>& ids);
+  drivers::Status look_for_outlets();
+  drivers::Result<std::vector<OutletPresence>> identify();
 
   MqttOptions options_;
   std::unique_ptr<Opened> opened_;

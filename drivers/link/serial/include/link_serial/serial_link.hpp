@@ -17,7 +17,7 @@ struct SerialOptions {
   std::vector<std::string> ports;  // "/dev/ttyUSB0", in the order of the outlets
   int baud = kSerialBaud;
   double answer_s = 3.0;  // within which each outlet says who it is
-  // A port without an outlet is left out instead of an error: for looking what is there.
+  // A port without an outlet is left out instead of at fault: for looking what is there.
   bool skip_silent = false;
 };
 
@@ -27,6 +27,7 @@ class SerialLink final : public Link {
   ~SerialLink() override;
 
   std::string name() const override { return "serial"; }
+  // A port that is not there is an error, unless it would be left out.
   [[nodiscard]] drivers::Result<std::vector<OutletPresence>> open() override;
   [[nodiscard]] drivers::Status send(std::size_t outlet,
                                      const gs::wire::Downlink& message) override;
