@@ -1,4 +1,5 @@
-// One stream of samples, one firmware: in process, on the emulated Cortex-M4F at -O2 and at -Os.
+// One stream of samples, one firmware: in process, as a process on a serial line, on the emulated
+// Cortex-M4F at -O2 and at -Os.
 #include "emulated_outlet.hpp"
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
@@ -92,8 +93,13 @@ Outcome in_process(const wire::Hello& as) {
   return collector.outcome;
 }
 
-Outcome emulated(EmulatedOutlet& outlet, const std::string& image) {
-  outlet.start(image);
+// `program`: gs-outlet, or the image of a board.
+Outcome emulated(EmulatedOutlet& outlet, const std::string& program) {
+  if (program == GS_OUTLET_PROGRAM) {
+    outlet.start_process(program);
+  } else {
+    outlet.start(program);
+  }
   Line& line = outlet.line();
   line.wait_for(UplinkKind::kHello);
   line.send(settings_message());
@@ -153,10 +159,12 @@ TEST_P(SameArithmetic, ThePinChangesAtTheSampleOfTheRelayMessage) {
   EXPECT_EQ(outlet_.terminals().edge[0].sample, told[0].uplink.sample);
 }
 
-INSTANTIATE_TEST_SUITE_P(Images, SameArithmetic,
-                         testing::Values(GSBENCH_M4_IMAGE, GSBENCH_M4_IMAGE_OS),
-                         [](const auto& image) {
-                           return std::string(image.index == 0 ? "O2" : "Os");
+INSTANTIATE_TEST_SUITE_P(Programs, SameArithmetic,
+                         testing::Values(GS_OUTLET_PROGRAM, GSBENCH_M4_IMAGE, GSBENCH_M4_IMAGE_OS),
+                         [](const auto& program) {
+                           return std::string(program.index == 0   ? "Process"
+                                              : program.index == 1 ? "M4AtO2"
+                                                                   : "M4AtOs");
                          });
 
 // The check above sees what it must: an image whose compiler was let contract multiplication and

@@ -75,6 +75,13 @@ bool Line::has_error(wire::ErrorCode code) const {
                      [&](const Letter& letter) { return letter.uplink.error.code == code; });
 }
 
+struct EmulatedOutlet::Process {
+  gsbench::emulated::NullModem cable;  // its socket is the test's end
+  gsbench::process::Child child;
+  Socket line;
+  Socket doorbell;
+};
+
 EmulatedOutlet::EmulatedOutlet() {
   const std::string path = folder_.file("psram");
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
@@ -112,12 +119,30 @@ void EmulatedOutlet::start(const std::string& image) {
   line_ = std::make_unique<Line>(machine_->serial(0));
 }
 
+void EmulatedOutlet::start_process(const std::string& program) {
+  line_.reset();
+  const std::string cable_path = folder_.file("cable");
+  auto cable = gsbench::emulated::NullModem::to_socket(cable_path);
+  if (!cable.ok()) throw std::runtime_error(cable.error());
+  Socket line = Socket::connect(cable_path);
+  const Socket listening = Socket::listen(folder_.file("doorbell"));
+  auto child = gsbench::process::Child::start(
+      {{program, "--serial", cable.value().bench_end(), "--terminals", folder_.file("psram"),
+        "--doorbell", folder_.file("doorbell")},
+       ""});
+  if (!child.ok()) throw std::runtime_error(child.error());
+  process_ = std::make_unique<Process>(
+      Process{cable.take(), child.take(), std::move(line), listening.accept(kPatience)});
+  line_ = std::make_unique<Line>(process_->line);
+}
+
 void EmulatedOutlet::kill() {
   if (machine_) machine_->kill();
+  process_.reset();
 }
 
 void EmulatedOutlet::ring_doorbell() {
-  machine_->serial(1).send("\a", 1);
+  (machine_ ? machine_->serial(1) : process_->doorbell).send("\a", 1);
 }
 
 void EmulatedOutlet::play(const std::vector<std::int16_t>& samples) {

@@ -1,5 +1,5 @@
-// An outlet on an emulated Cortex-M4F, as the bench meets one: terminals in shared memory, a
-// doorbell and a link.
+// An outlet on an emulated Cortex-M4F, or as a process of this machine, as the bench meets one:
+// terminals in shared memory, a doorbell and a link.
 #pragma once
 
 #include "machine.hpp"
@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <emulated/null_modem.hpp>
+#include <process/child.hpp>
 #include <terminals/terminals.hpp>
 #include <wire/frame.hpp>
 
@@ -55,6 +57,8 @@ class EmulatedOutlet {
 
   // Switches it on, with the terminals as they are.
   void start(const std::string& image);
+  // gs-outlet, on a serial line.
+  void start_process(const std::string& program);
   void kill();
 
   // In blocks, never more than half a ring ahead, until all are taken. The link is read meanwhile.
@@ -68,7 +72,10 @@ class EmulatedOutlet {
  private:
   gsbench::test::TemporaryFolder folder_;
   terminals::Terminals* terminals_ = nullptr;
+  // One of the two.
   std::unique_ptr<Machine> machine_;
+  struct Process;
+  std::unique_ptr<Process> process_;
   std::unique_ptr<Line> line_;
 };
 
