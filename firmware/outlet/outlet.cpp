@@ -90,6 +90,13 @@ void remember(State& state, const Measurement& measurement) {
   }
 }
 
+// Nothing but the voltage is known of it.
+void distrust(Measurement& measurement) {
+  measurement.frequency_hz = kNotANumber;
+  measurement.rocof_hz_s = kNotANumber;
+  measurement.validity = Validity::kInvalid;
+}
+
 void act(const Config& config, State& state, Report& report) {
   const Settings& settings = config.settings;
   const bool valid = report.measurement.validity == Validity::kValid;
@@ -174,6 +181,9 @@ std::size_t step(const Config& config, State& state, const std::int16_t* samples
   const float nominal_hz = static_cast<float>(config.hardware.nominal_hz);
   report.measurement =
       track(config.settings.tracker, nominal_hz, state.tracker, phasor(state.front_end));
+  if (!config.hardware.has_crystal) {
+    distrust(report.measurement);
+  }
   remember(state, report.measurement);
   const int window = config.settings.rocof_samples;
   report.line = state.history.unbroken >= window ? fit_line(state.history, 0, window)

@@ -42,6 +42,7 @@ using std::chrono::steady_clock;
 constexpr std::size_t kOutlets = 1000;
 constexpr double kPerSecond = 62.5;
 constexpr double kLoadedS = 10.0;
+constexpr std::size_t kSenders = 200;
 constexpr std::size_t kFlatOut = 300;     // measurements of each outlet to saturate the broker
 constexpr double kShareOfCapacity = 0.7;  // what is left over takes its uneven arrival
 constexpr int kRoundTrips = 200;
@@ -198,7 +199,6 @@ struct Capacity {
 };
 
 Capacity measure_capacity(const PrivateBroker& broker, const TemporaryFolder& folder) {
-  constexpr std::size_t kSenders = 200;
   const auto ids = some_ids(kSenders);
   std::atomic<std::size_t> came{0};
   RawClient bench(broker, broker.bench(), "gs/+/up", [&](const mosquitto_message&) { ++came; });
@@ -229,10 +229,11 @@ struct Carried {
   double bench_s = 0.0;
 };
 
-Carried carry(const PrivateBroker& broker, std::size_t count, const TemporaryFolder& folder) {
-  const auto each = static_cast<std::size_t>(kPerSecond * kLoadedS);
+// Over the bench's link. `per_second`: 0 for flat out.
+Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, double per_second,
+              const TemporaryFolder& folder) {
   const auto ids = some_ids(count);
-  const Child outlets = start_outlets(broker, ids, each, kPerSecond, folder);
+  const Child outlets = start_outlets(broker, ids, each, per_second, folder);
   MqttOptions options{
       broker.url(), broker.ca_file(), broker.bench().user, broker.bench().password, {}};
   options.search = std::chrono::seconds(3);
@@ -353,7 +354,14 @@ int main() {
   const auto carried_outlets = std::min(
       kOutlets, static_cast<std::size_t>(kShareOfCapacity * capacity.per_second / kPerSecond));
 
-  const Carried carried = carry(broker, carried_outlets, folder);
+  const Carried flat_out = carry(broker, kSenders, kFlatOut, 0.0, folder);
+  print("the same flat out to the link",
+        static_cast<double>(flat_out.measurements) / flat_out.wall_s, "messages/s");
+  print("  measurements lost", static_cast<double>(flat_out.said - flat_out.measurements), "");
+  print("  the bench's processor time by the broker's", flat_out.bench_s / flat_out.broker_s, "");
+
+  const Carried carried = carry(
+      broker, carried_outlets, static_cast<std::size_t>(kPerSecond * kLoadedS), kPerSecond, folder);
   print("outlets at 62.5 measurements/s each", static_cast<double>(carried.outlets), "");
   print("  measurements received", static_cast<double>(carried.measurements), "");
   print("  per second", static_cast<double>(carried.measurements) / carried.wall_s, "messages/s");

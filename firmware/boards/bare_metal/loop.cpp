@@ -14,7 +14,7 @@ bool Loop::start(const StartUp& start_up) {
   }
   samples_per_ms_ = static_cast<std::uint16_t>(start_up.hardware.sample_rate_hz / 1000);
   board_.drive_relay(node_.relay_closed());
-  if (start_up.clock_failed) {
+  if (!start_up.hardware.has_crystal) {
     node_.note(wire::ErrorCode::kClock, endpoint_);
   }
   if (start_up.watchdog_barked) {

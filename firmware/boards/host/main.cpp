@@ -84,13 +84,13 @@ bool parse(int argc, char** argv, Arguments& arguments) {
 
 bare_metal::StartUp start_up(const terminals::Terminals& terminals) {
   bare_metal::StartUp start_up;
-  start_up.hardware = {terminals.sample_rate_hz, terminals.nominal_hz, terminals.counts_per_pu};
+  start_up.hardware = {terminals.sample_rate_hz, terminals.nominal_hz, terminals.counts_per_pu,
+                       terminals.crystal_fails == 0};
   node::set_text(start_up.identity.id, terminals.id);
   node::set_text(start_up.identity.board, "host");
   start_up.identity.instance = terminals.instance;
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings;
-  start_up.clock_failed = terminals.crystal_fails != 0;
   return start_up;
 }
 

@@ -25,13 +25,12 @@ Mps2Board& board() {
 bare_metal::StartUp start_up() {
   bare_metal::StartUp start_up;
   start_up.hardware = {terminals().sample_rate_hz, terminals().nominal_hz,
-                       terminals().counts_per_pu};
+                       terminals().counts_per_pu, terminals().crystal_fails == 0};
   node::set_text(start_up.identity.id, terminals().id);
   node::set_text(start_up.identity.board, "mps2-an386");
   start_up.identity.instance = terminals().instance;
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
-  start_up.clock_failed = terminals().crystal_fails != 0;
   start_up.watchdog_barked = watchdog_barked();
   return start_up;
 }

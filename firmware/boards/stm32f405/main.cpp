@@ -24,13 +24,12 @@ void set_default_id(char (&id)[wire::kLongestId + 1], std::uint32_t number) {
 
 bare_metal::StartUp start_up(const Clocks& clocks) {
   bare_metal::StartUp start_up;
-  start_up.hardware = {kSampleRateHz, 50, kCountsPerPu};
+  start_up.hardware = {kSampleRateHz, 50, kCountsPerPu, clocks.crystal_runs};
   start_up.identity.instance = instance();
   set_default_id(start_up.identity.id, start_up.identity.instance);
   node::set_text(start_up.identity.board, "stm32f405");
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
-  start_up.clock_failed = !clocks.crystal_runs;
   start_up.watchdog_barked = watchdog_barked();
   return start_up;
 }

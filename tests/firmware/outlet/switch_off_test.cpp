@@ -54,6 +54,30 @@ TEST(SwitchOffFrequency, ActsOnNothingWhileTheBusIsDead) {
   EXPECT_EQ(reports.back().measurement.validity, Validity::kValid);
 }
 
+// What measures with a clock that is 1 % off sees healthy mains below f^B.
+TEST(SwitchOffFrequency, IsNotLookedForWithoutACrystal) {
+  test::MainsSpec spec;
+  spec.truth = test::steady(50.0, 48.0);
+  for (const bool has_crystal : {true, false}) {
+    Hardware hardware = test::Mains(spec).hardware();
+    hardware.has_crystal = has_crystal;
+    Config config;
+    State state;
+    ASSERT_TRUE(configure(hardware, config));
+    ASSERT_EQ(apply(config, state, test::ieee24_settings()), SettingsError::kNone);
+    std::size_t valid = 0;
+    Report last;
+    test::play(test::Mains(spec), 2.0, config, state, [&](const Report& report) {
+      valid += report.measurement.validity == Validity::kValid ? 1U : 0U;
+      last = report;
+    });
+    EXPECT_EQ(valid > 0, has_crystal);
+    EXPECT_EQ(last.relay_closed, !has_crystal);
+    EXPECT_NEAR(last.measurement.voltage_pu, 1.0F, 0.02F);
+    EXPECT_TRUE(command(state, has_crystal)) << "commands are obeyed";
+  }
+}
+
 TEST(SwitchOffFrequency, ActsAsSoonAsADeadBusReturnsBelowIt) {
   test::MainsSpec spec;
   spec.truth = test::steady(50.0, 48.0);

@@ -31,6 +31,9 @@ struct Hardware {
   std::int32_t sample_rate_hz = 8000;  // whole multiple of 1000, up to kMaxSampleRateHz
   std::int32_t nominal_hz = 50;        // 50 or 60
   float counts_per_pu = 21845.0f;      // ADC counts at the nominal amplitude (peak)
+  // False: the samples' clock is not the crystal's. At 1 % off, healthy mains look like mains that
+  // are below f^B, so that no frequency is measured: the outlet obeys commands alone.
+  bool has_crystal = true;
 };
 
 struct FrontEndConfig {

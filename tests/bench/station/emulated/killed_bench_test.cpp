@@ -78,7 +78,7 @@ TEST(KilledBench, LeavesNoEmulatorOutletOrBrokerBehindAndItsFilesToTheNext) {
   std::map<pid_t, std::string> children;
   ASSERT_TRUE(until([&] {
     children = children_of(bench.pid());
-    return that_are(children, "qemu-system-arm") == 1 && that_are(children, "gs-outlet") == 2 &&
+    return that_are(children, "qemu-system-arm") == 1 && that_are(children, "/gs-outlet ") == 2 &&
            that_are(children, "mosquitto") == 1;
   })) << content(folder.file("log"));
   const std::string& emulator =

@@ -93,7 +93,7 @@ class LoopTest : public testing::Test {
   bool start(bool clock_failed = false, bool watchdog_barked = false) {
     StartUp start_up;
     node::set_text(start_up.identity.id, "outlet-7");
-    start_up.clock_failed = clock_failed;
+    start_up.hardware.has_crystal = !clock_failed;
     start_up.watchdog_barked = watchdog_barked;
     return loop_.start(start_up);
   }

@@ -106,6 +106,10 @@ TEST_F(Mps2, ACrystalThatDoesNotStartIsToldAndFoundByTheSelfTest) {
   EXPECT_EQ(line.wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
             std::uint32_t{wire::kClock});
   EXPECT_TRUE(line.has_error(wire::ErrorCode::kClock));
+  for (const Letter& letter : line.of(UplinkKind::kMeasurement)) {
+    EXPECT_EQ(letter.uplink.measurement.validity, outlet::Validity::kInvalid);
+  }
+  EXPECT_EQ(outlet_.terminals().edges, 0U);
 }
 
 TEST_F(Mps2, TheSelfTestFindsAConverterThatGivesNoSamples) {

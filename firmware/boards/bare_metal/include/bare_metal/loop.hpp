@@ -15,7 +15,6 @@ namespace gs::bare_metal {
 struct StartUp {
   outlet::Hardware hardware;
   node::Identity identity;
-  bool clock_failed = false;
   bool watchdog_barked = false;
 };
 
