@@ -1,12 +1,14 @@
-// What finds outlets and listens to them, on an emulated one's serial line.
+// What finds outlets and listens to them, on an emulated one's serial line or behind a broker.
 #include "gsbench_process.hpp"
 #include <sys/wait.h>
+#include <test_support/temporary_folder.hpp>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <sstream>
 #include <thread>
@@ -20,6 +22,7 @@
 
 namespace {
 
+using gsbench::emulated::Connection;
 using gsbench::emulated::Desk;
 using gsbench::test::Outcome;
 using gsbench::test::run_gsbench;
@@ -31,10 +34,10 @@ using testing::HasSubstr;
 // Calm mains on a desk with one outlet, for as long as a test lasts.
 class ADesk : public testing::Test {
  protected:
-  void SetUp() override {
+  void SetUp() override { set_up(Connection::kSerial); }
+  void set_up(Connection connection) {
     gsbench::emulated::DeskOptions options;
-    options.outlets = {{"kitchen-1", gsbench::emulated::Board::kHost,
-                        gsbench::emulated::Connection::kSerial, 0.0}};
+    options.outlets = {{"kitchen-1", gsbench::emulated::Board::kHost, connection, 0.0}};
     options.host_program = GS_OUTLET_PROGRAM;
     auto desk = Desk::set_up(options);
     ASSERT_TRUE(desk.ok()) << desk.error();
@@ -164,6 +167,60 @@ TEST_F(ADesk, WithItsOutletGoneHasNothingToFind) {
   const Outcome heard = run_gsbench({"monitor", "--port", port()});
   EXPECT_EQ(heard.exit_code, 2);
   EXPECT_THAT(heard.err, HasSubstr("no outlet answers"));
+}
+
+class ADeskBehindABroker : public ADesk {
+ protected:
+  void SetUp() override {
+    set_up(Connection::kMqtt);
+    const auto& broker = *desk_->broker();
+    folder_.write("bench.password", broker.bench().password + "\n");
+    station_ = folder_.write(
+        "station.toml", "title = \"Radio\"\nkind = \"physical\"\n[mqtt]\nurl = \"" + broker.url() +
+                            "\"\nca_file = \"" + broker.ca_file() + "\"\nuser = \"" +
+                            broker.bench().user + "\"\npassword_file = \"bench.password\"\n");
+  }
+
+  gsbench::test::TemporaryFolder folder_;
+  std::string station_;
+};
+
+TEST_F(ADeskBehindABroker, IsFoundWithWhatItsOutletSaysOfItself) {
+  const Outcome outcome = run_gsbench({"devices", "--station", station_, "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto found = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0]["id"], "kitchen-1");
+  EXPECT_EQ(found[0]["where"], desk_->broker()->url());
+  EXPECT_EQ(found[0]["fault"], "");
+}
+
+TEST_F(ADeskBehindABroker, IsHeardForAsLongAsAsked) {
+  const Outcome outcome = run_gsbench({"monitor", "--station", station_, "--seconds", "1.5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_GT(lines.size(), 20U);
+  EXPECT_THAT(lines.front(), HasSubstr("hello"));
+  EXPECT_THAT(outcome.out, HasSubstr("1.0000 pu valid"));
+}
+
+TEST_F(ADeskBehindABroker, WithAWrongPasswordIsNotListenedTo) {
+  folder_.write("bench.password", "guessed\n");
+  const Outcome outcome = run_gsbench({"monitor", "--station", station_, "--seconds", "1"});
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("refuses the user name"));
+}
+
+// An outlet that was named and is not there is told, and the one that is there is shown.
+TEST_F(ADeskBehindABroker, AnOutletThatWasNamedAndIsNotThereIsTold) {
+  std::ofstream(station_, std::ios::app) << "outlets = [\"cellar\", \"kitchen-1\"]\n";
+  const Outcome outcome = run_gsbench({"devices", "--station", station_});
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("! is not on the broker"));
+  EXPECT_THAT(outcome.out, HasSubstr("kitchen-1"));
+  const Outcome heard = run_gsbench({"monitor", "--station", station_, "--outlet", "cellar"});
+  EXPECT_EQ(heard.exit_code, 2);
+  EXPECT_THAT(heard.err, HasSubstr("no outlet cellar answers"));
 }
 
 TEST(Devices, APortThatDoesNotExistIsToldByItsName) {
