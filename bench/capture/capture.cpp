@@ -30,9 +30,11 @@ void Capture::add(Track& track, const link::Received& received) const {
     case UplinkKind::kHello:
     case UplinkKind::kCommandAnswer:
     case UplinkKind::kStatus:
-    case UplinkKind::kSelfTest:
     case UplinkKind::kEcho:
     case UplinkKind::kError:
+      break;
+    case UplinkKind::kSelfTest:
+      track.self_test_failed = message.self_test.failed;
       break;
     case UplinkKind::kSettingsAnswer: {
       const gs::wire::SettingsAnswer& answer = message.settings_answer;
@@ -111,6 +113,10 @@ void Capture::add_command(std::size_t outlet, std::int64_t tick, bool close) {
 
 const SettingsAnswer& Capture::settings_answer(std::size_t outlet) const {
   return tracks_.at(outlet).settings_answer;
+}
+
+std::uint32_t Capture::self_test_failed(std::size_t outlet) const {
+  return tracks_.at(outlet).self_test_failed;
 }
 
 std::uint64_t Capture::last_report_sample(std::size_t outlet) const {

@@ -59,7 +59,7 @@ std::unique_ptr<link::Link> make_link(const LinkArguments& arguments) {
       !emulated::pseudo_terminals_are_serial_ports()) {
     throw std::runtime_error(emulated::restart_with_pseudo_terminals().error());
   }
-  return station::make_link(spec);
+  return station::make_link(spec, arguments.station.empty() && arguments.ports.empty());
 }
 
 std::vector<link::OutletPresence> open_link(link::Link& link) {

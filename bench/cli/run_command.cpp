@@ -37,8 +37,8 @@ int run(const RunArguments& arguments) {
   station::SimulatedOptions simulated;
   simulated.real_time = arguments.real_time;
   simulated.threads = arguments.threads;
-  const auto station = station::make_station(spec, plan, simulated);
   const std::atomic<bool>& interrupted = catch_interrupts();
+  const auto station = station::make_station(spec, plan, simulated);
 
   RunFolder folder(arguments.output_folder);
   record::RunRecord run;

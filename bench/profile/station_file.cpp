@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 constexpr double kMostPpm = 1000.0;
 constexpr std::size_t kMostEmulated = 64;  // processes of one desk
 constexpr std::size_t kLongestId = 32;     // that an outlet can say
+constexpr const char* kBenchUser = "bench";
 
 fs::path stations_folder() {
   return fs::path(profiles_folder()) / "stations";
@@ -66,6 +68,9 @@ std::vector<EmulatedOutletSpec> read_emulated(const Table& top) {
       table.refuse_missing("id", "what the outlet is called: id = \"m4-1\"");
     }
     outlet.id = *id;
+    if (outlet.id == kBenchUser) {
+      table.refuse("id", fmt::format("\"{}\" is what the bench is called on its broker", *id));
+    }
     outlet.board = table.choice("board", {"mps2-an386", "host"}).value_or("host");
     outlet.link = table.choice("link", {"serial", "mqtt"}).value_or("serial");
     outlet.crystal_ppm = table.number("crystal_ppm", between(-kMostPpm, kMostPpm)).value_or(0.0);
@@ -108,6 +113,29 @@ void read_serial(const Table& top, StationSpec& station) {
   station.baud = static_cast<int>(table.integer("baud", 9600, 4000000).value_or(station.baud));
 }
 
+bool is_broker_url(const std::string& url) {
+  std::smatch parts;
+  static const std::regex kForm("mqtts?://[^/:]+:([0-9]{1,5})");
+  return std::regex_match(url, parts, kForm) && std::stoi(parts[1]) >= 1 &&
+         std::stoi(parts[1]) <= 65535;
+}
+
+std::vector<std::string> outlet_ids(const Table& table) {
+  std::vector<std::string> ids;
+  for (const Word& word : table.words("outlets")) {
+    if (!is_identifier(word.text, kLongestId)) {
+      table.refuse(word.at, fmt::format("\"{}\" is no outlet's id: letters, digits, '-', '_' and "
+                                        "'.', at most {} of them",
+                                        word.text, kLongestId));
+    }
+    if (std::count(ids.begin(), ids.end(), word.text) > 0) {
+      table.refuse(word.at, fmt::format("outlet \"{}\" is named already", word.text));
+    }
+    ids.push_back(word.text);
+  }
+  return ids;
+}
+
 void read_mqtt(const Table& top, StationSpec& station) {
   const Value* section = top.table("mqtt");
   if (section == nullptr) {
@@ -117,7 +145,7 @@ void read_mqtt(const Table& top, StationSpec& station) {
                     {"url", "ca_file", "user", "password_file", "outlets"});
   station.broker.url = table.required_text("url");
   const bool tls = station.broker.url.rfind("mqtts://", 0) == 0;
-  if (!tls && station.broker.url.rfind("mqtt://", 0) != 0) {
+  if (!is_broker_url(station.broker.url)) {
     table.refuse("url", fmt::format("url is \"{}\"; it must be mqtts://host:port, or "
                                     "mqtt://host:port where TLS is not wanted",
                                     station.broker.url));
@@ -131,7 +159,7 @@ void read_mqtt(const Table& top, StationSpec& station) {
   }
   station.broker.user = table.text("user").value_or("");
   station.broker.password_file = beside(table.text("password_file"));
-  station.broker.outlets = texts(table.words("outlets"));
+  station.broker.outlets = outlet_ids(table);
 }
 
 StationKind kind_of(const std::string& word) {
@@ -171,6 +199,9 @@ StationSpec parse_station(const NamedFile& file) {
     station.emulated = read_emulated(top);
     const auto image = top.text("image");
     station.image = image ? resolve(*image, file.path) : "";
+    if (image && !is_regular_file(station.image)) {
+      top.refuse("image", fmt::format("image is \"{}\", and there is no such file", *image));
+    }
   }
   if (station.kind == StationKind::kPhysical) {
     read_serial(top, station);

@@ -163,14 +163,18 @@ std::string Table::required_text(const std::string& key) const {
   return std::move(*value);
 }
 
+bool is_identifier(const std::string& text, std::size_t longest) {
+  return !text.empty() && text.size() <= longest &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '-' || c == '_' || c == '.';
+         });
+}
+
 std::optional<std::string> Table::identifier(const std::string& key, std::size_t longest) const {
   auto name = text(key);
   if (!name) return name;
-  const bool plain = std::all_of(name->begin(), name->end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
-  });
-  if (!plain || name->size() > longest) {
+  if (!is_identifier(*name, longest)) {
     refuse(key, fmt::format("{} is \"{}\"; it must be of letters, digits, '-', '_' and '.', at "
                             "most {} of them",
                             key, *name, longest));

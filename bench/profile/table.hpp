@@ -42,6 +42,9 @@ struct Word {
   Position at;
 };
 
+// An id as outlets and brokers take it: letters, digits, '-', '_', '.'.
+bool is_identifier(const std::string& text, std::size_t longest);
+
 class Table {
  public:
   // `keys` are all that the table may hold: any other is refused at once. `label` names the table

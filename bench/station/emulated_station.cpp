@@ -40,15 +40,12 @@ emulated::DeskOptions options_of(const profile::StationSpec& spec, const profile
          outlet.link == "mqtt" ? emulated::Connection::kMqtt : emulated::Connection::kSerial,
          outlet.crystal_ppm});
   }
+  // In the order of the links below, which is that of the plan's outlets: mains and relay sense
+  // count as they do.
+  std::stable_partition(options.outlets.begin(), options.outlets.end(), [](const auto& outlet) {
+    return outlet.connection == emulated::Connection::kSerial;
+  });
   return options;
-}
-
-std::string first_line(const std::string& path) {
-  std::string line;
-  if (!path.empty() && !std::getline(std::ifstream(path), line)) {
-    throw profile::ConfigurationError(path + ": no password can be read");
-  }
-  return line;
 }
 
 }  // namespace
@@ -62,7 +59,11 @@ EmulatedStation::EmulatedStation(const profile::StationSpec& spec, const profile
   desk_ = desk.take();
   std::vector<std::unique_ptr<link::Link>> links;
   if (!desk_->serial_ports().empty()) {
-    links.push_back(link_of(desk_->serial_ports(), link::kSerialBaud, {}, false));
+    link::SerialOptions options;
+    options.ports = desk_->serial_ports();
+    options.ids = desk_->serial_ids();
+    options.answer_s = kAnswerS;
+    links.push_back(std::make_unique<link::SerialLink>(options));
   }
   if (const broker::PrivateBroker* const broker = desk_->broker(); broker != nullptr) {
     link::MqttOptions options;
@@ -98,29 +99,6 @@ std::unique_ptr<Station> emulated_station(const profile::StationSpec& spec,
     throw std::runtime_error("station " + spec.name + ": " + restarted.error());
   }
   return std::make_unique<EmulatedStation>(spec, plan);
-}
-
-std::unique_ptr<link::Link> link_of(const std::vector<std::string>& ports, int baud,
-                                    const profile::BrokerSpec& broker, bool skip_silent) {
-  std::vector<std::unique_ptr<link::Link>> links;
-  if (!ports.empty()) {
-    link::SerialOptions options;
-    options.ports = ports;
-    options.baud = baud;
-    options.skip_silent = skip_silent;
-    options.answer_s = skip_silent ? 2.0 : kAnswerS;
-    links.push_back(std::make_unique<link::SerialLink>(options));
-  }
-  if (!broker.url.empty()) {
-    link::MqttOptions options;
-    options.url = broker.url;
-    options.ca_file = broker.ca_file;
-    options.user = broker.user;
-    options.password = first_line(broker.password_file);
-    options.outlets = broker.outlets;
-    links.push_back(std::make_unique<link::MqttLink>(options));
-  }
-  return std::make_unique<link::CombinedLink>(std::move(links));
 }
 
 }  // namespace gsbench::station

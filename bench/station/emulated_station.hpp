@@ -42,8 +42,4 @@ class EmulatedStation final : public Station {
 std::unique_ptr<Station> emulated_station(const profile::StationSpec& spec,
                                           const profile::Plan& plan);
 
-// One link to outlets on ports and behind a broker.
-std::unique_ptr<link::Link> link_of(const std::vector<std::string>& ports, int baud,
-                                    const profile::BrokerSpec& broker, bool skip_silent);
-
 }  // namespace gsbench::station

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <capture/capture.hpp>
 #include <capture/truth_trace.hpp>
@@ -100,6 +101,26 @@ std::string first_fault(const std::vector<record::OutletRecord>& outlets) {
   return {};
 }
 
+// All but the converter, which may have had nothing to convert yet.
+std::string failed_parts(std::uint32_t failed) {
+  std::string names;
+  for (const auto& [part, name] : {std::pair(gs::wire::kArithmetic, "arithmetic"),
+                                   {gs::wire::kSettingsArea, "settings area"},
+                                   {gs::wire::kClock, "crystal"}}) {
+    if ((failed & part) != 0) {
+      names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+  }
+  return names;
+}
+
+// What an outlet tells of itself that makes a run with it worthless. That it did not understand the
+// bench shows in what it then does not do.
+bool spoils_a_run(gs::wire::ErrorCode error) {
+  return error == gs::wire::ErrorCode::kSamplesLost || error == gs::wire::ErrorCode::kWatchdog ||
+         error == gs::wire::ErrorCode::kSettingsArea || error == gs::wire::ErrorCode::kClock;
+}
+
 // Plays a plan from its first tick to its last. What goes wrong with one outlet is that outlet's
 // fault, and the others go on; what goes wrong with the bench ends the run.
 class Player {
@@ -189,6 +210,11 @@ class Player {
     for (const link::Received& received : messages_) {
       if (received.outlet < heard_tick_.size()) {
         heard_tick_[received.outlet] = tick + static_cast<std::int64_t>(count);
+        if (received.message.kind == gs::wire::UplinkKind::kError &&
+            spoils_a_run(received.message.error.code)) {
+          note(outlets[received.outlet],
+               std::string("tells: ") + gs::wire::to_string(received.message.error.code));
+        }
       }
     }
     leave_out_second_lives();
@@ -237,6 +263,10 @@ class Player {
         note(outlets[i], "did not answer to its settings");
       } else if (!answer.accepted) {
         note(outlets[i], "refused its settings: " + answer.reason);
+      }
+      const std::string failed = failed_parts(capture_.self_test_failed(i));
+      if (!failed.empty()) {
+        note(outlets[i], "fails its self test: " + failed);
       }
     }
   }
@@ -290,11 +320,6 @@ record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
     return record;
   }
   record.firmware = link::version_text(hello.firmware_version);
-  if (hello.protocol_version != gs::wire::kProtocolVersion) {
-    note(record, "speaks protocol " + std::to_string(hello.protocol_version) + ", not " +
-                     std::to_string(gs::wire::kProtocolVersion));
-    return record;
-  }
   if (hello.sample_rate_hz != plan.stimulus.sample_rate_hz ||
       hello.nominal_hz != static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz))) {
     note(record, "samples at " + std::to_string(hello.sample_rate_hz) + " Hz for mains of " +
@@ -308,6 +333,8 @@ record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
   record.settings = described(message.settings);
   record.settings["tracker_delay_s"] = static_cast<double>(hello.tracker_delay_s);
   record.settings["voltage_delay_s"] = static_cast<double>(hello.voltage_delay_s);
+  require(link.send(i, message));
+  message.kind = gs::wire::DownlinkKind::kAskSelfTest;
   require(link.send(i, message));
   return record;
 }
@@ -330,7 +357,7 @@ std::vector<record::OutletRecord> claim_outlets(const profile::Plan& plan, Stati
 
 // Brings what an outlet said onto the run's time base, into its record.
 void collect(std::size_t i, const Station& station, const capture::Markers& markers,
-             std::int64_t plan_ticks, std::int64_t sample_rate_hz, capture::Capture& capture,
+             const record::RunRecord& run, capture::Capture& capture,
              record::OutletRecord& outlet) {
   capture::OutletClock clock;
   if (!station.outlets_count_ticks()) {
@@ -338,18 +365,18 @@ void collect(std::size_t i, const Station& station, const capture::Markers& mark
     if (delay_s == outlet.settings.end()) {
       return;  // it was not spoken to: what it said may mean anything
     }
-    const auto rate_hz = static_cast<double>(sample_rate_hz);
+    const auto rate_hz = static_cast<double>(run.sample_rate_hz);
     capture::VoltageTrace voltage = capture.voltage_trace(i);
     voltage.window_samples = 2.0 * delay_s->second * rate_hz;
     const auto alignment = capture::align(voltage, markers, rate_hz);
     if (alignment) {
       clock = alignment->clock;
       outlet.clock = alignment->told;
-    } else {
+    } else if (!run.interrupted) {
       note(outlet, "did not show the marks before the run in its voltage: its time is not known");
     }
   }
-  capture.move_into(i, clock, plan_ticks, outlet);
+  capture.move_into(i, clock, run.duration_ticks, outlet);
 }
 
 void set_error(record::RunRecord& run, const std::string& reason) {
@@ -364,7 +391,9 @@ void judge_all(const profile::Plan& plan, const waveform::Truth& truth, Station&
     judge::BenchUncertainty uncertainty = station.uncertainty();
     uncertainty.outlet_clock_ms =
         std::hypot(uncertainty.outlet_clock_ms, outlet.clock.uncertainty_ms);
-    judge::judge_outlet(plan, truth, uncertainty, outlet);
+    if (!outlet.settings.empty()) {  // else nobody spoke with it, and there is nothing to judge
+      judge::judge_outlet(plan, truth, uncertainty, outlet);
+    }
     if (!outlet.fault.empty()) {
       outlet.verdict = Verdict::kError;
     }
@@ -404,8 +433,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
     }
   }
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
-    collect(i, station, player.markers(), plan.duration_ticks(), plan.stimulus.sample_rate_hz,
-            capture, run.outlets[i]);
+    collect(i, station, player.markers(), run, capture, run.outlets[i]);
   }
   if (run.verdict == Verdict::kError) {
     for (record::OutletRecord& outlet : run.outlets) {

@@ -1,10 +1,25 @@
 #include "emulated_station.hpp"
+#include <link_mqtt/mqtt_link.hpp>
+#include <link_serial/serial_link.hpp>
 
 #include <algorithm>
+#include <fstream>
 
+#include <link/combined_link.hpp>
 #include <station/stations.hpp>
 
 namespace gsbench::station {
+namespace {
+
+std::string first_line(const std::string& path) {
+  std::string line;
+  if (!path.empty() && !std::getline(std::ifstream(path), line)) {
+    throw profile::ConfigurationError(path + ": no password can be read");
+  }
+  return line;
+}
+
+}  // namespace
 
 std::unique_ptr<Station> make_station(const profile::StationSpec& spec, const profile::Plan& plan,
                                       const SimulatedOptions& simulated) {
@@ -22,8 +37,25 @@ std::unique_ptr<Station> make_station(const profile::StationSpec& spec, const pr
       "monitor` work on it");
 }
 
-std::unique_ptr<link::Link> make_link(const profile::StationSpec& spec) {
-  return link_of(spec.serial_ports, spec.baud, spec.broker, true);
+std::unique_ptr<link::Link> make_link(const profile::StationSpec& spec, bool looking) {
+  std::vector<std::unique_ptr<link::Link>> links;
+  if (!spec.serial_ports.empty()) {
+    link::SerialOptions options;
+    options.ports = spec.serial_ports;
+    options.baud = spec.baud;
+    options.skip_silent = looking;
+    links.push_back(std::make_unique<link::SerialLink>(options));
+  }
+  if (!spec.broker.url.empty()) {
+    link::MqttOptions options;
+    options.url = spec.broker.url;
+    options.ca_file = spec.broker.ca_file;
+    options.user = spec.broker.user;
+    options.password = first_line(spec.broker.password_file);
+    options.outlets = spec.broker.outlets;
+    links.push_back(std::make_unique<link::MqttLink>(options));
+  }
+  return std::make_unique<link::CombinedLink>(std::move(links));
 }
 
 profile::Plan fit_to_station(const profile::StationSpec& spec, const profile::Plan& plan) {

@@ -163,10 +163,18 @@ std::vector<std::string> Desk::serial_ports() const {
   return ports;
 }
 
+std::vector<std::string> Desk::serial_ids() const {
+  return ids_on(Connection::kSerial);
+}
+
 std::vector<std::string> Desk::mqtt_ids() const {
+  return ids_on(Connection::kMqtt);
+}
+
+std::vector<std::string> Desk::ids_on(Connection connection) const {
   std::vector<std::string> ids;
   for (const DeskOutlet& outlet : options_.outlets) {
-    if (outlet.connection == Connection::kMqtt) {
+    if (outlet.connection == connection) {
       ids.push_back(outlet.id);
     }
   }

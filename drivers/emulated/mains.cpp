@@ -212,6 +212,10 @@ Result<std::unique_ptr<Mains>> Mains::create(const MainsOptions& options) {
   return std::unique_ptr<Mains>(new Mains(std::move(impl)));
 }
 
+gs::terminals::Terminals& Mains::terminals(std::size_t outlet) {
+  return impl_->shared.outlets.at(outlet).terminal.terminals();
+}
+
 const std::string& Mains::terminal_path(std::size_t outlet) const {
   return impl_->shared.outlets.at(outlet).terminal.path();
 }

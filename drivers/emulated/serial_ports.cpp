@@ -14,6 +14,8 @@ namespace gsbench::emulated {
 namespace {
 
 constexpr const char* kLibrary = "libgsbench-pty.so";
+// Set for the program begun anew: it does not begin anew again.
+constexpr const char* kBegunAnew = "GSBENCH_BEGUN_ANEW";
 
 std::vector<std::string> own_arguments() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
@@ -39,6 +41,14 @@ drivers::Status restart_with_pseudo_terminals() {
   if (error || !std::filesystem::exists(library, error)) {
     return drivers::Error{library.string() + " is missing: emulated serial ports need it"};
   }
+  if (library.string().find_first_of(" :") != std::string::npos) {
+    return drivers::Error{library.string() +
+                          ": cannot be preloaded from a path with a space or a colon in it"};
+  }
+  if (std::getenv(kBegunAnew) != nullptr) {
+    return drivers::Error{library.string() + " was preloaded and has no effect"};
+  }
+  setenv(kBegunAnew, "1", 1);
   const char* before = std::getenv("LD_PRELOAD");
   const std::string preload =
       library.string() + (before != nullptr && *before != '\0' ? ':' + std::string(before) : "");

@@ -8,6 +8,13 @@ using gs::wire::Decoded;
 using gs::wire::Sequence;
 using gs::wire::UplinkKind;
 
+namespace {
+
+// What a cable repeats or swaps lies closer together: a second of measurements.
+constexpr std::uint32_t kMostRepeated = 64;
+
+}  // namespace
+
 std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, std::size_t size) {
   gs::wire::Uplink message;
   std::uint32_t sequence = 0;
@@ -27,7 +34,7 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
     }
     newest_ = std::move(hello);
     if (said_hello_ && (last_sample_ > message.sample || message.sample == 0)) {
-      note("began anew after its sample " + std::to_string(last_sample_));
+      note_new_beginning();
     }
     received_.restart();
   } else {
@@ -35,13 +42,23 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
   }
   switch (received_.take(sequence)) {
     case Sequence::Order::kDuplicate:
-      return std::nullopt;
+      if (delivery_ == Delivery::kByBroker || received_.behind() <= kMostRepeated) {
+        return std::nullopt;
+      }
+      note_new_beginning();
+      received_.restart();
+      received_.take(sequence);
+      last_sample_ = message.sample;
+      break;
     case Sequence::Order::kGap:
       note(std::to_string(received_.missed()) + " of its messages were lost before its sample " +
            std::to_string(message.sample));
       break;
     case Sequence::Order::kNext:
       break;
+  }
+  if (message.kind != UplinkKind::kHello && message.sample < last_sample_) {
+    note_new_beginning();
   }
   said_hello_ = said_hello_ || message.kind == UplinkKind::kHello;
   last_sample_ = message.sample;

@@ -91,6 +91,7 @@ void Node::note(wire::ErrorCode error, Outbox& outbox) {
 void Node::note_samples_lost(std::uint32_t count, Outbox& outbox) {
   samples_lost_ += count;
   samples_ += count;
+  outlet::lose_track(state_);
   note(wire::ErrorCode::kSamplesLost, outbox);
 }
 

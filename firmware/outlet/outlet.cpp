@@ -161,6 +161,11 @@ SettingsError apply(Config& config, State& state, const Settings& settings) {
   return SettingsError::kNone;
 }
 
+void lose_track(State& state) {
+  state.front_end = FrontEndState{};
+  state.tracker = TrackerState{};
+}
+
 bool command(State& state, bool close) {
   const bool changes = state.relay_closed != close;
   state.relay_closed = close;

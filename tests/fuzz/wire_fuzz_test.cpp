@@ -3,11 +3,20 @@
 #include "mutator.hpp"
 #include "wire_input.hpp"
 
+#include <ostream>
+
 #include <gtest/gtest.h>
 
 #include <wire/codec.hpp>
 
 namespace gsbench::fuzz {
+
+// Where GoogleTest finds it, to name its cases.
+void PrintTo(const WireFuzzer& fuzzer, std::ostream* out);
+void PrintTo(const WireFuzzer& fuzzer, std::ostream* out) {
+  *out << fuzzer.name;
+}
+
 namespace {
 
 constexpr int kMutations = 20000;

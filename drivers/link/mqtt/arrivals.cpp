@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <link/version_text.hpp>
+
 namespace gsbench::link {
 
 namespace {
@@ -172,6 +174,9 @@ std::vector<OutletPresence> Arrivals::settle() {
     const auto faults = outlet.stream.take_faults();
     if (!outlet.said_hello && outlet.trouble.empty()) {
       outlet.trouble = faults.empty() ? "does not answer" : faults.front();
+    }
+    if (outlet.trouble.empty()) {
+      outlet.trouble = protocol_fault(outlet.hello);
     }
     outlet.left_out = !outlet.trouble.empty();
     all.push_back({outlet.id, "", outlet.hello, outlet.trouble});

@@ -55,7 +55,7 @@ class Arrivals {
     std::string id;
     std::string hello_topic;
     std::string up_topic;
-    OutletStream stream;
+    OutletStream stream{Delivery::kByBroker};
     bool here = true;  // as far as the broker has told
     bool said_hello = false;
     gs::wire::Hello hello;                 // the first one

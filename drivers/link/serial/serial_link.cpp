@@ -12,6 +12,7 @@
 #include <thread>
 
 #include <link/outlet_stream.hpp>
+#include <link/version_text.hpp>
 
 namespace gsbench::link {
 
@@ -37,8 +38,9 @@ struct Line {
   Line(const std::string& path, int baud) : port(path, baud) {}
 
   Port port;
+  std::string expected_id;
   gs::wire::FrameReader reader;
-  OutletStream stream;
+  OutletStream stream{Delivery::kByCable};
   std::optional<gs::wire::Hello> hello;
   std::optional<std::size_t> outlet;  // place in what open() returned
   bool at_fault = false;              // since open(): nobody speaks with it
@@ -55,6 +57,7 @@ struct SerialLink::Impl {
   void ask();
   bool all_answered() const;
   std::vector<OutletPresence> present();
+  const Line* twin_of(const Line& line) const;
   std::string fault_of(const Line& line) const;
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
   void lose(Line& line);
@@ -75,8 +78,9 @@ struct SerialLink::Impl {
 };
 
 Status SerialLink::Impl::open_ports() {
-  for (const std::string& path : options.ports) {
-    auto line = std::make_unique<Line>(path, options.baud);
+  for (std::size_t i = 0; i < options.ports.size(); ++i) {
+    auto line = std::make_unique<Line>(options.ports[i], options.baud);
+    line->expected_id = i < options.ids.size() ? options.ids[i] : "";
     Status opened = line->port.open();
     if (opened.ok()) {
       lines.push_back(std::move(line));
@@ -104,16 +108,24 @@ bool SerialLink::Impl::all_answered() const {
   return true;
 }
 
+const Line* SerialLink::Impl::twin_of(const Line& line) const {
+  for (const auto& other : lines) {
+    if (other.get() != &line && line.hello && other->hello &&
+        other->hello->id == std::string(line.hello->id)) {
+      return other.get();
+    }
+  }
+  return nullptr;
+}
+
 std::string SerialLink::Impl::fault_of(const Line& line) const {
   if (!line.hello) {
     return "does not answer";
   }
-  for (const auto& other : lines) {
-    if (other.get() != &line && other->hello && other->hello->id == std::string(line.hello->id)) {
-      return "is there twice: the one on " + other->port.path() + " says that it is it";
-    }
+  if (const Line* const twin = twin_of(line); twin != nullptr) {
+    return "is there twice: the one on " + twin->port.path() + " says that it is it";
   }
-  return {};
+  return protocol_fault(*line.hello);
 }
 
 std::vector<OutletPresence> SerialLink::Impl::present() {
@@ -123,12 +135,14 @@ std::vector<OutletPresence> SerialLink::Impl::present() {
       continue;
     }
     const std::string& where = line->port.path();
-    OutletPresence outlet{where, where, line->hello.value_or(gs::wire::Hello()), fault_of(*line)};
+    OutletPresence outlet{line->expected_id.empty() ? where : line->expected_id, where,
+                          line->hello.value_or(gs::wire::Hello()), fault_of(*line)};
     if (line->hello) {
       outlet.id = line->hello->id;
-      outlet.id += outlet.fault.empty() ? "" : " on " + where;
+      outlet.id += twin_of(*line) != nullptr ? " on " + where : "";
     }
     line->at_fault = !outlet.fault.empty();
+    line->stream.take_faults();  // of the opening
     line->outlet = all.size();
     outlets.push_back(line.get());
     all.push_back(std::move(outlet));

@@ -20,7 +20,7 @@ namespace {
 constexpr int kKeepAliveS = 10;
 constexpr auto kBetweenAttempts = std::chrono::milliseconds(500);
 constexpr auto kBetweenUpkeep = std::chrono::milliseconds(100);
-constexpr std::size_t kMostWaiting = 1000;  // messages at 543 bytes at most
+constexpr std::size_t kMostWaiting = 1000;  // messages of up to wire::kLongestMessage
 constexpr int kMostInFlight = 65535;
 
 struct Library {

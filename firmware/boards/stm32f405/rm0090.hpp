@@ -59,6 +59,12 @@ struct Adc {
 constexpr std::uint32_t ADC_CR2_ADON = 1u << 0, ADC_CR2_DMA = 1u << 8, ADC_CR2_DDS = 1u << 9;
 constexpr std::uint32_t ADC_CR2_EXTSEL_TIM3_TRGO = 8u << 24, ADC_CR2_EXTEN_RISING = 1u << 28;
 
+// Common to the three converters.
+struct AdcCommon {
+  Register CSR, CCR, CDR;
+};
+constexpr std::uint32_t ADC_CCR_ADCPRE_DIV4 = 1u << 16;
+
 struct DmaStream {
   Register CR, NDTR, PAR, M0AR, M1AR, FCR;
 };
@@ -95,6 +101,9 @@ inline Usart& USART1() {
 }
 inline Adc& ADC1() {
   return block<Adc, 0x40012000u>();
+}
+inline AdcCommon& ADC() {
+  return block<AdcCommon, 0x40012300u>();
 }
 inline Gpio& GPIOA() {
   return block<Gpio, 0x40020000u>();

@@ -161,9 +161,9 @@ TEST_F(ADesk, HasNoOutletOfAnotherName) {
 
 TEST_F(ADesk, WithItsOutletGoneHasNothingToFind) {
   desk_->outlet_process(0).kill();
-  const Outcome found = run_gsbench({"devices", "--port", port(), "--json"});
-  EXPECT_EQ(found.exit_code, 0) << found.err;
-  EXPECT_EQ(nlohmann::json::parse(found.out).size(), 0U);
+  const Outcome found = run_gsbench({"devices", "--port", port()});
+  EXPECT_EQ(found.exit_code, 4) << found.err;
+  EXPECT_THAT(found.out, HasSubstr(port() + "                  ! does not answer"));
   const Outcome heard = run_gsbench({"monitor", "--port", port()});
   EXPECT_EQ(heard.exit_code, 2);
   EXPECT_THAT(heard.err, HasSubstr("no outlet answers"));

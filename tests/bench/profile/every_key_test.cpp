@@ -100,6 +100,7 @@ outlets = ["a"]
 
 TEST(Documentation, TheStationsItIsHeldAgainstAreAccepted) {
   const gsbench::test::TemporaryFolder folder;
+  folder.write("outlet.elf", "code");
   EXPECT_NO_THROW((void)load_station(folder.write("emulated.toml", kEmulatedStation)));
   EXPECT_NO_THROW((void)load_station(folder.write("physical.toml", kPhysicalStation)));
 }

@@ -46,6 +46,8 @@ constexpr const char* kEmulated = "title = \"A desk\"\nkind = \"emulated\"\n";
 constexpr const char* kPhysical = "title = \"A desk\"\nkind = \"physical\"\n";
 
 TEST_F(StationFile, OfEmulatedOutletsTakesThemWithDefaults) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "my.elf") << "code";
   const StationSpec station = load(std::string(kEmulated) +
                                    "image = \"my.elf\"\n[[outlet]]\nid = \"a\"\n[[outlet]]\n"
                                    "id = \"b\"\nboard = \"mps2-an386\"\nlink = \"serial\"\n"
@@ -102,6 +104,8 @@ TEST_F(StationFile, IsRefusedWithThePlaceAndWhatWouldBeRight) {
       {"title = \"A\"\nkind = \"simulated\"\nspeed = 3\n", "3:1", "unknown key \"speed\""},
       {"title = \"A\"\nkind = \"simulated\"\nimage = \"x\"\n", "3:9", "means nothing"},
       {emulated, "1:1", "at least one [[outlet]]"},
+      {emulated + "image = \"nowhere.elf\"\n[[outlet]]\nid = \"a\"\n", "3:9", "no such file"},
+      {emulated + "[[outlet]]\nid = \"bench\"\n", "4:6", "called on its broker"},
       {emulated + "[[outlet]]\n", "3:1", "id"},
       {emulated + "[[outlet]]\nid = \"a b\"\n", "4:6", "letters, digits"},
       {emulated + "[[outlet]]\nid = \"" + std::string(33, 'a') + "\"\n", "4:6", "at most 32"},
@@ -119,7 +123,13 @@ TEST_F(StationFile, IsRefusedWithThePlaceAndWhatWouldBeRight) {
       {physical + "[serial]\nports = [\"p\"]\nbaud = 300\n", "5:8", "9600"},
       {physical + "[mqtt]\n", "3:1", "url"},
       {physical + "[mqtt]\nurl = \"http://b\"\n", "4:7", "mqtts://host:port"},
+      {physical + "[mqtt]\nurl = \"mqtts://b\"\n", "4:7", "mqtts://host:port"},
+      {physical + "[mqtt]\nurl = \"mqtts://b:70000\"\n", "4:7", "mqtts://host:port"},
       {physical + "[mqtt]\nurl = \"mqtts://b:8883\"\n", "3:1", "ca_file"},
+      {physical + "[mqtt]\nurl = \"mqtt://b:1883\"\noutlets = [\"a\", \"b+c/#\"]\n", "5:17",
+       "no outlet's id"},
+      {physical + "[mqtt]\nurl = \"mqtt://b:1883\"\noutlets = [\"a\", \"a\"]\n", "5:17",
+       "named already"},
       {physical + "[[outlet]]\nid = \"a\"\n", "3:1", "means nothing"},
   };
   for (const Refused& refused : all) {

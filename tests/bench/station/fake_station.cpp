@@ -1,5 +1,7 @@
 #include "fake_station.hpp"
 
+#include <link/version_text.hpp>
+
 namespace gsbench::station::test {
 
 using drivers::Done;
@@ -52,6 +54,7 @@ drivers::Result<std::vector<link::OutletPresence>> FakeStation::open() {
     present[i].hello.nominal_hz = 50;
     present[i].hello.tracker_delay_s = 0.028F;
     if (is_last(i)) present[i].hello.protocol_version = script_.protocol_version;
+    present[i].fault = link::protocol_fault(present[i].hello);
   }
   sent_.resize(present.size());
   answered_.resize(present.size());

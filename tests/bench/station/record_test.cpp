@@ -113,11 +113,11 @@ TEST(RunRecord, SendsACommandWhenItIsDueToThoseItIsForAndMarksIt) {
                      "[[command]]\nat_s = 0.5\nswitch = \"on\"\n",
                      "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n"),
           station, {});
-  // Settings first.
-  EXPECT_EQ(station.sent_to(0).size(), 2U);
-  ASSERT_EQ(station.sent_to(1).size(), 3U);
-  EXPECT_FALSE(station.sent_to(1)[1].close_relay);
-  EXPECT_TRUE(station.sent_to(1)[2].close_relay);
+  // Settings and the self test first.
+  EXPECT_EQ(station.sent_to(0).size(), 3U);
+  ASSERT_EQ(station.sent_to(1).size(), 4U);
+  EXPECT_FALSE(station.sent_to(1)[2].close_relay);
+  EXPECT_TRUE(station.sent_to(1)[3].close_relay);
   std::vector<std::int64_t> ticks;
   for (const record::Mark& mark : record.outlets[1].marks) {
     if (mark.kind == "command") ticks.push_back(mark.tick);

@@ -28,7 +28,7 @@ bool takes(OutletStream& stream, const Bytes& bytes) {
 }
 
 TEST(OutletStream, TakesAFirstHelloThatComesTwiceOnce) {
-  OutletStream stream;
+  OutletStream stream(Delivery::kByBroker);
   const Bytes hello = message(UplinkKind::kHello, 0, 0);
   EXPECT_TRUE(takes(stream, hello));
   EXPECT_FALSE(takes(stream, hello));
@@ -37,7 +37,7 @@ TEST(OutletStream, TakesAFirstHelloThatComesTwiceOnce) {
 }
 
 TEST(OutletStream, TellsOfAnOutletThatSaysTheSameHelloAfterMore) {
-  OutletStream stream;
+  OutletStream stream(Delivery::kByBroker);
   const Bytes hello = message(UplinkKind::kHello, 0, 0);
   EXPECT_TRUE(takes(stream, hello));
   EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
@@ -47,16 +47,54 @@ TEST(OutletStream, TellsOfAnOutletThatSaysTheSameHelloAfterMore) {
 }
 
 TEST(OutletStream, TellsOfMessagesThatWereLost) {
-  OutletStream stream;
+  OutletStream stream(Delivery::kByBroker);
   EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
   EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 384, 3)));
   EXPECT_THAT(stream.take_faults(), ElementsAre(HasSubstr("2 of its messages were lost")));
 }
 
 TEST(OutletStream, TellsOfWhatCannotBeRead) {
-  OutletStream stream;
+  OutletStream stream(Delivery::kByBroker);
   EXPECT_FALSE(takes(stream, {0xFF, 0x00}));
   EXPECT_THAT(stream.take_faults(), ElementsAre(HasSubstr("cannot be read")));
+}
+
+// What has a number from long ago is new, and the hello that should have come before it was lost.
+TEST(OutletStream, TellsOfANewBeginningWhoseHelloWasLost) {
+  OutletStream stream(Delivery::kByCable);
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 12800, 100)));
+  stream.take_faults();
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 384, 3)));
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 512, 4)));
+  EXPECT_THAT(stream.take_faults(), ElementsAre("began anew after its sample 12800"));
+}
+
+TEST(OutletStream, TellsOfANewBeginningWhoseNumbersFit) {
+  OutletStream stream(Delivery::kByCable);
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128000, 1)));
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
+  EXPECT_THAT(stream.take_faults(), ElementsAre("began anew after its sample 128000"));
+}
+
+TEST(OutletStream, DropsWhatACableRepeatsOrSwaps) {
+  OutletStream stream(Delivery::kByCable);
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
+  EXPECT_FALSE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
+  EXPECT_FALSE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
+  EXPECT_THAT(stream.take_faults(), IsEmpty());
+}
+
+TEST(OutletStream, DropsWhatABrokerBringsAgain) {
+  OutletStream stream(Delivery::kByBroker);
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
+  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
+  EXPECT_FALSE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
+  EXPECT_THAT(stream.take_faults(), IsEmpty());
 }
 
 }  // namespace

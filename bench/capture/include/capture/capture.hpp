@@ -31,6 +31,8 @@ class Capture {
   void add_command(std::size_t outlet, std::int64_t tick, bool close);
 
   const SettingsAnswer& settings_answer(std::size_t outlet) const;
+  // Bits of gs::wire::SelfTestPart; 0 also where no result came.
+  std::uint32_t self_test_failed(std::size_t outlet) const;
   // Stamp of the newest measurement; 0 before the first.
   std::uint64_t last_report_sample(std::size_t outlet) const;
   VoltageTrace voltage_trace(std::size_t outlet) const;  // its window is for the caller to set
@@ -47,6 +49,7 @@ class Capture {
     std::vector<float> loss_instant_s;  // of each estimate, against its event
     std::vector<std::int64_t> event_sample;
     SettingsAnswer settings_answer;
+    std::uint32_t self_test_failed = 0;
     std::int64_t newest_event_sample = 0;
   };
 

@@ -15,8 +15,9 @@ namespace gsbench::station {
 std::unique_ptr<Station> make_station(const profile::StationSpec& spec, const profile::Plan& plan,
                                       const SimulatedOptions& simulated);
 
-// To the outlets of a physical station; ports without an outlet are left out.
-std::unique_ptr<link::Link> make_link(const profile::StationSpec& spec);
+// To the outlets of a physical station. `looking`: ports without an outlet are left out, not at
+// fault.
+std::unique_ptr<link::Link> make_link(const profile::StationSpec& spec, bool looking);
 
 // A station with fewer outlets than the profile asks for plays to some of each group: the plan with
 // just those. Throws profile::ConfigurationError where a group would be left without one.

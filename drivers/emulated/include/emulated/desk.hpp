@@ -15,6 +15,10 @@
 #include <emulated/null_modem.hpp>
 #include <process/child.hpp>
 
+namespace gs::terminals {
+struct Terminals;
+}
+
 namespace gsbench::emulated {
 
 enum class Board { kMps2An386, kHost };
@@ -54,6 +58,7 @@ class Desk {
 
   // The bench's ends, in the order of the outlets on serial lines.
   std::vector<std::string> serial_ports() const;
+  std::vector<std::string> serial_ids() const;
   // Those behind the broker, in their order.
   std::vector<std::string> mqtt_ids() const;
   broker::PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
@@ -62,10 +67,12 @@ class Desk {
   process::Child& outlet_process(std::size_t outlet) { return processes_.at(outlet); }
   drivers::Status restart_outlet(std::size_t outlet);
   NullModem& cable(std::size_t outlet) { return *cables_.at(outlet); }
+  gs::terminals::Terminals& terminals(std::size_t outlet) { return mains_->terminals(outlet); }
 
  private:
   explicit Desk(const DeskOptions& options);
   drivers::Status set_up();
+  std::vector<std::string> ids_on(Connection connection) const;
   drivers::Status plug_in(std::size_t outlet);
   drivers::Result<process::Child> start_process(std::size_t outlet) const;
   drivers::Result<process::Command> command_of(std::size_t outlet) const;

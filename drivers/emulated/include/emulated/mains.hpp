@@ -13,6 +13,10 @@
 #include <relay/relay_sense.hpp>
 #include <source/source.hpp>
 
+namespace gs::terminals {
+struct Terminals;
+}
+
 namespace gsbench::emulated {
 
 struct MainsOutlet {
@@ -36,6 +40,9 @@ class Mains {
   // For the outlet's process.
   const std::string& terminal_path(std::size_t outlet) const;
   const std::string& doorbell_path(std::size_t outlet) const;
+
+  // For faults on purpose.
+  gs::terminals::Terminals& terminals(std::size_t outlet);
 
   // These live as long as the mains.
   source::Source& source();

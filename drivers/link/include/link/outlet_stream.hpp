@@ -13,10 +13,17 @@
 
 namespace gsbench::link {
 
+// What a link may do to messages: on a cable one may come twice or behind the next, a broker may
+// bring all again that have not been acknowledged.
+enum class Delivery : std::uint8_t { kByCable, kByBroker };
+
 class OutletStream {
  public:
+  explicit OutletStream(Delivery delivery) : delivery_(delivery) {}
+
   // One whole message. Nothing for a duplicate, and where it cannot be read: then a fault is noted.
-  // An outlet that begins anew says hello unasked.
+  // An outlet that begins anew says hello unasked; where that was lost, its numbers and samples
+  // tell.
   std::optional<gs::wire::Uplink> take(const std::uint8_t* message, std::size_t size);
 
   // Any other fault of this outlet's, such as a frame with a wrong CRC.
@@ -27,6 +34,9 @@ class OutletStream {
   std::vector<std::uint8_t> encode(const gs::wire::Downlink& message);
 
  private:
+  void note_new_beginning() { note("began anew after its sample " + std::to_string(last_sample_)); }
+
+  Delivery delivery_;
   gs::wire::Sequence received_;
   std::uint32_t sent_ = 0;
   bool said_hello_ = false;

@@ -75,6 +75,10 @@ bool configure(const Hardware& hardware, Config& config);
 // New settings; refused ones leave the old ones in force. An event under way is given up.
 SettingsError apply(Config& config, State& state, const Settings& settings);
 
+// Samples are missing before the next: the frequency is looked for anew, and an event under way is
+// given up, for neither phase nor time go on over them.
+void lose_track(State& state);
+
 // Criterion (3): returns true where the relay changed.
 bool command(State& state, bool close);
 

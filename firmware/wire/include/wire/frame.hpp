@@ -55,11 +55,15 @@ class Sequence {
   Order take(std::uint32_t sequence);
   void restart() { started_ = false; }  // the other side did
   std::uint32_t missed() const { return missed_; }
+  std::uint32_t behind() const {
+    return behind_;
+  }  // the newest duplicate, of what is expected next
 
  private:
   bool started_ = false;
   std::uint32_t next_ = 0;
   std::uint32_t missed_ = 0;
+  std::uint32_t behind_ = 0;
 };
 
 }  // namespace gs::wire

@@ -1,14 +1,17 @@
 // Outlets and their cables that fail in a run, with the real parts. What is asked of each run is in
 // desk_of_four.cpp.
 #include "desk_of_four.hpp"
+#include "plans.hpp"
 #include <test_support/temporary_folder.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
 #include <ostream>
 
 #include <emulated/mains.hpp>
 #include <process/child.hpp>
+#include <terminals/terminals.hpp>
 
 namespace gsbench::station::test {
 namespace {
@@ -139,11 +142,13 @@ TEST_F(OutletFault, OneOfAnotherProtocolVersionIsNotSpokenTo) {
   EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty()) << "what it says may mean anything";
 }
 
-TEST_F(OutletFault, OneThatNeverSaysHelloIsKnownByItsPortAndTheOthersArePlayedTo) {
+TEST_F(OutletFault, OneThatNeverSaysHelloIsPlayedWithout) {
   desk().cable(kHost).spoil([](Bytes& bytes) { bytes.clear(); });
   play();
   expect_fault(kHost, "does not answer");
-  EXPECT_EQ(record_.outlets[kHost].id, desk().serial_ports()[kHost]);
+  EXPECT_EQ(record_.outlets[kHost].id, "host");
+  EXPECT_EQ(record_.outlets[kHost].link, desk().serial_ports()[kHost]);
+  EXPECT_TRUE(record_.outlets[kHost].measurements.empty()) << "nothing was played to it";
   EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty());
 }
 
@@ -208,6 +213,49 @@ TEST_F(OutletFault, ATwinThatComesInTheMiddleIsToldOfItsIdAlone) {
   });
   play();
   expect_fault(kRadioB, "is there twice: ");
+}
+
+TEST_F(OutletFault, OneWithoutItsCrystalIsTold) {
+  desk().terminals(kM4).crystal_fails = 1;
+  kill_and_restart(kM4);
+  play();
+  expect_fault(kM4, "crystal");  // its own word, or its self test's
+}
+
+TEST_F(OutletFault, SamplesThatAnOutletCouldNotTakeAreTold) {
+  at(0.4, [&] { ASSERT_EQ(::kill(desk().outlet_process(kHost).pid(), SIGSTOP), 0); });
+  at(0.5, [&] {
+    // Longer than its ring holds, and shorter than silence is minded.
+    desk().terminals(kHost).written += 2 * gs::terminals::kRingSamples;
+    ASSERT_EQ(::kill(desk().outlet_process(kHost).pid(), SIGCONT), 0);
+  });
+  play();
+  expect_fault(kHost, "tells: samples lost");
+}
+
+// A desk lists its outlets as it likes: what is heard, sensed and played is of the same one.
+TEST_F(OutletFault, NoneWhereTheDeskListsRadiosFirst) {
+  profile::StationSpec spec = desk_of_four();
+  std::rotate(spec.emulated.begin(), spec.emulated.begin() + 2, spec.emulated.end());
+  plan_ = plan(1.5, "noise_pct = 1.0\n",
+               "[[outlet]]\nid = \"cut\"\n[[outlet]]\ncount = 3\nid = \"left\"\n"
+               "[[command]]\nat_s = 0.5\noutlets = [\"cut\"]\nswitch = \"off\"\n");
+  set_up(spec);
+  play();
+  expect_all_whole();
+  for (const record::OutletRecord& outlet : record_.outlets) {
+    std::vector<std::string> relay_marks;
+    for (const record::Mark& mark : outlet.marks) {
+      if (mark.kind.rfind("relay.", 0) == 0) {
+        relay_marks.push_back(mark.kind);
+      }
+    }
+    if (outlet.group == "cut") {
+      EXPECT_THAT(relay_marks, testing::UnorderedElementsAre("relay.word", "relay.sense"));
+    } else {
+      EXPECT_THAT(relay_marks, testing::IsEmpty()) << outlet.id;
+    }
+  }
 }
 
 }  // namespace

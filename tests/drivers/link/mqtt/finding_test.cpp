@@ -121,7 +121,7 @@ class Parrot {
   std::thread thread_;
 };
 
-TEST_F(FindingOutlets, PassesOnWhichProtocolVersionAnOutletSpeaks) {
+TEST_F(FindingOutlets, OneThatSpeaksAnotherProtocolIsAtFault) {
   gs::wire::Uplink hello;
   hello.hello.protocol_version = 77;
   gs::node::set_text(hello.hello.id, "a");
@@ -129,7 +129,7 @@ TEST_F(FindingOutlets, PassesOnWhichProtocolVersionAnOutletSpeaks) {
   MqttLink link(options({"a"}));
   const auto opened = link.open();
   ASSERT_TRUE(opened.ok()) << opened.error();
-  EXPECT_EQ(opened.value()[0].hello.protocol_version, 77);
+  EXPECT_EQ(opened.value()[0].fault, "speaks protocol 77, not 1");
 }
 
 TEST_F(FindingOutlets, RefusesAnOutletOnTheTopicOfAnother) {

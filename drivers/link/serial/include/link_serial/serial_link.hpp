@@ -15,6 +15,7 @@ constexpr int kSerialBaud = 921600;  // 8 data bits, no parity, 1 stop bit, no f
 
 struct SerialOptions {
   std::vector<std::string> ports;  // "/dev/ttyUSB0", in the order of the outlets
+  std::vector<std::string> ids;    // whom a port without an answer is told for; none: the port
   int baud = kSerialBaud;
   double answer_s = 3.0;  // within which each outlet says who it is
   // A port without an outlet is left out instead of at fault: for looking what is there.
