@@ -19,7 +19,6 @@ namespace {
 using gsbench::test::Bytes;
 using gsbench::test::each_message;
 using gsbench::test::every_nth_byte;
-using record::Verdict;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
