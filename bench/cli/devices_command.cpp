@@ -81,7 +81,7 @@ void add_devices(CLI::App& app, int& exit_code) {
   add_link_options(*command, arguments->link);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->footer(
-      "Exit code 4 where an outlet does not answer or is there twice.\n"
+      "Exit code 4 where an outlet does not answer, is there twice, or speaks another protocol.\n"
       "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"

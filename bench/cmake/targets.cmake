@@ -34,13 +34,14 @@ function(gs_library name)
   endif()
 endfunction()
 
+set(GSBENCH_TEST_OPTIONS
+    ""
+    CACHE STRING "For the tests alone: what is built once and run once need not be optimised")
+
 # gs_test(NAME SOURCES a.cpp … DEPENDS targets [LABEL …] [TIMEOUT s] [THREADS]): a GoogleTest
 # program, one CTest test a case. Those that have a label (`slow`, `end-to-end`) are not built for
 # the sanitizers; a slow suite keeps a short form without it. THREADS: for the thread sanitizer, too,
 # which sees only these. One label for each: gtest_discover_tests() loses a second.
-set(GSBENCH_TEST_OPTIONS
-    ""
-    CACHE STRING "For the tests alone: what is built once and run once need not be optimised")
 add_custom_target(sanitized_tests)
 add_custom_target(threaded_tests)
 function(gs_test name)
@@ -74,7 +75,6 @@ function(gs_performance_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} benchmark::benchmark gs_warnings)
-  target_compile_options(${name} PRIVATE ${GSBENCH_TEST_OPTIONS})
   target_compile_definitions(${name} PRIVATE GSBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              GSBENCH_BINARY_DIR="${PROJECT_BINARY_DIR}")
   add_test(NAME ${name} COMMAND ${name} CONFIGURATIONS Performance)

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 
 #include <link/combined_link.hpp>
 
@@ -21,6 +20,7 @@ std::string CombinedLink::name() const {
 Result<std::vector<OutletPresence>> CombinedLink::open() {
   std::vector<OutletPresence> all;
   first_ = {0};
+  at_fault_.clear();
   for (const auto& link : links_) {
     const auto present = link->open();
     if (!present.ok()) {
@@ -30,20 +30,9 @@ Result<std::vector<OutletPresence>> CombinedLink::open() {
     all.insert(all.end(), present.value().begin(), present.value().end());
     first_.push_back(all.size());
   }
-  // Each link knows its own twins.
-  std::map<std::string, std::vector<std::size_t>> places;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    places[all[i].id].push_back(i);
-  }
-  at_fault_.assign(all.size(), false);
-  for (const auto& [id, twins] : places) {
-    for (std::size_t k = 0; twins.size() > 1 && k < twins.size(); ++k) {
-      OutletPresence& outlet = all[twins[k]];
-      const OutletPresence& other = all[twins[k == 0 ? 1 : 0]];
-      outlet.fault = "is there twice: the one on " + other.where + " says that it is it";
-      outlet.id = id + " on " + outlet.where;
-      at_fault_[twins[k]] = true;
-    }
+  mark_twins(all);
+  for (const OutletPresence& outlet : all) {
+    at_fault_.push_back(!outlet.fault.empty());
   }
   return all;
 }

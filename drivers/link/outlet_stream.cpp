@@ -40,15 +40,15 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
   } else {
     newest_.clear();
   }
+  bool goes_back = message.kind != UplinkKind::kHello && message.sample < last_sample_;
   switch (received_.take(sequence)) {
     case Sequence::Order::kDuplicate:
       if (delivery_ == Delivery::kByBroker || received_.behind() <= kMostRepeated) {
         return std::nullopt;
       }
-      note_new_beginning();
+      goes_back = true;
       received_.restart();
       received_.take(sequence);
-      last_sample_ = message.sample;
       break;
     case Sequence::Order::kGap:
       note(std::to_string(received_.missed()) + " of its messages were lost before its sample " +
@@ -57,7 +57,7 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
     case Sequence::Order::kNext:
       break;
   }
-  if (message.kind != UplinkKind::kHello && message.sample < last_sample_) {
+  if (goes_back) {
     note_new_beginning();
   }
   said_hello_ = said_hello_ || message.kind == UplinkKind::kHello;

@@ -57,8 +57,6 @@ struct SerialLink::Impl {
   void ask();
   bool all_answered() const;
   std::vector<OutletPresence> present();
-  const Line* twin_of(const Line& line) const;
-  std::string fault_of(const Line& line) const;
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
   void lose(Line& line);
   void find_again();
@@ -108,44 +106,25 @@ bool SerialLink::Impl::all_answered() const {
   return true;
 }
 
-const Line* SerialLink::Impl::twin_of(const Line& line) const {
-  for (const auto& other : lines) {
-    if (other.get() != &line && line.hello && other->hello &&
-        other->hello->id == std::string(line.hello->id)) {
-      return other.get();
-    }
-  }
-  return nullptr;
-}
-
-std::string SerialLink::Impl::fault_of(const Line& line) const {
-  if (!line.hello) {
-    return "does not answer";
-  }
-  if (const Line* const twin = twin_of(line); twin != nullptr) {
-    return "is there twice: the one on " + twin->port.path() + " says that it is it";
-  }
-  return protocol_fault(*line.hello);
-}
-
 std::vector<OutletPresence> SerialLink::Impl::present() {
   std::vector<OutletPresence> all;
   for (const auto& line : lines) {
-    if (!line->hello && options.skip_silent) {
+    const std::string& where = line->port.path();
+    if (line->hello) {
+      all.push_back({line->hello->id, where, *line->hello, protocol_fault(*line->hello)});
+    } else if (!options.skip_silent) {
+      const std::string& id = line->expected_id.empty() ? where : line->expected_id;
+      all.push_back({id, where, {}, "does not answer"});
+    } else {
       continue;
     }
-    const std::string& where = line->port.path();
-    OutletPresence outlet{line->expected_id.empty() ? where : line->expected_id, where,
-                          line->hello.value_or(gs::wire::Hello()), fault_of(*line)};
-    if (line->hello) {
-      outlet.id = line->hello->id;
-      outlet.id += twin_of(*line) != nullptr ? " on " + where : "";
-    }
-    line->at_fault = !outlet.fault.empty();
     line->stream.take_faults();  // of the opening
-    line->outlet = all.size();
+    line->outlet = outlets.size();
     outlets.push_back(line.get());
-    all.push_back(std::move(outlet));
+  }
+  mark_twins(all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    outlets[i]->at_fault = !all[i].fault.empty();
   }
   return all;
 }

@@ -1,4 +1,5 @@
 // Several links as one.
+#include <cstdio>
 #include <memory>
 
 #include <gmock/gmock.h>
@@ -50,6 +51,13 @@ class Scripted final : public Link {
   bool refused_;
 };
 
+OutletPresence outlet(const char* id, const char* where) {
+  OutletPresence present{id, where, {}};
+  gs::wire::Hello& hello = present.hello;
+  std::snprintf(hello.id, sizeof hello.id, "%s", id);
+  return present;
+}
+
 class TwoLinks : public testing::Test {
  protected:
   void open(std::vector<OutletPresence> first, std::vector<OutletPresence> second) {
@@ -72,7 +80,7 @@ class TwoLinks : public testing::Test {
 };
 
 TEST_F(TwoLinks, AreOneInTheirOrder) {
-  open({{"a", "port 1", {}}, {"b", "port 2", {}}}, {{"c", "broker", {}}});
+  open({outlet("a", "port 1"), outlet("b", "port 2")}, {outlet("c", "broker")});
   ASSERT_EQ(present_.size(), 3U);
   EXPECT_EQ(present_[2].id, "c");
   EXPECT_EQ(present_[2].where, "broker");
@@ -93,8 +101,8 @@ TEST_F(TwoLinks, AreOneInTheirOrder) {
 }
 
 TEST_F(TwoLinks, WithAnOutletOfOneIdOnEachSpeakWithTheOthersAlone) {
-  open({{"a", "port 1", {}}, {"twin", "port 2", {}}},
-       {{"twin", "broker", {}}, {"c", "broker", {}}});
+  open({outlet("a", "port 1"), outlet("twin", "port 2")},
+       {outlet("twin", "broker"), outlet("c", "broker")});
   EXPECT_EQ(present_[1].id, "twin on port 2");
   EXPECT_EQ(present_[1].fault, "is there twice: the one on broker says that it is it");
   EXPECT_EQ(present_[2].id, "twin on broker");
@@ -118,7 +126,7 @@ TEST_F(TwoLinks, WithAnOutletOfOneIdOnEachSpeakWithTheOthersAlone) {
 
 TEST_F(TwoLinks, HaveNoOutletWhereOneOfThemCannotBeOpened) {
   refused_ = true;
-  open({{"a", "port 1", {}}}, {});
+  open({outlet("a", "port 1")}, {});
   EXPECT_THAT(present_, IsEmpty());
   EXPECT_FALSE(link_->send(0, {}).ok());
   std::vector<Received> messages;

@@ -1,5 +1,4 @@
-// Criteria (2) and (3) of §5.5: the switching-off frequency, and commands; and when neither it nor
-// criterion (1) may act.
+// Criteria (2) and (3) of §5.5: the switching-off frequency, and commands.
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
 
@@ -137,39 +136,6 @@ TEST(Cause, EachHasItsOwnWord) {
   EXPECT_STREQ(to_string(Cause::kLoss), "loss");
   EXPECT_STREQ(to_string(Cause::kFrequency), "frequency");
   EXPECT_STREQ(to_string(Cause::kCommand), "command");
-}
-
-// 25 ms are missing from the samples: to a tracker that does not know, a leap of the phase.
-TEST(LostSamples, GiveUpAnEventAndFindTheFrequencyAnew) {
-  test::MainsSpec spec;
-  spec.truth = test::loss_of(500.0, 1.0);
-  const test::Mains mains(spec);
-  Config config;
-  State state;
-  ASSERT_TRUE(configure(mains.hardware(), config));
-  ASSERT_EQ(apply(config, state, test::ieee24_settings()), SettingsError::kNone);
-  std::vector<Report> reports;
-  const auto feed = [&](std::int64_t tick, std::size_t count) {
-    const auto samples = mains.samples(tick, count);
-    for (std::size_t done = 0; done < count;) {
-      Report report;
-      bool ready = false;
-      done += step(config, state, samples.data() + done, count - done, report, ready);
-      if (ready) reports.push_back(report);
-    }
-  };
-  feed(0, 11200);  // 1.4 s: within the estimation
-  ASSERT_EQ(reports.back().phase, Phase::kEstimating);
-  reports.clear();
-  lose_track(state);
-  feed(11400, 8000);
-  EXPECT_NE(reports.front().happened & kAborted, 0);
-  EXPECT_EQ(reports.front().measurement.validity, Validity::kInvalid);
-  EXPECT_EQ(reports.back().measurement.validity, Validity::kValid);
-  for (const Report& report : reports) {
-    EXPECT_EQ(report.happened & kDecision, 0) << "on what is left of an event";
-    EXPECT_TRUE(report.relay_closed);
-  }
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class CombinedLink final : public Link {
  private:
   std::vector<std::unique_ptr<Link>> links_;
   std::vector<std::size_t> first_;  // outlet of each link; one more: the end
-  std::vector<bool> at_fault_;      // here, not in their own links
+  std::vector<bool> at_fault_;
 };
 
 }  // namespace gsbench::link

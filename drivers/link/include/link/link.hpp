@@ -19,6 +19,10 @@ struct OutletPresence {
   std::string fault = {};  // as in Fault; empty: none
 };
 
+// Outlets that say the same id in their hellos are all at fault, by their places: which of them was
+// meant nobody can tell.
+void mark_twins(std::vector<OutletPresence>& outlets);
+
 // What a link found wrong with one outlet. The others go on.
 struct Fault {
   std::size_t outlet = 0;  // place in what open() returned

@@ -48,7 +48,7 @@ enum Happened : std::uint8_t {
   kEstimate = 4,  // the EKF has a new estimate
   kDecision = 8,  // criterion 1 was decided, for or against
   kRelay = 16,    // the relay was told to change
-  kAborted = 32,  // an event was given up: the voltage went
+  kAborted = 32,  // an event was given up: the voltage went, or samples
 };
 
 struct Report {

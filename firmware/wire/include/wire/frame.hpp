@@ -55,9 +55,8 @@ class Sequence {
   Order take(std::uint32_t sequence);
   void restart() { started_ = false; }  // the other side did
   std::uint32_t missed() const { return missed_; }
-  std::uint32_t behind() const {
-    return behind_;
-  }  // the newest duplicate, of what is expected next
+  // How far the newest duplicate was behind what is expected next.
+  std::uint32_t behind() const { return behind_; }
 
  private:
   bool started_ = false;

@@ -1,7 +1,7 @@
 // Messages both ways over a broker that works.
 #include "outlets_on_a_broker.hpp"
 
-#include <csignal>  // NOLINT(modernize-deprecated-headers): kill() is POSIX
+#include <csignal>
 
 namespace {
 

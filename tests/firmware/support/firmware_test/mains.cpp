@@ -57,10 +57,15 @@ std::shared_ptr<const waveform::Truth> ramp(double from_hz, double to_hz, double
 
 void play(const Mains& mains, double duration_s, const outlet::Config& config, outlet::State& state,
           const std::function<void(const outlet::Report&)>& each) {
-  const std::int64_t block = 16 * mains.ticks_per_report();
   const auto end =
       static_cast<std::int64_t>(duration_s * static_cast<double>(mains.hardware().sample_rate_hz));
-  for (std::int64_t tick = 0; tick < end; tick += block) {
+  play(mains, 0, end, config, state, each);
+}
+
+void play(const Mains& mains, std::int64_t from, std::int64_t end, const outlet::Config& config,
+          outlet::State& state, const std::function<void(const outlet::Report&)>& each) {
+  const std::int64_t block = 16 * mains.ticks_per_report();
+  for (std::int64_t tick = from; tick < end; tick += block) {
     const auto count = static_cast<std::size_t>(std::min(block, end - tick));
     const std::vector<std::int16_t> samples = mains.samples(tick, count);
     std::size_t done = 0;

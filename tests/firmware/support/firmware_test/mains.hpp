@@ -46,6 +46,9 @@ std::shared_ptr<const gsbench::waveform::Truth> ramp(double from_hz, double to_h
 // Plays the first `duration_s` seconds into an outlet, and gives each report to `each`.
 void play(const Mains& mains, double duration_s, const outlet::Config& config, outlet::State& state,
           const std::function<void(const outlet::Report&)>& each);
+// From one tick to before another.
+void play(const Mains& mains, std::int64_t from, std::int64_t end, const outlet::Config& config,
+          outlet::State& state, const std::function<void(const outlet::Report&)>& each);
 
 // The reports of an outlet with these settings that is played the mains from its start-up on.
 std::vector<outlet::Report> reports_of(const Mains& mains, double duration_s,
