@@ -2,14 +2,13 @@
 // in turns within one run. Processor time, so that a busy machine tells in the ratios and not in a
 // verdict; exits with 1 where a figure falls short of what the project wants.
 #include "idle_station.hpp"
+#include "measuring.hpp"
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,16 +27,12 @@ namespace profile = gsbench::profile;
 namespace random = gsbench::random;
 namespace station = gsbench::station;
 namespace waveform = gsbench::waveform;
+using performance::judge_at_least;
+using performance::judge_at_most;
 
 constexpr int kRounds = 7;
 constexpr double kPlayedS = 60.0;
 constexpr std::size_t kBlock = 4096;
-
-double processor_s() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double wall_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -46,14 +41,10 @@ double wall_s() {
 struct Work {
   std::string name;
   std::function<void()> run;
-  double (*clock)() = processor_s;
+  double (*clock)() = performance::own_processor_s;
   std::vector<double> seconds = {};
 
-  double median() const {
-    std::vector<double> sorted = seconds;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[sorted.size() / 2];
-  }
+  double median() const { return performance::median(seconds); }
 };
 
 profile::Plan plan_for(std::size_t outlets) {
@@ -106,15 +97,6 @@ void spawn(const char* program, const char* argument) {
   posix_spawn_file_actions_destroy(&quiet);
 }
 
-bool short_of = false;
-
-void print(const char* what, double value, const char* unit, double limit, bool at_least) {
-  const bool reached = at_least ? value >= limit : value <= limit;
-  short_of = short_of || !reached;
-  std::printf("%-58s %10.3f %-12s wanted %s %g: %s\n", what, value, unit,
-              at_least ? "at least" : "at most", limit, reached ? "reached" : "FALLS SHORT");
-}
-
 }  // namespace
 
 int main() {
@@ -161,7 +143,7 @@ int main() {
               kPlayedS, static_cast<long long>(one.stimulus.sample_rate_hz));
   for (const Work& work : works) {
     std::printf("  %-40s %10.3f ms", work.name.c_str(), 1e3 * work.median());
-    if (work.clock == processor_s) {
+    if (work.clock == performance::own_processor_s) {
       std::printf("  %8.2f ns a sample", 1e9 * work.median() / samples);
     }
     std::putchar('\n');
@@ -169,11 +151,12 @@ int main() {
   const double parts_s = works[2].median() + works[3].median() + works[4].median();
   std::printf("\n  the chain takes %.2f times its parts (synthesis, noise, firmware)\n\n",
               works[0].median() / parts_s);
-  print("chain, one outlet, one core", kPlayedS / works[0].median(), "x real time", 1000, true);
-  print("chain, eight outlets, each outlet, one core", 8.0 * kPlayedS / works[1].median(),
-        "x real time", 1000, true);
-  print("a step of the station, eight outlets", 1e3 * works[5].median() / kSteps, "ms", 0.1, false);
-  print("gsbench --help, beyond an empty process", 1e3 * (works[6].median() - works[7].median()),
-        "ms", 50, false);
-  return short_of ? 1 : 0;
+  judge_at_least("chain, one outlet, one core", kPlayedS / works[0].median(), "x real time", 1000);
+  judge_at_least("chain, eight outlets, each outlet, one core", 8.0 * kPlayedS / works[1].median(),
+                 "x real time", 1000);
+  judge_at_most("a step of the station, eight outlets", 1e3 * works[5].median() / kSteps, "ms",
+                0.1);
+  judge_at_most("gsbench --help, beyond an empty process",
+                1e3 * (works[6].median() - works[7].median()), "ms", 50);
+  return performance::exit_code();
 }

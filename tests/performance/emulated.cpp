@@ -1,4 +1,5 @@
 // Emulated outlets against the clock, and the serial link beside the bare cable it runs on.
+#include "measuring.hpp"
 #include <fcntl.h>
 #include <link_serial/serial_link.hpp>
 #include <poll.h>
@@ -30,6 +31,14 @@ using gs::wire::Downlink;
 using gs::wire::DownlinkKind;
 using gs::wire::Uplink;
 using gs::wire::UplinkKind;
+using gsbench::performance::die;
+using gsbench::performance::judge_at_least;
+using gsbench::performance::judge_at_most;
+using gsbench::performance::median;
+using gsbench::performance::or_die;
+using gsbench::performance::print;
+using gsbench::performance::seconds_since;
+using gsbench::performance::wait_for;
 using std::chrono::steady_clock;
 using Bytes = std::vector<std::uint8_t>;
 
@@ -39,53 +48,6 @@ constexpr std::int64_t kRateHz = 8000;
 constexpr std::size_t kBlock = 128;  // 16 ms: one measurement
 constexpr int kRoundTrips = 1000;
 constexpr std::size_t kMessages = 200000;
-constexpr auto kPatience = std::chrono::seconds(60);
-constexpr auto kBetweenLooks = std::chrono::microseconds(20);
-
-[[noreturn]] void die(const std::string& why) {
-  std::fprintf(stderr, "%s\n", why.c_str());
-  std::exit(1);
-}
-
-template <class T>
-T or_die(drivers::Result<T> result) {
-  if (!result.ok()) {
-    die(result.error());
-  }
-  return result.take();
-}
-
-double seconds_since(steady_clock::time_point begin) {
-  return std::chrono::duration<double>(steady_clock::now() - begin).count();
-}
-
-template <class Condition>
-void wait_for(Condition condition, const char* otherwise) {
-  const auto end = steady_clock::now() + kPatience;
-  while (!condition()) {
-    if (steady_clock::now() > end) {
-      die(otherwise);
-    }
-    std::this_thread::sleep_for(kBetweenLooks);
-  }
-}
-
-bool short_of = false;
-
-void print(const char* what, double value, const char* unit) {
-  std::printf("%-62s %12.3f %s\n", what, value, unit);
-}
-
-void judge(const char* what, double value, const char* unit, bool reached, const char* wanted) {
-  short_of = short_of || !reached;
-  std::printf("%-62s %12.3f %-12s wanted %s: %s\n", what, value, unit, wanted,
-              reached ? "reached" : "FALLS SHORT");
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 // ---- sixteen emulated Cortex-M4F as fast as they go
 
@@ -154,9 +116,9 @@ void measure_sixteen_outlets() {
   for (const link::Fault& fault : faults) {
     std::printf("  outlet-%zu %s\n", fault.outlet, fault.what.c_str());
   }
-  judge("16 emulated Cortex-M4F, all measurements received", kPlayedS / wall_s, "x real time",
-        kPlayedS / wall_s >= 1.0, "at least 1");
-  judge("  faults told", static_cast<double>(faults.size()), "", faults.empty(), "none");
+  judge_at_least("16 emulated Cortex-M4F, all measurements received", kPlayedS / wall_s,
+                 "x real time", 1.0);
+  judge_at_most("  faults told", static_cast<double>(faults.size()), "", 0.0);
 }
 
 // ---- a round trip
@@ -287,7 +249,7 @@ double link_seconds() {
     std::strcpy(hello.hello.id, "outlet");
     write_all(outlet, framed(hello, 0));
     while (!opened) {
-      std::this_thread::sleep_for(kBetweenLooks);
+      std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
     say_measurements(outlet);
   });
@@ -377,6 +339,6 @@ int main() {
   print("  processor time, alike", over_link.processor_us, "us/message");
   const double line_per_s = link::kSerialBaud / 10.0 / static_cast<double>(measurement_bytes());
   const double lines = over_link.per_s / line_per_s;
-  judge("  beside what a line of 921600 baud carries", lines, "x", lines >= 1.0, "at least 1");
-  return short_of ? 1 : 0;
+  judge_at_least("  beside what a line of 921600 baud carries", lines, "x", 1.0);
+  return gsbench::performance::exit_code();
 }

@@ -1,10 +1,9 @@
 // A thousand outlets behind one broker: what the broker itself carries, what the bench's link costs
 // beside it, and how long a command takes beside raw messages, all measured in one run. Exits with
 // 1 where a figure falls short.
+#include "measuring.hpp"
+#include "mqtt_peers.hpp"
 #include <link_mqtt/mqtt_link.hpp>
-#include <mosquitto.h>
-#include <mqtt_protocol.h>
-#include <sys/resource.h>
 #include <test_support/temporary_folder.hpp>
 #include <unistd.h>
 
@@ -12,9 +11,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -29,12 +26,21 @@ namespace {
 using gs::wire::Downlink;
 using gs::wire::DownlinkKind;
 using gs::wire::UplinkKind;
-using gsbench::broker::Login;
 using gsbench::broker::PrivateBroker;
 using gsbench::link::Fault;
 using gsbench::link::MqttLink;
 using gsbench::link::MqttOptions;
 using gsbench::link::Received;
+using gsbench::performance::comes_true;
+using gsbench::performance::die;
+using gsbench::performance::judge_at_most;
+using gsbench::performance::median;
+using gsbench::performance::or_die;
+using gsbench::performance::own_processor_s;
+using gsbench::performance::print;
+using gsbench::performance::RawClient;
+using gsbench::performance::seconds_since;
+using gsbench::performance::wait_for;
 using gsbench::process::Child;
 using gsbench::test::TemporaryFolder;
 using std::chrono::steady_clock;
@@ -45,36 +51,9 @@ constexpr double kLoadedS = 10.0;
 constexpr std::size_t kSenders = 200;
 constexpr std::size_t kFlatOut = 300;     // measurements of each outlet to saturate the broker
 constexpr double kShareOfCapacity = 0.7;  // what is left over takes its uneven arrival
+constexpr auto kBetweenPolls = std::chrono::milliseconds(5);
 constexpr int kRoundTrips = 200;
-constexpr auto kPatience = std::chrono::seconds(60);
-
-template <class T>
-T or_die(gsbench::drivers::Result<T> result) {
-  if (!result.ok()) {
-    std::fprintf(stderr, "%s\n", result.error().c_str());
-    std::exit(1);
-  }
-  return result.take();
-}
-
-bool wait_for(const std::function<bool()>& condition,
-              std::chrono::microseconds pause = std::chrono::milliseconds(5)) {
-  const auto until = steady_clock::now() + kPatience;
-  while (!condition()) {
-    if (steady_clock::now() > until) {
-      return false;
-    }
-    std::this_thread::sleep_for(pause);
-  }
-  return true;
-}
-
-void demand(bool met, const char* what) {
-  if (!met) {
-    std::fprintf(stderr, "%s\n", what);
-    std::exit(1);
-  }
-}
+constexpr std::size_t kMessagesOfPrograms = 100000;
 
 // User and system time.
 double processor_s(pid_t pid) {
@@ -90,19 +69,6 @@ double processor_s(pid_t pid) {
   double system = 0.0;
   fields >> user >> system;
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
-
-double own_processor_s() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
-double seconds_since(steady_clock::time_point begin) {
-  return std::chrono::duration<double>(steady_clock::now() - begin).count();
 }
 
 std::vector<std::string> some_ids(std::size_t count) {
@@ -126,12 +92,13 @@ Child start_outlets(const PrivateBroker& broker, const std::vector<std::string>&
         broker.ca_file().empty() ? "-" : broker.ca_file(), folder.write("logins", lines),
         std::to_string(measurements), std::to_string(per_second)},
        output}));
-  demand(wait_for([&] {
-           std::string word;
-           std::ifstream(output) >> word;
-           return word == "connected";
-         }),
-         "the outlets did not connect");
+  wait_for(
+      [&] {
+        std::string word;
+        std::ifstream(output) >> word;
+        return word == "connected";
+      },
+      "the outlets did not connect");
   return outlets;
 }
 
@@ -142,53 +109,13 @@ Downlink ping(std::uint32_t token) {
   return message;
 }
 
-// ---- raw clients of libmosquitto, one thread each
-
-class RawClient {
- public:
-  using OnMessage = std::function<void(const mosquitto_message&)>;
-
-  RawClient(const PrivateBroker& broker, const Login& login, const std::string& topic,
-            OnMessage on_message)
-      : on_message_(std::move(on_message)),
-        topic_(topic),
-        client_(mosquitto_new(nullptr, true, this)) {
-    mosquitto_int_option(client_, MOSQ_OPT_PROTOCOL_VERSION, MQTT_PROTOCOL_V5);
-    mosquitto_int_option(client_, MOSQ_OPT_TCP_NODELAY, 1);
-    mosquitto_username_pw_set(client_, login.user.c_str(), login.password.c_str());
-    mosquitto_tls_set(client_, broker.ca_file().c_str(), nullptr, nullptr, nullptr, nullptr);
-    mosquitto_connect_callback_set(client_, [](mosquitto* client, void* self, int) {
-      mosquitto_subscribe(client, nullptr, static_cast<RawClient*>(self)->topic_.c_str(), 1);
-    });
-    mosquitto_subscribe_callback_set(client_, [](mosquitto*, void* self, int, int, const int*) {
-      static_cast<RawClient*>(self)->subscribed_ = true;
-    });
-    mosquitto_message_callback_set(client_,
-                                   [](mosquitto*, void* self, const mosquitto_message* message) {
-                                     static_cast<RawClient*>(self)->on_message_(*message);
-                                   });
-    mosquitto_connect(client_, "127.0.0.1", broker.port(), 30);
-    mosquitto_loop_start(client_);
-    demand(wait_for([this] { return subscribed_.load(); }), "a raw client did not connect");
-  }
-  ~RawClient() {
-    mosquitto_disconnect(client_);
-    mosquitto_loop_stop(client_, false);
-    mosquitto_destroy(client_);
-  }
-  RawClient(const RawClient&) = delete;
-  RawClient& operator=(const RawClient&) = delete;
-
-  void publish(const std::string& topic, const void* bytes, int size) {
-    mosquitto_publish(client_, nullptr, topic.c_str(), size, bytes, 1, false);
-  }
-
- private:
-  OnMessage on_message_;
-  std::string topic_;
-  std::atomic<bool> subscribed_{false};
-  mosquitto* client_;
-};
+// Of one measurement.
+std::size_t measurement_bytes() {
+  gs::wire::Uplink measurement;
+  measurement.kind = UplinkKind::kMeasurement;
+  std::uint8_t bytes[gs::wire::kLongestMessage];
+  return gs::wire::encode(measurement, 0, bytes, sizeof bytes);
+}
 
 // ---- what is measured
 
@@ -212,7 +139,7 @@ Capacity measure_capacity(const PrivateBroker& broker, const TemporaryFolder& fo
     bench.publish("gs/" + id + "/down", bytes, static_cast<int>(size));
   }
   const std::size_t all = kSenders * (kFlatOut + 1);  // the answer to the ping, too
-  demand(wait_for([&] { return came >= all; }), "the broker lost messages");
+  wait_for([&] { return came >= all; }, "the broker lost messages");
   const double wall_s = seconds_since(begin);
   const double broker_s = processor_s(broker.pid()) - before;
   return {static_cast<double>(all) / wall_s, static_cast<double>(all) / broker_s,
@@ -239,7 +166,9 @@ Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, 
   options.search = std::chrono::seconds(3);
   MqttLink link(options);
   const auto opened = or_die(link.open());
-  demand(opened.size() == count, "not all outlets were found");
+  if (opened.size() != count) {
+    die("not all outlets were found");
+  }
 
   Carried result{count, count * each};
   const double broker_before = processor_s(broker.pid());
@@ -251,7 +180,7 @@ Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, 
   std::vector<Received> messages;
   std::vector<Fault> faults;
   std::size_t other = 0;
-  wait_for([&] {
+  const auto all_came = [&] {
     messages.clear();
     or_die(link.poll(messages, faults));
     for (const Received& received : messages) {
@@ -260,7 +189,8 @@ Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, 
       other += measured ? 0 : 1;
     }
     return result.measurements >= result.said && other >= count;
-  });
+  };
+  comes_true(all_came, kBetweenPolls);  // what did not is told as lost
   result.wall_s = seconds_since(begin);
   result.broker_s = processor_s(broker.pid()) - broker_before;
   result.bench_s = own_processor_s() - bench_before;
@@ -269,11 +199,6 @@ Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, 
     std::printf("  %s: %s\n", ids[faults[i].outlet].c_str(), faults[i].what.c_str());
   }
   return result;
-}
-
-double median_ms(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  return 1000.0 * seconds[seconds.size() / 2];
 }
 
 double link_round_trip_ms(const PrivateBroker& broker, const TemporaryFolder& folder) {
@@ -288,16 +213,15 @@ double link_round_trip_ms(const PrivateBroker& broker, const TemporaryFolder& fo
     messages.clear();
     const auto begin = steady_clock::now();
     or_die(link.send(0, ping(static_cast<std::uint32_t>(i))));
-    demand(wait_for(
-               [&] {
-                 or_die(link.poll(messages, faults));
-                 return !messages.empty();
-               },
-               std::chrono::microseconds(20)),
-           "a ping was not answered");
+    wait_for(
+        [&] {
+          or_die(link.poll(messages, faults));
+          return !messages.empty();
+        },
+        "a ping was not answered");
     taken.push_back(seconds_since(begin));
   }
-  return median_ms(taken);
+  return 1000.0 * median(taken);
 }
 
 double raw_round_trip_ms(const PrivateBroker& broker) {
@@ -314,24 +238,10 @@ double raw_round_trip_ms(const PrivateBroker& broker) {
   for (int i = 0; i < kRoundTrips; ++i) {
     const auto begin = steady_clock::now();
     bench.publish("gs/outlet-0/down", &i, sizeof i);
-    demand(wait_for([&] { return answers > i; }, std::chrono::microseconds(20)),
-           "a raw message was not answered");
+    wait_for([&] { return answers > i; }, "a raw message was not answered");
     taken.push_back(seconds_since(begin));
   }
-  return median_ms(taken);
-}
-
-bool short_of = false;
-
-void print(const char* what, double value, const char* unit) {
-  std::printf("%-62s %10.3f %s\n", what, value, unit);
-}
-
-void judge(const char* what, double value, const char* unit, double most) {
-  const bool reached = value <= most;
-  short_of = short_of || !reached;
-  std::printf("%-62s %10.3f %-10s wanted at most %g: %s\n", what, value, unit, most,
-              reached ? "reached" : "FALLS SHORT");
+  return 1000.0 * median(taken);
 }
 
 }  // namespace
@@ -351,6 +261,10 @@ int main() {
   print("the broker flat out, 200 outlets to one raw client", capacity.per_second, "messages/s");
   print("  of its own processor time", capacity.per_processor_second, "messages/s");
   print("  the raw client's processor time by the broker's", capacity.client_share, "");
+  print("the same from mosquitto_pub to mosquitto_sub, one of each",
+        gsbench::performance::programs_per_second(broker, "outlet-0", kMessagesOfPrograms,
+                                                  measurement_bytes(), folder),
+        "messages/s");
   const auto carried_outlets = std::min(
       kOutlets, static_cast<std::size_t>(kShareOfCapacity * capacity.per_second / kPerSecond));
 
@@ -367,8 +281,9 @@ int main() {
   print("  per second", static_cast<double>(carried.measurements) / carried.wall_s, "messages/s");
   print("  processor time of the broker", carried.broker_s, "s");
   print("  processor time of the bench", carried.bench_s, "s");
-  judge("  measurements lost", static_cast<double>(carried.said - carried.measurements), "", 0.0);
-  judge("  faults told", static_cast<double>(carried.faults), "", 0.0);
-  judge("  the bench's time by the broker's", carried.bench_s / carried.broker_s, "", 0.5);
-  return short_of ? 1 : 0;
+  judge_at_most("  measurements lost", static_cast<double>(carried.said - carried.measurements), "",
+                0.0);
+  judge_at_most("  faults told", static_cast<double>(carried.faults), "", 0.0);
+  judge_at_most("  the bench's time by the broker's", carried.bench_s / carried.broker_s, "", 0.5);
+  return gsbench::performance::exit_code();
 }
