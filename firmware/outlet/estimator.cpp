@@ -2,35 +2,6 @@
 #include <outlet/estimator.hpp>
 
 namespace gs::outlet {
-namespace {
-
-EkfSettings ekf_settings(const Settings& settings) {
-  EkfSettings ekf;
-  ekf.measurement_sigma_hz = settings.measurement_sigma_hz;
-  ekf.loss_sigma_mw = settings.loss_sigma_mw;
-  ekf.t_x_sigma_s = settings.t_x_sigma_s;
-  ekf.largest_loss_mw = settings.largest_loss_mw;
-  return ekf;
-}
-
-void observe_valid(const Settings& settings, EstimatorState& state, float deviation_hz) {
-  if (state.started) {
-    update(ekf_settings(settings), settings.response, state.ekf, deviation_hz,
-           kReportS * static_cast<float>(state.reports));
-    return;
-  }
-  add(state.lse, deviation_hz);
-  if (state.lse.count == settings.lse_samples) {
-    state.lse_loss_mw = k_lse_mw_per_hz_s(settings.response) * slope_hz_s(state.lse);
-    // The fall began where the drops began.
-    const float t_x_s = -kReportS * static_cast<float>(settings.event_drops);
-    start(ekf_settings(settings), state.ekf, state.lse_loss_mw, t_x_s);
-    state.started = true;
-  }
-}
-
-}  // namespace
-
 const char* to_string(Trust trust) {
   switch (trust) {
     case Trust::kTrusted:
@@ -62,10 +33,9 @@ void observe(const Settings& settings, float nominal_hz, EstimatorState& state, 
     if (state.started && condition_met(settings, nominal_hz, line)) {
       ++state.hits;
     }
-    observe_valid(settings, state, frequency_hz - state.baseline.frequency_hz);
+    take(settings, state, frequency_hz - state.baseline.frequency_hz, state.reports);
   } else if (!state.started) {
-    // The slope needs measurements that follow one another.
-    state.lse = LseState<float>{};
+    restart_lse(state);
   }
   ++state.reports;
 }

@@ -75,7 +75,7 @@ TEST(Trust, AFrequencyThatMovedBeforeTheEventIsNotTrusted) {
 // A second loss on top of the first, which the model of one loss cannot follow.
 TEST(Trust, MeasurementsThatDoNotFollowTheModelAreNotTrusted) {
   const Deviation first = loss_of(300.0);
-  const Deviation second = loss_of(1200.0);
+  const Deviation second = loss_of(1500.0);
   const Played played =
       play([&](double t_s) { return first(t_s) + (t_s > 0.4 ? second(t_s - 0.48) : 0.0); });
   EXPECT_EQ(trust_of(played), Trust::kResidual);

@@ -6,10 +6,26 @@
 
 namespace gs::outlet {
 
+constexpr float kUnreachedHzS = 1.0e9f;  // no frequency falls so fast
+
+// The ROCOF below which the condition at a frequency is met; its row's. Below the lowest row f has
+// passed f_s already, and any further fall meets the condition; above the uppermost none does.
+// `Real`: float, or a vector of floats, one trajectory a lane.
+template <class Real>
+Real rocof_limit_hz_s(const Settings& settings, float nominal_hz, Real frequency_hz) {
+  Real limit{};
+  for (int row = settings.condition_rows - 1; row >= 0; --row) {
+    limit = select(frequency_hz >= settings.conditions[row].from_hz,
+                   Real{} + settings.conditions[row].rocof_below_hz_s, limit);
+  }
+  return select(frequency_hz < nominal_hz, limit, Real{} - kUnreachedHzS);
+}
+
 // Does a line through the newest measurements meet the row that its middle falls into? Frequency
 // and ROCOF must be of the same instant: the slope over a window held against the window's last
-// frequency counts a loss below the threshold as one above it. Above the uppermost row none is met;
-// below the lowest, f has passed f_s already and any further fall meets the condition.
-bool condition_met(const Settings& settings, float nominal_hz, const Line& line);
+// frequency counts a loss below the threshold as one above it.
+inline bool condition_met(const Settings& settings, float nominal_hz, const Line& line) {
+  return line.slope_hz_s < rocof_limit_hz_s(settings, nominal_hz, line.mean_hz);
+}
 
 }  // namespace gs::outlet

@@ -5,8 +5,7 @@
 #include <cstdint>
 
 #include <outlet/event_detector.hpp>
-#include <outlet/loss_ekf.hpp>
-#include <outlet/loss_lse.hpp>
+#include <outlet/loss_estimator.hpp>
 
 namespace gs::outlet {
 
@@ -22,14 +21,10 @@ constexpr Trust kLastTrust = Trust::kUncertain;
 
 const char* to_string(Trust trust);
 
-struct EstimatorState {
+struct EstimatorState : LossEstimator<float> {
   Baseline baseline;
-  LseState<float> lse;
-  EkfState<float> ekf;
-  float lse_loss_mw = 0.0f;
   std::uint16_t reports = 0;  // since the event; the event's own report is 0
   std::uint16_t hits = 0;     // of the load-shedding conditions
-  bool started = false;       // the LSE is done, the EKF runs
 };
 
 // With the event's own measurement as the first.
