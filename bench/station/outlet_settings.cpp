@@ -1,20 +1,15 @@
-#include <algorithm>
 #include <limits>
-#include <vector>
+#include <stdexcept>
 
 #include <grid/control_centre.hpp>
-#include <grid/sfr_model.hpp>
 #include <profile/load.hpp>
+#include <settings/grid_settings.hpp>
 #include <station/outlet_settings.hpp>
 
 namespace gsbench::station {
 namespace {
 
 using gs::outlet::Settings;
-
-// The LSE's standard deviation as a part of the threshold loss: noise and the tracker's memory
-// together, from runs of 320 … 1000 MW.
-constexpr double kLseSpread = 0.25;
 
 template <class Count>
 void set_count(const std::optional<int>& wanted, const char* what, const profile::Plan& plan,
@@ -29,19 +24,11 @@ void set_count(const std::optional<int>& wanted, const char* what, const profile
   field = static_cast<Count>(*wanted);
 }
 
-void set_conditions(const profile::Plan& plan, const grid::SfrModel& model, Settings& settings) {
-  const std::vector<grid::Condition> rows =
-      grid::conditions(model, plan.grid.threshold_hz, plan.grid.condition_row_hz);
-  if (rows.size() > gs::outlet::kMaxConditions) {
-    throw profile::ConfigurationError(plan.path + ": condition_row_hz makes " +
-                                      std::to_string(rows.size()) +
-                                      " load-shedding conditions; an outlet keeps " +
-                                      std::to_string(gs::outlet::kMaxConditions) + " at most");
-  }
-  settings.condition_rows = static_cast<std::uint8_t>(rows.size());
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    settings.conditions[row] = {static_cast<float>(rows[row].from_hz),
-                                static_cast<float>(rows[row].rocof_below_hz_s)};
+Settings settings_of(const profile::Plan& plan) {
+  try {
+    return settings::grid_settings(plan.grid);
+  } catch (const std::invalid_argument& error) {
+    throw profile::ConfigurationError(plan.path + ": " + error.what());
   }
 }
 
@@ -60,23 +47,14 @@ double switch_off_hz(const profile::Plan& plan, const profile::OutletSettings& o
 
 Settings outlet_settings(const profile::Plan& plan, const profile::Outlet& outlet,
                          std::uint32_t version) {
-  const grid::SfrModel model(plan.grid);
   const profile::OutletSettings& wanted = outlet.settings;
-  const double threshold_mw =
-      wanted.threshold_mw.value_or(grid::threshold_mw(model, plan.grid.threshold_hz));
-  Settings settings;
+  Settings settings = settings_of(plan);
   settings.version = version;
-  settings.response.gain_hz_per_mw = static_cast<float>(model.gain_hz_per_mw());
-  settings.response.sigma_per_s = static_cast<float>(model.sigma_per_s());
-  settings.response.discriminant_per_s2 = static_cast<float>(model.discriminant_per_s2());
-  settings.response.initial_slope_per_s = static_cast<float>(model.initial_slope_per_s());
-  settings.threshold_mw = static_cast<float>(threshold_mw);
-  settings.largest_loss_mw = static_cast<float>(plan.grid.base_mw);
+  if (wanted.threshold_mw) {
+    settings.threshold_mw = static_cast<float>(*wanted.threshold_mw);
+  }
   settings.accumulated_mw = static_cast<float>(wanted.accumulated_mw);
   settings.switch_off_hz = static_cast<float>(switch_off_hz(plan, wanted));
-  set_conditions(plan, model, settings);
-  settings.loss_sigma_mw = static_cast<float>(
-      kLseSpread * std::min(grid::threshold_mw(model, plan.grid.threshold_hz), plan.grid.base_mw));
   if (wanted.event_drop_hz) {
     settings.event_drop_hz = static_cast<float>(*wanted.event_drop_hz);
   }

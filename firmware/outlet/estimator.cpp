@@ -33,7 +33,8 @@ void observe(const Settings& settings, float nominal_hz, EstimatorState& state, 
     if (state.started && condition_met(settings, nominal_hz, line)) {
       ++state.hits;
     }
-    take(settings, state, frequency_hz - state.baseline.frequency_hz, state.reports);
+    take(settings, settings.response, state, frequency_hz - state.baseline.frequency_hz,
+         state.reports);
   } else if (!state.started) {
     restart_lse(state);
   }

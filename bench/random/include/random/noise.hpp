@@ -15,7 +15,14 @@ struct Stream {
   std::uint32_t index = 0;    // which one: the outlet's or trajectory's number
 };
 
-enum Purpose : std::uint32_t { kSourceNoise = 1, kRelayModel = 2, kTrajectory = 3, kTest = 100 };
+enum Purpose : std::uint32_t {
+  kSourceNoise = 1,
+  kRelayModel = 2,
+  kTrajectory = 3,
+  kTrajectoryParameters = 4,
+  kAppliance = 5,
+  kTest = 100
+};
 
 // out[i] += sigma · N(0, 1), value first+i of the stream.
 void add_gaussian(const Stream& stream, std::uint64_t first, std::size_t count, float sigma,

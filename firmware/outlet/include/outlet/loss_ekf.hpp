@@ -45,8 +45,9 @@ void start(const EkfSettings& settings, EkfState<Real>& s, Real loss_mw, Real t_
 }
 
 // One measurement: the deviation from the frequency before the event, Hz, t_s after the event.
-template <class Real>
-void update(const EkfSettings& settings, const Response& response, EkfState<Real>& s,
+// `Model`: what unit_response() takes, with its gain_hz_per_mw.
+template <class Model, class Real>
+void update(const EkfSettings& settings, const Model& response, EkfState<Real>& s,
             Real deviation_hz, float t_s) {
   const Real tau = maximum(t_s - s.t_x_s, Real{});
   const UnitResponse<Real> u = unit_response(response, tau);

@@ -39,12 +39,13 @@ void restart_lse(LossEstimator<Real>& s) {
 }
 
 // One measurement: the deviation from the frequency before the event, Hz, that many reports after
-// the event's own, which is report 0.
-template <class Real>
-void take(const Settings& settings, LossEstimator<Real>& s, Real deviation_hz, int report) {
+// the event's own, which is report 0. `response` is the settings' own in an outlet.
+template <class Model, class Real>
+void take(const Settings& settings, const Model& response, LossEstimator<Real>& s,
+          Real deviation_hz, int report) {
   const EkfSettings ekf = ekf_settings(settings);
   if (s.started) {
-    update(ekf, settings.response, s.ekf, deviation_hz, kReportS * static_cast<float>(report));
+    update(ekf, response, s.ekf, deviation_hz, kReportS * static_cast<float>(report));
     return;
   }
   add(s.lse, deviation_hz);
@@ -55,15 +56,14 @@ void take(const Settings& settings, LossEstimator<Real>& s, Real deviation_hz, i
   if (s.lse.count < settings.lse_samples) {
     return;
   }
-  s.lse_loss_mw = slope_hz_s(s.lse) * k_lse_mw_per_hz_s(settings.response);
+  s.lse_loss_mw = slope_hz_s(s.lse) * k_lse_mw_per_hz_s(response);
   // The fall began where the drops began.
   const Real t_x_s = Real{} - kReportS * static_cast<float>(settings.event_drops);
   start(ekf, s.ekf, s.lse_loss_mw, t_x_s);
   s.started = true;
   const int shared = s.lse.count < kSharedSamples ? s.lse.count : kSharedSamples;
   for (int age = shared - 1; age >= 0; --age) {
-    update(ekf, settings.response, s.ekf, s.newest_hz[age],
-           kReportS * static_cast<float>(report - age));
+    update(ekf, response, s.ekf, s.newest_hz[age], kReportS * static_cast<float>(report - age));
   }
   s.ekf.count = 0;  // of what the EKF alone was given; how far off it began stays in the residual
 }

@@ -10,12 +10,15 @@
 
 namespace gs::outlet {
 
-struct Response {
-  float gain_hz_per_mw = 0.0f;       // K, final deviation
-  float sigma_per_s = 0.0f;          // zeta·omega_n
-  float discriminant_per_s2 = 0.0f;  // d
-  float initial_slope_per_s = 0.0f;  // g0 = omega_n²·T_R
+// `Parameter`: float for an outlet; a vector of floats where each lane of a campaign has its own.
+template <class Parameter>
+struct ResponseOf {
+  Parameter gain_hz_per_mw{};       // K, final deviation
+  Parameter sigma_per_s{};          // zeta·omega_n
+  Parameter discriminant_per_s2{};  // d
+  Parameter initial_slope_per_s{};  // g0 = omega_n²·T_R
 };
+using Response = ResponseOf<float>;
 
 // |d|·τ² up to which the series hold (relative error 1e-6), and sigma·τ up to which e^(−sigma·τ)
 // does.
@@ -29,8 +32,8 @@ struct UnitResponse {
 };
 
 // τ >= 0, within the bounds above.
-template <class Real>
-UnitResponse<Real> unit_response(const Response& r, Real tau_s) {
+template <class Parameter, class Real>
+UnitResponse<Real> unit_response(const ResponseOf<Parameter>& r, Real tau_s) {
   const Real z = tau_s * tau_s * r.discriminant_per_s2;
   // Horner over 1/((2k)(2k−1)) and 1/((2k)(2k+1)).
   Real c = Real{} + 1.0f;
@@ -43,7 +46,7 @@ UnitResponse<Real> unit_response(const Response& r, Real tau_s) {
   }
   s = s * tau_s;
   const Real decay = exponential(tau_s * -r.sigma_per_s);
-  const float omega_n2 = r.discriminant_per_s2 + r.sigma_per_s * r.sigma_per_s;
+  const Parameter omega_n2 = r.discriminant_per_s2 + r.sigma_per_s * r.sigma_per_s;
   UnitResponse<Real> u;
   u.value = 1.0f - decay * (c - (r.initial_slope_per_s - r.sigma_per_s) * s);
   u.slope_per_s =
@@ -52,7 +55,8 @@ UnitResponse<Real> unit_response(const Response& r, Real tau_s) {
 }
 
 // K^LSE of eq. (18), MW per Hz/s: negative.
-inline float k_lse_mw_per_hz_s(const Response& r) {
+template <class Parameter>
+Parameter k_lse_mw_per_hz_s(const ResponseOf<Parameter>& r) {
   return -1.0f / (r.gain_hz_per_mw * r.initial_slope_per_s);
 }
 

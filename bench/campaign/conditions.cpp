@@ -1,0 +1,94 @@
+#include "kernel.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <campaign/conditions.hpp>
+#include <grid/sfr_model.hpp>
+#include <random/streams.hpp>
+#include <settings/grid_settings.hpp>
+
+namespace gsbench::campaign {
+namespace {
+
+constexpr double kReportS = 0.016;
+constexpr std::size_t kBatchesInBlock = 64;
+
+void check(const ConditionOptions& options) {
+  const Counting& counting = options.counting;
+  const auto demand = [](bool holds, const char* otherwise) {
+    if (!holds) {
+      throw std::invalid_argument(otherwise);
+    }
+  };
+  demand(counting.window >= 2 && counting.window <= 64, "a line takes 2 … 64 samples");
+  demand(counting.first >= 0 && counting.first <= 1000, "counting begins within 1000 samples");
+  demand(counting.count >= 1 && counting.count <= 1000, "1 … 1000 lines count");
+  demand(options.noise_hz >= 0.0 && options.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
+  demand(options.trajectories > 0 && options.trajectories <= kMostTrajectories,
+         "there must be 1 … 2^32 trajectories");
+}
+
+}  // namespace
+
+Counting shipped_counting(const grid::Grid& grid) {
+  const gs::outlet::Settings settings = settings::grid_settings(grid);
+  return {settings.rocof_samples, settings.lse_samples, settings.ekf_samples,
+          settings.condition_hits};
+}
+
+ConditionResult count_conditions(const grid::Grid& grid, const ConditionOptions& options,
+                                 const Execution& execution) {
+  check(options);
+  const grid::SfrModel model(grid);
+  const gs::outlet::Settings settings = settings::grid_settings(grid);
+  const auto nominal_hz = static_cast<float>(grid.nominal_hz);
+  const Counting& counting = options.counting;
+  // Lines may reach back before the loss.
+  const int before = std::max(0, counting.window - 1 - counting.first);
+  const CountedConditions counted = {counting.window, counting.first + before, counting.count};
+  const auto samples = static_cast<std::size_t>(counted.first + counted.count);
+  std::vector<float> clean;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double t_s = kReportS * (static_cast<double>(k) + 1.0 - static_cast<double>(before));
+    clean.push_back(static_cast<float>(options.loss_mw * model.unit_deviation_hz(t_s)));
+  }
+  const auto noise = options.law == NoiseLaw::kUniform ? random::add_uniform_to_each
+                                                       : random::add_gaussian_to_each;
+  const auto work = [&](std::uint64_t block, Tallies& own) {
+    std::vector<float> deviations_hz(samples * kLanes);
+    for (std::uint64_t batch = block * kBatchesInBlock; batch < (block + 1) * kBatchesInBlock;
+         ++batch) {
+      const std::uint64_t first = batch * kLanes;
+      if (first >= options.trajectories) {
+        return;
+      }
+      for (std::size_t k = 0; k < samples; ++k) {
+        std::fill_n(deviations_hz.begin() + static_cast<std::ptrdiff_t>(k * kLanes), kLanes,
+                    clean[k]);
+      }
+      noise({options.seed, random::kTrajectory, static_cast<std::uint32_t>(first)}, kLanes, samples,
+            static_cast<float>(options.noise_hz), deviations_hz.data());
+      float hits[kLanes];
+      count_conditions(settings, nominal_hz, counted, deviations_hz.data(), hits);
+      const std::uint64_t count = std::min<std::uint64_t>(kLanes, options.trajectories - first);
+      for (std::uint64_t i = 0; i < count; ++i) {
+        own[0].add(static_cast<double>(hits[i]));
+      }
+    }
+  };
+  Tallies tallies = {Tally(0.0, static_cast<double>(counting.count) + 1.0,
+                           static_cast<std::size_t>(counting.count) + 1)};
+  const std::uint64_t in_block = kBatchesInBlock * kLanes;
+  run_blocks((options.trajectories + in_block - 1) / in_block, execution, work, tallies);
+  const Tally& hits = tallies[0];
+  return {
+      static_cast<std::uint64_t>(hits.count()),
+      static_cast<std::uint64_t>(hits.count_between(static_cast<double>(counting.more_than) + 1.0,
+                                                    static_cast<double>(counting.count) + 1.0)),
+      hits};
+}
+
+}  // namespace gsbench::campaign

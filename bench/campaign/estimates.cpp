@@ -1,0 +1,276 @@
+#include "kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <campaign/estimates.hpp>
+#include <grid/control_centre.hpp>
+#include <grid/sfr_model.hpp>
+#include <outlet/front_end.hpp>
+#include <random/streams.hpp>
+#include <settings/grid_settings.hpp>
+
+namespace gsbench::campaign {
+namespace {
+
+constexpr int kSamples = kLseSamples + kEkfSamples;
+constexpr double kReportS = 0.016;
+constexpr std::size_t kBatchesInBlock = 64;
+constexpr std::size_t kTrajectoriesInBlock = kBatchesInBlock * kLanes;
+// A loss anywhere in a report: so many instants in turn, which no sum over them feels.
+constexpr std::size_t kInstants = 64;
+
+enum : std::size_t { kLse, kEkf };
+
+void check(const EstimateOptions& options) {
+  if (!(options.loss_mw > 0.0 && std::isfinite(options.loss_mw))) {
+    throw std::invalid_argument("the loss must be above 0 MW");
+  }
+  if (!(options.noise_hz >= 0.0 && options.noise_hz <= 1.0)) {
+    throw std::invalid_argument("the noise must be within 0 … 1 Hz");
+  }
+  if (!(options.parameter_error >= 0.0 && options.parameter_error <= 0.5)) {
+    throw std::invalid_argument("the parameters' error must be within 0 … 0.5");
+  }
+  if (options.trajectories == 0 || options.trajectories > kMostTrajectories) {
+    throw std::invalid_argument("there must be 1 … 2^32 trajectories");
+  }
+}
+
+// The frequency's deviation at each sample, for each instant of the loss.
+class Truth {
+ public:
+  Truth(const grid::SfrModel& model, const EstimateOptions& options)
+      : instants_(options.instant == LossInstant::kOnReport ? 1 : kInstants) {
+    for (std::size_t instant = 0; instant < instants_; ++instant) {
+      const double early =
+          instants_ == 1 ? 0.0
+                         : (static_cast<double>(instant) + 0.5) / static_cast<double>(instants_);
+      for (int k = 1; k <= kSamples; ++k) {
+        deviations_hz_.push_back(static_cast<float>(
+            options.loss_mw *
+            model.unit_deviation_hz(kReportS * (static_cast<double>(k) - early))));
+      }
+    }
+  }
+
+  const float* of_batch(std::uint64_t batch) const {
+    return deviations_hz_.data() + (batch % instants_) * static_cast<std::size_t>(kSamples);
+  }
+
+ private:
+  std::size_t instants_;
+  std::vector<float> deviations_hz_;
+};
+
+void make_batch(const EstimateOptions& options, const Truth& truth, std::uint64_t batch,
+                float* deviations_hz) {
+  const float* const clean = truth.of_batch(batch);
+  for (int k = 0; k < kSamples; ++k) {
+    std::fill_n(deviations_hz + static_cast<std::size_t>(k) * kLanes, kLanes, clean[k]);
+  }
+  const random::Stream first = {options.seed, random::kTrajectory,
+                                static_cast<std::uint32_t>(batch * kLanes)};
+  const auto noise = options.law == NoiseLaw::kUniform ? random::add_uniform_to_each
+                                                       : random::add_gaussian_to_each;
+  noise(first, kLanes, kSamples, static_cast<float>(options.noise_hz), deviations_hz);
+}
+
+// G_1, G_2, ω_n, ω_r and ∅ in turn: by which part of itself each is off.
+struct Errors {
+  Lanes of[5];
+};
+
+Errors make_errors(const EstimateOptions& options, std::uint64_t batch) {
+  float values[5 * kLanes] = {};
+  random::add_uniform_to_each(
+      {options.seed, random::kTrajectoryParameters, static_cast<std::uint32_t>(batch * kLanes)},
+      kLanes, 5, static_cast<float>(options.parameter_error), values);
+  Errors errors;
+  for (std::size_t i = 0; i < 5; ++i) {
+    errors.of[i] = load(values + i * kLanes);
+  }
+  return errors;
+}
+
+template <class Parameter>
+Parameter off_by(float value, const Parameter& error) {
+  return (error + 1.0F) * value;
+}
+
+// The estimators of one study, with all that does not change from batch to batch.
+class Estimators {
+ public:
+  Estimators(const grid::Grid& grid, const grid::SfrModel& model, const EstimateOptions& options)
+      : options_(options), settings_(estimate_settings(grid)) {
+    if (const auto parameters = grid::underdamped_parameters(model, grid.reheat_s)) {
+      paper_.gain_hz_per_mw = static_cast<float>(model.gain_hz_per_mw());
+      paper_.alpha = static_cast<float>(parameters->alpha);
+      paper_.sigma_per_s = static_cast<float>(model.sigma_per_s());
+      paper_.omega_r = static_cast<float>(parameters->omega_r);
+      paper_.phi = static_cast<float>(parameters->phi);
+    } else if (options.mode == Mode::kPaper || options.parameter_error > 0.0) {
+      throw std::invalid_argument("grid " + grid.name +
+                                  " is overdamped: the paper's parameters do not exist for it");
+    }
+    start_.lse_samples = kLseSamples;
+    start_.ekf.measurement_sigma_hz = static_cast<float>(std::max(noise_sigma_hz(options), 1e-4));
+    start_.ekf.loss_sigma_mw = static_cast<float>(options.paper_loss_sigma_mw);
+    start_.ekf.t_x_sigma_s = static_cast<float>(options.paper_t_x_sigma_s);
+    start_.ekf.largest_loss_mw = settings_.largest_loss_mw;
+    start_.t_x_s = -gs::outlet::kReportS;
+  }
+
+  static double noise_sigma_hz(const EstimateOptions& options) {
+    return options.law == NoiseLaw::kUniform ? options.noise_hz / std::sqrt(3.0) : options.noise_hz;
+  }
+
+  Estimates estimate(std::uint64_t batch, const float* deviations_hz) const {
+    Estimates estimates;
+    const bool errors = options_.parameter_error > 0.0;
+    const float k_lse = gs::outlet::k_lse_mw_per_hz_s(settings_.response);
+    if (options_.mode == Mode::kPaper) {
+      if (errors) {
+        estimate_as_paper(start_, k_lse, paper_with(make_errors(options_, batch)), deviations_hz,
+                          kSamples, estimates);
+      } else {
+        estimate_as_paper(start_, k_lse, paper_, deviations_hz, kSamples, estimates);
+      }
+    } else if (errors) {
+      estimate_as_outlet(settings_, response_with(make_errors(options_, batch)), deviations_hz,
+                         kSamples, estimates);
+    } else {
+      estimate_as_outlet(settings_, deviations_hz, kSamples, estimates);
+    }
+    return estimates;
+  }
+
+ private:
+  PaperModel<Lanes> paper_with(const Errors& e) const {
+    return {off_by(paper_.gain_hz_per_mw, e.of[0]),
+            // G_2 is off by itself, and G_1 with it.
+            off_by(paper_.alpha, e.of[1]) * (1.0F / (e.of[0] + 1.0F)),
+            off_by(paper_.sigma_per_s, e.of[2]), off_by(paper_.omega_r, e.of[3]),
+            off_by(paper_.phi, e.of[4])};
+  }
+
+  // The five contradict one another once they are off: f begins at f_0, so that G_2·sin ∅ = −G_1,
+  // and ω_r = ω_n·√(1 − ζ²). An outlet is sent four numbers, which cannot; whoever sends them has
+  // G_1, G_2 and ω_n twice each and takes the mean, by weights where the errors are unequal.
+  gs::outlet::ResponseOf<Lanes> response_with(const Errors& e) const {
+    constexpr float kOwn = 0.66F;  // the other comes by way of ∅ and has twice the variance
+    constexpr float kOther = 1.0F - kOwn;
+    const Lanes phi = off_by(paper_.phi, e.of[4]);
+    const Lanes sine = gs::outlet::sine(phi);
+    const Lanes g_1 = off_by(paper_.gain_hz_per_mw, e.of[0]);
+    const Lanes g_2 = off_by(paper_.gain_hz_per_mw * paper_.alpha, e.of[1]);
+    const Lanes gain = g_1 * kOwn - g_2 * sine * kOther;
+    const Lanes oscillation = g_2 * kOwn - g_1 / sine * kOther;
+    const Lanes pace = (e.of[2] + e.of[3]) * 0.5F + 1.0F;  // of both ω
+    const Lanes omega_r = pace * paper_.omega_r;
+    gs::outlet::ResponseOf<Lanes> response;
+    response.gain_hz_per_mw = gain;
+    response.sigma_per_s = pace * paper_.sigma_per_s;
+    response.discriminant_per_s2 = omega_r * omega_r;
+    response.initial_slope_per_s =
+        response.sigma_per_s + omega_r * oscillation / gain * gs::outlet::cosine(phi);
+    return response;
+  }
+
+  const EstimateOptions& options_;
+  gs::outlet::Settings settings_;
+  PaperModel<float> paper_;
+  PaperStart start_;
+};
+
+Tally tally_of(double loss_mw) {
+  return {0.0, 2.0 * loss_mw, 20000};
+}
+
+}  // namespace
+
+const char* to_string(Mode mode) {
+  return mode == Mode::kPaper ? "paper" : "gsbench";
+}
+
+const char* to_string(NoiseLaw law) {
+  return law == NoiseLaw::kUniform ? "uniform" : "gaussian";
+}
+
+gs::outlet::Settings estimate_settings(const grid::Grid& grid) {
+  gs::outlet::Settings settings = settings::grid_settings(grid);
+  settings.lse_samples = kLseSamples;
+  settings.ekf_samples = kEkfSamples;
+  // The first sample is the first after the loss: nothing went before to detect it by.
+  settings.event_drops = 1;
+  return settings;
+}
+
+EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
+                        const Execution& execution, const EstimateSink& sink) {
+  check(options);
+  const grid::SfrModel model(grid);
+  const Truth truth(model, options);
+  const Estimators estimators(grid, model, options);
+  Tallies tallies = {tally_of(options.loss_mw), tally_of(options.loss_mw)};
+  const std::uint64_t blocks =
+      (options.trajectories + kTrajectoriesInBlock - 1) / kTrajectoriesInBlock;
+  const auto work = [&](std::uint64_t block, Tallies& own) {
+    float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
+    for (std::uint64_t batch = block * kBatchesInBlock; batch < (block + 1) * kBatchesInBlock;
+         ++batch) {
+      const std::uint64_t first = batch * kLanes;
+      if (first >= options.trajectories) {
+        return;
+      }
+      make_batch(options, truth, batch, deviations_hz);
+      const Estimates estimates = estimators.estimate(batch, deviations_hz);
+      const std::uint64_t count = std::min<std::uint64_t>(kLanes, options.trajectories - first);
+      for (std::uint64_t i = 0; i < count; ++i) {
+        own[kLse].add(static_cast<double>(estimates.lse_mw[i]));
+        own[kEkf].add(static_cast<double>(estimates.ekf_mw[i]));
+      }
+      if (sink) {
+        sink(first, estimates.ekf_mw, count);
+      }
+    }
+  };
+  run_blocks(blocks, execution, work, tallies);
+  const double sigma_hz = Estimators::noise_sigma_hz(options);
+  const std::int64_t done = tallies[kEkf].count() + tallies[kEkf].missing();
+  return {static_cast<std::uint64_t>(done), tallies[kLse], tallies[kEkf], sigma_hz,
+          cramer_rao_mw(grid, options.loss_mw, 1, kSamples, sigma_hz)};
+}
+
+std::vector<float> trajectory(const grid::Grid& grid, const EstimateOptions& options,
+                              std::uint64_t number) {
+  check(options);
+  const Truth truth(grid::SfrModel(grid), options);
+  float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
+  make_batch(options, truth, number / kLanes, deviations_hz);
+  std::vector<float> one;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(kSamples); ++k) {
+    one.push_back(deviations_hz[k * kLanes + number % kLanes]);
+  }
+  return one;
+}
+
+double cramer_rao_mw(const grid::Grid& grid, double loss_mw, int first, int last, double sigma_hz) {
+  const grid::SfrModel model(grid);
+  // Fisher's information about (ΔP, t_x): ∂f/∂ΔP and ∂f/∂t_x = −∂f/∂t.
+  double ll = 0.0;
+  double lt = 0.0;
+  double tt = 0.0;
+  for (int k = first; k <= last; ++k) {
+    const double t_s = kReportS * static_cast<double>(k);
+    const double by_loss = model.unit_deviation_hz(t_s);
+    const double by_instant = -loss_mw * model.unit_rocof_hz_s(t_s);
+    ll += by_loss * by_loss;
+    lt += by_loss * by_instant;
+    tt += by_instant * by_instant;
+  }
+  return sigma_hz * std::sqrt(tt / (ll * tt - lt * lt));
+}
+
+}  // namespace gsbench::campaign

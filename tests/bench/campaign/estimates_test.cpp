@@ -1,0 +1,159 @@
+// The estimators over many trajectories: the paper's Tables 3, 4 and 5 in a short form, with the
+// limits that the whole of it is held to.
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include <campaign/estimates.hpp>
+#include <outlet/loss_estimator.hpp>
+#include <profile/load.hpp>
+
+namespace {
+
+using gsbench::campaign::cramer_rao_mw;
+using gsbench::campaign::estimate;
+using gsbench::campaign::EstimateOptions;
+using gsbench::campaign::EstimateResult;
+using gsbench::campaign::Execution;
+using gsbench::campaign::LossInstant;
+using gsbench::campaign::Mode;
+using gsbench::campaign::NoiseLaw;
+using gsbench::campaign::trajectory;
+
+const gsbench::grid::Grid& ieee24() {
+  static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
+  return grid;
+}
+
+EstimateOptions a_short(Mode mode, NoiseLaw law = NoiseLaw::kUniform) {
+  EstimateOptions options;
+  options.mode = mode;
+  options.law = law;
+  options.trajectories = 20000;
+  return options;
+}
+
+EstimateResult play(const EstimateOptions& options, std::size_t threads = 2) {
+  Execution execution;
+  execution.threads = threads;
+  return estimate(ieee24(), options, execution);
+}
+
+double within(const EstimateResult& result, double part) {
+  return result.ekf_mw.share_between(500.0 * (1.0 - part), 500.0 * (1.0 + part));
+}
+
+// ±0.01 Hz: σ of LSE by hand, K_LSE·σ/(T·√(n(n² − 1)/12)) = 1011.9·0.005774/(0.016·9.083).
+TEST(EstimateCampaign, TheLseSpreadsAsItsFormulaSays) {
+  const EstimateResult result = play(a_short(Mode::kGsbench));
+  EXPECT_NEAR(result.lse_mw.standard_deviation(), 40.2, 0.6);
+  EXPECT_NEAR(result.lse_mw.mean(), 479.4, 1.0);
+}
+
+TEST(EstimateCampaign, UniformNoiseIsBornAsInTable4AndBetter) {
+  for (const Mode mode : {Mode::kPaper, Mode::kGsbench}) {
+    const EstimateResult result = play(a_short(mode));
+    EXPECT_GE(within(result, 0.04), 0.999) << to_string(mode);
+    EXPECT_EQ(within(result, 0.10), 1.0) << to_string(mode);
+    EXPECT_NEAR(result.ekf_mw.mean(), 500.0, 0.5) << to_string(mode);
+  }
+}
+
+TEST(EstimateCampaign, GaussianNoiseOfTheSameFigureIsBornToo) {
+  EXPECT_GE(within(play(a_short(Mode::kGsbench, NoiseLaw::kGaussian)), 0.04), 0.99);
+}
+
+TEST(EstimateCampaign, ItsSpreadIsNearTheBoundForTheSamplesTheEkfIsGiven) {
+  const EstimateResult result = play(a_short(Mode::kGsbench));
+  const double bound_mw = cramer_rao_mw(ieee24(), 500.0, 7, 50, result.noise_sigma_hz);
+  EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * bound_mw);
+  EXPECT_GE(result.ekf_mw.standard_deviation(), result.bound_mw);  // that of all fifty
+}
+
+TEST(EstimateCampaign, WrongParametersAreBornAsInTable5AndBetter) {
+  EstimateOptions options = a_short(Mode::kGsbench);
+  options.parameter_error = 0.05;
+  EXPECT_GE(within(play(options), 0.04), 0.77);
+}
+
+// By another program, in other arithmetic: 3.585 MW for samples 1 … 50, 5.006 for 1 … 40.
+TEST(EstimateCampaign, TheBoundIsTheKnownOne) {
+  const double sigma_hz = 0.01 / std::sqrt(3.0);
+  EXPECT_NEAR(cramer_rao_mw(ieee24(), 500.0, 1, 50, sigma_hz), 3.585, 0.001);
+  EXPECT_NEAR(cramer_rao_mw(ieee24(), 500.0, 1, 40, sigma_hz), 5.006, 0.001);
+}
+
+TEST(EstimateCampaign, IsTheSameOnAnyNumberOfThreads) {
+  const EstimateResult one = play(a_short(Mode::kGsbench), 1);
+  for (const std::size_t threads : {2U, 3U}) {
+    const EstimateResult other = play(a_short(Mode::kGsbench), threads);
+    EXPECT_EQ(other.ekf_mw.mean(), one.ekf_mw.mean());
+    EXPECT_EQ(other.ekf_mw.standard_deviation(), one.ekf_mw.standard_deviation());
+    for (std::size_t bin = 0; bin < one.ekf_mw.bins(); ++bin) {
+      ASSERT_EQ(other.ekf_mw.in_bin(bin), one.ekf_mw.in_bin(bin));
+      ASSERT_EQ(other.lse_mw.in_bin(bin), one.lse_mw.in_bin(bin));
+    }
+  }
+}
+
+TEST(EstimateCampaign, ATrajectoryIsTheSameWhateverTheirNumber) {
+  EstimateOptions options = a_short(Mode::kGsbench);
+  const auto first = trajectory(ieee24(), options, 12345);
+  options.trajectories = 100000;
+  EXPECT_EQ(trajectory(ieee24(), options, 12345), first);
+  EXPECT_NE(trajectory(ieee24(), options, 12346), first);
+  options.seed = 2;
+  EXPECT_NE(trajectory(ieee24(), options, 12345), first);
+}
+
+// A campaign's lanes against the firmware as an outlet runs it, float by float.
+TEST(EstimateCampaign, EachTrajectoryIsEstimatedAsAnOutletWouldToTheLastBit) {
+  EstimateOptions options = a_short(Mode::kGsbench);
+  options.instant = LossInstant::kBetweenReports;
+  options.trajectories = 2000;
+  std::vector<float> estimates(options.trajectories);
+  Execution execution;
+  execution.threads = 2;
+  estimate(ieee24(), options, execution, [&](std::uint64_t first, const float* mw, std::size_t n) {
+    std::memcpy(&estimates[first], mw, n * sizeof *mw);
+  });
+  const gs::outlet::Settings settings = gsbench::campaign::estimate_settings(ieee24());
+  for (std::uint64_t number = 0; number < options.trajectories; ++number) {
+    gs::outlet::LossEstimator<float> outlet;
+    const std::vector<float> deviations_hz = trajectory(ieee24(), options, number);
+    for (std::size_t k = 0; k < deviations_hz.size(); ++k) {
+      take(settings, settings.response, outlet, deviations_hz[k], static_cast<int>(k));
+    }
+    ASSERT_EQ(std::memcmp(&outlet.ekf.loss_mw, &estimates[number], sizeof(float)), 0) << number;
+  }
+}
+
+TEST(EstimateCampaign, AStoppedOneTellsWhatItDid) {
+  EstimateOptions options = a_short(Mode::kGsbench);
+  options.trajectories = 10000000;
+  std::atomic<bool> stop{false};
+  Execution execution;
+  execution.stop = &stop;
+  execution.progress = [&](double) { stop = true; };
+  const EstimateResult result = estimate(ieee24(), options, execution);
+  EXPECT_GT(result.trajectories, 0U);
+  EXPECT_LT(result.trajectories, options.trajectories);
+}
+
+TEST(EstimateCampaign, RefusesWhatMakesNoSense) {
+  for (const double bad : {0.0, -1.0, std::nan("")}) {
+    EstimateOptions options;
+    options.loss_mw = bad;
+    EXPECT_THROW(play(options), std::invalid_argument);
+  }
+  EstimateOptions options;
+  options.trajectories = 0;
+  EXPECT_THROW(play(options), std::invalid_argument);
+  options = {};
+  options.noise_hz = -0.1;
+  EXPECT_THROW(play(options), std::invalid_argument);
+}
+
+}  // namespace
