@@ -89,7 +89,7 @@ const std::vector<LibraryRule>& library_rules() {
         "drivers/link", "drivers/relay", "reports"}},
       {"libserialport", {"libserialport.h"}, {"drivers/source", "drivers/link", "drivers/relay"}},
       {"Paho", {"MQTT", "mqtt/"}, {"drivers/source", "drivers/link", "drivers/relay", "tests"}},
-      {"OpenSSL", {"openssl/"}, {"drivers/link"}},
+      {"OpenSSL", {"openssl/"}, {"drivers/link", "tests"}},
       {"libmosquitto", {"mosquitto.h", "mqtt_protocol.h"}, {"firmware/boards/host", "tests"}},
       {"ALSA", {"alsa/"}, {"drivers/source", "drivers/link", "drivers/relay"}},
       {"GoogleTest", {"gtest/", "gmock/"}, {"tests"}},

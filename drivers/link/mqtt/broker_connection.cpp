@@ -1,6 +1,5 @@
 #include "broker_connection.hpp"
 
-#include "gathering.hpp"
 #include "send_at_once.hpp"
 #include <mqtt/async_client.h>
 
@@ -108,7 +107,6 @@ class BrokerConnection::Client final : public mqtt::callback, public mqtt::iacti
   std::mutex mutex_;
   std::vector<std::string> filters_;
   std::atomic<bool> lost_{false};
-  Gathering gathering_;  // of the thread that receives
   Resubscription resubscription_{*this};
   mqtt::async_client client_;  // last: its threads end before what they use
 };
@@ -254,11 +252,6 @@ void BrokerConnection::Client::message_arrived(mqtt::const_message_ptr message) 
   const mqtt::binary& payload = message->get_payload();
   arrivals_.take(message->get_topic(), reinterpret_cast<const std::uint8_t*>(payload.data()),
                  payload.size(), message->is_retained());
-  const auto pause = gathering_.pause_after_message(std::chrono::steady_clock::now());
-  if (pause > pause.zero()) {
-    std::this_thread::sleep_for(pause);
-    gathering_.resume(std::chrono::steady_clock::now());
-  }
 }
 
 void BrokerConnection::Client::on_failure(const mqtt::token& token) {

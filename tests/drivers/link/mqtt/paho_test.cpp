@@ -1,10 +1,12 @@
 // Paho as it is linked here (drivers/link/mqtt/paho): it reads ahead and still misses nothing, and
 // keeps no records of its memory.
+#include "tls_peer.hpp"
 #include <mqtt/async_client.h>
 #include <test_support/temporary_folder.hpp>
 
 #include <chrono>
 #include <cstddef>
+#include <future>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -24,7 +26,9 @@ namespace {
 
 using gsbench::broker::Login;
 using gsbench::broker::PrivateBroker;
+using gsbench::test::publish_packet;
 using gsbench::test::TemporaryFolder;
+using gsbench::test::TlsPeer;
 
 constexpr int kBurst = 500;
 constexpr auto kPatience = std::chrono::seconds(10);
@@ -99,6 +103,40 @@ TEST_F(PahoAsItIsLinked, KeepsNoRecordsOfItsMemory) {
   say("something");
   ASSERT_EQ(hear(), "something");
   EXPECT_EQ(Heap_get_info()->max_size, 0U);
+}
+
+// What Mosquitto does not do on demand.
+class PahoAndItsPeer : public testing::Test {
+ protected:
+  PahoAndItsPeer() {
+    mqtt::ssl_options tls;
+    tls.set_enable_server_cert_auth(false);
+    mqtt::connect_options options;
+    options.set_mqtt_version(MQTTVERSION_3_1_1);
+    options.set_keep_alive_interval(kKeepAlive);
+    options.set_ssl(tls);
+    bench_.start_consuming();
+    bench_.set_connection_lost_handler([this](const std::string&) { lost_.set_value(); });
+    bench_.connect(options)->wait();
+  }
+
+  TlsPeer peer_;
+  std::promise<void> lost_;
+  mqtt::async_client bench_{"ssl://127.0.0.1:" + std::to_string(peer_.port()), "bench"};
+};
+
+TEST_F(PahoAndItsPeer, WhatFollowsAPacketWithoutABodyIsNotOverlooked) {
+  const std::string answer_to_ping("\xD0\x00", 2);
+  peer_.send_together({answer_to_ping, publish_packet("topic", "after it")});
+  mqtt::const_message_ptr message;
+  ASSERT_TRUE(bench_.try_consume_message_for(&message, kPatience));
+  EXPECT_EQ(message->to_string(), "after it");
+}
+
+TEST_F(PahoAndItsPeer, AnErrorBehindHalfAPacketIsToldAtOnce) {
+  const std::string packet = publish_packet("topic", "never whole");
+  peer_.send_damaged({packet.substr(0, 10), packet.substr(10)});
+  EXPECT_EQ(lost_.get_future().wait_for(kPatience), std::future_status::ready);
 }
 
 }  // namespace
