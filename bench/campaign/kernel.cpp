@@ -1,12 +1,10 @@
 #include "kernel.hpp"
 
+#include "fleet_kernel.hpp"
+#include "targets.hpp"
+
 #include <outlet/conditions.hpp>
 #include <outlet/loss_estimator.hpp>
-
-// Each of them twice, for AVX2 and for any machine. Everything is inlined into the two, so that no
-// code for the one is ever called by the other.
-#define GSBENCH_FOR_ANY [[gnu::flatten]]
-#define GSBENCH_FOR_AVX2 [[gnu::flatten, gnu::target("avx2")]]
 
 namespace gsbench::campaign {
 namespace {
@@ -94,7 +92,6 @@ GSBENCH_FOR_ANY void conditions_any(const Settings& s, float f, const CountedCon
 
 // ---- for AVX2
 
-#if defined(__x86_64__)
 GSBENCH_FOR_AVX2 void outlet_avx2(const Settings& s, const gs::outlet::Response& r, const float* d,
                                   int n, Estimates& e) {
   outlet_body(s, r, d, n, e);
@@ -115,55 +112,50 @@ GSBENCH_FOR_AVX2 void conditions_avx2(const Settings& s, float f, const CountedC
                                       const float* d, float* hits) {
   conditions_body(s, f, c, d, hits);
 }
-#endif
-
-template <class Function>
-Function* chosen(Function* any, Function* avx2) {
-#if defined(__x86_64__)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  return has_avx2 ? avx2 : any;
-#else
-  (void)avx2;
-  return any;
-#endif
+GSBENCH_FOR_ANY void report_any(const Settings& s, LossEstimator<Lanes>& e, const float* d, int k) {
+  gs::outlet::take(s, s.response, e, load(d), k);
+}
+GSBENCH_FOR_AVX2 void report_avx2(const Settings& s, LossEstimator<Lanes>& e, const float* d,
+                                  int k) {
+  gs::outlet::take(s, s.response, e, load(d), k);
 }
 
 }  // namespace
 
-#if !defined(__x86_64__)
-#define outlet_avx2 outlet_any
-#define outlets_avx2 outlets_any
-#define paper_avx2 paper_any
-#define papers_avx2 papers_any
-#define conditions_avx2 conditions_any
-#endif
-
 void estimate_as_outlet(const Settings& settings, const float* deviations_hz, int samples,
                         Estimates& estimates) {
-  chosen(outlet_any, outlet_avx2)(settings, settings.response, deviations_hz, samples, estimates);
+  of_this_machine(outlet_any, outlet_avx2)(settings, settings.response, deviations_hz, samples,
+                                           estimates);
 }
 
 void estimate_as_outlet(const Settings& settings, const gs::outlet::ResponseOf<Lanes>& response,
                         const float* deviations_hz, int samples, Estimates& estimates) {
-  chosen(outlets_any, outlets_avx2)(settings, response, deviations_hz, samples, estimates);
+  of_this_machine(outlets_any, outlets_avx2)(settings, response, deviations_hz, samples, estimates);
 }
 
 void estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
                        const PaperModel<float>& model, const float* deviations_hz, int samples,
                        Estimates& estimates) {
-  chosen(paper_any, paper_avx2)(start, k_lse_mw_per_hz_s, model, deviations_hz, samples, estimates);
+  of_this_machine(paper_any, paper_avx2)(start, k_lse_mw_per_hz_s, model, deviations_hz, samples,
+                                         estimates);
 }
 
 void estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
                        const PaperModel<Lanes>& model, const float* deviations_hz, int samples,
                        Estimates& estimates) {
-  chosen(papers_any, papers_avx2)(start, k_lse_mw_per_hz_s, model, deviations_hz, samples,
-                                  estimates);
+  of_this_machine(papers_any, papers_avx2)(start, k_lse_mw_per_hz_s, model, deviations_hz, samples,
+                                           estimates);
 }
 
 void count_conditions(const Settings& settings, float nominal_hz, const CountedConditions& counted,
                       const float* deviations_hz, float hits[kLanes]) {
-  chosen(conditions_any, conditions_avx2)(settings, nominal_hz, counted, deviations_hz, hits);
+  of_this_machine(conditions_any, conditions_avx2)(settings, nominal_hz, counted, deviations_hz,
+                                                   hits);
+}
+
+void take_report(const Settings& settings, LossEstimator<Lanes>& estimator,
+                 const float deviation_hz[kLanes], int report) {
+  of_this_machine(report_any, report_avx2)(settings, estimator, deviation_hz, report);
 }
 
 }  // namespace gsbench::campaign

@@ -16,10 +16,13 @@ constexpr std::size_t kLanes = kWidth * kVectors;
 using Floats = float __attribute__((vector_size(kWidth * sizeof(float))));
 using Integers = std::int32_t __attribute__((vector_size(kWidth * sizeof(std::int32_t))));
 
-struct Lanes {
+// The alignment that AVX2's moves take for granted: without it said, a compiler for any machine
+// gives half of it.
+constexpr std::size_t kAlignment = kWidth * sizeof(float);
+struct alignas(kAlignment) Lanes {
   Floats v[kVectors];
 };
-struct Mask {
+struct alignas(kAlignment) Mask {
   Integers v[kVectors];  // −1 where it holds, else 0
 };
 

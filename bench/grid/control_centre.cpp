@@ -1,6 +1,7 @@
 #include "falling_limb.hpp"
 #include "switch_off.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -59,6 +60,46 @@ double threshold_mw(const SfrModel& model, double threshold_hz) {
   require_threshold(model, threshold_hz);
   return (model.nominal_hz() - threshold_hz) /
          (model.gain_hz_per_mw() * turning_point(model).depth);
+}
+
+namespace {
+
+// Lowest frequency after a loss at 0 of which some is shed at delay_s, to a tenth of a millihertz.
+double nadir_with_shedding_hz(const SfrModel& model, double loss_mw, double shed_mw,
+                              double delay_s) {
+  const FrequencyResponse response(model, {{0.0, loss_mw}, {delay_s, -shed_mw}});
+  // It falls until the shedding at least, then turns at once or later, as one loss does.
+  const double last_s = delay_s + 20.0 / model.omega_n();
+  double lowest_hz = response.frequency_hz(delay_s);
+  for (double t_s = 0.0; t_s < last_s; t_s += 0.005) {
+    lowest_hz = std::min(lowest_hz, response.frequency_hz(t_s));
+  }
+  return lowest_hz;
+}
+
+}  // namespace
+
+double threshold_for_delay_mw(const SfrModel& model, double threshold_hz, double loss_mw,
+                              double delay_s) {
+  const double instant_mw = threshold_mw(model, threshold_hz);
+  if (!(loss_mw >= 0.0 && delay_s >= 0.0)) {
+    throw std::invalid_argument("loss and delay must not be negative");
+  }
+  if (loss_mw <= instant_mw || delay_s == 0.0) {
+    return instant_mw;
+  }
+  if (nadir_with_shedding_hz(model, loss_mw, loss_mw, delay_s) < threshold_hz) {
+    return 0.0;
+  }
+  double enough_mw = 0.0;  // as a threshold
+  double too_high_mw = instant_mw;
+  for (int i = 0; i < 50 && too_high_mw - enough_mw > 1e-4; ++i) {
+    const double middle_mw = 0.5 * (enough_mw + too_high_mw);
+    const bool holds =
+        nadir_with_shedding_hz(model, loss_mw, loss_mw - middle_mw, delay_s) >= threshold_hz;
+    (holds ? enough_mw : too_high_mw) = middle_mw;
+  }
+  return enough_mw;
 }
 
 double k_lse_mw_per_hz_s(const SfrModel& model) {

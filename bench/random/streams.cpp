@@ -38,6 +38,29 @@ void add_uniform_to_each(const Stream& first, std::size_t streams, std::size_t s
   }
 }
 
+void add_uniform(const Stream& stream, std::uint64_t first, std::size_t count, float half_width,
+                 float* out) {
+  const float unit = half_width * 0x1p-31F;
+  constexpr std::size_t kBatch =
+      kWords * kAtOnce;  // value i: word i / kAtOnce of block i % kAtOnce
+  while (count > 0) {
+    std::uint32_t words[kBatch];
+    const std::uint64_t batch = first / kBatch;
+    for (std::size_t i = 0; i < kAtOnce; ++i) {
+      const auto block = philox_block(stream, batch * kAtOnce + i);
+      for (std::size_t word = 0; word < kWords; ++word) words[word * kAtOnce + i] = block.v[word];
+    }
+    const std::size_t skipped = first % kBatch;
+    const std::size_t used = std::min(count, kBatch - skipped);
+    for (std::size_t i = 0; i < used; ++i) {
+      out[i] += static_cast<float>(static_cast<std::int32_t>(words[skipped + i])) * unit;
+    }
+    out += used;
+    first += used;
+    count -= used;
+  }
+}
+
 void add_gaussian_to_each(const Stream& first, std::size_t streams, std::size_t samples,
                           float sigma, float* out) {
   for (std::size_t i = 0; i < streams; ++i) {

@@ -1,5 +1,6 @@
 #include "example_grids.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -270,6 +271,45 @@ TEST(SwitchOffFrequency, RefusesAGridWithoutDamping) {
   Grid grid = ieee24();
   grid.damping_pu = 0.0;
   EXPECT_THROW(switch_off_hz(grid, 100.0, 50.0), std::invalid_argument);
+}
+
+double lowest_hz(const SfrModel& model, double loss_mw, double shed_mw, double delay_s) {
+  const FrequencyResponse response(model, {{0.0, loss_mw}, {delay_s, -shed_mw}});
+  double lowest = response.frequency_hz(0.0);
+  for (double t_s = 0.0; t_s < 30.0; t_s += 0.001) {
+    lowest = std::min(lowest, response.frequency_hz(t_s));
+  }
+  return lowest;
+}
+
+TEST(ThresholdForDelay, IsThePapersWhereNothingIsLate) {
+  const SfrModel model(ieee24());
+  EXPECT_DOUBLE_EQ(threshold_for_delay_mw(model, 49.5, 500.0, 0.0), threshold_mw(model, 49.5));
+  EXPECT_DOUBLE_EQ(threshold_for_delay_mw(model, 49.5, 300.0, 1.0), threshold_mw(model, 49.5));
+}
+
+// The paper's own threshold does not: 49.486 Hz after 0.96 s.
+TEST(ThresholdForDelay, KeepsTheNadirWhateverTheDelay) {
+  const SfrModel model(ieee24());
+  EXPECT_LT(lowest_hz(model, 500.0, 500.0 - threshold_mw(model, 49.5), 0.96), 49.487);
+  for (const double delay_s : {0.2, 0.64, 0.96, 1.2}) {
+    for (const double loss_mw : {400.0, 500.0, 600.0}) {
+      const double told_mw = threshold_for_delay_mw(model, 49.5, loss_mw, delay_s);
+      EXPECT_NEAR(lowest_hz(model, loss_mw, loss_mw - told_mw, delay_s), 49.5, 2e-4)
+          << loss_mw << " MW, " << delay_s << " s";
+    }
+  }
+}
+
+TEST(ThresholdForDelay, IsZeroWhereNoSheddingHelps) {
+  EXPECT_EQ(threshold_for_delay_mw(SfrModel(ieee24()), 49.5, 2000.0, 5.0), 0.0);
+}
+
+TEST(ThresholdForDelay, RefusesWhatMakesNoSense) {
+  const SfrModel model(ieee24());
+  EXPECT_THROW(threshold_for_delay_mw(model, 49.5, -1.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(threshold_for_delay_mw(model, 49.5, 500.0, -1.0), std::invalid_argument);
+  EXPECT_THROW(threshold_for_delay_mw(model, 50.5, 500.0, 1.0), std::invalid_argument);
 }
 
 }  // namespace

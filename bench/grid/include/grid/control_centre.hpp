@@ -46,6 +46,14 @@ Nadir nadir(const SfrModel& model, double loss_mw);
 // ΔP_s, eq. (15), MW. Throws std::invalid_argument unless 0 < threshold_hz < f_n.
 double threshold_mw(const SfrModel& model, double threshold_hz);
 
+// The threshold by which outlets that act `delay_s` after a loss keep its nadir at threshold_hz:
+// eq. (15) takes shedding to be instant, so that less is shed than it takes. It is the same for a
+// delay of 0, and the lower the later and the larger the loss: take the largest that is to be met.
+// Where no shedding helps any more, below which the nadir comes before the delay has passed, 0.
+// Throws std::invalid_argument as threshold_mw does, or for a negative loss or delay.
+double threshold_for_delay_mw(const SfrModel& model, double threshold_hz, double loss_mw,
+                              double delay_s);
+
 // K^LSE of eq. (18), MW per Hz/s, negative.
 double k_lse_mw_per_hz_s(const SfrModel& model);
 

@@ -28,6 +28,11 @@ enum Purpose : std::uint32_t {
 void add_gaussian(const Stream& stream, std::uint64_t first, std::size_t count, float sigma,
                   float* out);
 
+// out[i] += a value uniform within ±half_width, first+i of the stream. A stream is asked for
+// uniform or for Gaussian values, not for both.
+void add_uniform(const Stream& stream, std::uint64_t first, std::size_t count, float half_width,
+                 float* out);
+
 // Value n of the stream, uniform in [0, 1).
 double uniform(const Stream& stream, std::uint64_t n);
 

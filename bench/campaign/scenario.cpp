@@ -1,0 +1,343 @@
+#include "fleet_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <campaign/scenario.hpp>
+#include <grid/control_centre.hpp>
+#include <grid/sfr_model.hpp>
+#include <random/noise.hpp>
+#include <settings/grid_settings.hpp>
+
+namespace gsbench::campaign {
+namespace {
+
+using gs::outlet::LossEstimator;
+using gs::outlet::Settings;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kReportS = 0.016;
+constexpr double kMeasuringS = 0.028;
+constexpr double kRelayS = 0.008;
+constexpr int kEventAfter = 6;  // measurements of what came after the loss
+constexpr double kCourseS = 0.02;
+constexpr double kLookS = 0.002;  // for nadir and relays
+
+// Outlets measure at so many instants of a report in turn, a batch of kLanes each.
+constexpr std::size_t kInstants = 64;
+constexpr std::size_t kChunk = kInstants * kLanes;
+
+double instant_s(std::size_t instant) {
+  return kReportS * (static_cast<double>(instant) + 0.5) / static_cast<double>(kInstants);
+}
+
+void check(const grid::Grid& grid, const ScenarioOptions& o) {
+  const auto demand = [](bool holds, const char* otherwise) {
+    if (!holds) {
+      throw std::invalid_argument(otherwise);
+    }
+  };
+  demand(o.loss_mw > 0.0 && o.loss_mw <= grid.base_mw,
+         "the loss must be above 0 and no more than the generation left");
+  demand(o.noise_hz >= 0.0 && o.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
+  demand(o.duration_s >= 1.0 && o.duration_s <= 300.0, "it lasts 1 … 300 s");
+  demand(o.further_delay_s >= 0.0 && o.central_delay_s >= 0.0 && o.central_decision_s >= 0.0 &&
+             o.ufls_delay_s >= 0.0,
+         "delays are not negative");
+}
+
+// The grid with all that has happened so far.
+class Balance {
+ public:
+  Balance(const grid::SfrModel& model, double loss_mw) : model_(model) {
+    changes_.push_back({0.0, loss_mw});
+  }
+
+  void shed(double at_s, double power_mw) {
+    if (power_mw > 0.0) {
+      changes_.push_back({at_s, -power_mw});
+      first_s_ = std::isnan(first_s_) ? at_s : std::min(first_s_, at_s);
+      last_s_ = std::isnan(last_s_) ? at_s : std::max(last_s_, at_s);
+      shed_mw_ += power_mw;
+    }
+  }
+
+  double deviation_hz(double t_s) const {
+    double sum = 0.0;
+    for (const grid::PowerChange& change : changes_) {
+      sum += change.power_mw * model_.unit_deviation_hz(t_s - change.at_s);
+    }
+    return sum;
+  }
+
+  double shed_mw() const { return shed_mw_; }
+  double first_s() const { return first_s_; }
+  double last_s() const { return last_s_; }
+
+ private:
+  const grid::SfrModel& model_;
+  std::vector<grid::PowerChange> changes_;
+  double shed_mw_ = 0.0;
+  double first_s_ = kNone;
+  double last_s_ = kNone;
+};
+
+// The outlets of a fleet, measurement after measurement.
+class Outlets {
+ public:
+  Outlets(const grid::Grid& grid, const Fleet& fleet, const ScenarioOptions& options,
+          const Execution& execution)
+      : fleet_(fleet),
+        options_(options),
+        execution_(execution),
+        settings_(settings::grid_settings(grid)),
+        threshold_mw_(options.threshold_mw > 0.0 ? options.threshold_mw
+                                                 : static_cast<double>(settings_.threshold_mw)),
+        chunks_((fleet.outlets() + kChunk - 1) / kChunk),
+        off_(fleet.outlets(), 0),
+        shed_mw_(chunks_ * kInstants, 0.0) {
+    if (options.control == Control::kGridSense) {
+      estimators_.resize(chunks_ * kInstants);
+    } else {
+      below_.assign(fleet.outlets(), 0);
+      make_switch_off(grid);
+    }
+  }
+
+  // Report `report` of every outlet, the first one being report 0 and within 16 ms of the loss.
+  void take(int report, Balance& balance) {
+    double deviation_hz[kInstants];
+    for (std::size_t i = 0; i < kInstants; ++i) {
+      deviation_hz[i] = balance.deviation_hz(at_s(report, i) - kMeasuringS);
+    }
+    if (nothing_to_do(report, deviation_hz)) {
+      return;
+    }
+    std::fill(shed_mw_.begin(), shed_mw_.end(), 0.0);
+    Execution quiet = execution_;
+    quiet.progress = nullptr;
+    Tallies none;
+    run_blocks(
+        chunks_, quiet,
+        [&](std::uint64_t chunk, Tallies&) { take_chunk(chunk, report, deviation_hz); }, none);
+    for (std::size_t i = 0; i < kInstants; ++i) {
+      double sum_mw = 0.0;
+      for (std::size_t chunk = 0; chunk < chunks_; ++chunk) {
+        sum_mw += shed_mw_[chunk * kInstants + i];
+      }
+      balance.shed(at_s(report, i) + kRelayS + options_.further_delay_s, sum_mw);
+    }
+  }
+
+  const std::vector<std::uint8_t>& off() const { return off_; }
+
+ private:
+  static double at_s(int report, std::size_t instant) {
+    return kReportS * static_cast<double>(report) + instant_s(instant);
+  }
+
+  // Of the first measurement of what came after the loss.
+  static int first_after(std::size_t instant) {
+    return static_cast<int>(std::ceil((kMeasuringS - instant_s(instant)) / kReportS));
+  }
+
+  int since_event(int report, std::size_t instant) const {
+    return report - first_after(instant) - (kEventAfter - 1);
+  }
+
+  int decides_at() const { return settings_.lse_samples + settings_.ekf_samples - 1; }
+
+  void make_switch_off(const grid::Grid& grid) {
+    grid::Grid with_groups = grid;
+    with_groups.blocks.clear();
+    for (std::size_t group = 0; group < fleet_.groups(); ++group) {
+      with_groups.blocks.push_back({std::to_string(group + 1), fleet_.group_mw[group]});
+    }
+    for (const grid::BlockSetting& block : grid::block_settings(with_groups)) {
+      switch_off_hz_.push_back(static_cast<float>(block.switch_off_hz - grid.nominal_hz));
+    }
+    highest_switch_off_hz_ = *std::max_element(switch_off_hz_.begin(), switch_off_hz_.end());
+  }
+
+  bool nothing_to_do(int report, const double* deviation_hz) const {
+    if (options_.control == Control::kGridSense) {
+      return since_event(report, kInstants - 1) < 0 || since_event(report, 0) > decides_at();
+    }
+    const double furthest = options_.law == NoiseLaw::kUniform ? 1.0 : 8.0;
+    const double lowest = *std::min_element(deviation_hz, deviation_hz + kInstants);
+    return lowest - furthest * options_.noise_hz > static_cast<double>(highest_switch_off_hz_);
+  }
+
+  void take_chunk(std::uint64_t chunk, int report, const double* deviation_hz) {
+    const std::size_t first = chunk * kChunk;
+    const std::size_t count = std::min(kChunk, fleet_.outlets() - first);
+    float measured_hz[kChunk];
+    for (std::size_t i = 0; i < kInstants; ++i) {
+      std::fill_n(measured_hz + i * kLanes, kLanes, static_cast<float>(deviation_hz[i]));
+    }
+    const auto noise =
+        options_.law == NoiseLaw::kUniform ? random::add_uniform : random::add_gaussian;
+    noise({options_.seed, random::kTrajectory, static_cast<std::uint32_t>(report)}, first, kChunk,
+          static_cast<float>(options_.noise_hz), measured_hz);
+    for (std::size_t i = 0; i < kInstants && i * kLanes < count; ++i) {
+      const std::size_t begin = first + i * kLanes;
+      const std::size_t end = std::min(begin + kLanes, first + count);
+      if (options_.control == Control::kGridSense) {
+        estimate(chunk, i, begin, end, report, measured_hz + i * kLanes);
+      } else {
+        compare(chunk, i, begin, end, measured_hz + i * kLanes);
+      }
+    }
+  }
+
+  void estimate(std::uint64_t chunk, std::size_t instant, std::size_t begin, std::size_t end,
+                int report, const float* measured_hz) {
+    const int since = since_event(report, instant);
+    if (since < 0 || since > decides_at()) {
+      return;
+    }
+    LossEstimator<Lanes>& estimator = estimators_[chunk * kInstants + instant];
+    take_report(settings_, estimator, measured_hz, since);
+    if (since < decides_at()) {
+      return;
+    }
+    float loss_mw[kLanes];
+    store(estimator.ekf.loss_mw, loss_mw);
+    for (std::size_t outlet = begin; outlet < end; ++outlet) {
+      const double required_mw = static_cast<double>(loss_mw[outlet - begin]) - threshold_mw_;
+      if (required_mw > 0.0 && required_mw > fleet_.accumulated_mw[outlet / fleet_.per_group]) {
+        switch_off(chunk, instant, outlet);
+      }
+    }
+  }
+
+  void compare(std::uint64_t chunk, std::size_t instant, std::size_t begin, std::size_t end,
+               const float* measured_hz) {
+    for (std::size_t outlet = begin; outlet < end; ++outlet) {
+      const bool below = measured_hz[outlet - begin] < switch_off_hz_[outlet / fleet_.per_group];
+      below_[outlet] = below ? static_cast<std::uint8_t>(below_[outlet] + 1) : std::uint8_t{0};
+      if (below_[outlet] == settings_.switch_off_samples && off_[outlet] == 0) {
+        switch_off(chunk, instant, outlet);
+      }
+      below_[outlet] = std::min(below_[outlet], settings_.switch_off_samples);
+    }
+  }
+
+  void switch_off(std::uint64_t chunk, std::size_t instant, std::size_t outlet) {
+    off_[outlet] = 1;
+    shed_mw_[chunk * kInstants + instant] += 1e-6 * static_cast<double>(fleet_.power_w[outlet]);
+  }
+
+  const Fleet& fleet_;
+  const ScenarioOptions& options_;
+  const Execution& execution_;
+  Settings settings_;
+  double threshold_mw_;
+  std::size_t chunks_;
+  std::vector<LossEstimator<Lanes>> estimators_;
+  std::vector<std::uint8_t> below_;   // successive measurements below the switching-off frequency
+  std::vector<float> switch_off_hz_;  // of each group, as a deviation
+  float highest_switch_off_hz_ = 0.0F;
+  std::vector<std::uint8_t> off_;
+  std::vector<double> shed_mw_;  // in the report in hand, by chunk and instant
+};
+
+void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance& balance) {
+  const double first_hz =
+      (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
+      grid.nominal_hz;
+  int stage = 0;
+  for (double t_s = 0.0; t_s < options.duration_s && stage < 5; t_s += kLookS) {
+    while (stage < 5 && balance.deviation_hz(t_s) < first_hz - options.ufls_step_hz * stage) {
+      balance.shed(t_s + options.ufls_delay_s, options.ufls_part * grid.load_mw);
+      ++stage;
+    }
+  }
+}
+
+ScenarioResult result_of(const grid::Grid& grid, const ScenarioOptions& options,
+                         const Balance& balance) {
+  ScenarioResult result;
+  result.shed.power_mw = balance.shed_mw();
+  result.first_action_s = balance.first_s();
+  result.last_action_s = balance.last_s();
+  double lowest_hz = 0.0;
+  const auto looks = static_cast<std::size_t>(options.duration_s / kLookS);
+  const auto each = static_cast<std::size_t>(std::llround(kCourseS / kLookS));
+  for (std::size_t i = 0; i <= looks; ++i) {
+    const double t_s = kLookS * static_cast<double>(i);
+    const double deviation_hz = balance.deviation_hz(t_s);
+    if (deviation_hz < lowest_hz) {
+      lowest_hz = deviation_hz;
+      result.nadir_s = t_s;
+    }
+    if (i % each == 0) {
+      result.t_s.push_back(t_s);
+      result.frequency_hz.push_back(grid.nominal_hz + deviation_hz);
+    }
+  }
+  result.nadir_hz = grid.nominal_hz + lowest_hz;
+  result.end_hz = result.frequency_hz.back();
+  return result;
+}
+
+}  // namespace
+
+const char* to_string(Control control) {
+  switch (control) {
+    case Control::kNone:
+      return "none";
+    case Control::kGridSense:
+      return "grid-sense";
+    case Control::kSwitchOff:
+      return "switching-off";
+    case Control::kCentral:
+      return "central";
+    case Control::kUfls:
+      return "ufls";
+  }
+  return "unknown";
+}
+
+std::vector<Control> all_controls() {
+  return {Control::kNone, Control::kGridSense, Control::kSwitchOff, Control::kCentral,
+          Control::kUfls};
+}
+
+ScenarioResult play(const grid::Grid& grid, const Fleet& fleet, const ScenarioOptions& options,
+                    const Execution& execution) {
+  check(grid, options);
+  const grid::SfrModel model(grid);
+  const double grid_threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
+  const double threshold_mw = options.threshold_mw > 0.0 ? options.threshold_mw : grid_threshold_mw;
+  Balance balance(model, options.loss_mw);
+  Shed shed;
+  if (options.control == Control::kGridSense || options.control == Control::kSwitchOff) {
+    Outlets outlets(grid, fleet, options, execution);
+    const auto reports = static_cast<int>(options.duration_s / kReportS);
+    for (int report = 0; report < reports; ++report) {
+      if (execution.stop != nullptr && execution.stop->load()) {
+        break;
+      }
+      outlets.take(report, balance);
+      if (execution.progress) {
+        execution.progress(static_cast<double>(report + 1) / static_cast<double>(reports));
+      }
+    }
+    shed = count_shed(fleet, outlets.off());
+  } else if (options.control == Control::kCentral) {
+    balance.shed(options.central_decision_s + options.central_delay_s,
+                 std::min(options.loss_mw - threshold_mw, fleet.power_mw));
+  } else if (options.control == Control::kUfls) {
+    play_relays(grid, options, balance);
+  }
+  ScenarioResult result = result_of(grid, options, balance);
+  shed.power_mw = result.shed.power_mw;
+  result.shed = std::move(shed);
+  result.wanted_mw = std::max(options.loss_mw - grid_threshold_mw, 0.0);
+  return result;
+}
+
+}  // namespace gsbench::campaign

@@ -1,0 +1,150 @@
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include <campaign/fleet.hpp>
+#include <campaign/scenario.hpp>
+#include <grid/control_centre.hpp>
+#include <grid/sfr_model.hpp>
+#include <profile/load.hpp>
+
+namespace {
+
+using namespace gsbench::campaign;
+
+const gsbench::grid::Grid& ieee24() {
+  static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
+  return grid;
+}
+
+double threshold_mw() {
+  return gsbench::grid::threshold_mw(gsbench::grid::SfrModel(ieee24()), 49.5);
+}
+
+// As many MW as the paper's, by fewer outlets that take more each.
+Fleet small_fleet(Accumulation accumulation = Accumulation::kHalfGroup) {
+  FleetOptions options;
+  options.groups = 1000;
+  options.per_group = 20;
+  options.least_w = 500.0;
+  options.most_w = 90000.0;
+  options.accumulation = accumulation;
+  return make_fleet(options);
+}
+
+ScenarioResult play_control(Control control, double loss_mw = 500.0, double told_mw = 0.0,
+                            std::size_t threads = 2) {
+  static const Fleet fleet = small_fleet();
+  ScenarioOptions options;
+  options.control = control;
+  options.loss_mw = loss_mw;
+  options.threshold_mw = told_mw;
+  Execution execution;
+  execution.threads = threads;
+  return play(ieee24(), fleet, options, execution);
+}
+
+TEST(Fleet, HoldsItsGroupsInOrderWithTheirPower) {
+  const Fleet fleet = small_fleet(Accumulation::kWholeGroup);
+  ASSERT_EQ(fleet.outlets(), 20000U);
+  ASSERT_EQ(fleet.groups(), 1000U);
+  EXPECT_NEAR(std::accumulate(fleet.group_mw.begin(), fleet.group_mw.end(), 0.0), fleet.power_mw,
+              1e-9);
+  EXPECT_NEAR(fleet.power_mw, 905.0, 10.0);
+  EXPECT_DOUBLE_EQ(fleet.accumulated_mw[0], fleet.group_mw[0]);  // eq. (11)
+  EXPECT_NEAR(fleet.accumulated_mw.back(), fleet.power_mw, 1e-9);
+  for (const float power_w : fleet.power_w) {
+    ASSERT_GE(power_w, 500.0F);
+    ASSERT_LE(power_w, 90000.0F);
+  }
+}
+
+TEST(Fleet, ShedsByItsEstimatesUpToTheRequirement) {
+  const Fleet fleet = small_fleet();
+  const std::vector<float> exact(fleet.outlets(), 500.0F);
+  const Shed shed = shed_by_estimates(fleet, exact, threshold_mw());
+  EXPECT_NEAR(shed.power_mw, 148.08, 0.5);  // to half a group
+  EXPECT_EQ(shed.first_partly, shed.end_partly);
+  EXPECT_EQ(shed.outlets, 20 * shed.first_partly);
+  const std::vector<float> none(fleet.outlets(), 351.0F);
+  EXPECT_EQ(shed_by_estimates(fleet, none, threshold_mw()).outlets, 0U);
+}
+
+TEST(Fleet, RefusesWhatMakesNoSense) {
+  FleetOptions options;
+  options.groups = 0;
+  EXPECT_THROW(make_fleet(options), std::invalid_argument);
+  options = {};
+  options.per_group = 1000000;
+  EXPECT_THROW(make_fleet(options), std::invalid_argument);
+  options = {};
+  options.least_w = 2000.0;
+  EXPECT_THROW(make_fleet(options), std::invalid_argument);
+}
+
+TEST(Scenario, WithoutControlTheFrequencyFallsAsTheModelSays) {
+  const ScenarioResult result = play_control(Control::kNone);
+  EXPECT_NEAR(result.nadir_hz, 49.290, 0.001);
+  EXPECT_NEAR(result.nadir_s, 3.761, 0.003);
+  EXPECT_EQ(result.shed.power_mw, 0.0);
+  EXPECT_TRUE(std::isnan(result.first_action_s));
+}
+
+TEST(Scenario, OutletsShedWhatIsWantedWithinASecond) {
+  const ScenarioResult result = play_control(Control::kGridSense);
+  EXPECT_NEAR(result.shed.power_mw, result.wanted_mw, 0.01 * result.wanted_mw);
+  EXPECT_GT(result.first_action_s, 0.85);
+  EXPECT_LT(result.last_action_s, 0.96);
+  EXPECT_GT(result.nadir_hz, 49.48);
+  EXPECT_LT(result.nadir_hz, 49.50);
+}
+
+TEST(Scenario, BelowTheThresholdNobodySheds) {
+  EXPECT_LT(play_control(Control::kGridSense, 320.0).shed.power_mw, 0.1);
+}
+
+TEST(Scenario, AThresholdThatKnowsOfTheDelayKeepsTheNadir) {
+  const gsbench::grid::SfrModel model(ieee24());
+  const double told_mw = gsbench::grid::threshold_for_delay_mw(model, 49.5, 500.0, 0.908);
+  EXPECT_LT(told_mw, threshold_mw());
+  EXPECT_GE(play_control(Control::kGridSense, 500.0, told_mw).nadir_hz, 49.5);
+}
+
+TEST(Scenario, SwitchingOffAloneComesLaterAndShedsFarTooMuch) {
+  const ScenarioResult result = play_control(Control::kSwitchOff);
+  EXPECT_GT(result.first_action_s, 1.2);
+  EXPECT_GT(result.shed.power_mw, 2.0 * result.wanted_mw);
+}
+
+TEST(Scenario, ACentralControllerShedsTheRightAmountTooLate) {
+  const ScenarioResult result = play_control(Control::kCentral);
+  EXPECT_NEAR(result.shed.power_mw, result.wanted_mw, 1e-6);
+  EXPECT_DOUBLE_EQ(result.first_action_s, 1.9);
+  EXPECT_LT(result.nadir_hz, play_control(Control::kGridSense).nadir_hz);
+}
+
+TEST(Scenario, RelaysActBelowTheirFrequencyAlone) {
+  EXPECT_EQ(play_control(Control::kUfls).shed.power_mw, 0.0);
+  const ScenarioResult result = play_control(Control::kUfls, 900.0);
+  EXPECT_GT(result.shed.power_mw, 0.0);
+  EXPECT_LT(result.nadir_hz, 49.0);
+}
+
+TEST(Scenario, IsTheSameOnAnyNumberOfThreads) {
+  const ScenarioResult one = play_control(Control::kGridSense, 500.0, 0.0, 1);
+  for (const std::size_t threads : {2U, 3U}) {
+    const ScenarioResult other = play_control(Control::kGridSense, 500.0, 0.0, threads);
+    EXPECT_EQ(other.shed.power_mw, one.shed.power_mw);
+    EXPECT_EQ(other.nadir_hz, one.nadir_hz);
+    EXPECT_EQ(other.shed.off_in_group, one.shed.off_in_group);
+  }
+}
+
+TEST(Scenario, RefusesWhatMakesNoSense) {
+  EXPECT_THROW(play_control(Control::kNone, 0.0), std::invalid_argument);
+  EXPECT_THROW(play_control(Control::kNone, 1e5), std::invalid_argument);
+}
+
+}  // namespace
