@@ -32,11 +32,13 @@ ExitCode exit_code_of(record::Verdict verdict);
 
 void add_check(CLI::App& app, int& exit_code);
 void add_devices(CLI::App& app, int& exit_code);
+void add_fleet(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_measures(CLI::App& app, int& exit_code);
 void add_monitor(CLI::App& app, int& exit_code);
 void add_params(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
+void add_reproduce(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_runs(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);

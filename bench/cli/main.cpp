@@ -57,6 +57,8 @@ int main(int argc, char** argv) {
   cli::add_report(app, exit_code);
   cli::add_runs(app, exit_code);
   cli::add_study(app, exit_code);
+  cli::add_reproduce(app, exit_code);
+  cli::add_fleet(app, exit_code);
   cli::add_measures(app, exit_code);
   cli::add_devices(app, exit_code);
   cli::add_monitor(app, exit_code);

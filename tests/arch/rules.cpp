@@ -9,6 +9,7 @@ namespace gsbench::arch {
 namespace {
 
 constexpr std::string_view kRecordData = "record/run_record.hpp";
+constexpr std::string_view kPageData = "record/page.hpp";
 
 using Names = std::set<std::string_view>;
 
@@ -63,6 +64,8 @@ const std::vector<FolderRule>& folder_rules() {
       {"bench/study",
        {"bench/random", "bench/grid", "bench/waveform", "bench/profile", "bench/capture",
         "bench/judge", "bench/station", "drivers", "firmware/wire", "reports/record"}},
+      {"bench/reproduce",
+       {"bench/grid", "bench/settings", "bench/campaign", "firmware/outlet", kPageData}},
       {"bench/cli", {"bench", "drivers", "firmware", "reports"}},
       {"reports/record", {}},
       {"reports/render", {"reports/record"}},

@@ -1,0 +1,159 @@
+// A million outlets, §6.5.
+#include "sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <campaign/estimates.hpp>
+#include <campaign/fleet.hpp>
+#include <campaign/scenario.hpp>
+#include <grid/control_centre.hpp>
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::reproduce {
+namespace {
+
+using campaign::Accumulation;
+using campaign::Control;
+using campaign::EstimateOptions;
+using campaign::Fleet;
+using campaign::FleetOptions;
+using campaign::Mode;
+using campaign::ScenarioOptions;
+using campaign::ScenarioResult;
+using campaign::Shed;
+using record::kNoFigure;
+
+constexpr double kLossMw = 500.0;
+
+Fleet fleet_of(const Options& options, Accumulation accumulation) {
+  FleetOptions all;
+  all.accumulation = accumulation;
+  all.seed = options.seed;
+  return make_fleet(all);
+}
+
+// As many as there are outlets, whatever was asked for elsewhere.
+std::vector<float> estimates_of(const grid::Grid& grid, const Options& options, Mode mode,
+                                double parameter_error, std::size_t outlets,
+                                const Execution& execution) {
+  EstimateOptions all;
+  all.loss_mw = kLossMw;
+  all.mode = mode;
+  all.parameter_error = parameter_error;
+  all.trajectories = outlets;
+  all.seed = options.seed;
+  std::vector<float> estimates(outlets, 0.0F);
+  Execution quiet = execution;
+  quiet.progress = nullptr;
+  estimate(grid, all, quiet, [&](std::uint64_t first, const float* mw, std::size_t count) {
+    std::copy_n(mw, count, estimates.begin() + static_cast<std::ptrdiff_t>(first));
+  });
+  return estimates;
+}
+
+record::FigureRow shed_row(const std::string& name, const Shed& shed, double wanted_mw) {
+  return {
+      name,
+      {shed.power_mw, 100.0 * (shed.power_mw / wanted_mw - 1.0), static_cast<double>(shed.outlets),
+       static_cast<double>(shed.first_partly), static_cast<double>(shed.end_partly + 1)}};
+}
+
+}  // namespace
+
+PageSection fig20_and_21(const grid::Grid& grid, const Options& options,
+                         const Execution& execution) {
+  PageSection section;
+  const double threshold_mw = grid::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
+  const double wanted_mw = kLossMw - threshold_mw;
+  record::FigureTable table = {
+      "Shed after 500 MW, by the estimates of Fig. 17 and of Table 5",
+      "",
+      {"MW", "off what is wanted, %", "outlets", "wholly off up to group", "wholly on from group"},
+      {{"wanted", {wanted_mw, 0.0, kNoFigure, kNoFigure, kNoFigure}},
+       {"paper, §6.5.1", {148.34, 100.0 * (148.34 / 148.1 - 1.0), 164793, 118, 199}},
+       {"paper, §6.5.2 (Table 5)",
+        {148.97, 100.0 * (148.97 / 148.1 - 1.0), 165540, kNoFigure, kNoFigure}}}};
+  record::CurvePlot groups = {"Outlets that switch off in each group.", "group", "outlets off"};
+  for (const auto& [accumulation, how] :
+       {std::pair(Accumulation::kHalfGroup, "half of its own group"),
+        std::pair(Accumulation::kWholeGroup, "its whole group, eq. (11)")}) {
+    const Fleet fleet = fleet_of(options, accumulation);
+    if (section.plots.empty()) {
+      record::CurvePlot power = {"Accumulated power of the groups (Fig. 20).", "group", "MW"};
+      record::Curve curve{"P^A", fleet.accumulated_mw};
+      for (std::size_t group = 0; group < fleet.groups(); ++group) {
+        power.x.push_back(static_cast<double>(group + 1));
+      }
+      groups.x = power.x;
+      power.curves = {curve};
+      section.plots = {power};
+    }
+    for (const Mode mode : {Mode::kPaper, Mode::kGsbench}) {
+      for (const double error : {0.0, 0.05}) {
+        const auto estimates = estimates_of(grid, options, mode, error, fleet.outlets(), execution);
+        const Shed shed = shed_by_estimates(fleet, estimates, threshold_mw);
+        const std::string name = std::string(mode == Mode::kPaper ? "paper's way" : "gsbench") +
+                                 (error > 0.0 ? ", parameters 5 % off" : "") + ", P^A with " + how;
+        table.rows.push_back(shed_row(name, shed, wanted_mw));
+        if (accumulation == Accumulation::kHalfGroup && mode == Mode::kGsbench) {
+          record::Curve curve{error > 0.0 ? "parameters 5 % off" : "exact parameters", {}};
+          for (const std::uint32_t count : shed.off_in_group) {
+            curve.y.push_back(static_cast<double>(count));
+          }
+          groups.curves.push_back(curve);
+        }
+      }
+    }
+  }
+  groups.steps = true;
+  section.tables = {table};
+  section.plots.push_back(groups);
+  section.paragraphs = {
+      "By eq. (11) an outlet compares with the power up to and with its own group, so that on "
+      "average half a group too little is shed, 0.45 MW here. gsbench counts half of the own "
+      "group: "
+      "it goes off where the requirement passes its middle."};
+  return section;
+}
+
+PageSection fig22(const grid::Grid& grid, const Options& options, const Execution& execution) {
+  PageSection section;
+  const Fleet fleet = fleet_of(options, Accumulation::kHalfGroup);
+  record::FigureTable table = {
+      "After 500 MW, the shed load fed back into the grid",
+      "",
+      {"shed, MW", "first action, s", "last action, s", "nadir, Hz", "at, s", "end, Hz"},
+      {}};
+  record::CurvePlot plot = {"The frequency.", "s", "Hz"};
+  ScenarioOptions choice;
+  choice.loss_mw = kLossMw;
+  choice.seed = options.seed;
+  const auto add = [&](const std::string& name) {
+    const ScenarioResult result = play(grid, fleet, choice, execution);
+    table.rows.push_back({name,
+                          {result.shed.power_mw, result.first_action_s, result.last_action_s,
+                           result.nadir_hz, result.nadir_s, result.end_hz}});
+    plot.x = result.t_s;
+    plot.curves.push_back({name, result.frequency_hz});
+    return result;
+  };
+  choice.control = Control::kNone;
+  add("without Grid Sense");
+  choice.control = Control::kGridSense;
+  const ScenarioResult plain = add("with Grid Sense");
+  if (std::isfinite(plain.last_action_s)) {
+    choice.threshold_mw = grid::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz,
+                                                       kLossMw, plain.last_action_s);
+    add("with a threshold that knows of the delay");
+  }
+  section.tables = {table};
+  section.plots = {plot};
+  section.paragraphs = {
+      "Eq. (15) takes shedding to be instant: with the outlets' delay the nadir comes to lie a "
+      "little "
+      "below f_s. A threshold for the delay and this loss keeps it."};
+  return section;
+}
+
+}  // namespace gsbench::reproduce

@@ -1,0 +1,105 @@
+#include "sections.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+namespace gsbench::reproduce {
+namespace {
+
+using Make = std::function<PageSection(const grid::Grid&, const Options&, const Execution&)>;
+
+struct Chapter {
+  Item item;
+  Make make;
+};
+
+const std::vector<Chapter>& chapters() {
+  static const std::vector<Chapter> all = {
+      {{"fig13", "Fig. 8 and 13: the frequency after a loss (§4.2, §6.1)"},
+       [](const auto& grid, const auto&, const auto&) { return fig8_and_13(grid); }},
+      {{"table1", "Fig. 9 and Table 1: load-shedding conditions (§4.3, §6.2)"},
+       [](const auto& grid, const auto&, const auto&) { return fig9_and_table1(grid); }},
+      {{"fig14", "Fig. 14: ROCOF and frequency for several losses (§6.2)"},
+       [](const auto& grid, const auto&, const auto&) { return fig14(grid); }},
+      {{"table2", "Table 2: is load shedding needed? (§6.2)"}, table2},
+      {{"table3", "Fig. 15 and Table 3: LSE (§6.3.1)"}, table3},
+      {{"fig16", "Fig. 16: one estimate as it goes (§6.3.2)"},
+       [](const auto& grid, const auto& options, const auto&) { return fig16(grid, options); }},
+      {{"table4", "Fig. 17 and Table 4: EKF (§6.3.2)"}, table4},
+      {{"table5", "Table 5: EKF with wrong parameters (§6.3.3)"}, table5},
+      {{"fig21", "Fig. 20 and 21: a million outlets (§6.5.1, §6.5.2)"}, fig20_and_21},
+      {{"fig22", "Fig. 22: the frequency with and without Grid Sense (§6.5.1)"}, fig22},
+  };
+  return all;
+}
+
+bool wanted(const Options& options, const std::string& id) {
+  return options.only.empty() ||
+         std::find(options.only.begin(), options.only.end(), id) != options.only.end();
+}
+
+void check(const Options& options) {
+  for (const std::string& id : options.only) {
+    const auto& all = items();
+    if (std::none_of(all.begin(), all.end(), [&](const Item& item) { return item.id == id; })) {
+      std::string known;
+      for (const Item& item : all) {
+        known += (known.empty() ? "" : ", ") + item.id;
+      }
+      throw std::invalid_argument("\"" + id + "\" cannot be reproduced; there are " + known);
+    }
+  }
+}
+
+}  // namespace
+
+const std::vector<Item>& items() {
+  static const std::vector<Item> all = [] {
+    std::vector<Item> items;
+    for (const Chapter& chapter : chapters()) {
+      items.push_back(chapter.item);
+    }
+    return items;
+  }();
+  return all;
+}
+
+record::Page reproduce(const grid::Grid& grid, const Options& options, const Execution& execution) {
+  check(options);
+  record::Page page;
+  page.title = "The paper's tables and figures, computed again";
+  page.subtitle =
+      "Xiang et al., Distributed Frequency Emergency Control with Coordinated Edge Intelligence. "
+      "\"Paper\" is what it prints; \"paper's way\" are its equations and its course of things, "
+      "\"gsbench\" the firmware as outlets ship with it.";
+  page.facts = {{"grid", grid.name + ": " + grid.title},
+                {"trajectories", std::to_string(options.trajectories)},
+                {"seed", std::to_string(options.seed)}};
+  std::vector<const Chapter*> chosen;
+  for (const Chapter& chapter : chapters()) {
+    if (wanted(options, chapter.item.id)) {
+      chosen.push_back(&chapter);
+    }
+  }
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (execution.stop != nullptr && execution.stop->load()) {
+      page.facts.emplace_back("stopped",
+                              "before " + chosen[i]->item.id + "; what was under way is not whole");
+      break;
+    }
+    Execution part = execution;
+    if (execution.progress) {
+      part.progress = [&, i](double done) {
+        execution.progress((static_cast<double>(i) + done) / static_cast<double>(chosen.size()));
+      };
+    }
+    PageSection section = chosen[i]->make(grid, options, part);
+    section.id = chosen[i]->item.id;
+    section.title = chosen[i]->item.title;
+    page.sections.push_back(std::move(section));
+  }
+  return page;
+}
+
+}  // namespace gsbench::reproduce

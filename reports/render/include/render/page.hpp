@@ -1,0 +1,16 @@
+// A page of figures as text for people and scripts.
+#pragma once
+
+#include <string>
+
+#include <record/page.hpp>
+
+namespace gsbench::render {
+
+std::string html(const record::Page& page);  // stands alone in one file
+// facts{…}, sections[{id, title, paragraphs, tables[{caption, columns, rows[{name, figures}]}],
+// plots[{caption, x_axis, y_axis, x, curves[{name, y}]}]}]; null for an empty cell.
+std::string json(const record::Page& page);
+std::string terminal(const record::Page& page);  // the tables and what is said of them
+
+}  // namespace gsbench::render
