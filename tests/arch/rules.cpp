@@ -98,6 +98,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"GoogleTest", {"gtest/", "gmock/"}, {"tests"}},
       {"Google Benchmark", {"benchmark/"}, {"tests"}},
       {"the C library", {"errno.h", "stdarg.h", "stdlib.h", "string.h"}, {"drivers/emulated"}},
+      {"vector instructions", {"immintrin.h"}, {"bench/random"}},
       {"the dynamic linker", {"dlfcn.h"}, {"drivers/emulated"}},
       {"POSIX",
        {"arpa/", "dirent.h", "fcntl.h", "getopt.h", "netinet/", "poll.h", "pthread.h", "signal.h",

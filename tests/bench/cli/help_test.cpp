@@ -9,7 +9,7 @@ using gsbench::test::run_gsbench;
 
 TEST(Help, EverySubcommandHasOneWithAnExample) {
   for (const std::string command :
-       {"run", "list", "check", "params", "waveform", "report", "runs", "study", "measures"}) {
+       {"run", "list", "check", "params", "waveform", "report", "runs", "study", "measures", "reproduce", "fleet"}) {
     const Outcome outcome = run_gsbench({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_NE(outcome.out.find("gsbench " + command), std::string::npos) << outcome.out;
@@ -21,7 +21,7 @@ TEST(Help, NamesEverySubcommandAndTheExitCodes) {
   const Outcome outcome = run_gsbench({"--help"});
   EXPECT_EQ(outcome.exit_code, 0);
   for (const std::string word : {"run", "list", "check", "params", "waveform", "report", "runs",
-                                 "study", "measures", "INCONCLUSIVE"}) {
+                                 "study", "measures", "reproduce", "fleet", "INCONCLUSIVE"}) {
     EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
   }
 }

@@ -1,4 +1,7 @@
 // Reproducibility: what value n depends on, and on what it must not.
+#include "philox.hpp"
+
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
@@ -9,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <random/noise.hpp>
+#include <random/streams.hpp>
 
 namespace gsbench::random {
 namespace {
@@ -125,4 +129,53 @@ TEST(Uniform, LiesInTheHalfOpenUnitIntervalEvenly) {
 }
 
 }  // namespace
+// Many streams side by side against Random123's own, one counter at a time.
+TEST(UniformNoise, OfManyStreamsIsThatOfEach) {
+  constexpr std::size_t kStreams = 50;
+  constexpr std::size_t kSamples = 11;
+  const Stream first = {0x123456789abcdefULL, kTest, 4000000000U};
+  std::vector<float> values(kStreams * kSamples, 0.0F);
+  add_uniform_to_each(first, kStreams, kSamples, 2.0F, values.data());
+  for (std::size_t stream = 0; stream < kStreams; ++stream) {
+    for (std::size_t sample = 0; sample < kSamples; ++sample) {
+      const Stream one = {first.seed, first.purpose,
+                          first.index + static_cast<std::uint32_t>(stream)};
+      const auto word = static_cast<std::int32_t>(philox_block(one, sample / 4).v[sample % 4]);
+      ASSERT_EQ(values[sample * kStreams + stream], static_cast<float>(word) * 0x1p-30F);
+    }
+  }
+}
+
+TEST(UniformNoise, IsTheSameHoweverItIsCut) {
+  const Stream stream = {7, kTest, 3};
+  std::vector<float> whole(1000, 0.0F);
+  add_uniform(stream, 0, whole.size(), 1.0F, whole.data());
+  std::vector<float> parts(1000, 0.0F);
+  for (std::size_t first = 0; first < parts.size(); first += 37) {
+    add_uniform(stream, first, std::min<std::size_t>(37, parts.size() - first), 1.0F,
+                parts.data() + first);
+  }
+  EXPECT_EQ(parts, whole);
+  EXPECT_LE(*std::max_element(whole.begin(), whole.end()), 1.0F);
+  EXPECT_GE(*std::min_element(whole.begin(), whole.end()), -1.0F);
+  double sum = 0.0;
+  for (const float value : whole) {
+    sum += static_cast<double>(value);
+  }
+  EXPECT_NEAR(sum / 1000.0, 0.0, 0.06);  // three standard deviations
+}
+
+TEST(GaussianNoise, OfManyStreamsIsThatOfEach) {
+  const Stream first = {9, kTest, 100};
+  std::vector<float> values(3 * 70, 0.0F);
+  add_gaussian_to_each(first, 3, 70, 0.5F, values.data());
+  for (std::uint32_t stream = 0; stream < 3; ++stream) {
+    std::vector<float> one(70, 0.0F);
+    add_gaussian({9, kTest, 100 + stream}, 0, one.size(), 0.5F, one.data());
+    for (std::size_t sample = 0; sample < one.size(); ++sample) {
+      ASSERT_EQ(values[sample * 3 + stream], one[sample]);
+    }
+  }
+}
+
 }  // namespace gsbench::random

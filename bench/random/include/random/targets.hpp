@@ -9,7 +9,7 @@
 #define GSBENCH_FOR_AVX2 [[gnu::flatten]]
 #endif
 
-namespace gsbench::campaign {
+namespace gsbench::random {
 
 template <class Function>
 Function* of_this_machine(Function* any, Function* avx2) {
@@ -21,4 +21,4 @@ Function* of_this_machine(Function* any, Function* avx2) {
 #endif
 }
 
-}  // namespace gsbench::campaign
+}  // namespace gsbench::random

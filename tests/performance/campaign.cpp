@@ -1,0 +1,172 @@
+// Campaigns beside the same work in vectorised NumPy, their cost beside what the processor's
+// arithmetic can do, and how they go over threads and numbers of trajectories. In turns within one
+// run; exits with 1 where a figure falls short.
+#include "kernel.hpp"
+#include "measuring.hpp"
+#include <sys/resource.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <campaign/estimates.hpp>
+#include <profile/load.hpp>
+#include <random/targets.hpp>
+
+namespace {
+
+namespace campaign = gsbench::campaign;
+using campaign::EstimateOptions;
+using campaign::kLanes;
+using campaign::Lanes;
+using gsbench::performance::die;
+using gsbench::performance::judge_at_least;
+using gsbench::performance::judge_at_most;
+using gsbench::performance::median;
+using gsbench::performance::print;
+using gsbench::performance::seconds_since;
+using std::chrono::steady_clock;
+
+constexpr int kRounds = 3;
+constexpr std::uint64_t kTrajectories = 1000000;
+// Operations in an update of the EKF, counted in response.hpp, arithmetic.hpp and loss_ekf.hpp: 92
+// of them in u and u', 20 of these in the exponential function; comparisons and choices among the
+// rest.
+constexpr double kOperations = 146.0;
+
+double numpy_seconds(int seed) {
+  const std::string command = "python3 " GSBENCH_SOURCE_DIR
+                              "/tests/performance/peers/estimates.py " +
+                              std::to_string(kTrajectories) + ' ' + std::to_string(seed);
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  double seconds = 0.0;
+  double within = 0.0;
+  const bool read = pipe != nullptr && std::fscanf(pipe, "%lf %lf", &seconds, &within) == 2;
+  if (pipe == nullptr || pclose(pipe) != 0 || !read) {
+    die("NumPy's part did not run: is python3-numpy installed?");
+  }
+  if (within < 0.999) {
+    die("NumPy's part does not do the same work");
+  }
+  return seconds;
+}
+
+double campaign_seconds(const gsbench::grid::Grid& grid, std::size_t threads,
+                        std::uint64_t trajectories = kTrajectories) {
+  EstimateOptions options;
+  options.trajectories = trajectories;
+  campaign::Execution execution;
+  execution.threads = threads;
+  const auto begin = steady_clock::now();
+  const auto result = estimate(grid, options, execution);
+  const double seconds = seconds_since(begin);
+  if (result.ekf_mw.share_between(480.0, 520.0) < 0.999) {
+    die("the campaign does not estimate");
+  }
+  return seconds;
+}
+
+// One thread, the noise made before.
+double step_ns(const gsbench::grid::Grid& grid) {
+  constexpr int kSamples = campaign::kLseSamples + campaign::kEkfSamples;
+  constexpr int kBatches = 4000;
+  const auto settings = campaign::estimate_settings(grid);
+  std::vector<float> deviations_hz;
+  const auto one = campaign::trajectory(grid, {}, 1);
+  for (const float deviation_hz : one) {
+    deviations_hz.insert(deviations_hz.end(), kLanes, deviation_hz);
+  }
+  campaign::Estimates estimates;
+  float sum_mw = 0.0F;
+  const auto begin = steady_clock::now();
+  for (int batch = 0; batch < kBatches; ++batch) {
+    campaign::estimate_as_outlet(settings, deviations_hz.data(), kSamples, estimates);
+    sum_mw += estimates.ekf_mw[0];
+  }
+  const double seconds = seconds_since(begin);
+  if (sum_mw <= 0.0F) {
+    die("the kernel does not estimate");
+  }
+  return 1e9 * seconds / (kBatches * static_cast<double>(kLanes) * (campaign::kEkfSamples + 4));
+}
+
+// Multiplications and additions that wait for nothing, on as many lanes as the kernel's.
+inline float multiply_and_add(int rounds) {
+  constexpr std::size_t kChains = 3;  // of kLanes each: all of AVX2's registers but four
+  std::array<Lanes, kChains> chains{};
+  for (int i = 0; i < rounds; ++i) {
+    for (Lanes& chain : chains) {
+      chain = chain * 0.999F + 1.0F;
+    }
+  }
+  float values[kLanes];
+  store(chains[0] + chains[1] + chains[2], values);
+  return values[0];
+}
+GSBENCH_FOR_ANY float peak_any(int rounds) {
+  return multiply_and_add(rounds);
+}
+GSBENCH_FOR_AVX2 float peak_avx2(int rounds) {
+  return multiply_and_add(rounds);
+}
+
+double peak_per_ns() {
+  constexpr int kMany = 3000000;
+  const auto begin = steady_clock::now();
+  const float result = gsbench::random::of_this_machine(peak_any, peak_avx2)(kMany);
+  const double seconds = seconds_since(begin);
+  if (!(result > 0.0F)) {
+    die("the peak was not computed");
+  }
+  return 3.0 * 2.0 * static_cast<double>(kLanes) * kMany / (1e9 * seconds);
+}
+
+double largest_memory_mb() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return static_cast<double>(used.ru_maxrss) / 1024.0;
+}
+
+double reproduce_seconds() {
+  const auto begin = steady_clock::now();
+  if (std::system(GSBENCH_PROGRAM " reproduce --n 1000000 >/dev/null") != 0) {
+    die("gsbench reproduce failed");
+  }
+  return seconds_since(begin);
+}
+
+}  // namespace
+
+int main() {
+  const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
+  std::vector<double> numpy;
+  std::vector<double> two_threads;
+  std::vector<double> one_thread;
+  std::vector<double> step;
+  std::vector<double> peak;
+  for (int round = 0; round < kRounds; ++round) {
+    numpy.push_back(numpy_seconds(round + 1));
+    two_threads.push_back(campaign_seconds(grid, 2));
+    one_thread.push_back(campaign_seconds(grid, 1));
+    step.push_back(step_ns(grid));
+    peak.push_back(peak_per_ns());
+  }
+  print("a million of LSE and EKF in NumPy", median(numpy), "s");
+  print("the same campaign on one thread", median(one_thread), "s");
+  print("the same campaign on two threads", median(two_threads), "s");
+  judge_at_least("  NumPy's time by that", median(numpy) / median(two_threads), "x", 10.0);
+  print("  one thread's time by that", median(one_thread) / median(two_threads), "x");
+  print("an update of the EKF, one thread", median(step), "ns");
+  print("  its operations", kOperations / median(step), "in a ns");
+  print("  multiplications and additions that wait for nothing", median(peak), "in a ns");
+  print("  the EKF's share of that", kOperations / median(step) / median(peak), "");
+  const double before_mb = largest_memory_mb();
+  const double long_s = campaign_seconds(grid, 2, 100 * kTrajectories);
+  print("a hundred million on two threads", long_s, "s");
+  judge_at_most("  memory beyond that of a million", largest_memory_mb() - before_mb, "MB", 1.0);
+  judge_at_most("gsbench reproduce --n 1000000", reproduce_seconds(), "s", 30.0);
+  return gsbench::performance::exit_code();
+}
