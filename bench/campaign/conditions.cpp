@@ -49,7 +49,8 @@ ConditionResult count_conditions(const grid::Grid& grid, const ConditionOptions&
   // Lines may reach back before the loss.
   const int before = std::max(0, counting.window - 1 - counting.first);
   const CountedConditions counted = {counting.window, counting.first + before, counting.count};
-  const auto samples = static_cast<std::size_t>(counted.first + counted.count);
+  const auto samples =
+      static_cast<std::size_t>(counted.first) + static_cast<std::size_t>(counted.count);
   std::vector<float> clean;
   for (std::size_t k = 0; k < samples; ++k) {
     const double t_s = kReportS * (static_cast<double>(k) + 1.0 - static_cast<double>(before));

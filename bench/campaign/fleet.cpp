@@ -12,8 +12,9 @@ Fleet make_fleet(const FleetOptions& options) {
     throw std::invalid_argument("a fleet has 1 … 100 000 000 outlets");
   }
   if (!(options.least_w >= 0.0 && options.most_w > 0.0 && options.most_w >= options.least_w &&
-        options.most_w <= 1e6)) {
-    throw std::invalid_argument("appliances take 0 … 1 000 000 W, the least no more than the most");
+        options.most_w <= 1e9)) {
+    throw std::invalid_argument(
+        "appliances take 0 … 1 000 000 000 W, the least no more than the most");
   }
   Fleet fleet;
   fleet.per_group = options.per_group;

@@ -1,8 +1,8 @@
+#include "balance.hpp"
 #include "fleet_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <campaign/scenario.hpp>
@@ -17,13 +17,11 @@ namespace {
 using gs::outlet::LossEstimator;
 using gs::outlet::Settings;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kReportS = 0.016;
 constexpr double kMeasuringS = 0.028;
 constexpr double kRelayS = 0.008;
-constexpr int kEventAfter = 6;  // measurements of what came after the loss
-constexpr double kCourseS = 0.02;
-constexpr double kLookS = 0.002;  // for nadir and relays
+constexpr int kEventAfter = 6;    // measurements of what came after the loss
+constexpr double kLookS = 0.002;  // of relays
 
 // Outlets measure at so many instants of a report in turn, a batch of kLanes each.
 constexpr std::size_t kInstants = 64;
@@ -47,42 +45,6 @@ void check(const grid::Grid& grid, const ScenarioOptions& o) {
              o.ufls_delay_s >= 0.0,
          "delays are not negative");
 }
-
-// The grid with all that has happened so far.
-class Balance {
- public:
-  Balance(const grid::SfrModel& model, double loss_mw) : model_(model) {
-    changes_.push_back({0.0, loss_mw});
-  }
-
-  void shed(double at_s, double power_mw) {
-    if (power_mw > 0.0) {
-      changes_.push_back({at_s, -power_mw});
-      first_s_ = std::isnan(first_s_) ? at_s : std::min(first_s_, at_s);
-      last_s_ = std::isnan(last_s_) ? at_s : std::max(last_s_, at_s);
-      shed_mw_ += power_mw;
-    }
-  }
-
-  double deviation_hz(double t_s) const {
-    double sum = 0.0;
-    for (const grid::PowerChange& change : changes_) {
-      sum += change.power_mw * model_.unit_deviation_hz(t_s - change.at_s);
-    }
-    return sum;
-  }
-
-  double shed_mw() const { return shed_mw_; }
-  double first_s() const { return first_s_; }
-  double last_s() const { return last_s_; }
-
- private:
-  const grid::SfrModel& model_;
-  std::vector<grid::PowerChange> changes_;
-  double shed_mw_ = 0.0;
-  double first_s_ = kNone;
-  double last_s_ = kNone;
-};
 
 // The outlets of a fleet, measurement after measurement.
 class Outlets {
@@ -249,38 +211,14 @@ void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance
       (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
       grid.nominal_hz;
   int stage = 0;
-  for (double t_s = 0.0; t_s < options.duration_s && stage < 5; t_s += kLookS) {
+  const auto looks = static_cast<int>(options.duration_s / kLookS);
+  for (int look = 0; look < looks && stage < 5; ++look) {
+    const double t_s = kLookS * look;
     while (stage < 5 && balance.deviation_hz(t_s) < first_hz - options.ufls_step_hz * stage) {
       balance.shed(t_s + options.ufls_delay_s, options.ufls_part * grid.load_mw);
       ++stage;
     }
   }
-}
-
-ScenarioResult result_of(const grid::Grid& grid, const ScenarioOptions& options,
-                         const Balance& balance) {
-  ScenarioResult result;
-  result.shed.power_mw = balance.shed_mw();
-  result.first_action_s = balance.first_s();
-  result.last_action_s = balance.last_s();
-  double lowest_hz = 0.0;
-  const auto looks = static_cast<std::size_t>(options.duration_s / kLookS);
-  const auto each = static_cast<std::size_t>(std::llround(kCourseS / kLookS));
-  for (std::size_t i = 0; i <= looks; ++i) {
-    const double t_s = kLookS * static_cast<double>(i);
-    const double deviation_hz = balance.deviation_hz(t_s);
-    if (deviation_hz < lowest_hz) {
-      lowest_hz = deviation_hz;
-      result.nadir_s = t_s;
-    }
-    if (i % each == 0) {
-      result.t_s.push_back(t_s);
-      result.frequency_hz.push_back(grid.nominal_hz + deviation_hz);
-    }
-  }
-  result.nadir_hz = grid.nominal_hz + lowest_hz;
-  result.end_hz = result.frequency_hz.back();
-  return result;
 }
 
 }  // namespace
@@ -333,7 +271,7 @@ ScenarioResult play(const grid::Grid& grid, const Fleet& fleet, const ScenarioOp
   } else if (options.control == Control::kUfls) {
     play_relays(grid, options, balance);
   }
-  ScenarioResult result = result_of(grid, options, balance);
+  ScenarioResult result = balance.result(grid, options.duration_s);
   shed.power_mw = result.shed.power_mw;
   result.shed = std::move(shed);
   result.wanted_mw = std::max(options.loss_mw - grid_threshold_mw, 0.0);

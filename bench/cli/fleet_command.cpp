@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <campaign/closed_loop.hpp>
 #include <campaign/fleet.hpp>
 #include <campaign/scenario.hpp>
 #include <grid/control_centre.hpp>
@@ -24,6 +25,9 @@ using campaign::ScenarioOptions;
 using campaign::ScenarioResult;
 using record::kNoFigure;
 
+constexpr std::size_t kClosedLoopOutlets = 1000;
+constexpr double kToDecideS = 0.8;  // from an event to an open relay
+
 struct FleetArguments {
   std::string grid = "ieee24";
   campaign::FleetOptions fleet;
@@ -32,6 +36,7 @@ struct FleetArguments {
   bool whole_group = false;
   bool delay_aware = false;
   bool sweep = false;
+  bool closed_loop = false;
   std::size_t threads = 1;
   PageOutput output;
 };
@@ -87,7 +92,7 @@ record::PageSection controls(const grid::Grid& grid, const FleetArguments& argum
   double last_action_s = kNoFigure;
   double wanted_mw = 0.0;
   const auto add = [&](const std::string& name) {
-    const ScenarioResult result = play(grid, fleet, options, execution);
+    ScenarioResult result = play(grid, fleet, options, execution);
     table.rows.push_back(row_of(name, result));
     plot.x = result.t_s;
     plot.curves.push_back({name, result.frequency_hz});
@@ -180,6 +185,66 @@ record::PageSection sweep(const grid::Grid& grid, const FleetArguments& argument
   return section;
 }
 
+record::PageSection closed_loop(const grid::Grid& grid, const FleetArguments& arguments,
+                                const campaign::Execution& execution) {
+  // As much power as the fleet has, by a thousand outlets that take more each.
+  campaign::FleetOptions few = arguments.fleet;
+  const double outlets = static_cast<double>(few.groups) * static_cast<double>(few.per_group);
+  few.groups = kClosedLoopOutlets;
+  few.per_group = 1;
+  few.least_w *= outlets / static_cast<double>(kClosedLoopOutlets);
+  few.most_w *= outlets / static_cast<double>(kClosedLoopOutlets);
+  const campaign::Fleet fleet = make_fleet(few);
+  campaign::ClosedLoopOptions options;
+  options.loss_mw = arguments.scenario.loss_mw;
+  options.duration_s = arguments.scenario.duration_s;
+  options.seed = arguments.fleet.seed;
+  record::PageSection section;
+  section.id = "closed-loop";
+  section.title =
+      fmt::format("{} outlets with the whole firmware, from the voltage on", fleet.outlets());
+  record::FigureTable table = {"1 % white noise on each outlet's voltage",
+                               "",
+                               {"threshold by eq. (15)", "threshold for the delay"}};
+  record::CurvePlot plot = {"The frequency.", "s", "Hz"};
+  for (const std::string& column : table.columns) {
+    const campaign::ClosedLoopResult result = play_closed_loop(grid, fleet, options, execution);
+    const ScenarioResult& scenario = result.scenario;
+    const std::pair<const char*, double> figures[] = {
+        {"wanted, MW", scenario.wanted_mw},
+        {"shed, MW", scenario.shed.power_mw},
+        {"outlets off", static_cast<double>(scenario.shed.outlets)},
+        {"outlets that detected the loss", static_cast<double>(result.events)},
+        {"events before the loss", static_cast<double>(result.false_events)},
+        {"last event, s", result.latest_event_s},
+        {"estimates, mean, MW", result.loss_mw.mean()},
+        {"estimates, σ, MW", result.loss_mw.standard_deviation()},
+        {"first action, s", scenario.first_action_s},
+        {"last action, s", scenario.last_action_s},
+        {"nadir, Hz", scenario.nadir_hz},
+        {"at, s", scenario.nadir_s},
+        {"end, Hz", scenario.end_hz}};
+    for (std::size_t i = 0; i < std::size(figures); ++i) {
+      if (table.rows.size() <= i) {
+        table.rows.push_back({figures[i].first, {}});
+      }
+      table.rows[i].figures.push_back(figures[i].second);
+    }
+    plot.x = scenario.t_s;
+    plot.curves.push_back({column, scenario.frequency_hz});
+    options.threshold_mw =
+        delay_aware_threshold_mw(grid, arguments.scenario, result.latest_event_s + kToDecideS);
+  }
+  section.tables = {table};
+  section.plots = {plot};
+  section.paragraphs = {
+      "By eq. (15) the nadir comes to lie below f_s, and with it below switching-off frequencies: "
+      "outlets that had decided to stay on go off after all. A threshold that reckons with the "
+      "delay "
+      "spares them."};
+  return section;
+}
+
 int run_fleet(FleetArguments arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
   check_place(arguments.output);
@@ -205,6 +270,9 @@ int run_fleet(FleetArguments arguments) {
                               arguments.scenario.noise_hz)},
         {"seed", std::to_string(arguments.fleet.seed)}};
     page.sections = {controls(grid, arguments, fleet, execution)};
+    if (arguments.closed_loop) {
+      page.sections.push_back(closed_loop(grid, arguments, execution));
+    }
     if (arguments.sweep) {
       page.sections.push_back(sweep(grid, arguments, fleet, execution));
     }
@@ -255,6 +323,8 @@ void add_fleet(CLI::App& app, int& exit_code) {
                     "Also with a threshold that reckons with the outlets' delay");
   command->add_flag("--sweep", arguments->sweep,
                     "Also over losses, noises and delays, as heat maps");
+  command->add_flag("--closed-loop", arguments->closed_loop,
+                    "Also a thousand outlets with the whole firmware, from the voltage on");
   command->add_option("--duration", scenario.duration_s, "s")->capture_default_str();
   command->add_option("--seed", arguments->fleet.seed, "Of all random numbers")
       ->check(kSeedRange)

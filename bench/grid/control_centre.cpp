@@ -71,8 +71,10 @@ double nadir_with_shedding_hz(const SfrModel& model, double loss_mw, double shed
   // It falls until the shedding at least, then turns at once or later, as one loss does.
   const double last_s = delay_s + 20.0 / model.omega_n();
   double lowest_hz = response.frequency_hz(delay_s);
-  for (double t_s = 0.0; t_s < last_s; t_s += 0.005) {
-    lowest_hz = std::min(lowest_hz, response.frequency_hz(t_s));
+  constexpr double kStepS = 0.005;
+  const auto steps = static_cast<int>(last_s / kStepS);
+  for (int step = 0; step < steps; ++step) {
+    lowest_hz = std::min(lowest_hz, response.frequency_hz(kStepS * step));
   }
   return lowest_hz;
 }

@@ -13,7 +13,7 @@ namespace {
 using record::kNoFigure;
 
 constexpr double kStepS = 0.02;
-constexpr double kLengthS = 20.0;
+constexpr int kSteps = 1000;
 
 double figure_or_none(const std::optional<double>& figure) {
   return figure.value_or(kNoFigure);
@@ -39,7 +39,8 @@ PageSection fig8_and_13(const grid::Grid& grid) {
   record::CurvePlot plot = {"The frequency after the threshold loss and after 500 MW.", "s", "Hz"};
   record::Curve at_threshold{"threshold loss", {}};
   record::Curve at_500{"500 MW", {}};
-  for (double t_s = 0.0; t_s <= kLengthS; t_s += kStepS) {
+  for (int step = 0; step <= kSteps; ++step) {
+    const double t_s = kStepS * step;
     plot.x.push_back(t_s);
     at_threshold.y.push_back(grid.nominal_hz + threshold_mw * model.unit_deviation_hz(t_s));
     at_500.y.push_back(grid.nominal_hz + 500.0 * model.unit_deviation_hz(t_s));
@@ -88,8 +89,9 @@ PageSection fig14(const grid::Grid& grid) {
       "the ROCOF at any frequency.",
       "Hz below nominal", "Hz/s"};
   constexpr double kStepHz = 0.005;
-  for (double below_hz = 0.0; below_hz < 0.9; below_hz += kStepHz) {
-    plot.x.push_back(below_hz);
+  constexpr int kStepsBelow = 180;
+  for (int step = 0; step < kStepsBelow; ++step) {
+    plot.x.push_back(kStepHz * step);
   }
   for (const double loss_mw : {100.0, 200.0, 300.0, threshold_mw, 400.0, 500.0, 600.0}) {
     char name[32];

@@ -75,8 +75,9 @@ record::CurvePlot histogram(const std::string& caption, double from_mw, double t
                             double step_mw, const std::vector<std::pair<std::string, Tally>>& of) {
   record::CurvePlot plot = {caption, "MW", "share a step, %"};
   plot.steps = true;
-  for (double mw = from_mw; mw <= to_mw; mw += step_mw) {
-    plot.x.push_back(mw);
+  const auto steps = std::lround((to_mw - from_mw) / step_mw);
+  for (long step = 0; step <= steps; ++step) {
+    plot.x.push_back(from_mw + step_mw * static_cast<double>(step));
   }
   for (const auto& [name, tally] : of) {
     record::Curve curve{name, {}};
