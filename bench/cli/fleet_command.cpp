@@ -241,7 +241,7 @@ record::PageSection closed_loop(const grid::Grid& grid, const FleetArguments& ar
       "By eq. (15) the nadir comes to lie below f_s, and with it below switching-off frequencies: "
       "outlets that had decided to stay on go off after all. A threshold that reckons with the "
       "delay "
-      "spares them."};
+      "spares most of them."};
   return section;
 }
 
