@@ -130,7 +130,7 @@ PageSection fig22(const grid::Grid& grid, const Options& options, const Executio
   choice.loss_mw = kLossMw;
   choice.seed = options.seed;
   const auto add = [&](const std::string& name) {
-    const ScenarioResult result = play(grid, fleet, choice, execution);
+    ScenarioResult result = play(grid, fleet, choice, execution);
     table.rows.push_back({name,
                           {result.shed.power_mw, result.first_action_s, result.last_action_s,
                            result.nadir_hz, result.nadir_s, result.end_hz}});

@@ -45,7 +45,8 @@ void check(const Options& options) {
     if (std::none_of(all.begin(), all.end(), [&](const Item& item) { return item.id == id; })) {
       std::string known;
       for (const Item& item : all) {
-        known += (known.empty() ? "" : ", ") + item.id;
+        known += known.empty() ? "" : ", ";
+        known += item.id;
       }
       throw std::invalid_argument("\"" + id + "\" cannot be reproduced; there are " + known);
     }

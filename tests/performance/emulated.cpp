@@ -23,7 +23,6 @@
 
 namespace {
 
-namespace drivers = gsbench::drivers;
 namespace emulated = gsbench::emulated;
 namespace link = gsbench::link;
 namespace source = gsbench::source;

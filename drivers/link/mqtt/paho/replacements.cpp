@@ -90,7 +90,7 @@ char* __wrap_SSLSocket_getdata(SSL* connection, int socket, std::size_t size, st
 int __real_Socket_getReadySocket(int more_work, int timeout_ms, void* mutex, int* result);
 int __wrap_Socket_getReadySocket(int more_work, int timeout_ms, void* mutex, int* result) {
   const auto pause = gathering.pause_before_waiting(std::chrono::steady_clock::now());
-  if (pause > pause.zero() && timeout_ms > 0) {
+  if (pause.count() > 0 && timeout_ms > 0) {
     const int ready = __real_Socket_getReadySocket(more_work, 0, mutex, result);
     if (ready > 0 || *result != 0) {
       return ready;  // what is there already does not wait
