@@ -6,7 +6,10 @@
 
 namespace {
 
-using namespace gsbench::campaign;
+using gsbench::campaign::ClosedLoopOptions;
+using gsbench::campaign::ClosedLoopResult;
+using gsbench::campaign::Execution;
+using gsbench::campaign::FleetOptions;
 
 ClosedLoopResult play_loop(double loss_mw, double told_mw, std::size_t threads = 2) {
   static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");

@@ -12,7 +12,16 @@
 
 namespace {
 
-using namespace gsbench::campaign;
+using gsbench::campaign::Accumulation;
+using gsbench::campaign::Control;
+using gsbench::campaign::Execution;
+using gsbench::campaign::Fleet;
+using gsbench::campaign::FleetOptions;
+using gsbench::campaign::make_fleet;
+using gsbench::campaign::ScenarioOptions;
+using gsbench::campaign::ScenarioResult;
+using gsbench::campaign::Shed;
+using gsbench::campaign::shed_by_estimates;
 
 const gsbench::grid::Grid& ieee24() {
   static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
