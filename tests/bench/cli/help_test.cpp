@@ -8,8 +8,8 @@ using gsbench::test::Outcome;
 using gsbench::test::run_gsbench;
 
 TEST(Help, EverySubcommandHasOneWithAnExample) {
-  for (const std::string command :
-       {"run", "list", "check", "params", "waveform", "report", "runs", "study", "measures", "reproduce", "fleet"}) {
+  for (const std::string command : {"run", "list", "check", "params", "waveform", "report", "runs",
+                                    "study", "measures", "reproduce", "fleet"}) {
     const Outcome outcome = run_gsbench({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_NE(outcome.out.find("gsbench " + command), std::string::npos) << outcome.out;
