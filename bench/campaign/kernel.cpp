@@ -12,7 +12,7 @@ namespace {
 using gs::outlet::LossEstimator;
 using gs::outlet::LseState;
 using gs::outlet::Settings;
-using random::of_this_machine;
+using random::run_on_this_machine;
 
 template <class Model>
 inline void outlet_body(const Settings& settings, const Model& response, const float* deviations_hz,
@@ -68,95 +68,43 @@ inline void conditions_body(const Settings& settings, float nominal_hz,
   store(all, hits);
 }
 
-// ---- for any machine
-
-GSBENCH_FOR_ANY void outlet_any(const Settings& s, const gs::outlet::Response& r, const float* d,
-                                int n, Estimates& e) {
-  outlet_body(s, r, d, n, e);
-}
-GSBENCH_FOR_ANY void outlets_any(const Settings& s, const gs::outlet::ResponseOf<Lanes>& r,
-                                 const float* d, int n, Estimates& e) {
-  outlet_body(s, r, d, n, e);
-}
-GSBENCH_FOR_ANY void paper_any(const PaperStart& s, float k, const PaperModel<float>& m,
-                               const float* d, int n, Estimates& e) {
-  paper_body(s, k, m, d, n, e);
-}
-GSBENCH_FOR_ANY void papers_any(const PaperStart& s, float k, const PaperModel<Lanes>& m,
-                                const float* d, int n, Estimates& e) {
-  paper_body(s, k, m, d, n, e);
-}
-GSBENCH_FOR_ANY void conditions_any(const Settings& s, float f, const CountedConditions& c,
-                                    const float* d, float* hits) {
-  conditions_body(s, f, c, d, hits);
-}
-
-// ---- for AVX2
-
-GSBENCH_FOR_AVX2 void outlet_avx2(const Settings& s, const gs::outlet::Response& r, const float* d,
-                                  int n, Estimates& e) {
-  outlet_body(s, r, d, n, e);
-}
-GSBENCH_FOR_AVX2 void outlets_avx2(const Settings& s, const gs::outlet::ResponseOf<Lanes>& r,
-                                   const float* d, int n, Estimates& e) {
-  outlet_body(s, r, d, n, e);
-}
-GSBENCH_FOR_AVX2 void paper_avx2(const PaperStart& s, float k, const PaperModel<float>& m,
-                                 const float* d, int n, Estimates& e) {
-  paper_body(s, k, m, d, n, e);
-}
-GSBENCH_FOR_AVX2 void papers_avx2(const PaperStart& s, float k, const PaperModel<Lanes>& m,
-                                  const float* d, int n, Estimates& e) {
-  paper_body(s, k, m, d, n, e);
-}
-GSBENCH_FOR_AVX2 void conditions_avx2(const Settings& s, float f, const CountedConditions& c,
-                                      const float* d, float* hits) {
-  conditions_body(s, f, c, d, hits);
-}
-GSBENCH_FOR_ANY void report_any(const Settings& s, LossEstimator<Lanes>& e, const float* d, int k) {
-  gs::outlet::take(s, s.response, e, load(d), k);
-}
-GSBENCH_FOR_AVX2 void report_avx2(const Settings& s, LossEstimator<Lanes>& e, const float* d,
-                                  int k) {
-  gs::outlet::take(s, s.response, e, load(d), k);
-}
-
 }  // namespace
 
 void estimate_as_outlet(const Settings& settings, const float* deviations_hz, int samples,
                         Estimates& estimates) {
-  of_this_machine(outlet_any, outlet_avx2)(settings, settings.response, deviations_hz, samples,
-                                           estimates);
+  run_on_this_machine(
+      [&] { outlet_body(settings, settings.response, deviations_hz, samples, estimates); });
 }
 
 void estimate_as_outlet(const Settings& settings, const gs::outlet::ResponseOf<Lanes>& response,
                         const float* deviations_hz, int samples, Estimates& estimates) {
-  of_this_machine(outlets_any, outlets_avx2)(settings, response, deviations_hz, samples, estimates);
+  run_on_this_machine([&] { outlet_body(settings, response, deviations_hz, samples, estimates); });
 }
 
 void estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
                        const PaperModel<float>& model, const float* deviations_hz, int samples,
                        Estimates& estimates) {
-  of_this_machine(paper_any, paper_avx2)(start, k_lse_mw_per_hz_s, model, deviations_hz, samples,
-                                         estimates);
+  run_on_this_machine(
+      [&] { paper_body(start, k_lse_mw_per_hz_s, model, deviations_hz, samples, estimates); });
 }
 
 void estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
                        const PaperModel<Lanes>& model, const float* deviations_hz, int samples,
                        Estimates& estimates) {
-  of_this_machine(papers_any, papers_avx2)(start, k_lse_mw_per_hz_s, model, deviations_hz, samples,
-                                           estimates);
+  run_on_this_machine(
+      [&] { paper_body(start, k_lse_mw_per_hz_s, model, deviations_hz, samples, estimates); });
 }
 
 void count_conditions(const Settings& settings, float nominal_hz, const CountedConditions& counted,
                       const float* deviations_hz, float hits[kLanes]) {
-  of_this_machine(conditions_any, conditions_avx2)(settings, nominal_hz, counted, deviations_hz,
-                                                   hits);
+  run_on_this_machine([&] { conditions_body(settings, nominal_hz, counted, deviations_hz, hits); });
 }
 
 void take_report(const Settings& settings, LossEstimator<Lanes>& estimator,
                  const float deviation_hz[kLanes], int report) {
-  of_this_machine(report_any, report_avx2)(settings, estimator, deviation_hz, report);
+  run_on_this_machine([&] {
+    gs::outlet::take(settings, settings.response, estimator, load(deviation_hz), report);
+  });
 }
 
 }  // namespace gsbench::campaign

@@ -1,11 +1,8 @@
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "page_output.hpp"
-#include "progress.hpp"
 
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -37,7 +34,6 @@ struct FleetArguments {
   bool delay_aware = false;
   bool sweep = false;
   bool closed_loop = false;
-  std::size_t threads = 1;
   PageOutput output;
 };
 
@@ -138,7 +134,7 @@ record::PageSection sweep(const grid::Grid& grid, const FleetArguments& argument
   double done = 0.0;
   constexpr double kAll = static_cast<double>(std::size(kLossParts)) *
                           static_cast<double>(std::size(kNoisesHz) + std::size(kDelaysS));
-  const auto fill = [&](record::FigureTable& nadirs, record::FigureTable& sheds, const auto& values,
+  const auto fill = [&](record::FigureTable& nadirs, record::FigureTable* sheds, const auto& values,
                         const auto& apply) {
     for (const double part : kLossParts) {
       ScenarioOptions options = arguments.scenario;
@@ -162,7 +158,9 @@ record::PageSection sweep(const grid::Grid& grid, const FleetArguments& argument
         }
       }
       nadirs.rows.push_back(nadir);
-      sheds.rows.push_back(shed);
+      if (sheds != nullptr) {
+        sheds->rows.push_back(shed);
+      }
     }
   };
   record::FigureTable by_noise = {"Nadir, Hz, over noise (± or σ, Hz)", "loss", {}, {}, true};
@@ -171,15 +169,14 @@ record::PageSection sweep(const grid::Grid& grid, const FleetArguments& argument
     by_noise.columns.push_back(fmt::format("{:g}", noise_hz));
   }
   shed_by_noise.columns = by_noise.columns;
-  fill(by_noise, shed_by_noise, kNoisesHz,
+  fill(by_noise, &shed_by_noise, kNoisesHz,
        [](ScenarioOptions& options, double value) { options.noise_hz = value; });
   record::FigureTable by_delay = {
       "Nadir, Hz, over a further delay of every outlet, s", "loss", {}, {}, true};
-  record::FigureTable shed_by_delay = by_delay;
   for (const double delay_s : kDelaysS) {
     by_delay.columns.push_back(fmt::format("{:g}", delay_s));
   }
-  fill(by_delay, shed_by_delay, kDelaysS,
+  fill(by_delay, nullptr, kDelaysS,
        [](ScenarioOptions& options, double value) { options.further_delay_s = value; });
   section.tables = {by_noise, shed_by_noise, by_delay};
   return section;
@@ -245,52 +242,46 @@ record::PageSection closed_loop(const grid::Grid& grid, const FleetArguments& ar
   return section;
 }
 
+record::Page fleet_page(const grid::Grid& grid, const FleetArguments& arguments,
+                        const campaign::Execution& execution) {
+  const campaign::Fleet fleet = make_fleet(arguments.fleet);
+  record::Page page;
+  page.title =
+      fmt::format("{} outlets of {:.1f} MW on {}", fleet.outlets(), fleet.power_mw, grid.name);
+  page.subtitle = grid.title;
+  page.facts = {
+      {"loss", fmt::format("{:g} MW", arguments.scenario.loss_mw)},
+      {"noise", fmt::format("{} {:g} Hz", arguments.gaussian ? "Gaussian, σ =" : "uniform, ±",
+                            arguments.scenario.noise_hz)},
+      {"seed", std::to_string(arguments.fleet.seed)}};
+  page.sections = {controls(grid, arguments, fleet, execution)};
+  if (arguments.closed_loop) {
+    page.sections.push_back(closed_loop(grid, arguments, execution));
+  }
+  if (arguments.sweep) {
+    page.sections.push_back(sweep(grid, arguments, fleet, execution));
+  }
+  if (execution.stop->load()) {
+    page.facts.emplace_back("stopped", "what was under way is not whole");
+  }
+  return page;
+}
+
 int run_fleet(FleetArguments arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
-  check_place(arguments.output);
-  const std::atomic<bool>& interrupted = catch_interrupts();
   arguments.scenario.law = arguments.gaussian ? NoiseLaw::kGaussian : NoiseLaw::kUniform;
   arguments.scenario.seed = arguments.fleet.seed;
   arguments.fleet.accumulation = arguments.whole_group ? campaign::Accumulation::kWholeGroup
                                                        : campaign::Accumulation::kHalfGroup;
-  campaign::Execution execution;
-  execution.threads = arguments.threads;
-  execution.stop = &interrupted;
-  record::Page page;
-  try {
-    Progress progress("fleet");
-    execution.progress = [&](double part) { progress.show(part); };
-    const campaign::Fleet fleet = make_fleet(arguments.fleet);
-    page.title =
-        fmt::format("{} outlets of {:.1f} MW on {}", fleet.outlets(), fleet.power_mw, grid.name);
-    page.subtitle = grid.title;
-    page.facts = {
-        {"loss", fmt::format("{:g} MW", arguments.scenario.loss_mw)},
-        {"noise", fmt::format("{} {:g} Hz", arguments.gaussian ? "Gaussian, σ =" : "uniform, ±",
-                              arguments.scenario.noise_hz)},
-        {"seed", std::to_string(arguments.fleet.seed)}};
-    page.sections = {controls(grid, arguments, fleet, execution)};
-    if (arguments.closed_loop) {
-      page.sections.push_back(closed_loop(grid, arguments, execution));
-    }
-    if (arguments.sweep) {
-      page.sections.push_back(sweep(grid, arguments, fleet, execution));
-    }
-  } catch (const std::invalid_argument& error) {
-    throw profile::ConfigurationError(error.what());
-  }
-  if (interrupted) {
-    page.facts.emplace_back("stopped", "what was under way is not whole");
-  }
-  print_page(page, arguments.output);
-  return interrupted ? kInterrupted : kPassed;
+  return print_page("fleet", arguments.output, [&](const campaign::Execution& execution) {
+    return fleet_page(grid, arguments, execution);
+  });
 }
 
 }  // namespace
 
 void add_fleet(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<FleetArguments>();
-  arguments->threads = default_threads();
   CLI::App* command = app.add_subcommand(
       "fleet", "Very many outlets after a loss: who sheds, how much, when, how the frequency goes");
   ScenarioOptions& scenario = arguments->scenario;
@@ -329,12 +320,7 @@ void add_fleet(CLI::App& app, int& exit_code) {
   command->add_option("--seed", arguments->fleet.seed, "Of all random numbers")
       ->check(kSeedRange)
       ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "The result is the same for any")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command->add_option("-o,--output", arguments->output.report,
-                      "Write an HTML report there; - is standard output");
-  command->add_flag("--json", arguments->output.json, "Print as JSON");
+  add_page_options(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  gsbench fleet                                  a million outlets after 500 MW\n"

@@ -1,20 +1,21 @@
 #include "page_output.hpp"
 
+#include "commands.hpp"
+#include "interrupt.hpp"
 #include "output_file.hpp"
+#include "progress.hpp"
 
 #include <cstdio>
+#include <stdexcept>
 
+#include <profile/load.hpp>
 #include <render/page.hpp>
 
 namespace gsbench::cli {
 
-void check_place(const PageOutput& output) {
-  if (!output.report.empty()) {
-    const OutputFile tried(output.report, {});  // leaves nothing
-  }
-}
+namespace {
 
-void print_page(const record::Page& page, const PageOutput& output) {
+void write(const record::Page& page, const PageOutput& output) {
   if (!output.report.empty()) {
     OutputFile file(output.report, {});
     file.append(render::html(page));
@@ -24,6 +25,39 @@ void print_page(const record::Page& page, const PageOutput& output) {
     }
   }
   std::fputs((output.json ? render::json(page) : render::terminal(page)).c_str(), stdout);
+}
+
+}  // namespace
+
+void add_page_options(CLI::App& command, PageOutput& output) {
+  output.threads = default_threads();
+  command.add_option("--threads", output.threads, "The result is the same for any")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command.add_option("-o,--output", output.report,
+                     "Write an HTML report there; - is standard output");
+  command.add_flag("--json", output.json, "Print as JSON");
+}
+
+int print_page(const char* what, const PageOutput& output,
+               const std::function<record::Page(const campaign::Execution&)>& make) {
+  if (!output.report.empty()) {
+    const OutputFile tried(output.report, {});  // leaves nothing
+  }
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  campaign::Execution execution;
+  execution.threads = output.threads;
+  execution.stop = &interrupted;
+  record::Page page;
+  try {
+    Progress progress(what);
+    execution.progress = [&](double part) { progress.show(part); };
+    page = make(execution);
+  } catch (const std::invalid_argument& error) {
+    throw profile::ConfigurationError(error.what());
+  }
+  write(page, output);
+  return interrupted ? kInterrupted : kPassed;
 }
 
 }  // namespace gsbench::cli

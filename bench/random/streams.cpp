@@ -86,9 +86,17 @@ struct Product {
     }
   }
 }
-#else
-constexpr auto fill_avx2 = fill_any;
 #endif
+
+void fill(const Stream& first, std::uint64_t block, std::uint32_t stream_step,
+          std::uint32_t block_step, Words& words) {
+#if defined(__x86_64__)
+  if (has_avx2()) {
+    return fill_avx2(first, block, stream_step, block_step, words);
+  }
+#endif
+  fill_any(first, block, stream_step, block_step, words);
+}
 
 }  // namespace
 
@@ -99,7 +107,7 @@ void add_uniform_to_each(const Stream& first, std::size_t streams, std::size_t s
     const std::size_t count = std::min(kAtOnce, streams - begin);
     for (std::size_t sample = 0; sample < samples; sample += kWords) {
       Words words;
-      of_this_machine(&fill_any, +fill_avx2)(nth(first, begin), sample / kWords, 1, 0, words);
+      fill(nth(first, begin), sample / kWords, 1, 0, words);
       for (std::size_t word = 0; word < std::min(kWords, samples - sample); ++word) {
         float* const row = out + (sample + word) * streams + begin;
         for (std::size_t i = 0; i < count; ++i) {
@@ -117,7 +125,7 @@ void add_uniform(const Stream& stream, std::uint64_t first, std::size_t count, f
       kWords * kAtOnce;  // value i: word i / kAtOnce of block i % kAtOnce
   while (count > 0) {
     Words words;
-    of_this_machine(&fill_any, +fill_avx2)(stream, first / kBatch * kAtOnce, 0, 1, words);
+    fill(stream, first / kBatch * kAtOnce, 0, 1, words);
     const std::size_t skipped = first % kBatch;
     const std::size_t used = std::min(count, kBatch - skipped);
     for (std::size_t i = 0; i < used; ++i) {

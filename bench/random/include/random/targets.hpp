@@ -1,24 +1,39 @@
-// Code twice, for AVX2 and for any machine. Everything is inlined into the two, so that no code for
-// the one is ever called by the other.
+// Code in the vectors that this machine has: built twice, for AVX2 and for any machine. Everything
+// is inlined into the two, so that no code for the one is ever called by the other.
 #pragma once
-
-#define GSBENCH_FOR_ANY [[gnu::flatten]]
-#if defined(__x86_64__)
-#define GSBENCH_FOR_AVX2 [[gnu::flatten, gnu::target("avx2")]]
-#else
-#define GSBENCH_FOR_AVX2 [[gnu::flatten]]
-#endif
 
 namespace gsbench::random {
 
-template <class Function>
-Function* of_this_machine(Function* any, Function* avx2) {
+template <class Body>
+[[gnu::flatten]] void run_on_any(const Body& body) {
+  body();
+}
+
 #if defined(__x86_64__)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  return has_avx2 ? avx2 : any;
-#else
-  return avx2 != nullptr ? avx2 : any;
+template <class Body>
+[[gnu::flatten, gnu::target("avx2")]] void run_on_avx2(const Body& body) {
+  body();
+}
 #endif
+
+inline bool has_avx2() {
+#if defined(__x86_64__)
+  static const bool has = __builtin_cpu_supports("avx2") != 0;
+  return has;
+#else
+  return false;
+#endif
+}
+
+template <class Body>
+void run_on_this_machine(const Body& body) {
+#if defined(__x86_64__)
+  if (has_avx2()) {
+    run_on_avx2(body);
+    return;
+  }
+#endif
+  run_on_any(body);
 }
 
 }  // namespace gsbench::random
