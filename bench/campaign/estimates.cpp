@@ -157,7 +157,9 @@ class Estimators {
 
   // The five contradict one another once they are off: f begins at f_0, so that G_2·sin ∅ = −G_1,
   // and ω_r = ω_n·√(1 − ζ²). An outlet is sent four numbers, which cannot; whoever sends them has
-  // G_1, G_2 and ω_n twice each and takes the mean, by weights where the errors are unequal.
+  // G_1, G_2 and ω_n twice each and takes the mean, by weights where the errors are unequal. An
+  // estimate divides by the gain, and the mean of a reciprocal is above that of the mean by the
+  // variance: it is taken off.
   gs::outlet::ResponseOf<Lanes> response_with(const Errors& e) const {
     constexpr float kOwn = 0.66F;  // the other comes by way of ∅ and has twice the variance
     constexpr float kOther = 1.0F - kOwn;
@@ -170,7 +172,9 @@ class Estimators {
     const Lanes pace = (e.of[2] + e.of[3]) * 0.5F + 1.0F;  // of both ω
     const Lanes omega_r = pace * paper_.omega_r;
     gs::outlet::ResponseOf<Lanes> response;
-    response.gain_hz_per_mw = gain;
+    const auto spread = static_cast<float>(options_.parameter_error);
+    const float variance = (kOwn * kOwn + 2.0F * kOther * kOther) * spread * spread / 3.0F;
+    response.gain_hz_per_mw = gain * (1.0F + variance);
     response.sigma_per_s = pace * paper_.sigma_per_s;
     response.discriminant_per_s2 = omega_r * omega_r;
     response.initial_slope_per_s =
@@ -204,6 +208,7 @@ gs::outlet::Settings estimate_settings(const grid::Grid& grid) {
   settings.ekf_samples = kEkfSamples;
   // The first sample is the first after the loss: nothing went before to detect it by.
   settings.event_drops = 1;
+  settings.event_lag_s = 0.0F;
   return settings;
 }
 

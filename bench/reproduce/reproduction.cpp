@@ -43,12 +43,12 @@ void check(const Options& options) {
   for (const std::string& id : options.only) {
     const auto& all = items();
     if (std::none_of(all.begin(), all.end(), [&](const Item& item) { return item.id == id; })) {
-      std::string known;
+      std::string message = "\"" + id + "\" cannot be reproduced; there are ";
       for (const Item& item : all) {
-        known += known.empty() ? "" : ", ";
-        known += item.id;
+        message += &item == &all.front() ? "" : ", ";
+        message += item.id;
       }
-      throw std::invalid_argument("\"" + id + "\" cannot be reproduced; there are " + known);
+      throw std::invalid_argument(message);
     }
   }
 }

@@ -92,6 +92,8 @@ std::map<std::string, double> described(const Settings& s) {
       {"event_drops", static_cast<double>(s.event_drops)},
       {"event_drop_hz", static_cast<double>(s.event_drop_hz)},
       {"event_departure_hz", static_cast<double>(s.event_departure_hz)},
+      {"event_lag_s", static_cast<double>(s.event_lag_s)},
+      {"t_x_sigma_s", static_cast<double>(s.t_x_sigma_s)},
       {"lse_samples", static_cast<double>(s.lse_samples)},
       {"ekf_samples", static_cast<double>(s.ekf_samples)},
       {"loss_sigma_mw", static_cast<double>(s.loss_sigma_mw)},

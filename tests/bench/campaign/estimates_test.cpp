@@ -68,14 +68,21 @@ TEST(EstimateCampaign, UniformNoiseIsBornAsInTable4AndBetter) {
 }
 
 TEST(EstimateCampaign, GaussianNoiseOfTheSameFigureIsBornToo) {
-  EXPECT_GE(within(play(a_short(Mode::kGsbench, NoiseLaw::kGaussian)), 0.04), 0.99);
+  for (const LossInstant instant : {LossInstant::kOnReport, LossInstant::kBetweenReports}) {
+    EstimateOptions options = a_short(Mode::kGsbench, NoiseLaw::kGaussian);
+    options.instant = instant;
+    EXPECT_GE(within(play(options), 0.04), 0.99);
+  }
 }
 
-TEST(EstimateCampaign, ItsSpreadIsNearTheBoundForTheSamplesTheEkfIsGiven) {
-  const EstimateResult result = play(a_short(Mode::kGsbench));
-  const double bound_mw = cramer_rao_mw(ieee24(), 500.0, 7, 50, result.noise_sigma_hz);
-  EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * bound_mw);
-  EXPECT_GE(result.ekf_mw.standard_deviation(), result.bound_mw);  // that of all fifty
+// LSE and EKF see all fifty between them. A start for the instant is worth something, too, so that
+// the bound without it may be passed.
+TEST(EstimateCampaign, ItsSpreadIsNearTheBoundForAllSamples) {
+  for (const NoiseLaw law : {NoiseLaw::kUniform, NoiseLaw::kGaussian}) {
+    const EstimateResult result = play(a_short(Mode::kGsbench, law));
+    EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * result.bound_mw) << to_string(law);
+    EXPECT_GE(result.ekf_mw.standard_deviation(), 0.95 * result.bound_mw) << to_string(law);
+  }
 }
 
 TEST(EstimateCampaign, WrongParametersAreBornAsInTable5AndBetter) {

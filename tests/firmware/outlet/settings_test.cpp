@@ -77,6 +77,8 @@ std::vector<Spoiling> spoilings() {
       {"no spread of the LSE", E::kEstimator, [](S s) { s.loss_sigma_mw = 0.0F; }},
       {"spread beyond the system", E::kEstimator,
        [](S s) { s.loss_sigma_mw = 1.1F * s.largest_loss_mw; }},
+      {"an event before its drops", E::kEstimator, [](S s) { s.event_lag_s = -0.001F; }},
+      {"an event long after its drops", E::kEstimator, [](S s) { s.event_lag_s = 0.11F; }},
       {"no spread of t_x", E::kEstimator, [](S s) { s.t_x_sigma_s = 0.0F; }},
       {"no residual is trusted", E::kEstimator, [](S s) { s.trusted_residual_hz = 0.0F; }},
       {"no phase noise", E::kTracker, [](S s) { s.tracker.phase_noise_rad = 0.0F; }},

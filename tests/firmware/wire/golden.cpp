@@ -58,6 +58,7 @@ outlet::Settings settings() {
   settings.ekf_samples = 40;
   settings.measurement_sigma_hz = 0.00390625F;
   settings.loss_sigma_mw = 88.0F;
+  settings.event_lag_s = 0.0078125F;
   settings.t_x_sigma_s = 0.0234375F;
   settings.trusted_residual_hz = 0.01171875F;
   settings.switch_off_samples = 3;
@@ -130,13 +131,13 @@ std::vector<Golden> goldens() {
       {"identify as a frame", framed(encoded(down(DownlinkKind::kIdentify), 0)),
        "00 03 82 03 05 3f 45 dd 36 00"},
       {"settings", encoded(settings_message(), 1),
-       "98 21 01 01 01 fa 3a 80 00 00 fa 3e 80 00 00 fa 3d 80 00 00 fa 3f a0 00 "
+       "98 22 01 01 01 fa 3a 80 00 00 fa 3e 80 00 00 fa 3d 80 00 00 fa 3f a0 00 "
        "00 fa 43 b0 00 00 fa 45 2b 90 00 fa 42 c8 00 00 fa 42 44 00 00 02 fa 42 "
        "47 00 00 fa bf 00 00 00 fa 42 46 00 00 fa be 80 00 00 14 08 05 fa 3c 80 "
-       "00 00 fa 3d 00 00 00 0a 18 28 fa 3b 80 00 00 fa 42 b0 00 00 fa 3c c0 00 "
-       "00 fa 3c 40 00 00 03 fa 3a 80 00 00 fa 3f 40 00 00 fa 3d 50 00 00 fa 3d "
-       "80 00 00 fa 3e 00 00 00"},
-      {"settings answer", encoded(settings_answer(), 3), "87 02 03 18 c8 00 01 1a 48 ef 00 67 f5"},
+       "00 00 fa 3d 00 00 00 0a 18 28 fa 3b 80 00 00 fa 42 b0 00 00 fa 3c 00 00 "
+       "00 fa 3c c0 00 00 fa 3c 40 00 00 03 fa 3a 80 00 00 fa 3f 40 00 00 fa 3d "
+       "50 00 00 fa 3d 80 00 00 fa 3e 00 00 00"},
+      {"settings answer", encoded(settings_answer(), 3), "87 02 03 18 c8 00 01 1a a5 6a 7f e2 f5"},
       {"first measurement, not settled", encoded(measurement(), 1),
        "87 03 01 18 80 fa 7f c0 00 00 fa 7f c0 00 00 fa 00 00 00 00 00"},
       {"measurement", encoded(valid_measurement(), 65),

@@ -6,7 +6,7 @@
 
 namespace gs::node {
 
-constexpr std::uint32_t kFingerprint = 0x5B6ED6F3u;
+constexpr std::uint32_t kFingerprint = 0x946A0C43u;
 
 std::uint32_t arithmetic_fingerprint();
 

@@ -57,8 +57,8 @@ void take(const Settings& settings, const Model& response, LossEstimator<Real>& 
     return;
   }
   s.lse_loss_mw = slope_hz_s(s.lse) * k_lse_mw_per_hz_s(response);
-  // The fall began where the drops began.
-  const Real t_x_s = Real{} - kReportS * static_cast<float>(settings.event_drops);
+  const Real t_x_s =
+      Real{} - (kReportS * static_cast<float>(settings.event_drops) + settings.event_lag_s);
   start(ekf, s.ekf, s.lse_loss_mw, t_x_s);
   s.started = true;
   const int shared = s.lse.count < kSharedSamples ? s.lse.count : kSharedSamples;

@@ -33,6 +33,7 @@ void visit_fields(S& s, Visitor& visit) {
   visit(s.ekf_samples);
   visit(s.measurement_sigma_hz);
   visit(s.loss_sigma_mw);
+  visit(s.event_lag_s);
   visit(s.t_x_sigma_s);
   visit(s.trusted_residual_hz);
   visit(s.switch_off_samples);

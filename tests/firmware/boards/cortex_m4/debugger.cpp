@@ -6,10 +6,21 @@
 namespace gs::test {
 namespace {
 
+constexpr unsigned kLinkRegister = 14;
+constexpr unsigned kProgramCounter = 15;
+constexpr std::uint32_t kThumb = 1;  // in an address to return to
+
 std::string hex(std::uint32_t value, int digits = 2) {
   std::array<char, 16> text = {};
   std::snprintf(text.data(), text.size(), "%0*x", digits, value);
   return text.data();
+}
+
+// Registers go over the line in the processor's order of bytes.
+std::string as_in_memory(std::uint32_t value) {
+  std::string text;
+  for (int shift = 0; shift < 32; shift += 8) text += hex(value >> shift & 0xFFU);
+  return text;
 }
 
 }  // namespace
@@ -36,7 +47,7 @@ std::string Debugger::ask(const std::string& packet) {
   for (;;) {
     std::string answer = next_packet(packet);
     // That the machine has stopped is told when it has, in the middle of anything.
-    if (packet == "?" || answer.empty() || answer[0] != 'T') return answer;
+    if (packet == "?" || packet == "c" || answer.empty() || answer[0] != 'T') return answer;
   }
 }
 
@@ -71,14 +82,44 @@ std::vector<std::uint8_t> Debugger::memory(std::uint32_t address, std::size_t co
   return bytes;
 }
 
+void Debugger::demand(const std::string& packet) {
+  if (ask(packet) != "OK") throw std::runtime_error("the debugger does not obey " + packet);
+}
+
+void Debugger::write(std::uint32_t address, const std::vector<std::uint8_t>& bytes) {
+  constexpr std::size_t kAtOnce = 1024;
+  for (std::size_t first = 0; first < bytes.size(); first += kAtOnce) {
+    const std::size_t now = std::min(kAtOnce, bytes.size() - first);
+    std::string packet = "M" + hex(address + static_cast<std::uint32_t>(first)) + "," +
+                         hex(static_cast<std::uint32_t>(now)) + ":";
+    for (std::size_t i = 0; i < now; ++i) packet += hex(bytes[first + i]);
+    demand(packet);
+  }
+}
+
+void Debugger::set_register(unsigned number, std::uint32_t value) {
+  demand("P" + hex(number, 1) + "=" + as_in_memory(value));
+}
+
 void Debugger::go_to(std::uint32_t address) {
-  std::string little_endian;
-  for (int shift = 0; shift < 32; shift += 8) little_endian += hex(address >> shift & 0xFFU);
-  if (ask("Pf=" + little_endian) != "OK") throw std::runtime_error("the debugger does not obey");
+  set_register(kProgramCounter, address);
+}
+
+void Debugger::call(std::uint32_t function, std::uint32_t argument, std::uint32_t return_to) {
+  const std::string breakpoint = "1," + hex(return_to) + ",2";
+  demand("Z" + breakpoint);
+  set_register(0, argument);
+  set_register(kLinkRegister, return_to | kThumb);
+  go_to(function);
+  ask("c");
+  const std::string stopped_at = ask("p" + hex(kProgramCounter, 1));
+  demand("z" + breakpoint);
+  if (stopped_at != as_in_memory(return_to))
+    throw std::runtime_error("did not return but is at " + stopped_at);
 }
 
 std::uint32_t address_of_symbol(const std::string& image, const std::string& symbol) {
-  const std::string command = "nm '" + image + "'";
+  const std::string command = "nm --demangle '" + image + "'";
   FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error(command);
   std::uint32_t address = 0;

@@ -18,17 +18,23 @@ class Debugger {
   Debugger& operator=(const Debugger&) = delete;
 
   std::vector<std::uint8_t> memory(std::uint32_t address, std::size_t count);
+  void write(std::uint32_t address, const std::vector<std::uint8_t>& bytes);
   void go_to(std::uint32_t address);
+  // Runs a function until it returns to `return_to`, where there must be no code that it runs on
+  // its way. The machine is then far from what it was about.
+  void call(std::uint32_t function, std::uint32_t argument, std::uint32_t return_to);
 
  private:
+  void set_register(unsigned number, std::uint32_t value);
   std::string ask(const std::string& packet);
+  void demand(const std::string& packet);
   std::string next_packet(const std::string& after);
 
   Socket socket_;
   std::string received_;
 };
 
-// The address of a symbol in an image, by `nm`.
+// The address of a symbol in an image, by `nm`. With parameters where it is a function in C++.
 std::uint32_t address_of_symbol(const std::string& image, const std::string& symbol);
 
 }  // namespace gs::test

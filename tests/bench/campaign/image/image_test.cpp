@@ -1,0 +1,146 @@
+// The firmware's binary for the Cortex-M4F against a campaign's lanes, trajectory by trajectory.
+#include "calls.hpp"
+#include <cortex_m4/debugger.hpp>
+#include <cortex_m4/emulated_outlet.hpp>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include <campaign/estimates.hpp>
+#include <outlet/estimator.hpp>
+#include <profile/load.hpp>
+
+namespace gs::test {
+namespace {
+
+using gsbench::campaign::EstimateOptions;
+using gsbench::campaign::LossInstant;
+using gsbench::campaign::NoiseLaw;
+using outlet::EstimatorState;
+
+constexpr std::uint32_t kTrajectories = 1000;
+constexpr std::uint32_t kSamples = gsbench::campaign::kLseSamples + gsbench::campaign::kEkfSamples;
+
+using Bytes = std::vector<std::uint8_t>;
+
+// The processor lays these out as this machine does: plain numbers of the same sizes.
+template <class T>
+Bytes bytes_of(const T* values, std::size_t count = 1) {
+  Bytes bytes(count * sizeof *values);
+  std::memcpy(bytes.data(), values, bytes.size());
+  return bytes;
+}
+
+const gsbench::grid::Grid& ieee24() {
+  static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
+  return grid;
+}
+
+EstimateOptions options(NoiseLaw law) {
+  EstimateOptions options;
+  options.law = law;
+  options.instant = LossInstant::kBetweenReports;
+  options.trajectories = kTrajectories;
+  return options;
+}
+
+std::vector<float> by_campaign(const EstimateOptions& options) {
+  std::vector<float> estimates(kTrajectories);
+  estimate(ieee24(), options, {}, [&](std::uint64_t first, const float* mw, std::size_t count) {
+    std::memcpy(&estimates[first], mw, count * sizeof *mw);
+  });
+  return estimates;
+}
+
+// The addresses of what follows one another in the processor's memory.
+class Memory {
+ public:
+  explicit Memory(Debugger& debugger) : debugger_(debugger) {}
+  std::uint32_t put(const Bytes& bytes) {
+    const std::uint32_t address = next_;
+    debugger_.write(address, bytes);
+    next_ += (static_cast<std::uint32_t>(bytes.size()) + 7U) & ~7U;
+    return address;
+  }
+
+ private:
+  Debugger& debugger_;
+  std::uint32_t next_ = kDataAddress;
+};
+
+std::vector<EstimatorState> by_image(const std::string& image, const EstimateOptions& options) {
+  EmulatedOutlet outlet;
+  outlet.start(image);
+  outlet.line().wait_for(wire::UplinkKind::kHello);  // it runs, its floating point is on
+  Debugger debugger(outlet.machine());
+  std::ifstream file(GSBENCH_CALLS, std::ios::binary);
+  debugger.write(kCodeAddress, Bytes(std::istreambuf_iterator<char>(file), {}));
+
+  std::vector<float> deviations_hz;
+  for (std::uint32_t number = 0; number < kTrajectories; ++number) {
+    const auto one = trajectory(ieee24(), options, number);
+    deviations_hz.insert(deviations_hz.end(), one.begin(), one.end());
+  }
+  const outlet::Settings settings = gsbench::campaign::estimate_settings(ieee24());
+  const outlet::Line line = {};
+  std::vector<EstimatorState> states(kTrajectories);
+  Memory memory(debugger);
+  Calls calls;
+  calls.begin = address_of_symbol(
+      image, "gs::outlet::begin(gs::outlet::EstimatorState&, gs::outlet::Baseline const&)");
+  calls.observe = address_of_symbol(
+      image,
+      "gs::outlet::observe(gs::outlet::Settings const&, float, gs::outlet::EstimatorState&, bool, "
+      "float, gs::outlet::Line const&)");
+  calls.settings = memory.put(bytes_of(&settings));
+  calls.line = memory.put(bytes_of(&line));
+  calls.deviations_hz = memory.put(bytes_of(deviations_hz.data(), deviations_hz.size()));
+  calls.states = memory.put(Bytes(states.size() * sizeof(EstimatorState), 0xA5));
+  calls.trajectories = kTrajectories;
+  calls.samples = kSamples;
+  calls.nominal_hz = 50.0F;
+  debugger.call(kCodeAddress, memory.put(bytes_of(&calls)), kReturnAddress);
+  const Bytes there = debugger.memory(calls.states, states.size() * sizeof(EstimatorState));
+  std::memcpy(states.data(), there.data(), there.size());
+  return states;
+}
+
+// How many differ in a bit.
+int different(const std::vector<EstimatorState>& there, const std::vector<float>& here) {
+  int count = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    count += bytes_of(&there[i].ekf.loss_mw) == bytes_of(&here[i]) ? 0 : 1;
+  }
+  return count;
+}
+
+class CampaignImage : public testing::TestWithParam<const char*> {};
+
+TEST_P(CampaignImage, EstimatesAThousandTrajectoriesAsTheCampaignToTheLastBit) {
+  for (const NoiseLaw law : {NoiseLaw::kUniform, NoiseLaw::kGaussian}) {
+    const std::vector<EstimatorState> there = by_image(GetParam(), options(law));
+    for (const EstimatorState& state : there) {
+      ASSERT_EQ(state.reports, kSamples);
+      ASSERT_GT(state.ekf.loss_mw, 400.0F);
+    }
+    EXPECT_EQ(different(there, by_campaign(options(law))), 0) << to_string(law);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Boards, CampaignImage,
+                         testing::Values(GSBENCH_M4_IMAGE, GSBENCH_M4_IMAGE_OS),
+                         [](const auto& image) {
+                           return std::string(image.param) == GSBENCH_M4_IMAGE ? "O2" : "Os";
+                         });
+
+// What would go unseen without it: multiplications and additions contracted into one.
+TEST(ContractedCampaignImage, IsSeenToEstimateOtherwise) {
+  const EstimateOptions uniform = options(NoiseLaw::kUniform);
+  EXPECT_GT(different(by_image(GSBENCH_M4_IMAGE_CONTRACTED, uniform), by_campaign(uniform)), 100);
+}
+
+}  // namespace
+}  // namespace gs::test
