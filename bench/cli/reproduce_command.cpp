@@ -1,14 +1,20 @@
+#include "choices.hpp"
 #include "commands.hpp"
 #include "page_output.hpp"
 
 #include <memory>
 
 #include <campaign/estimates.hpp>
+#include <judge/catalogue.hpp>
 #include <profile/load.hpp>
 #include <reproduce/reproduction.hpp>
+#include <station/run.hpp>
+#include <station/stations.hpp>
 
 namespace gsbench::cli {
 namespace {
+
+constexpr const char* kExperiment = "paper/loss-500mw";
 
 struct ReproduceArguments {
   std::string grid = "ieee24";
@@ -16,11 +22,50 @@ struct ReproduceArguments {
   PageOutput output;
 };
 
-int run_reproduce(const ReproduceArguments& arguments) {
+record::RunRecord play_experiment(std::uint64_t seed, const campaign::Execution& execution) {
+  profile::Overrides overrides;
+  overrides.seed = seed;
+  const profile::Plan plan = profile::load_profile(kExperiment, judge::measure_names(), overrides);
+  station::SimulatedOptions simulated;
+  simulated.threads = execution.threads;
+  const auto station = station::make_station(profile::load_station("simulated"), plan, simulated);
+  station::RunOptions options;
+  options.stop = execution.stop;
+  options.progress = execution.progress;
+  return station::run(plan, *station, options);
+}
+
+int run_reproduce(ReproduceArguments arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
+  reproduce::Options& options = arguments.options;
+  options.play_experiment = [seed = options.seed](const campaign::Execution& execution) {
+    return play_experiment(seed, execution);
+  };
   return print_page("reproduce", arguments.output, [&](const campaign::Execution& execution) {
-    return reproduce::reproduce(grid, arguments.options, execution);
+    return reproduce::reproduce(grid, options, execution);
   });
+}
+
+// What the paper leaves open.
+void add_choices(CLI::App& command, reproduce::Choices& choices) {
+  add_noise_law(command, choices.noise_law);
+  add_loss_instant(command, choices.loss_instant);
+  campaign::Counting& counting = choices.counting;
+  const auto add = [&command](const char* name, auto& value, const char* text) {
+    return command.add_option(name, value, text)->capture_default_str();
+  };
+  add("--rocof-window", counting.window, "Table 2, the paper's way: samples in a slope")
+      ->check(CLI::Range(2, 64));
+  add("--count-from", counting.first, "Sample from which on conditions are counted")
+      ->check(CLI::Range(0, 1000));
+  add("--count-lines", counting.count, "For how many samples")->check(CLI::Range(1, 1000));
+  add("--hits-above", counting.more_than, "Hits above which load shedding is needed")
+      ->check(CLI::Range(0, 1000));
+  add("--ekf-loss-sigma", choices.ekf_loss_sigma_mw,
+      "The paper's EKF starts with this standard deviation of LSE, MW")
+      ->check(CLI::PositiveNumber);
+  add("--ekf-instant-sigma", choices.ekf_t_x_sigma_s, "And with this of the instant, s")
+      ->check(CLI::PositiveNumber);
 }
 
 std::string list_of_items() {
@@ -29,12 +74,12 @@ std::string list_of_items() {
     text += "  " + item.id + std::string(10 - item.id.size(), ' ') + item.title + '\n';
   }
   return text +
-         "Fig. 19 is a run: gsbench run paper/loss-500mw\n"
          "\n"
          "Examples:\n"
          "  gsbench reproduce -o paper.html               all of it, a million trajectories\n"
          "  gsbench reproduce --only table4,table5 --n 10000000 --seed 7\n"
-         "  gsbench reproduce --only table2 --json";
+         "  gsbench reproduce --only table2 --rocof-window 8 --count-lines 38 --json\n"
+         "  gsbench reproduce --noise-law gaussian --loss-instant between-reports";
 }
 
 }  // namespace
@@ -52,6 +97,7 @@ void add_reproduce(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--grid", arguments->grid, "A shipped grid, or a .toml file")
       ->capture_default_str();
+  add_choices(*command, arguments->options.choices);
   add_page_options(*command, arguments->output);
   command->footer(list_of_items());
   command->callback([arguments, &exit_code] { exit_code = run_reproduce(*arguments); });

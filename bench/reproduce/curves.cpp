@@ -21,7 +21,8 @@ double figure_or_none(const std::optional<double>& figure) {
 
 }  // namespace
 
-PageSection fig8_and_13(const grid::Grid& grid) {
+PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
+  const grid::Grid& grid = study.grid();
   const grid::SfrModel model(grid);
   const double threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
   const grid::Nadir lowest = grid::nadir(model, threshold_mw);
@@ -50,7 +51,8 @@ PageSection fig8_and_13(const grid::Grid& grid) {
   return section;
 }
 
-PageSection fig9_and_table1(const grid::Grid& grid) {
+PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
+  const grid::Grid& grid = study.grid();
   const grid::SfrModel model(grid);
   PageSection section;
   record::FigureTable table = {"ROCOF below which the condition is met, Hz/s",
@@ -80,7 +82,8 @@ PageSection fig9_and_table1(const grid::Grid& grid) {
   return section;
 }
 
-PageSection fig14(const grid::Grid& grid) {
+PageSection fig14(Study& study, const Execution& /*execution*/) {
+  const grid::Grid& grid = study.grid();
   const grid::SfrModel model(grid);
   const double threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
   PageSection section;

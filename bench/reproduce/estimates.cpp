@@ -1,19 +1,16 @@
-// The campaigns of §6.2 and §6.3.
+// The campaigns of §6.3.
 #include "sections.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include <campaign/conditions.hpp>
 #include <campaign/estimates.hpp>
 #include <outlet/loss_estimator.hpp>
 
 namespace gsbench::reproduce {
 namespace {
 
-using campaign::ConditionOptions;
-using campaign::estimate;
 using campaign::EstimateOptions;
 using campaign::EstimateResult;
 using campaign::LossInstant;
@@ -23,25 +20,11 @@ using campaign::Tally;
 using record::FigureTable;
 using record::kNoFigure;
 
-constexpr double kLossMw = 500.0;
-constexpr double kPuMw = 100.0;  // the paper's unit
-constexpr double kNoiseHz = 0.01;
-
 struct PrintedRange {
   double from_pu;
   double to_pu;
   double percent;
 };
-
-EstimateOptions of(const Options& options, Mode mode) {
-  EstimateOptions all;
-  all.loss_mw = kLossMw;
-  all.mode = mode;
-  all.noise_hz = kNoiseHz;
-  all.trajectories = options.trajectories;
-  all.seed = options.seed;
-  return all;
-}
 
 double within_percent(const Tally& tally, double percent) {
   const double span = kLossMw * 0.01 * percent;
@@ -108,125 +91,42 @@ FigureTable figures_table(const std::string& caption) {
 }
 
 // How much the answer moves over what the paper leaves open.
-FigureTable over_choices(const grid::Grid& grid, const Options& options, const Execution& execution,
-                         double parameter_error) {
+FigureTable over_choices(Study& study, const Execution& execution, double parameter_error) {
   FigureTable table = figures_table("The same, over what the paper leaves open");
+  int n = 0;
   for (const Mode mode : {Mode::kPaper, Mode::kGsbench}) {
     for (const NoiseLaw law : {NoiseLaw::kUniform, NoiseLaw::kGaussian}) {
       for (const LossInstant instant : {LossInstant::kOnReport, LossInstant::kBetweenReports}) {
-        EstimateOptions choice = of(options, mode);
+        EstimateOptions choice = study.campaign(mode);
         choice.law = law;
         choice.instant = instant;
         choice.parameter_error = parameter_error;
-        const EstimateResult result = estimate(grid, choice, execution);
-        const std::string name =
-            std::string(mode == Mode::kPaper ? "paper's way" : "gsbench") +
-            (law == NoiseLaw::kUniform ? ", uniform ±0.01 Hz" : ", Gaussian σ = 0.01 Hz") +
-            (instant == LossInstant::kOnReport ? ", loss on a report" : ", loss between reports");
+        const EstimateResult& result = study.result(choice, nth_of(execution, n++, 9));
+        const std::string name = std::string(mode == Mode::kPaper ? "paper's way" : "gsbench") +
+                                 ", " + text_of(law) + ", " + text_of(instant);
         table.rows.push_back(figures_row(name, result, result.bound_mw));
       }
     }
   }
-  if (parameter_error == 0.0) {
-    EstimateOptions careless = of(options, Mode::kPaper);
-    careless.paper_loss_sigma_mw = 0.3 * grid.base_mw;
-    careless.paper_t_x_sigma_s = 0.05;
-    const EstimateResult result = estimate(grid, careless, execution);
-    table.rows.push_back(figures_row("paper's way, EKF started with 0.3 of all power and 50 ms",
-                                     result, result.bound_mw));
-  }
+  EstimateOptions careless = study.campaign(Mode::kPaper);
+  careless.parameter_error = parameter_error;
+  careless.paper_loss_sigma_mw = 0.3 * study.grid().base_mw;
+  careless.paper_t_x_sigma_s = 0.05;
+  const EstimateResult& result = study.result(careless, nth_of(execution, n, 9));
+  table.rows.push_back(figures_row("paper's way, EKF started with 0.3 of all power and 50 ms",
+                                   result, result.bound_mw));
   return table;
-}
-
-Execution nth_of(const Execution& execution, int n, int all) {
-  Execution part = execution;
-  if (execution.progress) {
-    part.progress = [progress = execution.progress, n, all](double done) {
-      progress((n + done) / all);
-    };
-  }
-  return part;
 }
 
 }  // namespace
 
-PageSection table2(const grid::Grid& grid, const Options& options, const Execution& execution) {
-  struct Cell {
-    double loss_mw;
-    double noise_hz;
-    double printed;
-  };
-  constexpr Cell kCells[] = {{380.0, 0.0, 1.0}, {380.0, 0.005, 0.999992}, {380.0, 0.01, 0.978264},
-                             {320.0, 0.0, 0.0}, {320.0, 0.005, 0.001029}, {320.0, 0.01, 0.117682}};
+PageSection table3(Study& study, const Execution& execution) {
   PageSection section;
-  const campaign::Counting shipped = campaign::shipped_counting(grid);
-  // Slope over ten samples, counted from the first on for about as long as the paper's figures
-  // tell, more than 15 hits.
-  const campaign::Counting paper_way = {10, 0, 36, 15};
-  FigureTable table = {"Probability of deciding that load shedding is needed",
-                       "loss, noise",
-                       {"paper", "paper's way", "gsbench", "gsbench, Gaussian"},
-                       {}};
-  int n = 0;
-  for (const Cell& cell : kCells) {
-    ConditionOptions choice;
-    choice.loss_mw = cell.loss_mw;
-    choice.noise_hz = cell.noise_hz;
-    choice.trajectories = options.trajectories;
-    choice.seed = options.seed;
-    char name[48];
-    std::snprintf(name, sizeof name, "%g MW, ±%g Hz", cell.loss_mw, cell.noise_hz);
-    record::FigureRow row = {name, {cell.printed}};
-    for (const auto& [counting, law] :
-         {std::pair(paper_way, NoiseLaw::kUniform), std::pair(shipped, NoiseLaw::kUniform),
-          std::pair(shipped, NoiseLaw::kGaussian)}) {
-      choice.counting = counting;
-      choice.law = law;
-      row.figures.push_back(
-          count_conditions(grid, choice, nth_of(execution, n++, 18)).probability());
-    }
-    table.rows.push_back(row);
-  }
-  section.tables = {table};
-
-  FigureTable choices = {"The same for ±0.01 Hz, over how ROCOF and hits are counted",
-                         "samples in a line, first, lines, hits above",
-                         {"380 MW", "320 MW"},
-                         {}};
-  for (const campaign::Counting& counting :
-       {campaign::Counting{8, 0, 38, 15}, campaign::Counting{10, 0, 36, 15},
-        campaign::Counting{8, 10, 40, 15}, campaign::Counting{8, 10, 40, 20},
-        campaign::Counting{16, 10, 40, 20}, campaign::Counting{24, 10, 40, 20}}) {
-    ConditionOptions choice;
-    choice.counting = counting;
-    choice.trajectories = options.trajectories;
-    choice.seed = options.seed;
-    record::FigureRow row = {
-        std::to_string(counting.window) + ", " + std::to_string(counting.first) + ", " +
-            std::to_string(counting.count) + ", " + std::to_string(counting.more_than),
-        {}};
-    for (const double loss_mw : {380.0, 320.0}) {
-      choice.loss_mw = loss_mw;
-      Execution quiet = execution;
-      quiet.progress = nullptr;
-      row.figures.push_back(count_conditions(grid, choice, quiet).probability());
-    }
-    choices.rows.push_back(row);
-  }
-  section.tables.push_back(choices);
-  section.paragraphs = {
-      "Above the threshold of 351.9 MW the probability should be 1, below it 0. gsbench holds the "
-      "slope of eight measurements against the condition of their mean, counts the forty reports "
-      "of the EKF and wants more than 20 hits: one setting for all six."};
-  return section;
-}
-
-PageSection table3(const grid::Grid& grid, const Options& options, const Execution& execution) {
-  PageSection section;
-  const EstimateResult uniform = estimate(grid, of(options, Mode::kPaper), nth_of(execution, 0, 2));
-  EstimateOptions choice = of(options, Mode::kPaper);
+  EstimateOptions choice = study.campaign(Mode::kPaper);
+  choice.law = NoiseLaw::kUniform;
+  const EstimateResult& uniform = study.result(choice, nth_of(execution, 0, 2));
   choice.law = NoiseLaw::kGaussian;
-  const EstimateResult gaussian = estimate(grid, choice, nth_of(execution, 1, 2));
+  const EstimateResult& gaussian = study.result(choice, nth_of(execution, 1, 2));
   FigureTable table = ranges({{7, 8, 0.1424},
                               {6, 7, 8.3166},
                               {5, 6, 36.9292},
@@ -255,7 +155,8 @@ PageSection table3(const grid::Grid& grid, const Options& options, const Executi
   return section;
 }
 
-PageSection fig16(const grid::Grid& grid, const Options& options) {
+PageSection fig16(Study& study, const Execution& /*execution*/) {
+  const grid::Grid& grid = study.grid();
   PageSection section;
   record::CurvePlot plot = {"Estimates of three losses of 500 MW as measurements come in.",
                             "s after the loss", "MW"};
@@ -267,7 +168,7 @@ PageSection fig16(const grid::Grid& grid, const Options& options) {
   for (std::uint64_t number = 0; number < 3; ++number) {
     gs::outlet::LossEstimator<float> outlet;
     record::Curve curve{"trajectory " + std::to_string(number), {}};
-    const auto deviations_hz = campaign::trajectory(grid, of(options, Mode::kGsbench), number);
+    const auto deviations_hz = campaign::trajectory(grid, study.campaign(Mode::kGsbench), number);
     for (std::size_t k = 0; k < deviations_hz.size(); ++k) {
       take(settings, settings.response, outlet, deviations_hz[k], static_cast<int>(k));
       curve.y.push_back(outlet.started ? static_cast<double>(outlet.ekf.loss_mw) : kNoFigure);
@@ -278,46 +179,46 @@ PageSection fig16(const grid::Grid& grid, const Options& options) {
   return section;
 }
 
-PageSection table4(const grid::Grid& grid, const Options& options, const Execution& execution) {
+PageSection table4(Study& study, const Execution& execution) {
   PageSection section;
-  const EstimateResult paper_way =
-      estimate(grid, of(options, Mode::kPaper), nth_of(execution, 0, 3));
-  const EstimateResult gsbench =
-      estimate(grid, of(options, Mode::kGsbench), nth_of(execution, 1, 3));
-  const double given_mw = campaign::cramer_rao_mw(grid, kLossMw, 7, 50, gsbench.noise_sigma_hz);
-  FigureTable table = figures_table("EKF over forty measurements after LSE over ten, ±0.01 Hz");
+  const FigureTable choices = over_choices(study, execution, 0.0);
+  const EstimateResult& paper_way = study.result(study.campaign(Mode::kPaper), quiet(execution));
+  const EstimateResult& gsbench = study.result(study.campaign(Mode::kGsbench), quiet(execution));
+  FigureTable table = figures_table("EKF over forty measurements after LSE over ten, " +
+                                    text_of(study.options().choices.noise_law));
   table.rows = {{"paper", {92.38, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
                 figures_row("paper's way", paper_way, paper_way.bound_mw),
                 figures_row("gsbench", gsbench, gsbench.bound_mw),
-                {"Cramér–Rao, all 50 measurements",
-                 {kNoFigure, kNoFigure, kNoFigure, gsbench.bound_mw / kPuMw, 1.0, kNoFigure}},
-                {"Cramér–Rao, the 44 that gsbench's EKF is given",
-                 {kNoFigure, kNoFigure, kNoFigure, given_mw / kPuMw, given_mw / gsbench.bound_mw,
-                  kNoFigure}}};
+                {"Cramér–Rao bound, instant unknown",
+                 {kNoFigure, kNoFigure, kNoFigure, gsbench.bound_mw / kPuMw, 1.0, kNoFigure}}};
   section.tables = {ranges({{5.2, 5.4, 3.6692},
                             {5.0, 5.2, 50.3811},
                             {4.8, 5.0, 41.9954},
                             {4.6, 4.8, 3.9086},
                             {4.4, 4.6, 0.0457}},
                            paper_way.ekf_mw, &gsbench.ekf_mw),
-                    table, over_choices(grid, options, nth_of(execution, 2, 3), 0.0)};
+                    table, choices};
   section.plots = {histogram("Estimates of 500 MW by EKF.", 460.0, 540.0, 0.5,
                              {{"paper's way", paper_way.ekf_mw}, {"gsbench", gsbench.ekf_mw}})};
   section.paragraphs = {
       "The innovation is that of the full model, f − h(X), where eq. (28) as printed has its "
-      "linearisation. The paper does not tell where its EKF starts: here with 80 MW for LSE and "
-      "20 ms for the instant. gsbench's EKF is given the last four of LSE's measurements, too."};
+      "linearisation. gsbench's EKF is given the last four of LSE's measurements, too, and starts "
+      "for the instant with what its outlets' detector is seen to be off by: the bound is that of "
+      "all fifty measurements where nothing is known of the instant, and may be passed."};
   return section;
 }
 
-PageSection table5(const grid::Grid& grid, const Options& options, const Execution& execution) {
+PageSection table5(Study& study, const Execution& execution) {
+  constexpr double kError = 0.05;
   PageSection section;
-  EstimateOptions choice = of(options, Mode::kPaper);
-  choice.parameter_error = 0.05;
-  const EstimateResult paper_way = estimate(grid, choice, nth_of(execution, 0, 3));
+  const FigureTable choices = over_choices(study, execution, kError);
+  EstimateOptions choice = study.campaign(Mode::kPaper);
+  choice.parameter_error = kError;
+  const EstimateResult& paper_way = study.result(choice, quiet(execution));
   choice.mode = Mode::kGsbench;
-  const EstimateResult gsbench = estimate(grid, choice, nth_of(execution, 1, 3));
-  FigureTable table = figures_table("EKF where each parameter is off by up to 5 %, ±0.01 Hz");
+  const EstimateResult& gsbench = study.result(choice, quiet(execution));
+  FigureTable table = figures_table("EKF where each parameter is off by up to 5 %, " +
+                                    text_of(study.options().choices.noise_law));
   table.rows = {{"paper", {72.33, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
                 figures_row("paper's way", paper_way, paper_way.bound_mw),
                 figures_row("gsbench", gsbench, gsbench.bound_mw)};
@@ -330,14 +231,14 @@ PageSection table5(const grid::Grid& grid, const Options& options, const Executi
                             {4.4, 4.6, 0.8698},
                             {4.0, 4.4, 0.0167}},
                            paper_way.ekf_mw, &gsbench.ekf_mw),
-                    table, over_choices(grid, options, nth_of(execution, 2, 3), 0.05)};
+                    table, choices};
   section.paragraphs = {
       "G_1, G_2, ω_n, ω_r and ∅ are each off by a part of themselves, uniform within ±5 % and "
       "independent. The paper's way uses the five as they are, although they then contradict one "
       "another. An outlet is sent four numbers that cannot; here the control centre makes them of "
       "the five by what must hold between them (f begins at f_0; ω_r = ω_n·√(1 − ζ²)), which "
-      "halves "
-      "some of the errors. The bound is that of exact parameters."};
+      "halves some of the errors, and takes off by how much the mean of a reciprocal is too high. "
+      "The bound is that of exact parameters."};
   return section;
 }
 

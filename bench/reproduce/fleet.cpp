@@ -24,31 +24,24 @@ using campaign::ScenarioResult;
 using campaign::Shed;
 using record::kNoFigure;
 
-constexpr double kLossMw = 500.0;
-
-Fleet fleet_of(const Options& options, Accumulation accumulation) {
+Fleet fleet_of(const Study& study, Accumulation accumulation) {
   FleetOptions all;
   all.accumulation = accumulation;
-  all.seed = options.seed;
+  all.seed = study.options().seed;
   return make_fleet(all);
 }
 
 // As many as there are outlets, whatever was asked for elsewhere.
-std::vector<float> estimates_of(const grid::Grid& grid, const Options& options, Mode mode,
-                                double parameter_error, std::size_t outlets,
-                                const Execution& execution) {
-  EstimateOptions all;
-  all.loss_mw = kLossMw;
-  all.mode = mode;
+std::vector<float> estimates_of(const Study& study, Mode mode, double parameter_error,
+                                std::size_t outlets, const Execution& execution) {
+  EstimateOptions all = study.campaign(mode);
   all.parameter_error = parameter_error;
   all.trajectories = outlets;
-  all.seed = options.seed;
   std::vector<float> estimates(outlets, 0.0F);
-  Execution quiet = execution;
-  quiet.progress = nullptr;
-  estimate(grid, all, quiet, [&](std::uint64_t first, const float* mw, std::size_t count) {
-    std::copy_n(mw, count, estimates.begin() + static_cast<std::ptrdiff_t>(first));
-  });
+  estimate(study.grid(), all, execution,
+           [&](std::uint64_t first, const float* mw, std::size_t count) {
+             std::copy_n(mw, count, estimates.begin() + static_cast<std::ptrdiff_t>(first));
+           });
   return estimates;
 }
 
@@ -61,9 +54,10 @@ record::FigureRow shed_row(const std::string& name, const Shed& shed, double wan
 
 }  // namespace
 
-PageSection fig20_and_21(const grid::Grid& grid, const Options& options,
-                         const Execution& execution) {
+PageSection fig20_and_21(Study& study, const Execution& execution) {
+  const grid::Grid& grid = study.grid();
   PageSection section;
+  int n = 0;
   const double threshold_mw = grid::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
   const double wanted_mw = kLossMw - threshold_mw;
   record::FigureTable table = {
@@ -74,52 +68,48 @@ PageSection fig20_and_21(const grid::Grid& grid, const Options& options,
        {"paper, §6.5.1", {148.34, 100.0 * (148.34 / 148.1 - 1.0), 164793, 118, 199}},
        {"paper, §6.5.2 (Table 5)",
         {148.97, 100.0 * (148.97 / 148.1 - 1.0), 165540, kNoFigure, kNoFigure}}}};
+  record::CurvePlot power = {"Accumulated power of the groups (Fig. 20).", "group", "MW"};
+  const Fleet half = fleet_of(study, Accumulation::kHalfGroup);
+  const Fleet whole = fleet_of(study, Accumulation::kWholeGroup);
+  for (std::size_t group = 0; group < half.groups(); ++group) {
+    power.x.push_back(static_cast<double>(group + 1));
+  }
+  power.curves = {{"P^A", half.accumulated_mw}};
   record::CurvePlot groups = {"Outlets that switch off in each group.", "group", "outlets off"};
-  for (const auto& [accumulation, how] :
-       {std::pair(Accumulation::kHalfGroup, "half of its own group"),
-        std::pair(Accumulation::kWholeGroup, "its whole group, eq. (11)")}) {
-    const Fleet fleet = fleet_of(options, accumulation);
-    if (section.plots.empty()) {
-      record::CurvePlot power = {"Accumulated power of the groups (Fig. 20).", "group", "MW"};
-      record::Curve curve{"P^A", fleet.accumulated_mw};
-      for (std::size_t group = 0; group < fleet.groups(); ++group) {
-        power.x.push_back(static_cast<double>(group + 1));
-      }
-      groups.x = power.x;
-      power.curves = {curve};
-      section.plots = {power};
-    }
-    for (const Mode mode : {Mode::kPaper, Mode::kGsbench}) {
-      for (const double error : {0.0, 0.05}) {
-        const auto estimates = estimates_of(grid, options, mode, error, fleet.outlets(), execution);
-        const Shed shed = shed_by_estimates(fleet, estimates, threshold_mw);
-        const std::string name = std::string(mode == Mode::kPaper ? "paper's way" : "gsbench") +
-                                 (error > 0.0 ? ", parameters 5 % off" : "") + ", P^A with " + how;
-        table.rows.push_back(shed_row(name, shed, wanted_mw));
-        if (accumulation == Accumulation::kHalfGroup && mode == Mode::kGsbench) {
-          record::Curve curve{error > 0.0 ? "parameters 5 % off" : "exact parameters", {}};
-          for (const std::uint32_t count : shed.off_in_group) {
-            curve.y.push_back(static_cast<double>(count));
-          }
-          groups.curves.push_back(curve);
+  groups.x = power.x;
+  for (const Mode mode : {Mode::kPaper, Mode::kGsbench}) {
+    for (const double error : {0.0, 0.05}) {
+      const auto estimates =
+          estimates_of(study, mode, error, half.outlets(), nth_of(execution, n++, 4));
+      const std::string name = std::string(mode == Mode::kPaper ? "paper's way" : "gsbench") +
+                               (error > 0.0 ? ", parameters 5 % off" : "") + ", P^A with ";
+      const Shed shed = shed_by_estimates(half, estimates, threshold_mw);
+      table.rows.push_back(shed_row(name + "half of its own group", shed, wanted_mw));
+      table.rows.push_back(shed_row(name + "its whole group, eq. (11)",
+                                    shed_by_estimates(whole, estimates, threshold_mw), wanted_mw));
+      if (mode == Mode::kGsbench) {
+        record::Curve curve{error > 0.0 ? "parameters 5 % off" : "exact parameters", {}};
+        for (const std::uint32_t count : shed.off_in_group) {
+          curve.y.push_back(static_cast<double>(count));
         }
+        groups.curves.push_back(curve);
       }
     }
   }
   groups.steps = true;
   section.tables = {table};
-  section.plots.push_back(groups);
+  section.plots = {power, groups};
   section.paragraphs = {
       "By eq. (11) an outlet compares with the power up to and with its own group, so that on "
       "average half a group too little is shed, 0.45 MW here. gsbench counts half of the own "
-      "group: "
-      "it goes off where the requirement passes its middle."};
+      "group: it goes off where the requirement passes its middle."};
   return section;
 }
 
-PageSection fig22(const grid::Grid& grid, const Options& options, const Execution& execution) {
+PageSection fig22(Study& study, const Execution& execution) {
+  const grid::Grid& grid = study.grid();
   PageSection section;
-  const Fleet fleet = fleet_of(options, Accumulation::kHalfGroup);
+  const Fleet fleet = fleet_of(study, Accumulation::kHalfGroup);
   record::FigureTable table = {
       "After 500 MW, the shed load fed back into the grid",
       "",
@@ -128,9 +118,11 @@ PageSection fig22(const grid::Grid& grid, const Options& options, const Executio
   record::CurvePlot plot = {"The frequency.", "s", "Hz"};
   ScenarioOptions choice;
   choice.loss_mw = kLossMw;
-  choice.seed = options.seed;
+  choice.law = study.options().choices.noise_law;
+  choice.seed = study.options().seed;
+  int n = 0;
   const auto add = [&](const std::string& name) {
-    ScenarioResult result = play(grid, fleet, choice, execution);
+    ScenarioResult result = play(grid, fleet, choice, nth_of(execution, n++, 3));
     table.rows.push_back({name,
                           {result.shed.power_mw, result.first_action_s, result.last_action_s,
                            result.nadir_hz, result.nadir_s, result.end_hz}});
@@ -151,8 +143,7 @@ PageSection fig22(const grid::Grid& grid, const Options& options, const Executio
   section.plots = {plot};
   section.paragraphs = {
       "Eq. (15) takes shedding to be instant: with the outlets' delay the nadir comes to lie a "
-      "little "
-      "below f_s. A threshold for the delay and this loss keeps it."};
+      "little below f_s. A threshold for the delay and this loss keeps it."};
   return section;
 }
 

@@ -1,33 +1,29 @@
 #include "sections.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace gsbench::reproduce {
 namespace {
 
-using Make = std::function<PageSection(const grid::Grid&, const Options&, const Execution&)>;
-
 struct Chapter {
   Item item;
-  Make make;
+  PageSection (*make)(Study&, const Execution&);
 };
 
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> all = {
-      {{"fig13", "Fig. 8 and 13: the frequency after a loss (§4.2, §6.1)"},
-       [](const auto& grid, const auto&, const auto&) { return fig8_and_13(grid); }},
-      {{"table1", "Fig. 9 and Table 1: load-shedding conditions (§4.3, §6.2)"},
-       [](const auto& grid, const auto&, const auto&) { return fig9_and_table1(grid); }},
-      {{"fig14", "Fig. 14: ROCOF and frequency for several losses (§6.2)"},
-       [](const auto& grid, const auto&, const auto&) { return fig14(grid); }},
+      {{"fig13", "Fig. 8 and 13: the frequency after a loss (§4.2, §6.1)"}, fig8_and_13},
+      {{"table1", "Fig. 9 and Table 1: load-shedding conditions (§4.3, §6.2)"}, fig9_and_table1},
+      {{"fig14", "Fig. 14: ROCOF and frequency for several losses (§6.2)"}, fig14},
       {{"table2", "Table 2: is load shedding needed? (§6.2)"}, table2},
       {{"table3", "Fig. 15 and Table 3: LSE (§6.3.1)"}, table3},
-      {{"fig16", "Fig. 16: one estimate as it goes (§6.3.2)"},
-       [](const auto& grid, const auto& options, const auto&) { return fig16(grid, options); }},
+      {{"fig16", "Fig. 16: one estimate as it goes (§6.3.2)"}, fig16},
       {{"table4", "Fig. 17 and Table 4: EKF (§6.3.2)"}, table4},
       {{"table5", "Table 5: EKF with wrong parameters (§6.3.3)"}, table5},
+      {{"fig19", "Fig. 19: the 500 MW experiment, from the voltage on (§6.4)"}, fig19},
       {{"fig21", "Fig. 20 and 21: a million outlets (§6.5.1, §6.5.2)"}, fig20_and_21},
       {{"fig22", "Fig. 22: the frequency with and without Grid Sense (§6.5.1)"}, fig22},
   };
@@ -53,6 +49,21 @@ void check(const Options& options) {
   }
 }
 
+std::vector<std::pair<std::string, std::string>> facts(const grid::Grid& grid,
+                                                       const Options& options) {
+  const Choices& choices = options.choices;
+  char start[64];
+  std::snprintf(start, sizeof start, "%g MW for LSE, %g ms for the instant",
+                choices.ekf_loss_sigma_mw, 1000.0 * choices.ekf_t_x_sigma_s);
+  return {{"grid", grid.name + ": " + grid.title},
+          {"trajectories", std::to_string(options.trajectories)},
+          {"seed", std::to_string(options.seed)},
+          {"noise", text_of(choices.noise_law)},
+          {"instant", text_of(choices.loss_instant)},
+          {"the paper's conditions", text_of(choices.counting)},
+          {"the paper's EKF starts with", start}};
+}
+
 }  // namespace
 
 const std::vector<Item>& items() {
@@ -74,9 +85,8 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
       "Xiang et al., Distributed Frequency Emergency Control with Coordinated Edge Intelligence. "
       "\"Paper\" is what it prints; \"paper's way\" are its equations and its course of things, "
       "\"gsbench\" the firmware as outlets ship with it.";
-  page.facts = {{"grid", grid.name + ": " + grid.title},
-                {"trajectories", std::to_string(options.trajectories)},
-                {"seed", std::to_string(options.seed)}};
+  page.facts = facts(grid, options);
+  Study study(grid, options);
   std::vector<const Chapter*> chosen;
   for (const Chapter& chapter : chapters()) {
     if (wanted(options, chapter.item.id)) {
@@ -84,21 +94,20 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
     }
   }
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (execution.stop != nullptr && execution.stop->load()) {
-      page.facts.emplace_back("stopped",
-                              "before " + chosen[i]->item.id + "; what was under way is not whole");
-      break;
-    }
     Execution part = execution;
     if (execution.progress) {
       part.progress = [&, i](double done) {
         execution.progress((static_cast<double>(i) + done) / static_cast<double>(chosen.size()));
       };
     }
-    PageSection section = chosen[i]->make(grid, options, part);
+    PageSection section = chosen[i]->make(study, part);
     section.id = chosen[i]->item.id;
     section.title = chosen[i]->item.title;
     page.sections.push_back(std::move(section));
+    if (execution.stop != nullptr && execution.stop->load()) {
+      page.facts.emplace_back("stopped", "in " + chosen[i]->item.id + ", which is not whole");
+      break;
+    }
   }
   return page;
 }

@@ -65,7 +65,7 @@ const std::vector<FolderRule>& folder_rules() {
        {"bench/random", "bench/grid", "bench/waveform", "bench/profile", "bench/capture",
         "bench/judge", "bench/station", "drivers", "firmware/wire", "reports/record"}},
       {"bench/reproduce",
-       {"bench/grid", "bench/settings", "bench/campaign", "firmware/outlet", kPageData}},
+       {"bench/grid", "bench/settings", "bench/campaign", "firmware/outlet", kPageData, kRecordData}},
       {"bench/cli", {"bench", "drivers", "firmware", "reports"}},
       {"reports/record", {}},
       {"reports/render", {"reports/record"}},
