@@ -79,8 +79,7 @@ bool counts_in_range(const Settings& s) {
 bool estimator_in_range(const Settings& s) {
   return within(s.measurement_sigma_hz, 1.0e-5f, 1.0f) && s.loss_sigma_mw > 0.0f &&
          s.loss_sigma_mw <= s.largest_loss_mw && within(s.event_lag_s, 0.0f, 0.1f) &&
-         within(s.t_x_sigma_s, 1.0e-4f, 0.5f) &&
-         within(s.trusted_residual_hz, 1.0e-4f, 1.0f);
+         within(s.t_x_sigma_s, 1.0e-4f, 0.5f) && within(s.trusted_residual_hz, 1.0e-4f, 1.0f);
 }
 
 bool tracker_in_range(const TrackerSettings& t) {
