@@ -15,7 +15,7 @@ namespace gs::wire {
 // What any version may say at most, and what a link must carry; the settings with all their rows
 // are this version's longest.
 constexpr std::size_t kLongestMessage = 560;
-constexpr std::size_t kLongestOfThisVersion = 443;
+constexpr std::size_t kLongestOfThisVersion = 448;
 static_assert(kLongestOfThisVersion <= kLongestMessage, "");
 
 enum class Decoded : std::uint8_t {
