@@ -26,6 +26,8 @@ void check(const ConditionOptions& options) {
   demand(counting.window >= 2 && counting.window <= 64, "a line takes 2 … 64 samples");
   demand(counting.first >= 0 && counting.first <= 1000, "counting begins within 1000 samples");
   demand(counting.count >= 1 && counting.count <= 1000, "1 … 1000 lines count");
+  demand(counting.more_than >= 0 && counting.more_than < counting.count,
+         "hits must be able to exceed the number above which load shedding is needed");
   demand(options.noise_hz >= 0.0 && options.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
   demand(options.trajectories > 0 && options.trajectories <= kMostTrajectories,
          "there must be 1 … 2^32 trajectories");
