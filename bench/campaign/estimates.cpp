@@ -33,6 +33,11 @@ void check(const EstimateOptions& options) {
   if (!(options.parameter_error >= 0.0 && options.parameter_error <= 0.5)) {
     throw std::invalid_argument("the parameters' error must be within 0 … 0.5");
   }
+  if (!(options.paper_loss_sigma_mw > 0.0 && options.paper_loss_sigma_mw <= 1.0e5 &&
+        options.paper_t_x_sigma_s > 0.0 && options.paper_t_x_sigma_s <= 0.5)) {
+    throw std::invalid_argument(
+        "the paper's EKF starts with deviations above 0, of 100 000 MW and 0.5 s at most");
+  }
   if (options.trajectories == 0 || options.trajectories > kMostTrajectories) {
     throw std::invalid_argument("there must be 1 … 2^32 trajectories");
   }
