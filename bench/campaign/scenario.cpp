@@ -41,9 +41,10 @@ void check(const grid::Grid& grid, const ScenarioOptions& o) {
          "the loss must be above 0 and no more than the generation left");
   demand(o.noise_hz >= 0.0 && o.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
   demand(o.duration_s >= 1.0 && o.duration_s <= 300.0, "it lasts 1 … 300 s");
-  demand(o.further_delay_s >= 0.0 && o.central_delay_s >= 0.0 && o.central_decision_s >= 0.0 &&
-             o.ufls_delay_s >= 0.0,
-         "delays are not negative");
+  for (const double delay_s :
+       {o.further_delay_s, o.central_delay_s, o.central_decision_s, o.ufls_delay_s}) {
+    demand(delay_s >= 0.0 && delay_s <= 300.0, "delays must be within 0 … 300 s");
+  }
 }
 
 // The outlets of a fleet, measurement after measurement.

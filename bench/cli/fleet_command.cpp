@@ -36,12 +36,11 @@ void add_outlets(CLI::App& command, campaign::FleetOptions& fleet) {
   command.add_option("--per-group", fleet.per_group, "Outlets in each")->capture_default_str();
   command.add_option("--least", fleet.least_w, "An appliance's least power, W")
       ->capture_default_str();
-  command.add_option("--most", fleet.most_w, "And its most")->capture_default_str();
+  command.add_option("--most", fleet.most_w, "An appliance's most power, W")->capture_default_str();
   command.add_flag(
       "--whole-group",
       [&fleet](std::int64_t) { fleet.accumulation = campaign::Accumulation::kWholeGroup; },
-      "Outlets compare with the power up to and with their group, eq. (11); without, with half of "
-      "their own");
+      "An outlet's own group counts wholly in the power it compares with, eq. (11); without, half");
 }
 
 void add_sweep(CLI::App& command, FleetArguments& arguments) {
@@ -88,7 +87,8 @@ void add_fleet(CLI::App& app, int& exit_code) {
   add_sweep(*command, *arguments);
   command->add_flag("--closed-loop", study.closed_loop,
                     "Also a thousand outlets with the whole firmware, from the voltage on");
-  command->add_option("--duration", scenario.duration_s, "s")->capture_default_str();
+  command->add_option("--duration", scenario.duration_s, "How long it is played, s")
+      ->capture_default_str();
   command->add_option("--seed", study.fleet.seed, "Of all random numbers")
       ->check(kSeedRange)
       ->capture_default_str();

@@ -56,14 +56,16 @@ void add_choices(CLI::App& command, reproduce::Choices& choices) {
   };
   add("--rocof-window", counting.window, "Table 2, the paper's way: samples in a slope")
       ->check(CLI::Range(2, 64));
-  add("--count-from", counting.first, "Sample from which on conditions are counted")
+  add("--count-from", counting.first, "The same: sample from which on conditions are counted")
       ->check(CLI::Range(0, 1000));
-  add("--count-lines", counting.count, "For how many samples")->check(CLI::Range(1, 1000));
-  add("--hits-above", counting.more_than, "Hits above which load shedding is needed")
+  add("--count-lines", counting.count, "The same: how many samples are counted")
+      ->check(CLI::Range(1, 1000));
+  add("--hits-above", counting.more_than, "The same: hits above which load shedding is needed")
       ->check(CLI::Range(0, 1000));
   add("--ekf-loss-sigma", choices.ekf_loss_sigma_mw,
       "The paper's EKF starts with this standard deviation of LSE, MW");
-  add("--ekf-instant-sigma", choices.ekf_t_x_sigma_s, "And with this of the instant, s");
+  add("--ekf-instant-sigma", choices.ekf_t_x_sigma_s,
+      "And with this standard deviation of the loss's instant, s");
 }
 
 std::string list_of_items() {

@@ -3,6 +3,9 @@
 
 #include <cstdio>
 
+#include <grid/control_centre.hpp>
+#include <grid/sfr_model.hpp>
+
 namespace gsbench::reproduce {
 namespace {
 
@@ -79,8 +82,13 @@ PageSection table2(Study& study, const Execution& execution) {
   }
   PageSection section;
   section.tables = {table, over_choices(study, nth_of(execution, 1, 2))};
+  const double threshold_mw =
+      grid::threshold_mw(grid::SfrModel(study.grid()), study.grid().threshold_hz);
+  char threshold[32];
+  std::snprintf(threshold, sizeof threshold, "%.1f", threshold_mw);
   section.paragraphs = {
-      "Above the threshold of 351.9 MW the probability should be 1, below it 0. gsbench holds the "
+      std::string("Above the threshold of ") + threshold +
+      " MW the probability should be 1, below it 0. gsbench holds the "
       "slope of eight measurements against the condition of their mean, counts the forty reports "
       "of the EKF and wants more than 20 hits: one setting for all six."};
   return section;

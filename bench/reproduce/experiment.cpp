@@ -102,7 +102,9 @@ PageSection fig19(Study& study, const Execution& execution) {
   }
   const RunRecord run = study.options().play_experiment(execution);
   section.paragraphs = {
-      "Profile " + run.profile + " on station " + run.station + ": " + to_string(run.verdict) +
+      "Profile " + run.profile + ", on grid " + run.grid +
+          " and with its own noise whatever is chosen for other sections, on station " +
+          run.station + ": " + to_string(run.verdict) +
           (run.verdict_reason.empty() ? "." : ", " + run.verdict_reason + "."),
       "By 1 % noise the slope that LSE sees is bent by the tracker's memory: the paper's outlet "
       "found 310 MW, ours finds more than 500, since it learns a slope by passing it. The EKF "

@@ -81,6 +81,9 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
     for (const double error : {0.0, 0.05}) {
       const auto estimates =
           estimates_of(study, mode, error, half.outlets(), nth_of(execution, n++, 4));
+      if (stopped(execution)) {
+        continue;  // not all outlets have one
+      }
       const std::string name = std::string(mode == Mode::kPaper ? "paper's way" : "gsbench") +
                                (error > 0.0 ? ", parameters 5 % off" : "") + ", P^A with ";
       const Shed shed = shed_by_estimates(half, estimates, threshold_mw);
@@ -123,6 +126,9 @@ PageSection fig22(Study& study, const Execution& execution) {
   int n = 0;
   const auto add = [&](const std::string& name) {
     ScenarioResult result = play(grid, fleet, choice, nth_of(execution, n++, 3));
+    if (stopped(execution)) {
+      return result;  // which is not whole
+    }
     table.rows.push_back({name,
                           {result.shed.power_mw, result.first_action_s, result.last_action_s,
                            result.nadir_hz, result.nadir_s, result.end_hz}});

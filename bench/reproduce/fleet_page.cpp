@@ -1,5 +1,6 @@
 // Pages of `gsbench fleet`.
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -74,6 +75,9 @@ record::PageSection controls(const grid::Grid& grid, const FleetStudy& study,
   double wanted_mw = 0.0;
   const auto add = [&](const std::string& name) {
     ScenarioResult result = play(grid, fleet, options, execution);
+    if (stopped(execution)) {
+      return result;  // which is not whole
+    }
     table.rows.push_back(row_of(name, result));
     plot.x = result.t_s;
     plot.curves.push_back({name, result.frequency_hz});
@@ -83,7 +87,7 @@ record::PageSection controls(const grid::Grid& grid, const FleetStudy& study,
   for (const Control control : campaign::all_controls()) {
     options.control = control;
     const ScenarioResult result = add(title_of(control));
-    if (control == Control::kGridSense) {
+    if (control == Control::kGridSense && !stopped(execution)) {
       last_action_s = result.last_action_s;
       record::Curve curve{"off", {}};
       for (std::size_t group = 0; group < result.shed.off_in_group.size(); ++group) {
@@ -123,10 +127,10 @@ class Map {
   template <class Figure>
   record::FigureTable fill(const Execution& execution, const Figure& figure) {
     for (const double loss_mw : losses_mw_) {
-      record::FigureRow row = {fmt::format("{:.1f} MW", loss_mw), {}};
+      record::FigureRow row = {fmt::format("{:.6g} MW", loss_mw), {}};
       for (const double column : columns_) {
-        const bool stopped = execution.stop != nullptr && execution.stop->load();
-        row.figures.push_back(stopped ? kNoFigure : figure(loss_mw, column));
+        const double value = stopped(execution) ? kNoFigure : figure(loss_mw, column);
+        row.figures.push_back(stopped(execution) ? kNoFigure : value);
       }
       table_.rows.push_back(row);
     }
@@ -176,7 +180,9 @@ record::PageSection sweep(const grid::Grid& grid, const FleetStudy& study,
       options.noise_hz = noise_hz;
       options.further_delay_s = delay_s;
       const ScenarioResult result = play(grid, fleet, options, quiet);
-      beyond_mw.push_back(result.shed.power_mw - result.wanted_mw);
+      if (!stopped(execution)) {
+        beyond_mw.push_back(result.shed.power_mw - result.wanted_mw);
+      }
       if (execution.progress) {
         execution.progress(++done / all);
       }
@@ -189,8 +195,8 @@ record::PageSection sweep(const grid::Grid& grid, const FleetStudy& study,
     if (shed.rows.empty()) {
       // Who sheds hardly depends on when.
       std::size_t next = 0;
-      shed = Map(shed.caption, losses_mw, over.noises_hz).fill(quiet, [&](double, double) {
-        return beyond_mw[next++];
+      shed = Map(shed.caption, losses_mw, over.noises_hz).fill({}, [&](double, double) {
+        return next < beyond_mw.size() ? beyond_mw[next++] : kNoFigure;
       });
     }
   }
@@ -234,6 +240,9 @@ record::PageSection closed_loop(const grid::Grid& grid, const FleetStudy& study,
   record::CurvePlot plot = {"The frequency.", "s", "Hz"};
   for (const std::string& column : table.columns) {
     const campaign::ClosedLoopResult result = play_closed_loop(grid, fleet, options, execution);
+    if (stopped(execution)) {
+      break;
+    }
     const ScenarioResult& scenario = result.scenario;
     const std::pair<const char*, double> figures[] = {
         {"wanted, MW", scenario.wanted_mw},
@@ -269,10 +278,29 @@ record::PageSection closed_loop(const grid::Grid& grid, const FleetStudy& study,
   return section;
 }
 
+// Before anything is played: a sweep may take minutes.
+void check(const grid::Grid& grid, const FleetStudy& study) {
+  const auto demand = [](const std::vector<double>& values, double above, double most,
+                         const char* what) {
+    for (const double value : values) {
+      if (!(value >= above && value <= most)) {
+        throw std::invalid_argument(fmt::format("the sweep's {}: {:g} is not within {:g} … {:g}",
+                                                what, value, above, most));
+      }
+    }
+  };
+  demand(study.sweep->losses_mw, 0.001, grid.base_mw, "losses, MW");
+  demand(study.sweep->noises_hz, 0.0, 1.0, "noises, Hz");
+  demand(study.sweep->delays_s, 0.0, study.scenario.duration_s, "delays, s");
+}
+
 }  // namespace
 
 record::Page fleet_page(const grid::Grid& grid, const FleetStudy& study,
                         const campaign::Execution& execution) {
+  if (study.sweep) {
+    check(grid, study);
+  }
   const campaign::Fleet fleet = make_fleet(study.fleet);
   record::Page page;
   page.title =
@@ -291,8 +319,8 @@ record::Page fleet_page(const grid::Grid& grid, const FleetStudy& study,
   if (study.sweep) {
     page.sections.push_back(sweep(grid, study, fleet, execution));
   }
-  if (execution.stop != nullptr && execution.stop->load()) {
-    page.facts.emplace_back("stopped", "what was under way is not whole");
+  if (stopped(execution)) {
+    page.facts.emplace_back("stopped", "what was under way is left out; the page is not whole");
   }
   return page;
 }

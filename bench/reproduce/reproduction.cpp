@@ -104,7 +104,7 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
     section.id = chosen[i]->item.id;
     section.title = chosen[i]->item.title;
     page.sections.push_back(std::move(section));
-    if (execution.stop != nullptr && execution.stop->load()) {
+    if (stopped(execution)) {
       page.facts.emplace_back("stopped", "in " + chosen[i]->item.id + ", which is not whole");
       break;
     }

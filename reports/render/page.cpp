@@ -161,6 +161,13 @@ std::string json(const record::Page& page) {
 
 std::string terminal(const record::Page& page) {
   std::string text = page.title + "\n";
+  for (const auto& [name, value] : page.facts) {
+    text += "  ";
+    text += name;
+    text += ": ";
+    text += value;
+    text += '\n';
+  }
   for (const record::PageSection& section : page.sections) {
     text += "\n" + section.title + "\n";
     for (const FigureTable& table : section.tables) {

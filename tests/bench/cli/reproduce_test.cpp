@@ -111,14 +111,14 @@ TEST(Reproduce, TakesTheReadersChoices) {
 }
 
 // Until a process has computed for a while, its start is behind it.
-void wait_until_busy(pid_t pid) {
+void wait_until_busy(pid_t pid, long hundredths = 30) {
   for (int tries = 0; tries < 6000; ++tries) {
     std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
     std::string field;
     for (int i = 0; i < 14; ++i) {
       stat >> field;  // the fourteenth: time in user mode, in hundredths of a second
     }
-    if (stat && std::stol(field) >= 30) {
+    if (stat && std::stol(field) >= hundredths) {
       return;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -138,6 +138,22 @@ TEST(Reproduce, InterruptedReportsWhatItDid) {
     const json page = json::parse(outcome.out);
     EXPECT_FALSE(page["sections"].empty());
     EXPECT_NE(page["facts"].dump().find("not whole"), std::string::npos) << page["facts"];
+  }
+}
+
+// What was being played when it was stopped is no result.
+TEST(Fleet, InterruptedLeavesOutWhatIsNotWholeAndSaysSo) {
+  const Started started = gsbench::test::start_gsbench({"fleet", "--sweep"});
+  wait_until_busy(started.pid, 250);  // within the controls or after them
+  kill(started.pid, SIGINT);
+  const Outcome outcome = gsbench::test::wait_for(started);
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_NE(outcome.out.find("stopped: "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("not whole"), std::string::npos);
+  // A fleet that had not decided yet would have the nadir of nobody's control.
+  const auto row = outcome.out.find("Grid Sense, by each outlet's estimate");
+  if (row != std::string::npos) {
+    EXPECT_NE(outcome.out.substr(row, 200).find(" 148."), std::string::npos) << outcome.out;
   }
 }
 
@@ -214,9 +230,23 @@ TEST(Fleet, SweepsOverEachLossNoiseAndDelay) {
   EXPECT_EQ(run_gsbench({"fleet", "--noises", "0.01"}).exit_code, 2);  // of no sweep
 }
 
+TEST(Fleet, RefusesASweepOverNonsenseBeforeItPlays) {
+  for (const auto& [option, value] : std::map<std::string, std::string>{
+           {"--losses", "500,nan"}, {"--noises", "0.01,-1"}, {"--delays", "0,100"}}) {
+    const Outcome outcome = run_gsbench({"fleet", "--sweep", option, value});
+    EXPECT_EQ(outcome.exit_code, 2) << option;
+    EXPECT_NE(outcome.err.find("the sweep's " + option.substr(2)), std::string::npos)
+        << outcome.err;
+  }
+}
+
 TEST(Fleet, RefusesWhatMakesNoSense) {
   for (const auto& [option, value] :
-       std::map<std::string, std::string>{{"--loss", "0"}, {"--groups", "0"}, {"--noise", "-1"}}) {
+       std::map<std::string, std::string>{{"--loss", "0"},
+                                          {"--groups", "0"},
+                                          {"--noise", "-1"},
+                                          {"--delay", "inf"},
+                                          {"--central-delay", "1e300"}}) {
     const Outcome outcome = run_gsbench({"fleet", option, value});
     EXPECT_EQ(outcome.exit_code, 2) << option;
     EXPECT_FALSE(outcome.err.empty());

@@ -124,7 +124,7 @@ TEST(WaysOut, TooFewOutlets) {
 TEST(WaysOut, AnOutletOfAnotherProtocol) {
   Script script;
   script.protocol_version = 7;
-  expect_fault_of_the_last(script, "speaks protocol 7, not 1");
+  expect_fault_of_the_last(script, "speaks protocol 7, not 2");
 }
 
 TEST(WaysOut, AnOutletThatRefusesItsSettings) {

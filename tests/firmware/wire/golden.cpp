@@ -124,7 +124,7 @@ Uplink error() {
 std::vector<Golden> goldens() {
   return {
       {"hello", encoded(hello(), 0),
-       "90 01 00 00 01 68 6f 75 74 6c 65 74 2d 37 6a 6d 70 73 32 2d 61 6e 33 38 "
+       "90 01 00 00 02 68 6f 75 74 6c 65 74 2d 37 6a 6d 70 73 32 2d 61 6e 33 38 "
        "36 1a 12 34 56 78 19 03 e8 1a de ad be ef 03 19 1f 40 18 32 fa 3d 80 00 "
        "00 fa 3d 00 00 00 00 00"},
       {"identify", encoded(down(DownlinkKind::kIdentify), 0), "82 03 00"},

@@ -101,11 +101,11 @@ TEST(RoundTrip, AnyNaNIsWrittenAsTheOneOfTheProtocol) {
 TEST(RoundTrip, HelloOfAnotherVersionIsReadAsFarAsItsId) {
   std::mt19937 random(1);
   Uplink message = uplink(UplinkKind::kHello, Fill::kHighest, random);
-  // [1, 3, 9, version 2, "a-7", what this version knows nothing of]
-  const Bytes bytes = {0x87, 0x01, 0x03, 0x09, 0x02, 0x63, 'a', '-', '7', 0xF6, 0xA0};
+  // [1, 3, 9, version 9, "a-7", what this version knows nothing of]
+  const Bytes bytes = {0x87, 0x01, 0x03, 0x09, 0x09, 0x63, 'a', '-', '7', 0xF6, 0xA0};
   std::uint32_t sequence = 0;
   ASSERT_EQ(decode(bytes.data(), bytes.size(), message, sequence), Decoded::kOk);
-  EXPECT_EQ(message.hello.protocol_version, 2);
+  EXPECT_EQ(message.hello.protocol_version, 9);
   EXPECT_STREQ(message.hello.id, "a-7");
   EXPECT_EQ(sequence, 3U);
   EXPECT_EQ(message.sample, 9U);

@@ -36,6 +36,10 @@ struct Execution {
   const Reduction* reduction = &one_process();
 };
 
+inline bool stopped(const Execution& execution) {
+  return execution.stop != nullptr && execution.stop->load();
+}
+
 using Block = std::function<void(std::uint64_t block, Tallies& own)>;
 
 // Adds the blocks up into `tallies`, which come empty. Returns how many blocks were done: all,

@@ -41,7 +41,7 @@ struct Options {
   std::uint64_t trajectories = 1000000;
   std::uint64_t seed = 1;
   Choices choices;
-  // Plays the 500 MW experiment for Fig. 19, from the voltage on. None: the figure is left out.
+  // Plays the 500 MW experiment for Fig. 19, from the voltage on. None: not played.
   std::function<record::RunRecord(const campaign::Execution&)> play_experiment;
 };
 

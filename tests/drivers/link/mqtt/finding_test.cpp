@@ -129,7 +129,7 @@ TEST_F(FindingOutlets, OneThatSpeaksAnotherProtocolIsAtFault) {
   MqttLink link(options({"a"}));
   const auto opened = link.open();
   ASSERT_TRUE(opened.ok()) << opened.error();
-  EXPECT_EQ(opened.value()[0].fault, "speaks protocol 77, not 1");
+  EXPECT_EQ(opened.value()[0].fault, "speaks protocol 77, not 2");
 }
 
 TEST_F(FindingOutlets, RefusesAnOutletOnTheTopicOfAnother) {
