@@ -72,15 +72,14 @@ class Loop {
     const auto blocks = static_cast<std::size_t>((kBeforeLossS + options_.duration_s) /
                                                  static_cast<double>(gs::outlet::kReportS));
     for (std::size_t block = 0; block < blocks; ++block) {
-      if (execution_.stop != nullptr && execution_.stop->load()) {
+      if (stopped(execution_)) {
         return;
       }
       synthesize(block);
-      Execution quiet = execution_;
-      quiet.progress = nullptr;
       Tallies none;
       run_blocks(
-          shed_at_.size(), quiet, [&](std::uint64_t some, Tallies&) { feed(some, block); }, none);
+          shed_at_.size(), quiet(execution_),
+          [&](std::uint64_t some, Tallies&) { feed(some, block); }, none);
       for (auto& some : shed_at_) {
         for (const auto& [at_s, power_mw] : some) {
           balance_.shed(at_s, power_mw);

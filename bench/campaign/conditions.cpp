@@ -1,3 +1,4 @@
+#include "batches.hpp"
 #include "kernel.hpp"
 
 #include <algorithm>
@@ -7,14 +8,12 @@
 
 #include <campaign/conditions.hpp>
 #include <grid/sfr_model.hpp>
-#include <random/streams.hpp>
 #include <settings/grid_settings.hpp>
 
 namespace gsbench::campaign {
 namespace {
 
 constexpr double kReportS = 0.016;
-constexpr std::size_t kBatchesInBlock = 64;
 
 void check(const ConditionOptions& options) {
   const Counting& counting = options.counting;
@@ -58,34 +57,21 @@ ConditionResult count_conditions(const grid::Grid& grid, const ConditionOptions&
     const double t_s = kReportS * (static_cast<double>(k) + 1.0 - static_cast<double>(before));
     clean.push_back(static_cast<float>(options.loss_mw * model.unit_deviation_hz(t_s)));
   }
-  const auto noise = options.law == NoiseLaw::kUniform ? random::add_uniform_to_each
-                                                       : random::add_gaussian_to_each;
   const auto work = [&](std::uint64_t block, Tallies& own) {
     std::vector<float> deviations_hz(samples * kLanes);
-    for (std::uint64_t batch = block * kBatchesInBlock; batch < (block + 1) * kBatchesInBlock;
-         ++batch) {
-      const std::uint64_t first = batch * kLanes;
-      if (first >= options.trajectories) {
-        return;
-      }
-      for (std::size_t k = 0; k < samples; ++k) {
-        std::fill_n(deviations_hz.begin() + static_cast<std::ptrdiff_t>(k * kLanes), kLanes,
-                    clean[k]);
-      }
-      noise({options.seed, random::kTrajectory, static_cast<std::uint32_t>(first)}, kLanes, samples,
-            static_cast<float>(options.noise_hz), deviations_hz.data());
-      float hits[kLanes];
-      count_conditions(settings, nominal_hz, counted, deviations_hz.data(), hits);
-      const std::uint64_t count = std::min<std::uint64_t>(kLanes, options.trajectories - first);
-      for (std::uint64_t i = 0; i < count; ++i) {
-        own[0].add(static_cast<double>(hits[i]));
-      }
-    }
+    each_batch(block, options.trajectories,
+               [&](std::uint64_t, std::uint64_t first, std::uint64_t count) {
+                 measure(options, clean.data(), samples, first, deviations_hz.data());
+                 float hits[kLanes];
+                 count_conditions(settings, nominal_hz, counted, deviations_hz.data(), hits);
+                 for (std::uint64_t i = 0; i < count; ++i) {
+                   own[0].add(static_cast<double>(hits[i]));
+                 }
+               });
   };
   Tallies tallies = {Tally(0.0, static_cast<double>(counting.count) + 1.0,
                            static_cast<std::size_t>(counting.count) + 1)};
-  const std::uint64_t in_block = kBatchesInBlock * kLanes;
-  run_blocks((options.trajectories + in_block - 1) / in_block, execution, work, tallies);
+  run_blocks(blocks_of(options.trajectories), execution, work, tallies);
   const Tally& hits = tallies[0];
   return {
       static_cast<std::uint64_t>(hits.count()),

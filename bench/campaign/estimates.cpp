@@ -1,3 +1,4 @@
+#include "batches.hpp"
 #include "kernel.hpp"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace {
 
 constexpr int kSamples = kLseSamples + kEkfSamples;
 constexpr double kReportS = 0.016;
-constexpr std::size_t kBatchesInBlock = 64;
-constexpr std::size_t kTrajectoriesInBlock = kBatchesInBlock * kLanes;
 // A loss anywhere in a report: so many instants in turn, which no sum over them feels.
 constexpr std::size_t kInstants = 64;
 
@@ -68,19 +67,6 @@ class Truth {
   std::size_t instants_;
   std::vector<float> deviations_hz_;
 };
-
-void make_batch(const EstimateOptions& options, const Truth& truth, std::uint64_t batch,
-                float* deviations_hz) {
-  const float* const clean = truth.of_batch(batch);
-  for (int k = 0; k < kSamples; ++k) {
-    std::fill_n(deviations_hz + static_cast<std::size_t>(k) * kLanes, kLanes, clean[k]);
-  }
-  const random::Stream first = {options.seed, random::kTrajectory,
-                                static_cast<std::uint32_t>(batch * kLanes)};
-  const auto noise = options.law == NoiseLaw::kUniform ? random::add_uniform_to_each
-                                                       : random::add_gaussian_to_each;
-  noise(first, kLanes, kSamples, static_cast<float>(options.noise_hz), deviations_hz);
-}
 
 // G_1, G_2, ω_n, ω_r and ∅ in turn: by which part of itself each is off.
 struct Errors {
@@ -224,29 +210,22 @@ EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
   const Truth truth(model, options);
   const Estimators estimators(grid, model, options);
   Tallies tallies = {tally_of(options.loss_mw), tally_of(options.loss_mw)};
-  const std::uint64_t blocks =
-      (options.trajectories + kTrajectoriesInBlock - 1) / kTrajectoriesInBlock;
   const auto work = [&](std::uint64_t block, Tallies& own) {
     float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
-    for (std::uint64_t batch = block * kBatchesInBlock; batch < (block + 1) * kBatchesInBlock;
-         ++batch) {
-      const std::uint64_t first = batch * kLanes;
-      if (first >= options.trajectories) {
-        return;
-      }
-      make_batch(options, truth, batch, deviations_hz);
-      const Estimates estimates = estimators.estimate(batch, deviations_hz);
-      const std::uint64_t count = std::min<std::uint64_t>(kLanes, options.trajectories - first);
-      for (std::uint64_t i = 0; i < count; ++i) {
-        own[kLse].add(static_cast<double>(estimates.lse_mw[i]));
-        own[kEkf].add(static_cast<double>(estimates.ekf_mw[i]));
-      }
-      if (sink) {
-        sink(first, estimates.ekf_mw, count);
-      }
-    }
+    each_batch(block, options.trajectories,
+               [&](std::uint64_t batch, std::uint64_t first, std::uint64_t count) {
+                 measure(options, truth.of_batch(batch), kSamples, first, deviations_hz);
+                 const Estimates estimates = estimators.estimate(batch, deviations_hz);
+                 for (std::uint64_t i = 0; i < count; ++i) {
+                   own[kLse].add(static_cast<double>(estimates.lse_mw[i]));
+                   own[kEkf].add(static_cast<double>(estimates.ekf_mw[i]));
+                 }
+                 if (sink) {
+                   sink(first, estimates.ekf_mw, count);
+                 }
+               });
   };
-  run_blocks(blocks, execution, work, tallies);
+  run_blocks(blocks_of(options.trajectories), execution, work, tallies);
   const double sigma_hz = Estimators::noise_sigma_hz(options);
   const std::int64_t done = tallies[kEkf].count() + tallies[kEkf].missing();
   return {static_cast<std::uint64_t>(done), tallies[kLse], tallies[kEkf], sigma_hz,
@@ -258,7 +237,8 @@ std::vector<float> trajectory(const grid::Grid& grid, const EstimateOptions& opt
   check(options);
   const Truth truth(grid::SfrModel(grid), options);
   float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
-  make_batch(options, truth, number / kLanes, deviations_hz);
+  measure(options, truth.of_batch(number / kLanes), kSamples, number - number % kLanes,
+          deviations_hz);
   std::vector<float> one;
   for (std::size_t k = 0; k < static_cast<std::size_t>(kSamples); ++k) {
     one.push_back(deviations_hz[k * kLanes + number % kLanes]);

@@ -79,11 +79,9 @@ class Outlets {
       return;
     }
     std::fill(shed_mw_.begin(), shed_mw_.end(), 0.0);
-    Execution quiet = execution_;
-    quiet.progress = nullptr;
     Tallies none;
     run_blocks(
-        chunks_, quiet,
+        chunks_, quiet(execution_),
         [&](std::uint64_t chunk, Tallies&) { take_chunk(chunk, report, deviation_hz); }, none);
     for (std::size_t i = 0; i < kInstants; ++i) {
       double sum_mw = 0.0;
@@ -257,7 +255,7 @@ ScenarioResult play(const grid::Grid& grid, const Fleet& fleet, const ScenarioOp
     Outlets outlets(grid, fleet, options, execution);
     const auto reports = static_cast<int>(options.duration_s / kReportS);
     for (int report = 0; report < reports; ++report) {
-      if (execution.stop != nullptr && execution.stop->load()) {
+      if (stopped(execution)) {
         break;
       }
       outlets.take(report, balance);

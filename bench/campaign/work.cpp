@@ -46,7 +46,7 @@ class Shift {
 
  private:
   bool stopped() {
-    if (execution_.stop != nullptr && execution_.stop->load()) {
+    if (campaign::stopped(execution_)) {
       return true;
     }
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -33,22 +33,17 @@ double within_percent(const Tally& tally, double percent) {
 
 // A share of what was computed, in the ranges that the paper prints.
 FigureTable ranges(const std::vector<PrintedRange>& printed, const Tally& paper_way,
-                   const Tally* gsbench) {
-  FigureTable table = {"Share of the estimates, %", "range, p.u.", {"paper", "paper's way"}, {}};
-  if (gsbench != nullptr) {
-    table.columns.emplace_back("gsbench");
-  }
+                   const Tally& gsbench) {
+  FigureTable table = {
+      "Share of the estimates, %", "range, p.u.", {"paper", "paper's way", "gsbench"}, {}};
   for (const PrintedRange& range : printed) {
     char name[32];
     std::snprintf(name, sizeof name, "%g … %g", range.from_pu, range.to_pu);
     const double from_mw = kPuMw * range.from_pu;
     const double to_mw = kPuMw * range.to_pu;
-    record::FigureRow row = {name,
-                             {range.percent, 100.0 * paper_way.share_between(from_mw, to_mw)}};
-    if (gsbench != nullptr) {
-      row.figures.push_back(100.0 * gsbench->share_between(from_mw, to_mw));
-    }
-    table.rows.push_back(row);
+    table.rows.push_back({name,
+                          {range.percent, 100.0 * paper_way.share_between(from_mw, to_mw),
+                           100.0 * gsbench.share_between(from_mw, to_mw)}});
   }
   return table;
 }
@@ -72,12 +67,11 @@ record::CurvePlot histogram(const std::string& caption, double from_mw, double t
   return plot;
 }
 
-record::FigureRow figures_row(const std::string& name, const EstimateResult& result,
-                              double bound_mw) {
+record::FigureRow figures_row(const std::string& name, const EstimateResult& result) {
   const Tally& ekf = result.ekf_mw;
   return {name,
           {within_percent(ekf, 4.0), 100.0 - within_percent(ekf, 10.0), ekf.mean() / kPuMw,
-           ekf.standard_deviation() / kPuMw, ekf.standard_deviation() / bound_mw,
+           ekf.standard_deviation() / kPuMw, ekf.standard_deviation() / result.bound_mw,
            std::max(std::fabs(ekf.smallest() - kLossMw), std::fabs(ekf.largest() - kLossMw)) /
                kLossMw * 100.0}};
 }
@@ -104,7 +98,7 @@ FigureTable over_choices(Study& study, const Execution& execution, double parame
         const EstimateResult& result = study.result(choice, nth_of(execution, n++, 9));
         const std::string name = std::string(mode == Mode::kPaper ? "paper's way" : "gsbench") +
                                  ", " + text_of(law) + ", " + text_of(instant);
-        table.rows.push_back(figures_row(name, result, result.bound_mw));
+        table.rows.push_back(figures_row(name, result));
       }
     }
   }
@@ -113,8 +107,8 @@ FigureTable over_choices(Study& study, const Execution& execution, double parame
   careless.paper_loss_sigma_mw = 0.3 * study.grid().base_mw;
   careless.paper_t_x_sigma_s = 0.05;
   const EstimateResult& result = study.result(careless, nth_of(execution, n, 9));
-  table.rows.push_back(figures_row("paper's way, EKF started with 0.3 of all power and 50 ms",
-                                   result, result.bound_mw));
+  table.rows.push_back(
+      figures_row("paper's way, EKF started with 0.3 of all power and 50 ms", result));
   return table;
 }
 
@@ -133,13 +127,13 @@ PageSection table3(Study& study, const Execution& execution) {
                               {4, 5, 41.6360},
                               {3, 4, 12.5295},
                               {2, 3, 0.4463}},
-                             uniform.lse_mw, &gaussian.lse_mw);
-  table.columns = {"paper", "uniform ±0.01 Hz", "Gaussian σ = 0.01 Hz"};
+                             uniform.lse_mw, gaussian.lse_mw);
+  table.columns = {"paper", text_of(NoiseLaw::kUniform), text_of(NoiseLaw::kGaussian)};
   section.tables = {
       table,
       {"LSE over ten measurements",
        "",
-       {"paper", "uniform ±0.01 Hz", "Gaussian σ = 0.01 Hz"},
+       table.columns,
        {{"mean, p.u.", {kNoFigure, uniform.lse_mw.mean() / kPuMw, gaussian.lse_mw.mean() / kPuMw}},
         {"σ, p.u.",
          {kNoFigure, uniform.lse_mw.standard_deviation() / kPuMw,
@@ -150,8 +144,7 @@ PageSection table3(Study& study, const Execution& execution) {
       "LSE is the same in both ways. The paper's table has a standard deviation of about 0.80 p.u. "
       "and a mean of 4.91: no reading of \"a random noise within ±0.01 Hz\" that was tried gives "
       "exactly it. On average LSE finds less than 5 p.u., since eq. (18) takes the slope of the "
-      "first "
-      "instant and LSE that of the first 160 ms."};
+      "first instant and LSE that of the first 160 ms."};
   return section;
 }
 
@@ -187,8 +180,8 @@ PageSection table4(Study& study, const Execution& execution) {
   FigureTable table = figures_table("EKF over forty measurements after LSE over ten, " +
                                     text_of(study.options().choices.noise_law));
   table.rows = {{"paper", {92.38, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
-                figures_row("paper's way", paper_way, paper_way.bound_mw),
-                figures_row("gsbench", gsbench, gsbench.bound_mw),
+                figures_row("paper's way", paper_way),
+                figures_row("gsbench", gsbench),
                 {"Cramér–Rao bound, instant unknown",
                  {kNoFigure, kNoFigure, kNoFigure, gsbench.bound_mw / kPuMw, 1.0, kNoFigure}}};
   section.tables = {ranges({{5.2, 5.4, 3.6692},
@@ -196,7 +189,7 @@ PageSection table4(Study& study, const Execution& execution) {
                             {4.8, 5.0, 41.9954},
                             {4.6, 4.8, 3.9086},
                             {4.4, 4.6, 0.0457}},
-                           paper_way.ekf_mw, &gsbench.ekf_mw),
+                           paper_way.ekf_mw, gsbench.ekf_mw),
                     table, choices};
   section.plots = {histogram("Estimates of 500 MW by EKF.", 460.0, 540.0, 0.5,
                              {{"paper's way", paper_way.ekf_mw}, {"gsbench", gsbench.ekf_mw}})};
@@ -220,8 +213,8 @@ PageSection table5(Study& study, const Execution& execution) {
   FigureTable table = figures_table("EKF where each parameter is off by up to 5 %, " +
                                     text_of(study.options().choices.noise_law));
   table.rows = {{"paper", {72.33, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
-                figures_row("paper's way", paper_way, paper_way.bound_mw),
-                figures_row("gsbench", gsbench, gsbench.bound_mw)};
+                figures_row("paper's way", paper_way),
+                figures_row("gsbench", gsbench)};
   section.tables = {ranges({{5.6, 6.0, 0.0364},
                             {5.4, 5.6, 1.4662},
                             {5.2, 5.4, 13.5019},
@@ -230,7 +223,7 @@ PageSection table5(Study& study, const Execution& execution) {
                             {4.6, 4.8, 10.7807},
                             {4.4, 4.6, 0.8698},
                             {4.0, 4.4, 0.0167}},
-                           paper_way.ekf_mw, &gsbench.ekf_mw),
+                           paper_way.ekf_mw, gsbench.ekf_mw),
                     table, choices};
   section.paragraphs = {
       "G_1, G_2, ω_n, ω_r and ∅ are each off by a part of themselves, uniform within ±5 % and "

@@ -20,7 +20,6 @@ using campaign::Fleet;
 using campaign::FleetOptions;
 using campaign::Mode;
 using campaign::ScenarioOptions;
-using campaign::ScenarioResult;
 using campaign::Shed;
 using record::kNoFigure;
 
@@ -125,24 +124,23 @@ PageSection fig22(Study& study, const Execution& execution) {
   choice.seed = study.options().seed;
   int n = 0;
   const auto add = [&](const std::string& name) {
-    ScenarioResult result = play(grid, fleet, choice, nth_of(execution, n++, 3));
-    if (stopped(execution)) {
-      return result;  // which is not whole
+    auto result = play_whole(grid, fleet, choice, nth_of(execution, n++, 3));
+    if (result) {
+      table.rows.push_back({name,
+                            {result->shed.power_mw, result->first_action_s, result->last_action_s,
+                             result->nadir_hz, result->nadir_s, result->end_hz}});
+      plot.x = result->t_s;
+      plot.curves.push_back({name, result->frequency_hz});
     }
-    table.rows.push_back({name,
-                          {result.shed.power_mw, result.first_action_s, result.last_action_s,
-                           result.nadir_hz, result.nadir_s, result.end_hz}});
-    plot.x = result.t_s;
-    plot.curves.push_back({name, result.frequency_hz});
     return result;
   };
   choice.control = Control::kNone;
   add("without Grid Sense");
   choice.control = Control::kGridSense;
-  const ScenarioResult plain = add("with Grid Sense");
-  if (std::isfinite(plain.last_action_s)) {
+  const auto plain = add("with Grid Sense");
+  if (plain && std::isfinite(plain->last_action_s)) {
     choice.threshold_mw = grid::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz,
-                                                       kLossMw, plain.last_action_s);
+                                                       kLossMw, plain->last_action_s);
     add("with a threshold that knows of the delay");
   }
   section.tables = {table};

@@ -1,6 +1,11 @@
 // Pages of `gsbench fleet`.
+#include "study.hpp"
+
 #include <cmath>
+#include <map>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -50,7 +55,7 @@ record::FigureRow row_of(const std::string& name, const ScenarioResult& result) 
            result.nadir_hz, result.nadir_s, result.end_hz}};
 }
 
-// The outlets' last action where nothing else is known: what the threshold must reckon with.
+// What keeps the nadir where outlets act that late.
 double delay_aware_threshold_mw(const grid::Grid& grid, const ScenarioOptions& options,
                                 double last_action_s) {
   return grid::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz, options.loss_mw,
@@ -74,25 +79,24 @@ record::PageSection controls(const grid::Grid& grid, const FleetStudy& study,
   double last_action_s = kNoFigure;
   double wanted_mw = 0.0;
   const auto add = [&](const std::string& name) {
-    ScenarioResult result = play(grid, fleet, options, execution);
-    if (stopped(execution)) {
-      return result;  // which is not whole
+    auto result = play_whole(grid, fleet, options, execution);
+    if (result) {
+      table.rows.push_back(row_of(name, *result));
+      plot.x = result->t_s;
+      plot.curves.push_back({name, result->frequency_hz});
+      wanted_mw = result->wanted_mw;
     }
-    table.rows.push_back(row_of(name, result));
-    plot.x = result.t_s;
-    plot.curves.push_back({name, result.frequency_hz});
-    wanted_mw = result.wanted_mw;
     return result;
   };
   for (const Control control : campaign::all_controls()) {
     options.control = control;
-    const ScenarioResult result = add(title_of(control));
-    if (control == Control::kGridSense && !stopped(execution)) {
-      last_action_s = result.last_action_s;
+    const auto result = add(title_of(control));
+    if (control == Control::kGridSense && result) {
+      last_action_s = result->last_action_s;
       record::Curve curve{"off", {}};
-      for (std::size_t group = 0; group < result.shed.off_in_group.size(); ++group) {
+      for (std::size_t group = 0; group < result->shed.off_in_group.size(); ++group) {
         groups.x.push_back(static_cast<double>(group + 1));
-        curve.y.push_back(static_cast<double>(result.shed.off_in_group[group]));
+        curve.y.push_back(static_cast<double>(result->shed.off_in_group[group]));
       }
       groups.curves = {curve};
     }
@@ -111,37 +115,23 @@ record::PageSection controls(const grid::Grid& grid, const FleetStudy& study,
   return section;
 }
 
-// A heat map over losses and something else. Stopped, what is left of it stays empty.
-class Map {
- public:
-  Map(std::string caption, const std::vector<double>& losses_mw, const std::vector<double>& columns)
-      : losses_mw_(losses_mw), columns_(columns) {
-    table_.caption = std::move(caption);
-    table_.first_column = "loss";
-    table_.heat = true;
+// Over losses and something else. `figure` may have none.
+template <class Figure>
+record::FigureTable heat_map(const std::string& caption, const std::vector<double>& losses_mw,
+                             const std::vector<double>& columns, const Figure& figure) {
+  record::FigureTable table = {caption, "loss", {}, {}, true};
+  for (const double column : columns) {
+    table.columns.push_back(fmt::format("{:g}", column));
+  }
+  for (const double loss_mw : losses_mw) {
+    record::FigureRow row = {fmt::format("{:.6g} MW", loss_mw), {}};
     for (const double column : columns) {
-      table_.columns.push_back(fmt::format("{:g}", column));
+      row.figures.push_back(figure(loss_mw, column));
     }
+    table.rows.push_back(row);
   }
-
-  template <class Figure>
-  record::FigureTable fill(const Execution& execution, const Figure& figure) {
-    for (const double loss_mw : losses_mw_) {
-      record::FigureRow row = {fmt::format("{:.6g} MW", loss_mw), {}};
-      for (const double column : columns_) {
-        const double value = stopped(execution) ? kNoFigure : figure(loss_mw, column);
-        row.figures.push_back(stopped(execution) ? kNoFigure : value);
-      }
-      table_.rows.push_back(row);
-    }
-    return table_;
-  }
-
- private:
-  const std::vector<double>& losses_mw_;
-  const std::vector<double>& columns_;
-  record::FigureTable table_;
-};
+  return table;
+}
 
 std::vector<double> losses_of(const grid::Grid& grid, const Sweep& sweep) {
   if (!sweep.losses_mw.empty()) {
@@ -164,55 +154,50 @@ record::PageSection sweep(const grid::Grid& grid, const FleetStudy& study,
   record::PageSection section;
   section.id = "sweep";
   section.title = "Loss, noise and delay";
-  Execution quiet = execution;
-  quiet.progress = nullptr;
   const auto all = static_cast<double>(losses_mw.size() * over.noises_hz.size()) *
                    static_cast<double>(over.delays_s.size());
   double done = 0.0;
-  record::FigureTable shed = {
-      "Shed beyond what is wanted, MW, over noise (± or σ, Hz)", "loss", {}};
+  ScenarioOptions options = study.scenario;
+  options.control = Control::kGridSense;
+  std::map<std::pair<double, double>, double> beyond_mw;  // by loss and noise, at the first delay
   for (const double delay_s : over.delays_s) {
-    std::vector<double> beyond_mw;
+    options.further_delay_s = delay_s;
     const auto nadir_hz = [&](double loss_mw, double noise_hz) {
-      ScenarioOptions options = study.scenario;
-      options.control = Control::kGridSense;
       options.loss_mw = loss_mw;
       options.noise_hz = noise_hz;
-      options.further_delay_s = delay_s;
-      const ScenarioResult result = play(grid, fleet, options, quiet);
-      if (!stopped(execution)) {
-        beyond_mw.push_back(result.shed.power_mw - result.wanted_mw);
-      }
+      const auto result = play_whole(grid, fleet, options, quiet(execution));
       if (execution.progress) {
         execution.progress(++done / all);
       }
-      return result.nadir_hz;
+      if (!result) {
+        return kNoFigure;
+      }
+      beyond_mw.try_emplace({loss_mw, noise_hz}, result->shed.power_mw - result->wanted_mw);
+      return result->nadir_hz;
     };
-    section.tables.push_back(
-        Map(fmt::format("Nadir, Hz, over noise (± or σ, Hz); every outlet {:g} s later", delay_s),
-            losses_mw, over.noises_hz)
-            .fill(quiet, nadir_hz));
-    if (shed.rows.empty()) {
-      // Who sheds hardly depends on when.
-      std::size_t next = 0;
-      shed = Map(shed.caption, losses_mw, over.noises_hz).fill({}, [&](double, double) {
-        return next < beyond_mw.size() ? beyond_mw[next++] : kNoFigure;
-      });
-    }
+    section.tables.push_back(heat_map(
+        fmt::format("Nadir, Hz, over noise (± or σ, Hz); every outlet {:g} s later", delay_s),
+        losses_mw, over.noises_hz, nadir_hz));
   }
-  section.tables.push_back(shed);
+  // Who sheds hardly depends on when.
+  section.tables.push_back(heat_map("Shed beyond what is wanted, MW, over noise (± or σ, Hz)",
+                                    losses_mw, over.noises_hz,
+                                    [&](double loss_mw, double noise_hz) {
+                                      const auto cell = beyond_mw.find({loss_mw, noise_hz});
+                                      return cell != beyond_mw.end() ? cell->second : kNoFigure;
+                                    }));
+  ScenarioOptions central = study.scenario;
+  central.control = Control::kCentral;
   section.tables.push_back(
-      Map(fmt::format("Central control in its place, which knows the loss after {:g} s: nadir, Hz, "
-                      "over its communication delay, s",
-                      study.scenario.central_decision_s),
-          losses_mw, over.delays_s)
-          .fill(quiet, [&](double loss_mw, double delay_s) {
-            ScenarioOptions options = study.scenario;
-            options.control = Control::kCentral;
-            options.loss_mw = loss_mw;
-            options.central_delay_s = delay_s;
-            return play(grid, fleet, options, quiet).nadir_hz;
-          }));
+      heat_map(fmt::format("Central control in its place, which knows the loss after {:g} s: "
+                           "nadir, Hz, over its communication delay, s",
+                           central.central_decision_s),
+               losses_mw, over.delays_s, [&](double loss_mw, double delay_s) {
+                 central.loss_mw = loss_mw;
+                 central.central_delay_s = delay_s;
+                 const auto result = play_whole(grid, fleet, central, quiet(execution));
+                 return result ? result->nadir_hz : kNoFigure;
+               }));
   return section;
 }
 
@@ -280,12 +265,12 @@ record::PageSection closed_loop(const grid::Grid& grid, const FleetStudy& study,
 
 // Before anything is played: a sweep may take minutes.
 void check(const grid::Grid& grid, const FleetStudy& study) {
-  const auto demand = [](const std::vector<double>& values, double above, double most,
+  const auto demand = [](const std::vector<double>& values, double least, double most,
                          const char* what) {
     for (const double value : values) {
-      if (!(value >= above && value <= most)) {
+      if (!(value >= least && value <= most)) {
         throw std::invalid_argument(fmt::format("the sweep's {}: {:g} is not within {:g} … {:g}",
-                                                what, value, above, most));
+                                                what, value, least, most));
       }
     }
   };

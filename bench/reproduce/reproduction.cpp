@@ -94,13 +94,8 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
     }
   }
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    Execution part = execution;
-    if (execution.progress) {
-      part.progress = [&, i](double done) {
-        execution.progress((static_cast<double>(i) + done) / static_cast<double>(chosen.size()));
-      };
-    }
-    PageSection section = chosen[i]->make(study, part);
+    PageSection section = chosen[i]->make(
+        study, nth_of(execution, static_cast<int>(i), static_cast<int>(chosen.size())));
     section.id = chosen[i]->item.id;
     section.title = chosen[i]->item.title;
     page.sections.push_back(std::move(section));

@@ -1,5 +1,7 @@
 #include "study.hpp"
 
+#include <utility>
+
 namespace gsbench::reproduce {
 
 using campaign::EstimateOptions;
@@ -60,10 +62,15 @@ Execution nth_of(const Execution& execution, int n, int all) {
   return part;
 }
 
-Execution quiet(const Execution& execution) {
-  Execution silent = execution;
-  silent.progress = nullptr;
-  return silent;
+std::optional<campaign::ScenarioResult> play_whole(const grid::Grid& grid,
+                                                   const campaign::Fleet& fleet,
+                                                   const campaign::ScenarioOptions& options,
+                                                   const Execution& execution) {
+  if (stopped(execution)) {
+    return std::nullopt;
+  }
+  campaign::ScenarioResult result = play(grid, fleet, options, execution);
+  return stopped(execution) ? std::nullopt : std::optional(std::move(result));
 }
 
 }  // namespace gsbench::reproduce

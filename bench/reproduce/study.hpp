@@ -2,9 +2,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 
+#include <campaign/scenario.hpp>
 #include <reproduce/reproduction.hpp>
 
 namespace gsbench::reproduce {
@@ -46,6 +48,10 @@ std::string text_of(const campaign::Counting& counting);
 // The n-th of so many parts of the work: its progress is a part of the whole's.
 Execution nth_of(const Execution& execution, int n, int all);
 
-Execution quiet(const Execution& execution);
+// A fleet's scenario, where it was not stopped before its end.
+std::optional<campaign::ScenarioResult> play_whole(const grid::Grid& grid,
+                                                   const campaign::Fleet& fleet,
+                                                   const campaign::ScenarioOptions& options,
+                                                   const Execution& execution);
 
 }  // namespace gsbench::reproduce

@@ -40,6 +40,13 @@ inline bool stopped(const Execution& execution) {
   return execution.stop != nullptr && execution.stop->load();
 }
 
+// The same, for a part whose progress is told by whoever asks for it.
+inline Execution quiet(const Execution& execution) {
+  Execution silent = execution;
+  silent.progress = nullptr;
+  return silent;
+}
+
 using Block = std::function<void(std::uint64_t block, Tallies& own)>;
 
 // Adds the blocks up into `tallies`, which come empty. Returns how many blocks were done: all,
