@@ -93,7 +93,8 @@ Parameter off_by(float value, const Parameter& error) {
 // The estimators of one study, with all that does not change from batch to batch.
 class Estimators {
  public:
-  Estimators(const grid::Grid& grid, const grid::SfrModel& model, const EstimateOptions& options)
+  Estimators(const grid::Grid& grid, const grid::SfrModel& model, const EstimateOptions& options,
+             const Truth& truth)
       : options_(options), settings_(estimate_settings(grid)) {
     if (const auto parameters = grid::underdamped_parameters(model, grid.reheat_s)) {
       paper_.gain_hz_per_mw = static_cast<float>(model.gain_hz_per_mw());
@@ -111,6 +112,9 @@ class Estimators {
     start_.ekf.t_x_sigma_s = static_cast<float>(options.paper_t_x_sigma_s);
     start_.ekf.largest_loss_mw = settings_.largest_loss_mw;
     start_.t_x_s = -gs::outlet::kReportS;
+    if (options.mode == Mode::kGsbench && options.parameter_error > 0.0) {
+      excess_ = reciprocal_excess(truth);
+    }
   }
 
   static double noise_sigma_hz(const EstimateOptions& options) {
@@ -148,10 +152,7 @@ class Estimators {
 
   // The five contradict one another once they are off: f begins at f_0, so that G_2·sin ∅ = −G_1,
   // and ω_r = ω_n·√(1 − ζ²). An outlet is sent four numbers, which cannot; whoever sends them has
-  // G_1, G_2 and ω_n twice each and takes the mean, by weights where the errors are unequal. An
-  // estimate divides by the response, and the mean of a reciprocal is above the reciprocal of the
-  // mean by the relative variance, which estimates show to be 0.29 of the errors' square: it is
-  // taken off.
+  // G_1, G_2 and ω_n twice each and takes the mean, by weights where the errors are unequal.
   gs::outlet::ResponseOf<Lanes> response_with(const Errors& e) const {
     constexpr float kOwn = 0.66F;  // the other comes by way of ∅ and has twice the variance
     constexpr float kOther = 1.0F - kOwn;
@@ -164,8 +165,7 @@ class Estimators {
     const Lanes pace = (e.of[2] + e.of[3]) * 0.5F + 1.0F;  // of both ω
     const Lanes omega_r = pace * paper_.omega_r;
     gs::outlet::ResponseOf<Lanes> response;
-    const auto spread = static_cast<float>(options_.parameter_error);
-    response.gain_hz_per_mw = gain * (1.0F + 0.29F * spread * spread);
+    response.gain_hz_per_mw = gain * (1.0F + excess_);
     response.sigma_per_s = pace * paper_.sigma_per_s;
     response.discriminant_per_s2 = omega_r * omega_r;
     response.initial_slope_per_s =
@@ -173,7 +173,32 @@ class Estimators {
     return response;
   }
 
+  // An estimate divides by the response, and the mean of a reciprocal is above the reciprocal of
+  // the mean by the relative variance. Whoever knows how far the parameters may be off takes it
+  // off: to first order it is the sum of what each of them does alone, its square by 3 for a
+  // uniform error.
+  float reciprocal_excess(const Truth& truth) const {
+    float alone[5][kLanes] = {};
+    Errors errors;
+    for (std::size_t i = 0; i < 5; ++i) {
+      alone[i][i] = static_cast<float>(options_.parameter_error);
+      errors.of[i] = load(alone[i]);
+    }
+    float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
+    spread(truth.of_batch(0), kSamples, deviations_hz);
+    Estimates estimates;
+    estimate_as_outlet(settings_, response_with(errors), deviations_hz, kSamples, estimates);
+    const float exact_mw = estimates.ekf_mw[5];  // a lane without an error
+    float squares = 0.0F;
+    for (std::size_t i = 0; i < 5; ++i) {
+      const float part = estimates.ekf_mw[i] / exact_mw - 1.0F;
+      squares += part * part;
+    }
+    return squares / 3.0F;
+  }
+
   const EstimateOptions& options_;
+  float excess_ = 0.0F;
   gs::outlet::Settings settings_;
   PaperModel<float> paper_;
   PaperStart start_;
@@ -208,7 +233,7 @@ EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
   check(options);
   const grid::SfrModel model(grid);
   const Truth truth(model, options);
-  const Estimators estimators(grid, model, options);
+  const Estimators estimators(grid, model, options, truth);
   Tallies tallies = {tally_of(options.loss_mw), tally_of(options.loss_mw)};
   const auto work = [&](std::uint64_t block, Tallies& own) {
     float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
