@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include <campaign/estimates.hpp>
-#include <random/streams.hpp>
+#include <models/streams.hpp>
 
 namespace gsbench::campaign {
 
@@ -40,9 +40,9 @@ template <class Options>
 void measure(const Options& options, const float* clean, std::size_t samples, std::uint64_t first,
              float* values) {
   spread(clean, samples, values);
-  const auto noise = options.law == NoiseLaw::kUniform ? random::add_uniform_to_each
-                                                       : random::add_gaussian_to_each;
-  noise({options.seed, random::kTrajectory, static_cast<std::uint32_t>(first)}, kLanes, samples,
+  const auto noise = options.law == NoiseLaw::kUniform ? models::add_uniform_to_each
+                                                       : models::add_gaussian_to_each;
+  noise({options.seed, models::kTrajectory, static_cast<std::uint32_t>(first)}, kLanes, samples,
         static_cast<float>(options.noise_hz), values);
 }
 

@@ -10,8 +10,8 @@
 #include <campaign/closed_loop.hpp>
 #include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
+#include <models/noise.hpp>
 #include <outlet/outlet.hpp>
-#include <random/noise.hpp>
 #include <settings/grid_settings.hpp>
 
 namespace gsbench::campaign {
@@ -136,7 +136,7 @@ class Loop {
     std::vector<std::int16_t> counts(samples_);
     for (std::size_t i = first; i < end; ++i) {
       noisy = voltage_pu_;
-      random::add_gaussian({options_.seed, random::kSourceNoise, static_cast<std::uint32_t>(i)},
+      models::add_gaussian({options_.seed, models::kSourceNoise, static_cast<std::uint32_t>(i)},
                            block * samples_, samples_,
                            static_cast<float>(0.01 * options_.noise_pct), noisy.data());
       for (std::size_t k = 0; k < samples_; ++k) {

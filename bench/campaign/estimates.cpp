@@ -8,8 +8,8 @@
 #include <campaign/estimates.hpp>
 #include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
+#include <models/streams.hpp>
 #include <outlet/front_end.hpp>
-#include <random/streams.hpp>
 #include <settings/grid_settings.hpp>
 
 namespace gsbench::campaign {
@@ -75,8 +75,8 @@ struct Errors {
 
 Errors make_errors(const EstimateOptions& options, std::uint64_t batch) {
   float values[5 * kLanes] = {};
-  random::add_uniform_to_each(
-      {options.seed, random::kTrajectoryParameters, static_cast<std::uint32_t>(batch * kLanes)},
+  models::add_uniform_to_each(
+      {options.seed, models::kTrajectoryParameters, static_cast<std::uint32_t>(batch * kLanes)},
       kLanes, 5, static_cast<float>(options.parameter_error), values);
   Errors errors;
   for (std::size_t i = 0; i < 5; ++i) {

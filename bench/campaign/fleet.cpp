@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include <campaign/fleet.hpp>
-#include <random/noise.hpp>
+#include <models/noise.hpp>
 
 namespace gsbench::campaign {
 
@@ -19,11 +19,11 @@ Fleet make_fleet(const FleetOptions& options) {
   Fleet fleet;
   fleet.per_group = options.per_group;
   fleet.power_w.reserve(options.groups * options.per_group);
-  const random::Stream stream = {options.seed, random::kAppliance, 0};
+  const models::Stream stream = {options.seed, models::kAppliance, 0};
   for (std::size_t group = 0; group < options.groups; ++group) {
     double group_w = 0.0;
     for (std::size_t i = 0; i < options.per_group; ++i) {
-      const double part = random::uniform(stream, fleet.power_w.size());
+      const double part = models::uniform(stream, fleet.power_w.size());
       const auto power_w =
           static_cast<float>(options.least_w + (options.most_w - options.least_w) * part);
       fleet.power_w.push_back(power_w);

@@ -2,9 +2,9 @@
 
 #include "fleet_kernel.hpp"
 
+#include <models/targets.hpp>
 #include <outlet/conditions.hpp>
 #include <outlet/loss_estimator.hpp>
-#include <random/targets.hpp>
 
 namespace gsbench::campaign {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using gs::outlet::LossEstimator;
 using gs::outlet::LseState;
 using gs::outlet::Settings;
-using random::run_on_this_machine;
+using models::run_on_this_machine;
 
 template <class Model>
 inline void outlet_body(const Settings& settings, const Model& response, const float* deviations_hz,

@@ -8,7 +8,7 @@
 #include <campaign/scenario.hpp>
 #include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
-#include <random/noise.hpp>
+#include <models/noise.hpp>
 #include <settings/grid_settings.hpp>
 
 namespace gsbench::campaign {
@@ -139,8 +139,8 @@ class Outlets {
       std::fill_n(measured_hz + i * kLanes, kLanes, static_cast<float>(deviation_hz[i]));
     }
     const auto noise =
-        options_.law == NoiseLaw::kUniform ? random::add_uniform : random::add_gaussian;
-    noise({options_.seed, random::kTrajectory, static_cast<std::uint32_t>(report)}, first, kChunk,
+        options_.law == NoiseLaw::kUniform ? models::add_uniform : models::add_gaussian;
+    noise({options_.seed, models::kTrajectory, static_cast<std::uint32_t>(report)}, first, kChunk,
           static_cast<float>(options_.noise_hz), measured_hz);
     for (std::size_t i = 0; i < kInstants && i * kLanes < count; ++i) {
       const std::size_t begin = first + i * kLanes;

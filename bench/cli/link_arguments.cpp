@@ -8,7 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include <emulated/serial_ports.hpp>
+#include <emulation/serial_ports.hpp>
 #include <profile/station_spec.hpp>
 #include <station/stations.hpp>
 
@@ -56,8 +56,8 @@ std::unique_ptr<link::Link> make_link(const LinkArguments& arguments) {
     }
   }
   if (std::any_of(spec.serial_ports.begin(), spec.serial_ports.end(), is_pseudo_terminal) &&
-      !emulated::pseudo_terminals_are_serial_ports()) {
-    throw std::runtime_error(emulated::restart_with_pseudo_terminals().error());
+      !emulation::pseudo_terminals_are_serial_ports()) {
+    throw std::runtime_error(emulation::restart_with_pseudo_terminals().error());
   }
   return station::make_link(spec, arguments.station.empty() && arguments.ports.empty());
 }

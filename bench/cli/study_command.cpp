@@ -2,6 +2,7 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "study_output.hpp"
+#include <seed_sweep/seed_sweep.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -10,14 +11,13 @@
 
 #include <judge/catalogue.hpp>
 #include <profile/load.hpp>
-#include <study/study.hpp>
 
 namespace gsbench::cli {
 namespace {
 
 struct StudyArguments {
   std::string profile;
-  study::StudyOptions options;
+  seed_sweep::StudyOptions options;
   std::vector<std::string> within;
   bool json = false;
 };
@@ -53,10 +53,10 @@ Shares parse_shares(const std::vector<std::string>& texts) {
   return shares;
 }
 
-Shares usual_shares(const study::StudyResult& study) {
+Shares usual_shares(const seed_sweep::StudyResult& study) {
   Shares shares;
   for (const auto& share : kUsualShares) {
-    const study::Row* row = find_row(study, share.first);
+    const seed_sweep::Row* row = find_row(study, share.first);
     if (row != nullptr && row->values.count() > 0) {
       shares.push_back(share);
     }
@@ -74,15 +74,15 @@ int run_study(const StudyArguments& arguments) {
   Shares shares = parse_shares(arguments.within);
   const profile::Plan plan = profile::load_profile(arguments.profile, judge::measure_names());
   const std::atomic<bool>& interrupted = catch_interrupts();
-  study::StudyOptions options = arguments.options;
+  seed_sweep::StudyOptions options = arguments.options;
   options.stop = &interrupted;
-  study::StudyResult result;
+  seed_sweep::StudyResult result;
   {
     Progress progress(plan.name);
     options.progress = [&](std::uint64_t done, std::uint64_t all) {
       progress.show(static_cast<double>(done) / static_cast<double>(all));
     };
-    result = study::study(plan, options);
+    result = seed_sweep::study(plan, options);
   }
   if (shares.empty()) {
     shares = usual_shares(result);

@@ -9,8 +9,8 @@ namespace gsbench::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using study::Row;
-using study::StudyResult;
+using seed_sweep::Row;
+using seed_sweep::StudyResult;
 
 constexpr std::pair<const char*, double> kQuantiles[] = {
     {"min", 0.0}, {"p1", 0.01}, {"p50", 0.5}, {"p99", 0.99}, {"p99.9", 0.999}, {"max", 1.0}};

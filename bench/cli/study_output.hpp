@@ -1,11 +1,11 @@
 // A study's table, for a terminal and as JSON.
 #pragma once
 
+#include <seed_sweep/seed_sweep.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <study/study.hpp>
 
 namespace gsbench::cli {
 
@@ -13,11 +13,11 @@ namespace gsbench::cli {
 // unit.
 using Shares = std::vector<std::pair<std::string, double>>;
 
-std::string study_table(const study::StudyResult& study, const Shares& shares);
+std::string study_table(const seed_sweep::StudyResult& study, const Shares& shares);
 std::string study_json(const profile::Plan& plan, std::uint64_t first_seed,
-                       const study::StudyResult& study, const Shares& shares);
+                       const seed_sweep::StudyResult& study, const Shares& shares);
 
 // nullptr where the study has no such measure.
-const study::Row* find_row(const study::StudyResult& study, const std::string& measure);
+const seed_sweep::Row* find_row(const seed_sweep::StudyResult& study, const std::string& measure);
 
 }  // namespace gsbench::cli

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include <judge/catalogue.hpp>
+#include <models/noise.hpp>
 #include <profile/load.hpp>
-#include <random/noise.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -26,7 +26,7 @@ bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupt
                    OutputFile& file) {
   const waveform::Synthesizer synthesizer = plan.synthesizer();
   const waveform::Truth& truth = synthesizer.truth();
-  const random::Stream stream{plan.seed, random::kSourceNoise, 0};
+  const models::Stream stream{plan.seed, models::kSourceNoise, 0};
   const std::int64_t end = plan.duration_ticks();
   constexpr std::int64_t kBlock = 4096;
   Progress progress(plan.name);
@@ -39,7 +39,7 @@ bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupt
     }
     const auto count = static_cast<std::size_t>(std::min(kBlock, end - first));
     synthesizer.render(first, count, voltage_pu.data());
-    random::add_gaussian(stream, static_cast<std::uint64_t>(first), count,
+    models::add_gaussian(stream, static_cast<std::uint64_t>(first), count,
                          plan.stimulus.noise_rms_pu(), voltage_pu.data());
     text.clear();
     for (std::size_t i = 0; i < count; ++i) {

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include <emulated/desk.hpp>
-#include <emulated/serial_ports.hpp>
+#include <emulation/hardware.hpp>
+#include <emulation/serial_ports.hpp>
 #include <link/combined_link.hpp>
 
 namespace gsbench::station {
@@ -28,22 +28,22 @@ std::string companion(const std::string& name) {
   return (fs::read_symlink("/proc/self/exe", error).parent_path() / name).string();
 }
 
-emulated::DeskOptions options_of(const profile::StationSpec& spec, const profile::Plan& plan) {
-  emulated::DeskOptions options;
+emulation::HardwareOptions options_of(const profile::StationSpec& spec, const profile::Plan& plan) {
+  emulation::HardwareOptions options;
   options.sample_rate_hz = plan.stimulus.sample_rate_hz;
   options.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
   options.image = spec.image.empty() ? GSBENCH_M4_IMAGE : spec.image;
   options.host_program = companion("gs-outlet");
   for (const profile::EmulatedOutletSpec& outlet : spec.emulated) {
     options.outlets.push_back(
-        {outlet.id, outlet.board == "host" ? emulated::Board::kHost : emulated::Board::kMps2An386,
-         outlet.link == "mqtt" ? emulated::Connection::kMqtt : emulated::Connection::kSerial,
+        {outlet.id, outlet.board == "host" ? emulation::Board::kHost : emulation::Board::kMps2An386,
+         outlet.link == "mqtt" ? emulation::Connection::kMqtt : emulation::Connection::kSerial,
          outlet.crystal_ppm});
   }
   // In the order of the links below, which is that of the plan's outlets: mains and relay sense
   // count as they do.
   std::stable_partition(options.outlets.begin(), options.outlets.end(), [](const auto& outlet) {
-    return outlet.connection == emulated::Connection::kSerial;
+    return outlet.connection == emulation::Connection::kSerial;
   });
   return options;
 }
@@ -52,26 +52,26 @@ emulated::DeskOptions options_of(const profile::StationSpec& spec, const profile
 
 EmulatedStation::EmulatedStation(const profile::StationSpec& spec, const profile::Plan& plan)
     : name_(spec.name), sample_rate_hz_(static_cast<double>(plan.stimulus.sample_rate_hz)) {
-  auto desk = emulated::Desk::set_up(options_of(spec, plan));
-  if (!desk.ok()) {
-    throw std::runtime_error("station " + spec.name + ": " + desk.error());
+  auto hardware = emulation::Hardware::set_up(options_of(spec, plan));
+  if (!hardware.ok()) {
+    throw std::runtime_error("station " + spec.name + ": " + hardware.error());
   }
-  desk_ = desk.take();
+  hardware_ = hardware.take();
   std::vector<std::unique_ptr<link::Link>> links;
-  if (!desk_->serial_ports().empty()) {
+  if (!hardware_->serial_ports().empty()) {
     link::SerialOptions options;
-    options.ports = desk_->serial_ports();
-    options.ids = desk_->serial_ids();
+    options.ports = hardware_->serial_ports();
+    options.ids = hardware_->serial_ids();
     options.answer_s = kAnswerS;
     links.push_back(std::make_unique<link::SerialLink>(options));
   }
-  if (const broker::PrivateBroker* const broker = desk_->broker(); broker != nullptr) {
+  if (const emulation::PrivateBroker* const broker = hardware_->broker(); broker != nullptr) {
     link::MqttOptions options;
     options.url = broker->url();
     options.ca_file = broker->ca_file();
     options.user = broker->bench().user;
     options.password = broker->bench().password;
-    options.outlets = desk_->mqtt_ids();
+    options.outlets = hardware_->mqtt_ids();
     options.patience = std::chrono::milliseconds(static_cast<int>(1e3 * kAnswerS));
     links.push_back(std::make_unique<link::MqttLink>(options));
   }
@@ -85,7 +85,7 @@ EmulatedStation::~EmulatedStation() {
 
 judge::BenchUncertainty EmulatedStation::uncertainty() {
   judge::BenchUncertainty uncertainty;
-  uncertainty.relay_sense_ms = 1e3 * desk_->relay_sense().uncertainty_ticks() / sample_rate_hz_;
+  uncertainty.relay_sense_ms = 1e3 * hardware_->relay_sense().uncertainty_ticks() / sample_rate_hz_;
   return uncertainty;
 }
 
@@ -94,8 +94,8 @@ std::unique_ptr<Station> emulated_station(const profile::StationSpec& spec,
   const bool needs_terminals =
       std::any_of(spec.emulated.begin(), spec.emulated.end(),
                   [](const profile::EmulatedOutletSpec& o) { return o.link == "serial"; });
-  if (needs_terminals && !emulated::pseudo_terminals_are_serial_ports()) {
-    const drivers::Status restarted = emulated::restart_with_pseudo_terminals();
+  if (needs_terminals && !emulation::pseudo_terminals_are_serial_ports()) {
+    const drivers::Status restarted = emulation::restart_with_pseudo_terminals();
     throw std::runtime_error("station " + spec.name + ": " + restarted.error());
   }
   return std::make_unique<EmulatedStation>(spec, plan);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <emulated/desk.hpp>
+#include <emulation/hardware.hpp>
 #include <link/link.hpp>
 #include <profile/plan.hpp>
 #include <profile/station_spec.hpp>
@@ -22,19 +22,19 @@ class EmulatedStation final : public Station {
   ~EmulatedStation() override;
 
   std::string name() const override { return name_; }
-  source::Source& source() override { return desk_->source(); }
+  source::Source& source() override { return hardware_->source(); }
   link::Link& link() override { return *link_; }
-  relay::RelaySense& relay_sense() override { return desk_->relay_sense(); }
+  relay::RelaySense& relay_sense() override { return hardware_->relay_sense(); }
   judge::BenchUncertainty uncertainty() override;
   bool outlets_count_ticks() const override { return false; }
   double block_s() const override { return 0.016; }
 
-  emulated::Desk& desk() { return *desk_; }
+  emulation::Hardware& hardware() { return *hardware_; }
 
  private:
   std::string name_;
   double sample_rate_hz_;
-  std::unique_ptr<emulated::Desk> desk_;
+  std::unique_ptr<emulation::Hardware> hardware_;
   std::unique_ptr<link::Link> link_;
 };
 

@@ -105,7 +105,7 @@ std::string first_fault(const std::vector<record::OutletRecord>& outlets) {
 std::string failed_parts(std::uint32_t failed) {
   std::string names;
   for (const auto& [part, name] : {std::pair(gs::wire::kArithmetic, "arithmetic"),
-                                   {gs::wire::kSettingsArea, "settings area"},
+                                   {gs::wire::kSettingsStorage, "settings storage"},
                                    {gs::wire::kClock, "crystal"}}) {
     if ((failed & part) != 0) {
       names += (names.empty() ? "" : ", ") + std::string(name);
@@ -118,7 +118,7 @@ std::string failed_parts(std::uint32_t failed) {
 // bench shows in what it then does not do.
 bool spoils_a_run(gs::wire::ErrorCode error) {
   return error == gs::wire::ErrorCode::kSamplesLost || error == gs::wire::ErrorCode::kWatchdog ||
-         error == gs::wire::ErrorCode::kSettingsArea || error == gs::wire::ErrorCode::kClock;
+         error == gs::wire::ErrorCode::kSettingsStorage || error == gs::wire::ErrorCode::kClock;
 }
 
 // Plays a plan from its first tick to its last. What goes wrong with one outlet is that outlet's

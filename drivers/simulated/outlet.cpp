@@ -17,8 +17,8 @@ void Outlet::Collector::put(const gs::wire::Uplink& message) {
 
 Outlet::Outlet(const OutletParameters& parameters, const std::string& id, std::uint32_t index)
     : parameters_(parameters), index_(index) {
-  gs::node::set_text(identity_.id, id.c_str());
-  gs::node::set_text(identity_.board, "simulated");
+  gs::app::set_text(identity_.id, id.c_str());
+  gs::app::set_text(identity_.board, "simulated");
   identity_.instance = index;
 }
 
@@ -37,7 +37,7 @@ bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_
   hardware.sample_rate_hz = static_cast<std::int32_t>(sample_rate_hz);
   hardware.nominal_hz = nominal_hz;
   hardware.counts_per_pu = kCountsPerPu;
-  return node_.start(hardware, identity_, nullptr, collector_);
+  return app_.start(hardware, identity_, nullptr, collector_);
 }
 
 void Outlet::send(std::int64_t tick, const gs::wire::Downlink& message) {
@@ -51,7 +51,7 @@ void Outlet::feed(std::int64_t first_tick, const float* voltage_pu, std::size_t 
   std::int64_t tick = first_tick;
   while (tick < end_tick) {
     while (!pending_.empty() && pending_.front().tick <= tick) {
-      node_.receive(pending_.front().message, collector_);
+      app_.receive(pending_.front().message, collector_);
       pending_.pop_front();
     }
     const std::int64_t next =
@@ -63,19 +63,19 @@ void Outlet::feed(std::int64_t first_tick, const float* voltage_pu, std::size_t 
 }
 
 void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, std::size_t count) {
-  const random::Stream stream{seed_, random::kSourceNoise, index_};
+  const models::Stream stream{seed_, models::kSourceNoise, index_};
   volts_.resize(kChunk);
   samples_.resize(kChunk);
   for (std::size_t done = 0; done < count; done += kChunk) {
     const std::size_t length = std::min(kChunk, count - done);
     std::copy_n(voltage_pu + done, length, volts_.begin());
     if (noise_rms_pu_ > 0.0F) {
-      random::add_gaussian(stream, static_cast<std::uint64_t>(first_tick) + done, length,
+      models::add_gaussian(stream, static_cast<std::uint64_t>(first_tick) + done, length,
                            noise_rms_pu_, volts_.data());
     }
     std::transform(volts_.begin(), volts_.begin() + static_cast<std::ptrdiff_t>(length),
                    samples_.begin(), [](float volts) { return adc_counts(volts, kCountsPerPu); });
-    node_.feed(samples_.data(), length, collector_);
+    app_.feed(samples_.data(), length, collector_);
   }
 }
 
@@ -100,7 +100,7 @@ void Outlet::turn_coil(std::int64_t coil_tick, bool closes) {
     contact_moves_tick_ = coil_tick;
     return;
   }
-  const random::Stream stream{seed_, random::kRelayModel, index_};
+  const models::Stream stream{seed_, models::kRelayModel, index_};
   const std::vector<ContactEdge> edges =
       contact_edges(parameters_.relay, stream, change, coil_tick, closes, sample_rate_hz_);
   contact_moves_tick_ = edges.front().tick;

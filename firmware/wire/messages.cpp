@@ -52,7 +52,7 @@ const char* to_string(ErrorCode code) {
       return "message of an unknown kind received";
     case ErrorCode::kSamplesLost:
       return "samples lost";
-    case ErrorCode::kSettingsArea:
+    case ErrorCode::kSettingsStorage:
       return "settings could not be kept";
     case ErrorCode::kWatchdog:
       return "restarted by the watchdog";

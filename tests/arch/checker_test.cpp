@@ -103,12 +103,12 @@ INSTANTIATE_TEST_SUITE_P(OfEachLibrary, MisplacedLibrary,
                                          Misplaced{"bench/station/a.cpp", "nlohmann/json.hpp"},
                                          Misplaced{"firmware/wire/a.cpp", "fmt/format.h"},
                                          Misplaced{"drivers/simulated/a.cpp", "QFile"},
-                                         Misplaced{"firmware/node/a.cpp", "QByteArray"},
+                                         Misplaced{"firmware/app/a.cpp", "QByteArray"},
                                          Misplaced{"bench/station/a.cpp", "libserialport.h"},
                                          Misplaced{"drivers/simulated/a.cpp", "MQTTAsync.h"},
                                          Misplaced{"bench/waveform/a.cpp", "alsa/asoundlib.h"},
                                          Misplaced{"bench/grid/a.cpp", "gtest/gtest.h"},
-                                         Misplaced{"bench/random/a.cpp", "benchmark/benchmark.h"},
+                                         Misplaced{"drivers/models/a.cpp", "benchmark/benchmark.h"},
                                          Misplaced{"firmware/outlet/a.cpp", "unistd.h"},
                                          Misplaced{"bench/grid/a.cpp", "boost/optional.hpp"},
                                          Misplaced{"bench/grid/a.cpp", "math.h"}));
@@ -189,8 +189,8 @@ class ForbiddenInFirmware : public testing::TestWithParam<const char*> {};
 
 TEST_P(ForbiddenInFirmware, IsReportedThereAlone) {
   const std::string line = std::string("\n  ") + GetParam() + "\n";
-  const Tree tree = {{"firmware/node/a.cpp", line}, {"bench/grid/a.cpp", line}};
-  EXPECT_THAT(check_firmware_words(tree), ElementsAre(At("firmware/node/a.cpp", 2, "no `")));
+  const Tree tree = {{"firmware/app/a.cpp", line}, {"bench/grid/a.cpp", line}};
+  EXPECT_THAT(check_firmware_words(tree), ElementsAre(At("firmware/app/a.cpp", 2, "no `")));
 }
 
 INSTANTIATE_TEST_SUITE_P(EachWord, ForbiddenInFirmware,
@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(EachWord, ForbiddenInFirmware,
                                          "dynamic_cast<A*>(b);", "typeid(a);"));
 
 TEST(FirmwareWordCheck, AcceptsThemInCommentsNamesAndDeletedFunctions) {
-  const Tree tree = {{"firmware/node/a.hpp",
+  const Tree tree = {{"firmware/app/a.hpp",
                       "// a new try\nA(const A&) =  delete;\nint new_value;\nf(\"throw\");\n"}};
   EXPECT_THAT(check_firmware_words(tree), IsEmpty());
 }

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include <node/endpoint.hpp>
+#include <app/endpoint.hpp>
 #include <wire/codec.hpp>
 
 namespace {
@@ -36,17 +36,17 @@ struct Load {
 class Outlet {
  public:
   Outlet(const gs::host::MqttOptions& options, const Load& load)
-      : load_(load), endpoint_(node_, carrier_) {
-    gs::node::Identity identity;
-    gs::node::set_text(identity.id, options.id.c_str());
-    gs::node::set_text(identity.board, "many-outlets");
+      : load_(load), endpoint_(app_, carrier_) {
+    gs::app::Identity identity;
+    gs::app::set_text(identity.id, options.id.c_str());
+    gs::app::set_text(identity.board, "many-outlets");
     identity.instance = options.instance;
     std::string why;
     if (!carrier_.start(options, why)) {
       std::fprintf(stderr, "%s: %s\n", options.id.c_str(), why.c_str());
       std::exit(1);
     }
-    node_.start({}, identity, nullptr, endpoint_);
+    app_.start({}, identity, nullptr, endpoint_);
   }
 
   void serve() {
@@ -85,8 +85,8 @@ class Outlet {
  private:
   const Load& load_;
   gs::host::MqttCarrier carrier_;
-  gs::node::Node node_;
-  gs::node::MessageEndpoint endpoint_;
+  gs::app::Application app_;
+  gs::app::MessageEndpoint endpoint_;
   steady_clock::time_point started_;
   std::uint64_t said_ = 0;
   std::vector<std::uint8_t> message_;

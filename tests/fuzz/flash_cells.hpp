@@ -1,7 +1,7 @@
 // A flash of two slots that hold given bytes, and erased cells behind them.
 #pragma once
 
-#include <settings_area/settings_area.hpp>
+#include <settings_storage/settings_storage.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace gsbench::fuzz {
 
-class FlashCells final : public gs::settings_area::Flash {
+class FlashCells final : public gs::settings_storage::Flash {
  public:
   explicit FlashCells(std::vector<std::uint8_t> bytes = {}) : bytes_(std::move(bytes)) {
-    bytes_.resize(gs::settings_area::kSlots * kSlotBytes, 0xFF);
+    bytes_.resize(gs::settings_storage::kSlots * kSlotBytes, 0xFF);
   }
 
   bool erase(int slot) override {
@@ -45,7 +45,7 @@ class FlashCells final : public gs::settings_area::Flash {
   bool misused() const { return misused_; }
 
  private:
-  static constexpr std::size_t kSlotBytes = gs::settings_area::kSlotBytes;
+  static constexpr std::size_t kSlotBytes = gs::settings_storage::kSlotBytes;
   static std::size_t place(int slot, std::size_t offset) {
     return static_cast<std::size_t>(slot) * kSlotBytes + offset;
   }

@@ -1,12 +1,12 @@
 #include "wire_input.hpp"
 
 #include "flash_cells.hpp"
-#include <settings_area/settings_area.hpp>
+#include <settings_storage/settings_storage.hpp>
 #include <wire_test/messages.hpp>
 
 #include <algorithm>
 
-#include <node/endpoint.hpp>
+#include <app/endpoint.hpp>
 #include <wire/codec.hpp>
 #include <wire/frame.hpp>
 
@@ -23,7 +23,7 @@ using gs::wire::test::fields_of;
 using gs::wire::test::framed;
 
 // What the outlet says, read as the bench would.
-class Listener final : public gs::node::Carrier {
+class Listener final : public gs::app::Carrier {
  public:
   bool send(const std::uint8_t* bytes, std::size_t size) override {
     gs::wire::Uplink message;
@@ -63,15 +63,15 @@ std::string wrong_with_decoded(const std::uint8_t* bytes, std::size_t size) {
 
 std::string wrong_with_outlet(const std::uint8_t* bytes, std::size_t size) {
   Listener listener;
-  gs::node::Node node;
-  gs::node::MessageEndpoint endpoint(node, listener);
-  if (!node.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) return "the outlet did not start";
+  gs::app::Application app;
+  gs::app::MessageEndpoint endpoint(app, listener);
+  if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) return "the outlet did not start";
   endpoint.receive(bytes, size);
   if (listener.unreadable()) return "the outlet said what cannot be read";
   if (listener.said() < 2) return "the outlet left a message without an answer";
   constexpr std::int16_t kSamples[256] = {};
-  node.feed(kSamples, 256, endpoint);
-  return node.samples_taken() == 256 ? "" : "the outlet stopped";
+  app.feed(kSamples, 256, endpoint);
+  return app.samples_taken() == 256 ? "" : "the outlet stopped";
 }
 
 std::string wrong_with_framing(const Bytes& message) {
@@ -131,25 +131,25 @@ std::string wrong_with_settings(const std::uint8_t* bytes, std::size_t size) {
   if (gs::outlet::validate(settings, kNominalHz) != gs::outlet::SettingsError::kNone) return "";
   if (gs::outlet::digest(again) != gs::outlet::digest(settings)) return "another digest";
   Listener listener;
-  gs::node::Node node;
-  gs::node::MessageEndpoint endpoint(node, listener);
-  if (!node.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) return "the outlet did not start";
+  gs::app::Application app;
+  gs::app::MessageEndpoint endpoint(app, listener);
+  if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) return "the outlet did not start";
   // Version 0 stands for none.
   const bool can_be_in_force = settings.version != gs::outlet::kNoSettings;
-  if (node.restore(settings) != can_be_in_force) {
+  if (app.restore(settings) != can_be_in_force) {
     return can_be_in_force ? "valid settings are not restored" : "settings of no version are";
   }
   std::int16_t samples[2048] = {};
   for (std::size_t i = 0; i < 2048; ++i) {
     samples[i] = static_cast<std::int16_t>(i / 80 % 2 == 0 ? 9000 : -9000);
   }
-  node.feed(samples, 2048, endpoint);
+  app.feed(samples, 2048, endpoint);
   return listener.unreadable() ? "the outlet said what cannot be read" : "";
 }
 
 std::string wrong_with_flash(const std::uint8_t* bytes, std::size_t size) {
   FlashCells flash({bytes, bytes + size});
-  gs::settings_area::FlashSettingsArea area(flash);
+  gs::settings_storage::FlashSettingsStorage area(flash);
   gs::outlet::Settings settings;
   if (area.load(settings)) {
     const Bytes kept = encoded(settings);

@@ -20,8 +20,8 @@ std::string wrong_with_message(const std::uint8_t* bytes, std::size_t size);
 // Settings as they are kept: what decodes keeps its digest; what is valid besides can be followed.
 std::string wrong_with_settings(const std::uint8_t* bytes, std::size_t size);
 
-// A settings area whose two slots hold these bytes: what it loads it loads again, and new settings
-// can be kept whatever was there.
+// A settings storage whose two slots hold these bytes: what it loads it loads again, and new
+// settings can be kept whatever was there.
 std::string wrong_with_flash(const std::uint8_t* bytes, std::size_t size);
 
 // Each of the above with what to start from.

@@ -1,8 +1,8 @@
-// Real messages, frames, settings and settings areas: what the wire fuzzers start from.
+// Real messages, frames, settings and settings storages: what the wire fuzzers start from.
 #include "flash_cells.hpp"
 #include "wire_input.hpp"
 #include <firmware_test/settings.hpp>
-#include <settings_area/settings_area.hpp>
+#include <settings_storage/settings_storage.hpp>
 #include <wire_test/messages.hpp>
 
 namespace gsbench::fuzz {
@@ -74,7 +74,7 @@ std::vector<std::string> settings_seeds() {
 // Erased, with one slot written, with both.
 std::vector<std::string> flash_seeds() {
   FlashCells cells;
-  gs::settings_area::FlashSettingsArea area(cells);
+  gs::settings_storage::FlashSettingsStorage area(cells);
   std::vector<std::string> seeds = {text_of(cells.bytes())};
   for (const auto& settings : some_settings()) {
     if (area.keep(settings)) seeds.push_back(text_of(cells.bytes()));

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include <campaign/estimates.hpp>
+#include <models/targets.hpp>
 #include <profile/load.hpp>
-#include <random/targets.hpp>
 
 namespace {
 
@@ -111,7 +111,7 @@ double peak_per_ns() {
   constexpr int kMany = 3000000;
   const auto begin = steady_clock::now();
   float result = 0.0F;
-  gsbench::random::run_on_this_machine([&] { result = multiply_and_add(kMany); });
+  gsbench::models::run_on_this_machine([&] { result = multiply_and_add(kMany); });
   const double seconds = seconds_since(begin);
   if (!(result > 0.0F)) {
     die("the peak was not computed");

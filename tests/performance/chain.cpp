@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
+#include <app/application.hpp>
 #include <judge/catalogue.hpp>
-#include <node/node.hpp>
+#include <models/noise.hpp>
 #include <profile/load.hpp>
-#include <random/noise.hpp>
 #include <station/run.hpp>
 
 namespace {
@@ -24,7 +24,7 @@ namespace {
 namespace judge = gsbench::judge;
 namespace performance = gsbench::performance;
 namespace profile = gsbench::profile;
-namespace random = gsbench::random;
+namespace models = gsbench::models;
 namespace station = gsbench::station;
 namespace waveform = gsbench::waveform;
 using performance::judge_at_least;
@@ -71,14 +71,14 @@ void for_each_block(const profile::Plan& plan, Use use) {
   }
 }
 
-class Nowhere final : public gs::node::Outbox {
+class Nowhere final : public gs::app::Outbox {
  public:
   void put(const gs::wire::Uplink&) override { ++count; }
   std::size_t count = 0;
 };
 
 void feed_firmware(const std::vector<std::int16_t>& samples) {
-  gs::node::Node node;
+  gs::app::Application node;
   Nowhere nowhere;
   node.start({}, {}, nullptr, nowhere);
   node.feed(samples.data(), samples.size(), nowhere);
@@ -110,7 +110,7 @@ int main() {
     }
   });
   constexpr int kSteps = 3750;  // kPlayedS in steps of 16 ms
-  const random::Stream stream{1, random::kTest, 0};
+  const models::Stream stream{1, models::kTest, 0};
 
   std::vector<Work> works = {
       {"chain, one outlet", [&] { play_simulated(one); }},
@@ -120,7 +120,7 @@ int main() {
        [&] {
          std::vector<float> block(kBlock);
          for (std::uint64_t n = 0; n < static_cast<std::uint64_t>(samples); n += kBlock) {
-           random::add_gaussian(stream, n, kBlock, 0.01F, block.data());
+           models::add_gaussian(stream, n, kBlock, 0.01F, block.data());
          }
        }},
       {"firmware", [&] { feed_firmware(counts); }},

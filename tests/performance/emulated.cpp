@@ -17,13 +17,13 @@
 #include <thread>
 #include <vector>
 
-#include <emulated/desk.hpp>
-#include <emulated/null_modem.hpp>
+#include <emulation/hardware.hpp>
+#include <emulation/null_modem.hpp>
 #include <wire/frame.hpp>
 
 namespace {
 
-namespace emulated = gsbench::emulated;
+namespace emulated = gsbench::emulation;
 namespace link = gsbench::link;
 namespace source = gsbench::source;
 using gs::wire::Downlink;
@@ -50,35 +50,36 @@ constexpr std::size_t kMessages = 200000;
 
 // ---- sixteen emulated Cortex-M4F as fast as they go
 
-emulated::DeskOptions desk_of(std::size_t count, emulated::Board board) {
-  emulated::DeskOptions options;
+emulation::HardwareOptions desk_of(std::size_t count, emulation::Board board) {
+  emulation::HardwareOptions options;
   options.real_time = false;
   options.image = GSBENCH_M4_IMAGE;
   options.host_program = GS_OUTLET_PROGRAM;
   for (std::size_t i = 0; i < count; ++i) {
     options.outlets.push_back(
-        {"outlet-" + std::to_string(i), board, emulated::Connection::kSerial, 0.0});
+        {"outlet-" + std::to_string(i), board, emulation::Connection::kSerial, 0.0});
   }
   return options;
 }
 
-link::SerialOptions ports_of(const emulated::Desk& desk) {
+link::SerialOptions ports_of(const emulation::Hardware& desk) {
   link::SerialOptions options;
-  options.ports = desk.serial_ports();
+  options.ports = hardware.serial_ports();
   options.answer_s = 30.0;
   return options;
 }
 
-void start_source(emulated::Desk& desk) {
+void start_source(emulation::Hardware& desk) {
   source::SourceSettings settings;
   settings.sample_rate_hz = kRateHz;
   settings.nominal_hz = 50;
   settings.noise_rms_pu = 0.01F;
-  or_die(desk.source().start(settings));
+  or_die(hardware.source().start(settings));
 }
 
 void measure_sixteen_outlets() {
-  const auto desk = or_die(emulated::Desk::set_up(desk_of(kOutlets, emulated::Board::kMps2An386)));
+  const auto hardware =
+      or_die(emulation::Hardware::set_up(desk_of(kOutlets, emulation::Board::kMps2An386)));
   link::SerialLink link(ports_of(*desk));
   or_die(link.open());
   start_source(*desk);
@@ -101,7 +102,7 @@ void measure_sixteen_outlets() {
           static_cast<double>(tick + static_cast<std::int64_t>(i)) / static_cast<double>(kRateHz);
       block[i] = static_cast<float>(std::sin(2.0 * 3.14159265358979323846 * 50.0 * t_s));
     }
-    or_die(desk->source().play(tick, block.data(), kBlock));
+    or_die(hardware->source().play(tick, block.data(), kBlock));
     look();
   }
   const auto blocks = static_cast<std::size_t>(ticks) / kBlock;
@@ -123,7 +124,7 @@ void measure_sixteen_outlets() {
 // ---- a round trip
 
 double link_round_trip_ms() {
-  const auto desk = or_die(emulated::Desk::set_up(desk_of(1, emulated::Board::kHost)));
+  const auto hardware = or_die(emulation::Hardware::set_up(desk_of(1, emulation::Board::kHost)));
   link::SerialLink link(ports_of(*desk));
   or_die(link.open());
   std::vector<link::Received> messages;
@@ -177,7 +178,7 @@ void write_all(int end, const Bytes& bytes) {
 }
 
 double raw_round_trip_ms() {
-  const auto cable = or_die(emulated::NullModem::between_terminals());
+  const auto cable = or_die(emulation::NullModem::between_terminals());
   const int bench = open_end(cable.bench_end());
   const int outlet = open_end(cable.outlet_end());
   std::atomic<bool> ending{false};
@@ -237,7 +238,7 @@ void say_measurements(int end) {
 }
 
 double link_seconds() {
-  const auto cable = or_die(emulated::NullModem::between_terminals());
+  const auto cable = or_die(emulation::NullModem::between_terminals());
   const int outlet = open_end(cable.outlet_end());
   std::atomic<bool> opened{false};
   std::thread saying([&] {
@@ -280,7 +281,7 @@ double link_seconds() {
 
 // The same bytes in the same writes, read and forgotten.
 double raw_seconds() {
-  const auto cable = or_die(emulated::NullModem::between_terminals());
+  const auto cable = or_die(emulation::NullModem::between_terminals());
   const int bench = open_end(cable.bench_end());
   const int outlet = open_end(cable.outlet_end());
   std::atomic<bool> said{false};

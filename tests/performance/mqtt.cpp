@@ -17,8 +17,8 @@
 #include <thread>
 #include <vector>
 
-#include <broker/private_broker.hpp>
-#include <process/child.hpp>
+#include <emulation/child.hpp>
+#include <emulation/private_broker.hpp>
 #include <wire/codec.hpp>
 
 namespace {
@@ -26,7 +26,8 @@ namespace {
 using gs::wire::Downlink;
 using gs::wire::DownlinkKind;
 using gs::wire::UplinkKind;
-using gsbench::broker::PrivateBroker;
+using gsbench::emulation::Child;
+using gsbench::emulation::PrivateBroker;
 using gsbench::link::Fault;
 using gsbench::link::MqttLink;
 using gsbench::link::MqttOptions;
@@ -41,7 +42,6 @@ using gsbench::performance::print;
 using gsbench::performance::RawClient;
 using gsbench::performance::seconds_since;
 using gsbench::performance::wait_for;
-using gsbench::process::Child;
 using gsbench::test::TemporaryFolder;
 using std::chrono::steady_clock;
 

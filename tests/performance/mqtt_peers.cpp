@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include <process/child.hpp>
+#include <emulation/child.hpp>
 
 namespace gsbench::performance {
 
-using broker::Login;
-using broker::PrivateBroker;
-using process::Child;
+using emulation::Child;
+using emulation::Login;
+using emulation::PrivateBroker;
 
 RawClient::RawClient(const PrivateBroker& broker, const Login& login, const std::string& topic,
                      OnMessage on_message)

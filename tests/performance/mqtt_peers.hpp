@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-#include <broker/private_broker.hpp>
+#include <emulation/private_broker.hpp>
 
 namespace gsbench::performance {
 
@@ -19,7 +19,7 @@ class RawClient {
   using OnMessage = std::function<void(const mosquitto_message&)>;
 
   // Subscribed when this returns.
-  RawClient(const broker::PrivateBroker& broker, const broker::Login& login,
+  RawClient(const emulation::PrivateBroker& broker, const emulation::Login& login,
             const std::string& topic, OnMessage on_message);
   ~RawClient();
   RawClient(const RawClient&) = delete;
@@ -36,7 +36,7 @@ class RawClient {
 };
 
 // So many messages of one size from mosquitto_pub to mosquitto_sub: how many a second.
-double programs_per_second(const broker::PrivateBroker& broker, const std::string& outlet,
+double programs_per_second(const emulation::PrivateBroker& broker, const std::string& outlet,
                            std::size_t messages, std::size_t size,
                            const test::TemporaryFolder& folder);
 

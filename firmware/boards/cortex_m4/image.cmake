@@ -2,9 +2,9 @@ set(m4_folder ${CMAKE_CURRENT_SOURCE_DIR})
 set(m4_libraries
     firmware_outlet
     firmware_wire
-    firmware_node
-    firmware_boards_settings_area
-    firmware_boards_bare_metal
+    firmware_app
+    firmware_boards_settings_storage
+    firmware_boards_superloop
     firmware_boards_cortex_m4)
 
 # Of images: what ships, and what must not be, for the tests that show that they would see it.

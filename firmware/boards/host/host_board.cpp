@@ -55,20 +55,21 @@ bool HostBoard::wait() {
   return true;
 }
 
-terminals::Terminals* map_terminals(const std::string& path, std::string& why) {
+shared_memory_io::SharedMemory* map_terminals(const std::string& path, std::string& why) {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (file < 0) {
     why = path + ": " + std::strerror(errno);
     return nullptr;
   }
   const off_t size = lseek(file, 0, SEEK_END);
-  void* mapped =
-      size >= static_cast<off_t>(sizeof(terminals::Terminals))
-          ? mmap(nullptr, sizeof(terminals::Terminals), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0)
-          : MAP_FAILED;
+  void* mapped = size >= static_cast<off_t>(sizeof(shared_memory_io::SharedMemory))
+                     ? mmap(nullptr, sizeof(shared_memory_io::SharedMemory), PROT_READ | PROT_WRITE,
+                            MAP_SHARED, file, 0)
+                     : MAP_FAILED;
   ::close(file);
-  auto* terminals = mapped == MAP_FAILED ? nullptr : static_cast<terminals::Terminals*>(mapped);
-  if (terminals == nullptr || terminals->magic != terminals::kMagic) {
+  auto* terminals =
+      mapped == MAP_FAILED ? nullptr : static_cast<shared_memory_io::SharedMemory*>(mapped);
+  if (terminals == nullptr || terminals->magic != shared_memory_io::kMagic) {
     why = path + ": holds no terminals";
     return nullptr;
   }

@@ -3,17 +3,18 @@
 #pragma once
 
 #include "line.hpp"
-#include <bare_metal/board.hpp>
+#include <shared_memory_io/shared_port.hpp>
 
 #include <string>
 
-#include <terminals/terminal_port.hpp>
+#include <superloop/board.hpp>
 
 namespace gs::host {
 
-class HostBoard final : public bare_metal::Board {
+class HostBoard final : public superloop::Board {
  public:
-  HostBoard(terminals::Terminals& terminals, Line& line) : port_(terminals), line_(line) {}
+  HostBoard(shared_memory_io::SharedMemory& terminals, Line& line)
+      : port_(terminals), line_(line) {}
   ~HostBoard();
   HostBoard(const HostBoard&) = delete;
   HostBoard& operator=(const HostBoard&) = delete;
@@ -37,12 +38,12 @@ class HostBoard final : public bare_metal::Board {
   bool converter_rests() const override { return !port_.samples_wait(); }
 
  private:
-  terminals::TerminalPort port_;
+  shared_memory_io::SharedPort port_;
   Line& line_;
   int doorbell_ = -1;
 };
 
 // Maps the file; null, with the reason, where it holds no terminals.
-terminals::Terminals* map_terminals(const std::string& path, std::string& why);
+shared_memory_io::SharedMemory* map_terminals(const std::string& path, std::string& why);
 
 }  // namespace gs::host

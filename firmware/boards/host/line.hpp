@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include <node/endpoint.hpp>
+#include <app/endpoint.hpp>
 
 namespace gs::host {
 
-class Line : public node::Carrier {
+class Line : public app::Carrier {
  public:
   virtual ~Line() = default;
   // The next byte of a frame to the outlet.

@@ -2,8 +2,8 @@
 #include "host_board.hpp"
 #include "mqtt_line.hpp"
 #include "serial_line.hpp"
-#include <bare_metal/loop.hpp>
 #include <getopt.h>
+#include <shared_memory_io/shared_flash.hpp>
 
 #include <csignal>
 #include <cstdio>
@@ -11,15 +11,15 @@
 #include <memory>
 #include <string>
 
-#include <terminals/terminal_flash.hpp>
+#include <superloop/loop.hpp>
 
 namespace {
 
-namespace bare_metal = gs::bare_metal;
+namespace superloop = gs::superloop;
 namespace host = gs::host;
-namespace node = gs::node;
-namespace settings_area = gs::settings_area;
-namespace terminals = gs::terminals;
+namespace app = gs::app;
+namespace settings_storage = gs::settings_storage;
+namespace shared_memory_io = gs::shared_memory_io;
 namespace wire = gs::wire;
 
 constexpr const char* kHelp =
@@ -82,19 +82,20 @@ bool parse(int argc, char** argv, Arguments& arguments) {
   return optind == argc;
 }
 
-bare_metal::StartUp start_up(const terminals::Terminals& terminals) {
-  bare_metal::StartUp start_up;
+superloop::StartUp start_up(const shared_memory_io::SharedMemory& terminals) {
+  superloop::StartUp start_up;
   start_up.hardware = {terminals.sample_rate_hz, terminals.nominal_hz, terminals.counts_per_pu,
                        terminals.crystal_fails == 0};
-  node::set_text(start_up.identity.id, terminals.id);
-  node::set_text(start_up.identity.board, "host");
+  app::set_text(start_up.identity.id, terminals.id);
+  app::set_text(start_up.identity.board, "host");
   start_up.identity.instance = terminals.instance;
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings;
   return start_up;
 }
 
-std::unique_ptr<host::Line> make_line(Arguments& arguments, const terminals::Terminals& terminals,
+std::unique_ptr<host::Line> make_line(Arguments& arguments,
+                                      const shared_memory_io::SharedMemory& terminals,
                                       std::string& why) {
   if (!arguments.serial.empty()) {
     auto line = std::make_unique<host::SerialLine>(arguments.serial);
@@ -129,7 +130,7 @@ int main(int argc, char** argv) {
     return refuse("one of --serial and --mqtt is needed");
   }
   std::string why;
-  terminals::Terminals* terminals = host::map_terminals(arguments.terminals, why);
+  shared_memory_io::SharedMemory* terminals = host::map_terminals(arguments.terminals, why);
   if (terminals == nullptr) {
     return refuse(why);
   }
@@ -142,9 +143,9 @@ int main(int argc, char** argv) {
   if (!board.start(arguments.doorbell, why)) {
     return refuse(why);
   }
-  terminals::TerminalFlash flash(*terminals);
-  settings_area::FlashSettingsArea area(flash);
-  bare_metal::Loop loop(board, area);
+  shared_memory_io::SharedFlash flash(*terminals);
+  settings_storage::FlashSettingsStorage area(flash);
+  superloop::Loop loop(board, area);
   if (!loop.start(start_up(*terminals))) {
     return refuse("the terminals are of hardware that the firmware does not serve");
   }

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include <node/endpoint.hpp>
+#include <app/endpoint.hpp>
 
 struct mosquitto;
 struct mosquitto_message;
@@ -32,7 +32,7 @@ struct MqttOptions {
   std::uint32_t instance = 0;  // two outlets with one id both stay connected
 };
 
-class MqttCarrier final : public node::Carrier {
+class MqttCarrier final : public app::Carrier {
  public:
   MqttCarrier() = default;
   ~MqttCarrier();  // leaves the broker, which empties the hello

@@ -1,20 +1,21 @@
 #include "cmsdk.hpp"
 #include "mps2_board.hpp"
-#include <bare_metal/loop.hpp>
 #include <cortex_m4/core.hpp>
 #include <cortex_m4/vectors.hpp>
+#include <shared_memory_io/shared_flash.hpp>
 
-#include <terminals/terminal_flash.hpp>
+#include <superloop/loop.hpp>
 
 namespace gs::mps2_an386 {
 namespace {
 
-terminals::Terminals& terminals() {
-  return *reinterpret_cast<terminals::Terminals*>(0x21000000u);  // PSRAM
+shared_memory_io::SharedMemory& terminals() {
+  return *reinterpret_cast<shared_memory_io::SharedMemory*>(0x21000000u);  // PSRAM
 }
 
 bool wired() {
-  return *static_cast<const volatile std::uint32_t*>(&terminals().magic) == terminals::kMagic;
+  return *static_cast<const volatile std::uint32_t*>(&terminals().magic) ==
+         shared_memory_io::kMagic;
 }
 
 Mps2Board& board() {
@@ -22,12 +23,12 @@ Mps2Board& board() {
   return board;
 }
 
-bare_metal::StartUp start_up() {
-  bare_metal::StartUp start_up;
+superloop::StartUp start_up() {
+  superloop::StartUp start_up;
   start_up.hardware = {terminals().sample_rate_hz, terminals().nominal_hz,
                        terminals().counts_per_pu, terminals().crystal_fails == 0};
-  node::set_text(start_up.identity.id, terminals().id);
-  node::set_text(start_up.identity.board, "mps2-an386");
+  app::set_text(start_up.identity.id, terminals().id);
+  app::set_text(start_up.identity.board, "mps2-an386");
   start_up.identity.instance = terminals().instance;
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
@@ -74,9 +75,9 @@ int main() {
   }
   mps2_an386::Mps2Board& board = mps2_an386::board();
   board.start();
-  static terminals::TerminalFlash flash(mps2_an386::terminals());
-  static settings_area::FlashSettingsArea area(flash);
-  static bare_metal::Loop loop(board, area);
+  static shared_memory_io::SharedFlash flash(mps2_an386::terminals());
+  static settings_storage::FlashSettingsStorage area(flash);
+  static superloop::Loop loop(board, area);
   loop.start(mps2_an386::start_up());
   for (;;) {
     if (!loop.turn()) {

@@ -9,7 +9,7 @@ namespace gs::mps2_an386 {
 namespace {
 
 using cortex_m4::InterruptsMasked;
-using terminals::kRingSamples;
+using shared_memory_io::kRingSamples;
 
 constexpr std::uint32_t kBaud = 921'600;
 // The emulator's clock is the wall's, and the machine it runs on may be busy: a warning after 5 s,

@@ -1,16 +1,17 @@
 // ARM's MPS2 with AN386, as qemu emulates it, with the terminals of terminals.hpp in its PSRAM.
 #pragma once
 
-#include <bare_metal/board.hpp>
-#include <bare_metal/byte_ring.hpp>
+#include <shared_memory_io/shared_port.hpp>
 
-#include <terminals/terminal_port.hpp>
+#include <superloop/board.hpp>
+#include <superloop/byte_ring.hpp>
 
 namespace gs::mps2_an386 {
 
-class Mps2Board final : public bare_metal::Board {
+class Mps2Board final : public superloop::Board {
  public:
-  explicit Mps2Board(terminals::Terminals& terminals) : terminals_(terminals), port_(terminals) {}
+  explicit Mps2Board(shared_memory_io::SharedMemory& terminals)
+      : terminals_(terminals), port_(terminals) {}
 
   // After the terminals are written: link, doorbell and watchdog run, the mains is followed from
   // its newest sample on.
@@ -33,10 +34,10 @@ class Mps2Board final : public bare_metal::Board {
  private:
   void pump();
 
-  const terminals::Terminals& terminals_;
-  terminals::TerminalPort port_;
-  bare_metal::ByteRing<512> received_;
-  bare_metal::ByteRing<1024> to_send_;
+  const shared_memory_io::SharedMemory& terminals_;
+  shared_memory_io::SharedPort port_;
+  superloop::ByteRing<512> received_;
+  superloop::ByteRing<1024> to_send_;
 };
 
 // The watchdog ran out before this start, though power stayed on. Told once.

@@ -2,9 +2,10 @@
 #include "rm0090.hpp"
 #include "sector_flash.hpp"
 #include "stm32_board.hpp"
-#include <bare_metal/loop.hpp>
 #include <cortex_m4/core.hpp>
 #include <cortex_m4/vectors.hpp>
+
+#include <superloop/loop.hpp>
 
 namespace gs::stm32f405 {
 namespace {
@@ -16,18 +17,18 @@ Stm32Board& board() {
 
 // "stm32-0123abcd": of this very chip, until somebody gives outlets names at manufacture.
 void set_default_id(char (&id)[wire::kLongestId + 1], std::uint32_t number) {
-  node::set_text(id, "stm32-00000000");
+  app::set_text(id, "stm32-00000000");
   for (int digit = 0; digit < 8; ++digit) {
     id[6 + digit] = "0123456789abcdef"[number >> (28 - 4 * digit) & 15u];
   }
 }
 
-bare_metal::StartUp start_up(const Clocks& clocks) {
-  bare_metal::StartUp start_up;
+superloop::StartUp start_up(const Clocks& clocks) {
+  superloop::StartUp start_up;
   start_up.hardware = {kSampleRateHz, 50, kCountsPerPu, clocks.crystal_runs};
   start_up.identity.instance = instance();
   set_default_id(start_up.identity.id, start_up.identity.instance);
-  node::set_text(start_up.identity.board, "stm32f405");
+  app::set_text(start_up.identity.board, "stm32f405");
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
   start_up.watchdog_barked = watchdog_barked();
@@ -57,8 +58,8 @@ int main() {
   const stm32f405::Clocks clocks = stm32f405::start_clocks();
   stm32f405::Stm32Board& board = stm32f405::board();
   static stm32f405::SectorFlash flash;
-  static settings_area::FlashSettingsArea area(flash);
-  static bare_metal::Loop loop(board, area);
+  static settings_storage::FlashSettingsStorage area(flash);
+  static superloop::Loop loop(board, area);
   board.start(clocks);
   loop.start(stm32f405::start_up(clocks));
   for (;;) {

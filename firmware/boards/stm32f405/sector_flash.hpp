@@ -4,11 +4,11 @@
 // time are lost, and told. Settings are to come while nothing happens.
 #pragma once
 
-#include <settings_area/settings_area.hpp>
+#include <settings_storage/settings_storage.hpp>
 
 namespace gs::stm32f405 {
 
-class SectorFlash final : public settings_area::Flash {
+class SectorFlash final : public settings_storage::Flash {
  public:
   bool erase(int slot) override;
   bool program(int slot, std::size_t offset, std::uint32_t word) override;

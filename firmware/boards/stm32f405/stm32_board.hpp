@@ -3,9 +3,10 @@
 #pragma once
 
 #include "clocks.hpp"
-#include <bare_metal/board.hpp>
-#include <bare_metal/byte_ring.hpp>
-#include <bare_metal/sample_queue.hpp>
+
+#include <superloop/board.hpp>
+#include <superloop/byte_ring.hpp>
+#include <superloop/sample_queue.hpp>
 
 namespace gs::stm32f405 {
 
@@ -13,7 +14,7 @@ constexpr std::int32_t kSampleRateHz = 8000;
 // Of 2048 counts either way: the nominal peak comes to 1.1 V, with half as much again above it.
 constexpr float kCountsPerPu = 1365.0f;
 
-class Stm32Board final : public bare_metal::Board {
+class Stm32Board final : public superloop::Board {
  public:
   // At run time: as a constant, its buffers would be copied out of flash.
   Stm32Board();
@@ -39,9 +40,9 @@ class Stm32Board final : public bare_metal::Board {
   void start_converter(std::uint32_t timer_hz);
   void pump();
 
-  bare_metal::ByteRing<512> received_;
-  bare_metal::ByteRing<1024> to_send_;
-  bare_metal::SampleQueue<256> samples_;
+  superloop::ByteRing<512> received_;
+  superloop::ByteRing<1024> to_send_;
+  superloop::SampleQueue<256> samples_;
   volatile std::uint16_t converted_[2 * kBlock] = {};  // written by DMA, round and round
   std::uint32_t blocks_end_ = 0;                       // samples in blocks that were seen
 };

@@ -1,13 +1,13 @@
 #include "outlet_voltage.hpp"
 
-#include <converter.hpp>
+#include <adc.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include <node/node.hpp>
+#include <app/application.hpp>
 #include <outlet/front_end.hpp>
 #include <station/played_signal.hpp>
 
@@ -17,7 +17,7 @@ namespace {
 constexpr float kCountsPerPu = 21845.0F;
 constexpr std::size_t kBlock = 800;
 
-class VoltageListener final : public gs::node::Outbox {
+class VoltageListener final : public gs::app::Outbox {
  public:
   VoltageListener(VoltageTrace& trace, std::uint64_t started) : trace_(trace), started_(started) {}
 
@@ -45,16 +45,16 @@ Played play(const profile::Plan& plan, const Crystal& crystal) {
       2.0 * static_cast<double>(gs::outlet::kVoltageDelayS) * static_cast<double>(rate_hz);
 
   VoltageListener listener(played.trace, crystal.started);
-  gs::node::Node node;
+  gs::app::Application node;
   node.start({static_cast<std::int32_t>(rate_hz),
               static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz)), kCountsPerPu},
              {}, nullptr, listener);
   const std::vector<std::int16_t> nothing(static_cast<std::size_t>(crystal.lead_in));
   node.feed(nothing.data(), nothing.size(), listener);
 
-  emulated::Converter converter(crystal.ppm, kCountsPerPu,
-                                static_cast<float>(plan.stimulus.noise_rms_pu()),
-                                {plan.seed, random::kSourceNoise, crystal.noise_index});
+  emulation::Adc converter(crystal.ppm, kCountsPerPu,
+                           static_cast<float>(plan.stimulus.noise_rms_pu()),
+                           {plan.seed, models::kSourceNoise, crystal.noise_index});
   played.samples_per_tick = 1.0 / converter.tick_of(1.0);
   played.zero_sample = static_cast<double>(crystal.started) + static_cast<double>(crystal.lead_in) +
                        static_cast<double>(signal.lead_ticks()) * played.samples_per_tick;

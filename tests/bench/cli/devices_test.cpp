@@ -18,12 +18,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <emulated/desk.hpp>
+#include <emulation/hardware.hpp>
 
 namespace {
 
-using gsbench::emulated::Connection;
-using gsbench::emulated::Desk;
+using gsbench::emulation::Connection;
+using gsbench::emulation::Hardware;
 using gsbench::test::Outcome;
 using gsbench::test::run_gsbench;
 using gsbench::test::start_gsbench;
@@ -36,12 +36,12 @@ class ADesk : public testing::Test {
  protected:
   void SetUp() override { set_up(Connection::kSerial); }
   void set_up(Connection connection) {
-    gsbench::emulated::DeskOptions options;
-    options.outlets = {{"kitchen-1", gsbench::emulated::Board::kHost, connection, 0.0}};
+    gsbench::emulation::HardwareOptions options;
+    options.outlets = {{"kitchen-1", gsbench::emulation::Board::kHost, connection, 0.0}};
     options.host_program = GS_OUTLET_PROGRAM;
-    auto desk = Desk::set_up(options);
-    ASSERT_TRUE(desk.ok()) << desk.error();
-    desk_ = desk.take();
+    auto hardware = Hardware::set_up(options);
+    ASSERT_TRUE(hardware.ok()) << hardware.error();
+    hardware_ = hardware.take();
     mains_ = std::thread([this] { play(); });
   }
   void TearDown() override {
@@ -51,9 +51,9 @@ class ADesk : public testing::Test {
     }
   }
 
-  std::string port() const { return desk_->serial_ports().front(); }
+  std::string port() const { return hardware_->serial_ports().front(); }
 
-  std::unique_ptr<Desk> desk_;
+  std::unique_ptr<Hardware> hardware_;
 
  private:
   void play() {
@@ -62,13 +62,13 @@ class ADesk : public testing::Test {
     gsbench::source::SourceSettings settings;
     settings.sample_rate_hz = 8000;
     settings.nominal_hz = 50;
-    ASSERT_TRUE(desk_->source().start(settings).ok());
+    ASSERT_TRUE(hardware_->source().start(settings).ok());
     for (std::int64_t tick = 0; !over_; tick += 128) {
       for (std::size_t i = 0; i < block.size(); ++i) {
         const auto at = static_cast<double>(tick + static_cast<std::int64_t>(i));
         block[i] = static_cast<float>(std::sin(kTwoPi * 50.0 / 8000.0 * at));
       }
-      ASSERT_TRUE(desk_->source().play(tick, block.data(), block.size()).ok());
+      ASSERT_TRUE(hardware_->source().play(tick, block.data(), block.size()).ok());
     }
   }
 
@@ -160,7 +160,7 @@ TEST_F(ADesk, HasNoOutletOfAnotherName) {
 }
 
 TEST_F(ADesk, WithItsOutletGoneHasNothingToFind) {
-  desk_->outlet_process(0).kill();
+  hardware_->outlet_process(0).kill();
   const Outcome found = run_gsbench({"devices", "--port", port()});
   EXPECT_EQ(found.exit_code, 4) << found.err;
   EXPECT_THAT(found.out, testing::ContainsRegex(port() + " +! does not answer"));
@@ -173,7 +173,7 @@ class ADeskBehindABroker : public ADesk {
  protected:
   void SetUp() override {
     set_up(Connection::kMqtt);
-    const auto& broker = *desk_->broker();
+    const auto& broker = *hardware_->broker();
     folder_.write("bench.password", broker.bench().password + "\n");
     station_ = folder_.write(
         "station.toml", "title = \"Radio\"\nkind = \"physical\"\n[mqtt]\nurl = \"" + broker.url() +
@@ -191,7 +191,7 @@ TEST_F(ADeskBehindABroker, IsFoundWithWhatItsOutletSaysOfItself) {
   const auto found = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0]["id"], "kitchen-1");
-  EXPECT_EQ(found[0]["where"], desk_->broker()->url());
+  EXPECT_EQ(found[0]["where"], hardware_->broker()->url());
   EXPECT_EQ(found[0]["fault"], "");
 }
 

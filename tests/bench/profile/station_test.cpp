@@ -35,7 +35,7 @@ class StationFile : public testing::Test {
     }
     return {};
   }
-  std::string path() const { return (folder_ / "desk.toml").string(); }
+  std::string path() const { return (folder_ / "hardware.toml").string(); }
 
   const fs::path folder_ =
       fs::path(testing::TempDir()) /
@@ -146,7 +146,7 @@ TEST(Stations, AnUnknownNameIsToldWithTheNearest) {
   } catch (const ConfigurationError& error) {
     EXPECT_THAT(error.what(), HasSubstr("\"emulated\""));
   }
-  EXPECT_THROW(load_station("nowhere/desk.toml"), ConfigurationError);
+  EXPECT_THROW(load_station("nowhere/hardware.toml"), ConfigurationError);
 }
 
 TEST(Stations, ThatAreShippedAreReadableAndNoProfiles) {

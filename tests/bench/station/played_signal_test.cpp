@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <node/node.hpp>
+#include <app/application.hpp>
 #include <station/played_signal.hpp>
 
 namespace gsbench::station {
@@ -98,7 +98,7 @@ struct Reading {
   gs::wire::MeasurementMessage measured;
 };
 
-class Listener final : public gs::node::Outbox {
+class Listener final : public gs::app::Outbox {
  public:
   void put(const gs::wire::Uplink& message) override {
     if (message.kind == gs::wire::UplinkKind::kMeasurement) {
@@ -111,7 +111,7 @@ class Listener final : public gs::node::Outbox {
 TEST(PlayedSignal, NothingHappensAtTheRunsBeginning) {
   const PlayedSignal signal(off_nominal_plan(), true);
   Listener listener;
-  gs::node::Node node;
+  gs::app::Application node;
   node.start({8000, 50, 20000.0F}, {}, nullptr, listener);
   std::vector<std::int16_t> counts;
   for (const float volts : rendered(signal, 0, signal.lead_ticks() + 8000)) {

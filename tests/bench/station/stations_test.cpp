@@ -60,12 +60,12 @@ TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
 TEST(Stations, APhysicalOneIsRefusedForARunWithWhatItIsGoodFor) {
   profile::StationSpec spec;
   spec.kind = profile::StationKind::kPhysical;
-  spec.path = "desk.toml";
+  spec.path = "hardware.toml";
   try {
     make_station(spec, plan(1.0), {});
     FAIL() << "nothing plays to its outlets";
   } catch (const profile::ConfigurationError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("desk.toml: "));
+    EXPECT_THAT(error.what(), testing::StartsWith("hardware.toml: "));
     EXPECT_THAT(error.what(), HasSubstr("gsbench monitor"));
   }
 }

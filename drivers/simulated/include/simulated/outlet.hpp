@@ -6,12 +6,17 @@
 #include <string>
 #include <vector>
 
-#include <node/node.hpp>
-#include <random/noise.hpp>
-#include <simulated/adc.hpp>
-#include <simulated/relay_model.hpp>
+#include <app/application.hpp>
+#include <models/adc.hpp>
+#include <models/noise.hpp>
+#include <models/relay_model.hpp>
 
 namespace gsbench::simulated {
+
+using models::ContactEdge;
+using models::kCountsPerPu;
+using models::kFullScalePu;
+using models::RelayParameters;
 
 struct OutletParameters {
   RelayParameters relay;
@@ -33,14 +38,14 @@ class Outlet {
   void take_messages(std::vector<gs::wire::Uplink>& messages);
   void take_edges(std::vector<ContactEdge>& edges, std::int64_t up_to_tick);
 
-  bool relay_closed() const { return node_.relay_closed(); }
+  bool relay_closed() const { return app_.relay_closed(); }
 
  private:
   struct Pending {
     std::int64_t tick;
     gs::wire::Downlink message;
   };
-  class Collector final : public gs::node::Outbox {
+  class Collector final : public gs::app::Outbox {
    public:
     void put(const gs::wire::Uplink& message) override;
     std::vector<gs::wire::Uplink> messages;
@@ -51,12 +56,12 @@ class Outlet {
   void turn_coil(std::int64_t coil_tick, bool closes);
 
   OutletParameters parameters_;
-  gs::node::Identity identity_;
+  gs::app::Identity identity_;
   std::uint32_t index_;
   std::int64_t sample_rate_hz_ = 0;
   float noise_rms_pu_ = 0.0F;
   std::uint64_t seed_ = 0;
-  gs::node::Node node_;
+  gs::app::Application app_;
   Collector collector_;
   std::size_t relay_changes_read_ = 0;  // messages of the collector already seen by follow_relay
   std::deque<Pending> pending_;

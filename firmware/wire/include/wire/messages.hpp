@@ -120,10 +120,10 @@ struct Status {
 
 // Bits of SelfTest::failed.
 enum SelfTestPart : std::uint32_t {
-  kArithmetic = 1,    // a known signal gave other bits than it must
-  kSettingsArea = 2,  // cannot be read or holds nothing valid though it should
-  kClock = 4,         // the crystal did not start; the board runs on what it has
-  kConverter = 8,     // no samples come
+  kArithmetic = 1,       // a known signal gave other bits than it must
+  kSettingsStorage = 2,  // cannot be read or holds nothing valid though it should
+  kClock = 4,            // the crystal did not start; the board runs on what it has
+  kConverter = 8,        // no samples come
 };
 
 struct SelfTest {
@@ -136,13 +136,13 @@ struct Echo {
 };
 
 enum class ErrorCode : std::uint8_t {
-  kBadFrame = 1,      // not COBS, too long, or its CRC is wrong
-  kMalformed = 2,     // not a message of this protocol
-  kUnknownKind = 3,   // a message of no known kind
-  kSamplesLost = 4,   // the firmware was too slow for its ADC
-  kSettingsArea = 5,  // settings could not be kept
-  kWatchdog = 6,      // the watchdog had to restart the outlet
-  kClock = 7,         // the crystal did not start
+  kBadFrame = 1,         // not COBS, too long, or its CRC is wrong
+  kMalformed = 2,        // not a message of this protocol
+  kUnknownKind = 3,      // a message of no known kind
+  kSamplesLost = 4,      // the firmware was too slow for its ADC
+  kSettingsStorage = 5,  // settings could not be kept
+  kWatchdog = 6,         // the watchdog had to restart the outlet
+  kClock = 7,            // the crystal did not start
 };
 constexpr ErrorCode kFirstErrorCode = ErrorCode::kBadFrame;
 constexpr ErrorCode kLastErrorCode = ErrorCode::kClock;

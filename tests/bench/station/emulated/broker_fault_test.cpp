@@ -1,5 +1,5 @@
 // The broker fails in a run.
-#include "desk_of_four.hpp"
+#include "station_of_four.hpp"
 
 namespace gsbench::station::test {
 namespace {
@@ -7,20 +7,20 @@ namespace {
 using BrokerFault = FaultyDesk;
 
 TEST_F(BrokerFault, KilledAndRestartedIsToldOfTheOutletsBehindItAlone) {
-  at(0.45, [&] { desk().broker()->kill(); });
-  at(0.55, [&] { ASSERT_TRUE(desk().broker()->restart().ok()); });
+  at(0.45, [&] { hardware().broker()->kill(); });
+  at(0.55, [&] { ASSERT_TRUE(hardware().broker()->restart().ok()); });
   play();
   expect_faults({{kRadioA, "has lost its broker"}, {kRadioB, "has lost its broker"}});
 }
 
 TEST_F(BrokerFault, GoneForGoodIsToldOfTheOutletsBehindItAlone) {
-  at(0.45, [&] { desk().broker()->kill(); });
+  at(0.45, [&] { hardware().broker()->kill(); });
   play();
   expect_faults({{kRadioA, "has lost its broker"}, {kRadioB, "has lost its broker"}});
 }
 
 TEST_F(BrokerFault, DeadBeforeTheRunEndsItInTime) {
-  desk().broker()->kill();
+  hardware().broker()->kill();
   play();
   EXPECT_EQ(record_.verdict, record::Verdict::kError);
   EXPECT_THAT(record_.verdict_reason, testing::HasSubstr("broker"));

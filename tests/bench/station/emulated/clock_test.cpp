@@ -1,7 +1,7 @@
 // Outlets count their own samples on their own crystals; what they say stands at the right time in
 // the record nevertheless. The crystals and the relay sense know better than the alignment does.
-#include "desk_of_four.hpp"
 #include "plans.hpp"
+#include "station_of_four.hpp"
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ class OutletClocks : public FaultyDesk {
   }
 
   void expect_drifts_of_the_crystals() const {
-    const auto spec = desk_of_four();
+    const auto spec = station_of_four();
     for (std::size_t i = 0; i < record_.outlets.size(); ++i) {
       const record::Clock& clock = record_.outlets[i].clock;
       EXPECT_NEAR(clock.drift_ppm, spec.emulated[i].crystal_ppm, clock.drift_uncertainty_ppm)
@@ -44,7 +44,7 @@ TEST_F(OutletClocks, AreFoundWithinTheirStatedUncertainty) {
 
 // Crystals far worse than any that is sold: a wrong sign would be seen at a glance.
 TEST_F(OutletClocks, OfBadCrystalsAreFoundWithTheirSign) {
-  profile::StationSpec spec = desk_of_four();
+  profile::StationSpec spec = station_of_four();
   const double ppm[] = {900.0, -900.0, 600.0, -600.0};
   for (std::size_t i = 0; i < 4; ++i) {
     spec.emulated[i].crystal_ppm = ppm[i];
@@ -67,7 +67,7 @@ TEST_F(OutletClocks, PutDecisionsBeforeWhatTheRelaySenseSees) {
       "[[outlet]]\ncount = 4\naccumulated_mw = 50.0\n"
       "[[expect]]\nmeasure = \"event.count\"\nmin = 1\nmax = 1\n"
       "[[expect]]\nmeasure = \"relay.end\"\nequals = \"open\"\n");
-  set_up(desk_of_four());
+  set_up(station_of_four());
   play();
   expect_all_whole();
   expect_drifts_of_the_crystals();

@@ -15,13 +15,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <emulated/desk.hpp>
-#include <process/child.hpp>
+#include <emulation/child.hpp>
+#include <emulation/hardware.hpp>
 
 namespace {
 
 namespace fs = std::filesystem;
-using gsbench::process::Child;
+using gsbench::emulation::Child;
 using gsbench::test::runs;
 using gsbench::test::until;
 using testing::HasSubstr;
@@ -86,9 +86,9 @@ TEST(KilledBench, LeavesNoEmulatorOutletOrBrokerBehindAndItsFilesToTheNext) {
         return process.second.find("qemu-system-arm") != std::string::npos;
       })->second;
   const std::size_t path = emulator.find("mem-path=") + 9;
-  const fs::path desk =
+  const fs::path hardware =
       fs::path(emulator.substr(path, emulator.find(' ', path) - path)).parent_path();
-  ASSERT_THAT(desk.filename().string(), HasSubstr("gsbench-desk-"));
+  ASSERT_THAT(hardware.filename().string(), HasSubstr("gsbench-desk-"));
   ASSERT_TRUE(fs::exists(desk));
 
   bench.kill();
@@ -96,7 +96,7 @@ TEST(KilledBench, LeavesNoEmulatorOutletOrBrokerBehindAndItsFilesToTheNext) {
     EXPECT_TRUE(until([pid = pid] { return !runs(pid); })) << command;
   }
   EXPECT_TRUE(fs::exists(desk));
-  const auto next = gsbench::emulated::Desk::set_up({});
+  const auto next = gsbench::emulation::Hardware::set_up({});
   ASSERT_TRUE(next.ok()) << next.error();
   EXPECT_FALSE(fs::exists(desk));
 }

@@ -1,7 +1,8 @@
 // Outlets and their cables that fail in a run, with the real parts. What is asked of each run is in
-// desk_of_four.cpp.
-#include "desk_of_four.hpp"
+// station_of_four.cpp.
 #include "plans.hpp"
+#include "station_of_four.hpp"
+#include <shared_memory_io/shared_memory.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
@@ -9,9 +10,8 @@
 #include <cstring>
 #include <ostream>
 
-#include <emulated/mains.hpp>
-#include <process/child.hpp>
-#include <terminals/terminals.hpp>
+#include <emulation/child.hpp>
+#include <emulation/mains.hpp>
 
 namespace gsbench::station::test {
 namespace {
@@ -39,14 +39,14 @@ TEST_F(OutletFault, NoneLetsAllFourPassAndTheRecordSaysWhereTheyAre) {
   EXPECT_THAT(record_.outlets[kM4].link, StartsWith("/dev/pts/"));
   EXPECT_THAT(record_.outlets[kHost].link, StartsWith("/dev/pts/"));
   EXPECT_NE(record_.outlets[kM4].link, record_.outlets[kHost].link);
-  EXPECT_EQ(record_.outlets[kRadioA].link, desk().broker()->url());
-  EXPECT_EQ(record_.outlets[kRadioB].link, desk().broker()->url());
+  EXPECT_EQ(record_.outlets[kRadioA].link, hardware().broker()->url());
+  EXPECT_EQ(record_.outlets[kRadioB].link, hardware().broker()->url());
   EXPECT_EQ(record_.outlets[kM4].id, "m4");
   EXPECT_EQ(record_.outlets[kRadioB].id, "radio-b");
 }
 
 TEST_F(OutletFault, AnEmulatorThatIsKilledFallsSilent) {
-  at(0.5, [&] { desk().outlet_process(kM4).kill(); });
+  at(0.5, [&] { hardware().outlet_process(kM4).kill(); });
   play();
   expect_fault(kM4, "fell silent after its sample ");
 }
@@ -82,7 +82,7 @@ TEST_F(OutletFault, AnOutletThatBeganAnewLeavesOnlyItsFirstLifeInTheRecord) {
 }
 
 TEST_F(OutletFault, AnOutletThatIsStoppedFallsSilent) {
-  at(0.5, [&] { ASSERT_EQ(::kill(desk().outlet_process(kHost).pid(), SIGSTOP), 0); });
+  at(0.5, [&] { ASSERT_EQ(::kill(hardware().outlet_process(kHost).pid(), SIGSTOP), 0); });
   play();
   expect_fault(kHost, "fell silent after its sample ");
 }
@@ -99,7 +99,7 @@ void PrintTo(const Spoiling& spoiling, std::ostream* out) {
 class SpoiledCable : public FaultyDesk, public testing::WithParamInterface<Spoiling> {};
 
 TEST_P(SpoiledCable, IsToldOfItsOutletAlone) {
-  at(0.5, [&] { desk().cable(kM4).spoil(every_nth_byte(97, GetParam().spoil)); });
+  at(0.5, [&] { hardware().cable(kM4).spoil(every_nth_byte(97, GetParam().spoil)); });
   play();
   // The frame that was hit, or by then its number.
   expect_faults({{kM4, ""}});
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledCable,
                          [](const auto& kind) { return kind.param.name; });
 
 // Another hello in the place of the outlet's own.
-emulated::Spoiler another_hello(const std::function<void(gs::wire::Hello&)>& change) {
+emulation::Spoiler another_hello(const std::function<void(gs::wire::Hello&)>& change) {
   return each_message([change](const Bytes& message) -> std::vector<Bytes> {
     gs::wire::Uplink uplink;
     std::uint32_t sequence = 0;
@@ -133,7 +133,7 @@ emulated::Spoiler another_hello(const std::function<void(gs::wire::Hello&)>& cha
 }
 
 TEST_F(OutletFault, OneOfAnotherProtocolVersionIsNotSpokenTo) {
-  desk().cable(kHost).spoil(
+  hardware().cable(kHost).spoil(
       another_hello([](gs::wire::Hello& hello) { hello.protocol_version = 77; }));
   play();
   expect_fault(kHost, "speaks protocol 77, not ");
@@ -142,18 +142,18 @@ TEST_F(OutletFault, OneOfAnotherProtocolVersionIsNotSpokenTo) {
 }
 
 TEST_F(OutletFault, OneThatNeverSaysHelloIsPlayedWithout) {
-  desk().cable(kHost).spoil([](Bytes& bytes) { bytes.clear(); });
+  hardware().cable(kHost).spoil([](Bytes& bytes) { bytes.clear(); });
   play();
   expect_fault(kHost, "does not answer");
   EXPECT_EQ(record_.outlets[kHost].id, "host");
-  EXPECT_EQ(record_.outlets[kHost].link, desk().serial_ports()[kHost]);
+  EXPECT_EQ(record_.outlets[kHost].link, hardware().serial_ports()[kHost]);
   EXPECT_TRUE(record_.outlets[kHost].measurements.empty()) << "nothing was played to it";
   EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty());
 }
 
 TEST_F(OutletFault, OneThatIsOnTheBrokerButNeverAnswersIsPlayedWithout) {
   ASSERT_TRUE(answers(kRadioA));
-  ASSERT_EQ(::kill(desk().outlet_process(kRadioA).pid(), SIGSTOP), 0);
+  ASSERT_EQ(::kill(hardware().outlet_process(kRadioA).pid(), SIGSTOP), 0);
   play();
   expect_fault(kRadioA, "does not answer");
   EXPECT_TRUE(record_.outlets[kRadioA].settings.empty()) << "it was sent settings";
@@ -161,26 +161,26 @@ TEST_F(OutletFault, OneThatIsOnTheBrokerButNeverAnswersIsPlayedWithout) {
 
 TEST_F(OutletFault, OneThatIsNotOnTheBrokerIsPlayedWithout) {
   ASSERT_TRUE(answers(kRadioB));
-  desk().outlet_process(kRadioB).kill();
+  hardware().outlet_process(kRadioB).kill();
   play();
   expect_fault(kRadioB, "is not on the broker");
 }
 
 // Which of them is the one that was meant nobody can tell.
 TEST_F(OutletFault, TwoOnSerialLinesWithOneIdAreBothAtFaultAndTheOthersArePlayedTo) {
-  desk().cable(kHost).spoil(
+  hardware().cable(kHost).spoil(
       another_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "m4"); }));
   play();
-  expect_faults({{kM4, "is there twice: the one on " + desk().serial_ports()[kHost]},
-                 {kHost, "is there twice: the one on " + desk().serial_ports()[kM4]}});
+  expect_faults({{kM4, "is there twice: the one on " + hardware().serial_ports()[kHost]},
+                 {kHost, "is there twice: the one on " + hardware().serial_ports()[kM4]}});
   for (const Place twin : {kM4, kHost}) {
-    EXPECT_EQ(record_.outlets[twin].id, "m4 on " + desk().serial_ports()[twin]);
+    EXPECT_EQ(record_.outlets[twin].id, "m4 on " + hardware().serial_ports()[twin]);
     EXPECT_TRUE(record_.outlets[twin].settings.empty()) << "it was sent settings";
   }
 }
 
 TEST_F(OutletFault, OneOnASerialLineWithTheIdOfOneBehindTheBrokerIsTold) {
-  desk().cable(kHost).spoil(
+  hardware().cable(kHost).spoil(
       another_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "radio-a"); }));
   play();
   expect_faults({{kHost, "is there twice"}, {kRadioA, "is there twice"}});
@@ -189,44 +189,44 @@ TEST_F(OutletFault, OneOnASerialLineWithTheIdOfOneBehindTheBrokerIsTold) {
 // Behind a broker a twin may come at any time: another piece of hardware with the same id.
 TEST_F(OutletFault, ATwinThatComesInTheMiddleIsToldOfItsIdAlone) {
   const gsbench::test::TemporaryFolder folder;
-  emulated::MainsOptions options;
+  emulation::MainsOptions options;
   options.folder = folder.path().string();
   options.outlets = {{"spacer", 0.0},
                      {"spacer-2", 0.0},
                      {"spacer-3", 0.0},
                      {"spacer-4", 0.0},
                      {"radio-b", 0.0}};  // the fifth instance, which the desk does not have
-  auto mains = emulated::Mains::create(options);
+  auto mains = emulation::Mains::create(options);
   ASSERT_TRUE(mains.ok()) << mains.error();
-  std::unique_ptr<process::Child> twin;
+  std::unique_ptr<emulation::Child> twin;
   at(0.5, [&] {
-    const broker::Login& login = desk().broker()->outlet("radio-b");
-    auto started = process::Child::start(
-        {{GS_OUTLET_PROGRAM, "--mqtt", desk().broker()->url(), "--ca", desk().broker()->ca_file(),
-          "--user", login.user, "--password-file", folder.write("password", login.password + "\n"),
-          "--terminals", mains.value()->terminal_path(4), "--doorbell",
-          mains.value()->doorbell_path(4)},
+    const emulation::Login& login = hardware().broker()->outlet("radio-b");
+    auto started = emulation::Child::start(
+        {{GS_OUTLET_PROGRAM, "--mqtt", hardware().broker()->url(), "--ca",
+          hardware().broker()->ca_file(), "--user", login.user, "--password-file",
+          folder.write("password", login.password + "\n"), "--terminals",
+          mains.value()->terminal_path(4), "--doorbell", mains.value()->doorbell_path(4)},
          ""});
     ASSERT_TRUE(started.ok()) << started.error();
-    twin = std::make_unique<process::Child>(started.take());
+    twin = std::make_unique<emulation::Child>(started.take());
   });
   play();
   expect_fault(kRadioB, "is there twice: ");
 }
 
 TEST_F(OutletFault, OneWithoutItsCrystalIsTold) {
-  desk().terminals(kM4).crystal_fails = 1;
+  hardware().terminals(kM4).crystal_fails = 1;
   kill_and_restart(kM4);
   play();
   expect_fault(kM4, "crystal");  // its own word, or its self test's
 }
 
 TEST_F(OutletFault, SamplesThatAnOutletCouldNotTakeAreTold) {
-  at(0.4, [&] { ASSERT_EQ(::kill(desk().outlet_process(kHost).pid(), SIGSTOP), 0); });
+  at(0.4, [&] { ASSERT_EQ(::kill(hardware().outlet_process(kHost).pid(), SIGSTOP), 0); });
   at(0.5, [&] {
     // Longer than its ring holds, and shorter than silence is minded.
-    desk().terminals(kHost).written += 2 * gs::terminals::kRingSamples;
-    ASSERT_EQ(::kill(desk().outlet_process(kHost).pid(), SIGCONT), 0);
+    hardware().terminals(kHost).written += 2 * gs::shared_memory_io::kRingSamples;
+    ASSERT_EQ(::kill(hardware().outlet_process(kHost).pid(), SIGCONT), 0);
   });
   play();
   expect_fault(kHost, "tells: samples lost");
@@ -234,7 +234,7 @@ TEST_F(OutletFault, SamplesThatAnOutletCouldNotTakeAreTold) {
 
 // A desk lists its outlets as it likes: what is heard, sensed and played is of the same one.
 TEST_F(OutletFault, NoneWhereTheDeskListsRadiosFirst) {
-  profile::StationSpec spec = desk_of_four();
+  profile::StationSpec spec = station_of_four();
   std::rotate(spec.emulated.begin(), spec.emulated.begin() + 2, spec.emulated.end());
   plan_ = plan(1.5, "noise_pct = 1.0\n",
                "[[outlet]]\nid = \"cut\"\n[[outlet]]\ncount = 3\nid = \"left\"\n"

@@ -1,7 +1,7 @@
 // Settings that an outlet refuses, does not get whole, or does not answer to. The bench checks what
 // it sends, so what is wrong here is made wrong on its way, in the outlet's memory, or not sent by
 // the bench at all.
-#include "desk_of_four.hpp"
+#include "station_of_four.hpp"
 
 namespace gsbench::station::test {
 namespace {
@@ -66,7 +66,7 @@ class SettingsFault : public FaultyDesk {
 };
 
 // What is empty does not pass.
-emulated::Spoiler each_settings(const std::function<void(Bytes&)>& change) {
+emulation::Spoiler each_settings(const std::function<void(Bytes&)>& change) {
   return each_message([change](const Bytes& message) -> std::vector<Bytes> {
     Downlink downlink;
     std::uint32_t sequence = 0;
@@ -100,21 +100,22 @@ TEST_F(SettingsFault, OlderThanThoseInForceAreRefused) {
 
 // Whole frames with half a message, by which the outlet must not be misled.
 TEST_F(SettingsFault, ThatCameTruncatedAreNotTakenAndMissed) {
-  desk().cable(kM4).spoil(each_settings([](Bytes& message) { message.resize(message.size() / 2); }),
-                          emulated::Way::kToOutlet);
+  hardware().cable(kM4).spoil(
+      each_settings([](Bytes& message) { message.resize(message.size() / 2); }),
+      emulation::Way::kToOutlet);
   play();
   expect_fault(kM4, "did not answer to its settings");
 }
 
 TEST_F(SettingsFault, ThatNeverCameAreMissed) {
-  desk().cable(kHost).spoil(each_settings([](Bytes& message) { message.clear(); }),
-                            emulated::Way::kToOutlet);
+  hardware().cable(kHost).spoil(each_settings([](Bytes& message) { message.clear(); }),
+                                emulation::Way::kToOutlet);
   play();
   expect_fault(kHost, "did not answer to its settings");
 }
 
 TEST_F(SettingsFault, WhoseAnswerIsLostAreToldOfThatOutletAlone) {
-  desk().cable(kM4).spoil(each_message([](const Bytes& message) -> std::vector<Bytes> {
+  hardware().cable(kM4).spoil(each_message([](const Bytes& message) -> std::vector<Bytes> {
     Uplink uplink;
     std::uint32_t sequence = 0;
     const auto decoded = gs::wire::decode(message.data(), message.size(), uplink, sequence);

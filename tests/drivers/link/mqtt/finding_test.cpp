@@ -89,7 +89,7 @@ TEST_F(FindingOutlets, TwoOfOneIdAreAtFaultAndTheOthersAreSpokenTo) {
 // Says one hello, and whatever is sent to it again.
 class Parrot {
  public:
-  Parrot(const gsbench::broker::PrivateBroker& broker, const std::string& id,
+  Parrot(const gsbench::emulation::PrivateBroker& broker, const std::string& id,
          const gs::wire::Uplink& hello) {
     std::string why;
     EXPECT_TRUE(carrier_.start(gsbench::test::options_of(broker, id, 1), why)) << why;
@@ -124,7 +124,7 @@ class Parrot {
 TEST_F(FindingOutlets, OneThatSpeaksAnotherProtocolIsAtFault) {
   gs::wire::Uplink hello;
   hello.hello.protocol_version = 77;
-  gs::node::set_text(hello.hello.id, "a");
+  gs::app::set_text(hello.hello.id, "a");
   const Parrot a(*broker_, "a", hello);
   MqttLink link(options({"a"}));
   const auto opened = link.open();
@@ -134,7 +134,7 @@ TEST_F(FindingOutlets, OneThatSpeaksAnotherProtocolIsAtFault) {
 
 TEST_F(FindingOutlets, RefusesAnOutletOnTheTopicOfAnother) {
   gs::wire::Uplink hello;
-  gs::node::set_text(hello.hello.id, "b");
+  gs::app::set_text(hello.hello.id, "b");
   const Parrot a(*broker_, "a", hello);
   EXPECT_EQ(fault_of_a(), "says there that it is \"b\"");
 }
@@ -154,7 +154,7 @@ TEST_F(FindingOutlets, SaysWhichBrokerRefusesItsPassword) {
 }
 
 TEST_F(FindingOutlets, TrustsNoBrokerOfAnotherAuthority) {
-  auto other = gsbench::broker::PrivateBroker::start({folder_.file("other"), {}});
+  auto other = gsbench::emulation::PrivateBroker::start({folder_.file("other"), {}});
   ASSERT_TRUE(other.ok()) << other.error();
   MqttOptions wrong = options({"a"});
   wrong.ca_file = other.value().ca_file();

@@ -9,17 +9,17 @@
 
 namespace gsbench::test {
 
-gs::host::MqttOptions options_of(const broker::PrivateBroker& broker, const std::string& id,
+gs::host::MqttOptions options_of(const emulation::PrivateBroker& broker, const std::string& id,
                                  std::uint32_t instance) {
-  const broker::Login& login = broker.outlet(id);
+  const emulation::Login& login = broker.outlet(id);
   return {broker.url(), broker.ca_file(), login.user, login.password, id, instance};
 }
 
-MqttOutlet::MqttOutlet(const broker::PrivateBroker& broker, const std::string& id,
+MqttOutlet::MqttOutlet(const emulation::PrivateBroker& broker, const std::string& id,
                        std::uint32_t instance) {
-  endpoint_.emplace(node_, carrier_);
-  gs::node::set_text(identity_.id, id.c_str());
-  gs::node::set_text(identity_.board, "test");
+  endpoint_.emplace(app_, carrier_);
+  gs::app::set_text(identity_.id, id.c_str());
+  gs::app::set_text(identity_.board, "test");
   identity_.instance = instance;
   std::string why;
   if (!carrier_.start(options_of(broker, id, instance), why)) {
@@ -56,7 +56,7 @@ void MqttOutlet::serve() {
   if (carrier_.take_reconnected()) {
     gs::wire::Downlink who;
     who.kind = gs::wire::DownlinkKind::kIdentify;
-    node_.receive(who, *endpoint_);
+    app_.receive(who, *endpoint_);
   }
   std::vector<std::uint8_t> message;
   while (carrier_.take(message)) {
@@ -65,16 +65,17 @@ void MqttOutlet::serve() {
 }
 
 void MqttOutlet::start_node() {
-  node_.start({}, identity_, nullptr, *endpoint_);
+  app_.start({}, identity_, nullptr, *endpoint_);
 }
 
-void MqttOutlet::with_node(const std::function<void(gs::node::Node&, gs::node::Outbox&)>& act) {
+void MqttOutlet::with_node(
+    const std::function<void(gs::app::Application&, gs::app::Outbox&)>& act) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  act(node_, *endpoint_);
+  act(app_, *endpoint_);
 }
 
 void MqttOutlet::take_samples(std::size_t count) {
-  with_node([&](gs::node::Node& node, gs::node::Outbox& outbox) {
+  with_node([&](gs::app::Application& node, gs::app::Outbox& outbox) {
     constexpr double kRadiansPerSample = 2.0 * 3.14159265358979 * 50.0 / 8000.0;
     std::vector<std::int16_t> samples(count);
     for (std::int16_t& sample : samples) {
@@ -87,7 +88,7 @@ void MqttOutlet::take_samples(std::size_t count) {
 
 void MqttOutlet::tell_status() {
   take_samples(1);
-  with_node([](gs::node::Node& node, gs::node::Outbox& outbox) {
+  with_node([](gs::app::Application& node, gs::app::Outbox& outbox) {
     gs::wire::Downlink ask;
     ask.kind = gs::wire::DownlinkKind::kAskStatus;
     node.receive(ask, outbox);
@@ -106,13 +107,13 @@ void MqttOutlet::lose_power() {
 
 void MqttOutlet::restart() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  endpoint_.emplace(node_, carrier_);
+  endpoint_.emplace(app_, carrier_);
   start_node();
 }
 
 bool MqttOutlet::relay_closed() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return node_.relay_closed();
+  return app_.relay_closed();
 }
 
 bool MqttOutlet::connected() {

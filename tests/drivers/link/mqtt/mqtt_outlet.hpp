@@ -11,23 +11,23 @@
 #include <string>
 #include <thread>
 
-#include <broker/private_broker.hpp>
-#include <node/endpoint.hpp>
+#include <app/endpoint.hpp>
+#include <emulation/private_broker.hpp>
 
 namespace gsbench::test {
 
-gs::host::MqttOptions options_of(const broker::PrivateBroker& broker, const std::string& id,
+gs::host::MqttOptions options_of(const emulation::PrivateBroker& broker, const std::string& id,
                                  std::uint32_t instance);
 
 class MqttOutlet {
  public:
   // Connected when this returns.
-  MqttOutlet(const broker::PrivateBroker& broker, const std::string& id,
+  MqttOutlet(const emulation::PrivateBroker& broker, const std::string& id,
              std::uint32_t instance = 1);
   ~MqttOutlet();  // leaves, as one that is switched off by hand
 
   // In the outlet's thread, between two of its turns.
-  void with_node(const std::function<void(gs::node::Node&, gs::node::Outbox&)>& act);
+  void with_node(const std::function<void(gs::app::Application&, gs::app::Outbox&)>& act);
 
   void take_samples(std::size_t count);  // of steady 50 Hz; 128 make a measurement
   void tell_status();                    // takes one sample before, which tells statuses apart
@@ -42,10 +42,10 @@ class MqttOutlet {
   void serve();
   void start_node();
 
-  gs::node::Identity identity_;
+  gs::app::Identity identity_;
   gs::host::MqttCarrier carrier_;
-  gs::node::Node node_;
-  std::optional<gs::node::MessageEndpoint> endpoint_;
+  gs::app::Application app_;
+  std::optional<gs::app::MessageEndpoint> endpoint_;
   std::mutex mutex_;
   std::uint64_t taken_ = 0;
   std::atomic<bool> ending_{false};

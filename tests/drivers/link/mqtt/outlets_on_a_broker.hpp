@@ -19,9 +19,9 @@ namespace gsbench::test {
 class OutletsOnABroker : public HearsALink {
  protected:
   void SetUp() override {
-    auto started = broker::PrivateBroker::start({folder_.file("broker"), {"a", "b", "c"}});
+    auto started = emulation::PrivateBroker::start({folder_.file("broker"), {"a", "b", "c"}});
     ASSERT_TRUE(started.ok()) << started.error();
-    broker_ = std::make_unique<broker::PrivateBroker>(started.take());
+    broker_ = std::make_unique<emulation::PrivateBroker>(started.take());
   }
 
   link::MqttOptions options(std::vector<std::string> outlets) const {
@@ -58,7 +58,7 @@ class OutletsOnABroker : public HearsALink {
   }
 
   TemporaryFolder folder_;
-  std::unique_ptr<broker::PrivateBroker> broker_;
+  std::unique_ptr<emulation::PrivateBroker> broker_;
   std::vector<link::OutletPresence> present_;
 };
 

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <broker/private_broker.hpp>
+#include <emulation/private_broker.hpp>
 
 // Of Paho's Heap.h, which is not installed.
 extern "C" {
@@ -24,8 +24,8 @@ HeapInfo* Heap_get_info(void);
 
 namespace {
 
-using gsbench::broker::Login;
-using gsbench::broker::PrivateBroker;
+using gsbench::emulation::Login;
+using gsbench::emulation::PrivateBroker;
 using gsbench::test::publish_packet;
 using gsbench::test::TemporaryFolder;
 using gsbench::test::TlsPeer;

@@ -145,7 +145,7 @@ TEST_F(TalkingToOutlets, WhatAnOutletSaysInAnothersNameDoesNotReachTheBench) {
   std::string why;
   ASSERT_TRUE(impostor.start(options, why)) << why;
   gs::wire::Uplink hello;
-  gs::node::set_text(hello.hello.id, "a");
+  gs::app::set_text(hello.hello.id, "a");
   std::uint8_t bytes[gs::wire::kLongestMessage];
   const std::size_t size = gs::wire::encode(hello, 0, bytes, sizeof bytes);
   ASSERT_TRUE(impostor.send(bytes, size));

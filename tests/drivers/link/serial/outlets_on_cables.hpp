@@ -18,9 +18,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <emulated/mains.hpp>
-#include <emulated/null_modem.hpp>
-#include <process/child.hpp>
+#include <emulation/child.hpp>
+#include <emulation/mains.hpp>
+#include <emulation/null_modem.hpp>
 
 namespace gsbench::test {
 
@@ -29,9 +29,9 @@ class OutletsOnCables : public HearsALink {
   struct Outlet {
     std::string id;
     std::string folder;
-    std::unique_ptr<emulated::Mains> mains;
-    std::unique_ptr<emulated::NullModem> cable;
-    std::unique_ptr<process::Child> process;
+    std::unique_ptr<emulation::Mains> mains;
+    std::unique_ptr<emulation::NullModem> cable;
+    std::unique_ptr<emulation::Child> process;
     std::int64_t tick = 0;
 
     // As udev names ports: the same however often the cable is unplugged.
@@ -62,11 +62,11 @@ class OutletsOnCables : public HearsALink {
   std::size_t add(const std::string& id) {
     const std::size_t place = lay_cable(id);
     Outlet& outlet = outlets_[place];
-    emulated::MainsOptions options;
+    emulation::MainsOptions options;
     options.folder = outlet.folder;
     options.outlets = {{id, 0.0}};
     options.real_time = false;
-    auto mains = emulated::Mains::create(options);
+    auto mains = emulation::Mains::create(options);
     EXPECT_TRUE(mains.ok()) << mains.error();
     outlet.mains = mains.take();
     source::SourceSettings settings;
@@ -79,19 +79,19 @@ class OutletsOnCables : public HearsALink {
 
   void start(std::size_t place) {
     Outlet& outlet = outlets_[place];
-    auto child = process::Child::start(
+    auto child = emulation::Child::start(
         {{GS_OUTLET_PROGRAM, "--serial", outlet.outlet_port(), "--terminals",
           outlet.mains->terminal_path(0), "--doorbell", outlet.mains->doorbell_path(0)},
          ""});
     ASSERT_TRUE(child.ok()) << child.error();
-    outlet.process = std::make_unique<process::Child>(child.take());
+    outlet.process = std::make_unique<emulation::Child>(child.take());
   }
 
   void plug_in(std::size_t place) {
     Outlet& outlet = outlets_[place];
-    auto cable = emulated::NullModem::between_terminals();
+    auto cable = emulation::NullModem::between_terminals();
     ASSERT_TRUE(cable.ok()) << cable.error();
-    outlet.cable = std::make_unique<emulated::NullModem>(cable.take());
+    outlet.cable = std::make_unique<emulation::NullModem>(cable.take());
     point(outlet.bench_port(), outlet.cable->bench_end());
     point(outlet.outlet_port(), outlet.cable->outlet_end());
   }

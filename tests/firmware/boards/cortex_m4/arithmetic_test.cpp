@@ -11,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <node/endpoint.hpp>
-#include <node/self_test.hpp>
+#include <app/endpoint.hpp>
+#include <app/self_test.hpp>
 
 namespace gs::test {
 namespace {
@@ -57,7 +57,7 @@ void add(Outcome& outcome, const wire::Uplink& uplink, Message message) {
 }
 
 Outcome in_process(const wire::Hello& as) {
-  class Collector final : public node::Carrier {
+  class Collector final : public app::Carrier {
    public:
     bool send(const std::uint8_t* bytes, std::size_t count) override {
       wire::Uplink uplink;
@@ -68,28 +68,28 @@ Outcome in_process(const wire::Hello& as) {
     }
     Outcome outcome;
   };
-  class Keeps final : public node::SettingsArea {
+  class Keeps final : public app::SettingsStorage {
    public:
     bool keep(const outlet::Settings&) override { return true; }
     bool usable() const override { return true; }
   };
   Collector collector;
   Keeps area;
-  node::Node node;
-  node::MessageEndpoint endpoint(node, collector);
+  app::Application app;
+  app::MessageEndpoint endpoint(app, collector);
   MainsSpec spec;
   spec.truth = steady(50.0, 50.0);
-  node::Identity identity;
-  node::set_text(identity.id, as.id);
-  node::set_text(identity.board, as.board);
+  app::Identity identity;
+  app::set_text(identity.id, as.id);
+  app::set_text(identity.board, as.board);
   identity.instance = as.instance;
   identity.build = as.build;
   identity.capabilities = as.capabilities;
-  EXPECT_TRUE(node.start(Mains(spec).hardware(), identity, &area, endpoint));
-  node.receive(settings_message(), endpoint);
-  node.feed(stream().data(), stream().size(), endpoint);
-  node.receive(question(wire::DownlinkKind::kAskStatus), endpoint);
-  node.receive(question(wire::DownlinkKind::kAskSelfTest), endpoint);
+  EXPECT_TRUE(app.start(Mains(spec).hardware(), identity, &area, endpoint));
+  app.receive(settings_message(), endpoint);
+  app.feed(stream().data(), stream().size(), endpoint);
+  app.receive(question(wire::DownlinkKind::kAskStatus), endpoint);
+  app.receive(question(wire::DownlinkKind::kAskSelfTest), endpoint);
   return collector.outcome;
 }
 
@@ -127,7 +127,7 @@ class BitIdentity : public testing::Test {
 };
 
 TEST(Fingerprint, IsTheKnownOneInProcess) {
-  EXPECT_EQ(node::arithmetic_fingerprint(), node::kFingerprint);
+  EXPECT_EQ(app::arithmetic_fingerprint(), app::kFingerprint);
 }
 
 class SameArithmetic : public BitIdentity, public testing::WithParamInterface<const char*> {};

@@ -76,8 +76,8 @@ bool Line::has_error(wire::ErrorCode code) const {
 }
 
 struct EmulatedOutlet::Process {
-  gsbench::emulated::NullModem cable;  // its socket is the test's end
-  gsbench::process::Child child;
+  gsbench::emulation::NullModem cable;  // its socket is the test's end
+  gsbench::emulation::Child child;
   Socket line;
   Socket doorbell;
 };
@@ -91,8 +91,8 @@ EmulatedOutlet::EmulatedOutlet() {
   void* memory = ::mmap(nullptr, kMemoryBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
   ::close(file);
   if (memory == MAP_FAILED) throw std::runtime_error("mmap of " + path);
-  terminals_ = static_cast<terminals::Terminals*>(memory);
-  terminals_->magic = terminals::kMagic;
+  terminals_ = static_cast<shared_memory_io::SharedMemory*>(memory);
+  terminals_->magic = shared_memory_io::kMagic;
   terminals_->sample_rate_hz = 8000;
   terminals_->nominal_hz = 50;
   terminals_->counts_per_pu = 32767.0F / 1.5F;  // as firmware_test's mains
@@ -122,11 +122,11 @@ void EmulatedOutlet::start(const std::string& image) {
 void EmulatedOutlet::start_process(const std::string& program) {
   line_.reset();
   const std::string cable_path = folder_.file("cable");
-  auto cable = gsbench::emulated::NullModem::to_socket(cable_path);
+  auto cable = gsbench::emulation::NullModem::to_socket(cable_path);
   if (!cable.ok()) throw std::runtime_error(cable.error());
   Socket line = Socket::connect(cable_path);
   const Socket listening = Socket::listen(folder_.file("doorbell"));
-  auto child = gsbench::process::Child::start(
+  auto child = gsbench::emulation::Child::start(
       {{program, "--serial", cable.value().bench_end(), "--terminals", folder_.file("psram"),
         "--doorbell", folder_.file("doorbell")},
        ""});
@@ -147,7 +147,7 @@ void EmulatedOutlet::ring_doorbell() {
 
 void EmulatedOutlet::play(const std::vector<std::int16_t>& samples) {
   constexpr std::uint32_t kBlock = 4096;
-  constexpr std::uint32_t kAhead = terminals::kRingSamples / 2;
+  constexpr std::uint32_t kAhead = shared_memory_io::kRingSamples / 2;
   auto progress = Clock::now();
   std::uint32_t taken = terminals_->taken;
   std::size_t done = 0;
@@ -157,7 +157,7 @@ void EmulatedOutlet::play(const std::vector<std::int16_t>& samples) {
     const auto count =
         static_cast<std::uint32_t>(std::min<std::size_t>({kBlock, room, samples.size() - done}));
     for (std::uint32_t i = 0; i < count; ++i) {
-      terminals_->ring[(written + i) % terminals::kRingSamples] = samples[done + i];
+      terminals_->ring[(written + i) % shared_memory_io::kRingSamples] = samples[done + i];
     }
     std::atomic_thread_fence(std::memory_order_release);
     terminals_->written = written + count;

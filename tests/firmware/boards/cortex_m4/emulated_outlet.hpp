@@ -3,6 +3,7 @@
 #pragma once
 
 #include "machine.hpp"
+#include <shared_memory_io/shared_memory.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <functional>
@@ -10,9 +11,8 @@
 #include <string>
 #include <vector>
 
-#include <emulated/null_modem.hpp>
-#include <process/child.hpp>
-#include <terminals/terminals.hpp>
+#include <emulation/child.hpp>
+#include <emulation/null_modem.hpp>
 #include <wire/frame.hpp>
 
 namespace gs::test {
@@ -65,13 +65,13 @@ class EmulatedOutlet {
   void play(const std::vector<std::int16_t>& samples);
   void ring_doorbell();
 
-  terminals::Terminals& terminals() { return *terminals_; }
+  shared_memory_io::SharedMemory& terminals() { return *terminals_; }
   Line& line() { return *line_; }
   const Machine& machine() const { return *machine_; }
 
  private:
   gsbench::test::TemporaryFolder folder_;
-  terminals::Terminals* terminals_ = nullptr;
+  shared_memory_io::SharedMemory* terminals_ = nullptr;
   // One of the two.
   std::unique_ptr<Machine> machine_;
   struct Process;

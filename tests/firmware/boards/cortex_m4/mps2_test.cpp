@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <node/node.hpp>
+#include <app/application.hpp>
 
 namespace gs::test {
 namespace {
@@ -74,7 +74,7 @@ TEST_F(Mps2, IntroducesItselfAsItsTerminalsSay) {
   EXPECT_STREQ(hello_.id, "outlet-7");
   EXPECT_STREQ(hello_.board, "mps2-an386");
   EXPECT_EQ(hello_.instance, 77U);
-  EXPECT_EQ(hello_.firmware_version, node::kFirmwareVersion);
+  EXPECT_EQ(hello_.firmware_version, app::kFirmwareVersion);
   EXPECT_EQ(hello_.build, GSBENCH_FIRMWARE_BUILD);
   EXPECT_EQ(hello_.capabilities, wire::kKeepsSettings | wire::kHasWatchdog);
   EXPECT_EQ(hello_.settings_version, 0U);
@@ -121,12 +121,12 @@ TEST_F(Mps2, TheSelfTestFindsAConverterThatGivesNoSamples) {
 
 TEST_F(Mps2, CountsTheSamplesThatABenchTooFarAheadWroteOver) {
   start();
-  constexpr std::uint32_t kAhead = terminals::kRingSamples + 1000;
+  constexpr std::uint32_t kAhead = shared_memory_io::kRingSamples + 1000;
   outlet_.terminals().written = outlet_.terminals().written + kAhead;
   outlet_.ring_doorbell();
   outlet_.line().wait_for(UplinkKind::kError);
   EXPECT_TRUE(outlet_.line().has_error(wire::ErrorCode::kSamplesLost));
-  EXPECT_EQ(status().samples_lost, kAhead - terminals::kRingSamples / 2);
+  EXPECT_EQ(status().samples_lost, kAhead - shared_memory_io::kRingSamples / 2);
   outlet_.line().read_until(
       [&] { return outlet_.terminals().taken == outlet_.terminals().written; },
       "the samples that are left to be taken");

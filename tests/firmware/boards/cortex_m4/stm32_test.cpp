@@ -51,7 +51,7 @@ TEST_F(Stm32, FollowsSettingsThatItsFlashDoesNotTakeAndSaysSo) {
   EXPECT_EQ(answer.digest, outlet::digest(message.settings));
   EXPECT_FALSE(answer.kept);
   EXPECT_EQ(line_.wait_for(UplinkKind::kError, before).uplink.error.code,
-            wire::ErrorCode::kSettingsArea);
+            wire::ErrorCode::kSettingsStorage);
 }
 
 TEST_F(Stm32, ObeysCommands) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <random/noise.hpp>
+#include <models/noise.hpp>
 
 namespace gs::test {
 
@@ -33,7 +33,7 @@ std::vector<std::int16_t> Mains::samples(std::int64_t first_tick, std::size_t co
   std::vector<float> volts(count);
   synthesizer_.render(first_tick, count, volts.data());
   if (noise_rms_pu_ > 0.0F) {
-    gsbench::random::add_gaussian({seed_, gsbench::random::kTest, 0},
+    gsbench::models::add_gaussian({seed_, gsbench::models::kTest, 0},
                                   static_cast<std::uint64_t>(first_tick), count, noise_rms_pu_,
                                   volts.data());
   }

@@ -2,16 +2,16 @@
 // and each programming takes several, and leaves in between what a real one may leave.
 #pragma once
 
-#include <settings_area/settings_area.hpp>
+#include <settings_storage/settings_storage.hpp>
 
 #include <array>
 #include <cstdint>
 
 namespace gs::test {
 
-class SimulatedFlash : public settings_area::Flash {
+class SimulatedFlash : public settings_storage::Flash {
  public:
-  static constexpr std::size_t kWords = settings_area::kSlotBytes / 4;
+  static constexpr std::size_t kWords = settings_storage::kSlotBytes / 4;
   static constexpr int kEraseSteps = 8;
 
   SimulatedFlash() {
@@ -66,8 +66,8 @@ class SimulatedFlash : public settings_area::Flash {
     return true;
   }
 
-  std::array<std::array<std::uint32_t, kWords>, settings_area::kSlots> slots_ = {};
-  std::array<int, settings_area::kSlots> erases_ = {};
+  std::array<std::array<std::uint32_t, kWords>, settings_storage::kSlots> slots_ = {};
+  std::array<int, settings_storage::kSlots> erases_ = {};
   int steps_left_ = kAlways;
   bool refuses_ = false;
 };

@@ -1,0 +1,190 @@
+#include <seed_sweep/seed_sweep.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include <judge/catalogue.hpp>
+#include <profile/units.hpp>
+#include <station/run.hpp>
+
+namespace gsbench::seed_sweep {
+namespace {
+
+// What one seed adds; small, whatever the length of its run.
+struct SeedResult {
+  record::Verdict verdict = record::Verdict::kPass;
+  std::string reason;
+  std::vector<Row> rows;
+  std::map<record::Verdict, std::size_t> verdicts;
+};
+
+Row& row_of(std::vector<Row>& rows, const std::string& measure, const std::string& unit) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row& row) { return row.measure == measure; });
+  if (found != rows.end()) {
+    return *found;
+  }
+  rows.push_back({measure, unit, {}, {}});
+  return rows.back();
+}
+
+// A judged result is in the unit of its limit.
+double in_unit(const std::string& unit, const record::MeasurementResult& result) {
+  return result.value * profile::unit_scale(result.unit, unit).value_or(1.0);
+}
+
+void take(const record::OutletRecord& outlet, std::uint64_t seed, SeedResult& into) {
+  ++into.verdicts[outlet.verdict];
+  if (!outlet.fault.empty()) {
+    into.reason = "seed " + std::to_string(seed) + ", " + outlet.id + " " + outlet.fault;
+  }
+  std::set<std::string> taken;
+  for (const record::MeasurementResult& result : outlet.measurements) {
+    const judge::Measure* measure = judge::find_measure(result.name);
+    Row& row = row_of(into.rows, result.name, measure != nullptr ? measure->unit : result.unit);
+    // Several limits on one measure are several results of one value.
+    if (taken.insert(result.name).second) {
+      if (result.word.empty()) {
+        row.values.add(in_unit(row.unit, result));
+      } else {
+        row.values.add_word(result.word);
+      }
+    }
+    if (!result.judged) {
+      continue;
+    }
+    ++row.verdicts[result.verdict];
+    if (result.verdict != record::Verdict::kPass && into.reason.empty()) {
+      into.reason = "seed " + std::to_string(seed) + ", " + outlet.id + ", " + result.name + ": " +
+                    result.reason;
+    }
+  }
+}
+
+SeedResult run_seed(profile::Plan plan, std::uint64_t seed, const std::atomic<bool>* stop) {
+  plan.seed = seed;
+  const std::unique_ptr<station::Station> station = station::simulated_station(plan, {});
+  station::RunOptions options;
+  options.stop = stop;
+  const record::RunRecord run = station::run(plan, *station, options);
+  SeedResult result;
+  result.verdict = run.verdict;
+  if (run.verdict == record::Verdict::kError) {
+    result.reason = "seed " + std::to_string(seed) + ": " + run.verdict_reason;
+  }
+  for (const record::OutletRecord& outlet : run.outlets) {
+    take(outlet, seed, result);
+  }
+  return result;
+}
+
+void merge(const SeedResult& seed, StudyResult& into) {
+  into.verdict = std::max(into.verdict, seed.verdict);
+  if (into.first_reason.empty()) {
+    into.first_reason = seed.reason;
+  }
+  for (const auto& [verdict, count] : seed.verdicts) {
+    into.verdicts[verdict] += count;
+  }
+  for (const Row& row : seed.rows) {
+    Row& all = row_of(into.rows, row.measure, row.unit);
+    all.values.merge(row.values);
+    for (const auto& [verdict, count] : row.verdicts) {
+      all.verdicts[verdict] += count;
+    }
+  }
+}
+
+std::size_t place_in_catalogue(const std::string& name) {
+  const std::vector<judge::Measure>& all = judge::catalogue();
+  return static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(),
+                   [&](const judge::Measure& measure) { return measure.name == name; }) -
+      all.begin());
+}
+
+}  // namespace
+
+StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
+  StudyResult study;
+  // Merged in order of the seeds, so that threads leave no trace; those that ended before an
+  // earlier one wait for it.
+  std::map<std::uint64_t, SeedResult> waiting;
+  std::mutex mutex;
+  std::uint64_t merged = 0;
+  std::uint64_t next = 0;
+  std::uint64_t finished = 0;
+  std::exception_ptr failure;
+  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+
+  const auto play_seeds = [&](std::unique_lock<std::mutex>& lock) {
+    while (next < options.seeds && failure == nullptr && !stopped()) {
+      const std::uint64_t index = next++;
+      lock.unlock();
+      SeedResult result = run_seed(plan, options.first_seed + index, options.stop);
+      lock.lock();
+      // A seed that was stopped half way says nothing.
+      if (!stopped()) {
+        waiting.emplace(index, std::move(result));
+        for (; waiting.count(merged) > 0; ++merged) {
+          merge(waiting.at(merged), study);
+          waiting.erase(merged);
+        }
+        ++finished;
+        if (options.progress) {
+          options.progress(finished, options.seeds);
+        }
+      }
+    }
+  };
+  const auto work = [&] {
+    std::unique_lock<std::mutex> lock(mutex);
+    try {
+      play_seeds(lock);
+    } catch (...) {
+      if (!lock.owns_lock()) {
+        lock.lock();
+      }
+      failure = failure == nullptr ? std::current_exception() : failure;
+    }
+  };
+  std::vector<std::thread> helpers;
+  helpers.reserve(options.threads);
+  try {
+    while (helpers.size() + 1 < options.threads) {
+      helpers.emplace_back(work);
+    }
+  } catch (const std::exception&) {
+    // No room for so many: those that are there do it all.
+  }
+  work();
+  for (std::thread& helper : helpers) {
+    helper.join();
+  }
+  if (failure != nullptr) {
+    std::rethrow_exception(failure);
+  }
+
+  for (const auto& [index, result] : waiting) {
+    merge(result, study);  // behind one that was stopped
+  }
+  study.seeds_done = finished;
+  study.hours = static_cast<double>(finished) * static_cast<double>(plan.outlets.size()) *
+                plan.stimulus.duration_s / 3600.0;
+  std::stable_sort(study.rows.begin(), study.rows.end(), [](const Row& a, const Row& b) {
+    return place_in_catalogue(a.measure) < place_in_catalogue(b.measure);
+  });
+  for (Row& row : study.rows) {
+    row.values.sort();
+  }
+  if (finished == 0) {
+    study.verdict = record::Verdict::kInconclusive;
+    study.first_reason = "no seed was played to its end";
+  }
+  return study;
+}
+
+}  // namespace gsbench::seed_sweep

@@ -1,0 +1,106 @@
+#include "broker_configuration.hpp"
+
+#include "broker_program.hpp"
+#include <unistd.h>
+
+#include <array>
+#include <random>
+
+namespace gsbench::emulation {
+
+using drivers::Error;
+using drivers::Result;
+using drivers::Status;
+
+namespace {
+
+constexpr const char* kAccess =
+    "user bench\n"
+    "topic read gs/+/hello\n"
+    "topic read gs/+/up\n"
+    "topic write gs/+/down\n"
+    "\n"
+    "pattern write gs/%u/hello\n"
+    "pattern write gs/%u/up\n"
+    "pattern read gs/%u/down\n";
+
+// Order is kept among all messages of an outlet only while none waits for the acknowledgement of
+// others: as many may be under way as MQTT can number. Nothing is dropped for a bench that reads
+// slowly. Sessions are written down every second or two, so that the next broker keeps what outlets
+// say before the bench is back.
+constexpr const char* kLimits =
+    "persistence true\n"
+    "autosave_interval 1\n"
+    "allow_anonymous false\n"
+    "max_inflight_messages 65535\n"
+    "max_queued_messages 0\n"
+    "max_keepalive 60\n"
+    "set_tcp_nodelay true\n"
+    "sys_interval 0\n"
+    "log_dest stdout\n"
+    "log_type error\n"
+    "log_type warning\n"
+    "log_type notice\n"
+    "connection_messages false\n";
+
+}  // namespace
+
+std::string new_password() {
+  constexpr std::array<char, 17> kDigits = {"0123456789abcdef"};
+  std::random_device device;
+  std::string password;
+  for (int word = 0; word < 4; ++word) {
+    std::uint32_t bits = device();
+    for (int digit = 0; digit < 8; ++digit, bits >>= 4) {
+      password += kDigits[bits & 0xF];
+    }
+  }
+  return password;
+}
+
+Status write_logins(const std::string& folder, const std::vector<Login>& logins) {
+  std::string lines;
+  for (const Login& login : logins) {
+    lines += login.user + ':' + login.password + '\n';
+  }
+  // Hashed in place: on a command line, others could read them.
+  const std::string file = folder + "/passwords";
+  const std::string log = folder + "/mosquitto_passwd.log";
+  Status done = write_private(file, lines);
+  if (done.ok()) {
+    done = run_to_make(file, {"mosquitto_passwd", "-U", file}, log);
+  }
+  if (!done.ok()) {
+    return done;
+  }
+  if (text_of(file).find(":$7$") == std::string::npos) {
+    return Error{"mosquitto_passwd did not hash the passwords: " + text_of(log)};
+  }
+  return write_private(folder + "/access", kAccess);
+}
+
+Result<std::string> write_configuration(const std::string& folder, std::uint16_t port,
+                                        const std::optional<Certificates>& certificates) {
+  std::string text = kLimits;
+  // Started by root, it would become a user who cannot read this folder.
+  if (geteuid() == 0) {
+    text += "user root\n";
+  }
+  text += "persistence_location " + folder + "/\n";
+  text += "password_file " + folder + "/passwords\n";
+  text += "acl_file " + folder + "/access\n";
+  text += "listener " + std::to_string(port) + " 127.0.0.1\n";
+  if (certificates) {
+    text += "certfile " + certificates->server_file + '\n';
+    text += "keyfile " + certificates->server_key_file + '\n';
+    text += "tls_version tlsv1.3\n";
+  }
+  const std::string file = folder + "/mosquitto.conf";
+  const Status done = write_private(file, text);
+  if (!done.ok()) {
+    return Error{done.error()};
+  }
+  return file;
+}
+
+}  // namespace gsbench::emulation

@@ -1,0 +1,68 @@
+#include "broker_program.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <emulation/child.hpp>
+
+namespace gsbench::emulation {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Status;
+
+Status run_to_make(const std::string& product, const std::vector<std::string>& words,
+                   const std::string& log) {
+  constexpr auto kPatience = std::chrono::seconds(20);  // a key takes milliseconds
+  auto started = emulation::Child::start({words, log});
+  if (!started.ok()) {
+    return Error{started.error()};
+  }
+  emulation::Child program = started.take();
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (program.running() && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  std::error_code none;
+  if (program.running() || !std::filesystem::exists(product, none) ||
+      std::filesystem::file_size(product, none) == 0) {
+    return Error{words.front() + " did not make " + product + ": " + text_of(log)};
+  }
+  return Done{};
+}
+
+std::string text_of(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+Status write_private(const std::string& file, const std::string& text) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (descriptor < 0) {
+    return Error{file + ": " + std::strerror(errno)};
+  }
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t written = write(descriptor, text.data() + done, text.size() - done);
+    if (written <= 0) {
+      std::string why = file + ": ";
+      why += std::strerror(errno);
+      close(descriptor);
+      return Error{why};
+    }
+    done += static_cast<std::size_t>(written);
+  }
+  close(descriptor);
+  return Done{};
+}
+
+}  // namespace gsbench::emulation

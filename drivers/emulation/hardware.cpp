@@ -1,0 +1,184 @@
+#include "scratch_folder.hpp"
+
+#include <fstream>
+
+#include <emulation/hardware.hpp>
+
+namespace gsbench::emulation {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Result;
+using drivers::Status;
+
+Hardware::Hardware(const HardwareOptions& options) : options_(options) {}
+
+Result<std::unique_ptr<Hardware>> Hardware::set_up(const HardwareOptions& options) {
+  std::unique_ptr<Hardware> hardware(new Hardware(options));
+  const Status status = hardware->set_up();
+  if (!status.ok()) {
+    return Error{status.error()};
+  }
+  return hardware;
+}
+
+Hardware::~Hardware() {
+  for (emulation::Child& child : processes_) {
+    child.stop();
+  }
+  cables_.clear();
+  broker_.reset();
+  mains_.reset();
+}
+
+Status Hardware::set_up() {
+  auto folder = ScratchFolder::create();
+  if (!folder.ok()) {
+    return Error{folder.error()};
+  }
+  folder_ = std::make_unique<ScratchFolder>(folder.take());
+  MainsOptions mains;
+  mains.folder = folder_->path();
+  mains.sample_rate_hz = options_.sample_rate_hz;
+  mains.nominal_hz = options_.nominal_hz;
+  mains.real_time = options_.real_time;
+  for (const HardwareOutlet& outlet : options_.outlets) {
+    mains.outlets.push_back({outlet.id, outlet.crystal_ppm});
+  }
+  auto made = Mains::create(mains);
+  if (!made.ok()) {
+    return Error{made.error()};
+  }
+  mains_ = made.take();
+  if (!mqtt_ids().empty()) {
+    auto started = emulation::PrivateBroker::start({folder_->path() + "/broker", mqtt_ids(), true});
+    if (!started.ok()) {
+      return Error{started.error()};
+    }
+    broker_ = std::make_unique<emulation::PrivateBroker>(started.take());
+  }
+  for (std::size_t i = 0; i < options_.outlets.size(); ++i) {
+    Status plugged = plug_in(i);
+    if (!plugged.ok()) {
+      return plugged;
+    }
+  }
+  return Done{};
+}
+
+Status Hardware::plug_in(std::size_t outlet) {
+  const HardwareOutlet& it = options_.outlets[outlet];
+  cables_.emplace_back();
+  if (it.connection == Connection::kSerial) {
+    auto cable = it.board == Board::kHost
+                     ? NullModem::between_terminals()
+                     : NullModem::to_socket(folder_->path() + "/" + it.id + ".line");
+    if (!cable.ok()) {
+      return Error{cable.error()};
+    }
+    cables_.back() = std::make_unique<NullModem>(cable.take());
+  }
+  auto child = start_process(outlet);
+  if (!child.ok()) {
+    return Error{child.error()};
+  }
+  processes_.push_back(child.take());
+  return Done{};
+}
+
+Status Hardware::restart_outlet(std::size_t outlet) {
+  auto child = start_process(outlet);
+  if (!child.ok()) {
+    return Error{child.error()};
+  }
+  processes_.at(outlet) = child.take();
+  return Done{};
+}
+
+Result<emulation::Child> Hardware::start_process(std::size_t outlet) const {
+  const auto command = command_of(outlet);
+  if (!command.ok()) {
+    return Error{command.error()};
+  }
+  return emulation::Child::start(command.value());
+}
+
+Result<emulation::Command> Hardware::command_of(std::size_t outlet) const {
+  const HardwareOutlet& it = options_.outlets[outlet];
+  const std::string& terminals = mains_->terminal_path(outlet);
+  const std::string& doorbell = mains_->doorbell_path(outlet);
+  emulation::Command command;
+  command.output = folder_->path() + "/" + it.id + ".log";
+  if (it.board == Board::kMps2An386) {
+    if (it.connection != Connection::kSerial) {
+      return Error{"outlet " + it.id + ": the emulated board has no radio: its link is serial"};
+    }
+    command.words = {"qemu-system-arm",
+                     "-M",
+                     "mps2-an386,memory-backend=psram",
+                     "-object",
+                     "memory-backend-file,id=psram,size=16M,share=on,mem-path=" + terminals,
+                     "-kernel",
+                     options_.image,
+                     "-display",
+                     "none",
+                     "-monitor",
+                     "none",
+                     "-nodefaults",
+                     "-chardev",
+                     "socket,id=line,path=" + cables_[outlet]->outlet_end(),
+                     "-chardev",
+                     "socket,id=bell,path=" + doorbell,
+                     "-serial",
+                     "chardev:line",
+                     "-serial",
+                     "chardev:bell"};
+    return command;
+  }
+  command.words = {options_.host_program, "--terminals", terminals, "--doorbell", doorbell};
+  if (it.connection == Connection::kSerial) {
+    command.words.insert(command.words.end(), {"--serial", cables_[outlet]->outlet_end()});
+    return command;
+  }
+  // Not on the command line, where everybody can read it.
+  const std::string password_file = folder_->path() + "/" + it.id + ".password";
+  std::ofstream(password_file) << broker_->outlet(it.id).password << '\n';
+  command.words.insert(command.words.end(),
+                       {"--mqtt", broker_->url(), "--ca", broker_->ca_file(), "--user",
+                        broker_->outlet(it.id).user, "--password-file", password_file});
+  return command;
+}
+
+const std::string& Hardware::folder() const {
+  return folder_->path();
+}
+
+std::vector<std::string> Hardware::serial_ports() const {
+  std::vector<std::string> ports;
+  for (const auto& cable : cables_) {
+    if (cable != nullptr) {
+      ports.push_back(cable->bench_end());
+    }
+  }
+  return ports;
+}
+
+std::vector<std::string> Hardware::serial_ids() const {
+  return ids_on(Connection::kSerial);
+}
+
+std::vector<std::string> Hardware::mqtt_ids() const {
+  return ids_on(Connection::kMqtt);
+}
+
+std::vector<std::string> Hardware::ids_on(Connection connection) const {
+  std::vector<std::string> ids;
+  for (const HardwareOutlet& outlet : options_.outlets) {
+    if (outlet.connection == connection) {
+      ids.push_back(outlet.id);
+    }
+  }
+  return ids;
+}
+
+}  // namespace gsbench::emulation

@@ -1,0 +1,90 @@
+// A desk full of emulated outlets: their processes (the firmware's image for the Cortex-M4F in an
+// emulator, or the firmware as a process of this machine), the mains at their terminals, cables to
+// those on serial lines, a private broker for those on MQTT. All of it ends with the desk, also
+// when the bench is killed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <drivers/result.hpp>
+#include <emulation/child.hpp>
+#include <emulation/mains.hpp>
+#include <emulation/null_modem.hpp>
+#include <emulation/private_broker.hpp>
+
+namespace gs::shared_memory_io {
+struct SharedMemory;
+}
+
+namespace gsbench::emulation {
+
+enum class Board { kMps2An386, kHost };
+enum class Connection { kSerial, kMqtt };
+
+struct HardwareOutlet {
+  std::string id;
+  Board board = Board::kHost;
+  Connection connection = Connection::kSerial;
+  double crystal_ppm = 0.0;
+};
+
+struct HardwareOptions {
+  std::vector<HardwareOutlet> outlets;
+  std::int64_t sample_rate_hz = 8000;
+  int nominal_hz = 50;
+  bool real_time = true;
+  std::string image;         // for the emulated board
+  std::string host_program;  // gs-outlet
+};
+
+class ScratchFolder;
+
+class Hardware {
+ public:
+  // Start it from a thread that lives as long as it should.
+  static drivers::Result<std::unique_ptr<Hardware>> set_up(const HardwareOptions& options);
+  ~Hardware();
+  Hardware(const Hardware&) = delete;
+  Hardware& operator=(const Hardware&) = delete;
+
+  // For the outlets' files; gone with the desk, or when the next one is set up.
+  const std::string& folder() const;
+
+  source::Source& source() { return mains_->source(); }
+  relay::RelaySense& relay_sense() { return mains_->relay_sense(); }
+
+  // The bench's ends, in the order of the outlets on serial lines.
+  std::vector<std::string> serial_ports() const;
+  std::vector<std::string> serial_ids() const;
+  // Those behind the broker, in their order.
+  std::vector<std::string> mqtt_ids() const;
+  emulation::PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
+
+  // For faults on purpose.
+  emulation::Child& outlet_process(std::size_t outlet) { return processes_.at(outlet); }
+  drivers::Status restart_outlet(std::size_t outlet);
+  NullModem& cable(std::size_t outlet) { return *cables_.at(outlet); }
+  gs::shared_memory_io::SharedMemory& terminals(std::size_t outlet) {
+    return mains_->terminals(outlet);
+  }
+
+ private:
+  explicit Hardware(const HardwareOptions& options);
+  drivers::Status set_up();
+  std::vector<std::string> ids_on(Connection connection) const;
+  drivers::Status plug_in(std::size_t outlet);
+  drivers::Result<emulation::Child> start_process(std::size_t outlet) const;
+  drivers::Result<emulation::Command> command_of(std::size_t outlet) const;
+
+  HardwareOptions options_;
+  std::unique_ptr<ScratchFolder> folder_;
+  std::unique_ptr<Mains> mains_;
+  std::unique_ptr<emulation::PrivateBroker> broker_;
+  std::vector<std::unique_ptr<NullModem>> cables_;  // null for outlets behind the broker
+  std::vector<emulation::Child> processes_;
+};
+
+}  // namespace gsbench::emulation

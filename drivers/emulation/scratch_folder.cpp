@@ -1,0 +1,86 @@
+#include "scratch_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace gsbench::emulation {
+
+namespace fs = std::filesystem;
+using drivers::Error;
+using drivers::Result;
+
+namespace {
+
+constexpr const char* kPrefix = "gsbench-desk-";
+// Until it is locked, a folder has a name that nobody cleans up.
+constexpr const char* kNewPrefix = "gsbench-new-desk-";
+
+// In memory where that is possible: samples pass through files there.
+fs::path place() {
+  std::error_code error;
+  return fs::is_directory("/dev/shm", error) ? fs::path("/dev/shm")
+                                             : fs::temp_directory_path(error);
+}
+
+// Open and locked; closed where another process has the lock.
+Descriptor locked(const std::string& folder) {
+  Descriptor lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+  if (lock.is_open() && flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
+    lock.close();
+  }
+  return lock;
+}
+
+void remove_ownerless() {
+  std::error_code error;
+  std::vector<fs::path> folders;
+  for (fs::directory_iterator entry(place(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->path().filename().string().rfind(kPrefix, 0) == 0) {
+      folders.push_back(entry->path());
+    }
+  }
+  for (const fs::path& folder : folders) {
+    const Descriptor lock = locked(folder.string());
+    if (lock.is_open()) {
+      fs::remove_all(folder, error);
+    }
+  }
+}
+
+}  // namespace
+
+Result<ScratchFolder> ScratchFolder::create() {
+  remove_ownerless();
+  std::string made = (place() / (std::string(kNewPrefix) + "XXXXXX")).string();
+  ScratchFolder folder;
+  if (mkdtemp(made.data()) != nullptr) {
+    folder.lock_ = locked(made);
+    const std::string name = made.substr(made.rfind('-') + 1);
+    folder.path_ = (place() / (kPrefix + name)).string();
+  }
+  if (!folder.lock_.is_open() || ::rename(made.c_str(), folder.path_.c_str()) != 0) {
+    return Error{std::string("emulated outlets: no folder for their files: ") +
+                 std::strerror(errno)};
+  }
+  return folder;
+}
+
+ScratchFolder::ScratchFolder(ScratchFolder&& other) noexcept
+    : path_(std::exchange(other.path_, {})), lock_(std::move(other.lock_)) {}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) {
+    fs::remove_all(path_, ignored);
+  }
+}
+
+}  // namespace gsbench::emulation

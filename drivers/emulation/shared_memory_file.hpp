@@ -1,0 +1,52 @@
+// The terminals of one emulated outlet (terminals/terminals.hpp) in a file that its emulator maps
+// as memory, and the doorbell that wakes it: a byte on a Unix socket for each block of samples.
+#pragma once
+
+#include "descriptor.hpp"
+#include <shared_memory_io/shared_memory.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <drivers/result.hpp>
+
+namespace gsbench::emulation {
+
+struct SharedMemorySettings {
+  std::string id;
+  std::uint32_t instance = 0;
+  std::int32_t sample_rate_hz = 8000;
+  std::int32_t nominal_hz = 50;
+  float counts_per_pu = 0.0F;
+};
+
+class SharedMemoryFile {
+ public:
+  // Makes both; what the outlet keeps in flash is as new.
+  static drivers::Result<SharedMemoryFile> create(const std::string& folder,
+                                                  const SharedMemorySettings& settings);
+  SharedMemoryFile(SharedMemoryFile&& other) noexcept;
+  SharedMemoryFile& operator=(SharedMemoryFile&& other) noexcept = delete;
+  ~SharedMemoryFile();
+
+  const std::string& path() const { return path_; }
+  const std::string& doorbell() const { return doorbell_; }
+  gs::shared_memory_io::SharedMemory& terminals() const { return *terminals_; }
+
+  void write(const std::int16_t* samples, std::size_t count);
+  void ring();
+  // Samples that the outlet has still to take.
+  std::uint32_t behind() const;
+
+ private:
+  SharedMemoryFile() = default;
+
+  std::string path_;
+  std::string doorbell_;
+  gs::shared_memory_io::SharedMemory* terminals_ = nullptr;
+  Descriptor listening_;
+  Descriptor connection_;
+};
+
+}  // namespace gsbench::emulation

@@ -1,0 +1,39 @@
+// Code in the vectors that this machine has: built twice, for AVX2 and for any machine. Everything
+// is inlined into the two, so that no code for the one is ever called by the other.
+#pragma once
+
+namespace gsbench::models {
+
+template <class Body>
+[[gnu::flatten]] void run_on_any(const Body& body) {
+  body();
+}
+
+#if defined(__x86_64__)
+template <class Body>
+[[gnu::flatten, gnu::target("avx2")]] void run_on_avx2(const Body& body) {
+  body();
+}
+#endif
+
+inline bool has_avx2() {
+#if defined(__x86_64__)
+  static const bool has = __builtin_cpu_supports("avx2") != 0;
+  return has;
+#else
+  return false;
+#endif
+}
+
+template <class Body>
+void run_on_this_machine(const Body& body) {
+#if defined(__x86_64__)
+  if (has_avx2()) {
+    run_on_avx2(body);
+    return;
+  }
+#endif
+  run_on_any(body);
+}
+
+}  // namespace gsbench::models

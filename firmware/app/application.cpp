@@ -1,0 +1,220 @@
+#include <app/application.hpp>
+#include <app/self_test.hpp>
+
+namespace gs::app {
+
+using wire::UplinkKind;
+
+bool Application::start(const outlet::Hardware& hardware, const Identity& identity,
+                        SettingsStorage* area, Outbox& outbox, const outlet::Settings* kept) {
+  state_ = outlet::State{};
+  samples_ = 0;
+  samples_lost_ = 0;
+  messages_bad_ = 0;
+  messages_unsent_ = 0;
+  for (std::uint32_t& count : errors_) {
+    count = 0;
+  }
+  started_ = outlet::configure(hardware, config_);
+  if (!started_) {
+    return false;
+  }
+  identity_ = identity;
+  area_ = area;
+  const bool refused = kept != nullptr && !restore(*kept);
+  introduce(outbox);
+  if (refused) {
+    note(wire::ErrorCode::kSettingsStorage, outbox);
+  }
+  return true;
+}
+
+bool Application::restore(const outlet::Settings& settings) {
+  return started_ && outlet::apply(config_, state_, settings) == outlet::SettingsError::kNone;
+}
+
+void Application::feed(const std::int16_t* samples, std::size_t count, Outbox& outbox) {
+  if (!started_) {
+    return;
+  }
+  std::size_t done = 0;
+  while (done < count) {
+    outlet::Report report;
+    bool ready = false;
+    const std::size_t taken =
+        outlet::step(config_, state_, samples + done, count - done, report, ready);
+    done += taken;
+    samples_ += taken;
+    if (ready) {
+      tell(report, outbox);
+    }
+  }
+}
+
+void Application::receive(const wire::Downlink& downlink, Outbox& outbox) {
+  if (!started_) {
+    return;
+  }
+  switch (downlink.kind) {
+    case wire::DownlinkKind::kSettings:
+      return take_settings(downlink.settings, outbox);
+    case wire::DownlinkKind::kCommand:
+      return take_command(downlink, outbox);
+    case wire::DownlinkKind::kIdentify:
+      return introduce(outbox);
+    case wire::DownlinkKind::kAskStatus:
+      return tell_status(outbox);
+    case wire::DownlinkKind::kAskSelfTest:
+      return test_itself(outbox);
+    case wire::DownlinkKind::kPing: {
+      wire::Uplink echo = message(UplinkKind::kEcho);
+      echo.echo = {downlink.token};
+      return outbox.put(echo);
+    }
+  }
+}
+
+void Application::note(wire::ErrorCode error, Outbox& outbox) {
+  const auto place = static_cast<std::size_t>(error);
+  if (!started_ || place > static_cast<std::size_t>(wire::kLastErrorCode)) {
+    return;
+  }
+  if (error == wire::ErrorCode::kBadFrame || error == wire::ErrorCode::kMalformed ||
+      error == wire::ErrorCode::kUnknownKind) {
+    ++messages_bad_;
+  }
+  wire::Uplink told = message(UplinkKind::kError);
+  told.error = {error, ++errors_[place]};
+  outbox.put(told);
+}
+
+void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
+  samples_lost_ += count;
+  samples_ += count;
+  outlet::lose_track(state_);
+  note(wire::ErrorCode::kSamplesLost, outbox);
+}
+
+void Application::introduce(Outbox& outbox) const {
+  wire::Uplink told = message(UplinkKind::kHello);
+  wire::Hello& hello = told.hello;
+  hello = wire::Hello{};
+  set_text(hello.id, identity_.id);
+  set_text(hello.board, identity_.board);
+  hello.instance = identity_.instance;
+  hello.firmware_version = kFirmwareVersion;
+  hello.build = identity_.build;
+  hello.capabilities = identity_.capabilities;
+  hello.sample_rate_hz = config_.hardware.sample_rate_hz;
+  hello.nominal_hz = config_.hardware.nominal_hz;
+  hello.tracker_delay_s = outlet::kFrontEndDelayS;
+  hello.voltage_delay_s = outlet::kVoltageDelayS;
+  if (config_.has_settings) {
+    hello.settings_version = config_.settings.version;
+    hello.settings_digest = outlet::digest(config_.settings);
+  }
+  outbox.put(told);
+}
+
+void Application::take_settings(const outlet::Settings& settings, Outbox& outbox) {
+  const outlet::SettingsError error = outlet::apply(config_, state_, settings);
+  // An outlet that cannot keep them still follows them; the answer says so.
+  const bool tried = error == outlet::SettingsError::kNone && area_ != nullptr;
+  const bool kept = tried && area_->keep(settings);
+  wire::Uplink answer = message(UplinkKind::kSettingsAnswer);
+  // Where none are in force, 0 and 0, as in the hello.
+  answer.settings_answer = {error, config_.has_settings ? config_.settings.version : 0,
+                            config_.has_settings ? outlet::digest(config_.settings) : 0, kept};
+  outbox.put(answer);
+  if (tried && !kept) {
+    note(wire::ErrorCode::kSettingsStorage, outbox);
+  }
+}
+
+void Application::take_command(const wire::Downlink& command, Outbox& outbox) {
+  const bool changed = outlet::command(state_, command.close_relay);
+  wire::Uplink answer = message(UplinkKind::kCommandAnswer);
+  answer.command_answer = {command.request, state_.relay_closed};
+  outbox.put(answer);
+  if (changed) {
+    outbox.put(relay_message());
+  }
+}
+
+void Application::test_itself(Outbox& outbox) const {
+  wire::Uplink told = message(UplinkKind::kSelfTest);
+  wire::SelfTest result;
+  result.fingerprint = arithmetic_fingerprint();
+  const auto errors = [&](wire::ErrorCode code) { return errors_[static_cast<std::size_t>(code)]; };
+  if (result.fingerprint != kFingerprint) {
+    result.failed |= wire::kArithmetic;
+  }
+  if (area_ != nullptr && !area_->usable()) {
+    result.failed |= wire::kSettingsStorage;
+  }
+  if (errors(wire::ErrorCode::kClock) > 0) {
+    result.failed |= wire::kClock;
+  }
+  if (state_.reports == 0) {
+    result.failed |= wire::kConverter;
+  }
+  told.self_test = result;
+  outbox.put(told);
+}
+
+void Application::tell_status(Outbox& outbox) const {
+  wire::Uplink told = message(UplinkKind::kStatus);
+  told.status = {state_.reports, state_.relay_closed, state_.cause,    state_.phase,
+                 samples_lost_,  messages_bad_,       messages_unsent_};
+  outbox.put(told);
+}
+
+void Application::tell(const outlet::Report& report, Outbox& outbox) const {
+  wire::Uplink measurement = message(UplinkKind::kMeasurement);
+  measurement.measurement = {report.measurement.frequency_hz, report.measurement.rocof_hz_s,
+                             report.measurement.voltage_pu, report.measurement.validity};
+  outbox.put(measurement);
+  if ((report.happened & outlet::kEvent) != 0) {
+    wire::Uplink event = message(UplinkKind::kEvent);
+    event.event = {report.baseline.frequency_hz, report.baseline.rocof_hz_s};
+    outbox.put(event);
+  }
+  if ((report.happened & outlet::kLse) != 0) {
+    wire::Uplink lse = message(UplinkKind::kLse);
+    lse.lse = {report.lse_loss_mw};
+    outbox.put(lse);
+  }
+  if ((report.happened & outlet::kEstimate) != 0) {
+    wire::Uplink estimate = message(UplinkKind::kEstimate);
+    estimate.estimate = {report.loss_mw, report.loss_sigma_mw, report.loss_instant_s, report.trust};
+    outbox.put(estimate);
+  }
+  if ((report.happened & outlet::kDecision) != 0) {
+    wire::Uplink decision = message(UplinkKind::kDecision);
+    const bool shed =
+        (report.happened & outlet::kRelay) != 0 && report.cause == outlet::Cause::kLoss;
+    decision.decision = {report.loss_mw, report.required_mw, report.hits, report.trust, shed};
+    outbox.put(decision);
+  }
+  if ((report.happened & outlet::kRelay) != 0) {
+    outbox.put(relay_message());
+  }
+  if ((report.happened & outlet::kAborted) != 0) {
+    outbox.put(message(UplinkKind::kAborted));
+  }
+}
+
+wire::Uplink Application::message(UplinkKind kind) const {
+  wire::Uplink message;
+  message.kind = kind;
+  message.sample = samples_;
+  return message;
+}
+
+wire::Uplink Application::relay_message() const {
+  wire::Uplink relay = message(UplinkKind::kRelay);
+  relay.relay = {state_.relay_closed, state_.cause};
+  return relay;
+}
+
+}  // namespace gs::app

@@ -1,0 +1,100 @@
+// An outlet as the rest of the world meets it: samples and messages in, messages and a relay out.
+// Every board and the bench's simulated outlets run this; a board adds only its ADC, pins and link.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <outlet/outlet.hpp>
+#include <wire/messages.hpp>
+
+namespace gs::app {
+
+constexpr std::uint32_t kFirmwareVersion = 1000;  // 0.1.0 as major·10⁶ + minor·10³ + patch
+
+// Which outlet this is; what it says of itself in its hello.
+struct Identity {
+  char id[wire::kLongestId + 1] = {};
+  char board[wire::kLongestBoard + 1] = {};
+  std::uint32_t instance = 0;
+  std::uint32_t build = 0;
+  std::uint32_t capabilities = 0;
+};
+
+// Copies zero-terminated text into one of the above, cut where it is too long.
+template <std::size_t N>
+void set_text(char (&field)[N], const char* text) {
+  std::size_t i = 0;
+  for (; i < N - 1 && text[i] != '\0'; ++i) {
+    field[i] = text[i];
+  }
+  for (; i < N; ++i) {
+    field[i] = '\0';
+  }
+}
+
+// Where the app's messages go. Called from within the app's own calls.
+class Outbox {
+ public:
+  virtual void put(const wire::Uplink& message) = 0;
+
+ protected:
+  ~Outbox() = default;
+};
+
+// Where settings outlast a loss of power.
+class SettingsStorage {
+ public:
+  // False where they could not be kept; what had been kept before is then still there.
+  virtual bool keep(const outlet::Settings& settings) = 0;
+  virtual bool usable() const = 0;
+
+ protected:
+  ~SettingsStorage() = default;
+};
+
+class Application {
+ public:
+  // False where the hardware is none that can be served; the app then does nothing, as before its
+  // first start. `area` may be null; it must outlive the app. With `kept`, settings from there,
+  // the first hello tells them in force already; where they are refused, it is told as an error.
+  bool start(const outlet::Hardware& hardware, const Identity& identity, SettingsStorage* area,
+             Outbox& outbox, const outlet::Settings* kept = nullptr);
+  // Settings that were kept, before the first sample. False where they are refused.
+  bool restore(const outlet::Settings& settings);
+
+  void feed(const std::int16_t* samples, std::size_t count, Outbox& outbox);
+  void receive(const wire::Downlink& message, Outbox& outbox);
+
+  // Something went wrong on the board or the link; counted, and told.
+  void note(wire::ErrorCode error, Outbox& outbox);
+  void note_unsent() { ++messages_unsent_; }
+  // Samples that the ADC had and the firmware did not take: time goes on without them.
+  void note_samples_lost(std::uint32_t count, Outbox& outbox);
+
+  bool relay_closed() const { return state_.relay_closed; }
+  std::uint64_t samples_taken() const { return samples_; }
+
+ private:
+  void introduce(Outbox& outbox) const;
+  void take_settings(const outlet::Settings& settings, Outbox& outbox);
+  void take_command(const wire::Downlink& command, Outbox& outbox);
+  void test_itself(Outbox& outbox) const;
+  void tell_status(Outbox& outbox) const;
+  void tell(const outlet::Report& report, Outbox& outbox) const;
+  wire::Uplink message(wire::UplinkKind kind) const;
+  wire::Uplink relay_message() const;
+
+  Identity identity_;
+  SettingsStorage* area_ = nullptr;
+  outlet::Config config_;
+  outlet::State state_;
+  std::uint64_t samples_ = 0;
+  std::uint32_t samples_lost_ = 0;
+  std::uint32_t messages_bad_ = 0;
+  std::uint32_t messages_unsent_ = 0;
+  std::uint32_t errors_[static_cast<std::size_t>(wire::kLastErrorCode) + 1] = {};
+  bool started_ = false;
+};
+
+}  // namespace gs::app

@@ -1,0 +1,64 @@
+// The outlet's end of a link: messages become bytes and bytes messages, numbered, and what is
+// damaged or comes twice is told from what counts. One for a serial line, one for a broker.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <app/application.hpp>
+#include <wire/frame.hpp>
+
+namespace gs::app {
+
+// What carries the bytes. False where it takes none now: the message is lost, and counted.
+class Carrier {
+ public:
+  virtual bool send(const std::uint8_t* bytes, std::size_t count) = 0;
+
+ protected:
+  ~Carrier() = default;
+};
+
+// For links that carry whole messages, such as MQTT.
+class MessageEndpoint final : public Outbox {
+ public:
+  MessageEndpoint(Application& app, Carrier& carrier) : app_(app), carrier_(carrier) {}
+
+  void put(const wire::Uplink& message) override;
+  void receive(const std::uint8_t* message, std::size_t size);
+
+ private:
+  Application& app_;
+  Carrier& carrier_;
+  wire::Sequence received_;
+  std::uint32_t sent_ = 0;
+  std::uint8_t bytes_[wire::kLongestMessage] = {};
+};
+
+// For links that carry a stream of bytes: frames.
+class SerialEndpoint final : public Outbox {
+ public:
+  SerialEndpoint(Application& app, Carrier& carrier)
+      : app_(app), framer_(carrier), whole_(app, framer_) {}
+
+  void put(const wire::Uplink& message) override { whole_.put(message); }
+  void receive(const std::uint8_t* bytes, std::size_t count);
+
+ private:
+  class Framer final : public Carrier {
+   public:
+    explicit Framer(Carrier& carrier) : carrier_(carrier) {}
+    bool send(const std::uint8_t* bytes, std::size_t count) override;
+
+   private:
+    Carrier& carrier_;
+    std::uint8_t bytes_[wire::kLongestFrame] = {};
+  };
+
+  Application& app_;
+  Framer framer_;
+  MessageEndpoint whole_;
+  wire::FrameReader reader_;
+};
+
+}  // namespace gs::app

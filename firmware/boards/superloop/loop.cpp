@@ -1,0 +1,62 @@
+#include <superloop/loop.hpp>
+
+namespace gs::superloop {
+
+Loop::Loop(Board& board, settings_storage::FlashSettingsStorage& area)
+    : board_(board), area_(area), endpoint_(app_, board) {}
+
+bool Loop::start(const StartUp& start_up) {
+  outlet::Settings kept;
+  const bool has_kept = area_.load(kept);
+  if (!app_.start(start_up.hardware, start_up.identity, &area_, endpoint_,
+                  has_kept ? &kept : nullptr)) {
+    return false;
+  }
+  samples_per_ms_ = static_cast<std::uint16_t>(start_up.hardware.sample_rate_hz / 1000);
+  board_.drive_relay(app_.relay_closed());
+  if (!start_up.hardware.has_crystal) {
+    app_.note(wire::ErrorCode::kClock, endpoint_);
+  }
+  if (start_up.watchdog_barked) {
+    app_.note(wire::ErrorCode::kWatchdog, endpoint_);
+  }
+  return true;
+}
+
+bool Loop::turn() {
+  const bool had_bytes = take_bytes();
+  const bool had_samples = take_samples();
+  if (had_bytes || had_samples) {
+    board_.drive_relay(app_.relay_closed());
+  }
+  // A loop that turns without samples measures nothing: let the watchdog have it.
+  if (had_samples || board_.converter_rests()) {
+    board_.feed_watchdog();
+  }
+  return had_bytes || had_samples;
+}
+
+bool Loop::take_bytes() {
+  // At most one frame's worth, so that a flood cannot keep the samples waiting.
+  std::uint8_t byte = 0;
+  std::size_t taken = 0;
+  for (; taken < wire::kLongestFrame && board_.take_byte(byte); ++taken) {
+    endpoint_.receive(&byte, 1);
+  }
+  return taken > 0;
+}
+
+bool Loop::take_samples() {
+  // No further than the millisecond's end: reports end there, and the relay changes with a report.
+  std::uint32_t lost = 0;
+  const std::size_t count =
+      board_.take_samples(chunk_, static_cast<std::size_t>(samples_per_ms_ - samples_in_ms_), lost);
+  if (lost > 0) {
+    app_.note_samples_lost(lost, endpoint_);
+  }
+  app_.feed(chunk_, count, endpoint_);
+  samples_in_ms_ = static_cast<std::uint16_t>((samples_in_ms_ + count) % samples_per_ms_);
+  return count > 0 || lost > 0;
+}
+
+}  // namespace gs::superloop

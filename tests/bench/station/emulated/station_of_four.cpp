@@ -1,0 +1,114 @@
+#include "station_of_four.hpp"
+
+#include "plans.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace gsbench::station::test {
+
+using record::Verdict;
+using testing::HasSubstr;
+
+namespace {
+
+// Calm mains with dips before and after what is judged (bench/station/played_signal.cpp).
+constexpr double kMarkersS = 4.8;
+// From starting to play to the record, beyond what is played: links are opened and closed, outlets
+// are asked, a busy machine is late. Nothing may wait for an outlet that is gone for longer.
+constexpr double kPatienceS = 15.0;
+constexpr std::int64_t kTicksPerReport = 128;
+
+}  // namespace
+
+profile::StationSpec station_of_four() {
+  profile::StationSpec spec;
+  spec.name = "four";
+  spec.kind = profile::StationKind::kEmulated;
+  spec.emulated = {{"m4", "mps2-an386", "serial", 40.0},
+                   {"host", "host", "serial", -25.0},
+                   {"radio-a", "host", "mqtt", 12.0},
+                   {"radio-b", "host", "mqtt", -60.0}};
+  return spec;
+}
+
+profile::Plan calm_plan(double duration_s) {
+  return plan(duration_s, "noise_pct = 1.0\n", "[[outlet]]\ncount = 4\n");
+}
+
+void FaultyDesk::set_up(const profile::StationSpec& spec) {
+  station_.reset();
+  station_ = std::make_unique<EmulatedStation>(spec, plan_);
+}
+
+void FaultyDesk::at(double part, std::function<void()> fault) {
+  faults_.push_back({part, std::move(fault)});
+}
+
+void FaultyDesk::play() {
+  RunOptions options;
+  options.progress = [this](double part) {
+    for (Fault& fault : faults_) {
+      if (!fault.injected && part >= fault.part) {
+        fault.injected = true;
+        fault.inject();
+      }
+    }
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  record_ = run(plan_, *station_, options);
+  wall_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  EXPECT_LT(wall_s_, plan_.stimulus.duration_s + kMarkersS + kPatienceS);
+  for (const Fault& fault : faults_) {
+    EXPECT_TRUE(fault.injected);
+  }
+  expect_safe_state();
+}
+
+void FaultyDesk::expect_faults(const std::map<std::size_t, std::string>& faults) {
+  EXPECT_EQ(record_.verdict, faults.empty() ? Verdict::kPass : Verdict::kError);
+  ASSERT_EQ(record_.outlets.size(), plan_.outlets.size()) << record_.verdict_reason;
+  if (!faults.empty()) {
+    const auto& [first, what] = *faults.begin();
+    EXPECT_THAT(record_.verdict_reason, HasSubstr("outlet " + record_.outlets[first].id + " "));
+    EXPECT_THAT(record_.verdict_reason, HasSubstr(what));
+  }
+  for (std::size_t i = 0; i < record_.outlets.size(); ++i) {
+    const record::OutletRecord& outlet = record_.outlets[i];
+    const auto fault = faults.find(i);
+    if (fault == faults.end()) {
+      expect_whole(outlet);
+    } else {
+      EXPECT_EQ(outlet.verdict, Verdict::kError) << outlet.id;
+      EXPECT_THAT(outlet.fault, HasSubstr(fault->second)) << outlet.id;
+    }
+  }
+}
+
+void FaultyDesk::expect_whole(const record::OutletRecord& outlet) const {
+  EXPECT_EQ(outlet.verdict, Verdict::kPass) << outlet.id;
+  EXPECT_EQ(outlet.fault, "") << outlet.id;
+  const std::vector<std::int64_t>& ticks = outlet.trace.tick;
+  // Every 16 ms of the run, the first and the last within one of them.
+  ASSERT_FALSE(ticks.empty()) << outlet.id;
+  EXPECT_LE(ticks.front(), kTicksPerReport) << outlet.id;
+  EXPECT_GE(ticks.back(), plan_.duration_ticks() - kTicksPerReport - 1) << outlet.id;
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    // A crystal that is 100 ppm off moves a report by 0.013 ticks, rounding by one.
+    ASSERT_NEAR(static_cast<double>(ticks[i] - ticks[i - 1]), kTicksPerReport, 1.0) << outlet.id;
+  }
+}
+
+void FaultyDesk::expect_safe_state() {
+  const float calm[] = {0.0F};
+  EXPECT_FALSE(station_->source().play(0, calm, 1).ok()) << "the source still plays";
+  gs::wire::Downlink ping;
+  ping.kind = gs::wire::DownlinkKind::kPing;
+  std::size_t reached = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    reached += station_->link().send(i, ping).ok() ? 1U : 0U;
+  }
+  EXPECT_EQ(reached, 0U) << "the link is still open";
+}
+
+}  // namespace gsbench::station::test

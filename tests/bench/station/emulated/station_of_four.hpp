@@ -1,0 +1,68 @@
+// A station of four emulated outlets, one of each kind and one more: a Cortex-M4F and a process on
+// serial lines, two processes behind a broker; runs of it with a fault in the middle, and what must
+// be true of every such run.
+#pragma once
+
+#include "emulated_station.hpp"
+#include "spoilers.hpp"
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <profile/plan.hpp>
+#include <station/run.hpp>
+
+namespace gsbench::station::test {
+
+// By their places on the desk and in the record: those on serial lines come first.
+enum Place : std::size_t { kM4 = 0, kHost = 1, kRadioA = 2, kRadioB = 3 };
+
+profile::StationSpec station_of_four();
+// Mains without a disturbance, for so long between the clock's markers.
+profile::Plan calm_plan(double duration_s = 1.5);
+
+class FaultyDesk : public testing::Test {
+ protected:
+  void SetUp() override { set_up(station_of_four()); }
+  void set_up(const profile::StationSpec& spec);
+
+  emulation::Hardware& hardware() { return station_->hardware(); }
+
+  // Once in the run, when so much of it has been played.
+  void at(double part, std::function<void()> fault);
+  void play();
+  void kill_and_restart(Place outlet) {
+    hardware().outlet_process(outlet).kill();
+    ASSERT_TRUE(hardware().restart_outlet(outlet).ok());
+  }
+
+  // ERROR, because of this outlet and for this reason; the others' records are whole.
+  void expect_fault(Place outlet, const std::string& what) { expect_faults({{outlet, what}}); }
+  void expect_faults(const std::map<std::size_t, std::string>& faults);
+  // All four passed, without a fault.
+  void expect_all_whole() { expect_faults({}); }
+  void expect_whole(const record::OutletRecord& outlet) const;
+  // No sample reaches an outlet any more, no message the bench.
+  void expect_safe_state();
+
+  profile::Plan plan_ = calm_plan();
+  std::unique_ptr<EmulatedStation> station_;
+  record::RunRecord record_;
+  double wall_s_ = 0.0;
+
+ private:
+  struct Fault {
+    double part;
+    std::function<void()> inject;
+    bool injected = false;
+  };
+  std::vector<Fault> faults_;
+};
+
+}  // namespace gsbench::station::test

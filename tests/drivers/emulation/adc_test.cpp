@@ -1,0 +1,122 @@
+// The adc of an outlet on its own crystal.
+#include "adc.hpp"
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using gsbench::emulation::Adc;
+using gsbench::models::kTest;
+using gsbench::models::Stream;
+
+constexpr double kRateHz = 8000.0;
+constexpr float kCountsPerPu = 20000.0F;
+constexpr double kPi = 3.14159265358979323846;
+
+std::vector<float> sine(double frequency_hz, double amplitude_pu, std::size_t ticks) {
+  std::vector<float> voltage(ticks);
+  for (std::size_t n = 0; n < ticks; ++n) {
+    voltage[n] = static_cast<float>(
+        amplitude_pu * std::sin(2.0 * kPi * frequency_hz * static_cast<double>(n) / kRateHz));
+  }
+  return voltage;
+}
+
+std::vector<std::int16_t> converted(const std::vector<float>& voltage, double ppm,
+                                    std::size_t block, float noise_rms_pu = 0.0F) {
+  Adc adc(ppm, kCountsPerPu, noise_rms_pu, Stream{1, kTest, 0});
+  std::vector<std::int16_t> samples;
+  for (std::size_t at = 0; at < voltage.size(); at += block) {
+    adc.take(voltage.data() + at, std::min(block, voltage.size() - at), samples);
+  }
+  return samples;
+}
+
+// Amplitude and phase of a part of the samples at this frequency, through a Hann window, so that a
+// part of a period more does not matter.
+std::complex<double> correlation(const std::vector<std::int16_t>& samples, std::size_t from,
+                                 std::size_t count, double frequency_hz) {
+  std::complex<double> sum;
+  for (std::size_t n = from; n < from + count; ++n) {
+    const double part = static_cast<double>(n - from) / static_cast<double>(count);
+    sum += (1.0 - std::cos(2.0 * kPi * part)) * static_cast<double>(samples[n]) *
+           std::polar(1.0, -2.0 * kPi * frequency_hz * static_cast<double>(n) / kRateHz);
+  }
+  return sum * (2.0 / static_cast<double>(count));
+}
+
+// By the outlet's own samples, from the phase's advance between the first and the last second.
+double measured_hz(const std::vector<std::int16_t>& samples, double about_hz) {
+  const auto second = static_cast<std::size_t>(kRateHz);
+  const std::size_t last = samples.size() - second;
+  const double turned = std::arg(correlation(samples, last, second, about_hz) /
+                                 correlation(samples, 0, second, about_hz));
+  return about_hz + turned / (2.0 * kPi) * kRateHz / static_cast<double>(last);
+}
+
+class ConverterOfCrystal : public testing::TestWithParam<double> {};
+
+// A crystal that is fast makes more samples in the same time: the mains look slower to it.
+TEST_P(ConverterOfCrystal, SeesTheMainsByItsOwnSamples) {
+  const double ppm = GetParam();
+  const auto samples = converted(sine(50.0, 1.0, 80000), ppm, 128);
+  // Rounding to counts of 1/20000 leaves 1e-8 Hz over nine seconds; single precision's position
+  // between two samples leaves less.
+  EXPECT_NEAR(measured_hz(samples, 50.0), 50.0 / (1.0 + 1e-6 * ppm), 2e-7);
+  // The last two source samples still wait for the next block.
+  EXPECT_NEAR(static_cast<double>(samples.size()), (80000.0 - 2.0) * (1.0 + 1e-6 * ppm), 2.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Crystals, ConverterOfCrystal, testing::Values(-1000.0, -60.0, 0.0, 200.0));
+
+TEST(Adc, HasTheHarmonicsRightBetweenTheSamples) {
+  const auto samples = converted(sine(500.0, 1.0, 80000), 200.0, 128);
+  const double amplitude = std::abs(correlation(samples, 0, 40000, 500.0 / 1.0002));
+  // A cubic at a sixteenth of the sampling rate is 3e-4 low in the middle between two samples and
+  // right at them; the drift passes through all positions.
+  EXPECT_NEAR(amplitude / static_cast<double>(kCountsPerPu), 1.0, 5e-4);
+}
+
+TEST(Adc, DoesNotDependOnTheBlocks) {
+  const auto voltage = sine(50.0, 1.0, 20000);
+  const auto once = converted(voltage, 200.0, voltage.size(), 0.01F);
+  EXPECT_EQ(converted(voltage, 200.0, 1, 0.01F), once);
+  EXPECT_EQ(converted(voltage, 200.0, 37, 0.01F), once);
+  EXPECT_EQ(converted(voltage, 200.0, 128, 0.01F), once);
+}
+
+TEST(Adc, WithACrystalThatIsRightTakesTheSourcesSamples) {
+  const auto voltage = sine(50.0, 1.0, 1000);
+  const auto samples = converted(voltage, 0.0, 100);
+  ASSERT_EQ(samples.size(), 998U);
+  for (std::size_t n = 0; n < samples.size(); ++n) {
+    ASSERT_EQ(samples[n], std::lround(voltage[n] * kCountsPerPu)) << n;
+  }
+}
+
+TEST(Adc, AddsNoiseOfTheRmsThatIsAsked) {
+  constexpr double kRmsPu = 0.01;
+  constexpr std::size_t kTicks = 80000;
+  const auto samples =
+      converted(std::vector<float>(kTicks), 200.0, 128, static_cast<float>(kRmsPu));
+  double squares = 0.0;
+  for (const std::int16_t sample : samples) {
+    squares += static_cast<double>(sample) * sample;
+  }
+  const double rms_pu = std::sqrt(squares / static_cast<double>(samples.size())) / 20000.0;
+  // Five standard deviations of an RMS from 80 000 values: 5/√(2 · 80 000) = 1.25 %.
+  EXPECT_NEAR(rms_pu, kRmsPu, 0.0125 * kRmsPu);
+}
+
+TEST(Adc, StopsAtItsFullScale) {
+  const auto samples = converted({2.0F, 2.0F, 2.0F, 2.0F, -2.0F, -2.0F, -2.0F, -2.0F}, 0.0, 8);
+  ASSERT_EQ(samples.size(), 6U);
+  EXPECT_EQ(samples.front(), 32767);
+  EXPECT_EQ(samples.back(), -32768);
+}
+
+}  // namespace

@@ -1,0 +1,80 @@
+// Who may do what on the private broker, tried from outside with Mosquitto's own clients. Each
+// refusal stands beside the same attempt with the right credentials.
+#include "outsider.hpp"
+#include <test_support/temporary_folder.hpp>
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using gsbench::emulation::PrivateBroker;
+using gsbench::test::Outsider;
+using gsbench::test::TemporaryFolder;
+
+class BrokerAccess : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto started = PrivateBroker::start({folder_.file("broker"), {"a", "b"}});
+    ASSERT_TRUE(started.ok()) << started.error();
+    broker_ = std::make_unique<PrivateBroker>(started.take());
+  }
+
+  Outsider bench() const { return {*broker_, broker_->ca_file(), broker_->bench()}; }
+  Outsider outlet(const std::string& id) const {
+    return {*broker_, broker_->ca_file(), broker_->outlet(id)};
+  }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<PrivateBroker> broker_;
+};
+
+TEST_F(BrokerAccess, AnOutletIsHeardByTheBenchAndByNoOtherOutlet) {
+  outlet("a").write("gs/a/hello", "I am a");
+  outlet("a").write("gs/a/up", "50 Hz");
+  EXPECT_EQ(bench().read("gs/a/hello"), "I am a");
+  EXPECT_EQ(bench().read("gs/a/up"), "50 Hz");
+  EXPECT_EQ(outlet("b").read("gs/a/#"), "");
+}
+
+TEST_F(BrokerAccess, TheBenchCommandsAnOutletAndNoOtherOutletDoes) {
+  outlet("b").write("gs/a/down", "open, says b");
+  EXPECT_EQ(outlet("a").read("gs/a/down"), "");
+  bench().write("gs/a/down", "open");
+  EXPECT_EQ(outlet("a").read("gs/a/down"), "open");
+  EXPECT_EQ(outlet("b").read("gs/a/down"), "");
+}
+
+TEST_F(BrokerAccess, AnOutletSpeaksInNoOtherOutletsName) {
+  outlet("b").write("gs/a/hello", "I am a, says b");
+  EXPECT_EQ(bench().read("gs/a/hello"), "");
+  outlet("b").write("gs/b/hello", "I am b");
+  EXPECT_EQ(bench().read("gs/+/hello"), "I am b");
+}
+
+TEST_F(BrokerAccess, WithoutAPasswordNobodyReadsOrCommands) {
+  outlet("a").write("gs/a/hello", "I am a");
+  const Outsider without{*broker_, broker_->ca_file(), {}};
+  const Outsider wrong{*broker_, broker_->ca_file(), {"bench", "guessed"}};
+  for (const Outsider& outsider : {without, wrong}) {
+    EXPECT_EQ(outsider.read("gs/a/hello"), "");
+    outsider.write("gs/a/down", "open");
+  }
+  EXPECT_EQ(outlet("a").read("gs/a/down"), "");
+  EXPECT_EQ(bench().read("gs/a/hello"), "I am a");
+}
+
+TEST_F(BrokerAccess, WithoutItsCertificateAuthorityNobodyTrustsTheBroker) {
+  outlet("a").write("gs/a/hello", "I am a");
+  TemporaryFolder other_folder;
+  auto other = PrivateBroker::start({other_folder.file("broker"), {}});
+  ASSERT_TRUE(other.ok()) << other.error();
+  const Outsider no_tls{*broker_, "", broker_->bench()};
+  const Outsider wrong_ca{*broker_, other.value().ca_file(), broker_->bench()};
+  EXPECT_EQ(no_tls.read("gs/a/hello"), "");
+  EXPECT_EQ(wrong_ca.read("gs/a/hello"), "");
+  EXPECT_EQ(bench().read("gs/a/hello"), "I am a");
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+// Spoilers for a cable (emulated/null_modem.hpp) that know frames: what an outlet says, changed,
+// left out or repeated message by message.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <emulation/null_modem.hpp>
+#include <wire/frame.hpp>
+
+namespace gsbench::test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+inline Bytes framed(const Bytes& message) {
+  Bytes bytes(gs::wire::kLongestFrame);
+  bytes.resize(gs::wire::frame(message.data(), message.size(), bytes.data(), bytes.size()));
+  return bytes;
+}
+
+// `change` gets each whole message and returns those that are to pass in its place.
+inline emulation::Spoiler each_message(std::function<std::vector<Bytes>(const Bytes&)> change) {
+  auto reader = std::make_shared<gs::wire::FrameReader>();
+  return [reader, change = std::move(change)](Bytes& bytes) {
+    Bytes out;
+    for (const std::uint8_t byte : bytes) {
+      if (reader->take(byte) != gs::wire::FrameReader::Taken::kMessage) {
+        continue;
+      }
+      for (const Bytes& message :
+           change(Bytes(reader->message(), reader->message() + reader->size()))) {
+        const Bytes frame = framed(message);
+        out.insert(out.end(), frame.begin(), frame.end());
+      }
+    }
+    bytes = out;
+  };
+}
+
+// Every n-th byte that passes is spoiled: `spoil` may change it, the one before it, or their
+// number.
+inline emulation::Spoiler every_nth_byte(std::size_t n, std::function<void(Bytes& until)> spoil) {
+  auto passed = std::make_shared<std::size_t>(0);
+  return [passed, n, spoil = std::move(spoil)](Bytes& bytes) {
+    Bytes out;
+    for (const std::uint8_t byte : bytes) {
+      out.push_back(byte);
+      if (++*passed % n == 0) {
+        spoil(out);
+      }
+    }
+    bytes = out;
+  };
+}
+
+inline void flip_a_bit(Bytes& bytes) {
+  bytes.back() ^= 0x10;
+}
+inline void drop_a_byte(Bytes& bytes) {
+  bytes.pop_back();
+}
+// A doubled zero would be an empty frame, which means nothing.
+inline void double_a_byte(Bytes& bytes) {
+  bytes.push_back(bytes.back() == 0 ? 1 : bytes.back());
+}
+inline void reorder_two_bytes(Bytes& bytes) {
+  if (bytes.size() > 1) {
+    std::swap(bytes.back(), bytes[bytes.size() - 2]);
+  }
+}
+
+}  // namespace gsbench::test

@@ -1,0 +1,310 @@
+#include <firmware_test/mains.hpp>
+#include <firmware_test/settings.hpp>
+
+#include <cmath>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <app/application.hpp>
+
+namespace gs::app {
+namespace {
+
+using outlet::Cause;
+using outlet::SettingsError;
+using outlet::Validity;
+using wire::Uplink;
+using wire::UplinkKind;
+
+constexpr std::size_t kSamplesPerReport = 128;  // 16 ms at 8 kHz
+
+class Letters : public Outbox {
+ public:
+  void put(const Uplink& message) override { all.push_back(message); }
+
+  std::vector<Uplink> of(UplinkKind kind) const {
+    std::vector<Uplink> some;
+    for (const Uplink& message : all) {
+      if (message.kind == kind) some.push_back(message);
+    }
+    return some;
+  }
+
+  std::vector<Uplink> all;
+};
+
+wire::Downlink settings_message(const outlet::Settings& settings) {
+  wire::Downlink message;
+  message.kind = wire::DownlinkKind::kSettings;
+  message.settings = settings;
+  return message;
+}
+
+wire::Downlink command_message(bool close) {
+  wire::Downlink message;
+  message.kind = wire::DownlinkKind::kCommand;
+  message.close_relay = close;
+  message.request = 9;
+  return message;
+}
+
+Identity identity() {
+  Identity identity;
+  set_text(identity.id, "outlet-7");
+  set_text(identity.board, "test");
+  identity.instance = 77;
+  identity.build = 0xABCD1234U;
+  return identity;
+}
+
+class NodeTest : public testing::Test {
+ protected:
+  void start() { ASSERT_TRUE(app_.start(outlet::Hardware{}, identity(), nullptr, letters_)); }
+
+  void feed(const test::Mains& mains, double duration_s) {
+    const auto samples = mains.samples(0, static_cast<std::size_t>(8000 * duration_s));
+    app_.feed(samples.data(), samples.size(), letters_);
+  }
+
+  static test::Mains steady_mains() {
+    test::MainsSpec spec;
+    spec.truth = test::steady(50.0, 50.0);
+    return test::Mains(spec);
+  }
+
+  static test::Mains mains_with_loss(double power_mw) {
+    test::MainsSpec spec;
+    spec.truth = test::loss_of(power_mw, 1.0);
+    return test::Mains(spec);
+  }
+
+  Application app_;
+  Letters letters_;
+};
+
+TEST_F(NodeTest, IntroducesItselfFirst) {
+  start();
+  ASSERT_EQ(letters_.all.size(), 1U);
+  const Uplink& hello = letters_.all[0];
+  EXPECT_EQ(hello.kind, UplinkKind::kHello);
+  EXPECT_EQ(hello.sample, 0U);
+  EXPECT_EQ(hello.hello.protocol_version, wire::kProtocolVersion);
+  EXPECT_EQ(hello.hello.firmware_version, kFirmwareVersion);
+  EXPECT_EQ(hello.hello.sample_rate_hz, 8000);
+  EXPECT_EQ(hello.hello.nominal_hz, 50);
+  EXPECT_EQ(hello.hello.tracker_delay_s, outlet::kFrontEndDelayS);
+  EXPECT_EQ(hello.hello.voltage_delay_s, outlet::kVoltageDelayS);
+  EXPECT_STREQ(hello.hello.id, "outlet-7");
+  EXPECT_STREQ(hello.hello.board, "test");
+  EXPECT_EQ(hello.hello.instance, 77U);
+  EXPECT_EQ(hello.hello.build, 0xABCD1234U);
+  EXPECT_EQ(hello.hello.settings_version, 0U);
+}
+
+TEST_F(NodeTest, DoesNothingOnHardwareItCannotServe) {
+  outlet::Hardware hardware;
+  hardware.sample_rate_hz = 44100;
+  EXPECT_FALSE(app_.start(hardware, identity(), nullptr, letters_));
+  const std::vector<std::int16_t> samples(1000);
+  app_.feed(samples.data(), samples.size(), letters_);
+  app_.receive(command_message(false), letters_);
+  app_.receive(settings_message(test::ieee24_settings()), letters_);
+  EXPECT_TRUE(letters_.all.empty());
+  EXPECT_EQ(app_.samples_taken(), 0U);
+  EXPECT_TRUE(app_.relay_closed());
+}
+
+TEST_F(NodeTest, DoesNothingBeforeItIsStarted) {
+  const std::vector<std::int16_t> samples(1000);
+  app_.feed(samples.data(), samples.size(), letters_);
+  EXPECT_TRUE(letters_.all.empty());
+}
+
+TEST_F(NodeTest, StartsAfreshWhenStartedAgain) {
+  start();
+  feed(steady_mains(), 1.0);
+  app_.receive(settings_message(test::ieee24_settings()), letters_);
+  app_.receive(command_message(false), letters_);
+  ASSERT_FALSE(app_.relay_closed());
+  letters_.all.clear();
+  start();
+  EXPECT_TRUE(app_.relay_closed());
+  EXPECT_EQ(app_.samples_taken(), 0U);
+  // Its settings are gone: the same version is taken as the first.
+  app_.receive(settings_message(test::ieee24_settings()), letters_);
+  EXPECT_EQ(letters_.all.back().settings_answer.error, SettingsError::kNone);
+}
+
+TEST_F(NodeTest, ReportsEverySixteenMillisecondsStampedWithTheSamplesTaken) {
+  start();
+  feed(steady_mains(), 1.0);
+  const std::vector<Uplink> measurements = letters_.of(UplinkKind::kMeasurement);
+  ASSERT_EQ(measurements.size(), 62U);
+  for (std::size_t i = 0; i < measurements.size(); ++i) {
+    EXPECT_EQ(measurements[i].sample, (i + 1) * kSamplesPerReport);
+  }
+  EXPECT_EQ(measurements.front().measurement.validity, Validity::kInvalid);
+  EXPECT_TRUE(std::isnan(measurements.front().measurement.frequency_hz));
+  EXPECT_EQ(measurements.back().measurement.validity, Validity::kValid);
+  EXPECT_NEAR(measurements.back().measurement.frequency_hz, 50.0F, 1e-3F);
+  EXPECT_NEAR(measurements.back().measurement.voltage_pu, 1.0F, 1e-3F);
+  EXPECT_EQ(app_.samples_taken(), 8000U);
+}
+
+TEST_F(NodeTest, SettingsAreAnsweredWithWhatIsInForce) {
+  start();
+  outlet::Settings settings = test::ieee24_settings();
+  settings.version = 3;
+  app_.receive(settings_message(settings), letters_);
+  ASSERT_EQ(letters_.all.size(), 2U);
+  const wire::SettingsAnswer& accepted = letters_.all[1].settings_answer;
+  EXPECT_EQ(letters_.all[1].kind, UplinkKind::kSettingsAnswer);
+  EXPECT_EQ(accepted.error, SettingsError::kNone);
+  EXPECT_EQ(accepted.version, 3U);
+  EXPECT_EQ(accepted.digest, outlet::digest(settings));
+
+  outlet::Settings wrong = settings;
+  wrong.version = 4;
+  wrong.threshold_mw = -1.0F;
+  app_.receive(settings_message(wrong), letters_);
+  outlet::Settings stale = settings;
+  stale.accumulated_mw = 1.0F;
+  app_.receive(settings_message(stale), letters_);
+  ASSERT_EQ(letters_.all.size(), 4U);
+  EXPECT_EQ(letters_.all[2].settings_answer.error, SettingsError::kThreshold);
+  EXPECT_EQ(letters_.all[3].settings_answer.error, SettingsError::kStale);
+  for (const std::size_t i : {2U, 3U}) {
+    EXPECT_EQ(letters_.all[i].settings_answer.version, 3U);
+    EXPECT_EQ(letters_.all[i].settings_answer.digest, outlet::digest(settings));
+  }
+}
+
+TEST_F(NodeTest, RefusedSettingsAreAnsweredWithVersionAndDigestZeroWhereNoneAreInForce) {
+  start();
+  outlet::Settings wrong = test::ieee24_settings();
+  wrong.threshold_mw = -1.0F;
+  app_.receive(settings_message(wrong), letters_);
+  ASSERT_EQ(letters_.all.size(), 2U);
+  EXPECT_EQ(letters_.all[1].settings_answer.error, SettingsError::kThreshold);
+  EXPECT_EQ(letters_.all[1].settings_answer.version, outlet::kNoSettings);
+  EXPECT_EQ(letters_.all[1].settings_answer.digest, letters_.all[0].hello.settings_digest);
+}
+
+TEST_F(NodeTest, EveryCommandIsAnsweredAndTheRelayToldWhereItChanges) {
+  start();
+  feed(steady_mains(), 0.1);
+  letters_.all.clear();
+  app_.receive(command_message(true), letters_);
+  ASSERT_EQ(letters_.all.size(), 1U);
+  EXPECT_EQ(letters_.all[0].kind, UplinkKind::kCommandAnswer);
+  EXPECT_EQ(letters_.all[0].command_answer.request, 9U);
+  EXPECT_TRUE(letters_.all[0].command_answer.closed);
+  app_.receive(command_message(false), letters_);
+  ASSERT_EQ(letters_.all.size(), 3U);
+  EXPECT_FALSE(letters_.all[1].command_answer.closed);
+  EXPECT_EQ(letters_.all[2].kind, UplinkKind::kRelay);
+  EXPECT_EQ(letters_.all[2].sample, 800U);
+  EXPECT_FALSE(letters_.all[2].relay.closed);
+  EXPECT_EQ(letters_.all[2].relay.cause, Cause::kCommand);
+  EXPECT_FALSE(app_.relay_closed());
+  app_.receive(command_message(true), letters_);
+  ASSERT_EQ(letters_.all.size(), 5U);
+  EXPECT_TRUE(letters_.all[4].relay.closed);
+  EXPECT_EQ(letters_.all[4].relay.cause, Cause::kNone);
+}
+
+TEST_F(NodeTest, TellsAnEventFromItsBeginningToTheRelay) {
+  start();
+  app_.receive(settings_message(test::ieee24_settings()), letters_);
+  feed(mains_with_loss(500.0), 2.2);
+  std::vector<UplinkKind> kinds;
+  for (const Uplink& message : letters_.all) {
+    if (message.kind != UplinkKind::kMeasurement && message.kind != UplinkKind::kEstimate) {
+      kinds.push_back(message.kind);
+    }
+  }
+  EXPECT_THAT(kinds, testing::ElementsAre(UplinkKind::kHello, UplinkKind::kSettingsAnswer,
+                                          UplinkKind::kEvent, UplinkKind::kLse,
+                                          UplinkKind::kDecision, UplinkKind::kRelay));
+  EXPECT_EQ(letters_.of(UplinkKind::kEstimate).size(), 40U);
+
+  const Uplink event = letters_.of(UplinkKind::kEvent)[0];
+  EXPECT_NEAR(event.event.baseline_hz, 50.0F, 1e-3F);
+  EXPECT_NEAR(event.event.baseline_rocof_hz_s, 0.0F, 1e-2F);
+  const Uplink lse = letters_.of(UplinkKind::kLse)[0];
+  EXPECT_EQ(lse.sample, event.sample + 9 * kSamplesPerReport) << "the event's report is the first";
+  EXPECT_GT(lse.lse.loss_mw, 400.0F);
+  const Uplink decision = letters_.of(UplinkKind::kDecision)[0];
+  EXPECT_EQ(decision.sample, event.sample + 49 * kSamplesPerReport);
+  EXPECT_TRUE(decision.decision.shed);
+  EXPECT_EQ(decision.decision.trust, outlet::Trust::kTrusted);
+  EXPECT_NEAR(decision.decision.required_mw, decision.decision.loss_mw - 351.92F, 0.1F);
+  const Uplink estimate = letters_.of(UplinkKind::kEstimate).back();
+  EXPECT_EQ(estimate.sample, decision.sample);
+  EXPECT_EQ(estimate.estimate.loss_mw, decision.decision.loss_mw);
+  // The loss was at 1 s.
+  const double event_s = static_cast<double>(event.sample) / 8000.0;
+  EXPECT_NEAR(event_s + static_cast<double>(estimate.estimate.loss_instant_s), 1.0, 0.016);
+  const Uplink relay = letters_.of(UplinkKind::kRelay)[0];
+  EXPECT_EQ(relay.sample, decision.sample);
+  EXPECT_FALSE(relay.relay.closed);
+  EXPECT_EQ(relay.relay.cause, Cause::kLoss);
+}
+
+TEST_F(NodeTest, WithinAReportTheMeasurementComesBeforeWhatFollowsFromIt) {
+  start();
+  app_.receive(settings_message(test::ieee24_settings()), letters_);
+  feed(mains_with_loss(500.0), 2.2);
+  std::uint64_t stamp = 0;
+  for (const Uplink& message : letters_.all) {
+    EXPECT_GE(message.sample, stamp);
+    if (message.sample > stamp) {
+      EXPECT_EQ(message.kind, UplinkKind::kMeasurement) << message.sample;
+    }
+    stamp = message.sample;
+  }
+}
+
+TEST_F(NodeTest, SaysWhenItDecidesAgainst) {
+  start();
+  outlet::Settings settings = test::ieee24_settings();
+  settings.accumulated_mw = 200.0F;
+  app_.receive(settings_message(settings), letters_);
+  feed(mains_with_loss(500.0), 2.2);
+  ASSERT_EQ(letters_.of(UplinkKind::kDecision).size(), 1U);
+  EXPECT_FALSE(letters_.of(UplinkKind::kDecision)[0].decision.shed);
+  EXPECT_TRUE(letters_.of(UplinkKind::kRelay).empty());
+  EXPECT_TRUE(app_.relay_closed());
+}
+
+// The relay opens for the frequency's sake in the same report as criterion (1) is decided or not:
+// only a relay that opened for the loss was shed by the decision.
+TEST_F(NodeTest, ATripByTheSwitchOffFrequencyIsNoSheddingByDecision) {
+  start();
+  outlet::Settings settings = test::ieee24_settings();
+  settings.threshold_mw = 2000.0F;
+  settings.switch_off_hz = 49.9F;
+  app_.receive(settings_message(settings), letters_);
+  feed(mains_with_loss(500.0), 2.2);
+  ASSERT_EQ(letters_.of(UplinkKind::kRelay).size(), 1U);
+  EXPECT_EQ(letters_.of(UplinkKind::kRelay)[0].relay.cause, Cause::kFrequency);
+  ASSERT_EQ(letters_.of(UplinkKind::kDecision).size(), 1U);
+  EXPECT_FALSE(letters_.of(UplinkKind::kDecision)[0].decision.shed);
+}
+
+TEST_F(NodeTest, SaysWhenAnEventIsGivenUp) {
+  start();
+  app_.receive(settings_message(test::ieee24_settings()), letters_);
+  test::MainsSpec spec;
+  spec.truth = test::loss_of(500.0, 1.0);
+  spec.signal.amplitude_steps = {{1.4, 100.0, 0.0}};
+  feed(test::Mains(spec), 2.2);
+  EXPECT_EQ(letters_.of(UplinkKind::kEvent).size(), 1U);
+  EXPECT_EQ(letters_.of(UplinkKind::kAborted).size(), 1U);
+  EXPECT_TRUE(letters_.of(UplinkKind::kDecision).empty());
+}
+
+}  // namespace
+}  // namespace gs::app

@@ -1,0 +1,338 @@
+// The outlet's end of a link: bytes in, bytes out, over a carrier of whole messages and over one of
+// bytes.
+#include <firmware_test/settings.hpp>
+#include <wire_test/messages.hpp>
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <app/endpoint.hpp>
+#include <app/self_test.hpp>
+
+namespace gs::app {
+namespace {
+
+using wire::DownlinkKind;
+using wire::ErrorCode;
+using wire::Uplink;
+using wire::UplinkKind;
+using wire::test::Bytes;
+using wire::test::encoded;
+using wire::test::framed;
+
+// Takes whole messages and reads them as the other side would.
+class Listener final : public Carrier {
+ public:
+  bool send(const std::uint8_t* bytes, std::size_t size) override {
+    if (deaf) return false;
+    Uplink message;
+    std::uint32_t sequence = 0;
+    EXPECT_EQ(wire::decode(bytes, size, message, sequence), wire::Decoded::kOk);
+    heard.push_back(message);
+    numbers.push_back(sequence);
+    return true;
+  }
+  const Uplink& last() const { return heard.back(); }
+
+  bool deaf = false;
+  std::vector<Uplink> heard;
+  std::vector<std::uint32_t> numbers;
+};
+
+// Takes bytes and finds the frames in them.
+class Line final : public Carrier {
+ public:
+  bool send(const std::uint8_t* bytes, std::size_t size) override {
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto taken = reader_.take(bytes[i]);
+      EXPECT_NE(taken, wire::FrameReader::Taken::kBadFrame);
+      if (taken == wire::FrameReader::Taken::kMessage) {
+        listener.send(reader_.message(), reader_.size());
+      }
+    }
+    return true;
+  }
+
+  Listener listener;
+
+ private:
+  wire::FrameReader reader_;
+};
+
+class Area final : public SettingsStorage {
+ public:
+  bool keep(const outlet::Settings& settings) override {
+    if (!keeps) return false;
+    kept.push_back(settings);
+    return true;
+  }
+  bool usable() const override { return works; }
+
+  bool keeps = true;
+  bool works = true;
+  std::vector<outlet::Settings> kept;
+};
+
+wire::Downlink message(DownlinkKind kind) {
+  wire::Downlink message;
+  message.kind = kind;
+  return message;
+}
+
+wire::Downlink ping(std::uint32_t token) {
+  wire::Downlink ping = message(DownlinkKind::kPing);
+  ping.token = token;
+  return ping;
+}
+
+wire::Downlink settings_message(std::uint32_t version) {
+  wire::Downlink settings = message(DownlinkKind::kSettings);
+  settings.settings = test::ieee24_settings();
+  settings.settings.version = version;
+  return settings;
+}
+
+class EndpointTest : public testing::Test {
+ protected:
+  void SetUp() override { start(&area_); }
+  void start(SettingsStorage* area) {
+    ASSERT_TRUE(app_.start(outlet::Hardware{}, Identity{}, area, endpoint_));
+  }
+  void send(const wire::Downlink& downlink, std::uint32_t sequence) {
+    send(encoded(downlink, sequence));
+  }
+  void send(const Bytes& bytes) { endpoint_.receive(bytes.data(), bytes.size()); }
+  void feed(std::size_t samples) {
+    const std::vector<std::int16_t> silence(samples);
+    app_.feed(silence.data(), silence.size(), endpoint_);
+  }
+  wire::Status status(std::uint32_t sequence) {
+    send(message(DownlinkKind::kAskStatus), sequence);
+    EXPECT_EQ(listener_.last().kind, UplinkKind::kStatus);
+    return listener_.last().status;
+  }
+
+  Application app_;
+  Area area_;
+  Listener listener_;
+  MessageEndpoint endpoint_{app_, listener_};
+};
+
+TEST_F(EndpointTest, NumbersItsMessagesFromZero) {
+  feed(1280);
+  send(ping(1), 0);
+  ASSERT_EQ(listener_.heard.size(), 12U);
+  EXPECT_EQ(listener_.heard.front().kind, UplinkKind::kHello);
+  for (std::uint32_t i = 0; i < 12; ++i) EXPECT_EQ(listener_.numbers[i], i);
+}
+
+TEST_F(EndpointTest, EchoesAPingAtOnceWithItsTokenAndTheSamplesTaken) {
+  feed(100);
+  send(ping(0xCAFEF00DU), 0);
+  EXPECT_EQ(listener_.last().kind, UplinkKind::kEcho);
+  EXPECT_EQ(listener_.last().echo.token, 0xCAFEF00DU);
+  EXPECT_EQ(listener_.last().sample, 100U);
+}
+
+TEST_F(EndpointTest, DropsDuplicatesWithoutAWord) {
+  send(ping(1), 5);
+  ASSERT_EQ(listener_.heard.size(), 2U);
+  send(ping(1), 5);
+  send(ping(1), 4);
+  EXPECT_EQ(listener_.heard.size(), 2U);
+  send(ping(2), 6);
+  EXPECT_EQ(listener_.heard.size(), 3U);
+  send(ping(3), 100);
+  EXPECT_EQ(listener_.last().echo.token, 3U) << "a gap is no reason to drop what comes after it";
+  EXPECT_EQ(status(101).messages_bad, 0U);
+}
+
+TEST_F(EndpointTest, IdentifyRestartsTheNumbering) {
+  send(ping(1), 1000);
+  send(ping(2), 1);
+  ASSERT_EQ(listener_.heard.size(), 2U) << "from long before";
+  send(message(DownlinkKind::kIdentify), 0);
+  ASSERT_EQ(listener_.last().kind, UplinkKind::kHello);
+  send(ping(3), 1);
+  EXPECT_EQ(listener_.last().echo.token, 3U);
+  send(ping(4), 1);
+  EXPECT_EQ(listener_.last().echo.token, 3U);
+}
+
+TEST_F(EndpointTest, TellsOfMessagesItCannotRead) {
+  send(Bytes{0x82, 0x06});
+  EXPECT_EQ(listener_.last().kind, UplinkKind::kError);
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kMalformed);
+  EXPECT_EQ(listener_.last().error.detail, 1U);
+  send(Bytes{});
+  EXPECT_EQ(listener_.last().error.detail, 2U);
+  send(Bytes{0x82, 0x18, 0x63, 0x00});
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownKind);
+  EXPECT_EQ(listener_.last().error.detail, 1U) << "each code counts by itself";
+  EXPECT_EQ(status(0).messages_bad, 3U);
+}
+
+TEST_F(EndpointTest, CountsWhatTheLinkDidNotTakeAndLeavesAGap) {
+  listener_.deaf = true;
+  send(ping(1), 0);
+  feed(256);
+  listener_.deaf = false;
+  EXPECT_EQ(status(1).messages_unsent, 3U);
+  EXPECT_EQ(listener_.numbers, (std::vector<std::uint32_t>{0, 4}));
+}
+
+TEST_F(EndpointTest, StatusIsWhatItHasBeenThrough) {
+  feed(3 * 128);
+  wire::Status told = status(0);
+  EXPECT_EQ(told.reports, 3U);
+  EXPECT_TRUE(told.relay_closed);
+  EXPECT_EQ(told.cause, outlet::Cause::kNone);
+  EXPECT_EQ(told.phase, outlet::Phase::kQuiet);
+  EXPECT_EQ(told.samples_lost, 0U);
+  wire::Downlink open = message(DownlinkKind::kCommand);
+  open.close_relay = false;
+  send(open, 1);
+  told = status(2);
+  EXPECT_FALSE(told.relay_closed);
+  EXPECT_EQ(told.cause, outlet::Cause::kCommand);
+}
+
+TEST_F(EndpointTest, TimeGoesOnOverSamplesThatWereLost) {
+  feed(100);
+  app_.note_samples_lost(28, endpoint_);
+  EXPECT_EQ(listener_.last().kind, UplinkKind::kError);
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kSamplesLost);
+  EXPECT_EQ(listener_.last().sample, 128U);
+  app_.note_samples_lost(2, endpoint_);
+  EXPECT_EQ(listener_.last().error.detail, 2U);
+  const wire::Status told = status(0);
+  EXPECT_EQ(told.samples_lost, 30U);
+  EXPECT_EQ(told.messages_bad, 0U);
+  EXPECT_EQ(app_.samples_taken(), 130U);
+}
+
+TEST_F(EndpointTest, SettingsThatAreFollowedAreKept) {
+  send(settings_message(3), 0);
+  EXPECT_EQ(listener_.last().kind, UplinkKind::kSettingsAnswer);
+  EXPECT_EQ(listener_.last().settings_answer.error, outlet::SettingsError::kNone);
+  EXPECT_TRUE(listener_.last().settings_answer.kept);
+  ASSERT_EQ(area_.kept.size(), 1U);
+  EXPECT_EQ(outlet::digest(area_.kept[0]), listener_.last().settings_answer.digest);
+}
+
+TEST_F(EndpointTest, SettingsThatAreRefusedAreNotKept) {
+  wire::Downlink wrong = settings_message(3);
+  wrong.settings.threshold_mw = -1.0F;
+  send(wrong, 0);
+  EXPECT_EQ(listener_.last().settings_answer.error, outlet::SettingsError::kThreshold);
+  EXPECT_FALSE(listener_.last().settings_answer.kept);
+  EXPECT_TRUE(area_.kept.empty());
+}
+
+TEST_F(EndpointTest, SettingsThatCannotBeKeptAreFollowedAndTold) {
+  area_.keeps = false;
+  send(settings_message(3), 0);
+  ASSERT_EQ(listener_.heard.size(), 3U);
+  const wire::SettingsAnswer answer = listener_.heard[1].settings_answer;
+  EXPECT_EQ(answer.error, outlet::SettingsError::kNone);
+  EXPECT_EQ(answer.version, 3U);
+  EXPECT_FALSE(answer.kept);
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kSettingsStorage);
+  EXPECT_EQ(status(1).messages_bad, 0U);
+}
+
+TEST_F(EndpointTest, WithoutASettingsStorageNothingIsKeptAndNothingWrong) {
+  start(nullptr);
+  send(settings_message(3), 0);
+  EXPECT_EQ(listener_.last().kind, UplinkKind::kSettingsAnswer);
+  EXPECT_FALSE(listener_.last().settings_answer.kept);
+}
+
+TEST_F(EndpointTest, RestoredSettingsAreToldInTheHello) {
+  const outlet::Settings settings = settings_message(7).settings;
+  ASSERT_TRUE(app_.restore(settings));
+  EXPECT_TRUE(area_.kept.empty()) << "they are there already";
+  send(message(DownlinkKind::kIdentify), 0);
+  EXPECT_EQ(listener_.last().hello.settings_version, 7U);
+  EXPECT_EQ(listener_.last().hello.settings_digest, outlet::digest(settings));
+  send(settings_message(7), 1);
+  EXPECT_EQ(listener_.last().settings_answer.error, outlet::SettingsError::kStale);
+}
+
+TEST_F(EndpointTest, SettingsOutOfRangeAreNotRestored) {
+  outlet::Settings settings = settings_message(7).settings;
+  settings.condition_rows = 0;
+  EXPECT_FALSE(app_.restore(settings));
+  send(message(DownlinkKind::kIdentify), 0);
+  EXPECT_EQ(listener_.last().hello.settings_version, 0U);
+}
+
+TEST_F(EndpointTest, SelfTestNamesTheArithmeticTheAreaTheClockAndTheConverter) {
+  const auto failed = [this](std::uint32_t sequence) {
+    send(message(DownlinkKind::kAskSelfTest), sequence);
+    EXPECT_EQ(listener_.last().kind, UplinkKind::kSelfTest);
+    EXPECT_EQ(listener_.last().self_test.fingerprint, arithmetic_fingerprint());
+    return listener_.last().self_test.failed;
+  };
+  const std::uint32_t arithmetic =
+      arithmetic_fingerprint() == kFingerprint ? 0U : std::uint32_t{wire::kArithmetic};
+  EXPECT_EQ(failed(0), arithmetic | wire::kConverter) << "no samples yet";
+  feed(128);
+  EXPECT_EQ(failed(1), arithmetic);
+  area_.works = false;
+  EXPECT_EQ(failed(2), arithmetic | wire::kSettingsStorage);
+  app_.note(ErrorCode::kClock, endpoint_);
+  EXPECT_EQ(failed(3), arithmetic | wire::kSettingsStorage | wire::kClock);
+}
+
+// ---- over a line of bytes
+
+class SerialEndpointTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(app_.start(outlet::Hardware{}, Identity{}, nullptr, endpoint_));
+  }
+  void send(const Bytes& bytes) { endpoint_.receive(bytes.data(), bytes.size()); }
+
+  Application app_;
+  Line line_;
+  SerialEndpoint endpoint_{app_, line_};
+};
+
+TEST_F(SerialEndpointTest, AnswersFramesWithFrames) {
+  send(framed(encoded(ping(7), 0)));
+  ASSERT_EQ(line_.listener.heard.size(), 2U);
+  EXPECT_EQ(line_.listener.heard[0].kind, UplinkKind::kHello);
+  EXPECT_EQ(line_.listener.last().echo.token, 7U);
+}
+
+TEST_F(SerialEndpointTest, TakesAFrameInWhateverPiecesItComes) {
+  const Bytes frame = framed(encoded(settings_message(1), 0));
+  for (const std::uint8_t byte : frame) send(Bytes{byte});
+  EXPECT_EQ(line_.listener.last().kind, UplinkKind::kSettingsAnswer);
+  EXPECT_EQ(line_.listener.last().settings_answer.digest,
+            outlet::digest(settings_message(1).settings));
+}
+
+TEST_F(SerialEndpointTest, CountsAndTellsABadFrameAndHearsTheNext) {
+  Bytes bytes = framed(encoded(ping(7), 0));
+  bytes[3] ^= 0x10;
+  const Bytes next = framed(encoded(ping(8), 1));
+  bytes.insert(bytes.end(), next.begin(), next.end());
+  send(bytes);
+  ASSERT_EQ(line_.listener.heard.size(), 3U);
+  EXPECT_EQ(line_.listener.heard[1].error.code, ErrorCode::kBadFrame);
+  EXPECT_EQ(line_.listener.heard[1].error.detail, 1U);
+  EXPECT_EQ(line_.listener.last().echo.token, 8U);
+  send(framed(encoded(message(DownlinkKind::kAskStatus), 2)));
+  EXPECT_EQ(line_.listener.last().status.messages_bad, 1U);
+}
+
+TEST_F(SerialEndpointTest, AWholeFrameOfNoMessageIsMalformed) {
+  send(framed({0xA0}));
+  EXPECT_EQ(line_.listener.last().error.code, ErrorCode::kMalformed);
+}
+
+}  // namespace
+}  // namespace gs::app
