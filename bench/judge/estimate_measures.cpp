@@ -47,7 +47,7 @@ Reading t_x_error(const Case& c) {
   for (std::size_t i = estimates.tick.size(); i-- > 0;) {
     if (estimates.tick[i] <= decision->tick) {
       const double error_s = static_cast<double>(estimates.t_x_s[i]) - c.seconds(*loss);
-      return number(1e3 * error_s, c.uncertainty.outlet_clock_ms);
+      return number(1e3 * error_s, c.outlet.clock.uncertainty_ms);
     }
   }
   return not_done("no estimate");
@@ -62,7 +62,7 @@ Reading decision_delay(const Case& c) {
   if (decision == nullptr) {
     return not_done("no decision after the loss");
   }
-  return number(c.milliseconds_between(*loss, decision->tick), c.uncertainty.outlet_clock_ms);
+  return number(c.milliseconds_between(*loss, decision->tick), c.outlet.clock.uncertainty_ms);
 }
 
 Reading decision_cause(const Case& c) {

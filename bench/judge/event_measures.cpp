@@ -47,7 +47,7 @@ Reading delay(const Case& c) {
   if (event == nullptr) {
     return not_done("no event after the loss");
   }
-  return number(c.milliseconds_between(*loss, event->tick), c.uncertainty.outlet_clock_ms);
+  return number(c.milliseconds_between(*loss, event->tick), c.outlet.clock.uncertainty_ms);
 }
 
 Reading hits(const Case& c) {

@@ -1,117 +1,57 @@
 #include <algorithm>
-#include <set>
 
 #include <judge/judge.hpp>
-#include <profile/units.hpp>
 
 namespace gsbench::judge {
 
-using record::MeasurementResult;
+using record::OutletRecord;
+using record::RunRecord;
 using record::Verdict;
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* kInterrupted = "interrupted before its end";
 
-MeasurementResult result_of(const Measure& measure, const Reading& reading) {
-  MeasurementResult result;
-  result.name = measure.name;
-  result.definition = measure.definition;
-  result.value = reading.missing.empty() ? reading.value : kNone;
-  result.word = reading.word;
-  result.unit = measure.unit;
-  result.low = kNone;
-  result.high = kNone;
-  result.uncertainty = reading.uncertainty;
-  result.reason = reading.missing;
-  return result;
-}
-
-bool concerns(const profile::Expectation& expectation, const record::OutletRecord& outlet) {
-  return expectation.groups.empty() ||
-         std::find(expectation.groups.begin(), expectation.groups.end(), outlet.group) !=
-             expectation.groups.end();
-}
-
-// In the unit that the profile sets its limits in, so that a reader finds his own figures again.
-MeasurementResult judged(const profile::Expectation& expectation, const Measure& measure,
-                         const Reading& reading) {
-  MeasurementResult result = result_of(measure, reading);
-  result.judged = true;
-  Judgement judgement;
-  if (measure.is_word()) {
-    result.expected_word = expectation.equals.value_or("");
-    judgement = judge_word(reading, result.expected_word);
-  } else {
-    const double scale = profile::unit_scale(measure.unit, expectation.unit).value_or(kNone);
-    Reading scaled = reading;
-    scaled.value *= scale;
-    scaled.uncertainty *= scale;
-    result.unit = expectation.unit;
-    result.value = reading.missing.empty() ? scaled.value : kNone;
-    result.uncertainty = scaled.uncertainty;
-    result.low = expectation.min.value_or(kNone);
-    result.high = expectation.max.value_or(kNone);
-    judgement = judge_number(scaled, result.low, result.high);
+// Nothing that such a run measured counts.
+void set_error(RunRecord& run, const std::string& reason) {
+  run.verdict = Verdict::kError;
+  run.verdict_reason = reason;
+  for (OutletRecord& outlet : run.outlets) {
+    outlet.measurements.clear();
+    outlet.verdict = Verdict::kError;
   }
-  result.verdict = judgement.verdict;
-  result.reason = judgement.reason;
-  return result;
 }
 
-// A limit that cannot be checked is not dropped: the outlet could pass without it.
-MeasurementResult unknown(const profile::Expectation& expectation) {
-  MeasurementResult result;
-  result.name = expectation.measure;
-  result.value = kNone;
-  result.unit = expectation.unit;
-  result.low = expectation.min.value_or(kNone);
-  result.high = expectation.max.value_or(kNone);
-  result.judged = true;
-  result.verdict = Verdict::kInconclusive;
-  result.reason = "there is no such measure";
-  return result;
+std::string reason_of(const RunRecord& run) {
+  const auto did_not_pass =
+      std::count_if(run.outlets.begin(), run.outlets.end(),
+                    [](const OutletRecord& o) { return o.verdict != Verdict::kPass; });
+  if (did_not_pass == 0) {
+    return {};
+  }
+  const auto faulty = std::find_if(run.outlets.begin(), run.outlets.end(),
+                                   [](const OutletRecord& o) { return !o.fault.empty(); });
+  return std::to_string(did_not_pass) + " of " + std::to_string(run.outlets.size()) +
+         " outlets did not pass" +
+         (faulty == run.outlets.end() ? "" : ": outlet " + faulty->id + " " + faulty->fault);
 }
 
 }  // namespace
 
-std::vector<MeasurementResult> measure(const Case& c) {
-  std::vector<MeasurementResult> results;
-  std::set<std::string> named;
-  for (const profile::Expectation& expectation : c.plan.expectations) {
-    const Measure* measure = find_measure(expectation.measure);
-    if (!concerns(expectation, c.outlet)) {
-      continue;
-    }
-    if (measure == nullptr) {
-      results.push_back(unknown(expectation));
-      continue;
-    }
-    results.push_back(judged(expectation, *measure, measure->read(c)));
-    named.insert(measure->name);
+void judge(const profile::Plan& plan, RunRecord& run) {
+  if (!run.fault.empty() || run.interrupted || run.outlets.empty()) {
+    set_error(run, !run.fault.empty() ? run.fault
+                   : run.interrupted  ? kInterrupted
+                                      : "the run has no outlets");
+    return;
   }
-  for (const Measure& measure : catalogue()) {
-    if (named.count(measure.name) == 0) {
-      results.push_back(result_of(measure, measure.read(c)));
-    }
+  const auto truth = plan.truth();
+  run.verdict = Verdict::kPass;
+  for (OutletRecord& outlet : run.outlets) {
+    judge_outlet(plan, *truth, run.bench_uncertainty, outlet);
+    run.verdict = std::max(run.verdict, outlet.verdict);
   }
-  return results;
-}
-
-void judge_outlet(const profile::Plan& plan, const waveform::Truth& truth,
-                  const BenchUncertainty& uncertainty, record::OutletRecord& outlet) {
-  outlet.measurements = measure(Case{plan, truth, outlet, uncertainty});
-  bool any_judged = false;
-  for (const MeasurementResult& result : outlet.measurements) {
-    if (result.judged) {
-      any_judged = true;
-      outlet.verdict = std::max(outlet.verdict, result.verdict);
-    }
-  }
-  if (!any_judged) {
-    // Nothing was expected of it, so nothing was shown.
-    outlet.verdict = std::max(outlet.verdict, Verdict::kInconclusive);
-  }
+  run.verdict_reason = reason_of(run);
 }
 
 }  // namespace gsbench::judge

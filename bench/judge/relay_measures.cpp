@@ -45,7 +45,7 @@ Reading delay_by_word(const Case& c) {
   if (said == nullptr) {
     return not_done("the outlet did not say that it opened after the loss");
   }
-  return number(c.milliseconds_between(*loss, said->tick), c.uncertainty.outlet_clock_ms);
+  return number(c.milliseconds_between(*loss, said->tick), c.outlet.clock.uncertainty_ms);
 }
 
 // From the decision, which the outlet stamps, to the contact, which the bench sees.
@@ -56,7 +56,7 @@ Reading operate_time(const Case& c) {
     return not_done("the relay was not opened");
   }
   return number(c.milliseconds_between(said->tick, *opening),
-                std::hypot(c.uncertainty.relay_sense_ms, c.uncertainty.outlet_clock_ms));
+                std::hypot(c.uncertainty.relay_sense_ms, c.outlet.clock.uncertainty_ms));
 }
 
 Reading word_difference(const Case& c) {
@@ -71,7 +71,7 @@ Reading word_difference(const Case& c) {
                                     : "the outlet said that it opened and the contact did not");
   }
   return number(c.milliseconds_between(said->tick, *opening),
-                std::hypot(c.uncertainty.relay_sense_ms, c.uncertainty.outlet_clock_ms));
+                std::hypot(c.uncertainty.relay_sense_ms, c.outlet.clock.uncertainty_ms));
 }
 
 Reading end(const Case& c) {

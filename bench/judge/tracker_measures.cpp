@@ -135,7 +135,7 @@ Reading delay(const Case& c) {
       low = left;
     }
   }
-  return number(1e3 * 0.5 * (low + high), std::hypot(0.1, c.uncertainty.outlet_clock_ms));
+  return number(1e3 * 0.5 * (low + high), std::hypot(0.1, c.outlet.clock.uncertainty_ms));
 }
 
 Reading valid_share(const Case& c) {

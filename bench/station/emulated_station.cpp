@@ -83,8 +83,8 @@ EmulatedStation::~EmulatedStation() {
   link_->close();
 }
 
-judge::BenchUncertainty EmulatedStation::uncertainty() {
-  judge::BenchUncertainty uncertainty;
+record::BenchUncertainty EmulatedStation::uncertainty() {
+  record::BenchUncertainty uncertainty;
   uncertainty.relay_sense_ms = 1e3 * hardware_->relay_sense().uncertainty_ticks() / sample_rate_hz_;
   return uncertainty;
 }

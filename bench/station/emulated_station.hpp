@@ -25,7 +25,7 @@ class EmulatedStation final : public Station {
   source::Source& source() override { return hardware_->source(); }
   link::Link& link() override { return *link_; }
   relay::RelaySense& relay_sense() override { return hardware_->relay_sense(); }
-  judge::BenchUncertainty uncertainty() override;
+  record::BenchUncertainty uncertainty() override;
   bool outlets_count_ticks() const override { return false; }
   double block_s() const override { return 0.016; }
 

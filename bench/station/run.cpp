@@ -20,8 +20,6 @@
 namespace gsbench::station {
 namespace {
 
-using record::Verdict;
-
 // An outlet must have answered to its settings so soon after the start.
 constexpr double kSettingsAnswerS = 0.096;
 // It reports every 16 ms. A longer silence than a source's buffer and a link's delay explain would
@@ -79,6 +77,7 @@ record::RunRecord head(const profile::Plan& plan, Station& station, const wavefo
   run.sample_rate_hz = plan.stimulus.sample_rate_hz;
   run.duration_ticks = plan.duration_ticks();
   run.nominal_hz = plan.grid.nominal_hz;
+  run.bench_uncertainty = station.uncertainty();
   run.comparisons = comparisons(plan.grid);
   run.stimulus = stimulus_marks(plan);
   run.truth = capture::truth_trace(truth, plan.duration_ticks(), plan.stimulus.sample_rate_hz);
@@ -326,6 +325,7 @@ record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
                      std::to_string(hello.nominal_hz) + " Hz, which is not the profile's");
     return record;
   }
+  record.took_part = true;
   // An outlet takes no settings that are older than those it has.
   gs::wire::Downlink message;
   message.kind = gs::wire::DownlinkKind::kSettings;
@@ -379,35 +379,6 @@ void collect(std::size_t i, const Station& station, const capture::Markers& mark
   capture.move_into(i, clock, run.duration_ticks, outlet);
 }
 
-void set_error(record::RunRecord& run, const std::string& reason) {
-  run.verdict = Verdict::kError;
-  run.verdict_reason = reason;
-}
-
-void judge_all(const profile::Plan& plan, const waveform::Truth& truth, Station& station,
-               record::RunRecord& run) {
-  std::size_t worst = 0;
-  for (record::OutletRecord& outlet : run.outlets) {
-    judge::BenchUncertainty uncertainty = station.uncertainty();
-    uncertainty.outlet_clock_ms =
-        std::hypot(uncertainty.outlet_clock_ms, outlet.clock.uncertainty_ms);
-    if (!outlet.settings.empty()) {  // else nobody spoke with it, and there is nothing to judge
-      judge::judge_outlet(plan, truth, uncertainty, outlet);
-    }
-    if (!outlet.fault.empty()) {
-      outlet.verdict = Verdict::kError;
-    }
-    run.verdict = std::max(run.verdict, outlet.verdict);
-    worst += outlet.verdict == Verdict::kPass ? 0 : 1;
-  }
-  if (worst > 0) {
-    run.verdict_reason = std::to_string(worst) + " of " + std::to_string(run.outlets.size()) +
-                         " outlets did not pass";
-    const std::string fault = first_fault(run.outlets);
-    run.verdict_reason += fault.empty() ? "" : ": " + fault;
-  }
-}
-
 }  // namespace
 
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options) {
@@ -426,22 +397,15 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
       run.outlets = claim_outlets(plan, station);
       if (!player.play(run.outlets)) {
         run.interrupted = true;
-        set_error(run, "interrupted before its end");
       }
     } catch (const BenchFault& fault) {
-      set_error(run, fault.what());
+      run.fault = fault.what();
     }
   }
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
     collect(i, station, player.markers(), run, capture, run.outlets[i]);
   }
-  if (run.verdict == Verdict::kError) {
-    for (record::OutletRecord& outlet : run.outlets) {
-      outlet.verdict = Verdict::kError;
-    }
-  } else {
-    judge_all(plan, *truth, station, run);
-  }
+  judge::judge(plan, run);
   run.finished_utc = utc_now();
   if (options.writer != nullptr) {
     for (const record::OutletRecord& outlet : run.outlets) {

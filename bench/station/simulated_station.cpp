@@ -27,9 +27,9 @@ class SimulatedStation final : public Station {
   link::Link& link() override { return bench_.link(); }
   relay::RelaySense& relay_sense() override { return bench_.relay_sense(); }
 
-  judge::BenchUncertainty uncertainty() override {
+  record::BenchUncertainty uncertainty() override {
     // Outlets count the very samples that are played.
-    judge::BenchUncertainty uncertainty;
+    record::BenchUncertainty uncertainty;
     uncertainty.relay_sense_ms = 1e3 * bench_.relay_sense().uncertainty_ticks() / sample_rate_hz_;
     return uncertainty;
   }

@@ -69,7 +69,10 @@ struct Fields<RunRecord> {
     visitor("sample_rate_hz", run.sample_rate_hz);
     visitor("duration_ticks", run.duration_ticks);
     visitor("nominal_hz", run.nominal_hz);
+    visitor("uncertainty_relay_sense_ms", run.bench_uncertainty.relay_sense_ms);
+    visitor("uncertainty_frequency_mhz", run.bench_uncertainty.frequency_mhz);
     visitor("interrupted", run.interrupted);
+    visitor("fault", run.fault);
     visitor("verdict", run.verdict);
     visitor("verdict_reason", run.verdict_reason);
   }
@@ -81,6 +84,7 @@ struct Fields<OutletRecord> {
   template <class Self, class Visitor>
   static void visit(Self& outlet, Visitor&& visitor) {
     visitor("id", outlet.id);
+    visitor("took_part", outlet.took_part);
     visitor("group", outlet.group);
     visitor("link", outlet.link);
     visitor("firmware", outlet.firmware);

@@ -10,9 +10,13 @@
 namespace gsbench::record {
 namespace {
 
-constexpr const char* kUnfinished = "the run did not finish";
-
 using SeriesByName = std::map<std::string, Series>;
+
+void mark_unfinished(RunRecord& run) {
+  run.fault = "the run did not finish";
+  run.verdict = Verdict::kError;
+  run.verdict_reason = run.fault;
+}
 
 SeriesByName select_series(Database& database, std::int64_t owner) {
   SeriesByName by_name;
@@ -65,8 +69,7 @@ enum class Extent { kHead, kWhole };
 RunRecord read_parts(Database& database, Extent extent) {
   if (database.integer("SELECT count(*) FROM \"run\"") == 0) {
     RunRecord never_begun;
-    never_begun.verdict = Verdict::kError;
-    never_begun.verdict_reason = kUnfinished;
+    mark_unfinished(never_begun);
     return never_begun;
   }
   auto run = select_one<RunRecord>(database, kRunOwner);
@@ -84,8 +87,7 @@ RunRecord read_parts(Database& database, Extent extent) {
     }
   }
   if (!seal.complete) {
-    run.verdict = Verdict::kError;
-    run.verdict_reason = kUnfinished;
+    mark_unfinished(run);
   }
   return run;
 }

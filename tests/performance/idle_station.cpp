@@ -75,7 +75,7 @@ class IdleStation final : public station::Station {
   source::Source& source() override { return source_; }
   link::Link& link() override { return link_; }
   relay::RelaySense& relay_sense() override { return relay_sense_; }
-  judge::BenchUncertainty uncertainty() override { return {}; }
+  record::BenchUncertainty uncertainty() override { return {}; }
   bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return block_s_; }
 

@@ -119,14 +119,6 @@ TEST(Judge, TheWorstOfItsMeasurementsIsTheOutletsVerdict) {
   EXPECT_EQ(c.outlet.measurements[2].verdict, Verdict::kPass);
 }
 
-TEST(Judge, AVerdictOnlyWorsens) {
-  for (const Verdict before : {Verdict::kInconclusive, Verdict::kFail, Verdict::kError}) {
-    SyntheticCase c = loss_of_500_mw();
-    c.outlet.verdict = before;
-    EXPECT_EQ(verdict(c, at_most("event.count", "", 1.0)), before);
-  }
-}
-
 TEST(Judge, AMeasurementThatIsMissingHasNoValueAndItsReason) {
   SyntheticCase c = loss_of_500_mw();
   c.remove_marks("lse");

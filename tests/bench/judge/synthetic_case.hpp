@@ -29,7 +29,7 @@ struct SyntheticCase {
   profile::Plan plan;
   std::shared_ptr<const waveform::Truth> truth;
   record::OutletRecord outlet;
-  BenchUncertainty uncertainty;
+  record::BenchUncertainty uncertainty;
 
   Case view() const { return {plan, *truth, outlet, uncertainty}; }
   Reading read(const std::string& measure) const { return find_measure(measure)->read(view()); }

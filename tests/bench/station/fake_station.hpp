@@ -46,7 +46,7 @@ class FakeStation final : public Station,
   source::Source& source() override { return *this; }
   link::Link& link() override { return *this; }
   relay::RelaySense& relay_sense() override { return *this; }
-  judge::BenchUncertainty uncertainty() override { return {}; }
+  record::BenchUncertainty uncertainty() override { return {}; }
   bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return script_.block_s; }
 

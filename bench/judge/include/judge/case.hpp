@@ -12,18 +12,11 @@
 
 namespace gsbench::judge {
 
-// What the bench itself can get wrong, expanded (k = 2).
-struct BenchUncertainty {
-  double relay_sense_ms = 0.0;   // an edge's time
-  double outlet_clock_ms = 0.0;  // an outlet's stamp on the run's time base
-  double frequency_mhz = 0.0;    // what the source plays against what it was told
-};
-
 struct Case {
   const profile::Plan& plan;
   const waveform::Truth& truth;
   const record::OutletRecord& outlet;
-  BenchUncertainty uncertainty;
+  const record::BenchUncertainty& uncertainty;
 
   double seconds(std::int64_t tick) const;
   double milliseconds_between(std::int64_t from_tick, std::int64_t to_tick) const;

@@ -1,4 +1,5 @@
-// Measurements against the limits that the profile declared before the run.
+// Judges a run by its record: measurements against the limits that the profile declared before the
+// run, then the verdict of each outlet and of the run.
 #pragma once
 
 #include <vector>
@@ -23,8 +24,14 @@ Judgement judge_word(const Reading& reading, const std::string& expected);
 // its order, then the others, for information.
 std::vector<record::MeasurementResult> measure(const Case& c);
 
-// Fills in measurements and verdict.
+// Fills in the measurements and verdict of an outlet; a faulty one is measured and its verdict is
+// ERROR, one that did not take part is not measured.
 void judge_outlet(const profile::Plan& plan, const waveform::Truth& truth,
-                  const BenchUncertainty& uncertainty, record::OutletRecord& outlet);
+                  const record::BenchUncertainty& uncertainty, record::OutletRecord& outlet);
+
+// Fills in what judge_outlet does of each outlet, run.verdict and run.verdict_reason; what they
+// were before does not count. A run is as good as its worst outlet, and ERROR where the bench
+// failed or the run was interrupted: then nothing is measured. `plan` is that of run.profile_text.
+void judge(const profile::Plan& plan, record::RunRecord& run);
 
 }  // namespace gsbench::judge

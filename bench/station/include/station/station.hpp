@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include <judge/case.hpp>
 #include <link/link.hpp>
 #include <profile/plan.hpp>
+#include <record/run_record.hpp>
 #include <relay/relay_sense.hpp>
 #include <source/source.hpp>
 
@@ -21,7 +21,7 @@ class Station {
   virtual link::Link& link() = 0;
   virtual relay::RelaySense& relay_sense() = 0;
   // Without the outlets' clocks: those are measured in each run.
-  virtual judge::BenchUncertainty uncertainty() = 0;
+  virtual record::BenchUncertainty uncertainty() = 0;
   // Does an outlet's sample count begin at 0 with the source's first tick, and keep step with it?
   // If not, markers are played around the run.
   virtual bool outlets_count_ticks() const = 0;

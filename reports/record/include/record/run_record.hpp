@@ -66,6 +66,7 @@ struct Clock {
 
 struct OutletRecord {
   std::string id;
+  bool took_part = false;  // it was taken into the run; else there is nothing to judge
   std::string group;
   std::string link;             // "simulated", "serial", …
   std::string firmware;         // version and digest it said of itself
@@ -107,6 +108,12 @@ struct Recording {
   bool replaces_profile = false;  // it came in place of what the profile itself would have played
 };
 
+// What the bench itself can get wrong, expanded (k = 2); an outlet's clock is in its own record.
+struct BenchUncertainty {
+  double relay_sense_ms = 0.0;  // an edge's time
+  double frequency_mhz = 0.0;   // of what the source plays
+};
+
 struct RunRecord {
   std::string run_id;       // unique; differs from run to run
   std::string started_utc;  // ISO 8601; wall clock, differs from run to run
@@ -127,7 +134,9 @@ struct RunRecord {
   std::int64_t sample_rate_hz = 0;
   std::int64_t duration_ticks = 0;
   double nominal_hz = 50.0;
+  BenchUncertainty bench_uncertainty;
   bool interrupted = false;  // stopped from outside before its end
+  std::string fault;         // of the bench, which ended the run; empty: none
   Verdict verdict = Verdict::kPass;
   std::string verdict_reason;  // one sentence where it is not PASS
   std::vector<Comparison> comparisons;

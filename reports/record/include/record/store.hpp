@@ -18,11 +18,11 @@ class StoreError : public std::runtime_error {
 };
 
 // Writes one run as it goes: each call is one transaction, so that a crash loses the call in hand
-// and nothing before it. A run that was begun and never finished reads back with verdict ERROR and
-// reason "the run did not finish". Once closed the record is one plain file, with no -wal or -shm
-// beside it.
-// begin comes first, then the outlets, then finish: another order is std::logic_error; columns of
-// unequal length are std::invalid_argument. After any error what was written before still stands.
+// and nothing before it. A run that was begun and never finished reads back with the fault
+// "the run did not finish" and verdict ERROR. Once closed the record is one plain file, with no
+// -wal or -shm beside it. begin comes first, then the outlets, then finish: another order is
+// std::logic_error; columns of unequal length are std::invalid_argument. After any error what was
+// written before still stands.
 class Writer {
  public:
   // Creates the file; refuses (StoreError) where it exists or cannot be written.

@@ -47,7 +47,7 @@ class ChangedStation final : public Station {
   source::Source& source() override { return real_.source(); }
   link::Link& link() override { return link_; }
   relay::RelaySense& relay_sense() override { return real_.relay_sense(); }
-  judge::BenchUncertainty uncertainty() override { return real_.uncertainty(); }
+  record::BenchUncertainty uncertainty() override { return real_.uncertainty(); }
   bool outlets_count_ticks() const override { return real_.outlets_count_ticks(); }
   double block_s() const override { return real_.block_s(); }
 

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <set>
+
+#include <judge/judge.hpp>
+#include <profile/units.hpp>
+
+namespace gsbench::judge {
+
+using record::MeasurementResult;
+using record::Verdict;
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+MeasurementResult result_of(const Measure& measure, const Reading& reading) {
+  MeasurementResult result;
+  result.name = measure.name;
+  result.definition = measure.definition;
+  result.value = reading.missing.empty() ? reading.value : kNone;
+  result.word = reading.word;
+  result.unit = measure.unit;
+  result.low = kNone;
+  result.high = kNone;
+  result.uncertainty = reading.uncertainty;
+  result.reason = reading.missing;
+  return result;
+}
+
+bool concerns(const profile::Expectation& expectation, const record::OutletRecord& outlet) {
+  return expectation.groups.empty() ||
+         std::find(expectation.groups.begin(), expectation.groups.end(), outlet.group) !=
+             expectation.groups.end();
+}
+
+// In the unit that the profile sets its limits in, so that a reader finds his own figures again.
+MeasurementResult judged(const profile::Expectation& expectation, const Measure& measure,
+                         const Reading& reading) {
+  MeasurementResult result = result_of(measure, reading);
+  result.judged = true;
+  Judgement judgement;
+  if (measure.is_word()) {
+    result.expected_word = expectation.equals.value_or("");
+    judgement = judge_word(reading, result.expected_word);
+  } else {
+    const double scale = profile::unit_scale(measure.unit, expectation.unit).value_or(kNone);
+    Reading scaled = reading;
+    scaled.value *= scale;
+    scaled.uncertainty *= scale;
+    result.unit = expectation.unit;
+    result.value = reading.missing.empty() ? scaled.value : kNone;
+    result.uncertainty = scaled.uncertainty;
+    result.low = expectation.min.value_or(kNone);
+    result.high = expectation.max.value_or(kNone);
+    judgement = judge_number(scaled, result.low, result.high);
+  }
+  result.verdict = judgement.verdict;
+  result.reason = judgement.reason;
+  return result;
+}
+
+// A limit that cannot be checked is not dropped: the outlet could pass without it.
+MeasurementResult unknown(const profile::Expectation& expectation) {
+  MeasurementResult result;
+  result.name = expectation.measure;
+  result.value = kNone;
+  result.unit = expectation.unit;
+  result.low = expectation.min.value_or(kNone);
+  result.high = expectation.max.value_or(kNone);
+  result.judged = true;
+  result.verdict = Verdict::kInconclusive;
+  result.reason = "there is no such measure";
+  return result;
+}
+
+}  // namespace
+
+std::vector<MeasurementResult> measure(const Case& c) {
+  std::vector<MeasurementResult> results;
+  std::set<std::string> named;
+  for (const profile::Expectation& expectation : c.plan.expectations) {
+    const Measure* measure = find_measure(expectation.measure);
+    if (!concerns(expectation, c.outlet)) {
+      continue;
+    }
+    if (measure == nullptr) {
+      results.push_back(unknown(expectation));
+      continue;
+    }
+    results.push_back(judged(expectation, *measure, measure->read(c)));
+    named.insert(measure->name);
+  }
+  for (const Measure& measure : catalogue()) {
+    if (named.count(measure.name) == 0) {
+      results.push_back(result_of(measure, measure.read(c)));
+    }
+  }
+  return results;
+}
+
+void judge_outlet(const profile::Plan& plan, const waveform::Truth& truth,
+                  const record::BenchUncertainty& uncertainty, record::OutletRecord& outlet) {
+  outlet.measurements.clear();
+  outlet.verdict = Verdict::kPass;
+  if (!outlet.fault.empty() || !outlet.took_part) {
+    outlet.verdict = Verdict::kError;
+  }
+  if (!outlet.took_part) {
+    return;
+  }
+  outlet.measurements = measure(Case{plan, truth, outlet, uncertainty});
+  bool any_judged = false;
+  for (const MeasurementResult& result : outlet.measurements) {
+    if (result.judged) {
+      any_judged = true;
+      outlet.verdict = std::max(outlet.verdict, result.verdict);
+    }
+  }
+  if (!any_judged) {
+    // Nothing was expected of it, so nothing was shown.
+    outlet.verdict = std::max(outlet.verdict, Verdict::kInconclusive);
+  }
+}
+
+}  // namespace gsbench::judge

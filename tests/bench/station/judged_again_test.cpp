@@ -1,0 +1,75 @@
+// A run judged again from its record alone, as the file keeps it, comes out the same.
+
+#include "fake_station.hpp"
+#include "plans.hpp"
+#include <test_support/temporary_folder.hpp>
+
+#include <atomic>
+
+#include <gtest/gtest.h>
+
+#include <judge/judge.hpp>
+#include <record/store.hpp>
+#include <station/run.hpp>
+
+namespace gsbench::station::test {
+namespace {
+
+void forget_verdicts(record::RunRecord& run) {
+  run.verdict = record::Verdict::kPass;
+  run.verdict_reason.clear();
+  for (record::OutletRecord& outlet : run.outlets) {
+    outlet.verdict = record::Verdict::kPass;
+    outlet.measurements.clear();
+  }
+}
+
+record::Verdict judged_again(const profile::Plan& plan, Station& station,
+                             const std::atomic<bool>* stop = nullptr) {
+  const gsbench::test::TemporaryFolder folder;
+  const std::string path = folder.file("record.sqlite");
+  {
+    record::Writer writer(path);
+    RunOptions options;
+    options.writer = &writer;
+    options.stop = stop;
+    run(plan, station, options);
+  }
+  record::RunRecord record = record::read_run(path);
+  const std::string digest = record::content_digest(record);
+  forget_verdicts(record);
+  EXPECT_NE(record::content_digest(record), digest);
+  judge::judge(parse(record.profile_text), record);
+  EXPECT_EQ(record::content_digest(record), digest);
+  return record.verdict;
+}
+
+TEST(JudgedAgain, ARunWithALossAndNoise) {
+  const profile::Plan plan =
+      test::plan(4.5, "noise_pct = 1.0\n[[grid.loss]]\nat_s = 2.0\npower_mw = 500.0\n",
+                 "[[outlet]]\ncount = 2\naccumulated_mw = 100.0\n");
+  EXPECT_EQ(judged_again(plan, *simulated_station(plan, {})), record::Verdict::kFail);
+}
+
+TEST(JudgedAgain, ARunWithAFaultyOutlet) {
+  Script script;
+  script.answers_settings = false;
+  FakeStation station(script);
+  EXPECT_EQ(judged_again(test::plan(0.5), station), record::Verdict::kError);
+}
+
+TEST(JudgedAgain, ARunThatTheBenchBrokeOff) {
+  Script script;
+  script.play_fails_at = 2;
+  FakeStation station(script);
+  EXPECT_EQ(judged_again(test::plan(0.5), station), record::Verdict::kError);
+}
+
+TEST(JudgedAgain, ARunThatWasInterrupted) {
+  const std::atomic<bool> stop{true};
+  FakeStation station({});
+  EXPECT_EQ(judged_again(test::plan(0.5), station, &stop), record::Verdict::kError);
+}
+
+}  // namespace
+}  // namespace gsbench::station::test
