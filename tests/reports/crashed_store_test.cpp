@@ -56,6 +56,7 @@ TEST_P(CrashedStore, KeepsEveryFinishedCall) {
   EXPECT_EQ(read.verdict, Verdict::kError);
   EXPECT_EQ(read.verdict_reason, "the run did not finish");
   RunRecord expected = run;
+  expected.fault = "the run did not finish";
   expected.verdict = read.verdict;
   expected.verdict_reason = read.verdict_reason;
   expected.outlets.resize(written);

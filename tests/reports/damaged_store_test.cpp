@@ -97,7 +97,7 @@ TEST_F(DamagedStore, TablesOfVersion2AreWhatTheyWere) {
                          nullptr),
             SQLITE_OK);
   sqlite3_close(database);
-  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "cb302da67877e03b");
+  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "32b8b418311d0f0e");
 }
 
 TEST_F(DamagedStore, WithForeignTablesIsRefused) {
