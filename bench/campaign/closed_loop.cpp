@@ -1,4 +1,7 @@
 #include "balance.hpp"
+#include <control_centre/blocks.hpp>
+#include <control_centre/outlet_settings.hpp>
+#include <control_centre/threshold.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,11 +11,9 @@
 #include <stdexcept>
 
 #include <campaign/closed_loop.hpp>
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 #include <models/noise.hpp>
 #include <outlet/outlet.hpp>
-#include <settings/grid_settings.hpp>
 
 namespace gsbench::campaign {
 namespace {
@@ -47,7 +48,7 @@ class Loop {
     hardware_.nominal_hz = static_cast<std::int32_t>(std::lround(grid.nominal_hz));
     voltage_pu_.resize(samples_);
     shed_at_.resize((fleet.outlets() + kOutletsInBlock - 1) / kOutletsInBlock);
-    gs::outlet::Settings settings = settings::grid_settings(grid);
+    gs::outlet::Settings settings = control_centre::grid_settings(grid);
     settings.version = 1;
     if (options.threshold_mw > 0.0) {
       settings.threshold_mw = static_cast<float>(options.threshold_mw);
@@ -56,8 +57,9 @@ class Loop {
       outlets_[i] = std::make_unique<Outlet>();
       const std::size_t group = i / fleet.per_group;
       settings.accumulated_mw = static_cast<float>(fleet.accumulated_mw[group]);
-      settings.switch_off_hz = static_cast<float>(
-          grid::switch_off_hz(grid, fleet.accumulated_mw[group], 0.5 * fleet.group_mw[group]));
+      settings.switch_off_hz = static_cast<float>(control_centre::switch_off_hz(
+          grid, fleet.accumulated_mw[group] - 0.5 * fleet.group_mw[group],
+          0.5 * fleet.group_mw[group]));
       outlets_[i]->skipped = i * 37 % samples_;
       if (!gs::outlet::configure(hardware_, outlets_[i]->config) ||
           apply(outlets_[i]->config, outlets_[i]->state, settings) !=
@@ -99,7 +101,7 @@ class Loop {
     result.scenario.shed = count_shed(fleet_, off_);
     result.scenario.shed.power_mw = power_mw;
     result.scenario.wanted_mw =
-        std::max(options_.loss_mw - grid::threshold_mw(model_, grid_.threshold_hz), 0.0);
+        std::max(options_.loss_mw - control_centre::threshold_mw(model_, grid_.threshold_hz), 0.0);
     for (const auto& outlet : outlets_) {
       if (outlet->event_s >= 0.0) {
         ++result.events;

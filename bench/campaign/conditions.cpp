@@ -1,5 +1,6 @@
 #include "batches.hpp"
 #include "kernel.hpp"
+#include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -8,7 +9,6 @@
 
 #include <campaign/conditions.hpp>
 #include <grid/sfr_model.hpp>
-#include <settings/grid_settings.hpp>
 
 namespace gsbench::campaign {
 namespace {
@@ -35,7 +35,7 @@ void check(const ConditionOptions& options) {
 }  // namespace
 
 Counting shipped_counting(const grid::Grid& grid) {
-  const gs::outlet::Settings settings = settings::grid_settings(grid);
+  const gs::outlet::Settings settings = control_centre::grid_settings(grid);
   return {settings.rocof_samples, settings.lse_samples, settings.ekf_samples,
           settings.condition_hits};
 }
@@ -44,7 +44,7 @@ ConditionResult count_conditions(const grid::Grid& grid, const ConditionOptions&
                                  const Execution& execution) {
   check(options);
   const grid::SfrModel model(grid);
-  const gs::outlet::Settings settings = settings::grid_settings(grid);
+  const gs::outlet::Settings settings = control_centre::grid_settings(grid);
   const auto nominal_hz = static_cast<float>(grid.nominal_hz);
   const Counting& counting = options.counting;
   // Lines may reach back before the loss.

@@ -1,16 +1,15 @@
 #include "batches.hpp"
 #include "kernel.hpp"
+#include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <campaign/estimates.hpp>
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 #include <models/streams.hpp>
 #include <outlet/front_end.hpp>
-#include <settings/grid_settings.hpp>
 
 namespace gsbench::campaign {
 namespace {
@@ -219,7 +218,7 @@ const char* to_string(NoiseLaw law) {
 }
 
 gs::outlet::Settings estimate_settings(const grid::Grid& grid) {
-  gs::outlet::Settings settings = settings::grid_settings(grid);
+  gs::outlet::Settings settings = control_centre::grid_settings(grid);
   settings.lse_samples = kLseSamples;
   settings.ekf_samples = kEkfSamples;
   // The first sample is the first after the loss: nothing went before to detect it by.

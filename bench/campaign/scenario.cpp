@@ -1,15 +1,16 @@
 #include "balance.hpp"
 #include "fleet_kernel.hpp"
+#include <control_centre/blocks.hpp>
+#include <control_centre/outlet_settings.hpp>
+#include <control_centre/threshold.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <campaign/scenario.hpp>
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 #include <models/noise.hpp>
-#include <settings/grid_settings.hpp>
 
 namespace gsbench::campaign {
 namespace {
@@ -55,7 +56,7 @@ class Outlets {
       : fleet_(fleet),
         options_(options),
         execution_(execution),
-        settings_(settings::grid_settings(grid)),
+        settings_(control_centre::grid_settings(grid)),
         threshold_mw_(options.threshold_mw > 0.0 ? options.threshold_mw
                                                  : static_cast<double>(settings_.threshold_mw)),
         chunks_((fleet.outlets() + kChunk - 1) / kChunk),
@@ -116,7 +117,7 @@ class Outlets {
     for (std::size_t group = 0; group < fleet_.groups(); ++group) {
       with_groups.blocks.push_back({std::to_string(group + 1), fleet_.group_mw[group]});
     }
-    for (const grid::BlockSetting& block : grid::block_settings(with_groups)) {
+    for (const control_centre::BlockSetting& block : control_centre::block_settings(with_groups)) {
       switch_off_hz_.push_back(static_cast<float>(block.switch_off_hz - grid.nominal_hz));
     }
     highest_switch_off_hz_ = *std::max_element(switch_off_hz_.begin(), switch_off_hz_.end());
@@ -247,7 +248,7 @@ ScenarioResult play(const grid::Grid& grid, const Fleet& fleet, const ScenarioOp
                     const Execution& execution) {
   check(grid, options);
   const grid::SfrModel model(grid);
-  const double grid_threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
+  const double grid_threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   const double threshold_mw = options.threshold_mw > 0.0 ? options.threshold_mw : grid_threshold_mw;
   Balance balance(model, options.loss_mw);
   Shed shed;

@@ -5,17 +5,12 @@
 
 #include <judge/catalogue.hpp>
 #include <profile/load.hpp>
-#include <station/outlet_settings.hpp>
 
 namespace gsbench::cli {
 namespace {
 
 void check(const std::string& name) {
   const profile::Plan plan = profile::load_profile(name, judge::measure_names());
-  // What only the outlets could refuse is a mistake in the profile as well.
-  for (const profile::Outlet& outlet : plan.outlets) {
-    station::outlet_settings(plan, outlet, 1);
-  }
   std::printf("%s: outlets: %zu, %g s at %lld Hz, limits: %zu\n", plan.name.c_str(),
               plan.outlets.size(), plan.stimulus.duration_s,
               static_cast<long long>(plan.stimulus.sample_rate_hz), plan.expectations.size());

@@ -1,4 +1,7 @@
 #include "commands.hpp"
+#include <control_centre/blocks.hpp>
+#include <control_centre/conditions.hpp>
+#include <control_centre/threshold.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -6,21 +9,22 @@
 
 #include <nlohmann/json.hpp>
 
-#include <grid/control_centre.hpp>
+#include <grid/falling_limb.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::cli {
 namespace {
 
+using control_centre::Accumulation;
 using nlohmann::ordered_json;
 
 ordered_json finite_or_null(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-ordered_json as_json(const grid::Grid& grid, double row_hz) {
+ordered_json as_json(const grid::Grid& grid, double row_hz, Accumulation accumulation) {
   const grid::SfrModel model(grid);
-  const double threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
+  const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   ordered_json out;
   out["grid"] = grid.name;
   out["inertia_s"] = model.inertia_s();
@@ -39,15 +43,17 @@ ordered_json as_json(const grid::Grid& grid, double row_hz) {
   out["phi1"] = closed ? ordered_json(closed->phi1) : ordered_json(nullptr);
   out["t_nadir_s"] = finite_or_null(grid::nadir(model, threshold_mw).t_s);
   out["threshold_mw"] = threshold_mw;
-  out["k_lse_mw_per_hz_s"] = grid::k_lse_mw_per_hz_s(model);
+  out["k_lse_mw_per_hz_s"] = control_centre::k_lse_mw_per_hz_s(model);
   out["conditions"] = ordered_json::array();
-  for (const grid::Condition& row : grid::conditions(model, grid.threshold_hz, row_hz)) {
+  for (const control_centre::Condition& row :
+       control_centre::conditions(model, grid.threshold_hz, row_hz)) {
     out["conditions"].push_back({{"from_hz", row.from_hz},
                                  {"to_hz", row.to_hz},
                                  {"rocof_below_hz_s", row.rocof_below_hz_s}});
   }
   out["blocks"] = ordered_json::array();
-  for (const grid::BlockSetting& block : grid::block_settings(grid)) {
+  for (const control_centre::BlockSetting& block :
+       control_centre::block_settings(grid, accumulation)) {
     out["blocks"].push_back({{"id", block.id},
                              {"power_mw", block.power_mw},
                              {"accumulated_mw", block.accumulated_mw},
@@ -65,9 +71,9 @@ void print_beside(const char* what, const char* unit, double ours, int digits,
   std::putchar('\n');
 }
 
-void print(const grid::Grid& grid, double row_hz) {
+void print(const grid::Grid& grid, double row_hz, Accumulation accumulation) {
   const grid::SfrModel model(grid);
-  const double threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
+  const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   const grid::Reference& reference = grid.reference;
   std::printf("%s: %s\n\n", grid.name.c_str(), grid.title.c_str());
   print_beside("inertia constant H", "s", model.inertia_s(), 4, {});
@@ -77,9 +83,10 @@ void print(const grid::Grid& grid, double row_hz) {
   print_beside("time of the nadir", "s", grid::nadir(model, threshold_mw).t_s, 3,
                reference.t_nadir_s);
   print_beside("threshold power loss", "MW", threshold_mw, 2, reference.threshold_mw);
-  print_beside("K_LSE", "MW/(Hz/s)", grid::k_lse_mw_per_hz_s(model), 2, {});
+  print_beside("K_LSE", "MW/(Hz/s)", control_centre::k_lse_mw_per_hz_s(model), 2, {});
   std::puts("\nLoad-shedding conditions");
-  const std::vector<grid::Condition> rows = grid::conditions(model, grid.threshold_hz, row_hz);
+  const std::vector<control_centre::Condition> rows =
+      control_centre::conditions(model, grid.threshold_hz, row_hz);
   const bool comparable = row_hz == grid.condition_row_hz;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     std::printf("  %7.3f … %7.3f Hz   ROCOF < %8.4f Hz/s", rows[row].from_hz, rows[row].to_hz,
@@ -89,10 +96,11 @@ void print(const grid::Grid& grid, double row_hz) {
     }
     std::putchar('\n');
   }
-  const std::vector<grid::BlockSetting> blocks = grid::block_settings(grid);
+  const std::vector<control_centre::BlockSetting> blocks =
+      control_centre::block_settings(grid, accumulation);
   if (!blocks.empty()) {
     std::puts("\nLoad blocks               power  accumulated  switches off below");
-    for (const grid::BlockSetting& block : blocks) {
+    for (const control_centre::BlockSetting& block : blocks) {
       std::printf("  %-20s %7.1f MW %8.1f MW %11.3f Hz\n", block.id.c_str(), block.power_mw,
                   block.accumulated_mw, block.switch_off_hz);
     }
@@ -108,6 +116,7 @@ void print(const grid::Grid& grid, double row_hz) {
 struct ParamsArguments {
   std::string grid;
   double row_hz = 0.0;
+  Accumulation accumulation = Accumulation::kHalfGroup;
   bool json = false;
 };
 
@@ -118,9 +127,9 @@ void params(const ParamsArguments& arguments) {
   }
   const double row_hz = arguments.row_hz > 0.0 ? arguments.row_hz : grid.condition_row_hz;
   if (arguments.json) {
-    std::printf("%s\n", as_json(grid, row_hz).dump(2).c_str());
+    std::printf("%s\n", as_json(grid, row_hz, arguments.accumulation).dump(2).c_str());
   } else {
-    print(grid, row_hz);
+    print(grid, row_hz, arguments.accumulation);
   }
 }
 
@@ -133,6 +142,10 @@ void add_params(CLI::App& app, int&) {
   command->add_option("grid", arguments->grid, "A shipped grid, or a .toml file")->required();
   command->add_option("--row", arguments->row_hz, "Height of a row of the conditions, Hz")
       ->check(CLI::Range(0.001, 5.0));
+  command->add_flag(
+      "--whole-group",
+      [arguments](std::int64_t) { arguments->accumulation = Accumulation::kWholeGroup; },
+      "A block's own power counts wholly in its accumulated power, eq. (11); without, half");
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");
   command->callback([arguments] { params(*arguments); });

@@ -1,5 +1,3 @@
-#include "switch_off.hpp"
-
 #include <fmt/format.h>
 
 #include <grid/grid.hpp>
@@ -65,12 +63,6 @@ void check_plants(const Grid& grid) {
 }
 
 void check_blocks(const Grid& grid) {
-  if (grid.blocks.empty()) return;
-  if (grid.damping_pu == 0.0) {
-    throw GridError("system.damping_pu", -1,
-                    "damping_pu is 0: must be above 0 where there are blocks, as their "
-                    "switching-off frequency, eq. (17), divides by it");
-  }
   double less_important_mw = 0.0;
   for (std::size_t i = 0; i < grid.blocks.size(); ++i) {
     const Block& block = grid.blocks[i];
@@ -80,13 +72,6 @@ void check_blocks(const Grid& grid) {
     if (less_important_mw + block.power_mw > grid.load_mw) {
       place.refuse("power_mw", block.power_mw,
                    fmt::format("all blocks together must not exceed load_mw, {}", grid.load_mw));
-    }
-    const double switch_off = block_switch_off_hz(grid, less_important_mw, block.power_mw);
-    if (switch_off <= 0.0) {
-      place.refuse("power_mw", block.power_mw,
-                   fmt::format("its switching-off frequency, eq. (17), would be {} Hz: must be so "
-                               "small that it is above 0",
-                               switch_off));
     }
     less_important_mw += block.power_mw;
   }

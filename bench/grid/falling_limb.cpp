@@ -1,7 +1,10 @@
-#include "falling_limb.hpp"
-
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <grid/falling_limb.hpp>
 
 namespace gsbench::grid {
 namespace {
@@ -59,6 +62,14 @@ double time_at_depth_s(const SfrModel& model, const TurningPoint& turn, double d
     if (middle_s <= before_s || middle_s >= after_s) return middle_s;
     (depth_at(model, middle_s) < depth ? before_s : after_s) = middle_s;
   }
+}
+
+Nadir nadir(const SfrModel& model, double loss_mw) {
+  if (!(loss_mw >= 0.0)) {
+    throw std::invalid_argument(fmt::format("loss_mw is {}: must be 0 or above", loss_mw));
+  }
+  const TurningPoint turn = turning_point(model);
+  return {turn.t_s, model.nominal_hz() - loss_mw * model.gain_hz_per_mw() * turn.depth};
 }
 
 }  // namespace gsbench::grid

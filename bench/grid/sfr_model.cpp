@@ -86,4 +86,18 @@ double SfrModel::unit_phase_cycles(double t_s) const {
   return -gain_ * (t_s - transient / omega_n_squared);
 }
 
+std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& model,
+                                                            double reheat_s) {
+  if (model.discriminant_per_s2() <= 0.0) return std::nullopt;
+  const double omega_r = std::sqrt(model.discriminant_per_s2());  // eq. (8)
+  const double cosine = 1.0 - model.sigma_per_s() * reheat_s;
+  const double sine = omega_r * reheat_s;
+  // Eq. (7): its radicand is (1 − T_R·sigma)² + (T_R·omega_r)² over 1 − zeta².
+  const double alpha = std::hypot(cosine, sine) * model.omega_n() / omega_r;
+  // Eq. (9): both angles lie in (0, π), where the paper's tan⁻¹ would leave the quadrant open.
+  const double phi1 = std::atan2(sine, cosine);
+  const double phi2 = std::atan2(omega_r, -model.sigma_per_s());
+  return UnderdampedParameters{alpha, omega_r, phi1 - phi2, phi1};
+}
+
 }  // namespace gsbench::grid

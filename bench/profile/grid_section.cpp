@@ -1,17 +1,17 @@
 #include "grid_section.hpp"
 
+#include <control_centre/blocks.hpp>
+#include <control_centre/conditions.hpp>
+
 #include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include <grid/control_centre.hpp>
+#include <outlet/settings.hpp>
 
 namespace gsbench::profile {
 namespace {
-
-// What outlets keep (outlet/settings.hpp), told here by line and key.
-constexpr std::size_t kMostConditions = 32;
 
 constexpr const char* kInPlaceName = "in the profile";
 
@@ -107,7 +107,7 @@ grid::Grid read_parts(const Table& holder, std::string name, std::string title,
               {"source", "t_nadir_s", "threshold_mw", "condition_rocof_hz_s", "note"}));
   }
   try {
-    grid::check(grid);
+    control_centre::block_settings(grid);  // checks the grid, too
   } catch (const grid::GridError& error) {
     holder.refuse(position_of(holder, error), error.what());
   }
@@ -152,8 +152,9 @@ grid::Grid read_grid_section(const Table& section, const std::string& title,
 
 void check_conditions(const Table& section, const grid::Grid& grid) {
   const std::size_t rows =
-      grid::conditions(grid::SfrModel(grid), grid.threshold_hz, grid.condition_row_hz).size();
-  if (rows <= kMostConditions) return;
+      control_centre::conditions(grid::SfrModel(grid), grid.threshold_hz, grid.condition_row_hz)
+          .size();
+  if (rows <= gs::outlet::kMaxConditions) return;
   const Value* system = section.table("system");
   Position at = system->at;
   if (const auto* entries = std::get_if<Entries>(&system->data)) {
@@ -163,7 +164,7 @@ void check_conditions(const Table& section, const grid::Grid& grid) {
   }
   section.refuse(at, fmt::format("rows of {} Hz make {} load-shedding conditions; an outlet keeps "
                                  "{} at most: condition_row_hz must be greater",
-                                 grid.condition_row_hz, rows, kMostConditions));
+                                 grid.condition_row_hz, rows, gs::outlet::kMaxConditions));
 }
 
 }  // namespace gsbench::profile

@@ -1,6 +1,7 @@
 #include "outlets.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -24,14 +25,14 @@ std::optional<int> read_count(const Table& table, const std::string& key, int le
   return value ? std::optional<int>(static_cast<int>(*value)) : std::nullopt;
 }
 
-OutletSettings read_settings(const Table& table, const grid::Grid& grid) {
-  OutletSettings settings;
+control_centre::Wishes read_settings(const Table& table, const grid::Grid& grid) {
+  control_centre::Wishes settings;
   Range load = between(0.0, grid.load_mw);
   load.note = "the grid's load";
   settings.accumulated_mw = table.number("accumulated_mw", load).value_or(0.0);
   Range block = above(0.0);
-  block.high = settings.accumulated_mw;
-  block.note = "accumulated_mw, which counts the outlet's own block";
+  block.high = 2.0 * settings.accumulated_mw;
+  block.note = "twice accumulated_mw, which counts half of the outlet's own block";
   settings.power_mw = table.number("power_mw", block);
   settings.threshold_mw = table.number("threshold_mw", between(kLeastPower_mw, kMostPower_mw));
   Range below_nominal = between(kLowestSwitchOff_pu * grid.nominal_hz, grid.nominal_hz);
@@ -67,7 +68,12 @@ std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid) {
     const auto prefix = table.identifier("id", kLongestId);
     const std::string group =
         table.identifier("group", kLongestId).value_or(prefix.value_or("all"));
-    const OutletSettings settings = read_settings(table, grid);
+    const control_centre::Wishes settings = read_settings(table, grid);
+    try {
+      control_centre::outlet_settings(grid, settings, 1);
+    } catch (const std::invalid_argument& error) {
+      table.refuse(table.at(), error.what());
+    }
     if (outlets.size() + static_cast<std::size_t>(count) > kMostOutlets) {
       table.refuse(table.at(), fmt::format("more than {} outlets in all", kMostOutlets));
     }

@@ -1,9 +1,9 @@
 // Load-shedding conditions over noise, §6.2.
 #include "sections.hpp"
+#include <control_centre/threshold.hpp>
 
 #include <cstdio>
 
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 
 namespace gsbench::reproduce {
@@ -83,7 +83,7 @@ PageSection table2(Study& study, const Execution& execution) {
   PageSection section;
   section.tables = {table, over_choices(study, nth_of(execution, 1, 2))};
   const double threshold_mw =
-      grid::threshold_mw(grid::SfrModel(study.grid()), study.grid().threshold_hz);
+      control_centre::threshold_mw(grid::SfrModel(study.grid()), study.grid().threshold_hz);
   char threshold[32];
   std::snprintf(threshold, sizeof threshold, "%.1f", threshold_mw);
   section.paragraphs = {

@@ -1,10 +1,12 @@
 // What follows from the grid alone.
 #include "sections.hpp"
+#include <control_centre/conditions.hpp>
+#include <control_centre/threshold.hpp>
 
 #include <cstdio>
 #include <optional>
 
-#include <grid/control_centre.hpp>
+#include <grid/falling_limb.hpp>
 #include <grid/sfr_model.hpp>
 
 namespace gsbench::reproduce {
@@ -24,7 +26,7 @@ double figure_or_none(const std::optional<double>& figure) {
 PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
   const grid::Grid& grid = study.grid();
   const grid::SfrModel model(grid);
-  const double threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
+  const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   const grid::Nadir lowest = grid::nadir(model, threshold_mw);
   PageSection section;
   section.tables = {
@@ -59,7 +61,7 @@ PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
                                "from … to, Hz",
                                {"paper", "gsbench", "difference"},
                                {}};
-  const auto rows = grid::conditions(model, grid.threshold_hz, grid.condition_row_hz);
+  const auto rows = control_centre::conditions(model, grid.threshold_hz, grid.condition_row_hz);
   const std::vector<double>& printed = grid.reference.condition_rocof_hz_s;
   record::CurvePlot plot = {"The conditions as outlets hold them.", "Hz", "Hz/s"};
   plot.steps = true;
@@ -85,7 +87,7 @@ PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
 PageSection fig14(Study& study, const Execution& /*execution*/) {
   const grid::Grid& grid = study.grid();
   const grid::SfrModel model(grid);
-  const double threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
+  const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   PageSection section;
   record::CurvePlot plot = {
       "ROCOF over the deviation of the frequency, until the nadir; the higher the loss, the lower "

@@ -1,5 +1,6 @@
 // A million outlets, §6.5.
 #include "sections.hpp"
+#include <control_centre/threshold.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,6 @@
 #include <campaign/estimates.hpp>
 #include <campaign/fleet.hpp>
 #include <campaign/scenario.hpp>
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 
 namespace gsbench::reproduce {
@@ -57,7 +57,7 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
   const grid::Grid& grid = study.grid();
   PageSection section;
   int n = 0;
-  const double threshold_mw = grid::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
+  const double threshold_mw = control_centre::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
   const double wanted_mw = kLossMw - threshold_mw;
   record::FigureTable table = {
       "Shed after 500 MW, by the estimates of Fig. 17 and of Table 5",
@@ -139,8 +139,8 @@ PageSection fig22(Study& study, const Execution& execution) {
   choice.control = Control::kGridSense;
   const auto plain = add("with Grid Sense");
   if (plain && std::isfinite(plain->last_action_s)) {
-    choice.threshold_mw = grid::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz,
-                                                       kLossMw, plain->last_action_s);
+    choice.threshold_mw = control_centre::threshold_for_delay_mw(
+        grid::SfrModel(grid), grid.threshold_hz, kLossMw, plain->last_action_s);
     add("with a threshold that knows of the delay");
   }
   section.tables = {table};

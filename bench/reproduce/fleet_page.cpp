@@ -1,5 +1,6 @@
 // Pages of `gsbench fleet`.
 #include "study.hpp"
+#include <control_centre/threshold.hpp>
 
 #include <cmath>
 #include <map>
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <campaign/closed_loop.hpp>
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 #include <reproduce/fleet_page.hpp>
 
@@ -58,8 +58,8 @@ record::FigureRow row_of(const std::string& name, const ScenarioResult& result) 
 // What keeps the nadir where outlets act that late.
 double delay_aware_threshold_mw(const grid::Grid& grid, const ScenarioOptions& options,
                                 double last_action_s) {
-  return grid::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz, options.loss_mw,
-                                      last_action_s);
+  return control_centre::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz,
+                                                options.loss_mw, last_action_s);
 }
 
 record::PageSection controls(const grid::Grid& grid, const FleetStudy& study,
@@ -137,7 +137,7 @@ std::vector<double> losses_of(const grid::Grid& grid, const Sweep& sweep) {
   if (!sweep.losses_mw.empty()) {
     return sweep.losses_mw;
   }
-  const double threshold_mw = grid::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
+  const double threshold_mw = control_centre::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
   std::vector<double> losses_mw;
   for (const double part : kLossParts) {
     if (part * threshold_mw <= grid.base_mw) {

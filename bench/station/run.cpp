@@ -1,6 +1,7 @@
 #include "comparisons.hpp"
 #include "identity.hpp"
 #include "stimulus_marks.hpp"
+#include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@
 #include <capture/truth_trace.hpp>
 #include <judge/judge.hpp>
 #include <link/version_text.hpp>
-#include <station/outlet_settings.hpp>
+#include <profile/load.hpp>
 #include <station/played_signal.hpp>
 #include <station/run.hpp>
 #include <station/safe_state.hpp>
@@ -303,7 +304,11 @@ class Player {
 // Before anything is touched: what the firmware would refuse is the profile's mistake.
 void check_settings(const profile::Plan& plan) {
   for (const profile::Outlet& outlet : plan.outlets) {
-    outlet_settings(plan, outlet, 1);
+    try {
+      control_centre::outlet_settings(plan.grid, outlet.settings, 1);
+    } catch (const std::invalid_argument& error) {
+      throw profile::ConfigurationError(plan.path + ": outlet " + outlet.id + ": " + error.what());
+    }
   }
 }
 
@@ -329,8 +334,9 @@ record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
   // An outlet takes no settings that are older than those it has.
   gs::wire::Downlink message;
   message.kind = gs::wire::DownlinkKind::kSettings;
-  message.settings = outlet_settings(plan, plan.outlets[i], hello.settings_version + 1);
-  record.settings = described(message.settings);
+  message.settings = control_centre::outlet_settings(plan.grid, plan.outlets[i].settings,
+                                                     hello.settings_version + 1);
+  record.settings = control_centre::described(message.settings);
   record.settings["tracker_delay_s"] = static_cast<double>(hello.tracker_delay_s);
   record.settings["voltage_delay_s"] = static_cast<double>(hello.voltage_delay_s);
   require(link.send(i, message));

@@ -47,7 +47,7 @@ double nadir_time_disagreement(const grid::Nadir& claimed, const Turn& turn) {
 
 double conditions_disagreement(const grid::Grid& grid, const PowerSystem& system,
                                long double threshold_mw,
-                               const std::vector<grid::Condition>& claimed) {
+                               const std::vector<control_centre::Condition>& claimed) {
   std::vector<long double> deviations_hz;
   for (std::size_t i = 0; i + 1 < claimed.size(); ++i) {
     deviations_hz.push_back(static_cast<long double>(claimed[i].from_hz) - grid.nominal_hz);
@@ -77,9 +77,9 @@ Claim claim_of(const Scenario& scenario) {
                              response.excess_cycles(t_s)});
   }
   claim.nadir = grid::nadir(model, loss_of_a_tenth_mw(grid));
-  claim.threshold_mw = grid::threshold_mw(model, grid.threshold_hz);
-  claim.k_lse_mw_per_hz_s = grid::k_lse_mw_per_hz_s(model);
-  claim.conditions = grid::conditions(model, grid.threshold_hz, grid.condition_row_hz);
+  claim.threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
+  claim.k_lse_mw_per_hz_s = control_centre::k_lse_mw_per_hz_s(model);
+  claim.conditions = control_centre::conditions(model, grid.threshold_hz, grid.condition_row_hz);
   return claim;
 }
 

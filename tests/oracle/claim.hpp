@@ -1,9 +1,12 @@
 // What bench/grid claims of a grid, and how far the simulated power system disagrees.
 #pragma once
 
+#include <control_centre/conditions.hpp>
+#include <control_centre/threshold.hpp>
+
 #include <vector>
 
-#include <grid/control_centre.hpp>
+#include <grid/falling_limb.hpp>
 #include <grid/sfr_model.hpp>
 
 namespace gsbench::oracle {
@@ -19,7 +22,7 @@ struct Claim {
   grid::Nadir nadir;            // after a loss of a tenth of the load
   double threshold_mw;
   double k_lse_mw_per_hz_s;
-  std::vector<grid::Condition> conditions;
+  std::vector<control_centre::Condition> conditions;
 };
 
 struct Scenario {

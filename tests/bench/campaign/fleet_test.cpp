@@ -1,3 +1,5 @@
+#include <control_centre/threshold.hpp>
+
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -6,7 +8,6 @@
 
 #include <campaign/fleet.hpp>
 #include <campaign/scenario.hpp>
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 #include <profile/load.hpp>
 
@@ -29,7 +30,7 @@ const gsbench::grid::Grid& ieee24() {
 }
 
 double threshold_mw() {
-  return gsbench::grid::threshold_mw(gsbench::grid::SfrModel(ieee24()), 49.5);
+  return gsbench::control_centre::threshold_mw(gsbench::grid::SfrModel(ieee24()), 49.5);
 }
 
 // As many MW as the paper's, by fewer outlets that take more each.
@@ -116,7 +117,7 @@ TEST(Scenario, BelowTheThresholdNobodySheds) {
 
 TEST(Scenario, AThresholdThatKnowsOfTheDelayKeepsTheNadir) {
   const gsbench::grid::SfrModel model(ieee24());
-  const double told_mw = gsbench::grid::threshold_for_delay_mw(model, 49.5, 500.0, 0.908);
+  const double told_mw = gsbench::control_centre::threshold_for_delay_mw(model, 49.5, 500.0, 0.908);
   EXPECT_LT(told_mw, threshold_mw());
   EXPECT_GE(play_control(Control::kGridSense, 500.0, told_mw).nadir_hz, 49.5);
 }

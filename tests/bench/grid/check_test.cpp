@@ -1,4 +1,4 @@
-#include "example_grids.hpp"
+#include <grid_test/example_grids.hpp>
 
 #include <cmath>
 #include <limits>
@@ -103,14 +103,6 @@ const Refusal kRefusals[] = {
      "block 2 \"second\": power_mw is 0: must be from "},
     {"BlocksBeyondTheLoad", [](Grid& g) { g.blocks[1].power_mw = 2696.0; }, "block.power_mw", 1,
      "power_mw is 2696: all blocks together must not exceed load_mw, 2745"},
-    {"BlockWithoutASwitchingOffFrequency",
-     [](Grid& g) {
-       g.damping_pu = 0.01;
-       g.blocks[0].power_mw = 50.0;
-     },
-     "block.power_mw", 0, "its switching-off frequency, eq. (17), would be"},
-    {"BlocksWithoutDamping", [](Grid& g) { g.damping_pu = 0.0; }, "system.damping_pu", -1,
-     "damping_pu is 0: must be above 0 where there are blocks"},
     {"ReferenceNadirTimeNegative", [](Grid& g) { g.reference.t_nadir_s = -1.0; },
      "reference.t_nadir_s", -1, "t_nadir_s is -1: must be from "},
     {"ReferenceThresholdNaN", [](Grid& g) { g.reference.threshold_mw = kNaN; },

@@ -1,4 +1,4 @@
-#include "example_grids.hpp"
+#include <grid_test/example_grids.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 
 namespace gsbench::grid {

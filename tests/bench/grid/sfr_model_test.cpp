@@ -1,4 +1,4 @@
-#include "example_grids.hpp"
+#include <grid_test/example_grids.hpp>
 
 #include <cmath>
 

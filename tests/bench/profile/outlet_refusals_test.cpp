@@ -35,9 +35,13 @@ const Spoilt kOutlets[] = {
     {"AccumulatedAboveTheLoad", "accumulated_mw = 100.0", "accumulated_mw = 801",
      "test.toml:61:18: accumulated_mw is 801; it must be at least 0 and at most 800 (the grid's "
      "load)"},
-    {"PowerAboveAccumulated", "power_mw = 40.0", "power_mw = 140.0",
-     "test.toml:62:12: power_mw is 140; it must be above 0 and at most 100 (accumulated_mw, which "
-     "counts the outlet's own block)"},
+    {"PowerAboveTwiceAccumulated", "power_mw = 40.0", "power_mw = 240.0",
+     "test.toml:62:12: power_mw is 240; it must be above 0 and at most 200 (twice accumulated_mw, "
+     "which counts half of the outlet's own block)"},
+    {"RefusedByTheFirmware", "id = \"alone\"", "id = \"alone\"\naccumulated_mw = 300.0",
+     "test.toml:70:1: the firmware refuses these settings: switching-off frequency not from 80 % "
+     "of "
+     "nominal to below nominal"},
     {"ThresholdZero", "threshold_mw = 200.0", "threshold_mw = 0",
      "test.toml:63:16: threshold_mw is 0; it must be at least 1e-06 and at most 10000000"},
     {"ThresholdBelowAnyPower", "threshold_mw = 200.0", "threshold_mw = 1e-300",

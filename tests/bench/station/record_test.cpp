@@ -9,9 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <grid/control_centre.hpp>
 #include <record/store.hpp>
-#include <station/outlet_settings.hpp>
 #include <station/run.hpp>
 
 namespace gsbench::station::test {

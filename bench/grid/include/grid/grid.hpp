@@ -1,5 +1,6 @@
 // A power system as the frequency response model sees it: plants, load, and what is wanted of the
-// control. Pure data: bench/profile fills it from a grid file, SfrModel and control_centre use it.
+// control. Pure data: bench/profile fills it from a grid file, SfrModel and bench/control_centre
+// use it.
 #pragma once
 
 #include <optional>

@@ -8,6 +8,7 @@
 // Eq. (3) of the paper misprints its denominator: it is s² + 2·zeta·omega_n·s + omega_n².
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <grid/grid.hpp>
@@ -39,6 +40,16 @@ class SfrModel {
  private:
   double inertia_s_, droop_pu_, omega_n_, zeta_, sigma_, d_, g0_, gain_, nominal_hz_, base_mw_;
 };
+
+// The paper's closed-form parameters of eq. (7)–(9), (12); they exist for zeta < 1 only.
+struct UnderdampedParameters {
+  double alpha;
+  double omega_r;  // rad/s
+  double phi;      // rad
+  double phi1;     // rad, in (0, π)
+};
+
+std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& model, double reheat_s);
 
 // Several changes superposed, eq. (10).
 class FrequencyResponse {

@@ -2,6 +2,8 @@
 // does not make sense never becomes a Plan (see load_profile).
 #pragma once
 
+#include <control_centre/outlet_settings.hpp>
+
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -41,24 +43,10 @@ struct Stimulus {
   float noise_rms_pu() const { return static_cast<float>(noise_pct / 100.0); }
 };
 
-// Settings of an outlet that a profile may set; what it leaves out the control centre derives from
-// the grid, or the firmware's default stands.
-struct OutletSettings {
-  double accumulated_mw = 0.0;               // P^A, >= 0
-  std::optional<double> power_mw;            // of the outlet's block, for eq. (17)
-  std::optional<double> threshold_mw;        // ΔP_s in place of eq. (15)
-  std::optional<double> switch_off_hz;       // f^B in place of eq. (17)
-  std::optional<double> event_drop_hz;       // least sum of the drops that make an event
-  std::optional<double> event_departure_hz;  // least fall below the course before, for the same
-  std::optional<int> condition_hits;         // n_max of §5.2
-  std::optional<int> lse_samples;            // n of eq. (19)
-  std::optional<int> ekf_samples;            // EKF iterations before the decision
-};
-
 struct Outlet {
   std::string id;     // unique in the plan
   std::string group;  // the [[outlet]] table it came from
-  OutletSettings settings;
+  control_centre::Wishes settings;
 };
 
 // Groups of these outlets, each once, in the order of the profile.

@@ -1,10 +1,12 @@
 // Settings of an outlet in the modified IEEE 24-bus system of Xiang et al., and that system.
 #pragma once
 
+#include <control_centre/conditions.hpp>
+#include <control_centre/threshold.hpp>
+
 #include <memory>
 #include <vector>
 
-#include <grid/control_centre.hpp>
 #include <grid/sfr_model.hpp>
 #include <outlet/settings.hpp>
 #include <waveform/truth.hpp>
@@ -37,13 +39,14 @@ inline outlet::Settings ieee24_settings() {
   outlet::Settings settings;
   settings.version = 1;
   settings.response = response_of(model);
-  settings.threshold_mw = static_cast<float>(gsbench::grid::threshold_mw(model, grid.threshold_hz));
+  settings.threshold_mw =
+      static_cast<float>(gsbench::control_centre::threshold_mw(model, grid.threshold_hz));
   settings.largest_loss_mw = static_cast<float>(grid.base_mw);
   settings.accumulated_mw = 100.0F;
   settings.switch_off_hz = 49.0F;
   settings.loss_sigma_mw = 0.25F * settings.threshold_mw;
-  for (const gsbench::grid::Condition& row :
-       gsbench::grid::conditions(model, grid.threshold_hz, grid.condition_row_hz)) {
+  for (const gsbench::control_centre::Condition& row :
+       gsbench::control_centre::conditions(model, grid.threshold_hz, grid.condition_row_hz)) {
     settings.conditions[settings.condition_rows] = {static_cast<float>(row.from_hz),
                                                     static_cast<float>(row.rocof_below_hz_s)};
     ++settings.condition_rows;

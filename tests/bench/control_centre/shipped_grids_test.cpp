@@ -1,4 +1,7 @@
-#include "example_grids.hpp"
+#include <control_centre/blocks.hpp>
+#include <control_centre/conditions.hpp>
+#include <control_centre/threshold.hpp>
+#include <grid_test/example_grids.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <grid/control_centre.hpp>
+#include <grid/falling_limb.hpp>
 #include <profile/load.hpp>
 
-namespace gsbench::grid {
+namespace gsbench::control_centre {
 namespace {
 
 // Half a unit of the last digit that the expected figure is given with.
@@ -23,24 +26,24 @@ TEST(ShippedGrids, AreThree) {
 }
 
 TEST(ShippedGrids, HaveTheCalibratedIeee24BusSystem) {
-  const Grid grid = profile::load_grid("ieee24");
-  const SfrModel model(grid), expected(ieee24());
+  const grid::Grid grid = profile::load_grid("ieee24");
+  const grid::SfrModel model(grid), expected(grid::ieee24());
   EXPECT_DOUBLE_EQ(model.inertia_s(), expected.inertia_s());
   EXPECT_DOUBLE_EQ(model.droop_pu(), expected.droop_pu());
   EXPECT_NEAR(threshold_mw(model, grid.threshold_hz), 351.92, kTwoDecimals);
 }
 
 TEST(ShippedGrids, HaveTheIeee24BusSystemByUnit) {
-  const Grid grid = profile::load_grid("ieee24-by-unit");
-  const SfrModel model(grid);
+  const grid::Grid grid = profile::load_grid("ieee24-by-unit");
+  const grid::SfrModel model(grid);
   EXPECT_NEAR(model.inertia_s(), 7.826, kThreeDecimals);
   EXPECT_NEAR(1.0 / model.droop_pu(), 19.770, kThreeDecimals);
   EXPECT_NEAR(threshold_mw(model, grid.threshold_hz), 320.67, kTwoDecimals);
-  EXPECT_NEAR(nadir(model, 100.0).t_s, 3.564, kThreeDecimals);
+  EXPECT_NEAR(grid::nadir(model, 100.0).t_s, 3.564, kThreeDecimals);
 }
 
-double largest_difference_from_print_hz_s(const Grid& grid) {
-  const auto rows = conditions(SfrModel(grid), grid.threshold_hz, grid.condition_row_hz);
+double largest_difference_from_print_hz_s(const grid::Grid& grid) {
+  const auto rows = conditions(grid::SfrModel(grid), grid.threshold_hz, grid.condition_row_hz);
   const std::vector<double>& printed = grid.reference.condition_rocof_hz_s;
   EXPECT_EQ(rows.size(), printed.size());
   double largest = 0.0;
@@ -64,8 +67,8 @@ TEST(ShippedGrids, HaveBlocksToShedAfterTheLossOf500Mw) {
 }
 
 TEST(ShippedGrids, HaveASixtyHertzSystemOfTextbookConstants) {
-  const Grid grid = profile::load_grid("island-60hz");
-  const SfrModel model(grid);
+  const grid::Grid grid = profile::load_grid("island-60hz");
+  const grid::SfrModel model(grid);
   EXPECT_EQ(grid.nominal_hz, 60.0);
   EXPECT_NEAR(model.inertia_s(), 4.0, 0.05)
       << "inertia by kind of plant, about the 4 s of the book";
@@ -78,4 +81,4 @@ TEST(ShippedGrids, HaveASixtyHertzSystemOfTextbookConstants) {
 }
 
 }  // namespace
-}  // namespace gsbench::grid
+}  // namespace gsbench::control_centre

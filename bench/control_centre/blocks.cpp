@@ -1,0 +1,69 @@
+#include <control_centre/blocks.hpp>
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace gsbench::control_centre {
+namespace {
+
+// The paper's sum runs over i, its own index; what is meant is j = 1 … i−1, the blocks already off.
+double eq17_hz(const grid::Grid& grid, double less_important_mw, double power_mw) {
+  return grid.threshold_hz -
+         power_mw / (grid.damping_pu * (grid.load_mw - less_important_mw)) * grid.nominal_hz;
+}
+
+}  // namespace
+
+double accumulated_mw(double less_important_mw, double group_mw, Accumulation accumulation) {
+  return less_important_mw + (accumulation == Accumulation::kWholeGroup ? 1.0 : 0.5) * group_mw;
+}
+
+std::vector<BlockSetting> block_settings(const grid::Grid& grid, Accumulation accumulation) {
+  grid::check(grid);
+  if (!grid.blocks.empty() && grid.damping_pu == 0.0) {
+    throw grid::GridError("system.damping_pu", -1,
+                          "damping_pu is 0: must be above 0 where there are blocks, as their "
+                          "switching-off frequency, eq. (17), divides by it");
+  }
+  std::vector<BlockSetting> settings;
+  double less_important_mw = 0.0;
+  for (const grid::Block& block : grid.blocks) {
+    const double switch_off = eq17_hz(grid, less_important_mw, block.power_mw);
+    if (switch_off <= 0.0) {
+      throw grid::GridError(
+          "block.power_mw", static_cast<int>(settings.size()),
+          fmt::format("block {} \"{}\": power_mw is {}: its switching-off frequency, eq. (17), "
+                      "would be {} Hz: must be so small that it is above 0",
+                      settings.size() + 1, block.id, block.power_mw, switch_off));
+    }
+    settings.push_back({block.id, block.power_mw,
+                        accumulated_mw(less_important_mw, block.power_mw, accumulation),
+                        switch_off});
+    less_important_mw += block.power_mw;
+  }
+  return settings;
+}
+
+double switch_off_hz(const grid::Grid& grid, double less_important_mw, double power_mw) {
+  if (!(less_important_mw >= 0.0 && power_mw >= 0.0 &&
+        less_important_mw + power_mw <= grid.load_mw)) {
+    throw std::invalid_argument(
+        fmt::format("power_mw is {} behind {} MW that are shed before: neither must be negative, "
+                    "and their sum at most load_mw, {}",
+                    power_mw, less_important_mw, grid.load_mw));
+  }
+  if (power_mw == 0.0) {
+    return grid.threshold_hz;  // no load, nothing to wait for
+  }
+  const double switch_off = eq17_hz(grid, less_important_mw, power_mw);
+  if (!(switch_off > 0.0)) {
+    throw std::invalid_argument(
+        fmt::format("power_mw is {} with damping_pu {}: its switching-off frequency, eq. (17), "
+                    "would be {} Hz and must be above 0",
+                    power_mw, grid.damping_pu, switch_off));
+  }
+  return switch_off;
+}
+
+}  // namespace gsbench::control_centre

@@ -1,0 +1,22 @@
+// The threshold loss ΔP_s: the largest loss after which nothing has to be shed (§4, eq. 15, 18).
+#pragma once
+
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::control_centre {
+
+// ΔP_s, eq. (15), MW. Throws std::invalid_argument unless 0 < threshold_hz < f_n.
+double threshold_mw(const grid::SfrModel& model, double threshold_hz);
+
+// The threshold by which outlets that act `delay_s` after a loss keep its nadir at threshold_hz:
+// eq. (15) takes shedding to be instant, so that less is shed than it takes. It is the same for a
+// delay of 0, and the lower the later and the larger the loss: take the largest that is to be met.
+// Where no shedding helps any more, below which the nadir comes before the delay has passed, 0.
+// Throws std::invalid_argument as threshold_mw does, or for a negative loss or delay.
+double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, double loss_mw,
+                              double delay_s);
+
+// K^LSE of eq. (18), MW per Hz/s, negative.
+double k_lse_mw_per_hz_s(const grid::SfrModel& model);
+
+}  // namespace gsbench::control_centre

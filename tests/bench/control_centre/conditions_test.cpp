@@ -1,0 +1,108 @@
+#include <control_centre/conditions.hpp>
+#include <control_centre/threshold.hpp>
+#include <grid_test/example_grids.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <grid/falling_limb.hpp>
+
+namespace gsbench::control_centre {
+namespace {
+
+TEST(Conditions, AreTableOneOfThePaper) {
+  const double printed_hz_s[] = {-0.3236, -0.2987, -0.2729, -0.2461, -0.2179,
+                                 -0.1879, -0.1557, -0.1200, -0.0779, 0.0};
+  const std::vector<Condition> rows = conditions(grid::SfrModel(grid::ieee24()), 49.5, 0.05);
+  ASSERT_EQ(rows.size(), std::size(printed_hz_s));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double row = static_cast<double>(i);
+    // 3e-4: what the calibration of H and R leaves of the difference.
+    EXPECT_NEAR(rows[i].rocof_below_hz_s, printed_hz_s[i], 3e-4) << "row " << i;
+    EXPECT_NEAR(rows[i].from_hz, 49.95 - 0.05 * row, 1e-12);
+    EXPECT_NEAR(rows[i].to_hz, 50.0 - 0.05 * row, 1e-12);
+  }
+}
+
+TEST(Conditions, EndWithExactlyZeroAtTheThreshold) {
+  for (const grid::Grid& grid :
+       {grid::ieee24(), grid::overdamped_grid(), grid::first_order_grid()}) {
+    const Condition last = conditions(grid::SfrModel(grid), 49.5, 0.05).back();
+    EXPECT_EQ(last.from_hz, 49.5);
+    EXPECT_EQ(last.rocof_below_hz_s, 0.0);
+    EXPECT_FALSE(std::signbit(last.rocof_below_hz_s)) << "prints as 0, not −0";
+  }
+}
+
+struct Rows {
+  double threshold_hz;
+  double row_hz;
+  std::size_t count;
+  double last_height_hz;
+};
+
+class ConditionRows : public ::testing::TestWithParam<Rows> {};
+
+TEST_P(ConditionRows, CoverTheRangeFromNominalToThresholdWithoutAGap) {
+  const auto [threshold_hz, row_hz, count, last_height_hz] = GetParam();
+  for (const grid::Grid& grid :
+       {grid::ieee24(), grid::overdamped_grid(), grid::first_order_grid()}) {
+    const std::vector<Condition> rows = conditions(grid::SfrModel(grid), threshold_hz, row_hz);
+    ASSERT_EQ(rows.size(), count);
+    EXPECT_EQ(rows.front().to_hz, 50.0);
+    EXPECT_EQ(rows.back().from_hz, threshold_hz);
+    EXPECT_NEAR(rows.back().to_hz - rows.back().from_hz, last_height_hz, 1e-12);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      EXPECT_EQ(rows[i].to_hz, rows[i - 1].from_hz);
+      EXPECT_GT(rows[i].rocof_below_hz_s, rows[i - 1].rocof_below_hz_s);
+    }
+  }
+}
+
+// 50 − 49.8 is not four rows of 0.05 to the last bit, and must be all the same.
+INSTANTIATE_TEST_SUITE_P(Heights, ConditionRows,
+                         ::testing::Values(Rows{49.5, 0.05, 10, 0.05}, Rows{49.8, 0.05, 4, 0.05},
+                                           Rows{49.5, 0.1, 5, 0.1}, Rows{49.5, 0.07, 8, 0.01},
+                                           Rows{49.5, 0.001, 500, 0.001}, Rows{49.5, 0.3, 2, 0.2},
+                                           Rows{49.5, 2.0, 1, 0.5}));
+
+TEST(Conditions, HoldTheRocofWithWhichTheThresholdLossPassesTheLowerEdge) {
+  for (const grid::Grid& grid : {grid::ieee24(), grid::overdamped_grid(), grid::grid_of_zeta(1.0),
+                                 grid::first_order_grid()}) {
+    const grid::SfrModel model(grid);
+    const double loss_mw = threshold_mw(model, 49.5);
+    const std::vector<Condition> rows = conditions(model, 49.5, 0.05);
+    const double end_s = grid::nadir(model, loss_mw).t_s;
+    std::size_t row = 0;
+    // A walk down the falling limb in steps so fine that f moves by less than 1e-4 Hz in one.
+    double before_hz_s = model.unit_rocof_hz_s(0.0) * loss_mw;
+    for (double t_s = 0.0; t_s < end_s && row + 1 < rows.size(); t_s += 1e-4) {
+      const double f_hz = 50.0 + loss_mw * model.unit_deviation_hz(t_s);
+      const double rocof_hz_s = loss_mw * model.unit_rocof_hz_s(t_s);
+      if (f_hz < rows[row].from_hz) {
+        EXPECT_GE(rows[row].rocof_below_hz_s, before_hz_s) << "row " << row;
+        EXPECT_LE(rows[row].rocof_below_hz_s, rocof_hz_s) << "row " << row;
+        ++row;
+      }
+      before_hz_s = rocof_hz_s;
+    }
+    EXPECT_EQ(row + 1, rows.size());
+  }
+}
+
+TEST(Conditions, RefuseAThresholdThatIsNotBelowNominal) {
+  EXPECT_THROW(conditions(grid::SfrModel(grid::ieee24()), 50.0, 0.05), std::invalid_argument);
+}
+
+TEST(Conditions, RefuseARowFinerThanAMillihertz) {
+  const grid::SfrModel model(grid::ieee24());
+  for (const double row_hz : {0.0009, 0.0, -0.05, std::nan("")}) {
+    EXPECT_THROW(conditions(model, 49.5, row_hz), std::invalid_argument) << row_hz;
+  }
+}
+
+}  // namespace
+}  // namespace gsbench::control_centre
