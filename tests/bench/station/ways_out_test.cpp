@@ -39,7 +39,8 @@ void expect_error(const Script& script, const std::string& reason, double durati
   const record::RunRecord record = run(plan(duration_s, kCommand), station, {});
   expect_safe(station);
   EXPECT_EQ(record.verdict, Verdict::kError) << reason;
-  EXPECT_THAT(record.verdict_reason, HasSubstr(reason));
+  EXPECT_THAT(record.fault, HasSubstr(reason));
+  EXPECT_EQ(record.verdict_reason, record.fault);
   for (const record::OutletRecord& outlet : record.outlets) {
     EXPECT_EQ(outlet.verdict, Verdict::kError) << reason;
   }

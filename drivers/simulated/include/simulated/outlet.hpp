@@ -13,10 +13,12 @@
 
 namespace gsbench::simulated {
 
+using models::adc_counts;
 using models::ContactEdge;
 using models::kCountsPerPu;
 using models::kFullScalePu;
 using models::RelayParameters;
+using models::within_full_scale;
 
 struct OutletParameters {
   RelayParameters relay;

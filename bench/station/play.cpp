@@ -1,0 +1,134 @@
+#include "play.hpp"
+
+#include "faults.hpp"
+#include "watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <waveform/tick.hpp>
+
+namespace gsbench::station {
+namespace {
+
+// An outlet must have answered to its settings so soon after the start.
+constexpr double kSettingsAnswerS = 0.096;
+
+class Player {
+ public:
+  Player(const profile::Plan& plan, const PlayedSignal& signal, Station& station,
+         const RunOptions& options, std::vector<record::OutletRecord>& outlets,
+         capture::Capture& capture)
+      : plan_(plan),
+        signal_(signal),
+        station_(station),
+        options_(options),
+        outlets_(outlets),
+        capture_(capture),
+        watch_(outlets, plan.stimulus.sample_rate_hz) {}
+
+  bool play() {
+    const std::int64_t lead = signal_.lead_ticks();
+    const std::int64_t end = signal_.total_ticks();
+    // Where nothing is played before the run, answers come during its first reports.
+    const std::int64_t answers_due = std::min(std::max(lead, tick_of(kSettingsAnswerS)), end);
+    std::size_t command = 0;
+    for (std::int64_t tick = 0; tick < end;) {
+      if (options_.stop != nullptr && options_.stop->load()) {
+        return false;
+      }
+      for (; command < plan_.commands.size() && command_tick(command) <= tick; ++command) {
+        send(plan_.commands[command], tick);
+      }
+      std::int64_t next = tick + std::max<std::int64_t>(tick_of(station_.block_s()), 1);
+      for (const std::int64_t stop :
+           {answers_due, command < plan_.commands.size() ? command_tick(command) : end, end}) {
+        next = stop > tick ? std::min(next, stop) : next;
+      }
+      play_block(tick, static_cast<std::size_t>(next - tick));
+      if (tick < answers_due && next >= answers_due) {
+        watch_.check_answers(capture_);
+      }
+      tick = next;
+      watch_.check_silence(capture_, tick);
+      require_an_outlet(outlets_);
+      if (options_.progress) {
+        options_.progress(static_cast<double>(tick) / static_cast<double>(end));
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::int64_t tick_of(double t_s) const {
+    return waveform::tick_at(t_s, plan_.stimulus.sample_rate_hz);
+  }
+
+  std::int64_t command_tick(std::size_t command) const {
+    return signal_.lead_ticks() + tick_of(plan_.commands[command].at_s);
+  }
+
+  void play_block(std::int64_t tick, std::size_t count) {
+    block_.resize(count);
+    signal_.render(tick, count, block_.data());
+    require(station_.source().play(tick, block_.data(), count));
+    messages_.clear();
+    faults_.clear();
+    edges_.clear();
+    require(station_.link().poll(messages_, faults_));
+    require(station_.relay_sense().poll(edges_));
+    for (relay::Edge& edge : edges_) {
+      edge.tick -= signal_.lead_ticks();
+    }
+    watch_.hear(messages_, tick + static_cast<std::int64_t>(count));
+    watch_.note_faults(faults_);
+    capture_.add(messages_);
+    capture_.add(edges_);
+  }
+
+  void send(const profile::Command& command, std::int64_t tick) {
+    gs::wire::Downlink message;
+    message.kind = gs::wire::DownlinkKind::kCommand;
+    message.close_relay = command.switch_on;
+    message.request = ++requests_;
+    for (std::size_t i = 0; i < plan_.outlets.size(); ++i) {
+      if (command.outlets.empty() ||
+          std::count(command.outlets.begin(), command.outlets.end(), plan_.outlets[i].id) > 0) {
+        require(station_.link().send(i, message));
+        capture_.add_command(i, tick - signal_.lead_ticks(), command.switch_on);
+      }
+    }
+  }
+
+  const profile::Plan& plan_;
+  const PlayedSignal& signal_;
+  Station& station_;
+  const RunOptions& options_;
+  std::vector<record::OutletRecord>& outlets_;
+  capture::Capture& capture_;
+  Watch watch_;
+  std::uint32_t requests_ = 0;
+  std::vector<float> block_;
+  std::vector<link::Received> messages_;
+  std::vector<link::Fault> faults_;
+  std::vector<relay::Edge> edges_;
+};
+
+}  // namespace
+
+void start_source(const profile::Plan& plan, source::Source& source) {
+  source::SourceSettings settings;
+  settings.sample_rate_hz = plan.stimulus.sample_rate_hz;
+  settings.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
+  settings.noise_rms_pu = plan.stimulus.noise_rms_pu();
+  settings.seed = plan.seed;
+  require(source.start(settings));
+}
+
+bool play(const profile::Plan& plan, const PlayedSignal& signal, Station& station,
+          const RunOptions& options, std::vector<record::OutletRecord>& outlets,
+          capture::Capture& capture) {
+  return Player(plan, signal, station, options, outlets, capture).play();
+}
+
+}  // namespace gsbench::station

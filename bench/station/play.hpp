@@ -1,0 +1,21 @@
+// Plays a run from its first tick to its last, and captures what the outlets do.
+#pragma once
+
+#include <capture/capture.hpp>
+#include <profile/plan.hpp>
+#include <record/run_record.hpp>
+#include <station/played_signal.hpp>
+#include <station/run.hpp>
+#include <station/station.hpp>
+
+namespace gsbench::station {
+
+void start_source(const profile::Plan& plan, source::Source& source);
+
+// Notes the faults of `outlets` as they come. Throws BenchFault. Returns false where it was stopped
+// from outside.
+bool play(const profile::Plan& plan, const PlayedSignal& signal, Station& station,
+          const RunOptions& options, std::vector<record::OutletRecord>& outlets,
+          capture::Capture& capture);
+
+}  // namespace gsbench::station
