@@ -41,6 +41,7 @@ void add_report(CLI::App& app, int& exit_code);
 void add_reproduce(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_runs(CLI::App& app, int& exit_code);
+void add_schema(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_waveform(CLI::App& app, int& exit_code);
 

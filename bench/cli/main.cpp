@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
   cli::add_reproduce(app, exit_code);
   cli::add_fleet(app, exit_code);
   cli::add_measures(app, exit_code);
+  cli::add_schema(app, exit_code);
   cli::add_devices(app, exit_code);
   cli::add_monitor(app, exit_code);
   try {

@@ -1,14 +1,10 @@
 #include <fmt/format.h>
 
 #include <grid/grid.hpp>
+#include <grid/limits.hpp>
 
 namespace gsbench::grid {
 namespace {
-
-struct Range {  // both ends belong to it
-  double low;
-  double high;
-};
 
 // One row of the grid file's table `table`; `who` names it to the reader.
 struct Place {
@@ -19,16 +15,11 @@ struct Place {
   [[noreturn]] void refuse(const std::string& key, double value, const std::string& why) const {
     throw GridError(table + "." + key, index, fmt::format("{}{} is {}: {}", who, key, value, why));
   }
-  void require(const std::string& key, double value, const Range& range) const {
-    const bool holds = value >= range.low && value <= range.high;  // never for NaN
-    if (!holds) refuse(key, value, fmt::format("must be from {} to {}", range.low, range.high));
+  void require(const std::string& key, double value, const Limits& limits) const {
+    const bool holds = value >= limits.low && value <= limits.high;  // never for NaN
+    if (!holds) refuse(key, value, fmt::format("must be from {} to {}", limits.low, limits.high));
   }
 };
-
-// No power system comes near the ends of these; a value past them was given in another unit.
-constexpr Range kFrequencyHz{1e-3, 1e3};
-constexpr Range kPowerMw{1e-6, 1e7};
-constexpr Range kTimeS{1e-3, 1e3};
 
 void check_system(const Grid& grid) {
   const Place system{"system", -1, ""};
@@ -40,12 +31,11 @@ void check_system(const Grid& grid) {
   }
   system.require("base_mw", grid.base_mw, kPowerMw);
   system.require("load_mw", grid.load_mw, kPowerMw);
-  system.require("damping_pu", grid.damping_pu, {0.0, 1e3});
-  system.require("gain_km", grid.gain_km, {1e-3, 1e3});
-  system.require("reheat_fraction", grid.reheat_fraction, {0.0, 1.0});
+  system.require("damping_pu", grid.damping_pu, kDampingPu);
+  system.require("gain_km", grid.gain_km, kGain);
+  system.require("reheat_fraction", grid.reheat_fraction, kFraction);
   system.require("reheat_s", grid.reheat_s, kTimeS);
-  system.require("condition_row_hz", grid.condition_row_hz,
-                 {kLowestConditionRowHz, kFrequencyHz.high});
+  system.require("condition_row_hz", grid.condition_row_hz, kConditionRowHz);
 }
 
 void check_plants(const Grid& grid) {
@@ -58,7 +48,7 @@ void check_plants(const Grid& grid) {
                       fmt::format("plant {} \"{}\": ", i + 1, plant.id)};
     place.require("rating_mw", plant.rating_mw, kPowerMw);
     place.require("inertia_s", plant.inertia_s, kTimeS);
-    place.require("droop_pu", plant.droop_pu, {1e-4, 10.0});
+    place.require("droop_pu", plant.droop_pu, kDroopPu);
   }
 }
 
@@ -87,8 +77,7 @@ void check_reference(const Grid& grid) {
   }
   for (std::size_t i = 0; i < grid.reference.condition_rocof_hz_s.size(); ++i) {
     const Place row{"reference", static_cast<int>(i), fmt::format("reference row {}: ", i + 1)};
-    row.require("condition_rocof_hz_s", grid.reference.condition_rocof_hz_s[i],
-                {-kFrequencyHz.high, 0.0});
+    row.require("condition_rocof_hz_s", grid.reference.condition_rocof_hz_s[i], kConditionRocofHzS);
   }
 }
 

@@ -1,14 +1,19 @@
 #include "commands.hpp"
 
-#include "nearest.hpp"
 #include "outlets.hpp"
+#include "times.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include <keys/suggestion.hpp>
+
 namespace gsbench::profile {
 namespace {
+
+using keys::Table;
+using keys::Word;
 
 // Ids of the outlets that `words` name, by id or by group, each once and in the plan's order.
 std::vector<std::string> named_outlets(const Table& table, const std::vector<Word>& words,
@@ -24,7 +29,7 @@ std::vector<std::string> named_outlets(const Table& table, const std::vector<Wor
     auto known = groups_of(outlets);
     for (const Outlet& outlet : outlets) known.push_back(outlet.id);
     table.refuse(word.at, fmt::format("no outlet or group \"{}\"{}", word.text,
-                                      suggestion(word.text, known, "groups and outlets")));
+                                      keys::suggestion(word.text, known, "groups and outlets")));
   }
   std::vector<std::string> ids;
   for (const Outlet& outlet : outlets) {
@@ -38,17 +43,22 @@ std::vector<std::string> named_outlets(const Table& table, const std::vector<Wor
 
 }  // namespace
 
+keys::Key command_keys() {
+  return keys::tables(
+      "command", "What the control centre sends while the run is on.",
+      {time_in_run("when the control centre sends it"),
+       keys::array("outlets", keys::text("", ""), "to whom: groups or ids").or_else("all"),
+       keys::word("switch", {"off", "on"}, "what").require("\"off\" or \"on\"")});
+}
+
 std::vector<Command> read_commands(const Table& top, const std::vector<Outlet>& outlets,
                                    double duration_s) {
   std::vector<Command> commands;
-  for (const Value* value : top.tables("command")) {
-    const Table table(top.document(), *value, "[[command]]", {"at_s", "outlets", "switch"});
+  for (const Table& table : top.tables("command")) {
     Command command;
-    command.at_s = table.required_number("at_s", within_run(duration_s));
+    command.at_s = table.number("at_s", within_run(duration_s));
     command.outlets = named_outlets(table, table.words("outlets"), outlets);
-    const auto position = table.choice("switch", {"off", "on"});
-    if (!position) table.refuse_missing("switch", "\"off\" or \"on\"");
-    command.switch_on = *position == "on";
+    command.switch_on = table.text("switch") == "on";
     commands.push_back(std::move(command));
   }
   std::stable_sort(commands.begin(), commands.end(),

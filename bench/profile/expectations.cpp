@@ -1,16 +1,19 @@
 #include "expectations.hpp"
 
-#include "nearest.hpp"
 #include "outlets.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include <keys/suggestion.hpp>
 #include <profile/units.hpp>
 
 namespace gsbench::profile {
 namespace {
+
+using keys::Table;
+using keys::Word;
 
 const MeasureName& find_measure(const Table& table, const std::string& name,
                                 const MeasureCatalogue& catalogue) {
@@ -19,12 +22,12 @@ const MeasureName& find_measure(const Table& table, const std::string& name,
   if (found != catalogue.end()) return *found;
   std::vector<std::string> names;
   for (const MeasureName& known : catalogue) names.push_back(known.name);
-  table.refuse("measure",
-               fmt::format("unknown measure \"{}\"{}", name, suggestion(name, names, "measures")));
+  table.refuse("measure", fmt::format("unknown measure \"{}\"{}", name,
+                                      keys::suggestion(name, names, "measures")));
 }
 
 std::string read_unit(const Table& table, const MeasureName& measure) {
-  std::string unit = table.text("unit").value_or("");
+  std::string unit = table.find_text("unit").value_or("");
   if (unit_scale(unit, measure.unit)) return unit;
   const auto units = units_like(measure.unit);
   if (measure.unit.empty()) {
@@ -44,10 +47,15 @@ void read_word_limit(const Table& table, const MeasureName& measure, Expectation
       table.refuse(key, fmt::format("{} is a word, not a number; it takes equals", measure.name));
     }
   }
-  expectation.equals =
-      measure.words.empty() ? table.text("equals") : table.choice("equals", measure.words);
+  expectation.equals = table.find_text("equals");
   if (!expectation.equals) {
     table.refuse_missing("equals", fmt::format("the word that {} must be", measure.name));
+  }
+  const auto& words = measure.words;
+  if (!words.empty() && std::count(words.begin(), words.end(), *expectation.equals) == 0) {
+    table.refuse("equals",
+                 fmt::format("equals is \"{}\"{}", *expectation.equals,
+                             keys::suggestion(*expectation.equals, words, "what it can be")));
   }
 }
 
@@ -55,8 +63,8 @@ void read_number_limits(const Table& table, const MeasureName& measure, Expectat
   if (table.has("equals")) {
     table.refuse("equals", fmt::format("{} is a number; it takes min and max", measure.name));
   }
-  expectation.min = table.number("min");
-  expectation.max = table.number("max");
+  expectation.min = table.find_number("min");
+  expectation.max = table.find_number("max");
   if (!expectation.min && !expectation.max) {
     table.refuse_missing("min", fmt::format("min, max or both, of {}", measure.name));
   }
@@ -72,7 +80,7 @@ std::vector<std::string> read_groups(const Table& table, const std::vector<Outle
   for (const Word& word : table.words("outlets")) {
     if (std::find(known.begin(), known.end(), word.text) == known.end()) {
       table.refuse(word.at, fmt::format("no group \"{}\"{}", word.text,
-                                        suggestion(word.text, known, "groups")));
+                                        keys::suggestion(word.text, known, "groups")));
     }
     groups.push_back(word.text);
   }
@@ -81,14 +89,32 @@ std::vector<std::string> read_groups(const Table& table, const std::vector<Outle
 
 }  // namespace
 
+keys::Key expect_keys() {
+  return keys::tables(
+             "expect",
+             "At least one: limits, declared before the run. A measurement without a limit is "
+             "reported for information.",
+             {keys::text("measure", "what is judged; `gsbench measures` lists them")
+                  .permits("a name of the catalogue")
+                  .require(),
+              keys::text("unit", "unit of `min` and `max`")
+                  .permits("the measure's, or one that converts into it")
+                  .or_else("required, where the measure has one"),
+              keys::number("min", "`unit`", {}, "inclusive; `min`, `max` or both"),
+              keys::number("max", "`unit`", {}, "inclusive"),
+              keys::text("equals", "what a measure that is a word must be")
+                  .permits("a word")
+                  .or_else("required for words"),
+              keys::array("outlets", keys::text("", ""), "whose: groups").or_else("all")})
+      .require("at least one [[expect]]: a run without limits proves nothing");
+}
+
 std::vector<Expectation> read_expectations(const Table& top, const std::vector<Outlet>& outlets,
                                            const MeasureCatalogue& catalogue) {
   std::vector<Expectation> expectations;
-  for (const Value* value : top.tables("expect")) {
-    const Table table(top.document(), *value, "[[expect]]",
-                      {"measure", "unit", "min", "max", "equals", "outlets"});
+  for (const Table& table : top.tables("expect")) {
     Expectation expectation;
-    expectation.measure = table.required_text("measure");
+    expectation.measure = table.text("measure");
     const MeasureName& measure = find_measure(table, expectation.measure, catalogue);
     expectation.unit = read_unit(table, measure);
     if (measure.word) {
@@ -99,9 +125,6 @@ std::vector<Expectation> read_expectations(const Table& top, const std::vector<O
     expectation.groups = read_groups(table, outlets);
     expectation.line = table.at("measure").line;
     expectations.push_back(std::move(expectation));
-  }
-  if (expectations.empty()) {
-    top.refuse_missing("expect", "at least one [[expect]]: a run without limits proves nothing");
   }
   return expectations;
 }

@@ -1,7 +1,5 @@
 #include "files.hpp"
 
-#include "nearest.hpp"
-
 #include <QCryptographicHash>
 #include <QFile>
 #include <algorithm>
@@ -15,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <keys/suggestion.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::profile {
@@ -87,10 +86,11 @@ NamedFile find_profile(const std::string& name_or_path) {
     return profile.name == name_or_path;
   });
   if (found == known.end()) {
-    throw ConfigurationError(fmt::format(
-        "no profile \"{}\" in {}{} (a file of your own is given by its path, ending "
-        "in .toml)",
-        name_or_path, profiles_folder(), suggestion(name_or_path, names_of(known), "profiles")));
+    throw ConfigurationError(
+        fmt::format("no profile \"{}\" in {}{} (a file of your own is given by its path, ending "
+                    "in .toml)",
+                    name_or_path, profiles_folder(),
+                    keys::suggestion(name_or_path, names_of(known), "profiles")));
   }
   return *found;
 }
@@ -104,7 +104,7 @@ std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::s
 
 std::string no_such_grid(const std::string& name_or_path) {
   return fmt::format("no grid \"{}\"{} (a file of your own is given by its path, ending in .toml)",
-                     name_or_path, suggestion(name_or_path, list_grids(), "shipped grids"));
+                     name_or_path, keys::suggestion(name_or_path, list_grids(), "shipped grids"));
 }
 
 std::string profile_name(const std::string& path) {

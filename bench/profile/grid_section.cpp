@@ -1,5 +1,6 @@
 #include "grid_section.hpp"
 
+#include "times.hpp"
 #include <control_centre/blocks.hpp>
 #include <control_centre/conditions.hpp>
 
@@ -8,104 +9,144 @@
 
 #include <fmt/format.h>
 
+#include <grid/limits.hpp>
 #include <outlet/settings.hpp>
 
 namespace gsbench::profile {
 namespace {
 
+using keys::Key;
+using keys::Range;
+using keys::Table;
+
 constexpr const char* kInPlaceName = "in the profile";
 
+Range within(const grid::Limits& limits) {
+  return keys::between(limits.low, limits.high);
+}
+
+Key number(const char* name, const char* unit, const grid::Limits& limits, const char* meaning) {
+  return keys::number(name, unit, within(limits), meaning);
+}
+
+std::vector<Key> system_keys() {
+  const grid::Grid defaults;
+  return {
+      keys::number("nominal_hz", "Hz", keys::between(50.0, 60.0), "f_n")
+          .permits("50 or 60")
+          .require(),
+      number("threshold_hz", "Hz", grid::kFrequencyHz, "f_s: the nadir must not be below it")
+          .permits("0.001 … below nominal")
+          .require(),
+      number("base_mw", "MW", grid::kPowerMw, "S_B, base of D, H and R").require(),
+      number("load_mw", "MW", grid::kPowerMw, "P_L of eq. (17)").require(),
+      number("damping_pu", "p.u.", grid::kDampingPu, "D")
+          .permits("0 … 1000; above 0 where there are blocks")
+          .require(),
+      number("gain_km", "", grid::kGain, "K_m").by_default(defaults.gain_km),
+      number("reheat_fraction", "", grid::kFraction, "F_H").by_default(defaults.reheat_fraction),
+      number("reheat_s", "s", grid::kTimeS, "T_R").by_default(defaults.reheat_s),
+      number("condition_row_hz", "Hz", grid::kConditionRowHz, "height of a row of Table 1")
+          .permits("0.001 … 1000; in a profile: at most 32 rows")
+          .by_default(defaults.condition_row_hz),
+  };
+}
+
+const char* const kSystem = "The parameters of the model.";
+
+// [[plant]], [[block]] and [reference]: of a grid file, and of a grid in place.
+std::vector<Key> part_keys() {
+  return {
+      keys::tables(
+          "plant", "At least one: the plants in operation.",
+          {keys::text("id", "its name").require(),
+           number("rating_mw", "MW", grid::kPowerMw, "rated power").require(),
+           number("inertia_s", "s", grid::kTimeS, "H on its own rating").require(),
+           number("droop_pu", "p.u.", grid::kDroopPu, "R on its own rating")
+               .or_else("required, or the next"),
+           keys::number("inverse_droop_pu", "p.u.",
+                        keys::between(1.0 / grid::kDroopPu.high, 1.0 / grid::kDroopPu.low), "1/R")
+               .or_else("required, or the one before")}),
+      keys::tables("block", "Load blocks, the least important first.",
+                   {keys::text("id", "its name").require(),
+                    number("power_mw", "MW", grid::kPowerMw, "its load")
+                        .permits("10⁻⁶ … 10⁷; all blocks together at most `load_mw`, and eq. (17) "
+                                 "above 0 Hz")
+                        .require()}),
+      keys::table(
+          "reference", "What a publication prints for this grid, for reports to compare with.",
+          {keys::text("source", "the publication").require(),
+           number("t_nadir_s", "s", grid::kTimeS, "time of the nadir after the threshold loss"),
+           number("threshold_mw", "MW", grid::kPowerMw, "threshold loss"),
+           keys::array("condition_rocof_hz_s", number("", "Hz/s", grid::kConditionRocofHzS, ""),
+                       "Table 1's limits, from f_n down"),
+           keys::text("note", "why figures differ")}),
+  };
+}
+
 void read_system(const Table& table, grid::Grid& grid) {
-  grid.nominal_hz = table.required_number("nominal_hz");
+  grid.nominal_hz = table.number("nominal_hz");
   if (grid.nominal_hz != 50.0 && grid.nominal_hz != 60.0) {
     table.refuse("nominal_hz", fmt::format("nominal_hz is {}; outlets are made for 50 and for 60",
                                            grid.nominal_hz));
   }
-  grid.threshold_hz = table.required_number("threshold_hz");
-  grid.base_mw = table.required_number("base_mw");
-  grid.load_mw = table.required_number("load_mw");
-  grid.damping_pu = table.required_number("damping_pu");
-  grid.gain_km = table.number("gain_km").value_or(grid.gain_km);
-  grid.reheat_fraction = table.number("reheat_fraction").value_or(grid.reheat_fraction);
-  grid.reheat_s = table.number("reheat_s").value_or(grid.reheat_s);
-  grid.condition_row_hz = table.number("condition_row_hz").value_or(grid.condition_row_hz);
+  grid.threshold_hz = table.number("threshold_hz");
+  grid.base_mw = table.number("base_mw");
+  grid.load_mw = table.number("load_mw");
+  grid.damping_pu = table.number("damping_pu");
+  grid.gain_km = table.number("gain_km");
+  grid.reheat_fraction = table.number("reheat_fraction");
+  grid.reheat_s = table.number("reheat_s");
+  grid.condition_row_hz = table.number("condition_row_hz");
 }
 
 grid::Plant read_plant(const Table& table) {
   grid::Plant plant;
-  plant.id = table.required_text("id");
-  plant.rating_mw = table.required_number("rating_mw");
-  plant.inertia_s = table.required_number("inertia_s");
-  const auto inverse = table.number("inverse_droop_pu", above(0.0));
-  const auto droop = table.number("droop_pu");
+  plant.id = table.text("id");
+  plant.rating_mw = table.number("rating_mw");
+  plant.inertia_s = table.number("inertia_s");
+  const auto inverse = table.find_number("inverse_droop_pu");
+  const auto droop = table.find_number("droop_pu");
   if (inverse && droop) table.refuse("droop_pu", "give droop_pu or inverse_droop_pu, not both");
   if (!inverse && !droop) table.refuse_missing("droop_pu", "a number, or inverse_droop_pu");
   plant.droop_pu = droop ? *droop : 1.0 / *inverse;
   return plant;
 }
 
-grid::Block read_block(const Table& table) {
-  return {table.required_text("id"), table.required_number("power_mw")};
-}
-
 grid::Reference read_reference(const Table& table) {
   grid::Reference reference;
-  reference.source = table.required_text("source");
-  reference.t_nadir_s = table.number("t_nadir_s");
-  reference.threshold_mw = table.number("threshold_mw");
+  reference.source = table.text("source");
+  reference.t_nadir_s = table.find_number("t_nadir_s");
+  reference.threshold_mw = table.find_number("threshold_mw");
   reference.condition_rocof_hz_s = table.numbers("condition_rocof_hz_s");
-  reference.note = table.text("note").value_or("");
+  reference.note = table.find_text("note").value_or("");
   return reference;
 }
 
-// Where in the file the field of a GridError stands: the narrowest of array item, value and table
-// that there is.
-Position position_of(const Table& holder, const grid::GridError& error) {
+// Where in the file the field of a GridError is; where its table would begin, if there is none.
+keys::Position position_of(const Table& holder, const grid::GridError& error) {
   const auto dot = error.field.find('.');
-  const Value* found = holder.table(error.field.substr(0, dot));
-  if (found == nullptr) return holder.at();
-  const auto index = static_cast<std::size_t>(error.index);
-  const auto item = [&](const Value& value) {
-    const auto* items = std::get_if<Array>(&value.data);
-    return items != nullptr && error.index >= 0 && index < items->size() ? &(*items)[index]
-                                                                         : &value;
-  };
-  found = item(*found);
-  const auto* entries = std::get_if<Entries>(&found->data);
-  if (entries == nullptr || dot == std::string::npos) return found->at;
-  const std::string key = error.field.substr(dot + 1);
-  for (const Entry& entry : *entries) {
-    if (entry.key == key || entry.key == "inverse_" + key) return item(entry.value)->at;
-  }
-  return found->at;
+  const std::string part = error.field.substr(0, dot);
+  if (dot == std::string::npos) return holder.at(part);
+  const Table table = error.index < 0
+                          ? holder.table(part)
+                          : holder.tables(part).at(static_cast<std::size_t>(error.index));
+  return table.at(error.field.substr(dot + 1));
 }
 
 // `holder` holds [system], [[plant]], [[block]] and [reference].
 grid::Grid read_parts(const Table& holder, std::string name, std::string title,
                       std::string source) {
-  const Document& document = holder.document();
   grid::Grid grid;
   grid.name = std::move(name);
   grid.title = std::move(title);
   grid.source = std::move(source);
-  if (!holder.has("system")) holder.refuse_missing("system", "the grid's parameters");
-  read_system(Table(document, *holder.table("system"), "[system]",
-                    {"nominal_hz", "threshold_hz", "base_mw", "load_mw", "damping_pu", "gain_km",
-                     "reheat_fraction", "reheat_s", "condition_row_hz"}),
-              grid);
-  for (const Value* plant : holder.tables("plant")) {
-    grid.plants.push_back(
-        read_plant(Table(document, *plant, "[[plant]]",
-                         {"id", "rating_mw", "inertia_s", "inverse_droop_pu", "droop_pu"})));
+  read_system(holder.table("system"), grid);
+  for (const Table& plant : holder.tables("plant")) grid.plants.push_back(read_plant(plant));
+  for (const Table& block : holder.tables("block")) {
+    grid.blocks.push_back({block.text("id"), block.number("power_mw")});
   }
-  for (const Value* block : holder.tables("block")) {
-    grid.blocks.push_back(read_block(Table(document, *block, "[[block]]", {"id", "power_mw"})));
-  }
-  if (const Value* reference = holder.table("reference")) {
-    grid.reference = read_reference(
-        Table(document, *reference, "[reference]",
-              {"source", "t_nadir_s", "threshold_mw", "condition_rocof_hz_s", "note"}));
-  }
+  if (holder.has("reference")) grid.reference = read_reference(holder.table("reference"));
   try {
     control_centre::block_settings(grid);  // checks the grid, too
   } catch (const grid::GridError& error) {
@@ -116,13 +157,49 @@ grid::Grid read_parts(const Table& holder, std::string name, std::string title,
 
 }  // namespace
 
+const Key& grid_keys() {
+  static const Key keys = [] {
+    Key file = keys::table(
+        "a grid file", "",
+        {keys::text("title", "one line for lists and reports").require(),
+         keys::text("source", "where the figures come from").require(),
+         keys::table("system", kSystem, system_keys()).require("the grid's parameters")});
+    for (Key& part : part_keys()) file.inner.push_back(std::move(part));
+    return file;
+  }();
+  return keys;
+}
+
+Key grid_section_keys() {
+  Key section =
+      keys::table("grid", "The power system, and what happens in it.",
+                  {keys::text_or_table(
+                       "system",
+                       "a shipped grid (`\"ieee24\"`), a path ending in `.toml` relative to the "
+                       "profile, or the grid in place: `[grid.system]`, `[[grid.plant]]`, "
+                       "`[[grid.block]]`, `[grid.reference]`, with the keys of [a grid](#a-grid)",
+                       system_keys())
+                       .described_in("a grid")
+                       .require("a grid's name (\"ieee24\"), its path, or [grid.system]")})
+          .require("the power system: [grid] system = \"ieee24\"");
+  for (Key& part : part_keys()) {
+    part.meaning = "of a grid in place";
+    section.inner.push_back(part.described_in("a grid"));
+  }
+  section.inner.push_back(keys::tables(
+      "loss", "Steps of the power balance, superposed (eq. 10). None: the frequency stays nominal.",
+      {time_in_run("when"),
+       keys::number("power_mw", "MW", {}, "lost generation; negative: shed load")
+           .permits("± the grid's load, not 0; their sum at any time too")
+           .require()}));
+  return section;
+}
+
 grid::Grid read_grid_file(const NamedFile& file) {
   const std::string text = read_file(file.path);
-  const Document document = parse_toml(text, file.path);
-  const Table top(document, document.root, "a grid file",
-                  {"title", "source", "system", "plant", "block", "reference"});
-  grid::Grid grid =
-      read_parts(top, file.name, top.required_text("title"), top.required_text("source"));
+  const keys::Document document = keys::parse_toml(text, file.path);
+  const Table top(document, grid_keys());
+  grid::Grid grid = read_parts(top, file.name, top.text("title"), top.text("source"));
   grid.path = file.path;
   grid.sha256 = sha256(text);
   return grid;
@@ -130,13 +207,8 @@ grid::Grid read_grid_file(const NamedFile& file) {
 
 grid::Grid read_grid_section(const Table& section, const std::string& title,
                              const std::string& source) {
-  if (!section.has("system")) {
-    section.refuse_missing("system", "a grid's name (\"ieee24\"), its path, or [grid.system]");
-  }
-  if (std::holds_alternative<Entries>(section.table("system")->data)) {
-    return read_parts(section, kInPlaceName, title, source);
-  }
-  const std::string name = section.required_text("system");
+  if (section.holds_table("system")) return read_parts(section, kInPlaceName, title, source);
+  const std::string name = section.text("system");
   for (const char* part : {"plant", "block", "reference"}) {
     if (section.has(part)) {
       section.refuse(part, fmt::format("{} belongs to a grid in place ([grid.system]); this "
@@ -155,13 +227,9 @@ void check_conditions(const Table& section, const grid::Grid& grid) {
       control_centre::conditions(grid::SfrModel(grid), grid.threshold_hz, grid.condition_row_hz)
           .size();
   if (rows <= gs::outlet::kMaxConditions) return;
-  const Value* system = section.table("system");
-  Position at = system->at;
-  if (const auto* entries = std::get_if<Entries>(&system->data)) {
-    for (const Entry& entry : *entries) {
-      if (entry.key == "condition_row_hz") at = entry.value.at;
-    }
-  }
+  const keys::Position at = section.holds_table("system")
+                                ? section.table("system").at("condition_row_hz")
+                                : section.at("system");
   section.refuse(at, fmt::format("rows of {} Hz make {} load-shedding conditions; an outlet keeps "
                                  "{} at most: condition_row_hz must be greater",
                                  grid.condition_row_hz, rows, gs::outlet::kMaxConditions));

@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "expectations.hpp"
 #include "files.hpp"
+#include "full_scale.hpp"
 #include "grid_section.hpp"
 #include "outlets.hpp"
 #include "signal_section.hpp"
@@ -10,24 +11,11 @@
 
 #include <fmt/format.h>
 
+#include <profile/keys.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::profile {
 namespace {
-
-Table open_top(const Document& document) {
-  return {document,
-          document.root,
-          "a profile",
-          {"title", "source", "seed", "grid", "signal", "outlet", "command", "expect"}};
-}
-
-Table open_section(const Table& top, const std::string& key, const std::string& what,
-                   std::initializer_list<const char*> keys) {
-  const Value* section = top.table(key);
-  if (section == nullptr) top.refuse_missing(key, what);
-  return {top.document(), *section, fmt::format("[{}]", key), keys};
-}
 
 // Whatever the waveform refuses beyond what the sections have checked.
 void check_playable(const Plan& plan) {
@@ -40,26 +28,33 @@ void check_playable(const Plan& plan) {
 
 }  // namespace
 
+const keys::Key& profile_keys() {
+  static const keys::Key keys = keys::table(
+      "a profile", "",
+      {keys::text("title", "one line for lists and reports").require(),
+       keys::text("source", "where the case comes from").require(),
+       keys::whole("seed", "", 0, static_cast<double>(kLargestSeed),
+                   "of noise and all else that is random; `--seed` overrides it")
+           .permits("0 … 2⁵³")
+           .by_default(1),
+       grid_section_keys(), signal_keys(), outlet_keys(), command_keys(), expect_keys()});
+  return keys;
+}
+
 Plan parse_profile(const std::string& text, const std::string& path,
                    const MeasureCatalogue& catalogue, const Overrides& overrides) {
-  const Document document = parse_toml(text, path);
-  const Table top = open_top(document);
+  const keys::Document document = keys::parse_toml(text, path);
+  const keys::Table top(document, profile_keys());
   Plan plan;
   plan.name = profile_name(path);
   plan.path = path;
   plan.text = text;
   plan.sha256 = sha256(text);
-  plan.title = top.required_text("title");
-  plan.source = top.required_text("source");
-  plan.seed = static_cast<std::uint64_t>(
-      top.integer("seed", 0, static_cast<std::int64_t>(kLargestSeed)).value_or(1));
-  const Table grid_section =
-      open_section(top, "grid", "the power system: [grid] system = \"ieee24\"",
-                   {"system", "loss", "plant", "block", "reference"});
-  const Table signal = open_section(
-      top, "signal", "what is played: [signal] duration_s = …",
-      {"duration_s", "sample_rate_hz", "noise_pct", "harmonics", "harmonic_set", "frequency",
-       "amplitude_step", "phase_jump", "dc_offset_pct", "initial_phase_deg", "trace"});
+  plan.title = top.text("title");
+  plan.source = top.text("source");
+  plan.seed = static_cast<std::uint64_t>(top.whole("seed"));
+  const keys::Table grid_section = top.table("grid");
+  const keys::Table signal = top.table("signal");
   plan.grid = read_grid_section(grid_section, plan.title, plan.source);
   check_conditions(grid_section, plan.grid);
   const bool replaced = !overrides.trace_path.empty();
@@ -93,8 +88,8 @@ std::vector<ProfileSummary> list_profiles() {
   std::vector<ProfileSummary> summaries;
   for (const NamedFile& file : all_profiles()) {
     try {
-      const Document document = parse_toml(read_file(file.path), file.path);
-      summaries.push_back({file.name, open_top(document).required_text("title")});
+      const keys::Document document = keys::parse_toml(read_file(file.path), file.path);
+      summaries.push_back({file.name, keys::Table(document, profile_keys()).text("title")});
     } catch (const ConfigurationError& error) {
       summaries.push_back({file.name, fmt::format("unreadable: {}", error.what())});
     }

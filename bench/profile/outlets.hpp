@@ -1,15 +1,16 @@
 // [[outlet]]: who listens, and with which settings.
 #pragma once
 
-#include "table.hpp"
-
 #include <vector>
 
 #include <grid/grid.hpp>
+#include <keys/table.hpp>
 #include <profile/plan.hpp>
 
 namespace gsbench::profile {
 
-std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid);
+keys::Key outlet_keys();
+
+std::vector<Outlet> read_outlets(const keys::Table& top, const grid::Grid& grid);
 
 }  // namespace gsbench::profile

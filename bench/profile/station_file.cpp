@@ -1,6 +1,4 @@
 #include "files.hpp"
-#include "nearest.hpp"
-#include "table.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,10 +7,16 @@
 
 #include <fmt/format.h>
 
+#include <keys/suggestion.hpp>
+#include <keys/table.hpp>
 #include <profile/station_spec.hpp>
 
 namespace gsbench::profile {
 namespace {
+
+using keys::Key;
+using keys::Table;
+using keys::Word;
 
 namespace fs = std::filesystem;
 
@@ -54,26 +58,22 @@ NamedFile find_station(const std::string& name) {
   }
   throw ConfigurationError(
       fmt::format("no station \"{}\"{} (a file of your own is given by its path, ending in .toml)",
-                  name, suggestion(name, names, "stations")));
+                  name, keys::suggestion(name, names, "stations")));
 }
 
 std::vector<EmulatedOutletSpec> read_emulated(const Table& top) {
   std::vector<EmulatedOutletSpec> outlets;
   std::set<std::string> ids;
-  for (const Value* value : top.tables("outlet")) {
-    const Table table(top.document(), *value, "[[outlet]]", {"id", "board", "link", "crystal_ppm"});
+  for (const Table& table : top.tables("outlet")) {
     EmulatedOutletSpec outlet;
-    const auto id = table.identifier("id", kLongestId);
-    if (!id) {
-      table.refuse_missing("id", "what the outlet is called: id = \"m4-1\"");
-    }
-    outlet.id = *id;
+    outlet.id = table.text("id");
     if (outlet.id == kBenchUser) {
-      table.refuse("id", fmt::format("\"{}\" is what the bench is called on its broker", *id));
+      table.refuse("id",
+                   fmt::format("\"{}\" is what the bench is called on its broker", outlet.id));
     }
-    outlet.board = table.choice("board", {"mps2-an386", "host"}).value_or("host");
-    outlet.link = table.choice("link", {"serial", "mqtt"}).value_or("serial");
-    outlet.crystal_ppm = table.number("crystal_ppm", between(-kMostPpm, kMostPpm)).value_or(0.0);
+    outlet.board = table.text("board");
+    outlet.link = table.text("link");
+    outlet.crystal_ppm = table.number("crystal_ppm");
     if (outlet.board == "mps2-an386" && outlet.link != "serial") {
       table.refuse("link", "link is \"mqtt\"; the board mps2-an386 has no radio, only \"serial\"");
     }
@@ -100,17 +100,9 @@ std::vector<std::string> texts(const std::vector<Word>& words) {
   return all;
 }
 
-void read_serial(const Table& top, StationSpec& station) {
-  const Value* section = top.table("serial");
-  if (section == nullptr) {
-    return;
-  }
-  const Table table(top.document(), *section, "[serial]", {"ports", "baud"});
+void read_serial(const Table& table, StationSpec& station) {
   station.serial_ports = texts(table.words("ports"));
-  if (station.serial_ports.empty()) {
-    table.refuse_missing("ports", "the ports: ports = [\"/dev/ttyUSB0\"]");
-  }
-  station.baud = static_cast<int>(table.integer("baud", 9600, 4000000).value_or(station.baud));
+  station.baud = static_cast<int>(table.whole("baud"));
 }
 
 bool is_broker_url(const std::string& url) {
@@ -123,11 +115,6 @@ bool is_broker_url(const std::string& url) {
 std::vector<std::string> outlet_ids(const Table& table) {
   std::vector<std::string> ids;
   for (const Word& word : table.words("outlets")) {
-    if (!is_identifier(word.text, kLongestId)) {
-      table.refuse(word.at, fmt::format("\"{}\" is no outlet's id: letters, digits, '-', '_' and "
-                                        "'.', at most {} of them",
-                                        word.text, kLongestId));
-    }
     if (std::count(ids.begin(), ids.end(), word.text) > 0) {
       table.refuse(word.at, fmt::format("outlet \"{}\" is named already", word.text));
     }
@@ -136,14 +123,8 @@ std::vector<std::string> outlet_ids(const Table& table) {
   return ids;
 }
 
-void read_mqtt(const Table& top, StationSpec& station) {
-  const Value* section = top.table("mqtt");
-  if (section == nullptr) {
-    return;
-  }
-  const Table table(top.document(), *section, "[mqtt]",
-                    {"url", "ca_file", "user", "password_file", "outlets"});
-  station.broker.url = table.required_text("url");
+void read_mqtt(const Table& table, StationSpec& station) {
+  station.broker.url = table.text("url");
   const bool tls = station.broker.url.rfind("mqtts://", 0) == 0;
   if (!is_broker_url(station.broker.url)) {
     table.refuse("url", fmt::format("url is \"{}\"; it must be mqtts://host:port, or "
@@ -153,12 +134,12 @@ void read_mqtt(const Table& top, StationSpec& station) {
   const auto beside = [&](const std::optional<std::string>& path) {
     return path ? resolve(*path, station.path) : std::string();
   };
-  station.broker.ca_file = beside(table.text("ca_file"));
+  station.broker.ca_file = beside(table.find_text("ca_file"));
   if (tls && station.broker.ca_file.empty()) {
     table.refuse_missing("ca_file", "the certificate that vouches for the broker: ca_file = …");
   }
-  station.broker.user = table.text("user").value_or("");
-  station.broker.password_file = beside(table.text("password_file"));
+  station.broker.user = table.find_text("user").value_or("");
+  station.broker.password_file = beside(table.find_text("password_file"));
   station.broker.outlets = outlet_ids(table);
 }
 
@@ -168,27 +149,19 @@ StationKind kind_of(const std::string& word) {
                               : StationKind::kSimulated;
 }
 
-Table open_top(const Document& document) {
-  return {
-      document, document.root, "a station", {"title", "kind", "outlet", "image", "serial", "mqtt"}};
-}
-
 StationSpec parse_station(const NamedFile& file) {
-  const Document document = parse_toml(read_file(file.path), file.path);
-  const Table top = open_top(document);
+  const keys::Document document = keys::parse_toml(read_file(file.path), file.path);
+  const Table top(document, station_keys());
   StationSpec station;
   station.name = file.name;
   station.path = file.path;
-  station.title = top.required_text("title");
-  const auto kind = top.choice("kind", {"simulated", "emulated", "physical"});
-  if (!kind) {
-    top.refuse_missing("kind", "kind = \"simulated\", \"emulated\" or \"physical\"");
-  }
-  station.kind = kind_of(*kind);
+  station.title = top.text("title");
+  const std::string kind = top.text("kind");
+  station.kind = kind_of(kind);
   const auto only_for = [&](const char* key, StationKind where) {
     if (top.has(key) && station.kind != where) {
       top.refuse(top.at(key),
-                 fmt::format("{} means nothing to a station of kind \"{}\"", key, *kind));
+                 fmt::format("{} means nothing to a station of kind \"{}\"", key, kind));
     }
   };
   only_for("outlet", StationKind::kEmulated);
@@ -197,15 +170,15 @@ StationSpec parse_station(const NamedFile& file) {
   only_for("mqtt", StationKind::kPhysical);
   if (station.kind == StationKind::kEmulated) {
     station.emulated = read_emulated(top);
-    const auto image = top.text("image");
+    const auto image = top.find_text("image");
     station.image = image ? resolve(*image, file.path) : "";
     if (image && !is_regular_file(station.image)) {
       top.refuse("image", fmt::format("image is \"{}\", and there is no such file", *image));
     }
   }
   if (station.kind == StationKind::kPhysical) {
-    read_serial(top, station);
-    read_mqtt(top, station);
+    if (top.has("serial")) read_serial(top.table("serial"), station);
+    if (top.has("mqtt")) read_mqtt(top.table("mqtt"), station);
     if (station.serial_ports.empty() && station.broker.url.empty()) {
       top.refuse_missing("serial", "where the outlets are: [serial] or [mqtt]");
     }
@@ -214,6 +187,56 @@ StationSpec parse_station(const NamedFile& file) {
 }
 
 }  // namespace
+
+const Key& station_keys() {
+  static const Key keys = keys::table(
+      "a station", "",
+      {keys::text("title", "one line for lists").require(),
+       keys::word("kind", {"simulated", "emulated", "physical"},
+                  "outlets in the bench's process; processes that the bench starts and ends; "
+                  "outlets that are there")
+           .require("kind = \"simulated\", \"emulated\" or \"physical\""),
+       keys::text("image", "emulated: the firmware image of the boards `mps2-an386`")
+           .permits("path")
+           .or_else("the one that was built"),
+       keys::tables(
+           "outlet",
+           "1 … 64, emulated stations only. A profile with more outlets is cut to what is there, "
+           "some of each group; one with more groups than there are outlets is refused.",
+           {keys::id("id", kLongestId, "its name: each once, and not `bench`")
+                .require("what the outlet is called: id = \"m4-1\""),
+            keys::word("board", {"mps2-an386", "host"},
+                       "a Cortex-M4F in qemu, or the firmware as a process")
+                .by_default("host"),
+            keys::word("link", {"serial", "mqtt"},
+                       "how it is reached; the board `mps2-an386` has no radio")
+                .by_default("serial"),
+            keys::number("crystal_ppm", "ppm", keys::between(-kMostPpm, kMostPpm),
+                         "by how much its sample clock is fast")
+                .by_default(0.0)}),
+       keys::table("serial", "Physical stations only, which need this or the next.",
+                   {keys::array("ports", keys::text("", ""),
+                                "one outlet on each; one that does not answer is at fault")
+                        .permits("array of device paths")
+                        .require("the ports: ports = [\"/dev/ttyUSB0\"]"),
+                    keys::whole("baud", "bit/s", 9600, 4000000, "of every port")
+                        .by_default(StationSpec{}.baud)}),
+       keys::table(
+           "mqtt",
+           "Physical stations only.",
+           {keys::text("url", "the broker")
+                .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
+                .require(),
+            keys::text("ca_file", "the certificate that vouches for it")
+                .permits("path")
+                .or_else("required with `mqtts`"),
+            keys::text("user", "the bench's name there"),
+            keys::text("password_file", "holds its password in the first line").permits("path"),
+            keys::array("outlets", keys::id("", kLongestId, ""),
+                        "ids, each once; one that is named and not there is at fault")
+                .or_else("all that are found")})});
+  return keys;
+}
 
 StationSpec load_station(const std::string& name) {
   return parse_station(find_station(name));

@@ -1,6 +1,7 @@
 #include "trace_section.hpp"
 
 #include "files.hpp"
+#include "times.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -8,8 +9,12 @@
 
 #include <fmt/format.h>
 
+#include <keys/error.hpp>
+
 namespace gsbench::profile {
 namespace {
+
+using keys::ConfigurationError;
 
 std::vector<waveform::TracePoint> read_recording(const std::string& path,
                                                  const waveform::TraceColumns& columns) {
@@ -51,22 +56,44 @@ void use(std::vector<waveform::TracePoint> points, Recording recording, Stimulus
 
 }  // namespace
 
-void read_trace_section(const Table& signal, double nominal_hz, Stimulus& stimulus) {
-  const Table table(
-      signal.document(), *signal.table("trace"), "[signal.trace]",
-      {"file", "time", "frequency", "voltage", "nominal_voltage", "from_s", "until_s"});
-  const std::string file = table.required_text("file");
+keys::Key trace_keys() {
+  return keys::table(
+      "trace",
+      "A recording as CSV with a header line. `--trace` on the command line plays another in place "
+      "of all frequency, amplitude steps and phase jumps of the profile, and to its end. A row "
+      "with "
+      "`NaN` in a column in use is a gap: it is left out, and the curve runs on through its "
+      "neighbours. A recording lasts 0.1 … 10⁵ s and stays within 0.5 … 1.5 of nominal. Records "
+      "and "
+      "reports keep its name, its columns and the SHA-256 of its content.",
+      {keys::text("file", "path relative to the profile").require(),
+       keys::text("time", "column with seconds, or date and time of day").require(),
+       keys::text("frequency", "column with Hz").require(),
+       keys::text("voltage", "column with RMS voltage").or_else("none: nominal"),
+       keys::number("nominal_voltage", "as the column", keys::above(0.0), "what is 1 p.u.")
+           .or_else("the column's median"),
+       keys::number("from_s", "s", keys::at_least(0.0),
+                    "rows before it are left out; the first that is left is time 0")
+           .by_default(0.0),
+       keys::number("until_s", "s", keys::above(0.0), "rows after it are left out")
+           .permits("above `from_s`")
+           .or_else("to the end")});
+}
+
+void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus) {
+  const keys::Table table = signal.table("trace");
+  const std::string file = table.text("file");
   const std::string path = resolve(file, table.document().path);
   waveform::TraceColumns columns;
-  columns.time = table.required_text("time");
-  columns.frequency = table.required_text("frequency");
-  columns.voltage = table.text("voltage").value_or("");
-  columns.nominal_voltage = table.number("nominal_voltage", above(0.0)).value_or(0.0);
+  columns.time = table.text("time");
+  columns.frequency = table.text("frequency");
+  columns.voltage = table.find_text("voltage").value_or("");
+  columns.nominal_voltage = table.find_number("nominal_voltage").value_or(0.0);
   if (columns.voltage.empty() && table.has("nominal_voltage")) {
     table.refuse("nominal_voltage", "nominal_voltage needs the column: voltage = \"…\"");
   }
-  const double from_s = table.number("from_s", at_least(0.0)).value_or(0.0);
-  const auto until_s = table.number("until_s", above(from_s));
+  const double from_s = table.number("from_s");
+  const auto until_s = table.find_number("until_s", keys::above(from_s));
   if (!is_regular_file(path)) table.refuse("file", fmt::format("no recording {}", path));
 
   auto points = read_recording(path, columns);

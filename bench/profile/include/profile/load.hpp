@@ -5,19 +5,15 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <keys/error.hpp>
 #include <profile/plan.hpp>
 
 namespace gsbench::profile {
 
-// Bad usage, profile, grid or settings: exit code 2. what() is the whole message.
-class ConfigurationError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using keys::ConfigurationError;
 
 // One entry of the judge's catalogue, as far as an [[expect]] must agree with it.
 struct MeasureName {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <keys/key.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::profile {
@@ -41,6 +42,8 @@ struct StationSpec {
   int baud = 921600;
   BrokerSpec broker;
 };
+
+const keys::Key& station_keys();
 
 // `name`: a shipped station ("emulated") or a path to a .toml file. Throws ConfigurationError.
 StationSpec load_station(const std::string& name);

@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include <profile/load.hpp>
+#include <keys/error.hpp>
 
-namespace gsbench::profile {
+namespace gsbench::keys {
 
 struct Position {
   int line = 1;
@@ -46,4 +46,4 @@ ConfigurationError error_at(const std::string& path, Position at, const std::str
 // For messages: `the text "500 MW"`, `8000`, `a table`.
 std::string describe(const Value& value);
 
-}  // namespace gsbench::profile
+}  // namespace gsbench::keys

@@ -1,12 +1,12 @@
-#include "nearest.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 
 #include <fmt/format.h>
 
-namespace gsbench::profile {
+#include <keys/suggestion.hpp>
+
+namespace gsbench::keys {
 namespace {
 
 // Levenshtein's distance: insertions, deletions and replacements of one character.
@@ -50,4 +50,4 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return fmt::format("; {} are: {}", what, fmt::join(known, ", "));
 }
 
-}  // namespace gsbench::profile
+}  // namespace gsbench::keys

@@ -1,5 +1,3 @@
-#include "document.hpp"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -7,7 +5,9 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-namespace gsbench::profile {
+#include <keys/document.hpp>
+
+namespace gsbench::keys {
 namespace {
 
 // Ours are five deep.
@@ -195,4 +195,4 @@ std::string describe(const Value& value) {
   return std::visit(Describe{}, value.data);
 }
 
-}  // namespace gsbench::profile
+}  // namespace gsbench::keys
