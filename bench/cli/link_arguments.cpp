@@ -1,30 +1,21 @@
 #include "link_arguments.hpp"
 
-#include <link_serial/serial_link.hpp>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <stdexcept>
 
-#include <emulation/serial_ports.hpp>
 #include <profile/station_spec.hpp>
 #include <station/stations.hpp>
+#include <transport/transport.hpp>
 
 namespace gsbench::cli {
 namespace {
-
-bool is_pseudo_terminal(const std::string& port) {
-  return port.rfind("/dev/pts/", 0) == 0;
-}
 
 // Of all the ports of a machine those that cannot be opened are of no interest; of those that
 // somebody named they are a mistake.
 void require_ports(const std::vector<std::string>& named) {
   for (const std::string& port : named) {
-    if (access(port.c_str(), R_OK | W_OK) != 0) {
-      throw profile::ConfigurationError(port + ": " + std::strerror(errno));
+    const drivers::Status there = transport::check_port(port);
+    if (!there.ok()) {
+      throw profile::ConfigurationError(there.error());
     }
   }
 }
@@ -34,7 +25,9 @@ void require_ports(const std::vector<std::string>& named) {
 void add_link_options(CLI::App& command, LinkArguments& arguments) {
   CLI::Option* station = command.add_option("--station", arguments.station,
                                             "A station file, or the name of a shipped one");
-  command.add_option("--port", arguments.ports, "A serial port; may be given more than once")
+  command
+      .add_option("--port", arguments.ports,
+                  "A serial port, or tcp://host:port; may be given more than once")
       ->excludes(station);
 }
 
@@ -49,15 +42,11 @@ std::unique_ptr<link::Link> make_link(const LinkArguments& arguments) {
     require_ports(spec.serial_ports);
   } else {
     require_ports(arguments.ports);
-    spec.serial_ports = arguments.ports.empty() ? link::serial_ports() : arguments.ports;
+    spec.serial_ports = arguments.ports.empty() ? transport::serial_ports() : arguments.ports;
     if (spec.serial_ports.empty()) {
       throw profile::ConfigurationError(
           "this machine has no serial port; name a station with --station");
     }
-  }
-  if (std::any_of(spec.serial_ports.begin(), spec.serial_ports.end(), is_pseudo_terminal) &&
-      !emulation::pseudo_terminals_are_serial_ports()) {
-    throw std::runtime_error(emulation::restart_with_pseudo_terminals().error());
   }
   return station::make_link(spec, arguments.station.empty() && arguments.ports.empty());
 }

@@ -1,7 +1,7 @@
 #include "emulated_station.hpp"
 
+#include <link_framed/framed_link.hpp>
 #include <link_mqtt/mqtt_link.hpp>
-#include <link_serial/serial_link.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include <emulation/hardware.hpp>
-#include <emulation/serial_ports.hpp>
 #include <link/combined_link.hpp>
 
 namespace gsbench::station {
@@ -59,11 +58,11 @@ EmulatedStation::EmulatedStation(const profile::StationSpec& spec, const profile
   hardware_ = hardware.take();
   std::vector<std::unique_ptr<link::Link>> links;
   if (!hardware_->serial_ports().empty()) {
-    link::SerialOptions options;
+    link::FramedOptions options;
     options.ports = hardware_->serial_ports();
     options.ids = hardware_->serial_ids();
     options.answer_s = kAnswerS;
-    links.push_back(std::make_unique<link::SerialLink>(options));
+    links.push_back(std::make_unique<link::FramedLink>(options));
   }
   if (const emulation::PrivateBroker* const broker = hardware_->broker(); broker != nullptr) {
     link::MqttOptions options;
@@ -87,18 +86,6 @@ record::BenchUncertainty EmulatedStation::uncertainty() {
   record::BenchUncertainty uncertainty;
   uncertainty.relay_sense_ms = 1e3 * hardware_->relay_sense().uncertainty_ticks() / sample_rate_hz_;
   return uncertainty;
-}
-
-std::unique_ptr<Station> emulated_station(const profile::StationSpec& spec,
-                                          const profile::Plan& plan) {
-  const bool needs_terminals =
-      std::any_of(spec.emulated.begin(), spec.emulated.end(),
-                  [](const profile::EmulatedOutletSpec& o) { return o.link == "serial"; });
-  if (needs_terminals && !emulation::pseudo_terminals_are_serial_ports()) {
-    const drivers::Status restarted = emulation::restart_with_pseudo_terminals();
-    throw std::runtime_error("station " + spec.name + ": " + restarted.error());
-  }
-  return std::make_unique<EmulatedStation>(spec, plan);
 }
 
 }  // namespace gsbench::station

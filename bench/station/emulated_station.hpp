@@ -13,11 +13,10 @@
 
 namespace gsbench::station {
 
-// A desk of emulated outlets and the links to them, the same as to real ones.
+// Emulated outlets and the links to them, the same as to real ones.
 class EmulatedStation final : public Station {
  public:
-  // Where an outlet is on a serial line, pseudo-terminals must be serial ports (emulated/
-  // serial_ports.hpp). Throws std::runtime_error where it cannot be set up.
+  // Throws std::runtime_error where it cannot be set up.
   EmulatedStation(const profile::StationSpec& spec, const profile::Plan& plan);
   ~EmulatedStation() override;
 
@@ -37,9 +36,5 @@ class EmulatedStation final : public Station {
   std::unique_ptr<emulation::Hardware> hardware_;
   std::unique_ptr<link::Link> link_;
 };
-
-// The same, with pseudo-terminals made serial ports first where that is needed.
-std::unique_ptr<Station> emulated_station(const profile::StationSpec& spec,
-                                          const profile::Plan& plan);
 
 }  // namespace gsbench::station

@@ -1,6 +1,6 @@
 #include "emulated_station.hpp"
+#include <link_framed/framed_link.hpp>
 #include <link_mqtt/mqtt_link.hpp>
-#include <link_serial/serial_link.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -27,7 +27,7 @@ std::unique_ptr<Station> make_station(const profile::StationSpec& spec, const pr
     case profile::StationKind::kSimulated:
       return simulated_station(plan, simulated);
     case profile::StationKind::kEmulated:
-      return emulated_station(spec, plan);
+      return std::make_unique<EmulatedStation>(spec, plan);
     case profile::StationKind::kPhysical:
       break;
   }
@@ -40,11 +40,11 @@ std::unique_ptr<Station> make_station(const profile::StationSpec& spec, const pr
 std::unique_ptr<link::Link> make_link(const profile::StationSpec& spec, bool looking) {
   std::vector<std::unique_ptr<link::Link>> links;
   if (!spec.serial_ports.empty()) {
-    link::SerialOptions options;
+    link::FramedOptions options;
     options.ports = spec.serial_ports;
     options.baud = spec.baud;
     options.skip_silent = looking;
-    links.push_back(std::make_unique<link::SerialLink>(options));
+    links.push_back(std::make_unique<link::FramedLink>(options));
   }
   if (!spec.broker.url.empty()) {
     link::MqttOptions options;

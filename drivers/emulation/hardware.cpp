@@ -23,7 +23,7 @@ Result<std::unique_ptr<Hardware>> Hardware::set_up(const HardwareOptions& option
 }
 
 Hardware::~Hardware() {
-  for (emulation::Child& child : processes_) {
+  for (Child& child : processes_) {
     child.stop();
   }
   cables_.clear();
@@ -51,11 +51,11 @@ Status Hardware::set_up() {
   }
   mains_ = made.take();
   if (!mqtt_ids().empty()) {
-    auto started = emulation::PrivateBroker::start({folder_->path() + "/broker", mqtt_ids(), true});
+    auto started = PrivateBroker::start({folder_->path() + "/broker", mqtt_ids(), true});
     if (!started.ok()) {
       return Error{started.error()};
     }
-    broker_ = std::make_unique<emulation::PrivateBroker>(started.take());
+    broker_ = std::make_unique<PrivateBroker>(started.take());
   }
   for (std::size_t i = 0; i < options_.outlets.size(); ++i) {
     Status plugged = plug_in(i);
@@ -70,9 +70,7 @@ Status Hardware::plug_in(std::size_t outlet) {
   const HardwareOutlet& it = options_.outlets[outlet];
   cables_.emplace_back();
   if (it.connection == Connection::kSerial) {
-    auto cable = it.board == Board::kHost
-                     ? NullModem::between_terminals()
-                     : NullModem::to_socket(folder_->path() + "/" + it.id + ".line");
+    auto cable = NullModem::create();
     if (!cable.ok()) {
       return Error{cable.error()};
     }
@@ -95,19 +93,21 @@ Status Hardware::restart_outlet(std::size_t outlet) {
   return Done{};
 }
 
-Result<emulation::Child> Hardware::start_process(std::size_t outlet) const {
+Result<Child> Hardware::start_process(std::size_t outlet) const {
   const auto command = command_of(outlet);
   if (!command.ok()) {
     return Error{command.error()};
   }
-  return emulation::Child::start(command.value());
+  return Child::start(command.value());
 }
 
-Result<emulation::Command> Hardware::command_of(std::size_t outlet) const {
+Result<Command> Hardware::command_of(std::size_t outlet) const {
   const HardwareOutlet& it = options_.outlets[outlet];
   const std::string& terminals = mains_->terminal_path(outlet);
   const std::string& doorbell = mains_->doorbell_path(outlet);
-  emulation::Command command;
+  const std::string cable_port =
+      cables_[outlet] == nullptr ? "" : std::to_string(cables_[outlet]->outlet_end());
+  Command command;
   command.output = folder_->path() + "/" + it.id + ".log";
   if (it.board == Board::kMps2An386) {
     if (it.connection != Connection::kSerial) {
@@ -126,7 +126,7 @@ Result<emulation::Command> Hardware::command_of(std::size_t outlet) const {
                      "none",
                      "-nodefaults",
                      "-chardev",
-                     "socket,id=line,path=" + cables_[outlet]->outlet_end(),
+                     "socket,id=line,host=127.0.0.1,nodelay=on,port=" + cable_port,
                      "-chardev",
                      "socket,id=bell,path=" + doorbell,
                      "-serial",
@@ -137,7 +137,7 @@ Result<emulation::Command> Hardware::command_of(std::size_t outlet) const {
   }
   command.words = {options_.host_program, "--terminals", terminals, "--doorbell", doorbell};
   if (it.connection == Connection::kSerial) {
-    command.words.insert(command.words.end(), {"--serial", cables_[outlet]->outlet_end()});
+    command.words.insert(command.words.end(), {"--tcp", "127.0.0.1:" + cable_port});
     return command;
   }
   // Not on the command line, where everybody can read it.

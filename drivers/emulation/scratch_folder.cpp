@@ -13,14 +13,15 @@
 namespace gsbench::emulation {
 
 namespace fs = std::filesystem;
+using drivers::Descriptor;
 using drivers::Error;
 using drivers::Result;
 
 namespace {
 
-constexpr const char* kPrefix = "gsbench-desk-";
+constexpr const char* kPrefix = "gsbench-emulated-";
 // Until it is locked, a folder has a name that nobody cleans up.
-constexpr const char* kNewPrefix = "gsbench-new-desk-";
+constexpr const char* kNewPrefix = "gsbench-new-emulated-";
 
 // In memory where that is possible: samples pass through files there.
 fs::path place() {

@@ -1,11 +1,10 @@
-// The folder of a desk's files, locked by its owner for as long as that lives: what a bench that
-// was killed has left behind is told from what is in use, and removed by the next.
+// The folder of an emulated station's files, locked by its owner for as long as that lives: what a
+// bench that was killed has left behind is distinguished by that, and removed by the next.
 #pragma once
-
-#include "descriptor.hpp"
 
 #include <string>
 
+#include <drivers/descriptor.hpp>
 #include <drivers/result.hpp>
 
 namespace gsbench::emulation {
@@ -23,7 +22,7 @@ class ScratchFolder {
   ScratchFolder() = default;
 
   std::string path_;
-  Descriptor lock_;
+  drivers::Descriptor lock_;
 };
 
 }  // namespace gsbench::emulation

@@ -83,7 +83,7 @@ void SharedMemoryFile::write(const std::int16_t* samples, std::size_t count) {
 }
 
 void SharedMemoryFile::ring() {
-  // An outlet that began anew connects again.
+  // An outlet that restarted connects again.
   Descriptor newer(accept4(listening_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
   if (newer.is_open()) {
     connection_ = std::move(newer);

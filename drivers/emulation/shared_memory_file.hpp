@@ -2,7 +2,7 @@
 // as memory, and the doorbell that wakes it: a byte on a Unix socket for each block of samples.
 #pragma once
 
-#include "descriptor.hpp"
+#include "listening.hpp"
 #include <shared_memory_io/shared_memory.hpp>
 
 #include <cstdint>

@@ -25,8 +25,8 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
     return std::nullopt;
   }
   // An outlet numbers from 0 at start-up, and what it says first is its hello.
-  const bool began_anew = message.kind == UplinkKind::kHello && sequence == 0;
-  if (began_anew) {
+  const bool restarted = message.kind == UplinkKind::kHello && sequence == 0;
+  if (restarted) {
     // A broker may deliver one twice: the very same, and nothing in between.
     std::vector<std::uint8_t> hello(bytes, bytes + size);
     if (hello == newest_) {
@@ -34,7 +34,7 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
     }
     newest_ = std::move(hello);
     if (said_hello_ && (last_sample_ > message.sample || message.sample == 0)) {
-      note_new_beginning();
+      note_restart();
     }
     received_.restart();
   } else {
@@ -58,7 +58,7 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
       break;
   }
   if (goes_back) {
-    note_new_beginning();
+    note_restart();
   }
   said_hello_ = said_hello_ || message.kind == UplinkKind::kHello;
   last_sample_ = message.sample;

@@ -1,9 +1,6 @@
-// Emulated outlets against the clock, and the serial link beside the bare cable it runs on.
+// Emulated outlets against the clock, and the framed link beside the bare cable it runs on.
 #include "measuring.hpp"
-#include <fcntl.h>
-#include <link_serial/serial_link.hpp>
-#include <poll.h>
-#include <unistd.h>
+#include <link_framed/framed_link.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -23,9 +20,10 @@
 
 namespace {
 
-namespace emulated = gsbench::emulation;
+namespace emulation = gsbench::emulation;
 namespace link = gsbench::link;
 namespace source = gsbench::source;
+namespace transport = gsbench::transport;
 using gs::wire::Downlink;
 using gs::wire::DownlinkKind;
 using gs::wire::Uplink;
@@ -50,7 +48,7 @@ constexpr std::size_t kMessages = 200000;
 
 // ---- sixteen emulated Cortex-M4F as fast as they go
 
-emulation::HardwareOptions desk_of(std::size_t count, emulation::Board board) {
+emulation::HardwareOptions options_for(std::size_t count, emulation::Board board) {
   emulation::HardwareOptions options;
   options.real_time = false;
   options.image = GSBENCH_M4_IMAGE;
@@ -62,14 +60,14 @@ emulation::HardwareOptions desk_of(std::size_t count, emulation::Board board) {
   return options;
 }
 
-link::SerialOptions ports_of(const emulation::Hardware& desk) {
-  link::SerialOptions options;
+link::FramedOptions ports_of(const emulation::Hardware& hardware) {
+  link::FramedOptions options;
   options.ports = hardware.serial_ports();
   options.answer_s = 30.0;
   return options;
 }
 
-void start_source(emulation::Hardware& desk) {
+void start_source(emulation::Hardware& hardware) {
   source::SourceSettings settings;
   settings.sample_rate_hz = kRateHz;
   settings.nominal_hz = 50;
@@ -79,10 +77,10 @@ void start_source(emulation::Hardware& desk) {
 
 void measure_sixteen_outlets() {
   const auto hardware =
-      or_die(emulation::Hardware::set_up(desk_of(kOutlets, emulation::Board::kMps2An386)));
-  link::SerialLink link(ports_of(*desk));
+      or_die(emulation::Hardware::set_up(options_for(kOutlets, emulation::Board::kMps2An386)));
+  link::FramedLink link(ports_of(*hardware));
   or_die(link.open());
-  start_source(*desk);
+  start_source(*hardware);
   std::vector<link::Received> messages;
   std::vector<link::Fault> faults;
   std::size_t measurements = 0;
@@ -124,8 +122,9 @@ void measure_sixteen_outlets() {
 // ---- a round trip
 
 double link_round_trip_ms() {
-  const auto hardware = or_die(emulation::Hardware::set_up(desk_of(1, emulation::Board::kHost)));
-  link::SerialLink link(ports_of(*desk));
+  const auto hardware =
+      or_die(emulation::Hardware::set_up(options_for(1, emulation::Board::kHost)));
+  link::FramedLink link(ports_of(*hardware));
   or_die(link.open());
   std::vector<link::Received> messages;
   std::vector<link::Fault> faults;
@@ -148,45 +147,35 @@ double link_round_trip_ms() {
   return median(taken_ms);
 }
 
-int open_end(const std::string& path) {
-  const int end = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (end < 0) {
-    die(path + ": " + std::strerror(errno));
-  }
-  return end;
-}
+// Both ends of a cable.
+struct RawCable {
+  emulation::NullModem cable = or_die(emulation::NullModem::create());
+  std::unique_ptr<transport::Transport> bench = transport::make_transport(cable.bench_end());
+  std::unique_ptr<transport::Transport> outlet =
+      transport::make_transport("tcp://127.0.0.1:" + std::to_string(cable.outlet_end()));
+};
 
 // Waits for some; none after a tenth of a second.
-std::size_t read_some(int end, Bytes& bytes) {
-  bytes.resize(4096);
-  pollfd ready{end, POLLIN, 0};
-  ::poll(&ready, 1, 100);
-  const ssize_t got = ::read(end, bytes.data(), bytes.size());
-  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+std::size_t read_some(transport::Transport& end, Bytes& bytes) {
+  bytes.clear();
+  or_die(end.receive(bytes, transport::Clock::now() + std::chrono::milliseconds(100)));
   return bytes.size();
 }
 
-void write_all(int end, const Bytes& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t put = ::write(end, bytes.data() + done, bytes.size() - done);
-    done += static_cast<std::size_t>(std::max<ssize_t>(put, 0));
-    if (put < 0) {
-      pollfd ready{end, POLLOUT, 0};
-      ::poll(&ready, 1, 100);
-    }
-  }
+void connect(RawCable& raw) {
+  or_die(raw.bench->open());
+  or_die(raw.outlet->open());
 }
 
 double raw_round_trip_ms() {
-  const auto cable = or_die(emulation::NullModem::between_terminals());
-  const int bench = open_end(cable.bench_end());
-  const int outlet = open_end(cable.outlet_end());
+  RawCable raw;
+  connect(raw);
   std::atomic<bool> ending{false};
   std::thread echo([&] {
     Bytes bytes;
     while (!ending) {
-      if (read_some(outlet, bytes) > 0) {
-        write_all(outlet, bytes);
+      if (read_some(*raw.outlet, bytes) > 0) {
+        or_die(raw.outlet->send(bytes));
       }
     }
   });
@@ -195,16 +184,14 @@ double raw_round_trip_ms() {
   Bytes bytes;
   for (int i = 0; i < kRoundTrips; ++i) {
     const auto begin = steady_clock::now();
-    write_all(bench, command);
+    or_die(raw.bench->send(command));
     for (std::size_t came = 0; came < command.size();) {
-      came += read_some(bench, bytes);
+      came += read_some(*raw.bench, bytes);
     }
     taken_ms.push_back(1e3 * seconds_since(begin));
   }
   ending = true;
   echo.join();
-  ::close(bench);
-  ::close(outlet);
   return median(taken_ms);
 }
 
@@ -231,31 +218,31 @@ std::size_t measurement_bytes() {
 }
 
 // As an outlet that has nothing to wait for: a write a message.
-void say_measurements(int end) {
+void say_measurements(transport::Transport& end) {
   for (std::size_t i = 1; i <= kMessages; ++i) {
-    write_all(end, measurement(i));
+    or_die(end.send(measurement(i)));
   }
 }
 
 double link_seconds() {
-  const auto cable = or_die(emulation::NullModem::between_terminals());
-  const int outlet = open_end(cable.outlet_end());
+  RawCable raw;
+  or_die(raw.outlet->open());
   std::atomic<bool> opened{false};
   std::thread saying([&] {
     Bytes asked;
-    while (read_some(outlet, asked) == 0) {
+    while (read_some(*raw.outlet, asked) == 0) {
     }
     Uplink hello;
     std::strcpy(hello.hello.id, "outlet");
-    write_all(outlet, framed(hello, 0));
+    or_die(raw.outlet->send(framed(hello, 0)));
     while (!opened) {
       std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
-    say_measurements(outlet);
+    say_measurements(*raw.outlet);
   });
-  link::SerialOptions options;
-  options.ports = {cable.bench_end()};
-  link::SerialLink link(options);
+  link::FramedOptions options;
+  options.ports = {raw.cable.bench_end()};
+  link::FramedLink link(options);
   or_die(link.open());
   const auto begin = steady_clock::now();
   opened = true;
@@ -269,35 +256,31 @@ double link_seconds() {
         came += messages.size();
         return came >= kMessages;
       },
-      "the serial link lost messages");
+      "the framed link lost messages");
   const double wall_s = seconds_since(begin);
   saying.join();
-  ::close(outlet);
   if (!faults.empty()) {
-    die("the serial link told a fault: " + faults.front().what);
+    die("the framed link told a fault: " + faults.front().what);
   }
   return wall_s;
 }
 
 // The same bytes in the same writes, read and forgotten.
 double raw_seconds() {
-  const auto cable = or_die(emulation::NullModem::between_terminals());
-  const int bench = open_end(cable.bench_end());
-  const int outlet = open_end(cable.outlet_end());
+  RawCable raw;
+  connect(raw);
   std::atomic<bool> said{false};
   const auto begin = steady_clock::now();
   std::thread saying([&] {
-    say_measurements(outlet);
+    say_measurements(*raw.outlet);
     said = true;
   });
   Bytes bytes;
   double wall_s = 0.0;
-  while (read_some(bench, bytes) > 0 || !said) {
+  while (read_some(*raw.bench, bytes) > 0 || !said) {
     wall_s = seconds_since(begin);
   }
   saying.join();
-  ::close(bench);
-  ::close(outlet);
   return wall_s;
 }
 
@@ -323,7 +306,7 @@ Throughput better(const Throughput& a, const Throughput& b) {
 int main() {
   measure_sixteen_outlets();
   print("round trip of 16 bytes through the cable", raw_round_trip_ms(), "ms");
-  print("round trip of a command to an outlet over the serial link", link_round_trip_ms(), "ms");
+  print("round trip of a command to an outlet over the framed link", link_round_trip_ms(), "ms");
   Throughput raw;
   Throughput over_link;
   // In turn, the best of each: other work of the machine slows the one and not the other.
@@ -335,9 +318,9 @@ int main() {
   // it: what the link costs shows in the processor's time.
   print("throughput of the cable alone, one write a message", raw.per_s, "messages/s");
   print("  processor time, the writer's and the cable's among it", raw.processor_us, "us/message");
-  print("throughput of the serial link over it", over_link.per_s, "messages/s");
+  print("throughput of the framed link over it", over_link.per_s, "messages/s");
   print("  processor time, alike", over_link.processor_us, "us/message");
-  const double line_per_s = link::kSerialBaud / 10.0 / static_cast<double>(measurement_bytes());
+  const double line_per_s = transport::kBaud / 10.0 / static_cast<double>(measurement_bytes());
   const double lines = over_link.per_s / line_per_s;
   judge_at_least("  beside what a line of 921600 baud carries", lines, "x", 1.0);
   return gsbench::performance::exit_code();

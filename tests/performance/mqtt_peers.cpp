@@ -78,7 +78,7 @@ double programs_per_second(const PrivateBroker& broker, const std::string& outle
                            std::size_t messages, std::size_t size,
                            const test::TemporaryFolder& folder) {
   const std::string topic = "gs/" + outlet + "/up";
-  // One more, retained, tells that the subscription stands.
+  // One more, retained, shows that the subscription stands.
   const std::string hello = "gs/" + outlet + "/hello";
   auto told = words("mosquitto_pub", broker, broker.outlet(outlet), hello);
   told.insert(told.end(), {"-r", "-m", "here"});

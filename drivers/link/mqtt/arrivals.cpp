@@ -89,7 +89,7 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
   take_message(place, message, size);
 }
 
-// Before its number is looked at: that of another outlet tells nothing. False where it is
+// Before its number is looked at: that of another outlet means nothing. False where it is
 // another's.
 bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Hello& hello) {
   std::string trouble;

@@ -151,7 +151,7 @@ std::string BrokerConnection::Client::why_not_connected(const mqtt::exception& e
   if (refused_login(error)) {
     return broker + " refuses the user name \"" + options_.user + "\" or its password";
   }
-  // Paho does not tell these apart.
+  // Paho does not distinguish these.
   const std::string name = uses_tls(options_)
                                ? ", or cannot be trusted with the CA file \"" + options_.ca_file +
                                      "\", or its certificate is for another name"

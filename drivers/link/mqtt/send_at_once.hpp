@@ -1,6 +1,6 @@
 // Small messages leave when they are written, not when the broker has acknowledged the one before:
-// without that, each other command waits for 40 ms. Paho has no option for it and tells no socket,
-// so that this process's connections to the broker's port are looked for.
+// without that, each other command waits for 40 ms. Paho has no option for it and gives out no
+// socket, so that this process's connections to the broker's port are looked for.
 #pragma once
 
 #include <string>

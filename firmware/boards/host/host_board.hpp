@@ -1,5 +1,5 @@
-// An outlet as a process of this machine: terminals in a mapped file in place of converter, coil
-// and flash, a line in place of a radio or a UART.
+// An outlet as a process of this machine: terminals in a mapped file in place of ADC, coil and
+// flash, a line in place of a radio or a UART.
 #pragma once
 
 #include "line.hpp"

@@ -1,4 +1,4 @@
-// What carries a host outlet's frames: a serial line, or a broker.
+// What carries a host outlet's frames: a line over TCP, or a broker.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// gs-outlet: an outlet as a process, on a serial line or a broker.
+// gs-outlet: an outlet as a process, on a line over TCP or a broker.
 #include "host_board.hpp"
 #include "mqtt_line.hpp"
-#include "serial_line.hpp"
+#include "tcp_line.hpp"
 #include <getopt.h>
 #include <shared_memory_io/shared_flash.hpp>
 
@@ -25,24 +25,24 @@ namespace wire = gs::wire;
 constexpr const char* kHelp =
     "gs-outlet: a Grid Sense outlet as a process of this machine.\n"
     "\n"
-    "usage: gs-outlet --serial PATH | --mqtt URL  --terminals FILE --doorbell SOCKET\n"
+    "usage: gs-outlet --tcp ADDRESS:PORT | --mqtt URL  --terminals FILE --doorbell SOCKET\n"
     "\n"
-    "  --serial PATH         the line it speaks on: /dev/ttyUSB0\n"
+    "  --tcp ADDRESS:PORT    where its line is connected to: 127.0.0.1:5000\n"
     "  --mqtt URL            or the broker: mqtts://host:port, mqtt://host:port without TLS\n"
     "    --ca FILE             certificate that vouches for the broker\n"
     "    --user NAME           its name there; without: its id\n"
     "    --password-file FILE  holds its password in the first line\n"
-    "  --terminals FILE      memory that stands for its converter, relay and flash; the bench\n"
-    "                        makes it, with the outlet's id\n"
+    "  --terminals FILE      memory that stands for its ADC, relay and flash; the bench makes\n"
+    "                        it, with the outlet's id\n"
     "  --doorbell SOCKET     on which the bench rings for each block of samples\n"
     "\n"
     "It ends when the bench is gone. Exit codes: 0 so, or by SIGTERM; 2 bad usage.\n"
     "\n"
     "Example:\n"
-    "  gs-outlet --serial /dev/ttyUSB0 --terminals shed-1.terminals --doorbell shed-1.doorbell\n";
+    "  gs-outlet --tcp 127.0.0.1:5000 --terminals shed-1.terminals --doorbell shed-1.doorbell\n";
 
 struct Arguments {
-  std::string serial;
+  std::string tcp;
   std::string password_file;
   std::string terminals;
   std::string doorbell;
@@ -57,7 +57,7 @@ int refuse(const std::string& why) {
 }
 
 bool parse(int argc, char** argv, Arguments& arguments) {
-  const option options[] = {{"serial", required_argument, nullptr, 's'},
+  const option options[] = {{"tcp", required_argument, nullptr, 'l'},
                             {"mqtt", required_argument, nullptr, 'm'},
                             {"ca", required_argument, nullptr, 'c'},
                             {"user", required_argument, nullptr, 'u'},
@@ -66,7 +66,7 @@ bool parse(int argc, char** argv, Arguments& arguments) {
                             {"doorbell", required_argument, nullptr, 'd'},
                             {nullptr, 0, nullptr, 0}};
   for (int given = 0; (given = getopt_long(argc, argv, "", options, nullptr)) != -1;) {
-    std::string* place = given == 's'   ? &arguments.serial
+    std::string* place = given == 'l'   ? &arguments.tcp
                          : given == 'm' ? &arguments.mqtt.url
                          : given == 'c' ? &arguments.mqtt.ca_file
                          : given == 'u' ? &arguments.mqtt.user
@@ -97,8 +97,8 @@ superloop::StartUp start_up(const shared_memory_io::SharedMemory& terminals) {
 std::unique_ptr<host::Line> make_line(Arguments& arguments,
                                       const shared_memory_io::SharedMemory& terminals,
                                       std::string& why) {
-  if (!arguments.serial.empty()) {
-    auto line = std::make_unique<host::SerialLine>(arguments.serial);
+  if (!arguments.tcp.empty()) {
+    auto line = std::make_unique<host::TcpLine>(arguments.tcp);
     return line->open(why) ? std::move(line) : nullptr;
   }
   arguments.mqtt.id = terminals.id;
@@ -126,8 +126,8 @@ int main(int argc, char** argv) {
   if (!parse(argc, argv, arguments)) {
     return refuse("that is not understood");
   }
-  if (arguments.serial.empty() == arguments.mqtt.url.empty()) {
-    return refuse("one of --serial and --mqtt is needed");
+  if (arguments.tcp.empty() == arguments.mqtt.url.empty()) {
+    return refuse("one of --tcp and --mqtt is needed");
   }
   std::string why;
   shared_memory_io::SharedMemory* terminals = host::map_terminals(arguments.terminals, why);

@@ -16,7 +16,7 @@ bool MqttLine::take_byte(std::uint8_t& byte) {
   std::vector<std::uint8_t> message;
   while (received_.empty() && carrier_.take(message)) {
     std::uint8_t framed[wire::kLongestFrame];
-    // A message too long for a frame is none of this protocol's: a damaged frame in its place tells
+    // A message too long for a frame is none of this protocol's: a damaged frame in its place shows
     // the outlet that something came.
     const std::size_t size = wire::frame(message.data(), message.size(), framed, sizeof framed);
     if (size > 0) {

@@ -1,4 +1,4 @@
-// What finds outlets and listens to them, on an emulated one's serial line or behind a broker.
+// What finds outlets and listens to them, on an emulated line or behind a broker.
 #include "gsbench_process.hpp"
 #include <sys/wait.h>
 #include <test_support/temporary_folder.hpp>
@@ -31,8 +31,8 @@ using gsbench::test::Started;
 using gsbench::test::text_of;
 using testing::HasSubstr;
 
-// Calm mains on a desk with one outlet, for as long as a test lasts.
-class ADesk : public testing::Test {
+// Calm mains of an emulated station with one outlet, for as long as a test lasts.
+class SerialStation : public testing::Test {
  protected:
   void SetUp() override { set_up(Connection::kSerial); }
   void set_up(Connection connection) {
@@ -96,7 +96,7 @@ bool prints(const Started& started, const std::string& what) {
   return false;
 }
 
-TEST_F(ADesk, IsFoundWithWhatItsOutletSaysOfItself) {
+TEST_F(SerialStation, IsFoundWithWhatItsOutletSaysOfItself) {
   const Outcome outcome = run_gsbench({"devices", "--port", port(), "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto found = nlohmann::json::parse(outcome.out);
@@ -116,7 +116,7 @@ TEST_F(ADesk, IsFoundWithWhatItsOutletSaysOfItself) {
   EXPECT_EQ(lines_of(table.out).size(), 2U);
 }
 
-TEST_F(ADesk, IsHeardForAsLongAsAsked) {
+TEST_F(SerialStation, IsHeardForAsLongAsAsked) {
   const Outcome outcome = run_gsbench({"monitor", "--port", port(), "--seconds", "1.5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::vector<std::string> lines = lines_of(outcome.out);
@@ -129,7 +129,7 @@ TEST_F(ADesk, IsHeardForAsLongAsAsked) {
   EXPECT_THAT(outcome.out, HasSubstr("1.0000 pu valid"));
 }
 
-TEST_F(ADesk, IsHeardLiveUntilInterrupted) {
+TEST_F(SerialStation, IsHeardLiveUntilInterrupted) {
   const Started started = start_gsbench({"monitor", "--port", port()});
   EXPECT_TRUE(prints(started, "pu valid"));
   kill(started.pid, SIGINT);
@@ -137,7 +137,7 @@ TEST_F(ADesk, IsHeardLiveUntilInterrupted) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-TEST_F(ADesk, IsHeardNoLongerThanAnybodyReads) {
+TEST_F(SerialStation, IsHeardNoLongerThanAnybodyReads) {
   const std::string command = "timeout 30 " + std::string(GSBENCH_PROGRAM) + " monitor --port " +
                               port() + " 2>&1 | head -n 3";
   std::FILE* const pipe = popen(command.c_str(), "r");
@@ -152,14 +152,14 @@ TEST_F(ADesk, IsHeardNoLongerThanAnybodyReads) {
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(15));
 }
 
-TEST_F(ADesk, HasNoOutletOfAnotherName) {
+TEST_F(SerialStation, HasNoOutletOfAnotherName) {
   const Outcome outcome =
       run_gsbench({"monitor", "--port", port(), "--outlet", "cellar", "--seconds", "1"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("no outlet cellar answers"));
 }
 
-TEST_F(ADesk, WithItsOutletGoneHasNothingToFind) {
+TEST_F(SerialStation, WithItsOutletGoneHasNothingToFind) {
   hardware_->outlet_process(0).kill();
   const Outcome found = run_gsbench({"devices", "--port", port()});
   EXPECT_EQ(found.exit_code, 4) << found.err;
@@ -169,7 +169,7 @@ TEST_F(ADesk, WithItsOutletGoneHasNothingToFind) {
   EXPECT_THAT(heard.err, HasSubstr("no outlet answers"));
 }
 
-class ADeskBehindABroker : public ADesk {
+class MqttStation : public SerialStation {
  protected:
   void SetUp() override {
     set_up(Connection::kMqtt);
@@ -185,7 +185,7 @@ class ADeskBehindABroker : public ADesk {
   std::string station_;
 };
 
-TEST_F(ADeskBehindABroker, IsFoundWithWhatItsOutletSaysOfItself) {
+TEST_F(MqttStation, IsFoundWithWhatItsOutletSaysOfItself) {
   const Outcome outcome = run_gsbench({"devices", "--station", station_, "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto found = nlohmann::json::parse(outcome.out);
@@ -195,7 +195,7 @@ TEST_F(ADeskBehindABroker, IsFoundWithWhatItsOutletSaysOfItself) {
   EXPECT_EQ(found[0]["fault"], "");
 }
 
-TEST_F(ADeskBehindABroker, IsHeardForAsLongAsAsked) {
+TEST_F(MqttStation, IsHeardForAsLongAsAsked) {
   const Outcome outcome = run_gsbench({"monitor", "--station", station_, "--seconds", "1.5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::vector<std::string> lines = lines_of(outcome.out);
@@ -204,7 +204,7 @@ TEST_F(ADeskBehindABroker, IsHeardForAsLongAsAsked) {
   EXPECT_THAT(outcome.out, HasSubstr("1.0000 pu valid"));
 }
 
-TEST_F(ADeskBehindABroker, WithAWrongPasswordIsNotListenedTo) {
+TEST_F(MqttStation, WithAWrongPasswordIsNotListenedTo) {
   folder_.write("bench.password", "guessed\n");
   const Outcome outcome = run_gsbench({"monitor", "--station", station_, "--seconds", "1"});
   EXPECT_EQ(outcome.exit_code, 4);
@@ -212,7 +212,7 @@ TEST_F(ADeskBehindABroker, WithAWrongPasswordIsNotListenedTo) {
 }
 
 // An outlet that was named and is not there is told, and the one that is there is shown.
-TEST_F(ADeskBehindABroker, AnOutletThatWasNamedAndIsNotThereIsTold) {
+TEST_F(MqttStation, AnOutletThatWasNamedAndIsNotThereIsTold) {
   std::ofstream(station_, std::ios::app) << "outlets = [\"cellar\", \"kitchen-1\"]\n";
   const Outcome outcome = run_gsbench({"devices", "--station", station_});
   EXPECT_EQ(outcome.exit_code, 4);

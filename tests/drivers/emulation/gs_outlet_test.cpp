@@ -51,7 +51,7 @@ class GsOutlet : public testing::Test {
     auto made = SharedMemoryFile::create(folder_.path().string(), settings);
     ASSERT_TRUE(made.ok()) << made.error();
     file_.emplace(made.take());
-    auto cable = NullModem::between_terminals();
+    auto cable = NullModem::create();
     ASSERT_TRUE(cable.ok()) << cable.error();
     cable_.emplace(cable.take());
   }
@@ -68,6 +68,9 @@ class GsOutlet : public testing::Test {
     return " --terminals " + file_->path() + " --doorbell " + file_->doorbell();
   }
 
+  std::string line_address() const { return "127.0.0.1:" + std::to_string(cable_->outlet_end()); }
+  std::string line() const { return "--tcp " + line_address(); }
+
   TemporaryFolder folder_;
   std::optional<SharedMemoryFile> file_;
   std::optional<NullModem> cable_;
@@ -76,14 +79,14 @@ class GsOutlet : public testing::Test {
 TEST_F(GsOutlet, SaysHowItIsUsed) {
   const Outcome outcome = run("--help");
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* option : {"--serial", "--mqtt", "--ca", "--user", "--password-file",
-                             "--terminals", "--doorbell", "Example:"}) {
+  for (const char* option : {"--tcp", "--mqtt", "--ca", "--user", "--password-file", "--terminals",
+                             "--doorbell", "Example:"}) {
     EXPECT_THAT(outcome.said, HasSubstr(option));
   }
 }
 
 TEST_F(GsOutlet, RefusesWhatItDoesNotUnderstand) {
-  for (const std::string wrong : {"--nonsense", "--serial", "something"}) {
+  for (const std::string wrong : {"--nonsense", "--tcp", "something"}) {
     const Outcome outcome = run(wrong);
     EXPECT_EQ(outcome.exit_code, 2) << wrong;
     EXPECT_THAT(outcome.said, HasSubstr("gs-outlet: ")) << wrong;
@@ -92,15 +95,17 @@ TEST_F(GsOutlet, RefusesWhatItDoesNotUnderstand) {
 }
 
 TEST_F(GsOutlet, WantsOneLine) {
-  expect_refused(at_terminals(), "one of --serial and --mqtt is needed");
-  expect_refused("--serial /dev/null --mqtt mqtt://127.0.0.1:1" + at_terminals(),
-                 "one of --serial and --mqtt is needed");
+  expect_refused(at_terminals(), "one of --tcp and --mqtt is needed");
+  expect_refused("--tcp 127.0.0.1:1 --mqtt mqtt://127.0.0.1:1" + at_terminals(),
+                 "one of --tcp and --mqtt is needed");
 }
 
 TEST_F(GsOutlet, RefusesALineThatIsNone) {
-  expect_refused("--serial /nowhere/line" + at_terminals(),
-                 "/nowhere/line: No such file or directory");
-  expect_refused("--serial /dev/null" + at_terminals(), "/dev/null: Inappropriate ioctl");
+  cable_->unplug();
+  expect_refused(line() + at_terminals(), line_address() + ": Connection refused");
+  for (const std::string wrong : {"127.0.0.1", "127.0.0.1:", "127.0.0.1:70000", "localhost:5000"}) {
+    expect_refused("--tcp " + wrong + at_terminals(), "\"" + wrong + "\" is no address:port");
+  }
   expect_refused("--mqtt 127.0.0.1" + at_terminals(), "\"127.0.0.1\" is no mqtts://host:port");
   expect_refused("--mqtt mqtts://127.0.0.1:1 --ca /nowhere/ca" + at_terminals(),
                  "the CA file \"/nowhere/ca\" cannot be read");
@@ -109,20 +114,19 @@ TEST_F(GsOutlet, RefusesALineThatIsNone) {
 }
 
 TEST_F(GsOutlet, RefusesTerminalsThatAreNone) {
-  const std::string line = "--serial " + cable_->outlet_end();
-  expect_refused(line + " --terminals /nowhere/file --doorbell " + file_->doorbell(),
+  expect_refused(line() + " --terminals /nowhere/file --doorbell " + file_->doorbell(),
                  "/nowhere/file: No such file or directory");
   const std::string other = folder_.write("other", "something else");
-  expect_refused(line + " --terminals " + other + " --doorbell " + file_->doorbell(),
+  expect_refused(line() + " --terminals " + other + " --doorbell " + file_->doorbell(),
                  other + ": holds no terminals");
   const std::string unmade =
       folder_.write("unmade", std::string(sizeof(gs::shared_memory_io::SharedMemory), '\0'));
-  expect_refused(line + " --terminals " + unmade + " --doorbell " + file_->doorbell(),
+  expect_refused(line() + " --terminals " + unmade + " --doorbell " + file_->doorbell(),
                  unmade + ": holds no terminals");
 }
 
 TEST_F(GsOutlet, RefusesADoorbellThatIsNone) {
-  const std::string start = "--serial " + cable_->outlet_end() + " --terminals " + file_->path();
+  const std::string start = line() + " --terminals " + file_->path();
   expect_refused(start + " --doorbell /nowhere/bell", "/nowhere/bell: No such file or directory");
   expect_refused(start + " --doorbell /" + std::string(200, 'x'),
                  "/" + std::string(200, 'x') + ": too long for a socket");
@@ -130,18 +134,18 @@ TEST_F(GsOutlet, RefusesADoorbellThatIsNone) {
 
 TEST_F(GsOutlet, RefusesHardwareThatTheFirmwareDoesNotServe) {
   file_->terminals().sample_rate_hz = 100;
-  expect_refused("--serial " + cable_->outlet_end() + at_terminals(),
+  expect_refused(line() + at_terminals(),
                  "the terminals are of hardware that the firmware does not serve");
 }
 
 TEST_F(GsOutlet, EndsWhenItIsToldTo) {
-  const Outcome outcome = run("--serial " + cable_->outlet_end() + at_terminals() +
-                              " & pid=$!; sleep 0.3; kill $pid; wait $pid");
+  const Outcome outcome =
+      run(line() + at_terminals() + " & pid=$!; sleep 0.3; kill $pid; wait $pid");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.said;
 }
 
 TEST_F(GsOutlet, EndsWhenTheBenchIsGone) {
-  auto child = Child::start({{GS_OUTLET_PROGRAM, "--serial", cable_->outlet_end(), "--terminals",
+  auto child = Child::start({{GS_OUTLET_PROGRAM, "--tcp", line_address(), "--terminals",
                               file_->path(), "--doorbell", file_->doorbell()},
                              ""});
   ASSERT_TRUE(child.ok()) << child.error();

@@ -1,4 +1,4 @@
-// A desk's folder: in use, left behind, removed.
+// An emulated station's hardware, and its folder: in use, left behind, removed.
 #include "scratch_folder.hpp"
 #include "waiting.hpp"
 #include <sys/wait.h>

@@ -1,14 +1,6 @@
 // Serial cables without hardware, with raw bytes at both ends.
-#include "descriptor.hpp"
 #include "waiting.hpp"
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <test_support/temporary_folder.hpp>
-#include <unistd.h>
 
-#include <cstring>
 #include <memory>
 #include <numeric>
 #include <vector>
@@ -17,134 +9,108 @@
 #include <gtest/gtest.h>
 
 #include <emulation/null_modem.hpp>
+#include <transport/transport.hpp>
 
 namespace {
 
-using gsbench::emulation::Descriptor;
+using namespace std::chrono_literals;
 using gsbench::emulation::NullModem;
-using gsbench::test::TemporaryFolder;
+using gsbench::emulation::Way;
 using gsbench::test::until;
-using testing::HasSubstr;
+using gsbench::transport::Clock;
+using gsbench::transport::make_transport;
+using gsbench::transport::Transport;
 using Bytes = std::vector<std::uint8_t>;
 
-Descriptor terminal(const std::string& path) {
-  return Descriptor(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-}
-
-Descriptor connected(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
-  Descriptor end(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  EXPECT_EQ(connect(end.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0)
-      << std::strerror(errno);
-  return end;
-}
-
-void write_all(const Descriptor& end, const Bytes& bytes) {
-  ASSERT_EQ(::write(end.get(), bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-}
-
-// As many bytes as are wanted, or what has come in ten seconds.
-Bytes read_some(const Descriptor& end, std::size_t wanted) {
-  Bytes bytes;
-  until([&] {
-    std::uint8_t more[512];
-    const ssize_t got = ::recv(end.get(), more, sizeof more, MSG_DONTWAIT);
-    const ssize_t read = got < 0 && errno == ENOTSOCK ? ::read(end.get(), more, sizeof more) : got;
-    if (read > 0) {
-      bytes.insert(bytes.end(), more, more + read);
-    }
-    return bytes.size() >= wanted;
-  });
-  return bytes;
-}
-
-// What a reader of the end is told when the cable goes.
-bool hung_up(const Descriptor& end) {
-  pollfd waited{end.get(), POLLIN, 0};
-  ::poll(&waited, 1, 0);
-  return (waited.revents & POLLHUP) != 0;
-}
-
-// Every value a byte can have: none may mean anything to a terminal.
-Bytes all_bytes() {
-  Bytes bytes(256);
-  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
-  return bytes;
-}
-
-class Cable : public testing::TestWithParam<bool> {
+class Cable : public testing::Test {
  protected:
-  void SetUp() override {
-    auto made =
-        GetParam() ? NullModem::to_socket(folder_.file("line")) : NullModem::between_terminals();
-    ASSERT_TRUE(made.ok()) << made.error();
-    cable_ = std::make_unique<NullModem>(made.take());
-    bench_ = terminal(cable_->bench_end());
-    outlet_ = plug_in_outlet();
-    ASSERT_TRUE(bench_.is_open());
-    ASSERT_TRUE(outlet_.is_open());
+  Cable() { connect(); }
+
+  void connect() {
+    EXPECT_TRUE(bench_->open().ok());
+    EXPECT_TRUE(outlet_->open().ok());
   }
 
-  Descriptor plug_in_outlet() const {
-    return GetParam() ? connected(cable_->outlet_end()) : terminal(cable_->outlet_end());
+  static Bytes received(Transport& end, std::size_t wanted) {
+    Bytes bytes;
+    const auto end_of_patience = Clock::now() + 10s;
+    while (bytes.size() < wanted && end.receive(bytes, end_of_patience).ok() &&
+           Clock::now() < end_of_patience) {
+    }
+    return bytes;
   }
 
-  TemporaryFolder folder_;
-  std::unique_ptr<NullModem> cable_;
-  Descriptor bench_;
-  Descriptor outlet_;
+  static bool hung_up(Transport& end) {
+    Bytes bytes;
+    return !end.receive(bytes, Clock::now() + 1ms).ok();
+  }
+
+  NullModem cable_ = NullModem::create().take();
+  std::unique_ptr<Transport> bench_ = make_transport(cable_.bench_end());
+  std::unique_ptr<Transport> outlet_ =
+      make_transport("tcp://127.0.0.1:" + std::to_string(cable_.outlet_end()));
 };
 
-TEST_P(Cable, PassesEveryByteFromTheOutletToTheBench) {
-  write_all(outlet_, all_bytes());
-  EXPECT_EQ(read_some(bench_, 256), all_bytes());
+TEST_F(Cable, PassesEveryByteBothWays) {
+  Bytes all(256);
+  std::iota(all.begin(), all.end(), std::uint8_t{0});
+  ASSERT_TRUE(outlet_->send(all).ok());
+  EXPECT_EQ(received(*bench_, 256), all);
+  ASSERT_TRUE(bench_->send(all).ok());
+  EXPECT_EQ(received(*outlet_, 256), all);
 }
 
-TEST_P(Cable, PassesEveryByteFromTheBenchToTheOutlet) {
-  write_all(bench_, all_bytes());
-  EXPECT_EQ(read_some(outlet_, 256), all_bytes());
+TEST_F(Cable, SpoilsTheWayThatItIsToldToAndNothingElse) {
+  cable_.spoil([](Bytes& bytes) { bytes.push_back(0x55); });
+  ASSERT_TRUE(outlet_->send({1, 2}).ok());
+  EXPECT_EQ(received(*bench_, 3), (Bytes{1, 2, 0x55}));
+  ASSERT_TRUE(bench_->send({3, 4}).ok());
+  EXPECT_EQ(received(*outlet_, 2), (Bytes{3, 4}));
+  cable_.spoil({});
+  cable_.spoil([](Bytes& bytes) { bytes.push_back(0x66); }, Way::kToOutlet);
+  ASSERT_TRUE(outlet_->send({5, 6}).ok());
+  EXPECT_EQ(received(*bench_, 2), (Bytes{5, 6}));
+  ASSERT_TRUE(bench_->send({7}).ok());
+  EXPECT_EQ(received(*outlet_, 2), (Bytes{7, 0x66}));
 }
 
-TEST_P(Cable, SpoilsWhatTheOutletSaysAndNothingElse) {
-  cable_->spoil([](Bytes& bytes) { bytes.push_back(0x55); });
-  write_all(outlet_, {1, 2});
-  EXPECT_EQ(read_some(bench_, 3), (Bytes{1, 2, 0x55}));
-  write_all(bench_, {3, 4});
-  EXPECT_EQ(read_some(outlet_, 2), (Bytes{3, 4}));
-  cable_->spoil({});
-  write_all(outlet_, {5, 6});
-  EXPECT_EQ(read_some(bench_, 2), (Bytes{5, 6}));
+TEST_F(Cable, ThatIsUnpluggedHangsUpAtBothEndsAndTakesNobodyUntilItIsPluggedIn) {
+  EXPECT_FALSE(hung_up(*bench_));
+  EXPECT_FALSE(hung_up(*outlet_));
+  cable_.unplug();
+  EXPECT_TRUE(until([&] { return hung_up(*bench_) && hung_up(*outlet_); }));
+  EXPECT_FALSE(bench_->open().ok());
+  EXPECT_FALSE(outlet_->open().ok());
+  ASSERT_TRUE(cable_.plug_in().ok());
+  connect();
+  ASSERT_TRUE(bench_->send({8}).ok());
+  EXPECT_EQ(received(*outlet_, 1), (Bytes{8}));
 }
 
-TEST_P(Cable, ThatIsPulledHangsUpAtBothEnds) {
-  EXPECT_FALSE(hung_up(bench_));
-  EXPECT_FALSE(hung_up(outlet_));
-  cable_.reset();
-  EXPECT_TRUE(until([&] { return hung_up(bench_) && hung_up(outlet_); }));
+TEST_F(Cable, KeepsTheBenchsEndWhenTheOutletGoesAndComesBack) {
+  outlet_->close();
+  ASSERT_TRUE(bench_->send({9}).ok());
+  EXPECT_FALSE(hung_up(*bench_));
+  ASSERT_TRUE(outlet_->open().ok());
+  ASSERT_TRUE(outlet_->send({7}).ok());
+  EXPECT_EQ(received(*bench_, 1), (Bytes{7}));
 }
 
-TEST_P(Cable, KeepsTheBenchsEndWhenTheOutletGoesAndComesBack) {
-  outlet_.close();
-  write_all(bench_, {9});
-  EXPECT_FALSE(hung_up(bench_));
-  outlet_ = plug_in_outlet();
-  write_all(outlet_, {7});
-  EXPECT_EQ(read_some(bench_, 1), (Bytes{7}));
-}
-
-INSTANTIATE_TEST_SUITE_P(Kinds, Cable, testing::Bool(), [](const auto& kind) {
-  return kind.param ? "ToASocket" : "BetweenTerminals";
-});
-
-TEST(NullModem, TellsWhereItCannotListen) {
-  const auto cable = NullModem::to_socket("/nowhere/line");
-  ASSERT_FALSE(cable.ok());
-  EXPECT_THAT(cable.error(), HasSubstr("/nowhere/line"));
-  const auto too_long = NullModem::to_socket("/" + std::string(200, 'x'));
-  ASSERT_FALSE(too_long.ok());
-  EXPECT_THAT(too_long.error(), HasSubstr("too long for a socket"));
+// Ports are their own from their making on, plugged in or not: nobody else's cable gets them.
+TEST(NullModem, KeepsItsPortsWhileItIsUnplugged) {
+  std::vector<NullModem> cables;
+  std::vector<std::string> ends;
+  for (int i = 0; i < 50; ++i) {
+    cables.push_back(NullModem::create().take());
+    cables.back().unplug();
+    ends.push_back(cables.back().bench_end());
+    ends.push_back("tcp://127.0.0.1:" + std::to_string(cables.back().outlet_end()));
+  }
+  std::sort(ends.begin(), ends.end());
+  EXPECT_EQ(std::adjacent_find(ends.begin(), ends.end()), ends.end());
+  for (NullModem& cable : cables) {
+    EXPECT_TRUE(cable.plug_in().ok());
+  }
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
-// Spoilers for a cable (emulated/null_modem.hpp) that know frames: what an outlet says, changed,
+// Spoilers for a cable (emulation/null_modem.hpp) that know frames: what an outlet says, changed,
 // left out or repeated message by message.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <vector>
 
 #include <emulation/null_modem.hpp>
+#include <wire/codec.hpp>
 #include <wire/frame.hpp>
 
 namespace gsbench::test {
@@ -37,6 +39,23 @@ inline emulation::Spoiler each_message(std::function<std::vector<Bytes>(const By
     }
     bytes = out;
   };
+}
+
+// Another hello in the place of the outlet's own.
+inline emulation::Spoiler change_hello(std::function<void(gs::wire::Hello&)> change) {
+  return each_message([change = std::move(change)](const Bytes& message) -> std::vector<Bytes> {
+    gs::wire::Uplink uplink;
+    std::uint32_t sequence = 0;
+    if (gs::wire::decode(message.data(), message.size(), uplink, sequence) !=
+            gs::wire::Decoded::kOk ||
+        uplink.kind != gs::wire::UplinkKind::kHello) {
+      return {message};
+    }
+    change(uplink.hello);
+    Bytes other(gs::wire::kLongestMessage);
+    other.resize(gs::wire::encode(uplink, sequence, other.data(), other.size()));
+    return {other};
+  });
 }
 
 // Every n-th byte that passes is spoiled: `spoil` may change it, the one before it, or their
@@ -70,5 +89,19 @@ inline void reorder_two_bytes(Bytes& bytes) {
     std::swap(bytes.back(), bytes[bytes.size() - 2]);
   }
 }
+
+struct Spoiling {
+  const char* name;
+  void (*spoil)(Bytes& bytes);
+};
+
+inline void PrintTo(const Spoiling& spoiling, std::ostream* out) {
+  *out << spoiling.name;
+}
+
+constexpr Spoiling kSpoilings[] = {{"FlippedBits", flip_a_bit},
+                                   {"DroppedBytes", drop_a_byte},
+                                   {"DoubledBytes", double_a_byte},
+                                   {"ReorderedBytes", reorder_two_bytes}};
 
 }  // namespace gsbench::test

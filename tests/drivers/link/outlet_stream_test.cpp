@@ -43,7 +43,7 @@ TEST(OutletStream, TellsOfAnOutletThatSaysTheSameHelloAfterMore) {
   EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
   EXPECT_TRUE(takes(stream, hello));
   EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
-  EXPECT_THAT(stream.take_faults(), ElementsAre("began anew after its sample 128"));
+  EXPECT_THAT(stream.take_faults(), ElementsAre("restarted after its sample 128"));
 }
 
 TEST(OutletStream, TellsOfMessagesThatWereLost) {
@@ -67,7 +67,7 @@ TEST(OutletStream, TellsOfANewBeginningWhoseHelloWasLost) {
   stream.take_faults();
   EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 384, 3)));
   EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 512, 4)));
-  EXPECT_THAT(stream.take_faults(), ElementsAre("began anew after its sample 12800"));
+  EXPECT_THAT(stream.take_faults(), ElementsAre("restarted after its sample 12800"));
 }
 
 TEST(OutletStream, TellsOfANewBeginningWhoseNumbersFit) {
@@ -75,7 +75,7 @@ TEST(OutletStream, TellsOfANewBeginningWhoseNumbersFit) {
   EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
   EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128000, 1)));
   EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
-  EXPECT_THAT(stream.take_faults(), ElementsAre("began anew after its sample 128000"));
+  EXPECT_THAT(stream.take_faults(), ElementsAre("restarted after its sample 128000"));
 }
 
 TEST(OutletStream, DropsWhatACableRepeatsOrSwaps) {

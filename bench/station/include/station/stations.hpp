@@ -10,8 +10,7 @@
 namespace gsbench::station {
 
 // Throws profile::ConfigurationError where the file asks for what cannot be: a physical station
-// without a source, fewer outlets than the profile has groups. An emulated station may begin the
-// program anew (emulated/serial_ports.hpp): make it before anything else is done.
+// without a source, fewer outlets than the profile has groups.
 std::unique_ptr<Station> make_station(const profile::StationSpec& spec, const profile::Plan& plan,
                                       const SimulatedOptions& simulated);
 

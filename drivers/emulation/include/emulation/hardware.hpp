@@ -1,7 +1,7 @@
-// A desk full of emulated outlets: their processes (the firmware's image for the Cortex-M4F in an
-// emulator, or the firmware as a process of this machine), the mains at their terminals, cables to
-// those on serial lines, a private broker for those on MQTT. All of it ends with the desk, also
-// when the bench is killed.
+// The hardware of an emulated station: outlets' processes (the firmware's image for the Cortex-M4F
+// in an emulator, or the firmware as a process of this machine), the mains at their terminals,
+// cables to those on serial lines, a private broker for those on MQTT. All of it ends with its
+// owner, also when the bench is killed.
 #pragma once
 
 #include <cstdint>
@@ -50,21 +50,24 @@ class Hardware {
   Hardware(const Hardware&) = delete;
   Hardware& operator=(const Hardware&) = delete;
 
-  // For the outlets' files; gone with the desk, or when the next one is set up.
+  // For the outlets' files; removed with this, or when the next station is set up.
   const std::string& folder() const;
 
   source::Source& source() { return mains_->source(); }
   relay::RelaySense& relay_sense() { return mains_->relay_sense(); }
 
-  // The bench's ends, in the order of the outlets on serial lines.
+  // The bench's ends of the cables (transport/transport.hpp), in the order of the outlets on serial
+  // lines.
   std::vector<std::string> serial_ports() const;
   std::vector<std::string> serial_ids() const;
   // Those behind the broker, in their order.
   std::vector<std::string> mqtt_ids() const;
-  emulation::PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
+  PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
+
+  std::size_t outlets() const { return processes_.size(); }
 
   // For faults on purpose.
-  emulation::Child& outlet_process(std::size_t outlet) { return processes_.at(outlet); }
+  Child& outlet_process(std::size_t outlet) { return processes_.at(outlet); }
   drivers::Status restart_outlet(std::size_t outlet);
   NullModem& cable(std::size_t outlet) { return *cables_.at(outlet); }
   gs::shared_memory_io::SharedMemory& terminals(std::size_t outlet) {
@@ -76,15 +79,15 @@ class Hardware {
   drivers::Status set_up();
   std::vector<std::string> ids_on(Connection connection) const;
   drivers::Status plug_in(std::size_t outlet);
-  drivers::Result<emulation::Child> start_process(std::size_t outlet) const;
-  drivers::Result<emulation::Command> command_of(std::size_t outlet) const;
+  drivers::Result<Child> start_process(std::size_t outlet) const;
+  drivers::Result<Command> command_of(std::size_t outlet) const;
 
   HardwareOptions options_;
   std::unique_ptr<ScratchFolder> folder_;
   std::unique_ptr<Mains> mains_;
-  std::unique_ptr<emulation::PrivateBroker> broker_;
+  std::unique_ptr<PrivateBroker> broker_;
   std::vector<std::unique_ptr<NullModem>> cables_;  // null for outlets behind the broker
-  std::vector<emulation::Child> processes_;
+  std::vector<Child> processes_;
 };
 
 }  // namespace gsbench::emulation

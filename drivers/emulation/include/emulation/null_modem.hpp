@@ -1,6 +1,6 @@
-// A serial cable without hardware: a terminal device (a pseudo-terminal's slave, with a path under
-// /dev/pts) at the bench's end, and at the outlet's end another, or a Unix socket that an
-// emulator's serial port connects to. Bytes pass both ways as they are, unless a test spoils them.
+// A serial cable without hardware: two TCP ports of 127.0.0.1, one for the bench and one for the
+// outlet, each for one connection at a time. Bytes pass both ways as they are, unless a test spoils
+// them. What is sent while nobody is at the other end is lost, as on a cable.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,19 @@ enum class Way : std::uint8_t { kToBench, kToOutlet };
 
 class NullModem {
  public:
-  // Two terminal devices.
-  static drivers::Result<NullModem> between_terminals();
-  // A terminal device and a Unix socket that it listens on, for one that connects at a time.
-  static drivers::Result<NullModem> to_socket(const std::string& socket_path);
+  static drivers::Result<NullModem> create();
 
   NullModem(NullModem&&) noexcept;
   NullModem& operator=(NullModem&&) noexcept;
-  ~NullModem();  // both ends are unplugged
+  ~NullModem();  // unplug()
 
-  const std::string& bench_end() const;   // "/dev/pts/3"
-  const std::string& outlet_end() const;  // another, or the socket
+  std::string bench_end() const;     // "tcp://127.0.0.1:40001", a transport's port
+  std::uint16_t outlet_end() const;  // 40002, on 127.0.0.1
+
+  // For faults on purpose. Both ends hang up, and can be connected to again once the cable is
+  // plugged in again.
+  void unplug();
+  [[nodiscard]] drivers::Status plug_in();
 
   // Empty: as it is.
   void spoil(Spoiler spoiler, Way way = Way::kToBench);

@@ -1,5 +1,5 @@
-// The bench's end of one outlet's messages: decoded, in order, each once; what is missing, damaged
-// or told by an outlet that began anew is told as a fault.
+// The bench's end of one outlet's messages: decoded, in order, each once; what is missing or
+// damaged is reported as a fault, and so is a restart of the outlet.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ class OutletStream {
   explicit OutletStream(Delivery delivery) : delivery_(delivery) {}
 
   // One whole message. Nothing for a duplicate, and where it cannot be read: then a fault is noted.
-  // An outlet that begins anew says hello unasked; where that was lost, its numbers and samples
-  // tell.
+  // An outlet that restarts says hello unasked; where that was lost, its numbers and samples show
+  // it.
   std::optional<gs::wire::Uplink> take(const std::uint8_t* message, std::size_t size);
 
   // Any other fault of this outlet's, such as a frame with a wrong CRC.
@@ -34,7 +34,7 @@ class OutletStream {
   std::vector<std::uint8_t> encode(const gs::wire::Downlink& message);
 
  private:
-  void note_new_beginning() { note("began anew after its sample " + std::to_string(last_sample_)); }
+  void note_restart() { note("restarted after its sample " + std::to_string(last_sample_)); }
 
   Delivery delivery_;
   gs::wire::Sequence received_;

@@ -4,7 +4,7 @@
 namespace gsbench::station::test {
 namespace {
 
-using BrokerFault = FaultyDesk;
+using BrokerFault = FaultyStation;
 
 TEST_F(BrokerFault, KilledAndRestartedIsToldOfTheOutletsBehindItAlone) {
   at(0.45, [&] { hardware().broker()->kill(); });

@@ -10,7 +10,7 @@ namespace {
 
 using gsbench::record::Mark;
 
-class OutletClocks : public FaultyDesk {
+class OutletClocks : public FaultyStation {
  protected:
   static const Mark* mark(const record::OutletRecord& outlet, const std::string& kind) {
     for (const Mark& mark : outlet.marks) {

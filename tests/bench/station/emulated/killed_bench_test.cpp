@@ -86,19 +86,19 @@ TEST(KilledBench, LeavesNoEmulatorOutletOrBrokerBehindAndItsFilesToTheNext) {
         return process.second.find("qemu-system-arm") != std::string::npos;
       })->second;
   const std::size_t path = emulator.find("mem-path=") + 9;
-  const fs::path hardware =
+  const fs::path files =
       fs::path(emulator.substr(path, emulator.find(' ', path) - path)).parent_path();
-  ASSERT_THAT(hardware.filename().string(), HasSubstr("gsbench-desk-"));
-  ASSERT_TRUE(fs::exists(desk));
+  ASSERT_THAT(files.filename().string(), HasSubstr("gsbench-emulated-"));
+  ASSERT_TRUE(fs::exists(files));
 
   bench.kill();
   for (const auto& [pid, command] : children) {
     EXPECT_TRUE(until([pid = pid] { return !runs(pid); })) << command;
   }
-  EXPECT_TRUE(fs::exists(desk));
+  EXPECT_TRUE(fs::exists(files));
   const auto next = gsbench::emulation::Hardware::set_up({});
   ASSERT_TRUE(next.ok()) << next.error();
-  EXPECT_FALSE(fs::exists(desk));
+  EXPECT_FALSE(fs::exists(files));
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
-#include <ostream>
 
 #include <emulation/child.hpp>
 #include <emulation/mains.hpp>
@@ -17,13 +16,14 @@ namespace gsbench::station::test {
 namespace {
 
 using gsbench::test::Bytes;
-using gsbench::test::each_message;
+using gsbench::test::change_hello;
 using gsbench::test::every_nth_byte;
+using gsbench::test::Spoiling;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class OutletFault : public FaultyDesk {
+class OutletFault : public FaultyStation {
  protected:
   // So that what happens to it then is what the run meets.
   bool answers(Place outlet) {
@@ -36,8 +36,8 @@ class OutletFault : public FaultyDesk {
 TEST_F(OutletFault, NoneLetsAllFourPassAndTheRecordSaysWhereTheyAre) {
   play();
   expect_all_whole();
-  EXPECT_THAT(record_.outlets[kM4].link, StartsWith("/dev/pts/"));
-  EXPECT_THAT(record_.outlets[kHost].link, StartsWith("/dev/pts/"));
+  EXPECT_THAT(record_.outlets[kM4].link, StartsWith("tcp://127.0.0.1:"));
+  EXPECT_THAT(record_.outlets[kHost].link, StartsWith("tcp://127.0.0.1:"));
   EXPECT_NE(record_.outlets[kM4].link, record_.outlets[kHost].link);
   EXPECT_EQ(record_.outlets[kRadioA].link, hardware().broker()->url());
   EXPECT_EQ(record_.outlets[kRadioB].link, hardware().broker()->url());
@@ -51,16 +51,16 @@ TEST_F(OutletFault, AnEmulatorThatIsKilledFallsSilent) {
   expect_fault(kM4, "fell silent after its sample ");
 }
 
-TEST_F(OutletFault, AnEmulatorThatIsKilledAndStartedAgainBeganAnew) {
+TEST_F(OutletFault, AnEmulatorThatIsKilledAndStartedAgainRestarted) {
   at(0.5, [&] { kill_and_restart(kM4); });
   play();
-  expect_fault(kM4, "began anew after its sample ");
+  expect_fault(kM4, "restarted after its sample ");
 }
 
-TEST_F(OutletFault, AProcessThatIsKilledAndStartedAgainBeganAnew) {
+TEST_F(OutletFault, AProcessThatIsKilledAndStartedAgainRestarted) {
   at(0.5, [&] { kill_and_restart(kHost); });
   play();
-  expect_fault(kHost, "began anew after its sample ");
+  expect_fault(kHost, "restarted after its sample ");
 }
 
 TEST_F(OutletFault, AProcessBehindTheBrokerThatIsKilledAndStartedAgainIsTold) {
@@ -68,11 +68,11 @@ TEST_F(OutletFault, AProcessBehindTheBrokerThatIsKilledAndStartedAgainIsTold) {
   play();
   expect_faults({{kRadioB, ""}});
   EXPECT_THAT(record_.outlets[kRadioB].fault,
-              AnyOf(HasSubstr("left the broker"), HasSubstr("began anew after its sample ")));
+              AnyOf(HasSubstr("left the broker"), HasSubstr("restarted after its sample ")));
 }
 
 // What a second life says is by another count: none of it may stand at a wrong time in the record.
-TEST_F(OutletFault, AnOutletThatBeganAnewLeavesOnlyItsFirstLifeInTheRecord) {
+TEST_F(OutletFault, AnOutletThatRestartedLeavesOnlyItsFirstLifeInTheRecord) {
   at(0.6, [&] { kill_and_restart(kHost); });
   play();
   const std::vector<std::int64_t>& ticks = record_.outlets[kHost].trace.tick;
@@ -87,16 +87,7 @@ TEST_F(OutletFault, AnOutletThatIsStoppedFallsSilent) {
   expect_fault(kHost, "fell silent after its sample ");
 }
 
-struct Spoiling {
-  const char* name;
-  void (*spoil)(Bytes&);
-};
-
-void PrintTo(const Spoiling& spoiling, std::ostream* out) {
-  *out << spoiling.name;
-}
-
-class SpoiledCable : public FaultyDesk, public testing::WithParamInterface<Spoiling> {};
+class SpoiledCable : public FaultyStation, public testing::WithParamInterface<Spoiling> {};
 
 TEST_P(SpoiledCable, IsToldOfItsOutletAlone) {
   at(0.5, [&] { hardware().cable(kM4).spoil(every_nth_byte(97, GetParam().spoil)); });
@@ -107,34 +98,12 @@ TEST_P(SpoiledCable, IsToldOfItsOutletAlone) {
               AnyOf(HasSubstr("sent a damaged frame"), HasSubstr("of its messages were lost")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledCable,
-                         testing::Values(Spoiling{"FlippedBits", gsbench::test::flip_a_bit},
-                                         Spoiling{"DroppedBytes", gsbench::test::drop_a_byte},
-                                         Spoiling{"DoubledBytes", gsbench::test::double_a_byte},
-                                         Spoiling{"ReorderedBytes",
-                                                  gsbench::test::reorder_two_bytes}),
+INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledCable, testing::ValuesIn(gsbench::test::kSpoilings),
                          [](const auto& kind) { return kind.param.name; });
-
-// Another hello in the place of the outlet's own.
-emulation::Spoiler another_hello(const std::function<void(gs::wire::Hello&)>& change) {
-  return each_message([change](const Bytes& message) -> std::vector<Bytes> {
-    gs::wire::Uplink uplink;
-    std::uint32_t sequence = 0;
-    if (gs::wire::decode(message.data(), message.size(), uplink, sequence) !=
-            gs::wire::Decoded::kOk ||
-        uplink.kind != gs::wire::UplinkKind::kHello) {
-      return {message};
-    }
-    change(uplink.hello);
-    Bytes other(gs::wire::kLongestMessage);
-    other.resize(gs::wire::encode(uplink, sequence, other.data(), other.size()));
-    return {other};
-  });
-}
 
 TEST_F(OutletFault, OneOfAnotherProtocolVersionIsNotSpokenTo) {
   hardware().cable(kHost).spoil(
-      another_hello([](gs::wire::Hello& hello) { hello.protocol_version = 77; }));
+      change_hello([](gs::wire::Hello& hello) { hello.protocol_version = 77; }));
   play();
   expect_fault(kHost, "speaks protocol 77, not ");
   EXPECT_TRUE(record_.outlets[kHost].settings.empty()) << "it was sent settings";
@@ -169,7 +138,7 @@ TEST_F(OutletFault, OneThatIsNotOnTheBrokerIsPlayedWithout) {
 // Which of them is the one that was meant nobody can tell.
 TEST_F(OutletFault, TwoOnSerialLinesWithOneIdAreBothAtFaultAndTheOthersArePlayedTo) {
   hardware().cable(kHost).spoil(
-      another_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "m4"); }));
+      change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "m4"); }));
   play();
   expect_faults({{kM4, "is there twice: the one on " + hardware().serial_ports()[kHost]},
                  {kHost, "is there twice: the one on " + hardware().serial_ports()[kM4]}});
@@ -181,7 +150,7 @@ TEST_F(OutletFault, TwoOnSerialLinesWithOneIdAreBothAtFaultAndTheOthersArePlayed
 
 TEST_F(OutletFault, OneOnASerialLineWithTheIdOfOneBehindTheBrokerIsTold) {
   hardware().cable(kHost).spoil(
-      another_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "radio-a"); }));
+      change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "radio-a"); }));
   play();
   expect_faults({{kHost, "is there twice"}, {kRadioA, "is there twice"}});
 }
@@ -195,7 +164,7 @@ TEST_F(OutletFault, ATwinThatComesInTheMiddleIsToldOfItsIdAlone) {
                      {"spacer-2", 0.0},
                      {"spacer-3", 0.0},
                      {"spacer-4", 0.0},
-                     {"radio-b", 0.0}};  // the fifth instance, which the desk does not have
+                     {"radio-b", 0.0}};  // the fifth instance, which the station does not have
   auto mains = emulation::Mains::create(options);
   ASSERT_TRUE(mains.ok()) << mains.error();
   std::unique_ptr<emulation::Child> twin;
@@ -232,8 +201,8 @@ TEST_F(OutletFault, SamplesThatAnOutletCouldNotTakeAreTold) {
   expect_fault(kHost, "tells: samples lost");
 }
 
-// A desk lists its outlets as it likes: what is heard, sensed and played is of the same one.
-TEST_F(OutletFault, NoneWhereTheDeskListsRadiosFirst) {
+// A station lists its outlets as it likes: what is heard, sensed and played is of the same one.
+TEST_F(OutletFault, NoneWhereTheStationListsRadiosFirst) {
   profile::StationSpec spec = station_of_four();
   std::rotate(spec.emulated.begin(), spec.emulated.begin() + 2, spec.emulated.end());
   plan_ = plan(1.5, "noise_pct = 1.0\n",

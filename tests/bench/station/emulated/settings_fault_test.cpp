@@ -56,7 +56,7 @@ class ChangedStation final : public Station {
   ChangingLink link_;
 };
 
-class SettingsFault : public FaultyDesk {
+class SettingsFault : public FaultyStation {
  protected:
   void play_with(std::size_t outlet, std::function<void(Downlink&)> change) {
     ChangedStation changed(*station_, outlet, std::move(change));

@@ -36,16 +36,16 @@ profile::Plan calm_plan(double duration_s) {
   return plan(duration_s, "noise_pct = 1.0\n", "[[outlet]]\ncount = 4\n");
 }
 
-void FaultyDesk::set_up(const profile::StationSpec& spec) {
+void FaultyStation::set_up(const profile::StationSpec& spec) {
   station_.reset();
   station_ = std::make_unique<EmulatedStation>(spec, plan_);
 }
 
-void FaultyDesk::at(double part, std::function<void()> fault) {
+void FaultyStation::at(double part, std::function<void()> fault) {
   faults_.push_back({part, std::move(fault)});
 }
 
-void FaultyDesk::play() {
+void FaultyStation::play() {
   RunOptions options;
   options.progress = [this](double part) {
     for (Fault& fault : faults_) {
@@ -65,7 +65,7 @@ void FaultyDesk::play() {
   expect_safe_state();
 }
 
-void FaultyDesk::expect_faults(const std::map<std::size_t, std::string>& faults) {
+void FaultyStation::expect_faults(const std::map<std::size_t, std::string>& faults) {
   EXPECT_EQ(record_.verdict, faults.empty() ? Verdict::kPass : Verdict::kError);
   ASSERT_EQ(record_.outlets.size(), plan_.outlets.size()) << record_.verdict_reason;
   if (!faults.empty()) {
@@ -85,7 +85,7 @@ void FaultyDesk::expect_faults(const std::map<std::size_t, std::string>& faults)
   }
 }
 
-void FaultyDesk::expect_whole(const record::OutletRecord& outlet) const {
+void FaultyStation::expect_whole(const record::OutletRecord& outlet) const {
   EXPECT_EQ(outlet.verdict, Verdict::kPass) << outlet.id;
   EXPECT_EQ(outlet.fault, "") << outlet.id;
   const std::vector<std::int64_t>& ticks = outlet.trace.tick;
@@ -99,7 +99,7 @@ void FaultyDesk::expect_whole(const record::OutletRecord& outlet) const {
   }
 }
 
-void FaultyDesk::expect_safe_state() {
+void FaultyStation::expect_safe_state() {
   const float calm[] = {0.0F};
   EXPECT_FALSE(station_->source().play(0, calm, 1).ok()) << "the source still plays";
   gs::wire::Downlink ping;

@@ -21,22 +21,6 @@ class FindingOutlets : public OutletsOnABroker {
   }
 };
 
-TEST_F(FindingOutlets, FindsThoseNamedInTheOrderNamed) {
-  const MqttOutlet a(*broker_, "a", 10);
-  const MqttOutlet b(*broker_, "b", 11);
-  const MqttOutlet c(*broker_, "c", 12);
-  MqttLink link(options({"c", "a"}));
-  const auto opened = link.open();
-  ASSERT_TRUE(opened.ok()) << opened.error();
-  ASSERT_EQ(opened.value().size(), 2U);
-  EXPECT_EQ(opened.value()[0].id, "c");
-  EXPECT_EQ(opened.value()[0].hello.instance, 12U);
-  EXPECT_EQ(opened.value()[1].id, "a");
-  EXPECT_EQ(opened.value()[1].hello.instance, 10U);
-  EXPECT_STREQ(opened.value()[1].hello.board, "test");
-  EXPECT_EQ(opened.value()[0].where, broker_->url());
-}
-
 TEST_F(FindingOutlets, FindsAllWhereNoneIsNamed) {
   const MqttOutlet b(*broker_, "b");
   const MqttOutlet a(*broker_, "a");
@@ -46,22 +30,6 @@ TEST_F(FindingOutlets, FindsAllWhereNoneIsNamed) {
   ASSERT_EQ(opened.value().size(), 2U);
   EXPECT_EQ(opened.value()[0].id, "a");
   EXPECT_EQ(opened.value()[1].id, "b");
-}
-
-TEST_F(FindingOutlets, OneThatIsNotThereIsAtFaultAndTheOthersAreSpokenTo) {
-  const MqttOutlet a(*broker_, "a");
-  open({"b", "a"});
-  ASSERT_EQ(present_.size(), 2U);
-  EXPECT_EQ(present_[0].id, "b");
-  EXPECT_EQ(present_[0].fault, "is not on the broker");
-  EXPECT_EQ(present_[1].id, "a");
-  EXPECT_EQ(present_[1].fault, "");
-  EXPECT_TRUE(answers(1));
-}
-
-TEST_F(FindingOutlets, OneThatLeftBeforeIsNotThere) {
-  { const MqttOutlet a(*broker_, "a"); }
-  EXPECT_EQ(fault_of_a(), "is not on the broker");
 }
 
 TEST_F(FindingOutlets, OneThatComesTooLateIsNotListenedTo) {

@@ -1,7 +1,5 @@
 #include "mqtt_outlet.hpp"
 
-#include <sys/socket.h>
-
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -86,7 +84,7 @@ void MqttOutlet::take_samples(std::size_t count) {
   });
 }
 
-void MqttOutlet::tell_status() {
+void MqttOutlet::report_status() {
   take_samples(1);
   with_node([](gs::app::Application& node, gs::app::Outbox& outbox) {
     gs::wire::Downlink ask;
@@ -98,11 +96,6 @@ void MqttOutlet::tell_status() {
 void MqttOutlet::stop_answering() {
   ending_ = true;
   thread_.join();
-}
-
-void MqttOutlet::lose_power() {
-  stop_answering();
-  shutdown(carrier_.descriptor(), SHUT_RDWR);
 }
 
 void MqttOutlet::restart() {

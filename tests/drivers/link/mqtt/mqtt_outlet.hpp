@@ -30,10 +30,9 @@ class MqttOutlet {
   void with_node(const std::function<void(gs::app::Application&, gs::app::Outbox&)>& act);
 
   void take_samples(std::size_t count);  // of steady 50 Hz; 128 make a measurement
-  void tell_status();                    // takes one sample before, which tells statuses apart
+  void report_status();                  // takes one sample before, so that statuses differ
   void stop_answering();                 // stays connected and says nothing more
-  void lose_power();                     // without a word
-  void restart();                        // begins anew, on the connection that it has
+  void restart();                        // on the connection that it has
   bool relay_closed();
   bool connected();
 

@@ -37,29 +37,15 @@ class OutletsOnABroker : public HearsALink {
   }
 
   void open(std::vector<std::string> outlets) {
-    link_ = std::make_unique<link::MqttLink>(options(std::move(outlets)));
-    auto opened = link_->open();
-    ASSERT_TRUE(opened.ok()) << opened.error();
-    present_ = opened.take();
+    HearsALink::open(std::make_shared<link::MqttLink>(options(std::move(outlets))));
   }
 
-  bool answers(std::size_t outlet) {
-    gs::wire::Downlink ping;
-    ping.kind = gs::wire::DownlinkKind::kPing;
-    return link_->send(outlet, ping).ok() &&
-           until([&] { return !messages(outlet, gs::wire::UplinkKind::kEcho).empty(); });
-  }
-
-  // The error of an opening that fails.
   static std::string refusal(const link::MqttOptions& wrong) {
-    link::MqttLink link(wrong);
-    const auto opened = link.open();
-    return opened.ok() ? "it opened" : opened.error();
+    return HearsALink::refusal(link::MqttLink(wrong));
   }
 
   TemporaryFolder folder_;
   std::unique_ptr<emulation::PrivateBroker> broker_;
-  std::vector<link::OutletPresence> present_;
 };
 
 }  // namespace gsbench::test

@@ -76,7 +76,6 @@ bool Line::has_error(wire::ErrorCode code) const {
 }
 
 struct EmulatedOutlet::Process {
-  gsbench::emulation::NullModem cable;  // its socket is the test's end
   gsbench::emulation::Child child;
   Socket line;
   Socket doorbell;
@@ -121,18 +120,16 @@ void EmulatedOutlet::start(const std::string& image) {
 
 void EmulatedOutlet::start_process(const std::string& program) {
   line_.reset();
-  const std::string cable_path = folder_.file("cable");
-  auto cable = gsbench::emulation::NullModem::to_socket(cable_path);
-  if (!cable.ok()) throw std::runtime_error(cable.error());
-  Socket line = Socket::connect(cable_path);
+  std::string address;
+  const Socket cable = Socket::listen_on_loopback(address);
   const Socket listening = Socket::listen(folder_.file("doorbell"));
   auto child = gsbench::emulation::Child::start(
-      {{program, "--serial", cable.value().bench_end(), "--terminals", folder_.file("psram"),
-        "--doorbell", folder_.file("doorbell")},
+      {{program, "--tcp", address, "--terminals", folder_.file("psram"), "--doorbell",
+        folder_.file("doorbell")},
        ""});
   if (!child.ok()) throw std::runtime_error(child.error());
   process_ = std::make_unique<Process>(
-      Process{cable.take(), child.take(), std::move(line), listening.accept(kPatience)});
+      Process{child.take(), cable.accept(kPatience), listening.accept(kPatience)});
   line_ = std::make_unique<Line>(process_->line);
 }
 

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <emulation/child.hpp>
-#include <emulation/null_modem.hpp>
 #include <wire/frame.hpp>
 
 namespace gs::test {
@@ -57,7 +56,7 @@ class EmulatedOutlet {
 
   // Switches it on, with the terminals as they are.
   void start(const std::string& image);
-  // gs-outlet, on a serial line.
+  // gs-outlet, on a line.
   void start_process(const std::string& program);
   void kill();
 

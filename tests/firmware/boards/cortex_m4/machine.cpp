@@ -1,5 +1,6 @@
 #include "machine.hpp"
 
+#include <netinet/in.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -60,6 +61,21 @@ Socket Socket::listen(const std::string& path) {
       ::listen(socket.descriptor_, 1) != 0) {
     fail(path);
   }
+  return socket;
+}
+
+Socket Socket::listen_on_loopback(std::string& address) {
+  Socket socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  sockaddr_in at{};
+  at.sin_family = AF_INET;
+  at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof at;
+  auto* const generic = reinterpret_cast<sockaddr*>(&at);
+  if (::bind(socket.descriptor_, generic, size) != 0 || ::listen(socket.descriptor_, 1) != 0 ||
+      ::getsockname(socket.descriptor_, generic, &size) != 0) {
+    fail("127.0.0.1");
+  }
+  address = "127.0.0.1:" + std::to_string(ntohs(at.sin_port));
   return socket;
 }
 

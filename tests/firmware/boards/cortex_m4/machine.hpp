@@ -24,6 +24,8 @@ class Socket {
   Socket& operator=(Socket&& other) noexcept;
 
   static Socket listen(const std::string& path);
+  // On a free port of 127.0.0.1; `address`: "127.0.0.1:40001".
+  static Socket listen_on_loopback(std::string& address);
   Socket accept(std::chrono::milliseconds patience) const;
   static Socket connect(const std::string& path);
 

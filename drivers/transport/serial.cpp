@@ -1,0 +1,109 @@
+#include "serial.hpp"
+
+#include <libserialport.h>
+#include <sys/file.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace gsbench::transport {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Result;
+using drivers::Status;
+
+Error Serial::last_error(const std::string& doing) const {
+  char* said = sp_last_error_message();
+  const std::string why = said != nullptr && *said != '\0' ? said : "no such port";
+  sp_free_error_message(said);
+  return failure(doing, why);
+}
+
+Status Serial::open() {
+  close();
+  // libserialport knows devices by their own names only; those under /dev/serial/by-id are links.
+  std::error_code none;
+  const std::filesystem::path device = std::filesystem::canonical(port(), none);
+  if (sp_get_port_by_name(none ? port().c_str() : device.c_str(), &port_) != SP_OK) {
+    port_ = nullptr;
+    return last_error("cannot be found");
+  }
+  if (sp_open(port_, SP_MODE_READ_WRITE) != SP_OK) {
+    const Error error = last_error("cannot be opened");
+    sp_free_port(port_);
+    port_ = nullptr;
+    return error;
+  }
+  Status configured = configure();
+  if (!configured.ok()) {
+    close();
+  }
+  return configured;
+}
+
+Status Serial::configure() {
+  if (sp_get_port_handle(port_, &descriptor_) != SP_OK) {
+    return last_error("has no handle");
+  }
+  // Before anything is changed: it may be another's.
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    return failure("cannot be opened", "another program has it open");
+  }
+  if (sp_set_baudrate(port_, baud_) != SP_OK || sp_set_bits(port_, 8) != SP_OK ||
+      sp_set_parity(port_, SP_PARITY_NONE) != SP_OK || sp_set_stopbits(port_, 1) != SP_OK ||
+      sp_set_flowcontrol(port_, SP_FLOWCONTROL_NONE) != SP_OK) {
+    return last_error("cannot be set to " + std::to_string(baud_) + " baud, 8N1");
+  }
+  sp_flush(port_, SP_BUF_BOTH);
+  return Done{};
+}
+
+void Serial::close() noexcept {
+  if (port_ != nullptr) {
+    sp_close(port_);
+    sp_free_port(port_);
+    port_ = nullptr;
+    descriptor_ = -1;
+  }
+}
+
+Status Serial::read_some(std::vector<std::uint8_t>& bytes) {
+  // The far end's death reads as "nothing there"; only asking for the number reports it.
+  const sp_return waiting = sp_input_waiting(port_);
+  if (waiting < 0) {
+    return last_error("cannot be read");
+  }
+  const std::size_t before = bytes.size();
+  bytes.resize(before + static_cast<std::size_t>(waiting));
+  const sp_return taken =
+      sp_nonblocking_read(port_, bytes.data() + before, static_cast<std::size_t>(waiting));
+  bytes.resize(before + static_cast<std::size_t>(std::max<int>(taken, 0)));
+  if (taken < 0) {
+    return last_error("cannot be read");
+  }
+  return Done{};
+}
+
+Result<std::size_t> Serial::write_some(const std::uint8_t* bytes, std::size_t count) {
+  const sp_return taken = sp_nonblocking_write(port_, bytes, count);
+  if (taken < 0) {
+    return last_error("cannot be sent to");
+  }
+  return static_cast<std::size_t>(taken);
+}
+
+std::vector<std::string> serial_ports() {
+  std::vector<std::string> paths;
+  sp_port** ports = nullptr;
+  if (sp_list_ports(&ports) != SP_OK) {
+    return paths;
+  }
+  for (std::size_t i = 0; ports[i] != nullptr; ++i) {
+    paths.emplace_back(sp_get_port_name(ports[i]));
+  }
+  sp_free_port_list(ports);
+  return paths;
+}
+
+}  // namespace gsbench::transport

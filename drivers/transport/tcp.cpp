@@ -1,0 +1,129 @@
+#include "tcp.hpp"
+
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+namespace gsbench::transport {
+
+using drivers::Descriptor;
+using drivers::Done;
+using drivers::Error;
+using drivers::Result;
+using drivers::Status;
+
+namespace {
+
+constexpr const char* kScheme = "tcp://";
+constexpr int kConnectMs = 500;
+
+struct Address {
+  std::string host;
+  std::string service;
+};
+
+Address address_of(const std::string& port) {
+  const std::string rest = port.substr(std::strlen(kScheme));
+  const std::size_t colon = rest.rfind(':');
+  return colon == std::string::npos ? Address{rest, ""}
+                                    : Address{rest.substr(0, colon), rest.substr(colon + 1)};
+}
+
+// 0, or what went wrong.
+int connect_within(int socket, const addrinfo& to) {
+  if (connect(socket, to.ai_addr, to.ai_addrlen) == 0) {
+    return 0;
+  }
+  if (errno != EINPROGRESS) {
+    return errno;
+  }
+  pollfd ready{socket, POLLOUT, 0};
+  if (::poll(&ready, 1, kConnectMs) <= 0) {
+    return ETIMEDOUT;
+  }
+  int error = 0;
+  socklen_t size = sizeof error;
+  getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
+  return error;
+}
+
+}  // namespace
+
+bool is_tcp(const std::string& port) {
+  return port.rfind(kScheme, 0) == 0;
+}
+
+Status check_address(const std::string& port) {
+  const Address address = address_of(port);
+  const bool number = !address.service.empty() && address.service.size() <= 5 &&
+                      std::all_of(address.service.begin(), address.service.end(),
+                                  [](char c) { return c >= '0' && c <= '9'; }) &&
+                      std::stoul(address.service) <= 65535;
+  if (address.host.empty() || !number) {
+    return Error{port + ": is no tcp://host:port"};
+  }
+  return Done{};
+}
+
+Status Tcp::open() {
+  close();
+  Status checked = check_address(port());
+  if (!checked.ok()) {
+    return checked;
+  }
+  const Address address = address_of(port());
+  addrinfo wanted{};
+  wanted.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (const int error =
+          getaddrinfo(address.host.c_str(), address.service.c_str(), &wanted, &found)) {
+    return failure("cannot be found", gai_strerror(error));
+  }
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
+  Descriptor socket(
+      ::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, found->ai_protocol));
+  if (const int error = socket.is_open() ? connect_within(socket.get(), *found) : errno) {
+    return failure("cannot be connected to", std::strerror(error));
+  }
+  // Small messages leave when they are sent, not when the one before has been acknowledged.
+  const int yes = 1;
+  setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+  socket_ = std::move(socket);
+  return Done{};
+}
+
+Result<std::size_t> Tcp::write_some(const std::uint8_t* bytes, std::size_t count) {
+  const ssize_t taken = ::send(socket_.get(), bytes, count, MSG_NOSIGNAL);
+  if (taken >= 0) {
+    return static_cast<std::size_t>(taken);
+  }
+  if (errno == EAGAIN || errno == EINTR) {
+    return std::size_t{0};
+  }
+  return failure("cannot be sent to", std::strerror(errno));
+}
+
+Status Tcp::read_some(std::vector<std::uint8_t>& bytes) {
+  std::uint8_t some[4096];
+  const ssize_t got = ::recv(socket_.get(), some, sizeof some, 0);
+  if (got > 0) {
+    bytes.insert(bytes.end(), some, some + got);
+    return Done{};
+  }
+  if (got == 0) {
+    return failure("cannot be read", "the far end has hung up");
+  }
+  if (errno == EAGAIN || errno == EINTR) {
+    return Done{};
+  }
+  return failure("cannot be read", std::strerror(errno));
+}
+
+}  // namespace gsbench::transport

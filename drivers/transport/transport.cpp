@@ -1,0 +1,76 @@
+#include "serial.hpp"
+#include "tcp.hpp"
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include <transport/transport.hpp>
+
+namespace gsbench::transport {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Status;
+
+namespace {
+
+constexpr int kWriteMs = 100;
+
+}  // namespace
+
+Status Transport::send(const std::vector<std::uint8_t>& bytes) {
+  if (!is_open()) {
+    return failure("cannot be sent to", "is not open");
+  }
+  for (std::size_t sent = 0; sent < bytes.size();) {
+    const auto taken = write_some(bytes.data() + sent, bytes.size() - sent);
+    if (!taken.ok()) {
+      return Error{taken.error()};
+    }
+    sent += taken.value();
+    pollfd ready{descriptor(), POLLOUT, 0};
+    if (sent < bytes.size() && ::poll(&ready, 1, kWriteMs) <= 0) {
+      return failure("cannot be sent to", "takes nothing");
+    }
+  }
+  return Done{};
+}
+
+Status Transport::receive(std::vector<std::uint8_t>& bytes, Clock::time_point until) {
+  if (!is_open()) {
+    return failure("cannot be read", "is not open");
+  }
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+  pollfd ready{descriptor(), POLLIN, 0};
+  if (::poll(&ready, 1, left.count() > 0 ? static_cast<int>(left.count()) : 0) <= 0) {
+    return Done{};
+  }
+  const std::size_t before = bytes.size();
+  Status read = read_some(bytes);
+  // Ready and nothing there is a hang-up, which libserialport reports as silence.
+  if (read.ok() && bytes.size() == before && (ready.revents & (POLLHUP | POLLERR)) != 0) {
+    return failure("cannot be read", "has hung up");
+  }
+  return read;
+}
+
+std::unique_ptr<Transport> make_transport(const std::string& port, int baud) {
+  if (is_tcp(port)) {
+    return std::make_unique<Tcp>(port);
+  }
+  return std::make_unique<Serial>(port, baud);
+}
+
+Status check_port(const std::string& port) {
+  if (is_tcp(port)) {
+    return check_address(port);
+  }
+  if (access(port.c_str(), R_OK | W_OK) != 0) {
+    return Error{port + ": " + std::strerror(errno)};
+  }
+  return Done{};
+}
+
+}  // namespace gsbench::transport

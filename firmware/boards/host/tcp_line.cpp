@@ -1,0 +1,120 @@
+#include "tcp_line.hpp"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+namespace gs::host {
+namespace {
+
+constexpr std::size_t kMostWaiting = 8192;
+constexpr auto kBetweenAttempts = std::chrono::milliseconds(250);
+
+}  // namespace
+
+bool TcpLine::open(std::string& why) {
+  close();
+  next_attempt_ = std::chrono::steady_clock::now() + kBetweenAttempts;
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  const std::size_t colon = address_.find(':');
+  const unsigned long port =
+      colon == std::string::npos ? 0 : std::strtoul(address_.c_str() + colon + 1, nullptr, 10);
+  if (port == 0 || port > 65535 ||
+      inet_pton(AF_INET, address_.substr(0, colon).c_str(), &to.sin_addr) != 1) {
+    why = "\"" + address_ + "\" is no address:port";
+    return false;
+  }
+  to.sin_port = htons(static_cast<std::uint16_t>(port));
+  descriptor_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const int yes = 1;
+  if (descriptor_ < 0 ||
+      ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0 ||
+      fcntl(descriptor_, F_SETFL, O_NONBLOCK) != 0 ||
+      setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes) != 0) {
+    why = address_ + ": " + std::strerror(errno);
+    close();
+    return false;
+  }
+  return true;
+}
+
+void TcpLine::close() {
+  if (descriptor_ >= 0) {
+    ::close(descriptor_);
+    descriptor_ = -1;
+  }
+  to_send_.clear();
+}
+
+bool TcpLine::send(const std::uint8_t* bytes, std::size_t count) {
+  if (descriptor_ < 0 || to_send_.size() + count > kMostWaiting) {
+    return false;
+  }
+  to_send_.insert(to_send_.end(), bytes, bytes + count);
+  transmit();
+  return true;
+}
+
+bool TcpLine::take_byte(std::uint8_t& byte) {
+  if (received_.empty()) {
+    return false;
+  }
+  byte = received_.front();
+  received_.pop_front();
+  return true;
+}
+
+void TcpLine::serve() {
+  if (descriptor_ < 0) {
+    std::string why;
+    if (std::chrono::steady_clock::now() < next_attempt_ || !open(why)) {
+      return;
+    }
+  }
+  receive();
+  transmit();
+}
+
+void TcpLine::receive() {
+  std::uint8_t bytes[1024];
+  while (descriptor_ >= 0) {
+    const ssize_t got = ::recv(descriptor_, bytes, sizeof bytes, 0);
+    if (got > 0) {
+      received_.insert(received_.end(), bytes, bytes + got);
+      continue;
+    }
+    // 0 is a hang-up: a line that merely has nothing to say is EAGAIN.
+    if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
+      close();
+    }
+    return;
+  }
+}
+
+void TcpLine::transmit() {
+  while (descriptor_ >= 0 && !to_send_.empty()) {
+    std::uint8_t bytes[1024];
+    std::size_t count = 0;
+    for (; count < sizeof bytes && count < to_send_.size(); ++count) {
+      bytes[count] = to_send_[count];
+    }
+    const ssize_t put = ::send(descriptor_, bytes, count, MSG_NOSIGNAL);
+    if (put <= 0) {
+      if (put < 0 && errno != EAGAIN && errno != EINTR) {
+        close();
+      }
+      return;
+    }
+    to_send_.erase(to_send_.begin(), to_send_.begin() + put);
+  }
+}
+
+}  // namespace gs::host

@@ -1,0 +1,39 @@
+// A line over TCP, as an emulated UART has it. A connection that is lost is made again.
+#pragma once
+
+#include "line.hpp"
+
+#include <chrono>
+#include <deque>
+#include <string>
+
+namespace gs::host {
+
+class TcpLine final : public Line {
+ public:
+  explicit TcpLine(std::string address) : address_(std::move(address)) {}  // "127.0.0.1:5000"
+  ~TcpLine() override { close(); }
+
+  // Blocks until it is connected. False, with the reason, where nobody listens there.
+  bool open(std::string& why);
+
+  // False where so much waits already that it would only grow: the message is lost.
+  bool send(const std::uint8_t* bytes, std::size_t count) override;
+  bool take_byte(std::uint8_t& byte) override;
+  void serve() override;
+  int descriptor() const override { return descriptor_; }
+  bool wants_to_write() const override { return !to_send_.empty(); }
+
+ private:
+  void close();
+  void receive();
+  void transmit();
+
+  std::string address_;
+  int descriptor_ = -1;
+  std::deque<std::uint8_t> received_;
+  std::deque<std::uint8_t> to_send_;
+  std::chrono::steady_clock::time_point next_attempt_;
+};
+
+}  // namespace gs::host

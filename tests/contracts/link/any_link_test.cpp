@@ -1,0 +1,123 @@
+// What every link must do, whatever it leads to.
+#include "rigs.hpp"
+#include <link_test/hears_a_link.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gsbench::test {
+namespace {
+
+using gs::outlet::SettingsError;
+using gs::wire::DownlinkKind;
+using gs::wire::UplinkKind;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class AnyLink : public HearsALink, public testing::WithParamInterface<Row<LinkRig>> {
+ protected:
+  void SetUp() override { open(rig_->make_link()); }
+
+  std::unique_ptr<LinkRig> rig_ = GetParam().make();
+};
+
+template <std::unique_ptr<ProcessRig> (*make)()>
+std::unique_ptr<LinkRig> any() {
+  return make();
+}
+
+INSTANTIATE_TEST_SUITE_P(Links, AnyLink,
+                         testing::Values(Row<LinkRig>{"Simulated", simulated_rig},
+                                         Row<LinkRig>{"FramedOverTcp", any<tcp_rig>},
+                                         Row<LinkRig>{"FramedOverSerial", any<serial_rig>},
+                                         Row<LinkRig>{"Mqtt", any<mqtt_rig>}),
+                         name_of<LinkRig>);
+
+TEST_P(AnyLink, FindsItsOutletsInTheirOrder) {
+  ASSERT_THAT(present_, SizeIs(2));
+  EXPECT_EQ(present_[kA].id, "a");
+  EXPECT_EQ(present_[kB].id, "b");
+  for (const link::OutletPresence& outlet : present_) {
+    EXPECT_EQ(outlet.fault, "");
+    EXPECT_NE(outlet.where, "");
+    EXPECT_EQ(outlet.hello.id, outlet.id);
+    EXPECT_EQ(outlet.hello.protocol_version, gs::wire::kProtocolVersion);
+    EXPECT_EQ(outlet.hello.sample_rate_hz, 8000);
+  }
+  EXPECT_NE(link_->name(), "");
+}
+
+TEST_P(AnyLink, EveryMeasurementComesOnceAndInOrder) {
+  constexpr int kReports = 400;
+  rig_->play(kReports);
+  for (const std::size_t outlet : {kA, kB}) {
+    ASSERT_TRUE(comes(outlet, UplinkKind::kMeasurement, kReports));
+    const auto measurements = messages(outlet, UplinkKind::kMeasurement);
+    for (std::size_t i = 1; i < measurements.size(); ++i) {
+      ASSERT_EQ(measurements[i].message.sample, measurements[i - 1].message.sample + 128);
+      ASSERT_GE(measurements[i].arrival_ns, measurements[i - 1].arrival_ns);
+    }
+  }
+  EXPECT_THAT(faults_, IsEmpty());
+}
+
+// What must arrive and what may be lost may go by different rules, and yet stay in order.
+TEST_P(AnyLink, StatusesAndMeasurementsKeepTheirOrder) {
+  constexpr std::size_t kRounds = 100;
+  for (std::size_t i = 0; i < kRounds; ++i) {
+    send(kA, downlink(DownlinkKind::kAskStatus));
+    rig_->play(1);
+  }
+  ASSERT_TRUE(comes(kA, UplinkKind::kStatus, kRounds));
+  ASSERT_TRUE(comes(kA, UplinkKind::kMeasurement, kRounds));
+  messages_.erase(
+      std::remove_if(messages_.begin(), messages_.end(),
+                     [](const link::Received& received) { return received.outlet != kA; }),
+      messages_.end());
+  EXPECT_TRUE(std::is_sorted(messages_.begin(), messages_.end(), [](const auto& x, const auto& y) {
+    return x.message.sample < y.message.sample;
+  }));
+  EXPECT_THAT(faults_, IsEmpty());
+}
+
+TEST_P(AnyLink, ACommandIsObeyedAndAnsweredByItsOutletAlone) {
+  send(kB, command(false, 4711));
+  rig_->play(2);
+  ASSERT_TRUE(comes(kB, UplinkKind::kCommandAnswer));
+  const auto answer = messages(kB, UplinkKind::kCommandAnswer).front().message.command_answer;
+  EXPECT_EQ(answer.request, 4711U);
+  EXPECT_FALSE(answer.closed);
+  EXPECT_TRUE(comes(kB, UplinkKind::kRelay));
+  EXPECT_THAT(messages(kA, UplinkKind::kCommandAnswer), IsEmpty());
+  EXPECT_THAT(messages(kA, UplinkKind::kRelay), IsEmpty());
+}
+
+TEST_P(AnyLink, CommandsAreObeyedInTheOrderInWhichTheyAreSent) {
+  for (const bool close : {false, true, false}) {
+    send(kA, command(close));
+  }
+  rig_->play(2);
+  ASSERT_TRUE(comes(kA, UplinkKind::kRelay, 3));
+  const auto relay = messages(kA, UplinkKind::kRelay);
+  ASSERT_THAT(relay, SizeIs(3));
+  EXPECT_FALSE(relay[0].message.relay.closed);
+  EXPECT_TRUE(relay[1].message.relay.closed);
+  EXPECT_FALSE(relay[2].message.relay.closed);
+}
+
+TEST_P(AnyLink, SettingsThatMakeNoSenseAreRefusedWithTheReason) {
+  send(kA, downlink(DownlinkKind::kSettings));
+  rig_->play(2);
+  ASSERT_TRUE(comes(kA, UplinkKind::kSettingsAnswer));
+  EXPECT_NE(messages(kA, UplinkKind::kSettingsAnswer).front().message.settings_answer.error,
+            SettingsError::kNone);
+}
+
+TEST_P(AnyLink, AnOutletThatItDoesNotLeadToIsRefused) {
+  const auto sent = link_->send(2, ping(1));
+  ASSERT_FALSE(sent.ok());
+  EXPECT_THAT(sent.error(), testing::HasSubstr("no outlet 2"));
+}
+
+}  // namespace
+}  // namespace gsbench::test

@@ -1,0 +1,265 @@
+// What every transport must do, then what is particular to one.
+#include "listening.hpp"
+#include "pty.hpp"
+#include <poll.h>
+#include <sys/socket.h>
+#include <test_support/temporary_folder.hpp>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <transport/transport.hpp>
+
+namespace {
+
+using namespace std::chrono_literals;
+using gsbench::drivers::Descriptor;
+using gsbench::emulation::LoopbackPort;
+using gsbench::test::Pty;
+using gsbench::test::TemporaryFolder;
+using gsbench::transport::check_port;
+using gsbench::transport::Clock;
+using gsbench::transport::make_transport;
+using gsbench::transport::Transport;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+using Bytes = std::vector<std::uint8_t>;
+
+// Not reached by a healthy machine.
+constexpr auto kPatience = 10s;
+
+// What a transport leads to.
+class FarEnd {
+ public:
+  virtual ~FarEnd() = default;
+  virtual std::string port() const = 0;
+  virtual int descriptor() = 0;  // of a transport that is open
+  virtual void hang_up() = 0;
+};
+
+class TcpFarEnd final : public FarEnd {
+ public:
+  TcpFarEnd() : port_(LoopbackPort::reserve().take()) { EXPECT_TRUE(port_.listen().ok()); }
+  std::string port() const override { return "tcp://127.0.0.1:" + std::to_string(port_.number()); }
+  int descriptor() override {
+    if (!connection_.is_open()) {
+      pollfd waited{port_.descriptor(), POLLIN, 0};
+      ::poll(&waited, 1, 10000);
+      connection_ = port_.accept();
+    }
+    return connection_.get();
+  }
+  void hang_up() override {
+    descriptor();
+    connection_.close();
+  }
+
+ private:
+  LoopbackPort port_;
+  Descriptor connection_;
+};
+
+class SerialFarEnd final : public FarEnd {
+ public:
+  std::string port() const override { return folder_.file("port"); }
+  int descriptor() override { return pty_->master(); }
+  void hang_up() override { pty_.reset(); }
+
+ private:
+  TemporaryFolder folder_;
+  std::optional<Pty> pty_{std::in_place, folder_.file("port")};
+};
+
+struct Kind {
+  const char* name;
+  std::unique_ptr<FarEnd> (*make)();
+};
+
+class AnyTransport : public testing::TestWithParam<Kind> {
+ protected:
+  void SetUp() override {
+    far_ = GetParam().make();
+    transport_ = make_transport(far_->port());
+    const auto opened = transport_->open();
+    ASSERT_TRUE(opened.ok()) << opened.error();
+  }
+
+  void say(const Bytes& bytes) {
+    ASSERT_EQ(::write(far_->descriptor(), bytes.data(), bytes.size()),
+              static_cast<ssize_t>(bytes.size()));
+  }
+
+  Bytes received(std::size_t wanted) {
+    Bytes bytes;
+    const auto until = Clock::now() + kPatience;
+    while (bytes.size() < wanted && Clock::now() < until) {
+      const auto status = transport_->receive(bytes, until);
+      EXPECT_TRUE(status.ok()) << status.error();
+    }
+    return bytes;
+  }
+
+  std::unique_ptr<FarEnd> far_;
+  std::unique_ptr<Transport> transport_;
+};
+
+// Every value a byte can have: none may mean anything to a terminal.
+Bytes all_bytes() {
+  Bytes bytes(256);
+  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
+  return bytes;
+}
+
+TEST_P(AnyTransport, ReceivesEveryByte) {
+  say(all_bytes());
+  EXPECT_EQ(received(256), all_bytes());
+}
+
+TEST_P(AnyTransport, SendsEveryByte) {
+  ASSERT_TRUE(transport_->send(all_bytes()).ok());
+  Bytes came(256);
+  std::size_t count = 0;
+  for (pollfd ready{far_->descriptor(), POLLIN, 0}; count < 256 && ::poll(&ready, 1, 10000) > 0;) {
+    const ssize_t got = ::read(ready.fd, came.data() + count, came.size() - count);
+    ASSERT_GT(got, 0);
+    count += static_cast<std::size_t>(got);
+  }
+  EXPECT_EQ(came, all_bytes());
+}
+
+TEST_P(AnyTransport, ReceivesNothingFromASilentFarEndUntilTheDeadline) {
+  Bytes bytes;
+  const auto until = Clock::now() + 50ms;
+  EXPECT_TRUE(transport_->receive(bytes, until).ok());
+  EXPECT_GE(Clock::now(), until);
+  EXPECT_THAT(bytes, IsEmpty());
+}
+
+TEST_P(AnyTransport, DoesNotWaitForTheDeadlineOnceSomethingHasCome) {
+  say({1});
+  Bytes bytes;
+  const auto begin = Clock::now();
+  EXPECT_TRUE(transport_->receive(bytes, begin + kPatience).ok());
+  EXPECT_LT(Clock::now(), begin + kPatience / 2);
+  EXPECT_EQ(bytes, Bytes{1});
+}
+
+TEST_P(AnyTransport, DistinguishesAFarEndThatHungUpFromASilentOne) {
+  far_->hang_up();
+  Bytes bytes;
+  const auto status = transport_->receive(bytes, Clock::now() + kPatience);
+  ASSERT_FALSE(status.ok());
+  EXPECT_THAT(status.error(), StartsWith(far_->port() + ": cannot be read: "));
+  // A connection takes bytes until the far end has answered that it is gone.
+  const auto until = Clock::now() + kPatience;
+  auto sent = transport_->send({1});
+  while (sent.ok() && Clock::now() < until) {
+    sent = transport_->send({1});
+  }
+  ASSERT_FALSE(sent.ok());
+  EXPECT_THAT(sent.error(), StartsWith(far_->port() + ": cannot be sent to: "));
+}
+
+TEST_P(AnyTransport, DoesNotWaitForAFarEndThatTakesNothing) {
+  far_->descriptor();
+  const auto status = transport_->send(Bytes(std::size_t{32} << 20));
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error(), far_->port() + ": cannot be sent to: takes nothing");
+}
+
+TEST_P(AnyTransport, IsOpenFromOpeningToClosingAndNoLonger) {
+  EXPECT_TRUE(transport_->is_open());
+  transport_->close();
+  EXPECT_FALSE(transport_->is_open());
+  Bytes bytes;
+  EXPECT_THAT(transport_->send({1}).error(), HasSubstr("is not open"));
+  EXPECT_THAT(transport_->receive(bytes, Clock::now()).error(), HasSubstr("is not open"));
+  EXPECT_TRUE(transport_->open().ok());
+  EXPECT_TRUE(transport_->is_open());
+}
+
+TEST_P(AnyTransport, IsThereToBeOpened) {
+  const auto there = check_port(far_->port());
+  EXPECT_TRUE(there.ok()) << there.error();
+}
+
+template <class T>
+std::unique_ptr<FarEnd> make() {
+  return std::make_unique<T>();
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, AnyTransport,
+                         testing::Values(Kind{"Tcp", make<TcpFarEnd>},
+                                         Kind{"Serial", make<SerialFarEnd>}),
+                         [](const auto& kind) { return kind.param.name; });
+
+std::string refusal(const std::string& port) {
+  const auto opened = make_transport(port)->open();
+  return opened.ok() ? "it opened" : opened.error();
+}
+
+TEST(Serial, ForgetsWhatHadComeBeforeItWasOpened) {
+  const TemporaryFolder folder;
+  const Pty pty(folder.file("port"));
+  ASSERT_EQ(::write(pty.master(), "old", 3), 3);
+  const auto port = make_transport(folder.file("port"));
+  ASSERT_TRUE(port->open().ok());
+  ASSERT_EQ(::write(pty.master(), "new", 3), 3);
+  Bytes bytes;
+  ASSERT_TRUE(port->receive(bytes, Clock::now() + kPatience).ok());
+  EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "new");
+}
+
+TEST(Serial, IsForOneProgramAtATime) {
+  const TemporaryFolder folder;
+  const Pty pty(folder.file("port"));
+  const auto first = make_transport(folder.file("port"));
+  ASSERT_TRUE(first->open().ok());
+  EXPECT_EQ(refusal(folder.file("port")),
+            folder.file("port") + ": cannot be opened: another program has it open");
+  first->close();
+  EXPECT_EQ(refusal(folder.file("port")), "it opened");
+}
+
+TEST(Serial, IsFoundAgainOnceItIsBack) {
+  const TemporaryFolder folder;
+  auto pty = std::make_unique<Pty>(folder.file("port"));
+  const auto port = make_transport(folder.file("port"));
+  ASSERT_TRUE(port->open().ok());
+  pty.reset();
+  EXPECT_FALSE(port->open().ok());
+  pty = std::make_unique<Pty>(folder.file("port"));
+  EXPECT_TRUE(port->open().ok());
+}
+
+TEST(Serial, NamesAPortThatDoesNotExistOrIsNone) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(refusal("/dev/no-such-port"), StartsWith("/dev/no-such-port: cannot be found"));
+  EXPECT_EQ(check_port("/dev/no-such-port").error(),
+            "/dev/no-such-port: No such file or directory");
+  const std::string file = folder.write("file", "text");
+  EXPECT_THAT(refusal(file), StartsWith(file + ": cannot be found"));
+}
+
+TEST(Tcp, NamesAPortThatNobodyListensOn) {
+  const LoopbackPort reserved = LoopbackPort::reserve().take();
+  const std::string port = "tcp://127.0.0.1:" + std::to_string(reserved.number());
+  EXPECT_EQ(refusal(port), port + ": cannot be connected to: Connection refused");
+}
+
+TEST(Tcp, RefusesWhatIsNoAddress) {
+  for (const std::string wrong : {"tcp://", "tcp://host", "tcp://host:", "tcp://:5000",
+                                  "tcp://host:65536", "tcp://host:http", "tcp://host:123456"}) {
+    EXPECT_EQ(check_port(wrong).error(), wrong + ": is no tcp://host:port");
+    EXPECT_EQ(refusal(wrong), wrong + ": is no tcp://host:port");
+  }
+}
+
+}  // namespace
