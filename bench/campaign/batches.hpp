@@ -1,12 +1,11 @@
 // A campaign's trajectories in batches of kLanes, so many batches a block of its work.
 #pragma once
 
-#include "lanes.hpp"
-
 #include <algorithm>
 #include <cstdint>
 
 #include <campaign/estimates.hpp>
+#include <campaign/lanes.hpp>
 #include <models/streams.hpp>
 
 namespace gsbench::campaign {
@@ -35,13 +34,14 @@ inline void spread(const float* clean, std::size_t samples, float* values) {
 }
 
 // What trajectories first … first + kLanes − 1 measure: the clean samples with each one's own
-// noise. `Options`: seed, law and noise_hz.
+// noise. `Options`: seed, distribution and noise_hz.
 template <class Options>
 void measure(const Options& options, const float* clean, std::size_t samples, std::uint64_t first,
              float* values) {
   spread(clean, samples, values);
-  const auto noise = options.law == NoiseLaw::kUniform ? models::add_uniform_to_each
-                                                       : models::add_gaussian_to_each;
+  const auto noise = options.distribution == NoiseDistribution::kUniform
+                         ? models::add_uniform_to_each
+                         : models::add_gaussian_to_each;
   noise({options.seed, models::kTrajectory, static_cast<std::uint32_t>(first)}, kLanes, samples,
         static_cast<float>(options.noise_hz), values);
 }

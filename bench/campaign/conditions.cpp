@@ -1,5 +1,4 @@
 #include "batches.hpp"
-#include "kernel.hpp"
 #include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
@@ -8,12 +7,12 @@
 #include <vector>
 
 #include <campaign/conditions.hpp>
+#include <campaign/kernel.hpp>
 #include <grid/sfr_model.hpp>
+#include <outlet/decision.hpp>
 
 namespace gsbench::campaign {
 namespace {
-
-constexpr double kReportS = 0.016;
 
 void check(const ConditionOptions& options) {
   const Counting& counting = options.counting;
@@ -57,7 +56,7 @@ ConditionResult count_conditions(const grid::Grid& grid, const ConditionOptions&
     const double t_s = kReportS * (static_cast<double>(k) + 1.0 - static_cast<double>(before));
     clean.push_back(static_cast<float>(options.loss_mw * model.unit_deviation_hz(t_s)));
   }
-  const auto work = [&](std::uint64_t block, Tallies& own) {
+  const auto work = [&](std::uint64_t block, Histograms& own) {
     std::vector<float> deviations_hz(samples * kLanes);
     each_batch(block, options.trajectories,
                [&](std::uint64_t, std::uint64_t first, std::uint64_t count) {
@@ -69,15 +68,17 @@ ConditionResult count_conditions(const grid::Grid& grid, const ConditionOptions&
                  }
                });
   };
-  Tallies tallies = {Tally(0.0, static_cast<double>(counting.count) + 1.0,
-                           static_cast<std::size_t>(counting.count) + 1)};
-  run_blocks(blocks_of(options.trajectories), execution, work, tallies);
-  const Tally& hits = tallies[0];
-  return {
-      static_cast<std::uint64_t>(hits.count()),
-      static_cast<std::uint64_t>(hits.count_between(static_cast<double>(counting.more_than) + 1.0,
-                                                    static_cast<double>(counting.count) + 1.0)),
-      hits};
+  Histograms histograms = {Histogram(0.0, static_cast<double>(counting.count) + 1.0,
+                                     static_cast<std::size_t>(counting.count) + 1)};
+  run_blocks(blocks_of(options.trajectories), execution, work, histograms);
+  const Histogram& hits = histograms[0];
+  ConditionResult result = {static_cast<std::uint64_t>(hits.count()), 0, hits};
+  for (int n = 0; n <= counting.count; ++n) {
+    if (gs::outlet::enough_hits(n, counting.more_than)) {
+      result.needed += static_cast<std::uint64_t>(hits.in_bin(static_cast<std::size_t>(n)));
+    }
+  }
+  return result;
 }
 
 }  // namespace gsbench::campaign

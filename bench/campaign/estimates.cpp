@@ -1,5 +1,4 @@
 #include "batches.hpp"
-#include "kernel.hpp"
 #include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <stdexcept>
 
 #include <campaign/estimates.hpp>
+#include <campaign/kernel.hpp>
 #include <grid/sfr_model.hpp>
 #include <models/streams.hpp>
 #include <outlet/front_end.hpp>
@@ -15,7 +15,6 @@ namespace gsbench::campaign {
 namespace {
 
 constexpr int kSamples = kLseSamples + kEkfSamples;
-constexpr double kReportS = 0.016;
 // A loss anywhere in a report: so many instants in turn, which no sum over them feels.
 constexpr std::size_t kInstants = 64;
 
@@ -42,9 +41,9 @@ void check(const EstimateOptions& options) {
 }
 
 // The frequency's deviation at each sample, for each instant of the loss.
-class Truth {
+class CleanSignal {
  public:
-  Truth(const grid::SfrModel& model, const EstimateOptions& options)
+  CleanSignal(const grid::SfrModel& model, const EstimateOptions& options)
       : instants_(options.instant == LossInstant::kOnReport ? 1 : kInstants) {
     for (std::size_t instant = 0; instant < instants_; ++instant) {
       const double early =
@@ -93,7 +92,7 @@ Parameter off_by(float value, const Parameter& error) {
 class Estimators {
  public:
   Estimators(const grid::Grid& grid, const grid::SfrModel& model, const EstimateOptions& options,
-             const Truth& truth)
+             const CleanSignal& clean)
       : options_(options), settings_(estimate_settings(grid)) {
     if (const auto parameters = grid::underdamped_parameters(model, grid.reheat_s)) {
       paper_.gain_hz_per_mw = static_cast<float>(model.gain_hz_per_mw());
@@ -111,13 +110,14 @@ class Estimators {
     start_.ekf.t_x_sigma_s = static_cast<float>(options.paper_t_x_sigma_s);
     start_.ekf.largest_loss_mw = settings_.largest_loss_mw;
     start_.t_x_s = -gs::outlet::kReportS;
-    if (options.mode == Mode::kGsbench && options.parameter_error > 0.0) {
-      excess_ = reciprocal_excess(truth);
+    if (options.mode == Mode::kFirmware && options.parameter_error > 0.0) {
+      excess_ = reciprocal_excess(clean);
     }
   }
 
   static double noise_sigma_hz(const EstimateOptions& options) {
-    return options.law == NoiseLaw::kUniform ? options.noise_hz / std::sqrt(3.0) : options.noise_hz;
+    return options.distribution == NoiseDistribution::kUniform ? options.noise_hz / std::sqrt(3.0)
+                                                               : options.noise_hz;
   }
 
   Estimates estimate(std::uint64_t batch, const float* deviations_hz) const {
@@ -149,9 +149,10 @@ class Estimators {
             off_by(paper_.phi, e.of[4])};
   }
 
-  // The five contradict one another once they are off: f begins at f_0, so that G_2·sin ∅ = −G_1,
-  // and ω_r = ω_n·√(1 − ζ²). An outlet is sent four numbers, which cannot; whoever sends them has
-  // G_1, G_2 and ω_n twice each and takes the mean, by weights where the errors are unequal.
+  // An experiment: no control centre sends this. The five contradict one another once they are off:
+  // f begins at f_0, so that G_2·sin ∅ = −G_1, and ω_r = ω_n·√(1 − ζ²). An outlet is sent four
+  // numbers, which cannot; here these are made of G_1, G_2 and ω_n, twice each, by the mean, with
+  // weights where the errors are unequal.
   gs::outlet::ResponseOf<Lanes> response_with(const Errors& e) const {
     constexpr float kOwn = 0.66F;  // the other comes by way of ∅ and has twice the variance
     constexpr float kOther = 1.0F - kOwn;
@@ -173,10 +174,10 @@ class Estimators {
   }
 
   // An estimate divides by the response, and the mean of a reciprocal is above the reciprocal of
-  // the mean by the relative variance. Whoever knows how far the parameters may be off takes it
-  // off: to first order it is the sum of what each of them does alone, its square by 3 for a
+  // the mean by the relative variance. That is taken off, by how far the parameters may be off: to
+  // first order it is the sum of what each of them does alone, its square by 3 for a
   // uniform error.
-  float reciprocal_excess(const Truth& truth) const {
+  float reciprocal_excess(const CleanSignal& clean) const {
     float alone[5][kLanes] = {};
     Errors errors;
     for (std::size_t i = 0; i < 5; ++i) {
@@ -184,7 +185,7 @@ class Estimators {
       errors.of[i] = load(alone[i]);
     }
     float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
-    spread(truth.of_batch(0), kSamples, deviations_hz);
+    spread(clean.of_batch(0), kSamples, deviations_hz);
     Estimates estimates;
     estimate_as_outlet(settings_, response_with(errors), deviations_hz, kSamples, estimates);
     const float exact_mw = estimates.ekf_mw[5];  // a lane without an error
@@ -203,25 +204,22 @@ class Estimators {
   PaperStart start_;
 };
 
-Tally tally_of(double loss_mw) {
+Histogram histogram_of(double loss_mw) {
   return {0.0, 2.0 * loss_mw, 20000};
 }
 
 }  // namespace
 
 const char* to_string(Mode mode) {
-  return mode == Mode::kPaper ? "paper" : "gsbench";
+  return mode == Mode::kPaper ? "paper" : "firmware";
 }
 
-const char* to_string(NoiseLaw law) {
-  return law == NoiseLaw::kUniform ? "uniform" : "gaussian";
+const char* to_string(NoiseDistribution distribution) {
+  return distribution == NoiseDistribution::kUniform ? "uniform" : "gaussian";
 }
 
 gs::outlet::Settings estimate_settings(const grid::Grid& grid) {
   gs::outlet::Settings settings = control_centre::grid_settings(grid);
-  settings.lse_samples = kLseSamples;
-  settings.ekf_samples = kEkfSamples;
-  // The first sample is the first after the loss: nothing went before to detect it by.
   settings.event_drops = 1;
   settings.event_lag_s = 0.0F;
   return settings;
@@ -231,14 +229,14 @@ EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
                         const Execution& execution, const EstimateSink& sink) {
   check(options);
   const grid::SfrModel model(grid);
-  const Truth truth(model, options);
-  const Estimators estimators(grid, model, options, truth);
-  Tallies tallies = {tally_of(options.loss_mw), tally_of(options.loss_mw)};
-  const auto work = [&](std::uint64_t block, Tallies& own) {
+  const CleanSignal clean(model, options);
+  const Estimators estimators(grid, model, options, clean);
+  Histograms histograms = {histogram_of(options.loss_mw), histogram_of(options.loss_mw)};
+  const auto work = [&](std::uint64_t block, Histograms& own) {
     float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
     each_batch(block, options.trajectories,
                [&](std::uint64_t batch, std::uint64_t first, std::uint64_t count) {
-                 measure(options, truth.of_batch(batch), kSamples, first, deviations_hz);
+                 measure(options, clean.of_batch(batch), kSamples, first, deviations_hz);
                  const Estimates estimates = estimators.estimate(batch, deviations_hz);
                  for (std::uint64_t i = 0; i < count; ++i) {
                    own[kLse].add(static_cast<double>(estimates.lse_mw[i]));
@@ -249,19 +247,23 @@ EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
                  }
                });
   };
-  run_blocks(blocks_of(options.trajectories), execution, work, tallies);
+  Execution own = execution;
+  if (sink) {
+    own.reduction = &one_process();
+  }
+  run_blocks(blocks_of(options.trajectories), own, work, histograms);
   const double sigma_hz = Estimators::noise_sigma_hz(options);
-  const std::int64_t done = tallies[kEkf].count() + tallies[kEkf].missing();
-  return {static_cast<std::uint64_t>(done), tallies[kLse], tallies[kEkf], sigma_hz,
+  const std::int64_t done = histograms[kEkf].count() + histograms[kEkf].missing();
+  return {static_cast<std::uint64_t>(done), histograms[kLse], histograms[kEkf], sigma_hz,
           cramer_rao_mw(grid, options.loss_mw, 1, kSamples, sigma_hz)};
 }
 
 std::vector<float> trajectory(const grid::Grid& grid, const EstimateOptions& options,
                               std::uint64_t number) {
   check(options);
-  const Truth truth(grid::SfrModel(grid), options);
+  const CleanSignal clean(grid::SfrModel(grid), options);
   float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
-  measure(options, truth.of_batch(number / kLanes), kSamples, number - number % kLanes,
+  measure(options, clean.of_batch(number / kLanes), kSamples, number - number % kLanes,
           deviations_hz);
   std::vector<float> one;
   for (std::size_t k = 0; k < static_cast<std::size_t>(kSamples); ++k) {

@@ -1,7 +1,4 @@
-#include "kernel.hpp"
-
-#include "fleet_kernel.hpp"
-
+#include <campaign/kernel.hpp>
 #include <models/targets.hpp>
 #include <outlet/conditions.hpp>
 #include <outlet/loss_estimator.hpp>
@@ -45,27 +42,19 @@ inline void paper_body(const PaperStart& start, float k_lse_mw_per_hz_s, const M
   store(ekf.loss_mw, estimates.ekf_mw);
 }
 
-// Runs beside fit_line() of the firmware: the same sums over the same window, oldest first.
 inline void conditions_body(const Settings& settings, float nominal_hz,
                             const CountedConditions& counted, const float* deviations_hz,
                             float hits[kLanes]) {
-  Lanes all{};
+  Lanes sum{};
   for (int k = counted.first; k < counted.first + counted.count; ++k) {
-    const auto at = [&](int sample) {
-      return load(deviations_hz + static_cast<std::size_t>(sample) * kLanes);
-    };
-    const int oldest = k - counted.window + 1;
-    const Lanes origin = at(oldest);
-    LseState<Lanes> sums{};
-    for (int sample = oldest; sample <= k; ++sample) {
-      gs::outlet::add(sums, at(sample) - origin);
-    }
-    const Lanes mean_hz =
-        origin + sums.sum * (1.0f / static_cast<float>(counted.window)) + nominal_hz;
-    const Lanes limit = gs::outlet::rocof_limit_hz_s(settings, nominal_hz, mean_hz);
-    all = all + select(gs::outlet::slope_hz_s(sums) < limit, Lanes{} + 1.0f, Lanes{});
+    auto line = gs::outlet::fit_line<Lanes>(
+        [&](int back) { return load(deviations_hz + static_cast<std::size_t>(k - back) * kLanes); },
+        counted.window);
+    line.mean_hz = line.mean_hz + nominal_hz;
+    const Mask met = gs::outlet::condition_met(settings, nominal_hz, line);
+    sum = sum + select(met, Lanes{} + 1.0f, Lanes{});
   }
-  store(all, hits);
+  store(sum, hits);
 }
 
 }  // namespace

@@ -27,11 +27,19 @@ void add_choice(CLI::App& command, const std::string& name, Choice& choice,
 
 }  // namespace
 
-void add_noise_law(CLI::App& command, campaign::NoiseLaw& law) {
-  add_choice(
-      command, "--noise-law", law,
-      {{"uniform", campaign::NoiseLaw::kUniform}, {"gaussian", campaign::NoiseLaw::kGaussian}},
-      "How measured frequencies are off");
+void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& distribution) {
+  add_choice(command, "--noise-distribution", distribution,
+             {{"uniform", campaign::NoiseDistribution::kUniform},
+              {"gaussian", campaign::NoiseDistribution::kGaussian}},
+             "How measured frequencies are off");
+}
+
+void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation) {
+  add_choice(command, "--accumulated", accumulation,
+             {{"half", control_centre::Accumulation::kHalfGroup},
+              {"whole", control_centre::Accumulation::kWholeGroup}},
+             "How much of its own group counts in the power that an outlet compares with, P^A: "
+             "half, right on average, or the whole, eq. (11)");
 }
 
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {

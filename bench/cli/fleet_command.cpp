@@ -4,43 +4,40 @@
 
 #include <memory>
 
+#include <fleet/page.hpp>
 #include <profile/load.hpp>
-#include <reproduce/fleet_page.hpp>
 
 namespace gsbench::cli {
 namespace {
 
 struct FleetArguments {
   std::string grid = "ieee24";
-  reproduce::FleetStudy study;
-  reproduce::Sweep sweep;
+  fleet::Study study;
+  fleet::Sweep sweep;
   bool sweeps = false;
   PageOutput output;
 };
 
 int run_fleet(FleetArguments arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
-  reproduce::FleetStudy& study = arguments.study;
+  fleet::Study& study = arguments.study;
   study.scenario.seed = study.fleet.seed;
   if (arguments.sweeps) {
     study.sweep = arguments.sweep;
   }
   return print_page("fleet", arguments.output, [&](const campaign::Execution& execution) {
-    return reproduce::fleet_page(grid, study, execution);
+    return fleet::make_page(grid, study, execution);
   });
 }
 
-void add_outlets(CLI::App& command, campaign::FleetOptions& fleet) {
+void add_outlets(CLI::App& command, fleet::FleetOptions& fleet) {
   command.add_option("--groups", fleet.groups, "Of outlets, in order of importance")
       ->capture_default_str();
   command.add_option("--per-group", fleet.per_group, "Outlets in each")->capture_default_str();
   command.add_option("--least", fleet.least_w, "An appliance's least power, W")
       ->capture_default_str();
   command.add_option("--most", fleet.most_w, "An appliance's most power, W")->capture_default_str();
-  command.add_flag(
-      "--whole-group",
-      [&fleet](std::int64_t) { fleet.accumulation = campaign::Accumulation::kWholeGroup; },
-      "An outlet's own group counts wholly in the power it compares with, eq. (11); without, half");
+  add_accumulation(command, fleet.accumulation);
 }
 
 void add_sweep(CLI::App& command, FleetArguments& arguments) {
@@ -50,11 +47,12 @@ void add_sweep(CLI::App& command, FleetArguments& arguments) {
     command.add_option(name, values, text)->delimiter(',')->needs(sweep);
   };
   add("--losses", arguments.sweep.losses_mw,
-      "Of the sweep, MW, by commas; without, 0.9 … 2 times the threshold");
-  add("--noises", arguments.sweep.noises_hz, "Of the sweep, Hz; without, 0,0.005,0.01,0.02,0.05");
+      "Comma-separated losses to sweep, MW (default: 0.9 … 2 times the threshold)");
+  add("--noises", arguments.sweep.noises_hz,
+      "Comma-separated noises to sweep, Hz (default: 0,0.005,0.01,0.02,0.05)");
   add("--delays", arguments.sweep.delays_s,
-      "Of the sweep, s: every outlet's beyond its own, and central control's communication; "
-      "without, 0,0.1,0.2,0.5,1");
+      "Comma-separated delays to sweep, s: every outlet's beyond its own, and central control's "
+      "communication (default: 0,0.1,0.2,0.5,1)");
 }
 
 }  // namespace
@@ -63,8 +61,8 @@ void add_fleet(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<FleetArguments>();
   CLI::App* command = app.add_subcommand(
       "fleet", "Very many outlets after a loss: who sheds, how much, when, how the frequency goes");
-  reproduce::FleetStudy& study = arguments->study;
-  campaign::ScenarioOptions& scenario = study.scenario;
+  fleet::Study& study = arguments->study;
+  fleet::ScenarioOptions& scenario = study.scenario;
   command->add_option("grid", arguments->grid, "A shipped grid, or a .toml file")
       ->capture_default_str();
   command->add_option("--loss", scenario.loss_mw, "Power lost, MW")->capture_default_str();
@@ -72,7 +70,7 @@ void add_fleet(CLI::App& app, int& exit_code) {
       ->add_option("--noise", scenario.noise_hz,
                    "Of measured frequencies, Hz: ± that if uniform, else σ")
       ->capture_default_str();
-  add_noise_law(*command, scenario.law);
+  add_noise_distribution(*command, scenario.distribution);
   add_outlets(*command, study.fleet);
   command
       ->add_option("--delay", scenario.further_delay_s,

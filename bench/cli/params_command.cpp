@@ -1,3 +1,4 @@
+#include "choices.hpp"
 #include "commands.hpp"
 #include <control_centre/blocks.hpp>
 #include <control_centre/conditions.hpp>
@@ -142,10 +143,7 @@ void add_params(CLI::App& app, int&) {
   command->add_option("grid", arguments->grid, "A shipped grid, or a .toml file")->required();
   command->add_option("--row", arguments->row_hz, "Height of a row of the conditions, Hz")
       ->check(CLI::Range(0.001, 5.0));
-  command->add_flag(
-      "--whole-group",
-      [arguments](std::int64_t) { arguments->accumulation = Accumulation::kWholeGroup; },
-      "A block's own power counts wholly in its accumulated power, eq. (11); without, half");
+  add_accumulation(*command, arguments->accumulation);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");
   command->callback([arguments] { params(*arguments); });

@@ -6,8 +6,8 @@
 
 #include <campaign/estimates.hpp>
 #include <judge/catalogue.hpp>
+#include <paper/reproduction.hpp>
 #include <profile/load.hpp>
-#include <reproduce/reproduction.hpp>
 #include <station/run.hpp>
 #include <station/stations.hpp>
 
@@ -18,7 +18,7 @@ constexpr const char* kExperiment = "paper/loss-500mw";
 
 struct ReproduceArguments {
   std::string grid = "ieee24";
-  reproduce::Options options;
+  paper::Options options;
   PageOutput output;
 };
 
@@ -37,18 +37,18 @@ record::RunRecord play_experiment(std::uint64_t seed, const campaign::Execution&
 
 int run_reproduce(ReproduceArguments arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
-  reproduce::Options& options = arguments.options;
+  paper::Options& options = arguments.options;
   options.play_experiment = [seed = options.seed](const campaign::Execution& execution) {
     return play_experiment(seed, execution);
   };
   return print_page("reproduce", arguments.output, [&](const campaign::Execution& execution) {
-    return reproduce::reproduce(grid, options, execution);
+    return paper::reproduce(grid, options, execution);
   });
 }
 
 // What the paper leaves open.
-void add_choices(CLI::App& command, reproduce::Choices& choices) {
-  add_noise_law(command, choices.noise_law);
+void add_choices(CLI::App& command, paper::Choices& choices) {
+  add_noise_distribution(command, choices.noise_distribution);
   add_loss_instant(command, choices.loss_instant);
   campaign::Counting& counting = choices.counting;
   const auto add = [&command](const char* name, auto& value, const char* text) {
@@ -70,7 +70,7 @@ void add_choices(CLI::App& command, reproduce::Choices& choices) {
 
 std::string list_of_items() {
   std::string text = "What can be reproduced:\n";
-  for (const reproduce::Item& item : reproduce::items()) {
+  for (const paper::Item& item : paper::items()) {
     text += "  " + item.id + std::string(10 - item.id.size(), ' ') + item.title + '\n';
   }
   return text +
@@ -79,7 +79,7 @@ std::string list_of_items() {
          "  gsbench reproduce -o paper.html               all of it, a million trajectories\n"
          "  gsbench reproduce --only table4,table5 --n 10000000 --seed 7\n"
          "  gsbench reproduce --only table2 --rocof-window 8 --count-lines 38 --json\n"
-         "  gsbench reproduce --noise-law gaussian --loss-instant between-reports";
+         "  gsbench reproduce --noise-distribution gaussian --loss-instant between-reports";
 }
 
 }  // namespace
@@ -88,7 +88,8 @@ void add_reproduce(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<ReproduceArguments>();
   CLI::App* command = app.add_subcommand(
       "reproduce", "The paper's tables and figures, computed again and set beside what it prints");
-  command->add_option("--only", arguments->options.only, "Some of them, by commas")->delimiter(',');
+  command->add_option("--only", arguments->options.only, "Comma-separated sections, instead of all")
+      ->delimiter(',');
   command->add_option("--n", arguments->options.trajectories, "Trajectories of each campaign")
       ->check(CLI::Range(std::uint64_t{1}, campaign::kMostTrajectories))
       ->capture_default_str();
@@ -98,6 +99,7 @@ void add_reproduce(CLI::App& app, int& exit_code) {
   command->add_option("--grid", arguments->grid, "A shipped grid, or a .toml file")
       ->capture_default_str();
   add_choices(*command, arguments->options.choices);
+  add_accumulation(*command, arguments->options.accumulation);
   add_page_options(*command, arguments->output);
   command->footer(list_of_items());
   command->callback([arguments, &exit_code] { exit_code = run_reproduce(*arguments); });

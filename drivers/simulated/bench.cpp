@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include <drivers/workers.hpp>
 #include <simulated/bench.hpp>
-#include <simulated/workers.hpp>
 
 namespace gsbench::simulated {
 
@@ -78,7 +78,7 @@ class SimulatedSource final : public source::Source {
  private:
   Shared& shared_;
   Pacer pacer_;
-  Workers workers_;
+  drivers::Workers workers_;
 };
 
 class SimulatedLink final : public link::Link {

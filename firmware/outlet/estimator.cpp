@@ -1,4 +1,5 @@
 #include <outlet/conditions.hpp>
+#include <outlet/decision.hpp>
 #include <outlet/estimator.hpp>
 
 namespace gs::outlet {
@@ -42,7 +43,7 @@ void observe(const Settings& settings, float nominal_hz, EstimatorState& state, 
 }
 
 bool complete(const Settings& settings, const EstimatorState& state) {
-  return state.reports >= settings.lse_samples + settings.ekf_samples;
+  return state.reports >= reports_to_decision(settings);
 }
 
 Trust trust(const Settings& settings, const EstimatorState& state) {

@@ -1,5 +1,4 @@
 #include <outlet/history.hpp>
-#include <outlet/loss_lse.hpp>
 
 namespace gs::outlet {
 
@@ -19,13 +18,7 @@ void note_gap(History& history) {
 }
 
 Line fit_line(const History& history, int age, int count) {
-  // Against the oldest entry, so that the sums keep the last millihertz of a float.
-  const float origin = at(history, age + count - 1);
-  LseState<float> sums;
-  for (int k = count - 1; k >= 0; --k) {
-    add(sums, at(history, age + k) - origin);
-  }
-  return {origin + sums.sum / static_cast<float>(count), slope_hz_s(sums)};
+  return fit_line<float>([&](int n) { return at(history, age + n); }, count);
 }
 
 }  // namespace gs::outlet

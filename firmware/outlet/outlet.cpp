@@ -1,3 +1,4 @@
+#include <outlet/decision.hpp>
 #include <outlet/outlet.hpp>
 
 namespace gs::outlet {
@@ -21,12 +22,11 @@ void open_relay(State& state, Report& report, Cause cause) {
 // Criterion (1): enough conditions met, an estimate to be trusted, and more to shed than what less
 // important outlets shed already.
 void decide(const Settings& settings, State& state, Report& report) {
-  const float excess = state.estimator.ekf.loss_mw - settings.threshold_mw;
-  report.required_mw = excess > 0.0f ? excess : 0.0f;
+  report.required_mw = required_mw(state.estimator.ekf.loss_mw, settings.threshold_mw);
   report.trust = trust(settings, state.estimator);
   report.happened = happened(report.happened, kDecision);
-  if (state.estimator.hits > settings.condition_hits && report.trust == Trust::kTrusted &&
-      report.required_mw > settings.accumulated_mw) {
+  if (enough_hits(state.estimator.hits, settings.condition_hits) &&
+      report.trust == Trust::kTrusted && must_shed(report.required_mw, settings.accumulated_mw)) {
     open_relay(state, report, Cause::kLoss);
   }
   state.phase = Phase::kCooling;
@@ -63,14 +63,10 @@ void cool_down(State& state, const Report& report, bool valid) {
 // Criterion (2): independent of everything above.
 void watch_switch_off_frequency(const Settings& settings, State& state, Report& report,
                                 bool valid) {
-  if (!valid || !(report.measurement.frequency_hz < settings.switch_off_hz)) {
+  if (!valid) {
     state.below_switch_off = 0;
-    return;
-  }
-  if (state.below_switch_off < settings.switch_off_samples) {
-    ++state.below_switch_off;
-  }
-  if (state.below_switch_off >= settings.switch_off_samples) {
+  } else if (stays_below(report.measurement.frequency_hz, settings.switch_off_hz,
+                         settings.switch_off_samples, state.below_switch_off)) {
     open_relay(state, report, Cause::kFrequency);
   }
 }

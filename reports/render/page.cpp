@@ -1,3 +1,4 @@
+#include "format.hpp"
 #include "templates.hpp"
 
 #include <algorithm>
@@ -19,17 +20,17 @@ using nlohmann::ordered_json;
 using record::FigureRow;
 using record::FigureTable;
 
-std::string text_of(double figure) {
-  if (!std::isfinite(figure)) {
-    return "–";
-  }
-  // As many digits as tell, and no exponent where a person would write none.
-  const double size = std::fabs(figure);
-  if (figure == std::floor(figure) && size < 1e12) {
-    return fmt::format("{:.0f}", figure);
-  }
-  const int whole = size >= 1.0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 0;
-  return fmt::format("{:.{}f}", figure, std::max(6 - whole, 0));
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// Frequencies to a millihertz, whatever their column or row names after its comma; all else to six
+// digits.
+std::string text_of(const FigureTable& table, const FigureRow& row, std::size_t column) {
+  const double value = row.figures[column];
+  const bool in_hz = table.unit == "Hz" || ends_with(row.name, ", Hz") ||
+                     (column < table.columns.size() && ends_with(table.columns[column], ", Hz"));
+  return in_hz && std::isfinite(value) ? fmt::format("{:.3f}", value) : figure(value, 6);
 }
 
 ordered_json number_or_null(double figure) {
@@ -86,8 +87,9 @@ object table_data(const FigureTable& table) {
   List rows;
   for (const FigureRow& row : table.rows) {
     List cells;
-    for (const double figure : row.figures) {
-      cells.push_back(object{{"figure", text_of(figure)}, {"style", heat_of(table, figure)}});
+    for (std::size_t i = 0; i < row.figures.size(); ++i) {
+      cells.push_back(
+          object{{"figure", text_of(table, row, i)}, {"style", heat_of(table, row.figures[i])}});
     }
     rows.push_back(object{{"name", row.name}, {"cells", data(cells)}});
   }
@@ -116,7 +118,7 @@ void append_table(const FigureTable& table, std::string& text) {
   for (const FigureRow& row : table.rows) {
     first = std::max(first, letters(row.name));
     for (std::size_t i = 0; i < row.figures.size() && i < widths.size(); ++i) {
-      widths[i] = std::max(widths[i], letters(text_of(row.figures[i])));
+      widths[i] = std::max(widths[i], letters(text_of(table, row, i)));
     }
   }
   text += "  " + table.caption + "\n  " + padded(table.first_column, first, false);
@@ -126,7 +128,7 @@ void append_table(const FigureTable& table, std::string& text) {
   for (const FigureRow& row : table.rows) {
     text += "\n  " + padded(row.name, first, false);
     for (std::size_t i = 0; i < row.figures.size() && i < widths.size(); ++i) {
-      text += "  " + padded(text_of(row.figures[i]), widths[i], true);
+      text += "  " + padded(text_of(table, row, i), widths[i], true);
     }
   }
   text += "\n";

@@ -1,7 +1,6 @@
 // Campaigns beside the same work in vectorised NumPy, their cost beside what the processor's
 // arithmetic can do, and how they go over threads and numbers of trajectories. In turns within one
 // run; exits with 1 where a figure falls short.
-#include "kernel.hpp"
 #include "measuring.hpp"
 #include <sys/resource.h>
 
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include <campaign/estimates.hpp>
+#include <campaign/kernel.hpp>
 #include <models/targets.hpp>
 #include <profile/load.hpp>
 

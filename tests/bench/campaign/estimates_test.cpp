@@ -19,7 +19,7 @@ using gsbench::campaign::EstimateResult;
 using gsbench::campaign::Execution;
 using gsbench::campaign::LossInstant;
 using gsbench::campaign::Mode;
-using gsbench::campaign::NoiseLaw;
+using gsbench::campaign::NoiseDistribution;
 using gsbench::campaign::trajectory;
 
 const gsbench::grid::Grid& ieee24() {
@@ -27,10 +27,10 @@ const gsbench::grid::Grid& ieee24() {
   return grid;
 }
 
-EstimateOptions a_short(Mode mode, NoiseLaw law = NoiseLaw::kUniform) {
+EstimateOptions a_short(Mode mode, NoiseDistribution distribution = NoiseDistribution::kUniform) {
   EstimateOptions options;
   options.mode = mode;
-  options.law = law;
+  options.distribution = distribution;
   options.trajectories = 20000;
   return options;
 }
@@ -53,13 +53,13 @@ double within(const EstimateResult& result, double part) {
 
 // ±0.01 Hz: σ of LSE by hand, K_LSE·σ/(T·√(n(n² − 1)/12)) = 1011.9·0.005774/(0.016·9.083).
 TEST(EstimateCampaign, TheLseSpreadsAsItsFormulaSays) {
-  const EstimateResult result = play(a_short(Mode::kGsbench));
+  const EstimateResult result = play(a_short(Mode::kFirmware));
   EXPECT_NEAR(result.lse_mw.standard_deviation(), 40.2, 0.6);
   EXPECT_NEAR(result.lse_mw.mean(), 479.4, 1.0);
 }
 
 TEST(EstimateCampaign, UniformNoiseIsBornAsInTable4AndBetter) {
-  for (const Mode mode : {Mode::kPaper, Mode::kGsbench}) {
+  for (const Mode mode : {Mode::kPaper, Mode::kFirmware}) {
     const EstimateResult result = play(a_short(mode));
     EXPECT_GE(within(result, 0.04), 0.999) << to_string(mode);
     EXPECT_EQ(within(result, 0.10), 1.0) << to_string(mode);
@@ -69,7 +69,7 @@ TEST(EstimateCampaign, UniformNoiseIsBornAsInTable4AndBetter) {
 
 TEST(EstimateCampaign, GaussianNoiseOfTheSameFigureIsBornToo) {
   for (const LossInstant instant : {LossInstant::kOnReport, LossInstant::kBetweenReports}) {
-    EstimateOptions options = a_short(Mode::kGsbench, NoiseLaw::kGaussian);
+    EstimateOptions options = a_short(Mode::kFirmware, NoiseDistribution::kGaussian);
     options.instant = instant;
     EXPECT_GE(within(play(options), 0.04), 0.99);
   }
@@ -78,15 +78,17 @@ TEST(EstimateCampaign, GaussianNoiseOfTheSameFigureIsBornToo) {
 // LSE and EKF see all fifty between them. A start for the instant is worth something, too, so that
 // the bound without it may be passed.
 TEST(EstimateCampaign, ItsSpreadIsNearTheBoundForAllSamples) {
-  for (const NoiseLaw law : {NoiseLaw::kUniform, NoiseLaw::kGaussian}) {
-    const EstimateResult result = play(a_short(Mode::kGsbench, law));
-    EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * result.bound_mw) << to_string(law);
-    EXPECT_GE(result.ekf_mw.standard_deviation(), 0.95 * result.bound_mw) << to_string(law);
+  for (const NoiseDistribution distribution :
+       {NoiseDistribution::kUniform, NoiseDistribution::kGaussian}) {
+    const EstimateResult result = play(a_short(Mode::kFirmware, distribution));
+    EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * result.bound_mw) << to_string(distribution);
+    EXPECT_GE(result.ekf_mw.standard_deviation(), 0.95 * result.bound_mw)
+        << to_string(distribution);
   }
 }
 
 TEST(EstimateCampaign, WrongParametersAreBornAsInTable5AndBetter) {
-  EstimateOptions options = a_short(Mode::kGsbench);
+  EstimateOptions options = a_short(Mode::kFirmware);
   options.parameter_error = 0.05;
   EXPECT_GE(within(play(options), 0.04), 0.77);
 }
@@ -99,9 +101,9 @@ TEST(EstimateCampaign, TheBoundIsTheKnownOne) {
 }
 
 TEST(EstimateCampaign, IsTheSameOnAnyNumberOfThreads) {
-  const EstimateResult one = play(a_short(Mode::kGsbench), 1);
+  const EstimateResult one = play(a_short(Mode::kFirmware), 1);
   for (const std::size_t threads : {2U, 3U}) {
-    const EstimateResult other = play(a_short(Mode::kGsbench), threads);
+    const EstimateResult other = play(a_short(Mode::kFirmware), threads);
     EXPECT_EQ(other.ekf_mw.mean(), one.ekf_mw.mean());
     EXPECT_EQ(other.ekf_mw.standard_deviation(), one.ekf_mw.standard_deviation());
     for (std::size_t bin = 0; bin < one.ekf_mw.bins(); ++bin) {
@@ -111,8 +113,43 @@ TEST(EstimateCampaign, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
+// One of three processes.
+class Shard final : public gsbench::campaign::Reduction {
+ public:
+  explicit Shard(std::uint64_t number) : number_(number) {}
+  Range share(std::uint64_t blocks) const override {
+    return {blocks * number_ / 3, blocks * (number_ + 1) / 3};
+  }
+  void add_up(std::vector<gsbench::campaign::Histogram>&, std::uint64_t&) const override {}
+
+ private:
+  std::uint64_t number_;
+};
+
+TEST(EstimateCampaign, ShardsAddUpToTheSameBitsAndWhatIsKeptForEachOutletStaysWhole) {
+  const EstimateOptions options = a_short(Mode::kFirmware);
+  const EstimateResult whole = play(options);
+  gsbench::campaign::Histogram sum(whole.ekf_mw.low(), 1000.0, whole.ekf_mw.bins());
+  for (std::uint64_t number = 0; number < 3; ++number) {
+    const Shard shard(number);
+    Execution execution;
+    execution.reduction = &shard;
+    const EstimateResult part = estimate(ieee24(), options, execution);
+    EXPECT_LT(part.trajectories, options.trajectories);
+    sum.merge(part.ekf_mw);
+    std::atomic<std::uint64_t> given{0};
+    estimate(ieee24(), options, execution,
+             [&](std::uint64_t, const float*, std::size_t count) { given += count; });
+    EXPECT_EQ(given, options.trajectories);
+  }
+  EXPECT_EQ(sum.count(), whole.ekf_mw.count());
+  EXPECT_EQ(sum.mean(), whole.ekf_mw.mean());
+  EXPECT_EQ(sum.standard_deviation(), whole.ekf_mw.standard_deviation());
+  EXPECT_EQ(sum.largest(), whole.ekf_mw.largest());
+}
+
 TEST(EstimateCampaign, ATrajectoryIsTheSameWhateverTheirNumber) {
-  EstimateOptions options = a_short(Mode::kGsbench);
+  EstimateOptions options = a_short(Mode::kFirmware);
   const auto first = trajectory(ieee24(), options, 12345);
   options.trajectories = 100000;
   EXPECT_EQ(trajectory(ieee24(), options, 12345), first);
@@ -123,7 +160,7 @@ TEST(EstimateCampaign, ATrajectoryIsTheSameWhateverTheirNumber) {
 
 // A campaign's lanes against the firmware as an outlet runs it, float by float.
 TEST(EstimateCampaign, EachTrajectoryIsEstimatedAsAnOutletWouldToTheLastBit) {
-  EstimateOptions options = a_short(Mode::kGsbench);
+  EstimateOptions options = a_short(Mode::kFirmware);
   options.instant = LossInstant::kBetweenReports;
   options.trajectories = 2000;
   std::vector<float> estimates(options.trajectories);
@@ -144,7 +181,7 @@ TEST(EstimateCampaign, EachTrajectoryIsEstimatedAsAnOutletWouldToTheLastBit) {
 }
 
 TEST(EstimateCampaign, AStoppedOneTellsWhatItDid) {
-  EstimateOptions options = a_short(Mode::kGsbench);
+  EstimateOptions options = a_short(Mode::kFirmware);
   options.trajectories = 10000000;
   std::atomic<bool> stop{false};
   Execution execution;

@@ -8,33 +8,33 @@
 namespace {
 
 using gsbench::campaign::Execution;
+using gsbench::campaign::Histogram;
+using gsbench::campaign::Histograms;
 using gsbench::campaign::Reduction;
 using gsbench::campaign::run_blocks;
-using gsbench::campaign::Tallies;
-using gsbench::campaign::Tally;
 
-Tallies one() {
-  return {Tally(0.0, 1000.0, 1000)};
+Histograms one() {
+  return {Histogram(0.0, 1000.0, 1000)};
 }
 
-void add_number(std::uint64_t block, Tallies& own) {
+void add_number(std::uint64_t block, Histograms& own) {
   own[0].add(static_cast<double>(block));
 }
 
 TEST(Work, EveryBlockIsDoneOnceOnAnyNumberOfThreads) {
   for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
-    Tallies tallies = one();
+    Histograms histograms = one();
     Execution execution;
     execution.threads = threads;
-    EXPECT_EQ(run_blocks(1000, execution, add_number, tallies), 1000U);
+    EXPECT_EQ(run_blocks(1000, execution, add_number, histograms), 1000U);
     for (std::size_t bin = 0; bin < 1000; ++bin) {
-      EXPECT_EQ(tallies[0].in_bin(bin), 1) << bin;
+      EXPECT_EQ(histograms[0].in_bin(bin), 1) << bin;
     }
   }
 }
 
 TEST(Work, ProgressRunsToTheEnd) {
-  Tallies tallies = one();
+  Histograms histograms = one();
   Execution execution;
   execution.threads = 3;
   double last = 0.0;
@@ -42,38 +42,38 @@ TEST(Work, ProgressRunsToTheEnd) {
     EXPECT_GT(part, last);
     last = part;
   };
-  run_blocks(100, execution, add_number, tallies);
+  run_blocks(100, execution, add_number, histograms);
   EXPECT_EQ(last, 1.0);
 }
 
 TEST(Work, WhatWasDoneBeforeAStopCounts) {
-  Tallies tallies = one();
+  Histograms histograms = one();
   std::atomic<bool> stop{false};
   Execution execution;
   execution.stop = &stop;
   const auto done = run_blocks(
       1000, execution,
-      [&](std::uint64_t block, Tallies& own) {
+      [&](std::uint64_t block, Histograms& own) {
         add_number(block, own);
         stop = block == 9;
       },
-      tallies);
+      histograms);
   EXPECT_EQ(done, 10U);
-  EXPECT_EQ(tallies[0].count(), 10);
+  EXPECT_EQ(histograms[0].count(), 10);
 }
 
 TEST(Work, WhatABlockThrowsReachesTheCaller) {
-  Tallies tallies = one();
+  Histograms histograms = one();
   Execution execution;
   execution.threads = 2;
   EXPECT_THROW(run_blocks(
                    100, execution,
-                   [](std::uint64_t block, Tallies&) {
+                   [](std::uint64_t block, Histograms&) {
                      if (block == 50) {
                        throw std::runtime_error("block 50");
                      }
                    },
-                   tallies),
+                   histograms),
                std::runtime_error);
 }
 
@@ -81,21 +81,21 @@ TEST(Work, WhatABlockThrowsReachesTheCaller) {
 class SecondHalf final : public Reduction {
  public:
   Range share(std::uint64_t blocks) const override { return {blocks / 2, blocks}; }
-  void add_up(Tallies& tallies, std::uint64_t& blocks_done) const override {
-    tallies[0].add(0.0);  // of another process
+  void add_up(Histograms& histograms, std::uint64_t& blocks_done) const override {
+    histograms[0].add(0.0);  // of another process
     ++blocks_done;
   }
 };
 
 TEST(Work, IsSharedOutAndAddedUpByTheReduction) {
-  Tallies tallies = one();
+  Histograms histograms = one();
   const SecondHalf reduction;
   Execution execution;
   execution.reduction = &reduction;
-  EXPECT_EQ(run_blocks(100, execution, add_number, tallies), 51U);
-  EXPECT_EQ(tallies[0].count_between(50.0, 100.0), 50);
-  EXPECT_EQ(tallies[0].count_between(1.0, 50.0), 0);
-  EXPECT_EQ(tallies[0].in_bin(0), 1);
+  EXPECT_EQ(run_blocks(100, execution, add_number, histograms), 51U);
+  EXPECT_EQ(histograms[0].count_between(50.0, 100.0), 50);
+  EXPECT_EQ(histograms[0].count_between(1.0, 50.0), 0);
+  EXPECT_EQ(histograms[0].in_bin(0), 1);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Counting {
 
 struct ConditionOptions {
   double loss_mw = 380.0;
-  NoiseLaw law = NoiseLaw::kUniform;
+  NoiseDistribution distribution = NoiseDistribution::kUniform;
   double noise_hz = 0.01;
   Counting counting;
   std::uint64_t trajectories = 1000000;
@@ -28,7 +28,7 @@ struct ConditionOptions {
 struct ConditionResult {
   std::uint64_t trajectories = 0;  // done
   std::uint64_t needed = 0;        // of these, in which load shedding was found needed
-  Tally hits;
+  Histogram hits;
 
   double probability() const {
     return static_cast<double>(needed) / static_cast<double>(trajectories);

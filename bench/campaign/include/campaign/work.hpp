@@ -1,5 +1,5 @@
-// A campaign's work: numbered blocks, on as many threads as there are, added up into tallies. What
-// a block comes to depends on its number alone.
+// A campaign's work: numbered blocks, on as many threads as there are, added up into histograms.
+// What a block comes to depends on its number alone.
 #pragma once
 
 #include <atomic>
@@ -7,14 +7,15 @@
 #include <functional>
 #include <vector>
 
-#include <campaign/tally.hpp>
+#include <campaign/histogram.hpp>
 
 namespace gsbench::campaign {
 
-using Tallies = std::vector<Tally>;
+using Histograms = std::vector<Histogram>;
 
-// How a campaign is shared out among processes. There is one so far; whoever spreads campaigns over
-// a cluster implements it (MPI: a slice of the blocks by rank, sums by MPI_Allreduce).
+// How a campaign is shared out among processes: shard k of N takes a slice of the blocks. Only
+// histograms go through it, whose parts add up to the same bits in any order; what is kept for each
+// outlet stays in its process.
 class Reduction {
  public:
   struct Range {
@@ -24,7 +25,7 @@ class Reduction {
   virtual ~Reduction() = default;
   virtual Range share(std::uint64_t blocks) const = 0;  // this process's
   // Of all processes, in each.
-  virtual void add_up(Tallies& tallies, std::uint64_t& blocks_done) const = 0;
+  virtual void add_up(Histograms& histograms, std::uint64_t& blocks_done) const = 0;
 };
 
 const Reduction& one_process();
@@ -47,11 +48,11 @@ inline Execution quiet(const Execution& execution) {
   return silent;
 }
 
-using Block = std::function<void(std::uint64_t block, Tallies& own)>;
+using Block = std::function<void(std::uint64_t block, Histograms& own)>;
 
-// Adds the blocks up into `tallies`, which come empty. Returns how many blocks were done: all,
+// Adds the blocks up into `histograms`, which come empty. Returns how many blocks were done: all,
 // unless it was stopped. Rethrows what a block throws.
 std::uint64_t run_blocks(std::uint64_t blocks, const Execution& execution, const Block& work,
-                         Tallies& tallies);
+                         Histograms& histograms);
 
 }  // namespace gsbench::campaign

@@ -1,4 +1,4 @@
-// The converter before an outlet that is no hardware, simulated or emulated.
+// The ADC before an outlet that is no hardware, simulated or emulated.
 #pragma once
 
 #include <algorithm>

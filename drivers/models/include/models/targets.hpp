@@ -1,4 +1,4 @@
-// Code in the vectors that this machine has: built twice, for AVX2 and for any machine. Everything
+// Runtime dispatch, AVX2 or baseline: code is built twice, for AVX2 and for any machine. Everything
 // is inlined into the two, so that no code for the one is ever called by the other.
 #pragma once
 

@@ -24,7 +24,8 @@ Real rocof_limit_hz_s(const Settings& settings, float nominal_hz, Real frequency
 // Does a line through the newest measurements meet the row that its middle falls into? Frequency
 // and ROCOF must be of the same instant: the slope over a window held against the window's last
 // frequency counts a loss below the threshold as one above it.
-inline bool condition_met(const Settings& settings, float nominal_hz, const Line& line) {
+template <class Real>
+auto condition_met(const Settings& settings, float nominal_hz, const LineOf<Real>& line) {
   return line.slope_hz_s < rocof_limit_hz_s(settings, nominal_hz, line.mean_hz);
 }
 

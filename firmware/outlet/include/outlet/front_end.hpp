@@ -15,10 +15,11 @@ namespace gs::outlet {
 
 constexpr int kSubsumsPerReport = 16;  // of 1 ms
 constexpr int kReportMs = 16;
-constexpr float kReportS = 0.016f;
+constexpr float kReportS = kReportMs / 1000.0f;
 constexpr int kFilterLength = 56;
 // The phasor is that of the middle of the filter, so much before the report.
-constexpr float kFrontEndDelayS = 0.028f;
+constexpr int kFrontEndDelayMs = kFilterLength / 2;
+constexpr float kFrontEndDelayS = kFrontEndDelayMs / 1000.0f;
 // Voltage is measured over 50 ms: five half periods of 50 Hz, six of 60 Hz.
 constexpr int kVoltageWindowMs = 50;
 constexpr float kVoltageDelayS = 0.025f;

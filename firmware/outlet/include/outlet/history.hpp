@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <outlet/front_end.hpp>
+#include <outlet/loss_lse.hpp>
 
 namespace gs::outlet {
 
@@ -29,12 +29,27 @@ inline float at(const History& history, int age) {
 // Below this a course counts as steady.
 constexpr float kSteadyHzS = 0.1f;
 
-struct Line {
-  float mean_hz = 0.0f;  // of the entries, so the frequency in their middle
-  float slope_hz_s = 0.0f;
+template <class Real>
+struct LineOf {
+  Real mean_hz{};  // of the frequencies, so that in their middle
+  Real slope_hz_s{};
 };
+using Line = LineOf<float>;
 
-// Least-squares line through `count` >= 2 entries, the newest of them `age` reports back.
+// Least-squares line through `count` >= 2 frequencies of successive reports; `back(n)` is the one n
+// reports before the newest. `Real`: float, or a vector of floats, one trajectory a lane.
+template <class Real, class Back>
+LineOf<Real> fit_line(const Back& back, int count) {
+  // Against the oldest, so that the sums keep the last millihertz of a float.
+  const Real origin = back(count - 1);
+  LseState<Real> sums{};
+  for (int n = count - 1; n >= 0; --n) {
+    add(sums, back(n) - origin);
+  }
+  return {origin + sums.sum / static_cast<float>(count), slope_hz_s(sums)};
+}
+
+// The same through entries of which the newest is `age` reports back.
 Line fit_line(const History& history, int age, int count);
 
 }  // namespace gs::outlet

@@ -20,7 +20,8 @@ struct FigureTable {
   std::string first_column;  // what its rows are
   std::vector<std::string> columns;
   std::vector<FigureRow> rows = {};
-  bool heat = false;  // coloured by size
+  bool heat = false;      // coloured by size
+  std::string unit = {};  // of every figure, where neither columns nor rows name theirs
 };
 
 struct Curve {

@@ -19,7 +19,7 @@ namespace {
 
 using gsbench::campaign::EstimateOptions;
 using gsbench::campaign::LossInstant;
-using gsbench::campaign::NoiseLaw;
+using gsbench::campaign::NoiseDistribution;
 using outlet::EstimatorState;
 
 constexpr std::uint32_t kTrajectories = 1000;
@@ -40,9 +40,9 @@ const gsbench::grid::Grid& ieee24() {
   return grid;
 }
 
-EstimateOptions options(NoiseLaw law) {
+EstimateOptions options(NoiseDistribution distribution) {
   EstimateOptions options;
-  options.law = law;
+  options.distribution = distribution;
   options.instant = LossInstant::kBetweenReports;
   options.trajectories = kTrajectories;
   return options;
@@ -95,7 +95,7 @@ std::vector<EstimatorState> by_image(const std::string& image, const EstimateOpt
   calls.observe = address_of_symbol(
       image,
       "gs::outlet::observe(gs::outlet::Settings const&, float, gs::outlet::EstimatorState&, bool, "
-      "float, gs::outlet::Line const&)");
+      "float, gs::outlet::LineOf<float> const&)");
   calls.settings = memory.put(bytes_of(&settings));
   calls.line = memory.put(bytes_of(&line));
   calls.deviations_hz = memory.put(bytes_of(deviations_hz.data(), deviations_hz.size()));
@@ -121,13 +121,14 @@ int different(const std::vector<EstimatorState>& there, const std::vector<float>
 class CampaignImage : public testing::TestWithParam<const char*> {};
 
 TEST_P(CampaignImage, EstimatesAThousandTrajectoriesAsTheCampaignToTheLastBit) {
-  for (const NoiseLaw law : {NoiseLaw::kUniform, NoiseLaw::kGaussian}) {
-    const std::vector<EstimatorState> there = by_image(GetParam(), options(law));
+  for (const NoiseDistribution distribution :
+       {NoiseDistribution::kUniform, NoiseDistribution::kGaussian}) {
+    const std::vector<EstimatorState> there = by_image(GetParam(), options(distribution));
     for (const EstimatorState& state : there) {
       ASSERT_EQ(state.reports, kSamples);
       ASSERT_GT(state.ekf.loss_mw, 400.0F);
     }
-    EXPECT_EQ(different(there, by_campaign(options(law))), 0) << to_string(law);
+    EXPECT_EQ(different(there, by_campaign(options(distribution))), 0) << to_string(distribution);
   }
 }
 
@@ -139,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Boards, CampaignImage,
 
 // What would go unseen without it: multiplications and additions contracted into one.
 TEST(ContractedCampaignImage, IsSeenToEstimateOtherwise) {
-  const EstimateOptions uniform = options(NoiseLaw::kUniform);
+  const EstimateOptions uniform = options(NoiseDistribution::kUniform);
   const int count = different(by_image(GSBENCH_M4_IMAGE_CONTRACTED, uniform), by_campaign(uniform));
   std::cout << count << " of " << kTrajectories << " differ\n";
   EXPECT_GT(count, 100);

@@ -1,0 +1,119 @@
+// A vector of floats, one trajectory a lane, for the firmware's templates. Every operation is each
+// lane's own, in the firmware's order and without contraction, so that a lane's result is that of
+// an outlet, bit for bit, whatever the width of the machine's vectors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace gsbench::campaign {
+
+constexpr std::size_t kWidth = 8;    // of AVX2; narrower machines take several steps
+constexpr std::size_t kVectors = 4;  // a vector waits for its own results while others compute
+constexpr std::size_t kLanes = kWidth * kVectors;
+
+using Floats = float __attribute__((vector_size(kWidth * sizeof(float))));
+using Integers = std::int32_t __attribute__((vector_size(kWidth * sizeof(std::int32_t))));
+
+// The alignment that AVX2's moves take for granted: without it said, a compiler for any machine
+// gives half of it.
+constexpr std::size_t kAlignment = kWidth * sizeof(float);
+struct alignas(kAlignment) Lanes {
+  Floats v[kVectors];
+};
+struct alignas(kAlignment) Mask {
+  Integers v[kVectors];  // −1 where it holds, else 0
+};
+
+template <class Result, class Each>
+inline Result each_vector(const Each& each) {
+  Result result;
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    result.v[i] = each(i);
+  }
+  return result;
+}
+
+inline Lanes operator+(const Lanes& a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] + b.v[i]; });
+}
+inline Lanes operator-(const Lanes& a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] - b.v[i]; });
+}
+inline Lanes operator*(const Lanes& a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] * b.v[i]; });
+}
+inline Lanes operator/(const Lanes& a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] / b.v[i]; });
+}
+inline Lanes operator-(const Lanes& a) {
+  return each_vector<Lanes>([&](std::size_t i) { return -a.v[i]; });
+}
+
+inline Lanes operator+(const Lanes& a, float b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] + b; });
+}
+inline Lanes operator-(const Lanes& a, float b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] - b; });
+}
+inline Lanes operator*(const Lanes& a, float b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] * b; });
+}
+inline Lanes operator/(const Lanes& a, float b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] / b; });
+}
+inline Lanes operator+(float a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a + b.v[i]; });
+}
+inline Lanes operator-(float a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a - b.v[i]; });
+}
+inline Lanes operator*(float a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a * b.v[i]; });
+}
+inline Lanes operator/(float a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return a / b.v[i]; });
+}
+
+inline Mask operator<(const Lanes& a, const Lanes& b) {
+  return each_vector<Mask>([&](std::size_t i) { return a.v[i] < b.v[i]; });
+}
+inline Mask operator>(const Lanes& a, const Lanes& b) {
+  return each_vector<Mask>([&](std::size_t i) { return a.v[i] > b.v[i]; });
+}
+inline Mask operator<(const Lanes& a, float b) {
+  return each_vector<Mask>([&](std::size_t i) { return a.v[i] < b; });
+}
+inline Mask operator>(const Lanes& a, float b) {
+  return each_vector<Mask>([&](std::size_t i) { return a.v[i] > b; });
+}
+inline Mask operator>=(const Lanes& a, float b) {
+  return each_vector<Mask>([&](std::size_t i) { return a.v[i] >= b; });
+}
+
+// The firmware's templates find these beside their own for floats.
+inline Lanes select(const Mask& condition, const Lanes& a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return condition.v[i] ? a.v[i] : b.v[i]; });
+}
+inline Lanes root(const Lanes& x) {
+  float values[kLanes];
+  std::memcpy(values, &x, sizeof values);
+  for (float& value : values) {
+    value = __builtin_sqrtf(value);
+  }
+  Lanes roots;
+  std::memcpy(&roots, values, sizeof roots);
+  return roots;
+}
+
+inline Lanes load(const float* values) {
+  Lanes lanes;
+  std::memcpy(&lanes, values, sizeof lanes);
+  return lanes;
+}
+inline void store(const Lanes& lanes, float* values) {
+  std::memcpy(values, &lanes, sizeof lanes);
+}
+
+}  // namespace gsbench::campaign

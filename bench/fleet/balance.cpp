@@ -1,0 +1,69 @@
+#include "balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gsbench::fleet {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kCourseS = 0.02;
+constexpr double kLookS = 0.002;  // for the nadir
+
+}  // namespace
+
+Balance::Balance(const grid::SfrModel& model, double loss_mw)
+    : model_(model), changes_({{0.0, loss_mw}}), first_s_(kNone), last_s_(kNone) {}
+
+void Balance::shed(double at_s, double power_mw) {
+  if (power_mw > 0.0) {
+    changes_.push_back({at_s, -power_mw});
+    first_s_ = std::fmin(first_s_, at_s);
+    last_s_ = std::fmax(last_s_, at_s);
+    shed_mw_ += power_mw;
+  }
+}
+
+double Balance::deviation_hz(double t_s) const {
+  double sum = 0.0;
+  for (const grid::PowerChange& change : changes_) {
+    sum += change.power_mw * model_.unit_deviation_hz(t_s - change.at_s);
+  }
+  return sum;
+}
+
+double Balance::excess_cycles(double t_s) const {
+  double sum = 0.0;
+  for (const grid::PowerChange& change : changes_) {
+    sum += change.power_mw * model_.unit_phase_cycles(t_s - change.at_s);
+  }
+  return sum;
+}
+
+ScenarioResult Balance::result(const grid::Grid& grid, double duration_s) const {
+  ScenarioResult result;
+  result.shed.power_mw = shed_mw_;
+  result.first_action_s = first_s_;
+  result.last_action_s = last_s_;
+  double lowest_hz = 0.0;
+  const auto looks = static_cast<std::size_t>(duration_s / kLookS);
+  const auto each = static_cast<std::size_t>(std::llround(kCourseS / kLookS));
+  for (std::size_t i = 0; i <= looks; ++i) {
+    const double t_s = kLookS * static_cast<double>(i);
+    const double now_hz = deviation_hz(t_s);
+    if (now_hz < lowest_hz) {
+      lowest_hz = now_hz;
+      result.nadir_s = t_s;
+    }
+    if (i % each == 0) {
+      result.t_s.push_back(t_s);
+      result.frequency_hz.push_back(grid.nominal_hz + now_hz);
+    }
+  }
+  result.nadir_hz = grid.nominal_hz + lowest_hz;
+  result.end_hz = result.frequency_hz.back();
+  return result;
+}
+
+}  // namespace gsbench::fleet

@@ -1,0 +1,31 @@
+// The grid with all that has happened to its power so far.
+#pragma once
+
+#include <vector>
+
+#include <fleet/scenario.hpp>
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::fleet {
+
+class Balance {
+ public:
+  Balance(const grid::SfrModel& model, double loss_mw);
+
+  void shed(double at_s, double power_mw);  // nothing for 0 MW
+
+  double deviation_hz(double t_s) const;
+  double excess_cycles(double t_s) const;  // ∫ of that
+
+  // Course, nadir and what was done, up to duration_s.
+  ScenarioResult result(const grid::Grid& grid, double duration_s) const;
+
+ private:
+  const grid::SfrModel& model_;
+  std::vector<grid::PowerChange> changes_;
+  double shed_mw_ = 0.0;
+  double first_s_;
+  double last_s_;
+};
+
+}  // namespace gsbench::fleet

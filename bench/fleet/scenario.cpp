@@ -1,0 +1,261 @@
+#include "balance.hpp"
+#include <control_centre/outlet_settings.hpp>
+#include <control_centre/threshold.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <campaign/kernel.hpp>
+#include <drivers/workers.hpp>
+#include <fleet/scenario.hpp>
+#include <grid/sfr_model.hpp>
+#include <models/noise.hpp>
+#include <models/relay_model.hpp>
+#include <outlet/decision.hpp>
+
+namespace gsbench::fleet {
+namespace {
+
+using campaign::Execution;
+using campaign::kLanes;
+using campaign::kReportS;
+using campaign::Lanes;
+using campaign::NoiseDistribution;
+using campaign::stopped;
+using gs::outlet::LossEstimator;
+using gs::outlet::Settings;
+
+constexpr double kMeasuringS = gs::outlet::kFrontEndDelayMs / 1000.0;
+constexpr double kRelayS = 1e-3 * models::RelayParameters{}.operate_ms;
+constexpr double kLookS = 0.002;  // of relays
+
+// Outlets measure at so many instants of a report in turn, a batch of kLanes each.
+constexpr std::size_t kInstants = 64;
+constexpr std::size_t kChunk = kInstants * kLanes;
+
+double instant_s(std::size_t instant) {
+  return kReportS * (static_cast<double>(instant) + 0.5) / static_cast<double>(kInstants);
+}
+
+void check(const grid::Grid& grid, const ScenarioOptions& o) {
+  const auto demand = [](bool holds, const char* otherwise) {
+    if (!holds) {
+      throw std::invalid_argument(otherwise);
+    }
+  };
+  demand(o.loss_mw > 0.0 && o.loss_mw <= grid.base_mw,
+         "the loss must be above 0 and no more than the generation left");
+  demand(o.noise_hz >= 0.0 && o.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
+  demand(o.duration_s >= 1.0 && o.duration_s <= 300.0, "it lasts 1 … 300 s");
+  for (const double delay_s :
+       {o.further_delay_s, o.central_delay_s, o.central_decision_s, o.ufls_delay_s}) {
+    demand(delay_s >= 0.0 && delay_s <= 300.0, "delays must be within 0 … 300 s");
+  }
+}
+
+// The outlets of a fleet, measurement after measurement.
+class Outlets {
+ public:
+  Outlets(const grid::Grid& grid, const Fleet& fleet, const ScenarioOptions& options,
+          std::size_t threads)
+      : fleet_(fleet),
+        options_(options),
+        workers_(threads),
+        settings_(control_centre::grid_settings(grid)),
+        chunks_((fleet.outlets() + kChunk - 1) / kChunk),
+        off_(fleet.outlets(), 0),
+        shed_mw_(chunks_ * kInstants, 0.0) {
+    if (options.threshold_mw > 0.0) {
+      settings_.threshold_mw = static_cast<float>(options.threshold_mw);
+    }
+    if (options.control == Control::kGridSense) {
+      estimators_.resize(chunks_ * kInstants);
+    } else {
+      below_.assign(fleet.outlets(), 0);
+      for (const double group_hz : switch_off_hz(grid, fleet)) {
+        switch_off_hz_.push_back(static_cast<float>(group_hz - grid.nominal_hz));
+      }
+      highest_switch_off_hz_ = *std::max_element(switch_off_hz_.begin(), switch_off_hz_.end());
+    }
+  }
+
+  // Report `report` of every outlet, the first one being report 0 and within 16 ms of the loss.
+  void take(int report, Balance& balance) {
+    double deviation_hz[kInstants];
+    for (std::size_t i = 0; i < kInstants; ++i) {
+      deviation_hz[i] = balance.deviation_hz(at_s(report, i) - kMeasuringS);
+    }
+    if (nothing_to_do(report, deviation_hz)) {
+      return;
+    }
+    std::fill(shed_mw_.begin(), shed_mw_.end(), 0.0);
+    workers_.run(chunks_, [&](std::size_t chunk) { take_chunk(chunk, report, deviation_hz); });
+    for (std::size_t i = 0; i < kInstants; ++i) {
+      double sum_mw = 0.0;
+      for (std::size_t chunk = 0; chunk < chunks_; ++chunk) {
+        sum_mw += shed_mw_[chunk * kInstants + i];
+      }
+      balance.shed(at_s(report, i) + kRelayS + options_.further_delay_s, sum_mw);
+    }
+  }
+
+  const std::vector<std::uint8_t>& off() const { return off_; }
+
+ private:
+  static double at_s(int report, std::size_t instant) {
+    return kReportS * static_cast<double>(report) + instant_s(instant);
+  }
+
+  // Of the first measurement of what came after the loss.
+  static int first_after(std::size_t instant) {
+    return static_cast<int>(std::ceil((kMeasuringS - instant_s(instant)) / kReportS));
+  }
+
+  int since_event(int report, std::size_t instant) const {
+    return report - first_after(instant) - settings_.event_drops;
+  }
+
+  int decides_at() const { return gs::outlet::reports_to_decision(settings_) - 1; }
+
+  bool nothing_to_do(int report, const double* deviation_hz) const {
+    if (options_.control == Control::kGridSense) {
+      return since_event(report, kInstants - 1) < 0 || since_event(report, 0) > decides_at();
+    }
+    const double furthest = options_.distribution == NoiseDistribution::kUniform ? 1.0 : 8.0;
+    const double lowest = *std::min_element(deviation_hz, deviation_hz + kInstants);
+    return lowest - furthest * options_.noise_hz > static_cast<double>(highest_switch_off_hz_);
+  }
+
+  void take_chunk(std::size_t chunk, int report, const double* deviation_hz) {
+    const std::size_t first = chunk * kChunk;
+    const std::size_t count = std::min(kChunk, fleet_.outlets() - first);
+    float measured_hz[kChunk];
+    for (std::size_t i = 0; i < kInstants; ++i) {
+      std::fill_n(measured_hz + i * kLanes, kLanes, static_cast<float>(deviation_hz[i]));
+    }
+    const auto noise = options_.distribution == NoiseDistribution::kUniform ? models::add_uniform
+                                                                            : models::add_gaussian;
+    noise({options_.seed, models::kTrajectory, static_cast<std::uint32_t>(report)}, first, kChunk,
+          static_cast<float>(options_.noise_hz), measured_hz);
+    for (std::size_t i = 0; i < kInstants && i * kLanes < count; ++i) {
+      const std::size_t begin = first + i * kLanes;
+      const std::size_t end = std::min(begin + kLanes, first + count);
+      if (options_.control == Control::kGridSense) {
+        estimate(chunk, i, begin, end, report, measured_hz + i * kLanes);
+      } else {
+        compare(chunk, i, begin, end, measured_hz + i * kLanes);
+      }
+    }
+  }
+
+  void estimate(std::size_t chunk, std::size_t instant, std::size_t begin, std::size_t end,
+                int report, const float* measured_hz) {
+    const int since = since_event(report, instant);
+    if (since < 0 || since > decides_at()) {
+      return;
+    }
+    LossEstimator<Lanes>& estimator = estimators_[chunk * kInstants + instant];
+    take_report(settings_, estimator, measured_hz, since);
+    if (since < decides_at()) {
+      return;
+    }
+    float loss_mw[kLanes];
+    store(estimator.ekf.loss_mw, loss_mw);
+    for (std::size_t outlet = begin; outlet < end; ++outlet) {
+      if (sheds(fleet_, outlet, loss_mw[outlet - begin], settings_.threshold_mw)) {
+        switch_off(chunk, instant, outlet);
+      }
+    }
+  }
+
+  void compare(std::size_t chunk, std::size_t instant, std::size_t begin, std::size_t end,
+               const float* measured_hz) {
+    for (std::size_t outlet = begin; outlet < end; ++outlet) {
+      if (gs::outlet::stays_below(measured_hz[outlet - begin],
+                                  switch_off_hz_[outlet / fleet_.per_group],
+                                  settings_.switch_off_samples, below_[outlet]) &&
+          off_[outlet] == 0) {
+        switch_off(chunk, instant, outlet);
+      }
+    }
+  }
+
+  void switch_off(std::size_t chunk, std::size_t instant, std::size_t outlet) {
+    off_[outlet] = 1;
+    shed_mw_[chunk * kInstants + instant] += 1e-6 * static_cast<double>(fleet_.power_w[outlet]);
+  }
+
+  const Fleet& fleet_;
+  const ScenarioOptions& options_;
+  drivers::Workers workers_;
+  Settings settings_;
+  std::size_t chunks_;
+  std::vector<LossEstimator<Lanes>> estimators_;
+  std::vector<std::uint8_t> below_;   // successive measurements below the switching-off frequency
+  std::vector<float> switch_off_hz_;  // of each group, as a deviation
+  float highest_switch_off_hz_ = 0.0F;
+  std::vector<std::uint8_t> off_;
+  std::vector<double> shed_mw_;  // in the report in hand, by chunk and instant
+};
+
+void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance& balance) {
+  const double first_hz =
+      (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
+      grid.nominal_hz;
+  int stage = 0;
+  const auto looks = static_cast<int>(options.duration_s / kLookS);
+  for (int look = 0; look < looks && stage < 5; ++look) {
+    const double t_s = kLookS * look;
+    while (stage < 5 && balance.deviation_hz(t_s) < first_hz - options.ufls_step_hz * stage) {
+      balance.shed(t_s + options.ufls_delay_s, options.ufls_part * grid.load_mw);
+      ++stage;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Control> all_controls() {
+  return {Control::kNone, Control::kGridSense, Control::kSwitchOff, Control::kCentral,
+          Control::kUfls};
+}
+
+std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
+                                   const ScenarioOptions& options, const Execution& execution) {
+  check(grid, options);
+  if (stopped(execution)) {
+    return std::nullopt;
+  }
+  const grid::SfrModel model(grid);
+  const double grid_threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
+  const double threshold_mw = options.threshold_mw > 0.0 ? options.threshold_mw : grid_threshold_mw;
+  Balance balance(model, options.loss_mw);
+  Shed shed;
+  if (options.control == Control::kGridSense || options.control == Control::kSwitchOff) {
+    Outlets outlets(grid, fleet, options, execution.threads);
+    const auto reports = static_cast<int>(options.duration_s / kReportS);
+    for (int report = 0; report < reports; ++report) {
+      if (stopped(execution)) {
+        return std::nullopt;
+      }
+      outlets.take(report, balance);
+      if (execution.progress) {
+        execution.progress(static_cast<double>(report + 1) / static_cast<double>(reports));
+      }
+    }
+    shed = count_shed(fleet, outlets.off());
+  } else if (options.control == Control::kCentral) {
+    balance.shed(options.central_decision_s + options.central_delay_s,
+                 std::min(options.loss_mw - threshold_mw, fleet.power_mw));
+  } else if (options.control == Control::kUfls) {
+    play_relays(grid, options, balance);
+  }
+  ScenarioResult result = balance.result(grid, options.duration_s);
+  shed.power_mw = result.shed.power_mw;
+  result.shed = std::move(shed);
+  result.wanted_mw = std::max(options.loss_mw - grid_threshold_mw, 0.0);
+  return result;
+}
+
+}  // namespace gsbench::fleet

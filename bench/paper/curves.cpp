@@ -1,0 +1,119 @@
+// What follows from the grid alone.
+#include "sections.hpp"
+#include <control_centre/conditions.hpp>
+#include <control_centre/threshold.hpp>
+
+#include <cstdio>
+#include <optional>
+
+#include <grid/falling_limb.hpp>
+#include <grid/sfr_model.hpp>
+
+namespace gsbench::paper {
+namespace {
+
+using record::kNoFigure;
+
+constexpr double kStepS = 0.02;
+constexpr int kSteps = 1000;
+
+double figure_or_none(const std::optional<double>& figure) {
+  return figure.value_or(kNoFigure);
+}
+
+}  // namespace
+
+PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
+  const grid::Grid& grid = study.grid();
+  const grid::SfrModel model(grid);
+  const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
+  const grid::Nadir lowest = grid::nadir(model, threshold_mw);
+  PageSection section;
+  section.tables = {
+      {"The loss that the frequency just bears",
+       "",
+       {"paper", "gsbench"},
+       {{"threshold loss, MW", {figure_or_none(grid.reference.threshold_mw), threshold_mw}},
+        {"its nadir, s", {figure_or_none(grid.reference.t_nadir_s), lowest.t_s}},
+        {"its nadir, Hz", {kNoFigure, lowest.frequency_hz}}}}};
+  if (!grid.reference.note.empty()) {
+    section.paragraphs.push_back(grid.reference.note);
+  }
+  record::CurvePlot plot = {"The frequency after the threshold loss and after 500 MW.", "s", "Hz"};
+  record::Curve at_threshold{"threshold loss", {}};
+  record::Curve at_500{"500 MW", {}};
+  for (int step = 0; step <= kSteps; ++step) {
+    const double t_s = kStepS * step;
+    plot.x.push_back(t_s);
+    at_threshold.y.push_back(grid.nominal_hz + threshold_mw * model.unit_deviation_hz(t_s));
+    at_500.y.push_back(grid.nominal_hz + 500.0 * model.unit_deviation_hz(t_s));
+  }
+  plot.curves = {at_threshold, at_500};
+  section.plots = {plot};
+  return section;
+}
+
+PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
+  const grid::Grid& grid = study.grid();
+  const grid::SfrModel model(grid);
+  PageSection section;
+  record::FigureTable table = {"ROCOF below which the condition is met, Hz/s",
+                               "from … to, Hz",
+                               {"paper", "gsbench", "difference"},
+                               {}};
+  const auto rows = control_centre::conditions(model, grid.threshold_hz, grid.condition_row_hz);
+  const std::vector<double>& printed = grid.reference.condition_rocof_hz_s;
+  record::CurvePlot plot = {"The conditions as outlets hold them.", "Hz", "Hz/s"};
+  plot.steps = true;
+  record::Curve limits{"ROCOF limit", {}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double paper = i < printed.size() ? printed[i] : kNoFigure;
+    char name[32];
+    std::snprintf(name, sizeof name, "%.2f … %.2f", rows[i].from_hz, rows[i].to_hz);
+    table.rows.push_back(
+        {name, {paper, rows[i].rocof_below_hz_s, rows[i].rocof_below_hz_s - paper}});
+  }
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+    plot.x.push_back(row->from_hz);
+    limits.y.push_back(row->rocof_below_hz_s);
+  }
+  plot.curves = {limits};
+  section.tables = {table};
+  section.plots = {plot};
+  section.paragraphs = {"A row holds the ROCOF of its lower edge, as Table 1 does."};
+  return section;
+}
+
+PageSection fig14(Study& study, const Execution& /*execution*/) {
+  const grid::Grid& grid = study.grid();
+  const grid::SfrModel model(grid);
+  const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
+  PageSection section;
+  record::CurvePlot plot = {
+      "ROCOF over the deviation of the frequency, until the nadir; the higher the loss, the lower "
+      "the ROCOF at any frequency.",
+      "Hz below nominal", "Hz/s"};
+  constexpr double kStepHz = 0.005;
+  constexpr int kStepsBelow = 180;
+  for (int step = 0; step < kStepsBelow; ++step) {
+    plot.x.push_back(kStepHz * step);
+  }
+  for (const double loss_mw : {100.0, 200.0, 300.0, threshold_mw, 400.0, 500.0, 600.0}) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%.1f MW", loss_mw);
+    record::Curve curve{name, {}};
+    const double nadir_s = grid::nadir(model, loss_mw).t_s;
+    double t_s = 0.0;
+    for (const double below_hz : plot.x) {
+      while (t_s < nadir_s && -loss_mw * model.unit_deviation_hz(t_s) < below_hz) {
+        t_s += 0.001;
+      }
+      curve.y.push_back(t_s < nadir_s ? loss_mw * model.unit_rocof_hz_s(t_s) : kNoFigure);
+    }
+    plot.curves.push_back(curve);
+  }
+  section.plots = {plot};
+  return section;
+}
+
+}  // namespace gsbench::paper

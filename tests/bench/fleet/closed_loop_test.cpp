@@ -1,0 +1,65 @@
+// The whole firmware from the voltage on, with what it sheds fed back.
+#include <gtest/gtest.h>
+
+#include <fleet/closed_loop.hpp>
+#include <profile/load.hpp>
+
+namespace {
+
+using gsbench::campaign::Execution;
+using gsbench::fleet::ClosedLoopOptions;
+using gsbench::fleet::ClosedLoopResult;
+using gsbench::fleet::FleetOptions;
+
+ClosedLoopResult play_loop(double loss_mw, double told_mw, std::size_t threads = 2) {
+  static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
+  FleetOptions few;
+  few.groups = 100;
+  few.per_group = 1;
+  few.least_w = 1e5;
+  few.most_w = 1.8e7;
+  ClosedLoopOptions options;
+  options.loss_mw = loss_mw;
+  options.threshold_mw = told_mw;
+  options.duration_s = 2.0;
+  Execution execution;
+  execution.threads = threads;
+  return play_closed_loop(grid, make_fleet(few), options, execution).value();
+}
+
+// Of a hundred blocks of up to 18 MW: the amount is right to half of one.
+constexpr double kHalfABlockMw = 9.0;
+
+TEST(ClosedLoop, EachOutletDetectsTheLossAndTogetherTheyShedForItAndNoMore) {
+  const ClosedLoopResult result = play_loop(500.0, 0.0);
+  EXPECT_EQ(result.events, 100U);
+  EXPECT_EQ(result.false_events, 0U);
+  EXPECT_GT(result.latest_event_s, 0.10);
+  EXPECT_LT(result.latest_event_s, 0.16);
+  EXPECT_EQ(result.loss_mw.count(), 100);
+  EXPECT_NEAR(result.loss_mw.mean(), 500.0, 5.0);
+  EXPECT_NEAR(result.scenario.shed.power_mw, result.scenario.wanted_mw, kHalfABlockMw);
+  EXPECT_GT(result.scenario.first_action_s, 0.85);
+  EXPECT_LT(result.scenario.last_action_s, 0.96);
+}
+
+TEST(ClosedLoop, ALowerThresholdShedsAsMuchMore) {
+  EXPECT_NEAR(play_loop(500.0, 200.0).scenario.shed.power_mw, 300.0, kHalfABlockMw);
+}
+
+TEST(ClosedLoop, BelowTheThresholdNobodyShedsByItsEstimate) {
+  const ClosedLoopResult result = play_loop(300.0, 0.0);
+  EXPECT_EQ(result.events, 100U);
+  EXPECT_NEAR(result.loss_mw.mean(), 300.0, 5.0);
+  EXPECT_EQ(result.scenario.shed.outlets, 0U);
+}
+
+TEST(ClosedLoop, IsTheSameOnAnyNumberOfThreads) {
+  const ClosedLoopResult one = play_loop(500.0, 0.0, 1);
+  const ClosedLoopResult three = play_loop(500.0, 0.0, 3);
+  EXPECT_EQ(three.scenario.shed.outlets, one.scenario.shed.outlets);
+  EXPECT_EQ(three.scenario.nadir_hz, one.scenario.nadir_hz);
+  EXPECT_EQ(three.loss_mw.mean(), one.loss_mw.mean());
+}
+
+}  // namespace
