@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <memory>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include <record/store.hpp>
 #include <render/render.hpp>
@@ -11,36 +14,40 @@
 namespace gsbench::cli {
 namespace {
 
+constexpr const render::Format& kTerminal = render::kFormats[0];
+
 struct ReportArguments {
   std::string run;
   std::string output_folder = "runs";
-  std::string format = "terminal";
+  std::string format = kTerminal.name;
   std::string output = "-";
 };
-
-std::string rendered(const record::RunRecord& run, const std::string& format, bool colour) {
-  if (format == "html") {
-    return render::html(run);
-  }
-  if (format == "json") {
-    return render::json(run);
-  }
-  if (format == "junit") {
-    return render::junit_xml(run);
-  }
-  if (format == "csv") {
-    return render::csv(run);
-  }
-  return render::terminal(run, colour);
-}
 
 void report(const ReportArguments& arguments) {
   const std::string record_path = find_record(arguments.run, arguments.output_folder);
   const record::RunRecord run = record::read_run(record_path);
   OutputFile file(arguments.output, {record_path});
-  file.append(
-      rendered(run, arguments.format, file.is_standard_output() && isatty(STDOUT_FILENO) == 1));
+  const render::Format& format = *render::find_format(arguments.format);
+  const bool colour =
+      file.is_standard_output() && isatty(STDOUT_FILENO) == 1 && format.render == kTerminal.render;
+  file.append(colour ? render::coloured_terminal(run) : format.render(run));
   file.commit();
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const render::Format& format : render::kFormats) {
+    names.emplace_back(format.name);
+  }
+  return names;
+}
+
+std::string described_formats() {
+  std::string text = "Formats:\n";
+  for (const render::Format& format : render::kFormats) {
+    text += fmt::format("  {:<9} {}\n", format.name, format.description);
+  }
+  return text;
 }
 
 }  // namespace
@@ -52,13 +59,13 @@ void add_report(CLI::App& app, int&) {
   command->add_option("--out", arguments->output_folder, "Folder that keeps the runs")
       ->capture_default_str();
   command->add_option("--format", arguments->format, "What to render")
-      ->check(CLI::IsMember({"terminal", "html", "json", "junit", "csv"}))
+      ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "File to write; -: standard output")
       ->capture_default_str();
-  command->footer(
-      "Examples:\n  gsbench report 20260101T120000Z-0123abcd\n"
-      "  gsbench report runs/20260101T120000Z-0123abcd --format csv -o traces.csv");
+  command->footer(described_formats() +
+                  "Examples:\n  gsbench report 20260101T120000Z-0123abcd\n"
+                  "  gsbench report runs/20260101T120000Z-0123abcd --format csv -o traces.csv");
   command->callback([arguments] { report(*arguments); });
 }
 

@@ -57,8 +57,9 @@ int run(const RunArguments& arguments) {
   if (arguments.json) {
     std::fputs(render::json(run).c_str(), stdout);
   } else {
-    std::fputs(render::terminal(run, isatty(STDOUT_FILENO) == 1).c_str(), stdout);
-    std::printf("\nReport: %s\n", folder.file("report.html").c_str());
+    const bool colour = isatty(STDOUT_FILENO) == 1;
+    std::fputs((colour ? render::coloured_terminal(run) : render::terminal(run)).c_str(), stdout);
+    std::printf("\nReport: %s\n", folder.file(render::find_format("html")->file).c_str());
   }
   return run.interrupted ? kInterrupted : exit_code_of(run.verdict);
 }

@@ -129,10 +129,11 @@ void RunFolder::keep(const std::string& run_id) {
 
 void write_reports(const record::RunRecord& run, const std::string& folder) {
   try {
-    render::write_file(folder + "/report.html", render::html(run));
-    render::write_file(folder + "/result.json", render::json(run));
-    render::write_file(folder + "/junit.xml", render::junit_xml(run));
-    render::write_file(folder + "/traces.csv", render::csv(run));
+    for (const render::Format& format : render::kFormats) {
+      if (format.file[0] != '\0') {
+        render::write_file(folder + "/" + format.file, format.render(run));
+      }
+    }
   } catch (const render::WriteError& error) {
     throw render::WriteError(std::string(error.what()) +
                              "; the run is kept without it: `gsbench report " + folder +

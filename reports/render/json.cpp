@@ -1,30 +1,25 @@
-#include <cmath>
-
-#include <nlohmann/json.hpp>
+#include "json_text.hpp"
 
 #include <render/render.hpp>
 
 namespace gsbench::render {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
 }
 
 Json measurement(const record::MeasurementResult& result) {
-  return {
-      {"name", result.name},
-      {"value", result.word.empty() ? number(result.value) : Json(result.word)},
-      {"unit", result.unit},
-      {"low", number(result.low)},
-      {"high", number(result.high)},
-      {"uncertainty", number(result.uncertainty)},
-      {"judged", result.judged},
-      {"expected_word", result.expected_word.empty() ? Json(nullptr) : Json(result.expected_word)},
-      {"verdict", result.judged ? Json(record::to_string(result.verdict)) : Json(nullptr)},
-      {"reason", result.reason}};
+  return {{"name", result.name},
+          {"value", result.word.empty() ? number(result.value) : Json(result.word)},
+          {"unit", result.unit},
+          {"low", number(result.low)},
+          {"high", number(result.high)},
+          {"uncertainty", number(result.uncertainty)},
+          {"judged", result.judged},
+          {"expected_word", text_or_null(result.expected_word)},
+          {"verdict", result.judged ? Json(record::to_string(result.verdict)) : Json(nullptr)},
+          {"reason", result.reason}};
 }
 
 Json outlet(const record::OutletRecord& outlet) {
@@ -36,7 +31,7 @@ Json outlet(const record::OutletRecord& outlet) {
           {"group", outlet.group},
           {"link", outlet.link},
           {"verdict", record::to_string(outlet.verdict)},
-          {"fault", outlet.fault.empty() ? Json(nullptr) : Json(outlet.fault)},
+          {"fault", text_or_null(outlet.fault)},
           {"clock",
            {{"drift_ppm", number(outlet.clock.drift_ppm)},
             {"drift_uncertainty_ppm", number(outlet.clock.drift_uncertainty_ppm)},
@@ -50,7 +45,7 @@ Json recording(const record::Recording& recording) {
           {"sha256", recording.sha256},
           {"time", recording.time},
           {"frequency", recording.frequency},
-          {"voltage", recording.voltage.empty() ? Json(nullptr) : Json(recording.voltage)},
+          {"voltage", text_or_null(recording.voltage)},
           {"nominal_voltage",
            recording.nominal_voltage > 0.0 ? Json(recording.nominal_voltage) : Json(nullptr)},
           {"replaces_profile", recording.replaces_profile}};
@@ -61,19 +56,19 @@ Json recording(const record::Recording& recording) {
 std::string json(const record::RunRecord& run) {
   Json outlets = Json::array();
   for (const record::OutletRecord& one : run.outlets) outlets.push_back(outlet(one));
-  const Json whole = {
-      {"run_id", run.run_id},
-      {"profile", run.profile},
-      {"profile_sha256", run.profile_sha256},
-      {"grid", run.grid},
-      {"grid_sha256", run.grid_sha256.empty() ? Json(nullptr) : Json(run.grid_sha256)},
-      {"recording", recording(run.recording)},
-      {"firmware_sha256", run.firmware_sha256},
-      {"seed", run.seed},
-      {"interrupted", run.interrupted},
-      {"verdict", record::to_string(run.verdict)},
-      {"verdict_reason", run.verdict_reason},
-      {"outlets", std::move(outlets)}};
+  const Json whole = {{"run_id", run.run_id},
+                      {"profile", run.profile},
+                      {"profile_sha256", run.profile_sha256},
+                      {"grid", run.grid},
+                      {"grid_sha256", text_or_null(run.grid_sha256)},
+                      {"recording", recording(run.recording)},
+                      {"firmware_sha256", run.firmware_sha256},
+                      {"seed", run.seed},
+                      {"interrupted", run.interrupted},
+                      {"fault", text_or_null(run.fault)},
+                      {"verdict", record::to_string(run.verdict)},
+                      {"verdict_reason", run.verdict_reason},
+                      {"outlets", std::move(outlets)}};
   return whole.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -89,17 +89,17 @@ std::string junit_xml(const record::RunRecord& run) {
   xml.writeStartDocument();
   xml.writeStartElement("testsuites");
   xml.writeAttribute("name", text(run.profile));
-  Verdict told = Verdict::kPass;
+  Verdict shown = Verdict::kPass;
   for (const record::OutletRecord& outlet : run.outlets) {
     std::vector<Case> cases;
     for (const auto& result : outlet.measurements) cases.push_back(case_of(result));
     if (outlet.verdict > worst(cases)) {
       cases.push_back(own_verdict("outlet", outlet.verdict, outlet_sentence(outlet)));
     }
-    told = std::max(told, worst(cases));
+    shown = std::max(shown, worst(cases));
     write_suite(xml, run, outlet.id, cases);
   }
-  if (run.verdict > told) {
+  if (run.verdict > shown || !run.fault.empty() || run.interrupted) {
     write_suite(xml, run, "run", {own_verdict("run", run.verdict, verdict_sentence(run))});
   }
   xml.writeEndDocument();

@@ -15,8 +15,8 @@ constexpr std::array kByImportance = {
     KeyFigure{"decision.delay", "Decision after"},
     KeyFigure{"ekf.loss", "ΔP"},
     KeyFigure{"ekf.error", "ΔP error"},
-    KeyFigure{"relay.delay", "Relay by sense"},
-    KeyFigure{"relay.delay_by_word", "Relay by word"},
+    KeyFigure{"relay.delay", "Relay sensed"},
+    KeyFigure{"relay.delay_by_word", "Relay reported"},
     KeyFigure{"relay.word_difference", "Difference"},
     KeyFigure{"relay.end", "Relay at end"},
     KeyFigure{"trip.time", "Trip at"},
@@ -38,7 +38,7 @@ bool is_estimate(const KeyFigure& key) {
   return std::string_view(key.measurement).substr(0, 4) == "ekf.";
 }
 
-bool is_doubted(const record::OutletRecord& outlet) {
+bool is_unreliable(const record::OutletRecord& outlet) {
   const auto trust =
       std::find_if(outlet.marks.begin(), outlet.marks.end(),
                    [](const record::Mark& mark) { return mark.kind == "decision.trust"; });
@@ -76,12 +76,12 @@ std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key) {
                           : std::abs(result->value) < 10.0 ? 3
                                                            : 4;
   const std::string text = with_unit(figure(result->value, significant), result->unit);
-  return is_estimate(key) && is_doubted(outlet) ? text + " ?" : text;
+  return is_estimate(key) && is_unreliable(outlet) ? text + " ?" : text;
 }
 
 std::string doubt_note(const record::RunRecord& run) {
-  const bool any = std::any_of(run.outlets.begin(), run.outlets.end(), is_doubted);
-  return any ? "?: an estimate that the outlet itself did not trust when it decided" : "";
+  const bool any = std::any_of(run.outlets.begin(), run.outlets.end(), is_unreliable);
+  return any ? "?: an estimate that the outlet flagged as unreliable when it decided" : "";
 }
 
 }  // namespace gsbench::render

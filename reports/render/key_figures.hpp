@@ -1,4 +1,4 @@
-// The few measurements that tell how an outlet did, for one row an outlet.
+// The few measurements that show how an outlet did, one row per outlet.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct KeyFigure {
   const char* heading;
 };
 
-// Those any outlet of the run has a value for, most telling first, at most `most`.
+// Those any outlet of the run has a value for, most important first, at most `most`.
 std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t most);
 
 // nullptr where the outlet has no such measurement.
@@ -21,7 +21,7 @@ const record::MeasurementResult* find_measurement(const record::OutletRecord& ou
                                                   const std::string& name);
 
 // An outlet's key figure in few digits; "–" where there is none, and "?" behind an estimate that
-// the outlet itself did not trust when it decided.
+// the outlet flagged as unreliable when it decided.
 std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key);
 
 // What that "?" means; empty where no outlet has one.

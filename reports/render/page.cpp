@@ -1,4 +1,6 @@
+#include "columns.hpp"
 #include "format.hpp"
+#include "json_text.hpp"
 #include "templates.hpp"
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <kainjow/mustache.hpp>
-#include <nlohmann/json.hpp>
 
 #include <render/page.hpp>
 
@@ -16,7 +17,6 @@ namespace {
 using kainjow::mustache::data;
 using kainjow::mustache::object;
 using List = kainjow::mustache::list;
-using nlohmann::ordered_json;
 using record::FigureRow;
 using record::FigureTable;
 
@@ -33,28 +33,24 @@ std::string text_of(const FigureTable& table, const FigureRow& row, std::size_t 
   return in_hz && std::isfinite(value) ? fmt::format("{:.3f}", value) : figure(value, 6);
 }
 
-ordered_json number_or_null(double figure) {
-  return std::isfinite(figure) ? ordered_json(figure) : ordered_json();
-}
-
-ordered_json numbers(const std::vector<double>& figures) {
-  ordered_json all = ordered_json::array();
+Json numbers(const std::vector<double>& figures) {
+  Json all = Json::array();
   for (const double figure : figures) {
-    all.push_back(number_or_null(figure));
+    all.push_back(number(figure));
   }
   return all;
 }
 
-ordered_json as_json(const FigureTable& table) {
-  ordered_json rows = ordered_json::array();
+Json as_json(const FigureTable& table) {
+  Json rows = Json::array();
   for (const FigureRow& row : table.rows) {
     rows.push_back({{"name", row.name}, {"figures", numbers(row.figures)}});
   }
   return {{"caption", table.caption}, {"columns", table.columns}, {"rows", rows}};
 }
 
-ordered_json as_json(const record::CurvePlot& plot) {
-  ordered_json curves = ordered_json::array();
+Json as_json(const record::CurvePlot& plot) {
+  Json curves = Json::array();
   for (const record::Curve& curve : plot.curves) {
     curves.push_back({{"name", curve.name}, {"y", numbers(curve.y)}});
   }
@@ -99,55 +95,35 @@ object table_data(const FigureTable& table) {
           {"rows", data(rows)}};
 }
 
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string padded(const std::string& text, std::size_t width, bool right) {
-  const std::string space(width - std::min(width, letters(text)), ' ');
-  return right ? space + text : text + space;
-}
-
 void append_table(const FigureTable& table, std::string& text) {
-  std::size_t first = letters(table.first_column);
-  std::vector<std::size_t> widths;
-  for (const std::string& column : table.columns) {
-    widths.push_back(letters(column));
-  }
+  std::vector<std::vector<std::string>> rows(1, {table.first_column});
+  rows[0].insert(rows[0].end(), table.columns.begin(), table.columns.end());
   for (const FigureRow& row : table.rows) {
-    first = std::max(first, letters(row.name));
-    for (std::size_t i = 0; i < row.figures.size() && i < widths.size(); ++i) {
-      widths[i] = std::max(widths[i], letters(text_of(table, row, i)));
+    rows.push_back({row.name});
+    for (std::size_t i = 0; i < row.figures.size() && i < table.columns.size(); ++i) {
+      rows.back().push_back(text_of(table, row, i));
     }
   }
-  text += "  " + table.caption + "\n  " + padded(table.first_column, first, false);
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    text += "  " + padded(table.columns[i], widths[i], true);
+  text += "  " + table.caption + "\n";
+  for (const std::string& line : aligned(rows)) {
+    text += "  " + line + "\n";
   }
-  for (const FigureRow& row : table.rows) {
-    text += "\n  " + padded(row.name, first, false);
-    for (std::size_t i = 0; i < row.figures.size() && i < widths.size(); ++i) {
-      text += "  " + padded(text_of(table, row, i), widths[i], true);
-    }
-  }
-  text += "\n";
 }
 
 }  // namespace
 
 std::string json(const record::Page& page) {
-  ordered_json facts = ordered_json::object();
+  Json facts = Json::object();
   for (const auto& [name, value] : page.facts) {
     facts[name] = value;
   }
-  ordered_json sections = ordered_json::array();
+  Json sections = Json::array();
   for (const record::PageSection& section : page.sections) {
-    ordered_json tables = ordered_json::array();
+    Json tables = Json::array();
     for (const FigureTable& table : section.tables) {
       tables.push_back(as_json(table));
     }
-    ordered_json plots = ordered_json::array();
+    Json plots = Json::array();
     for (const record::CurvePlot& plot : section.plots) {
       plots.push_back(as_json(plot));
     }
@@ -157,8 +133,7 @@ std::string json(const record::Page& page) {
                         {"tables", tables},
                         {"plots", plots}});
   }
-  return ordered_json{{"title", page.title}, {"facts", facts}, {"sections", sections}}.dump(2) +
-         "\n";
+  return Json{{"title", page.title}, {"facts", facts}, {"sections", sections}}.dump(2) + "\n";
 }
 
 std::string terminal(const record::Page& page) {
@@ -188,7 +163,7 @@ std::string html(const record::Page& page) {
     facts.push_back(object{{"name", name}, {"value", value}});
   }
   List sections;
-  ordered_json plots = ordered_json::array();
+  Json plots = Json::array();
   for (const record::PageSection& section : page.sections) {
     List paragraphs;
     for (const std::string& paragraph : section.paragraphs) {
@@ -210,16 +185,11 @@ std::string html(const record::Page& page) {
                               {"tables", data(tables)},
                               {"plots", data(plot_places)}});
   }
-  // Within a script element nothing may end it.
-  std::string plot_text = plots.dump();
-  for (std::size_t at = plot_text.find('<'); at != std::string::npos; at = plot_text.find('<')) {
-    plot_text.replace(at, 1, "\\u003c");
-  }
   const object all = {{"title", page.title},
                       {"subtitle", page.subtitle},
                       {"facts", data(facts)},
                       {"sections", data(sections)},
-                      {"plots_json", plot_text},
+                      {"plots_json", in_script(plots)},
                       {"dygraphs_js", std::string(templates::dygraphs_js)},
                       {"dygraphs_css", std::string(templates::dygraphs_css)},
                       {"dygraphs_licence", std::string(templates::dygraphs_licence)},

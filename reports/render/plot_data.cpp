@@ -1,6 +1,7 @@
 #include "plot_data.hpp"
 
 #include "format.hpp"
+#include "json_text.hpp"
 #include "thinning.hpp"
 
 #include <algorithm>
@@ -9,12 +10,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace gsbench::render {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Digits a curve on a screen can show; more only make the file large.
 constexpr double kPerHz = 1e5;
@@ -22,8 +20,7 @@ constexpr double kPerHz_s = 1e3;
 constexpr double kPerMw = 1e2;
 
 Json rounded(double value, double per_unit) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::round(value * per_unit) / per_unit;
+  return number(std::round(value * per_unit) / per_unit);
 }
 
 // Around each mark all reports are drawn: that is where one zooms in.
@@ -107,28 +104,6 @@ Json outlet_json(const record::RunRecord& run, const record::OutletRecord& outle
           {"marks", marks_json(run, outlet.marks)}};
 }
 
-// Inside <script> an HTML parser knows no entities; JSON's own escapes say the same.
-std::string safe_in_script(const std::string& json) {
-  std::string safe;
-  safe.reserve(json.size());
-  for (const char character : json) {
-    switch (character) {
-      case '<':
-        safe += "\\u003c";
-        break;
-      case '>':
-        safe += "\\u003e";
-        break;
-      case '&':
-        safe += "\\u0026";
-        break;
-      default:
-        safe += character;
-    }
-  }
-  return safe;
-}
-
 }  // namespace
 
 std::string mark_label(const record::Mark& mark) {
@@ -138,9 +113,9 @@ std::string mark_label(const record::Mark& mark) {
       {"decision", "Decision"},
       {"decision.loss", "ΔP at the decision"},
       {"decision.hits", "Conditions met"},
-      {"decision.trust", "Estimate trusted"},
-      {"relay.sense", "Relay (sense)"},
-      {"relay.word", "Relay (word)"},
+      {"decision.trust", "Estimate reliable"},
+      {"relay.sense", "Relay, sensed"},
+      {"relay.word", "Relay, self-reported"},
       {"command", "Command"},
   }};
   for (const auto& [kind, label] : kLabels) {
@@ -169,7 +144,7 @@ std::string plot_data(const record::RunRecord& run) {
                      {"truth", truth_json(run)},
                      {"stimulus", marks_json(run, run.stimulus)},
                      {"outlets", std::move(outlets)}};
-  return safe_in_script(data.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return in_script(data);
 }
 
 std::string thinning_note(const record::RunRecord& run) {
@@ -179,9 +154,10 @@ std::string thinning_note(const record::RunRecord& run) {
   }
   if (longest <= kMostPoints) return "";
   return fmt::format(
-      "Of up to {} reports an outlet at most {} are drawn: all of them around marks, elsewhere the "
+      "At most {} of up to {} reports per outlet are drawn: all of them around marks, elsewhere "
+      "the "
       "extremes of each stretch. The record and the CSV hold them all.",
-      longest, kMostPoints);
+      kMostPoints, longest);
 }
 
 }  // namespace gsbench::render

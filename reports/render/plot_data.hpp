@@ -14,7 +14,7 @@ constexpr std::size_t kMostMarks = 200;    // of one outlet
 // JSON that may stand inside <script>: no "<", ">" or "&" occurs in it.
 std::string plot_data(const record::RunRecord& run);
 
-// "Event", "Relay (sense)"; the kind itself where there is no better word.
+// "Event", "Relay, sensed"; the kind itself where there is no better word.
 std::string mark_label(const record::Mark& mark);
 
 // "310.4 MW", "open"; empty where the kind alone says it.

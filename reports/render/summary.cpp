@@ -33,7 +33,7 @@ std::vector<Shortfall> shortfalls(const record::RunRecord& run) {
 std::string shortfall_text(const record::MeasurementResult& result) {
   std::string text = value_of(result);
   const std::string asked = limits(result);
-  if (!asked.empty()) text += " where " + asked + " is asked";
+  if (!asked.empty()) text += ", limit " + asked;
   if (!result.reason.empty()) text += ": " + result.reason;
   return text;
 }
@@ -56,12 +56,12 @@ std::string played_sentence(const record::RunRecord& run) {
   std::string columns = "columns " + recording.time + ", " + recording.frequency;
   if (!recording.voltage.empty()) columns += ", " + recording.voltage;
   const std::string what =
-      fmt::format("the recording {} ({}; SHA-256 {})", recording.file, columns, recording.sha256);
+      fmt::format("The recording {} ({}; SHA-256 {})", recording.file, columns, recording.sha256);
   return valid_text(recording.replaces_profile
-                        ? "Played was " + what +
-                              ", to its end, in place of all frequency, losses, amplitude steps "
-                              "and phase jumps of this profile."
-                        : "Its [signal.trace] is " + what + ".");
+                        ? what +
+                              " was played to its end, in place of all frequency, losses, "
+                              "amplitude steps and phase jumps of this profile."
+                        : what + " is its [signal.trace].");
 }
 
 std::string verdict_sentence(const record::RunRecord& run) {
@@ -72,6 +72,7 @@ std::string verdict_sentence(const record::RunRecord& run) {
                       [](const auto& result) { return result.judged; }));
   }
   if (!run.verdict_reason.empty()) return valid_text(run.verdict_reason);
+  if (!run.fault.empty()) return valid_text(run.fault);
   const std::size_t outlets = run.outlets.size();
   const std::size_t short_of = shortfalls(run).size();
   if (short_of > 0) {

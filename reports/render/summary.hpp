@@ -28,7 +28,7 @@ struct Shortfall {
 };
 std::vector<Shortfall> shortfalls(const record::RunRecord& run);
 
-// "112.00 ± 0.13 ms where ≤ 100 ms is asked: reason"
+// "112.00 ± 0.13 ms, limit ≤ 100 ms: reason"
 std::string shortfall_text(const record::MeasurementResult& result);
 
 }  // namespace gsbench::render

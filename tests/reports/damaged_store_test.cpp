@@ -7,8 +7,6 @@
 #include <QByteArray>
 #include <QCryptographicHash>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 
@@ -24,22 +22,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write_bytes(const std::string& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
 class DamagedStore : public ::testing::Test {
  protected:
   DamagedStore() : path_(folder_.file("run.sqlite")), run_(sample::loss_500mw(2)) {
-    Writer writer(path_);
-    writer.begin(run_);
-    for (const OutletRecord& outlet : run_.outlets) writer.add_outlet(outlet);
-    writer.finish(run_);
+    sample::write(path_, run_);
   }
 
   void change(const std::string& sql) {
@@ -67,9 +53,9 @@ class DamagedStore : public ::testing::Test {
 };
 
 TEST_F(DamagedStore, IsNoRecordWhenItIsAnotherKindOfFile) {
-  write_bytes(path_, "title = \"a profile, not a record\"\n" + std::string(8192, 'x'));
+  folder_.write("run.sqlite", "title = \"a profile, not a record\"\n" + std::string(8192, 'x'));
   EXPECT_EQ(error(), path_ + ": not a gsbench record");
-  write_bytes(path_, "");
+  folder_.write("run.sqlite", "");
   EXPECT_EQ(error(), path_ + ": not a gsbench record");
 }
 
@@ -106,7 +92,7 @@ TEST_F(DamagedStore, WithForeignTablesIsRefused) {
 }
 
 TEST_F(DamagedStore, WithAnyFigureChangedIsRefused) {
-  const std::string original = bytes_of(path_);
+  const std::string original = folder_.read("run.sqlite");
   for (const char* sql : {
            "UPDATE measurement SET value = value + 1 WHERE owner = 2 AND name = 'event.delay'",
            "UPDATE measurement SET verdict = 0, judged = 0 WHERE owner = 1 AND position = 0",
@@ -127,16 +113,16 @@ TEST_F(DamagedStore, WithAnyFigureChangedIsRefused) {
            "UPDATE measurement SET verdict = 77 WHERE owner = 1 AND position = 1",
            "UPDATE measurement SET judged = 5 WHERE owner = 1 AND position = 1",
        }) {
-    write_bytes(path_, original);
+    folder_.write("run.sqlite", original);
     change(sql);
     EXPECT_THAT(error(), HasSubstr("the record is damaged")) << sql;
   }
 }
 
 TEST_F(DamagedStore, CutShortAnywhereIsRefused) {
-  const std::string original = bytes_of(path_);
+  const std::string original = folder_.read("run.sqlite");
   for (std::size_t size = 0; size < original.size(); size += 1021) {
-    write_bytes(path_, original.substr(0, size));
+    folder_.write("run.sqlite", original.substr(0, size));
     EXPECT_NE(error(), "no StoreError") << size << " bytes of " << original.size();
   }
 }
@@ -144,7 +130,7 @@ TEST_F(DamagedStore, CutShortAnywhereIsRefused) {
 // Free space in a page may change without any effect, and so may SQLite's own counters; everything
 // that is read must be refused or be what was written.
 TEST_F(DamagedStore, WithBitsFlippedNeverGivesAnotherRecord) {
-  const std::string original = bytes_of(path_);
+  const std::string original = folder_.read("run.sqlite");
   const std::string digest = content_digest(run_);
   std::mt19937 random(20260301);
   int refused = 0;
@@ -155,7 +141,7 @@ TEST_F(DamagedStore, WithBitsFlippedNeverGivesAnotherRecord) {
     for (std::size_t i = 0; i < flips; ++i) {
       damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8U));
     }
-    write_bytes(path_, damaged);
+    folder_.write("run.sqlite", damaged);
     try {
       ASSERT_EQ(content_digest(read_run(path_)), digest) << "trial " << trial;
     } catch (const StoreError&) {

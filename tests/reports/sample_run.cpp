@@ -6,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include <record/store.hpp>
+
 namespace gsbench::sample {
 namespace {
 
@@ -232,6 +234,13 @@ record::RunRecord steady(int outlet_count, double duration_s) {
     run.outlets.push_back(std::move(outlet));
   }
   return run;
+}
+
+void write(const std::string& path, const record::RunRecord& run) {
+  record::Writer writer(path);
+  writer.begin(run);
+  for (const record::OutletRecord& outlet : run.outlets) writer.add_outlet(outlet);
+  writer.finish(run);
 }
 
 record::MeasurementResult& measurement(record::OutletRecord& outlet, const std::string& name) {

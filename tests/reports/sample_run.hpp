@@ -13,6 +13,9 @@ record::RunRecord loss_500mw(int outlet_count = 8);
 // Every outlet steady at 50 Hz, a report each 16 ms, with slow wander and noise.
 record::RunRecord steady(int outlet_count, double duration_s);
 
+// Writes it into a new store.
+void write(const std::string& path, const record::RunRecord& run);
+
 record::MeasurementResult& measurement(record::OutletRecord& outlet, const std::string& name);
 
 }  // namespace gsbench::sample

@@ -1,12 +1,10 @@
 #include "sample_run.hpp"
-#include <sys/mount.h>
+#include <test_support/small_disk.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 
@@ -18,21 +16,10 @@
 namespace gsbench::record {
 namespace {
 
+using sample::write;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-void write(const std::string& path, const RunRecord& run) {
-  Writer writer(path);
-  writer.begin(run);
-  for (const OutletRecord& outlet : run.outlets) writer.add_outlet(outlet);
-  writer.finish(run);
-}
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 template <class Action>
 std::string store_error(Action&& action) {
@@ -123,11 +110,7 @@ TEST(Store, IsOnePlainFileOnceWritten) {
   const test::TemporaryFolder folder;
   write(folder.file("run.sqlite"), sample::loss_500mw(1));
   read_run(folder.file("run.sqlite"));
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-    files.push_back(entry.path().filename().string());
-  }
-  EXPECT_THAT(files, ::testing::ElementsAre("run.sqlite"));
+  EXPECT_THAT(folder.entries(), ::testing::ElementsAre("run.sqlite"));
 }
 
 TEST(Store, WritesTheSameBytesForTheSameRecord) {
@@ -135,7 +118,7 @@ TEST(Store, WritesTheSameBytesForTheSameRecord) {
   const RunRecord run = sample::loss_500mw(2);
   write(folder.file("a.sqlite"), run);
   write(folder.file("b.sqlite"), run);
-  EXPECT_EQ(bytes_of(folder.file("a.sqlite")), bytes_of(folder.file("b.sqlite")));
+  EXPECT_EQ(folder.read("a.sqlite"), folder.read("b.sqlite"));
 }
 
 // An hour of one outlet is 225 000 reports of 21 bytes. What noise leaves incompressible are about
@@ -239,27 +222,13 @@ TEST(Store, RefusesCallsOutOfOrder) {
   EXPECT_THROW(writer.finish(run), std::logic_error);
 }
 
-// A disk of one megabyte, mounted for the test; where that is not allowed there is no small disk.
-class SmallDisk {
- public:
-  SmallDisk() : mounted_(::mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, "size=1m") == 0) {}
-  ~SmallDisk() {
-    if (mounted_) ::umount2(folder_.path().c_str(), MNT_DETACH);
-  }
-  bool mounted() const { return mounted_; }
-  std::string file(const std::string& name) const { return folder_.file(name); }
-
- private:
-  test::TemporaryFolder folder_;
-  bool mounted_;
-};
-
 TEST(Store, SaysThatTheDiskIsFullAndKeepsWhatWasThere) {
-  const SmallDisk disk;
+  const test::TemporaryFolder folder;
+  const test::SmallDisk disk(folder.path(), "size=1m");
   if (!disk.mounted()) GTEST_SKIP() << "mounting a small tmpfs is not allowed here";
   const RunRecord small = sample::loss_500mw(1);
   const RunRecord large = sample::steady(1, 3600.0);
-  const std::string path = disk.file("run.sqlite");
+  const std::string path = folder.file("run.sqlite");
   {
     Writer writer(path);
     writer.begin(small);

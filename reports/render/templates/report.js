@@ -12,13 +12,13 @@
   // Names of the colours in report.css and of the units, by series.
   const FREQUENCY = [
     { label: "measured frequency", colour: "measured", unit: "Hz", digits: 4 },
-    { label: "true frequency", colour: "true", unit: "Hz", digits: 4 },
+    { label: "reference frequency", colour: "true", unit: "Hz", digits: 4 },
     { label: "ΔP estimate", colour: "estimate", unit: "MW", digits: 1 },
-    { label: "ΔP not yet trusted", colour: "doubt", unit: "MW", digits: 1, dotted: true },
+    { label: "ΔP flagged as unreliable", colour: "doubt", unit: "MW", digits: 1, dotted: true },
   ];
   const ROCOF = [
     { label: "measured ROCOF", colour: "measured", unit: "Hz/s", digits: 3 },
-    { label: "true ROCOF", colour: "true", unit: "Hz/s", digits: 3 },
+    { label: "reference ROCOF", colour: "true", unit: "Hz/s", digits: 3 },
   ];
 
   const colour = (name) => getComputedStyle(root).getPropertyValue("--" + name).trim();

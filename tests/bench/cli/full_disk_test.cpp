@@ -1,6 +1,6 @@
 // A disk that fills while a run is written: told by name, and nothing half written stays.
 #include "gsbench_process.hpp"
-#include <sys/mount.h>
+#include <test_support/small_disk.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <cstring>
@@ -11,32 +11,15 @@ namespace {
 
 using gsbench::test::Outcome;
 using gsbench::test::run_gsbench;
+using gsbench::test::SmallDisk;
 using gsbench::test::TemporaryFolder;
-
-class SmallDisk {
- public:
-  SmallDisk(const std::string& path, const char* options)
-      : path_(path), mounted_(mount("tmpfs", path.c_str(), "tmpfs", 0, options) == 0) {}
-  ~SmallDisk() {
-    if (mounted_) {
-      umount(path_.c_str());
-    }
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-  bool mounted() const { return mounted_; }
-
- private:
-  std::string path_;
-  bool mounted_;
-};
 
 // The sizes end the writing early in the record, and late in it.
 class FullDisk : public testing::TestWithParam<const char*> {};
 
 TEST_P(FullDisk, EndsWithTwoAndLeavesNothing) {
   const TemporaryFolder folder;
-  const SmallDisk disk(folder.path().string(), GetParam());
+  const SmallDisk disk(folder.path(), GetParam());
   if (!disk.mounted()) {
     GTEST_SKIP() << "no small disk can be mounted here: " << std::strerror(errno);
   }
@@ -53,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, FullDisk, testing::Values("size=32k", "size=300k
 
 TEST(FullDisk, AmongTheReportsKeepsTheFinishedRecord) {
   const TemporaryFolder folder;
-  const SmallDisk disk(folder.path().string(), "size=800k");
+  const SmallDisk disk(folder.path(), "size=800k");
   if (!disk.mounted()) {
     GTEST_SKIP() << "no small disk can be mounted here: " << std::strerror(errno);
   }

@@ -1,0 +1,104 @@
+#include "html_outlet.hpp"
+
+#include "format.hpp"
+#include "plot_data.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace gsbench::render {
+namespace {
+
+using record::Verdict;
+
+std::string shown_value(const record::MeasurementResult& result) {
+  return result.word.empty() ? typographic(valid_text(value_of(result))) : valid_text(result.word);
+}
+
+object key_cell(const record::OutletRecord& outlet, const KeyFigure& key) {
+  const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
+  object cell{{"heading", std::string(key.heading)}, {"missed", flag(false)}};
+  cell["text"] = typographic(valid_text(key_text(outlet, key)));
+  cell["missed"] = flag(result != nullptr && result->judged && result->verdict != Verdict::kPass);
+  return cell;
+}
+
+List measurement_rows(const record::OutletRecord& outlet) {
+  List list;
+  for (const record::MeasurementResult& result : outlet.measurements) {
+    object row{{"name", valid_text(result.name)},
+               {"definition", valid_text(result.definition)},
+               {"value", shown_value(result)},
+               {"limits", result.judged ? typographic(valid_text(limits(result)))
+                                        : std::string("for information")},
+               {"judged", flag(result.judged)},
+               {"reason", valid_text(result.reason)},
+               {"has_reason", flag(!result.reason.empty())}};
+    set_verdict(row, result.verdict);
+    list.push_back(row);
+  }
+  return list;
+}
+
+List mark_rows(const record::RunRecord& run, const record::OutletRecord& outlet) {
+  List list;
+  for (std::size_t i = 0; i < std::min(outlet.marks.size(), kMostMarks); ++i) {
+    const record::Mark& mark = outlet.marks[i];
+    list.push_back(object{{"time", fmt::format("{:.4f} s", seconds(run, mark.tick))},
+                          {"label", valid_text(mark_label(mark))},
+                          {"value", typographic(mark_value(mark))},
+                          {"text", valid_text(mark.text)}});
+  }
+  return list;
+}
+
+List setting_rows(const record::OutletRecord& outlet) {
+  List list;
+  for (const auto& [name, value] : outlet.settings) {
+    list.push_back(object{{"name", valid_text(name)}, {"value", typographic(figure(value, 7))}});
+  }
+  return list;
+}
+
+std::string clock_text(const record::Clock& clock) {
+  if (clock.uncertainty_ms == 0.0 && clock.drift_uncertainty_ppm == 0.0) {
+    return "the source's own ticks";
+  }
+  return typographic(fmt::format("{} ± {} ppm fast, stamps within {}", figure(clock.drift_ppm, 3),
+                                 figure(clock.drift_uncertainty_ppm, 2),
+                                 with_unit(figure(clock.uncertainty_ms, 2), "ms")));
+}
+
+}  // namespace
+
+object outlet_object(const record::RunRecord& run, std::size_t index,
+                     const std::vector<KeyFigure>& keys) {
+  const record::OutletRecord& outlet = run.outlets[index];
+  List cells;
+  for (const KeyFigure& key : keys) {
+    cells.push_back(key_cell(outlet, key));
+  }
+  object view{{"id", valid_text(outlet.id)},
+              {"index", std::to_string(index)},
+              {"group", valid_text(outlet.group)},
+              {"link", valid_text(outlet.link)},
+              {"firmware", valid_text(outlet.firmware)},
+              {"settings_digest", valid_text(outlet.settings_digest)},
+              {"fault", valid_text(outlet.fault)},
+              {"has_fault", flag(!outlet.fault.empty())},
+              {"clock", clock_text(outlet.clock)},
+              {"open", flag(outlet.verdict != Verdict::kPass)},
+              {"cells", cells},
+              {"measurements", measurement_rows(outlet)},
+              {"marks", mark_rows(run, outlet)},
+              {"has_marks", flag(!outlet.marks.empty())},
+              {"more_marks", flag(outlet.marks.size() > kMostMarks)},
+              {"marks_in_all", std::to_string(outlet.marks.size())},
+              {"settings", setting_rows(outlet)},
+              {"has_settings", flag(!outlet.settings.empty())}};
+  set_verdict(view, outlet.verdict);
+  return view;
+}
+
+}  // namespace gsbench::render

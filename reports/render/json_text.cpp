@@ -1,0 +1,19 @@
+#include "json_text.hpp"
+
+#include <fmt/format.h>
+
+namespace gsbench::render {
+
+std::string in_script(const Json& json) {
+  std::string safe;
+  for (const char character : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (character == '<' || character == '>' || character == '&') {
+      safe += fmt::format("\\u{:04x}", static_cast<unsigned char>(character));
+    } else {
+      safe += character;
+    }
+  }
+  return safe;
+}
+
+}  // namespace gsbench::render

@@ -1,0 +1,53 @@
+// What holds for every report format, one that is added later too.
+#include "sample_run.hpp"
+
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <render/render.hpp>
+
+namespace gsbench::render {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Formats, AreFoundByNamesOfTheirOwnAndKeptInFilesOfTheirOwn) {
+  std::set<std::string> taken;
+  for (const Format& format : kFormats) {
+    EXPECT_EQ(find_format(format.name), &format);
+    EXPECT_TRUE(taken.insert(format.name).second) << format.name;
+    EXPECT_TRUE(std::string(format.file).empty() || taken.insert(format.file).second)
+        << format.file;
+    EXPECT_NE(std::string(format.description), "") << format.name;
+  }
+  EXPECT_EQ(find_format("htm"), nullptr);
+}
+
+TEST(Formats, AreTheSameForTheSameRecord) {
+  for (const Format& format : kFormats) {
+    EXPECT_TRUE(format.render(sample::loss_500mw()) == format.render(sample::loss_500mw()))
+        << format.name;
+  }
+}
+
+// csv holds traces only, and no verdict that a fault would explain.
+TEST(Formats, ShowAFaultOfTheBenchAndThatOfAnOutlet) {
+  record::RunRecord lost_outlet;
+  lost_outlet.verdict = record::Verdict::kError;
+  lost_outlet.outlets.resize(2);
+  lost_outlet.outlets[1].fault = "fell silent";
+  lost_outlet.outlets[1].verdict = record::Verdict::kError;
+  record::RunRecord lost_source = lost_outlet;
+  lost_source.fault = "the source stopped";
+  for (const Format& format : kFormats) {
+    if (format.render == find_format("csv")->render) continue;
+    EXPECT_THAT(format.render(lost_outlet), HasSubstr("fell silent")) << format.name;
+    EXPECT_THAT(format.render(lost_source), HasSubstr("fell silent")) << format.name;
+    EXPECT_THAT(format.render(lost_source), HasSubstr("the source stopped")) << format.name;
+  }
+}
+
+}  // namespace
+}  // namespace gsbench::render
