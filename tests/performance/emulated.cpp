@@ -147,8 +147,10 @@ double link_round_trip_ms() {
   return median(taken_ms);
 }
 
-// Both ends of a cable.
+// A cable with an outlet's end to write to.
 struct RawCable {
+  RawCable() { or_die(outlet->open()); }
+
   emulation::NullModem cable = or_die(emulation::NullModem::create());
   std::unique_ptr<transport::Transport> bench = transport::make_transport(cable.bench_end());
   std::unique_ptr<transport::Transport> outlet =
@@ -162,14 +164,9 @@ std::size_t read_some(transport::Transport& end, Bytes& bytes) {
   return bytes.size();
 }
 
-void connect(RawCable& raw) {
-  or_die(raw.bench->open());
-  or_die(raw.outlet->open());
-}
-
 double raw_round_trip_ms() {
   RawCable raw;
-  connect(raw);
+  or_die(raw.bench->open());
   std::atomic<bool> ending{false};
   std::thread echo([&] {
     Bytes bytes;
@@ -226,7 +223,6 @@ void say_measurements(transport::Transport& end) {
 
 double link_seconds() {
   RawCable raw;
-  or_die(raw.outlet->open());
   std::atomic<bool> opened{false};
   std::thread saying([&] {
     Bytes asked;
@@ -268,7 +264,7 @@ double link_seconds() {
 // The same bytes in the same writes, read and forgotten.
 double raw_seconds() {
   RawCable raw;
-  connect(raw);
+  or_die(raw.bench->open());
   std::atomic<bool> said{false};
   const auto begin = steady_clock::now();
   std::thread saying([&] {

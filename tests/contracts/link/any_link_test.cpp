@@ -14,24 +14,15 @@ using gs::wire::UplinkKind;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-class AnyLink : public HearsALink, public testing::WithParamInterface<Row<LinkRig>> {
+class AnyLink : public HearsALink, public testing::WithParamInterface<LinkUnderTest> {
  protected:
   void SetUp() override { open(rig_->make_link()); }
 
   std::unique_ptr<LinkRig> rig_ = GetParam().make();
 };
 
-template <std::unique_ptr<ProcessRig> (*make)()>
-std::unique_ptr<LinkRig> any() {
-  return make();
-}
-
-INSTANTIATE_TEST_SUITE_P(Links, AnyLink,
-                         testing::Values(Row<LinkRig>{"Simulated", simulated_rig},
-                                         Row<LinkRig>{"FramedOverTcp", any<tcp_rig>},
-                                         Row<LinkRig>{"FramedOverSerial", any<serial_rig>},
-                                         Row<LinkRig>{"Mqtt", any<mqtt_rig>}),
-                         name_of<LinkRig>);
+INSTANTIATE_TEST_SUITE_P(InProcess, AnyLink, testing::ValuesIn(kInProcess), name_of);
+INSTANTIATE_TEST_SUITE_P(ToProcesses, AnyLink, testing::ValuesIn(kToProcesses), name_of);
 
 TEST_P(AnyLink, FindsItsOutletsInTheirOrder) {
   ASSERT_THAT(present_, SizeIs(2));

@@ -105,11 +105,11 @@ class SerialRig final : public FramedRig {
 
 }  // namespace
 
-std::unique_ptr<ProcessRig> tcp_rig() {
+std::unique_ptr<LinkRig> tcp_rig() {
   return std::make_unique<FramedRig>();
 }
 
-std::unique_ptr<ProcessRig> serial_rig() {
+std::unique_ptr<LinkRig> serial_rig() {
   return std::make_unique<SerialRig>();
 }
 

@@ -31,7 +31,7 @@ class MqttRig final : public ProcessRig {
 
 }  // namespace
 
-std::unique_ptr<ProcessRig> mqtt_rig() {
+std::unique_ptr<LinkRig> mqtt_rig() {
   return std::make_unique<MqttRig>();
 }
 

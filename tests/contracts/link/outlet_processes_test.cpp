@@ -18,9 +18,9 @@ std::int64_t now_ns() {
   return std::chrono::nanoseconds(steady_clock::now().time_since_epoch()).count();
 }
 
-class OutletProcesses : public HearsALink, public testing::WithParamInterface<Row<ProcessRig>> {
+class OutletProcesses : public HearsALink, public testing::WithParamInterface<LinkUnderTest> {
  protected:
-  void open() { HearsALink::open(rig_->make_link()); }
+  void open() { HearsALink::open(rig_.make_link()); }
 
   // What is sent before both ends have found each other again is lost.
   bool answers_in_the_end(std::size_t outlet) {
@@ -35,14 +35,11 @@ class OutletProcesses : public HearsALink, public testing::WithParamInterface<Ro
     });
   }
 
-  std::unique_ptr<ProcessRig> rig_ = GetParam().make();
+  std::unique_ptr<LinkRig> owned_ = GetParam().make();
+  ProcessRig& rig_ = dynamic_cast<ProcessRig&>(*owned_);
 };
 
-INSTANTIATE_TEST_SUITE_P(Links, OutletProcesses,
-                         testing::Values(Row<ProcessRig>{"FramedOverTcp", tcp_rig},
-                                         Row<ProcessRig>{"FramedOverSerial", serial_rig},
-                                         Row<ProcessRig>{"Mqtt", mqtt_rig}),
-                         name_of<ProcessRig>);
+INSTANTIATE_TEST_SUITE_P(Links, OutletProcesses, testing::ValuesIn(kToProcesses), name_of);
 
 TEST_P(OutletProcesses, AreFoundAgainAfterClosing) {
   open();
@@ -56,10 +53,10 @@ TEST_P(OutletProcesses, AreFoundAgainAfterClosing) {
 TEST_P(OutletProcesses, OneThatIsNotThereIsAtFaultAndTheOtherIsSpokenTo) {
   open();  // so that it was there, and is not merely late
   link_->close();
-  rig_->outlets.kill(kA);
+  rig_.outlets.kill(kA);
   open();
   ASSERT_THAT(present_, SizeIs(2));
-  EXPECT_EQ(present_[kA].fault, rig_->words().absent);
+  EXPECT_EQ(present_[kA].fault, rig_.words().absent);
   EXPECT_EQ(present_[kB].fault, "");
   EXPECT_TRUE(answers(kB));
 }
@@ -67,10 +64,10 @@ TEST_P(OutletProcesses, OneThatIsNotThereIsAtFaultAndTheOtherIsSpokenTo) {
 TEST_P(OutletProcesses, OneThatIsStillStartingIsWaitedFor) {
   open();
   link_->close();
-  rig_->outlets.signal(kA, SIGSTOP);
+  rig_.outlets.signal(kA, SIGSTOP);
   std::thread waking([this] {
     std::this_thread::sleep_for(700ms);
-    rig_->outlets.signal(kA, SIGCONT);
+    rig_.outlets.signal(kA, SIGCONT);
   });
   open();
   waking.join();
@@ -94,7 +91,7 @@ TEST_P(OutletProcesses, TheirMessagesAreStampedWhenTheyComeAndNotWhenTheyAreFetc
 TEST_P(OutletProcesses, OneThatIsStoppedIsOnlySilent) {
   open();
   ASSERT_TRUE(answers(kA, 1));
-  rig_->outlets.signal(kA, SIGSTOP);
+  rig_.outlets.signal(kA, SIGSTOP);
   messages_.clear();
   send(kA, ping(2));
   ASSERT_TRUE(answers(kB, 2));
@@ -102,14 +99,14 @@ TEST_P(OutletProcesses, OneThatIsStoppedIsOnlySilent) {
   poll();
   EXPECT_THAT(messages(kA, UplinkKind::kEcho), IsEmpty());
   EXPECT_THAT(faults_, IsEmpty());
-  rig_->outlets.signal(kA, SIGCONT);
+  rig_.outlets.signal(kA, SIGCONT);
   EXPECT_TRUE(comes(kA, UplinkKind::kEcho));
 }
 
 TEST_P(OutletProcesses, OneThatIsLostIsReportedOnceAndTheOtherGoesOn) {
   open();
-  rig_->unplug();
-  ASSERT_TRUE(is_reported(kA, rig_->words().lost));
+  rig_.unplug();
+  ASSERT_TRUE(is_reported(kA, rig_.words().lost));
   ASSERT_TRUE(answers(kB, 5));
   std::this_thread::sleep_for(600ms);  // two looks whether it is back
   poll();
@@ -119,39 +116,39 @@ TEST_P(OutletProcesses, OneThatIsLostIsReportedOnceAndTheOtherGoesOn) {
 
 TEST_P(OutletProcesses, WhatIsSentToALostOneIsAFaultOfItAlone) {
   open();
-  rig_->unplug();
-  ASSERT_TRUE(is_reported(kA, rig_->words().lost));
+  rig_.unplug();
+  ASSERT_TRUE(is_reported(kA, rig_.words().lost));
   send(kA, ping(1));
-  EXPECT_TRUE(is_reported(kA, rig_->words().undeliverable));
+  EXPECT_TRUE(is_reported(kA, rig_.words().undeliverable));
   EXPECT_TRUE(answers(kB));
   EXPECT_THAT(faults(kB), IsEmpty());
 }
 
 TEST_P(OutletProcesses, OneThatIsBackIsSpokenToAgain) {
   open();
-  rig_->play(10);
+  rig_.play(10);
   ASSERT_TRUE(comes(kA, UplinkKind::kMeasurement, 10));
-  rig_->unplug();
-  ASSERT_TRUE(is_reported(kA, rig_->words().lost));
-  rig_->plug_in();
-  ASSERT_TRUE(is_reported(kA, rig_->words().back));
+  rig_.unplug();
+  ASSERT_TRUE(is_reported(kA, rig_.words().lost));
+  rig_.plug_in();
+  ASSERT_TRUE(is_reported(kA, rig_.words().back));
   ASSERT_TRUE(answers_in_the_end(kA));
   const std::size_t before = messages(kA, UplinkKind::kMeasurement).size();
-  rig_->play(10);
+  rig_.play(10);
   EXPECT_TRUE(comes(kA, UplinkKind::kMeasurement, before + 10));
   EXPECT_THAT(faults(kB), IsEmpty());
 }
 
 TEST_P(OutletProcesses, OneThatRestartedIsReportedAndHeard) {
   open();
-  rig_->play(10);
+  rig_.play(10);
   ASSERT_TRUE(comes(kA, UplinkKind::kMeasurement, 10));
-  rig_->outlets.kill(kA);
-  rig_->outlets.start(kA);
+  rig_.outlets.kill(kA);
+  rig_.outlets.start(kA);
   ASSERT_TRUE(is_reported(kA, "restarted after its sample "));
   messages_.clear();
   ASSERT_TRUE(answers_in_the_end(kA));
-  rig_->play(10);
+  rig_.play(10);
   EXPECT_TRUE(comes(kA, UplinkKind::kMeasurement, 10));
   EXPECT_THAT(faults(kB), IsEmpty());
 }

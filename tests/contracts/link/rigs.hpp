@@ -1,5 +1,5 @@
 // What the suites need of a link: outlets "a" and "b" that it leads to. A new link gets their tests
-// by an adapter and a line in the table of a suite.
+// by an adapter and a line in a table below.
 #pragma once
 
 #include <link_test/emulated_outlets.hpp>
@@ -48,21 +48,23 @@ class ProcessRig : public LinkRig {
   EmulatedOutlets outlets;
 };
 
+// These return a ProcessRig, but for the first.
 std::unique_ptr<LinkRig> simulated_rig();
-std::unique_ptr<ProcessRig> tcp_rig();
-std::unique_ptr<ProcessRig> serial_rig();
-std::unique_ptr<ProcessRig> mqtt_rig();
+std::unique_ptr<LinkRig> tcp_rig();
+std::unique_ptr<LinkRig> serial_rig();
+std::unique_ptr<LinkRig> mqtt_rig();
 
-// A row of a suite's table.
-template <class R>
-struct Row {
+struct LinkUnderTest {
   const char* name;
-  std::unique_ptr<R> (*make)();
+  std::unique_ptr<LinkRig> (*make)();
 };
 
-template <class R>
-std::string name_of(const testing::TestParamInfo<Row<R>>& row) {
-  return row.param.name;
+constexpr LinkUnderTest kInProcess[] = {{"Simulated", simulated_rig}};
+constexpr LinkUnderTest kToProcesses[] = {
+    {"FramedOverTcp", tcp_rig}, {"FramedOverSerial", serial_rig}, {"Mqtt", mqtt_rig}};
+
+inline std::string name_of(const testing::TestParamInfo<LinkUnderTest>& link) {
+  return link.param.name;
 }
 
 }  // namespace gsbench::test

@@ -16,13 +16,9 @@ static int is_pseudo_terminal(const char* path) {
 }
 
 ssize_t readlink(const char* path, char* out, size_t size) {
-  static ssize_t (*next)(const char*, char*, size_t);
   static const char kWhere[] = "../../devices/virtual/tty/pts";
-  if (next == NULL) {
-    next = (ssize_t(*)(const char*, char*, size_t))dlsym(RTLD_NEXT, "readlink");
-  }
   if (!is_pseudo_terminal(path)) {
-    return next(path, out, size);
+    return ((ssize_t(*)(const char*, char*, size_t))dlsym(RTLD_NEXT, "readlink"))(path, out, size);
   }
   const size_t length = sizeof kWhere - 1 < size ? sizeof kWhere - 1 : size;
   memcpy(out, kWhere, length);
@@ -30,12 +26,9 @@ ssize_t readlink(const char* path, char* out, size_t size) {
 }
 
 int __lxstat(int version, const char* path, struct stat* out) {
-  static int (*next)(int, const char*, struct stat*);
-  if (next == NULL) {
-    next = (int (*)(int, const char*, struct stat*))dlsym(RTLD_NEXT, "__lxstat");
-  }
   if (!is_pseudo_terminal(path)) {
-    return next(version, path, out);
+    return ((int (*)(int, const char*, struct stat*))dlsym(RTLD_NEXT, "__lxstat"))(version, path,
+                                                                                   out);
   }
   memset(out, 0, sizeof *out);
   out->st_mode = S_IFLNK | 0777;
@@ -43,27 +36,18 @@ int __lxstat(int version, const char* path, struct stat* out) {
 }
 
 int ioctl(int descriptor, unsigned long request, ...) {
-  static int (*next)(int, unsigned long, ...);
-  if (next == NULL) {
-    next = (int (*)(int, unsigned long, ...))dlsym(RTLD_NEXT, "ioctl");
-  }
   va_list arguments;
   va_start(arguments, request);
   void* argument = va_arg(arguments, void*);
   va_end(arguments);
-  const int result = next(descriptor, request, argument);
-  if (result == 0 || (errno != ENOTTY && errno != EINVAL)) {
-    return result;
+  const int result =
+      ((int (*)(int, unsigned long, ...))dlsym(RTLD_NEXT, "ioctl"))(descriptor, request, argument);
+  const int no_such_lines = result != 0 && (errno == ENOTTY || errno == EINVAL);
+  if (no_such_lines && request == TIOCMGET) {
+    *(int*)argument = 0;
   }
-  switch (request) {
-    case TIOCMGET:
-      *(int*)argument = 0;
-      return 0;
-    case TIOCMSET:
-    case TIOCMBIS:
-    case TIOCMBIC:
-      return 0;
-    default:
-      return result;
-  }
+  return no_such_lines && (request == TIOCMGET || request == TIOCMSET || request == TIOCMBIS ||
+                           request == TIOCMBIC)
+             ? 0
+             : result;
 }

@@ -27,7 +27,7 @@ class Transport {
 
   const std::string& port() const { return port_; }  // as it was given
 
-  // Forgets what had come before. Blocks for half a second at most.
+  // Forgets what had come before. Blocks for half a second at most, besides looking up a host.
   [[nodiscard]] virtual drivers::Status open() = 0;
   virtual void close() noexcept = 0;
   // For poll() over several; -1: not open.

@@ -1,6 +1,6 @@
 // Outlets that send frames (wire/frame.hpp) over transports of their own: serial ports, TCP. A
 // thread waits for bytes and stamps what they bring when it arrives; an outlet that was unplugged
-// is told from one that is silent, and is listened to again when its port is back.
+// is distinguished from one that is silent, and is listened to again when its port is back.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace gsbench::link {
 
 struct FramedOptions {
   std::vector<std::string> ports;  // as transport::make_transport() takes them
-  std::vector<std::string>
-      ids;  // names for ports without an answer, in their order; none: the port
+  // Names for ports without an answer, in their order; none: the port itself.
+  std::vector<std::string> ids;
   int baud = transport::kBaud;
   double answer_s = 3.0;  // within which each outlet says who it is
   // A port without an outlet is left out instead of at fault: for looking what is there.
