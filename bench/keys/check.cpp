@@ -97,7 +97,10 @@ void Table::check_number(const Key& key, const Value& value) const {
   const auto* whole = std::get_if<std::int64_t>(&value.data);
   const auto* real = std::get_if<double>(&value.data);
   if (key.type == Type::kWhole) {
-    if (whole != nullptr && key.range.holds(static_cast<double>(*whole))) return;
+    if (whole != nullptr && *whole >= static_cast<std::int64_t>(key.range.low) &&
+        *whole <= static_cast<std::int64_t>(key.range.high)) {
+      return;
+    }
   } else if (whole != nullptr || real != nullptr) {
     const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
     if (key.range.holds(number)) return;

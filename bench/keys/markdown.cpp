@@ -11,14 +11,14 @@ namespace {
 
 constexpr const char* kHead = "| key | unit | range | default | meaning |\n|---|---|---|---|---|\n";
 
-// "0.05", "8000"; a power of ten from 10⁵ on and below 10⁻³ as such: "10⁷".
+// "0.05", "8000"; a power of ten from 10⁴ on and below 10⁻³ as such: "10⁷".
 std::string figure(double value) {
   static const std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
   const std::string scientific = fmt::format("{:.9e}", value);
   const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
   const bool power_of_ten = scientific.rfind("1.000000000e", 0) == 0;
-  if (power_of_ten && (exponent >= 5 || exponent < -3) && std::abs(exponent) < 10) {
+  if (power_of_ten && (exponent >= 4 || exponent < -3) && std::abs(exponent) < 10) {
     return fmt::format("10{}{}", exponent < 0 ? "⁻" : "",
                        kDigits[static_cast<std::size_t>(std::abs(exponent))]);
   }
@@ -90,8 +90,11 @@ void print(const Key& table, const std::string& path, std::string& out) {
     if (has_section(key)) continue;
     if (first) out += kHead;
     first = false;
-    out += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.unit, permitted(key),
-                       default_of(key), key.meaning);
+    out += fmt::format("| `{}` |", key.name);
+    for (const std::string& cell : {key.unit, permitted(key), default_of(key), key.meaning}) {
+      out += (cell.empty() ? "" : " " + cell) + " |";
+    }
+    out += '\n';
   }
   for (const Key& key : table.inner) {
     if (!has_section(key)) continue;

@@ -44,11 +44,12 @@ std::vector<std::string> named_outlets(const Table& table, const std::vector<Wor
 }  // namespace
 
 keys::Key command_keys() {
-  return keys::tables(
-      "command", "What the control centre sends while the run is on.",
-      {time_in_run("when the control centre sends it"),
-       keys::array("outlets", keys::text("", ""), "to whom: groups or ids").or_else("all"),
-       keys::word("switch", {"off", "on"}, "what").require("\"off\" or \"on\"")});
+  return keys::tables("command", "What the control centre sends while the run is on.",
+                      {time_in_run("when the control centre sends it"),
+                       keys::array("outlets", keys::text("", ""), "to whom")
+                           .permits("array of groups or ids")
+                           .or_else("all"),
+                       keys::word("switch", {"off", "on"}, "what").require("\"off\" or \"on\"")});
 }
 
 std::vector<Command> read_commands(const Table& top, const std::vector<Outlet>& outlets,

@@ -105,7 +105,9 @@ keys::Key expect_keys() {
               keys::text("equals", "what a measure that is a word must be")
                   .permits("a word")
                   .or_else("required for words"),
-              keys::array("outlets", keys::text("", ""), "whose: groups").or_else("all")})
+              keys::array("outlets", keys::text("", ""), "whose")
+                  .permits("array of groups")
+                  .or_else("all")})
       .require("at least one [[expect]]: a run without limits proves nothing");
 }
 

@@ -74,6 +74,7 @@ Key outlet_keys() {
                        "its name; with `count` above 1 the names are `id-1`, `id-2`, …")
                   .or_else("`outlet-N`"),
               keys::id("group", kLongestId, "what limits and commands refer to")
+                  .permits("as `id`")
                   .or_else("`id`; without: `all`"),
               keys::number("accumulated_mw", "MW", keys::at_least(0.0),
                            "P^A as sent: load that is shed before it and half of its own block "

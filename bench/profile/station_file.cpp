@@ -217,9 +217,9 @@ const Key& station_keys() {
        keys::table("serial", "Physical stations only, which need this or the next.",
                    {keys::array("ports", keys::text("", ""),
                                 "one outlet on each; one that does not answer is at fault")
-                        .permits("array of device paths")
+                        .permits("array of device paths or `tcp://host:port`, at least one")
                         .require("the ports: ports = [\"/dev/ttyUSB0\"]"),
-                    keys::whole("baud", "bit/s", 9600, 4000000, "of every port")
+                    keys::whole("baud", "bit/s", 9600, 4000000, "of serial ports")
                         .by_default(StationSpec{}.baud)}),
        keys::table(
            "mqtt",
@@ -233,7 +233,8 @@ const Key& station_keys() {
             keys::text("user", "the bench's name there"),
             keys::text("password_file", "holds its password in the first line").permits("path"),
             keys::array("outlets", keys::id("", kLongestId, ""),
-                        "ids, each once; one that is named and not there is at fault")
+                        "one that is named and not there is at fault")
+                .permits("array of ids, each once")
                 .or_else("all that are found")})});
   return keys;
 }

@@ -1,81 +1,66 @@
-// No key can be forgotten by the loader or by the documentation: for each line of profiles that use
-// every key, a value of a wrong type is refused on that line, and the key stands in the README.
+// Each declared key of each file is used by a text below, and each of its slips is refused at its
+// place: a wrong type, a value below and above its range, a misspelt name, and its absence.
 #include <profile_test/texts.hpp>
 #include <test_support/temporary_folder.hpp>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <regex>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
 #include <sstream>
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <keys/document.hpp>
+#include <profile/keys.hpp>
 #include <profile/station_spec.hpp>
 
 namespace gsbench::profile::test {
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
+using keys::Key;
+using keys::Type;
+using testing::HasSubstr;
+using testing::StartsWith;
 
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  return text;
-}
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-class EveryKey : public testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    std::filesystem::create_directories(folder_);
-    std::ofstream(folder_ / "recording.csv") << "t,f,u\n0,50,230\n2,50,230\n4,50,230\n";
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("gsbench-every-key-" + std::to_string(getpid()));
-};
-
-TEST_P(EveryKey, IsReadAndRefusedWhereItsTypeIsWrong) {
-  const std::string path = (folder_ / "case.toml").string();
-  const auto lines = lines_of(GetParam());
-  ASSERT_EQ(refusal(GetParam(), path), "");
-  int keys = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto equals = lines[i].find(" = ");
-    if (equals == std::string::npos) continue;
-    auto spoilt = lines;
-    spoilt[i] = lines[i].substr(0, equals) + " = true";  // no key takes a boolean
-    const std::string expected =
-        path + ":" + std::to_string(i + 1) + ":" + std::to_string(equals + 4) + ": ";
-    EXPECT_EQ(refusal(joined(spoilt), path).substr(0, expected.size()), expected) << spoilt[i];
-    ++keys;
-  }
-  EXPECT_GT(keys, 5);
-}
-
-TEST_P(EveryKey, IsDocumented) {
-  std::ifstream file(GSBENCH_SOURCE_DIR "/profiles/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  ASSERT_FALSE(readme.empty());
-  for (const std::string& line : lines_of(GetParam())) {
-    const auto equals = line.find(" = ");
-    if (equals == std::string::npos) continue;
-    EXPECT_NE(readme.find("| `" + line.substr(0, equals) + "` |"), std::string::npos) << line;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(OfAProfile, EveryKey,
-                         testing::Values(kLossesInPlace, kPoints, kRecording));
-
-constexpr const char* kEmulatedStation = R"(
-title = "all keys of an emulated station"
+constexpr const char* kGrid = R"(title = "all keys of a grid"
+source = "Here"
+[system]
+nominal_hz = 50.0
+threshold_hz = 49.5
+base_mw = 100.0
+load_mw = 90.0
+damping_pu = 1.0
+gain_km = 0.9
+reheat_fraction = 0.25
+reheat_s = 7.0
+condition_row_hz = 0.1
+[[plant]]
+id = "one"
+rating_mw = 60.0
+inertia_s = 4.0
+droop_pu = 0.05
+[[plant]]
+id = "two"
+rating_mw = 40.0
+inertia_s = 4.0
+inverse_droop_pu = 20.0
+[[block]]
+id = "least"
+power_mw = 10.0
+[reference]
+source = "A paper"
+t_nadir_s = 2.5
+threshold_mw = 90.0
+condition_rocof_hz_s = [-0.5, 0.0]
+note = "Why they differ"
+)";
+constexpr const char* kEmulatedStation = R"(title = "all keys of an emulated station"
 kind = "emulated"
 image = "outlet.elf"
 [[outlet]]
@@ -84,8 +69,7 @@ board = "host"
 link = "mqtt"
 crystal_ppm = 20.0
 )";
-constexpr const char* kPhysicalStation = R"(
-title = "all keys of a physical station"
+constexpr const char* kPhysicalStation = R"(title = "all keys of a physical station"
 kind = "physical"
 [serial]
 ports = ["/dev/ttyUSB0"]
@@ -98,25 +82,182 @@ password_file = "password"
 outlets = ["a"]
 )";
 
-TEST(Documentation, TheStationsItIsHeldAgainstAreAccepted) {
-  const gsbench::test::TemporaryFolder folder;
-  folder.write("outlet.elf", "code");
-  EXPECT_NO_THROW((void)load_station(folder.write("emulated.toml", kEmulatedStation)));
-  EXPECT_NO_THROW((void)load_station(folder.write("physical.toml", kPhysicalStation)));
+struct File {
+  const char* name;
+  const Key& (*declared)();
+  std::vector<const char*> texts;  // that together use every key
+  std::function<void(const std::string& path)> load;
+};
+
+void PrintTo(const File& file, std::ostream* stream) {
+  *stream << file.name;
 }
 
-TEST(Documentation, NamesNoKeyThatTheLoaderDoesNotKnow) {
-  std::ifstream file(GSBENCH_SOURCE_DIR "/profiles/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  const std::string all =
-      std::string(kLossesInPlace) + kPoints + kRecording + kEmulatedStation + kPhysicalStation;
-  const std::regex row(R"(\n\| `([a-z0-9_]+)` \|)");
-  int keys = 0;
-  for (std::sregex_iterator at(readme.begin(), readme.end(), row), end; at != end; ++at, ++keys) {
-    EXPECT_NE(all.find("\n" + (*at)[1].str() + " = "), std::string::npos) << (*at)[1];
+class EveryKey : public testing::TestWithParam<File> {
+ protected:
+  EveryKey() {
+    folder_.write("recording.csv", "t,f,u\n0,50,230\n2,50,230\n4,50,230\n");
+    folder_.write("outlet.elf", "code");
   }
-  EXPECT_GT(keys, 40);
+
+  std::string refusal_of(const std::string& text) const {
+    const std::string path = folder_.write("case.toml", text);
+    try {
+      GetParam().load(path);
+    } catch (const ConfigurationError& error) {
+      const std::string message = error.what();
+      EXPECT_THAT(message, StartsWith(path + ":"));
+      return message.substr(std::min(message.size(), path.size() + 1));
+    }
+    return "";
+  }
+
+  const gsbench::test::TemporaryFolder folder_;
+};
+
+using Visit = std::function<void(const Key& table, const Key& key, const keys::Entry& entry)>;
+
+// Every entry of a document beside its declaration.
+void walk(const keys::Value& value, const Key& table, const Visit& visit) {
+  if (const auto* items = std::get_if<keys::Array>(&value.data)) {
+    for (const keys::Value& item : *items) walk(item, table, visit);
+    return;
+  }
+  const auto* entries = std::get_if<keys::Entries>(&value.data);
+  if (entries == nullptr) return;  // a name in place of a table
+  for (const keys::Entry& entry : *entries) {
+    const auto key = std::find_if(table.inner.begin(), table.inner.end(),
+                                  [&](const Key& known) { return known.name == entry.key; });
+    ASSERT_NE(key, table.inner.end()) << entry.key;
+    visit(table, *key, entry);
+    if (keys::is_table(*key)) walk(entry.value, *key, visit);
+  }
 }
+
+// `text` with the rest of a line replaced from the place on.
+std::string spoilt(const std::string& text, keys::Position at, const std::string& by) {
+  std::istringstream lines(text);
+  std::string out;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    out +=
+        ++number == at.line ? line.substr(0, static_cast<std::size_t>(at.column) - 1) + by : line;
+    out += '\n';
+  }
+  return out;
+}
+
+std::string place(keys::Position at) {
+  return fmt::format("{}:{}: ", at.line, at.column);
+}
+
+// Values out of the declared range; none for what has none.
+std::vector<std::string> out_of_range(const Key& key) {
+  std::vector<std::string> values;
+  const auto add = [&](double bound, bool open, double outwards) {
+    if (!std::isfinite(bound)) return;
+    const double beyond = open ? bound : std::nextafter(bound, outwards * kInfinity);
+    const std::int64_t next =
+        static_cast<std::int64_t>(bound) + static_cast<std::int64_t>(outwards);
+    values.push_back(key.type == Type::kWhole ? fmt::format("{}", next)
+                                              : fmt::format("{:.17e}", beyond));
+  };
+  add(key.range.low, key.range.low_open, -1.0);
+  add(key.range.high, key.range.high_open, 1.0);
+  if (keys::is_number(key)) values.insert(values.end(), {"nan", "inf", "-inf"});
+  if (key.type == Type::kWord) values = {"\"" + key.words.front() + "x\""};
+  if (key.type == Type::kId) values = {"\"a b\"", "\"" + std::string(key.longest + 1, 'a') + "\""};
+  return values;
+}
+
+TEST_P(EveryKey, IsUsedByTheTexts) {
+  std::set<const Key*> used;
+  for (const std::string text : GetParam().texts) {
+    ASSERT_EQ(refusal_of(text), "");
+    walk(keys::parse_toml(text, "").root, GetParam().declared(),
+         [&](const Key&, const Key& key, const keys::Entry&) { used.insert(&key); });
+  }
+  const std::function<void(const Key&)> expect_used = [&](const Key& table) {
+    for (const Key& key : table.inner) {
+      EXPECT_EQ(used.count(&key), 1U) << table.name << ": " << key.name;
+      if (keys::is_table(key)) expect_used(key);
+    }
+  };
+  expect_used(GetParam().declared());
+}
+
+TEST_P(EveryKey, IsRefusedWhereItsTypeIsWrong) {
+  for (const std::string text : GetParam().texts) {
+    walk(keys::parse_toml(text, "").root, GetParam().declared(),
+         [&](const Key&, const Key& key, const keys::Entry& entry) {
+           if (keys::is_table(key)) return;
+           std::vector<std::string> wrong = {"true", "2025-04-28", "{}"};  // no key takes these
+           wrong.push_back(keys::is_number(key) ? "\"6\"" : "6");
+           for (const std::string& value : wrong) {
+             EXPECT_THAT(refusal_of(spoilt(text, entry.value.at, value)),
+                         StartsWith(place(entry.value.at) + key.name + " is "))
+                 << value;
+           }
+         });
+  }
+}
+
+TEST_P(EveryKey, IsRefusedOutsideItsRange) {
+  int refused = 0;
+  for (const std::string text : GetParam().texts) {
+    walk(keys::parse_toml(text, "").root, GetParam().declared(),
+         [&](const Key&, const Key& key, const keys::Entry& entry) {
+           if (keys::is_table(key)) return;
+           for (const std::string& value : out_of_range(key)) {
+             EXPECT_THAT(refusal_of(spoilt(text, entry.value.at, value)),
+                         StartsWith(place(entry.value.at) + key.name + " is "))
+                 << value;
+             ++refused;
+           }
+         });
+  }
+  EXPECT_GT(refused, 2);
+}
+
+TEST_P(EveryKey, IsSuggestedWhereItsNameIsMisspelt) {
+  for (const std::string text : GetParam().texts) {
+    walk(keys::parse_toml(text, "").root, GetParam().declared(),
+         [&](const Key&, const Key& key, const keys::Entry& entry) {
+           if (keys::is_table(key)) return;
+           EXPECT_THAT(refusal_of(spoilt(text, entry.at, key.name + "x = 1")),
+                       testing::AllOf(StartsWith(place(entry.at) + "unknown key"),
+                                      HasSubstr("did you mean \"" + key.name + "\"?")));
+         });
+  }
+}
+
+TEST_P(EveryKey, IsMissedWhereItIsRequired) {
+  int required = 0;
+  for (const std::string text : GetParam().texts) {
+    walk(keys::parse_toml(text, "").root, GetParam().declared(),
+         [&](const Key&, const Key& key, const keys::Entry& entry) {
+           if (keys::is_table(key) || !key.required) return;
+           EXPECT_THAT(refusal_of(spoilt(text, entry.at, "")),
+                       HasSubstr(" lacks \"" + key.name + "\": "));
+           ++required;
+         });
+  }
+  EXPECT_GT(required, 2);
+}
+
+const File kFiles[] = {
+    {"Profile",
+     &profile_keys,
+     {kLossesInPlace, kPoints, kRecording},
+     [](const std::string& path) { (void)load_profile(path, catalogue()); }},
+    {"Grid", &grid_keys, {kGrid}, [](const std::string& path) { (void)load_grid(path); }},
+    {"Station",
+     &station_keys,
+     {kEmulatedStation, kPhysicalStation},
+     [](const std::string& path) { (void)load_station(path); }},
+};
+INSTANTIATE_TEST_SUITE_P(OfA, EveryKey, testing::ValuesIn(kFiles),
+                         [](const auto& file) { return std::string(file.param.name); });
 
 }  // namespace
 }  // namespace gsbench::profile::test

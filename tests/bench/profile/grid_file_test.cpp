@@ -88,7 +88,7 @@ TEST_F(GridFile, RefusesWithItsOwnPathAndPlace) {
             "3:2: unknown key \"grid\" in a grid file; its keys are: title, source, system, plant, "
             "block, reference");
   EXPECT_EQ(grid_refusal(replaced(kGrid, "rating_mw = 100.0", "rating_mw = -100.0")),
-            "11:13: plant 1 \"one\": rating_mw is -100: must be from 1e-06 to 10000000");
+            "11:13: rating_mw is -100; it must be at least 1e-06 and at most 10000000");
 }
 
 TEST_F(GridFile, RefusedInsideAProfileNamesTheGridsFile) {

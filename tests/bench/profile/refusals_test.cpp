@@ -41,13 +41,6 @@ const Spoilt kHeadAndShape[] = {
     {"NoTitle", "title = \"A test\"", "",
      "test.toml:1:1: a profile lacks \"title\": a text in quotes"},
     {"EmptyTitle", "\"A test\"", "\"\"", "test.toml:1:9: title is an empty text"},
-    {"NumberForText", "\"A test\"", "5", "test.toml:1:9: title is 5; it must be a text in quotes"},
-    {"NegativeSeed", "source", "seed = -1\nsource",
-     "test.toml:2:8: seed is -1; it must be a whole number from 0 to 9007199254740992"},
-    {"RealSeed", "source", "seed = 1.5\nsource",
-     "test.toml:2:8: seed is 1.5; it must be a whole number from 0 to 9007199254740992"},
-    {"UnknownKeyNearAKnownOne", "duration_s", "duration",
-     "test.toml:6:1: unknown key \"duration\" in [signal]; did you mean \"duration_s\"?"},
     {"UnknownKeyNearNone", "source", "colour = 1\nsource",
      "test.toml:2:1: unknown key \"colour\" in a profile; its keys are: title, source, seed, grid, "
      "signal, outlet, command, expect"},
@@ -66,8 +59,8 @@ const Spoilt kHeadAndShape[] = {
      "island-60hz (a file of your own is given by its path, ending in .toml)"},
     {"SystemOfWrongType", "\"ieee24\"", "24",
      "test.toml:4:10: system is 24; it must be a text in quotes"},
-    {"PlantBesideANamedGrid", "[signal]", "[[grid.plant]]\n[signal]",
-     "test.toml:5:1: plant belongs to a grid in place ([grid.system]); this profile takes the grid "
+    {"BlockBesideANamedGrid", "[signal]", "[[grid.block]]\nid = \"a\"\npower_mw = 1\n[signal]",
+     "test.toml:5:1: block belongs to a grid in place ([grid.system]); this profile takes the grid "
      "\"ieee24\""},
     {"NoSignal", "[signal]\nduration_s = 6.0", "",
      "test.toml:1:1: a profile lacks \"signal\": what is played: [signal] duration_s = …"},
@@ -88,8 +81,6 @@ const Spoilt kHeadAndShape[] = {
      "test.toml:8:1: [[expect]] lacks \"min\": min, max or both, of event.count"},
     {"EqualsForANumber", "max = 0", "equals = \"0\"",
      "test.toml:10:10: event.count is a number; it takes min and max"},
-    {"NotANumberForALimit", "max = 0", "max = nan",
-     "test.toml:10:7: max is nan; it must be a finite number"},
 };
 INSTANTIATE_TEST_SUITE_P(HeadAndShape, RefusesOfAMinimalProfile, testing::ValuesIn(kHeadAndShape),
                          name_of);
@@ -97,54 +88,28 @@ INSTANTIATE_TEST_SUITE_P(HeadAndShape, RefusesOfAMinimalProfile, testing::Values
 const Spoilt kSignal[] = {
     {"NoDuration", "duration_s = 6.0", "",
      "test.toml:5:1: [signal] lacks \"duration_s\": the length of the run, in seconds"},
-    {"NegativeDuration", "6.0", "-6.0",
-     "test.toml:6:14: duration_s is -6; it must be at least 0.1 and at most 100000"},
-    {"ZeroDuration", "6.0", "0",
-     "test.toml:6:14: duration_s is 0; it must be at least 0.1 and at most 100000"},
-    {"NotANumber", "6.0", "nan",
-     "test.toml:6:14: duration_s is nan; it must be at least 0.1 and at most 100000"},
-    {"Infinity", "6.0", "inf",
-     "test.toml:6:14: duration_s is inf; it must be at least 0.1 and at most 100000"},
-    {"DurationTooShortForAnAnswer", "6.0", "0.09",
-     "test.toml:6:14: duration_s is 0.09; it must be at least 0.1 and at most 100000"},
     {"TextForANumber", "6.0", "\"6 s\"",
      "test.toml:6:14: duration_s is the text \"6 s\"; it must be a plain number, in the unit that "
      "its name says"},
-    {"DateForANumber", "6.0", "2025-04-28",
-     "test.toml:6:14: duration_s is a date or time; it must be a number"},
-    {"ArrayForANumber", "6.0", "[6.0]",
-     "test.toml:6:14: duration_s is an array; it must be a number"},
     {"SampleRateWithoutWhole16Ms", "6.0", "6.0\nsample_rate_hz = 11025",
      "test.toml:7:18: sample_rate_hz is 11025: 16 ms is no whole number of samples; it must be a "
      "multiple of 1000"},
-    {"SampleRateTooLow", "6.0", "6.0\nsample_rate_hz = 500",
-     "test.toml:7:18: sample_rate_hz is 500; it must be a whole number from 1000 to 32000"},
     {"SampleRateWithoutWhole1Ms", "6.0", "6.0\nsample_rate_hz = 12500",
      "test.toml:7:18: sample_rate_hz is 12500: 1 ms is no whole number of samples; it must be a "
      "multiple of 1000"},
-    {"SampleRateTooHigh", "6.0", "6.0\nsample_rate_hz = 48000",
-     "test.toml:7:18: sample_rate_hz is 48000; it must be a whole number from 1000 to 32000"},
-    {"SampleRateNegative", "6.0", "6.0\nsample_rate_hz = -8000",
-     "test.toml:7:18: sample_rate_hz is -8000; it must be a whole number from 1000 to 32000"},
     {"SampleRateNotWhole", "6.0", "6.0\nsample_rate_hz = 8000.0",
      "test.toml:7:18: sample_rate_hz is 8000.0; it must be a whole number from 1000 to 32000"},
-    {"NegativeNoise", "6.0", "6.0\nnoise_pct = -1",
-     "test.toml:7:13: noise_pct is -1; it must be at least 0 and at most 100"},
 };
 INSTANTIATE_TEST_SUITE_P(Signal, RefusesOfAMinimalProfile, testing::ValuesIn(kSignal), name_of);
 
 const Spoilt kDisturbances[] = {
-    {"UnknownHarmonicSet", "en50160", "en50106",
-     "test.toml:44:16: harmonic_set is \"en50106\"; did you mean \"en50160\"?"},
     {"HarmonicRowTooShort", "[28, 1.0, -10.0]", "[28, 1.0]",
-     "test.toml:43:31: harmonics holds an array of 2 values; each of its items must be [order, "
+     "test.toml:43:31: an item of harmonics is an array of 2 values; it must be [order, "
      "pct, deg]"},
     {"HarmonicRowNoArray", "[28, 1.0, -10.0]", "28",
-     "test.toml:43:31: harmonics holds 28; each of its items must be [order, pct, deg]"},
+     "test.toml:43:31: an item of harmonics is 28; it must be [order, pct, deg]"},
     {"HarmonicOrderNotWhole", "[28,", "[2.5,",
      "test.toml:43:32: order is 2.5; it must be a whole number from 2 to 50"},
-    {"HarmonicOrderOne", "[28,", "[1,",
-     "test.toml:43:32: order is 1; it must be a whole number from 2 to 50"},
     {"HarmonicOrderTwice", "[28,", "[26,", "test.toml:43:32: order 26 is there twice"},
     {"HarmonicOrderInTheSet", "[28,", "[5,", "test.toml:43:32: order 5 is there twice"},
     {"HarmonicAboveHalfTheSampleRate", "[28,", "[34,",
@@ -155,10 +120,6 @@ const Spoilt kDisturbances[] = {
      "test.toml:43:41: deg is -370; it must be at least -360 and at most 360"},
     {"NoHarmonicInTheList", "[[26, 5.0, 90.0], [28, 1.0, -10.0]]", "[]",
      "test.toml:43:13: harmonics is empty; leave it out, or give an array of [order, pct, deg]"},
-    {"OffsetTooLarge", "0.25\ninitial", "250\ninitial",
-     "test.toml:45:17: dc_offset_pct is 250; it must be at least -100 and at most 100"},
-    {"InitialPhaseBeyondATurn", "initial_phase_deg = 30.0", "initial_phase_deg = 361",
-     "test.toml:46:21: initial_phase_deg is 361; it must be at least -360 and at most 360"},
     // The figures are those of sin θ + Σ a sin(kθ + φ) over a period, worked out elsewhere.
     {"StepAboveFullScale", "level_pct = 40.0", "level_pct = 140.0",
      "test.toml:47:1: the voltage reaches 1.587 pu (at 5 s, with harmonics and offset); a source "
@@ -175,27 +136,16 @@ const Spoilt kDisturbances[] = {
      "plays 1.5 pu at most"},
     {"StepAfterTheEnd", "at_s = 8.0", "at_s = 10.0",
      "test.toml:52:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
-    {"StepBeforeTheStart", "at_s = 8.0", "at_s = -1",
-     "test.toml:52:8: at_s is -1; it must be at least 0 and below 10 (the run's duration)"},
     {"StepEndsAfterTheEnd", "duration_s = 1.5", "duration_s = 5.5",
      "test.toml:49:14: the step ends at 10.5 s, after the run's 10 s; leave duration_s out for a "
      "step that lasts to the end"},
-    {"StepOfNoLength", "duration_s = 1.5", "duration_s = 0",
-     "test.toml:49:14: duration_s is 0; it must be above 0"},
-    {"StepLevelNegative", "level_pct = 40.0", "level_pct = -40.0",
-     "test.toml:50:13: level_pct is -40; it must be at least 0 and at most 150"},
     {"StepWithoutLevel", "level_pct = 40.0", "",
      "test.toml:47:1: [[signal.amplitude_step]] lacks \"level_pct\": a number must be given: at "
      "least 0 and at most 150"},
     {"JumpAfterTheEnd", "at_s = 3.0", "at_s = 12.0",
      "test.toml:55:8: at_s is 12; it must be at least 0 and below 10 (the run's duration)"},
-    {"JumpBeyondHalfATurn", "-20.0", "-200.0",
-     "test.toml:56:11: degrees is -200; it must be at least -180 and at most 180"},
     {"LossAfterTheEnd", "at_s = 4.0", "at_s = 40.0",
      "test.toml:34:8: at_s is 40; it must be at least 0 and below 10 (the run's duration)"},
-    {"LossWithAUnit", "power_mw = 100.0", "power_mw = \"100 MW\"",
-     "test.toml:38:12: power_mw is the text \"100 MW\"; it must be a plain number, in the unit "
-     "that its name says"},
     {"LossOfNothing", "power_mw = 100.0", "power_mw = 0",
      "test.toml:38:12: power_mw is 0: no loss at all; leave it out"},
     {"LossAboveTheLoad", "power_mw = 100.0", "power_mw = 900",
@@ -206,7 +156,8 @@ const Spoilt kDisturbances[] = {
     {"LossesAndPoints", "harmonic_set", "frequency = [[0, 60]]\nharmonic_set",
      "test.toml:44:13: the frequency comes from [[grid.loss]], from frequency points or from a "
      "recording; this profile gives more than one of them"},
-    {"LossesAndRecording", "[[signal.phase_jump]]", "[signal.trace]\n[[signal.phase_jump]]",
+    {"LossesAndRecording", "[[signal.phase_jump]]",
+     "[signal.trace]\nfile = \"r\"\ntime = \"t\"\nfrequency = \"f\"\n[[signal.phase_jump]]",
      "test.toml:54:1: the frequency comes from [[grid.loss]], from frequency points or from a "
      "recording; this profile gives more than one of them"},
 };
@@ -218,16 +169,13 @@ const Spoilt kCourse[] = {
      "test.toml:7:41: t_s is 2 after 2; times must ascend"},
     {"PointAfterTheEnd", "[6.0, 49.8]", "[6.5, 49.8]",
      "test.toml:7:41: t_s is 6.5; it must be at least 0 and at most 6 (the run's duration)"},
-    {"PointBeforeTheStart", "[0.0, 50.0]", "[-1.0, 50.0]",
-     "test.toml:7:15: t_s is -1; it must be at least 0 and at most 6 (the run's duration)"},
     {"PointFarFromNominal", "[2.0, 49.5]", "[2.0, 4.95]",
      "test.toml:7:33: hz is 4.95; it must be at least 25 and at most 75"},
-    {"PointNotANumber", "[2.0, 49.5]", "[2.0, nan]",
-     "test.toml:7:33: hz is nan; it must be a finite number"},
     {"PointWithAText", "[2.0, 49.5]", "[2.0, \"49.5\"]",
      "test.toml:7:33: hz is the text \"49.5\"; it must be a plain number, in the unit "
      "that its name says"},
-    {"PointsAndRecording", "[[outlet]]", "[signal.trace]\n[[outlet]]",
+    {"PointsAndRecording", "[[outlet]]",
+     "[signal.trace]\nfile = \"r\"\ntime = \"t\"\nfrequency = \"f\"\n[[outlet]]",
      "test.toml:8:1: the frequency comes from [[grid.loss]], from frequency points or from a "
      "recording; this profile gives more than one of them"},
 };
@@ -242,15 +190,12 @@ const Spoilt kLimits[] = {
      "test.toml:81:1: [[expect]] lacks \"unit\": event.delay is in s or ms or us"},
     {"MinAboveMax", "min = 0.03", "min = 0.3",
      "test.toml:84:7: min is 0.3, above max 0.16: nothing could pass"},
-    {"TextForALimit", "max = 0.16", "max = \"160 ms\"",
-     "test.toml:85:7: max is the text \"160 ms\"; it must be a plain number, in the unit that its "
-     "name says"},
     {"UnknownGroup", "outlets = [\"early\"]", "outlets = [\"erly\"]",
      "test.toml:86:12: no group \"erly\"; did you mean \"early\"?"},
     {"NoGroupInTheList", "outlets = [\"early\"]", "outlets = []",
-     "test.toml:86:11: outlets is empty; leave it out, or give an array of texts"},
+     "test.toml:86:11: outlets is empty; leave it out, or give an array of texts in quotes"},
     {"GroupIsNoText", "outlets = [\"early\"]", "outlets = [1]",
-     "test.toml:86:12: outlets holds 1; it must hold texts in quotes"},
+     "test.toml:86:12: an item of outlets is 1; it must be a text in quotes"},
     {"LimitForAWord", "equals = \"open\"", "max = 1",
      "test.toml:89:7: relay.end is a word, not a number; it takes equals"},
     {"NoWord", "equals = \"open\"", "",

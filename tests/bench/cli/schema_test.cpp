@@ -1,0 +1,169 @@
+// The schema that editors check files by: every shipped file is valid by it, and a slip is not.
+#include "gsbench_process.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <keys/document.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using gsbench::test::run_gsbench;
+using nlohmann::json;
+
+struct ToJson {
+  json operator()(gsbench::keys::DateOrTime) const { return nullptr; }
+  json operator()(const gsbench::keys::Array& items) const {
+    json out = json::array();
+    for (const auto& item : items) out.push_back(std::visit(*this, item.data));
+    return out;
+  }
+  json operator()(const gsbench::keys::Entries& entries) const {
+    json out = json::object();
+    for (const auto& entry : entries) out[entry.key] = std::visit(*this, entry.value.data);
+    return out;
+  }
+  template <typename Plain>
+  json operator()(const Plain& value) const {
+    return value;
+  }
+};
+
+bool has_type(const json& value, const std::string& type) {
+  return type == "object"    ? value.is_object()
+         : type == "array"   ? value.is_array()
+         : type == "string"  ? value.is_string()
+         : type == "integer" ? value.is_number_integer()
+         : type == "number"  ? value.is_number()
+                             : throw std::logic_error("a type of no file: " + type);
+}
+
+// The first place that is not valid; empty where all is. Of JSON Schema as much as ours use, and no
+// keyword that is not known here.
+std::string invalid_at(const json& value, const json& schema, const std::string& path) {
+  for (const auto& [keyword, asked] : schema.items()) {
+    bool holds = true;
+    if (keyword == "type") {
+      holds = has_type(value, asked);
+    } else if (keyword == "enum") {
+      holds = std::find(asked.begin(), asked.end(), value) != asked.end();
+    } else if (keyword == "minimum") {
+      holds = value >= asked;
+    } else if (keyword == "maximum") {
+      holds = value <= asked;
+    } else if (keyword == "exclusiveMinimum") {
+      holds = value > asked;
+    } else if (keyword == "exclusiveMaximum") {
+      holds = value < asked;
+    } else if (keyword == "minItems" || keyword == "minLength") {
+      const std::size_t size = value.is_string() ? value.get<std::string>().size() : value.size();
+      holds = size >= asked;
+    } else if (keyword == "maxItems" || keyword == "maxLength") {
+      const std::size_t size = value.is_string() ? value.get<std::string>().size() : value.size();
+      holds = size <= asked;
+    } else if (keyword == "pattern") {
+      holds = value.is_string() &&
+              std::regex_search(value.get<std::string>(), std::regex(asked.get<std::string>()));
+    } else if (keyword == "anyOf") {
+      holds = std::any_of(asked.begin(), asked.end(), [&](const json& choice) {
+        return invalid_at(value, choice, path).empty();
+      });
+    } else if (keyword == "required") {
+      holds = std::all_of(asked.begin(), asked.end(),
+                          [&](const json& key) { return value.contains(key); });
+    } else if (keyword == "additionalProperties") {
+      for (const auto& [key, inner] : value.items()) {
+        if (!schema["properties"].contains(key)) return path + "." + key;
+      }
+    } else if (keyword == "properties") {
+      for (const auto& [key, inner] : value.items()) {
+        if (!asked.contains(key)) continue;
+        const std::string where = invalid_at(inner, asked[key], path + "." + key);
+        if (!where.empty()) return where;
+      }
+    } else if (keyword == "items") {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        const json& item = asked.is_array() ? asked.at(i) : asked;
+        const std::string where = invalid_at(value[i], item, path + "[" + std::to_string(i) + "]");
+        if (!where.empty()) return where;
+      }
+    } else if (keyword != "description" && keyword != "default" && keyword != "title" &&
+               keyword != "$schema") {
+      throw std::logic_error("a keyword of no schema of ours: " + keyword);
+    }
+    if (!holds) return path + " (" + keyword + ")";
+  }
+  return "";
+}
+
+json schema_of(const std::string& format) {
+  const auto outcome = run_gsbench({"schema", format});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return json::parse(outcome.out);
+}
+
+json read(const fs::path& path) {
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return std::visit(ToJson{}, gsbench::keys::parse_toml(text, path.string()).root.data);
+}
+
+std::string format_of(const fs::path& path) {
+  const std::string folder = path.parent_path().filename();
+  return folder == "grids" ? "grid" : folder == "stations" ? "station" : "profile";
+}
+
+TEST(Schema, HoldsForEveryShippedFileAndForNoUnknownKeyInIt) {
+  std::map<std::string, int> seen;
+  const std::map<std::string, json> schemas = {{"profile", schema_of("profile")},
+                                               {"grid", schema_of("grid")},
+                                               {"station", schema_of("station")}};
+  for (const auto& entry : fs::recursive_directory_iterator(GSBENCH_SOURCE_DIR "/profiles")) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string format = format_of(entry.path());
+    const json& schema = schemas.at(format);
+    json file = read(entry.path());
+    EXPECT_EQ(invalid_at(file, schema, ""), "") << entry.path();
+    file["titel"] = "misspelt";
+    EXPECT_EQ(invalid_at(file, schema, ""), ".titel") << entry.path();
+    ++seen[format];
+  }
+  EXPECT_GT(seen["profile"], 10);
+  EXPECT_GT(seen["grid"], 2);
+  EXPECT_GT(seen["station"], 3);
+}
+
+TEST(Schema, RefusesWhatTheBenchRefuses) {
+  const json schema = schema_of("profile");
+  const json good = read(GSBENCH_SOURCE_DIR "/profiles/paper/loss-500mw.toml");
+  const auto spoilt = [&](const char* pointer, const json& value) {
+    json file = good;
+    file[json::json_pointer(pointer)] = value;
+    return invalid_at(file, schema, "");
+  };
+  EXPECT_EQ(spoilt("/signal/noise_pct", 101), ".signal.noise_pct (maximum)");
+  EXPECT_EQ(spoilt("/signal/noise_pct", "1 %"), ".signal.noise_pct (type)");
+  EXPECT_EQ(spoilt("/signal/sample_rate_hz", 8000.5), ".signal.sample_rate_hz (type)");
+  EXPECT_EQ(spoilt("/signal/harmonics", {{2, 1.0}}), ".signal.harmonics[0] (minItems)");
+  EXPECT_EQ(spoilt("/signal/duration", 6), ".signal.duration");
+  EXPECT_EQ(spoilt("/outlet/0/event_drop_hz", 0), ".outlet[0].event_drop_hz (exclusiveMinimum)");
+  EXPECT_EQ(spoilt("/outlet/0/id", "a b"), ".outlet[0].id (pattern)");
+  EXPECT_EQ(spoilt("/grid/system", 24), ".grid.system (anyOf)");
+  EXPECT_EQ(spoilt("/outlet", json::array()), ".outlet (minItems)");
+  json untitled = good;
+  untitled.erase("title");
+  EXPECT_EQ(invalid_at(untitled, schema, ""), " (required)");
+}
+
+TEST(Schema, OfAnUnknownFormatIsRefused) {
+  EXPECT_EQ(run_gsbench({"schema", "profiles"}).exit_code, 2);
+}
+
+}  // namespace
