@@ -130,7 +130,7 @@ void RunFolder::keep(const std::string& run_id) {
 void write_reports(const record::RunRecord& run, const std::string& folder) {
   try {
     for (const render::Format& format : render::kFormats) {
-      if (format.file[0] != '\0') {
+      if (format.is_kept()) {
         render::write_file(folder + "/" + format.file, format.render(run));
       }
     }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <boards/boards.hpp>
 #include <keys/suggestion.hpp>
 #include <keys/table.hpp>
 #include <profile/station_spec.hpp>
@@ -61,6 +62,16 @@ NamedFile find_station(const std::string& name) {
                   name, keys::suggestion(name, names, "stations")));
 }
 
+std::vector<std::string> emulated_boards() {
+  std::vector<std::string> names;
+  for (const gs::boards::Board& board : gs::boards::kBoards) {
+    if (gs::boards::is_emulated(board)) {
+      names.emplace_back(board.name);
+    }
+  }
+  return names;
+}
+
 std::vector<EmulatedOutletSpec> read_emulated(const Table& top) {
   std::vector<EmulatedOutletSpec> outlets;
   std::set<std::string> ids;
@@ -74,8 +85,10 @@ std::vector<EmulatedOutletSpec> read_emulated(const Table& top) {
     outlet.board = table.text("board");
     outlet.link = table.text("link");
     outlet.crystal_ppm = table.number("crystal_ppm");
-    if (outlet.board == "mps2-an386" && outlet.link != "serial") {
-      table.refuse("link", "link is \"mqtt\"; the board mps2-an386 has no radio, only \"serial\"");
+    if (outlet.link == "mqtt" && !gs::boards::find(outlet.board.c_str())->has_radio) {
+      table.refuse("link",
+                   fmt::format("link is \"mqtt\"; the board {} has no radio, only \"serial\"",
+                               outlet.board));
     }
     if (!ids.insert(outlet.id).second) {
       table.refuse("id", fmt::format("there is an outlet \"{}\" already", outlet.id));
@@ -196,7 +209,7 @@ const Key& station_keys() {
                   "outlets in the bench's process; processes that the bench starts and ends; "
                   "outlets that are there")
            .require("kind = \"simulated\", \"emulated\" or \"physical\""),
-       keys::text("image", "emulated: the firmware image of the boards `mps2-an386`")
+       keys::text("image", "emulated: the firmware image of the boards in qemu")
            .permits("path")
            .or_else("the one that was built"),
        keys::tables(
@@ -205,11 +218,11 @@ const Key& station_keys() {
            "some of each group; one with more groups than there are outlets is refused.",
            {keys::id("id", kLongestId, "its name: each once, and not `bench`")
                 .require("what the outlet is called: id = \"m4-1\""),
-            keys::word("board", {"mps2-an386", "host"},
+            keys::word("board", emulated_boards(),
                        "a Cortex-M4F in qemu, or the firmware as a process")
                 .by_default("host"),
             keys::word("link", {"serial", "mqtt"},
-                       "how it is reached; the board `mps2-an386` has no radio")
+                       "how it is reached; boards in qemu have no radio")
                 .by_default("serial"),
             keys::number("crystal_ppm", "ppm", keys::between(-kMostPpm, kMostPpm),
                          "by how much its sample clock is fast")
@@ -222,8 +235,7 @@ const Key& station_keys() {
                     keys::whole("baud", "bit/s", 9600, 4000000, "of serial ports")
                         .by_default(StationSpec{}.baud)}),
        keys::table(
-           "mqtt",
-           "Physical stations only.",
+           "mqtt", "Physical stations only.",
            {keys::text("url", "the broker")
                 .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
                 .require(),

@@ -31,11 +31,12 @@ emulation::HardwareOptions options_of(const profile::StationSpec& spec, const pr
   emulation::HardwareOptions options;
   options.sample_rate_hz = plan.stimulus.sample_rate_hz;
   options.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
-  options.image = spec.image.empty() ? GSBENCH_M4_IMAGE : spec.image;
+  options.image = spec.image;
+  options.image_folder = GSBENCH_M4_IMAGE_FOLDER;
   options.host_program = companion("gs-outlet");
   for (const profile::EmulatedOutletSpec& outlet : spec.emulated) {
     options.outlets.push_back(
-        {outlet.id, outlet.board == "host" ? emulation::Board::kHost : emulation::Board::kMps2An386,
+        {outlet.id, outlet.board,
          outlet.link == "mqtt" ? emulation::Connection::kMqtt : emulation::Connection::kSerial,
          outlet.crystal_ppm});
   }

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include <boards/boards.hpp>
 #include <emulation/hardware.hpp>
 
 namespace gsbench::emulation {
@@ -109,17 +110,24 @@ Result<Command> Hardware::command_of(std::size_t outlet) const {
       cables_[outlet] == nullptr ? "" : std::to_string(cables_[outlet]->outlet_end());
   Command command;
   command.output = folder_->path() + "/" + it.id + ".log";
-  if (it.board == Board::kMps2An386) {
-    if (it.connection != Connection::kSerial) {
-      return Error{"outlet " + it.id + ": the emulated board has no radio: its link is serial"};
-    }
+  const gs::boards::Board* board = gs::boards::find(it.board.c_str());
+  if (board == nullptr || !gs::boards::is_emulated(*board)) {
+    return Error{"outlet " + it.id + ": no board \"" + it.board + "\" can be emulated"};
+  }
+  if (it.connection == Connection::kMqtt && !board->has_radio) {
+    return Error{"outlet " + it.id + ": the board " + it.board +
+                 " has no radio: its link is serial"};
+  }
+  if (!gs::boards::is_process(*board)) {
     command.words = {"qemu-system-arm",
                      "-M",
-                     "mps2-an386,memory-backend=psram",
+                     board->machine,
                      "-object",
                      "memory-backend-file,id=psram,size=16M,share=on,mem-path=" + terminals,
                      "-kernel",
-                     options_.image,
+                     options_.image.empty()
+                         ? options_.image_folder + "/gs-outlet-" + board->folder + ".elf"
+                         : options_.image,
                      "-display",
                      "none",
                      "-monitor",

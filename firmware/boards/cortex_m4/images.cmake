@@ -18,7 +18,7 @@ set(GSBENCH_M4_IMAGE
     CACHE INTERNAL "The emulated outlet's image")
 
 set(images "")
-foreach(name mps2_an386 mps2_an386-Os mps2_an386-contracted stm32f405)
+foreach(name IN LISTS GSBENCH_BOARDS_cortex_m4 ITEMS mps2_an386-Os mps2_an386-contracted)
   list(APPEND images ${GSBENCH_M4_IMAGE_FOLDER}/gs-outlet-${name}.elf)
 endforeach()
 

@@ -37,7 +37,7 @@ class SerialStation : public testing::Test {
   void SetUp() override { set_up(Connection::kSerial); }
   void set_up(Connection connection) {
     gsbench::emulation::HardwareOptions options;
-    options.outlets = {{"kitchen-1", gsbench::emulation::Board::kHost, connection, 0.0}};
+    options.outlets = {{"kitchen-1", "host", connection, 0.0}};
     options.host_program = GS_OUTLET_PROGRAM;
     auto hardware = Hardware::set_up(options);
     ASSERT_TRUE(hardware.ok()) << hardware.error();

@@ -12,17 +12,9 @@ namespace {
 using record::MeasurementResult;
 using record::Verdict;
 
-profile::Expectation at_most(const char* measure, const char* unit, double max) {
-  profile::Expectation expectation;
-  expectation.measure = measure;
-  expectation.unit = unit;
-  expectation.max = max;
-  return expectation;
-}
-
-TEST(Judge, TellsLimitAndValueInTheUnitThatTheProfileUses) {
+TEST(Judge, GivesLimitAndValueInTheUnitThatTheProfileUses) {
   SyntheticCase c = loss_of_500_mw();
-  c.plan.expectations = {at_most("event.delay", "s", 0.16)};
+  c.plan.expectations = {limits("event.delay", {}, 0.16, "s")};
   const MeasurementResult result = measure(c.view()).front();
   EXPECT_EQ(result.unit, "s");
   EXPECT_NEAR(result.value, 0.120, 1e-12);
@@ -35,32 +27,33 @@ TEST(Judge, TellsLimitAndValueInTheUnitThatTheProfileUses) {
 // 120 ms with 0.4 ms of uncertainty, against limits in other units.
 TEST(Judge, ConvertsBeforeItCompares) {
   const SyntheticCase c = loss_of_500_mw();
-  EXPECT_EQ(verdict(c, at_most("event.delay", "us", 121000.0)), Verdict::kPass);
-  EXPECT_EQ(verdict(c, at_most("event.delay", "us", 120100.0)), Verdict::kInconclusive);
-  EXPECT_EQ(verdict(c, at_most("event.delay", "us", 119000.0)), Verdict::kFail);
-  EXPECT_EQ(verdict(c, at_most("tracker.error.max", "Hz", 0.004)), Verdict::kPass);
-  EXPECT_EQ(verdict(c, at_most("tracker.error.max", "Hz", 0.002)), Verdict::kFail);
-  EXPECT_EQ(verdict(c, at_most("lse.loss", "GW", 0.46)), Verdict::kPass);
-  EXPECT_EQ(verdict(c, at_most("lse.loss", "kW", 440000.0)), Verdict::kFail);
+  EXPECT_EQ(verdict(c, limits("event.delay", {}, 121000.0, "us")), Verdict::kPass);
+  EXPECT_EQ(verdict(c, limits("event.delay", {}, 120100.0, "us")), Verdict::kInconclusive);
+  EXPECT_EQ(verdict(c, limits("event.delay", {}, 119000.0, "us")), Verdict::kFail);
+  EXPECT_EQ(verdict(c, limits("tracker.error.max", {}, 0.004, "Hz")), Verdict::kPass);
+  EXPECT_EQ(verdict(c, limits("tracker.error.max", {}, 0.002, "Hz")), Verdict::kFail);
+  EXPECT_EQ(verdict(c, limits("lse.loss", {}, 0.46, "GW")), Verdict::kPass);
+  EXPECT_EQ(verdict(c, limits("lse.loss", {}, 440000.0, "kW")), Verdict::kFail);
 }
 
 TEST(Judge, NeverPassesALimitInAUnitThatDoesNotConvert) {
-  EXPECT_EQ(verdict(loss_of_500_mw(), at_most("event.delay", "Hz", 1e9)), Verdict::kInconclusive);
+  EXPECT_EQ(verdict(loss_of_500_mw(), limits("event.delay", {}, 1e9, "Hz")),
+            Verdict::kInconclusive);
 }
 
 TEST(Judge, NeverDropsALimitToAMeasureItDoesNotKnow) {
   SyntheticCase c = loss_of_500_mw();
-  c.plan.expectations = {at_most("event.count", "", 1.0), at_most("event.taste", "", 1.0)};
+  c.plan.expectations = {limits("event.count", {}, 1.0), limits("event.taste", {}, 1.0)};
   judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kInconclusive);
   EXPECT_EQ(c.outlet.measurements[1].name, "event.taste");
   EXPECT_EQ(c.outlet.measurements[1].reason, "there is no such measure");
 }
 
-TEST(Judge, TellsJudgedMeasuresFirstInTheProfilesOrderAndEveryOtherOnce) {
+TEST(Judge, ListsJudgedMeasuresFirstInTheProfilesOrderAndEveryOtherOnce) {
   SyntheticCase c = loss_of_500_mw();
-  c.plan.expectations = {at_most("relay.edges", "", 1.0), at_most("event.count", "", 1.0),
-                         at_most("relay.edges", "", 2.0)};
+  c.plan.expectations = {limits("relay.edges", {}, 1.0), limits("event.count", {}, 1.0),
+                         limits("relay.edges", {}, 2.0)};
   const std::vector<MeasurementResult> results = measure(c.view());
   ASSERT_EQ(results.size(), catalogue().size() + 1);
   EXPECT_EQ(results[0].name, "relay.edges");
@@ -77,7 +70,7 @@ TEST(Judge, TellsJudgedMeasuresFirstInTheProfilesOrderAndEveryOtherOnce) {
 TEST(Judge, GivesNoVerdictOnWhatIsForInformation) {
   SyntheticCase c = loss_of_500_mw();
   c.remove_marks("lse");
-  c.plan.expectations = {at_most("event.count", "", 1.0)};
+  c.plan.expectations = {limits("event.count", {}, 1.0)};
   judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kPass);
   const auto lse = std::find_if(c.outlet.measurements.begin(), c.outlet.measurements.end(),
@@ -87,22 +80,22 @@ TEST(Judge, GivesNoVerdictOnWhatIsForInformation) {
 }
 
 TEST(Judge, AppliesALimitToTheGroupsItNamesOnly) {
-  profile::Expectation of_others = at_most("event.count", "", 0.0);
+  profile::Expectation of_others = limits("event.count", {}, 0.0);
   of_others.groups = {"others", "more"};
   SyntheticCase c = loss_of_500_mw();
-  c.plan.expectations = {at_most("event.count", "", 1.0), of_others};
+  c.plan.expectations = {limits("event.count", {}, 1.0), of_others};
   judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kPass);
 
   c = loss_of_500_mw();
   c.outlet.group = "more";
-  c.plan.expectations = {at_most("event.count", "", 1.0), of_others};
+  c.plan.expectations = {limits("event.count", {}, 1.0), of_others};
   judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
 }
 
 TEST(Judge, AnOutletOfWhichNothingWasExpectedIsInconclusive) {
-  profile::Expectation of_others = at_most("event.count", "", 1.0);
+  profile::Expectation of_others = limits("event.count", {}, 1.0);
   of_others.groups = {"others"};
   EXPECT_EQ(verdict(loss_of_500_mw(), of_others), Verdict::kInconclusive);
 }
@@ -110,8 +103,8 @@ TEST(Judge, AnOutletOfWhichNothingWasExpectedIsInconclusive) {
 TEST(Judge, TheWorstOfItsMeasurementsIsTheOutletsVerdict) {
   SyntheticCase c = loss_of_500_mw();
   // Inconclusive (120 ms ± 0.4), failed, passed.
-  c.plan.expectations = {at_most("event.delay", "ms", 120.0), at_most("event.count", "", 0.0),
-                         at_most("relay.edges", "", 1.0)};
+  c.plan.expectations = {limits("event.delay", {}, 120.0), limits("event.count", {}, 0.0),
+                         limits("relay.edges", {}, 1.0)};
   judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
   EXPECT_EQ(c.outlet.measurements[0].verdict, Verdict::kInconclusive);
@@ -122,7 +115,7 @@ TEST(Judge, TheWorstOfItsMeasurementsIsTheOutletsVerdict) {
 TEST(Judge, AMeasurementThatIsMissingHasNoValueAndItsReason) {
   SyntheticCase c = loss_of_500_mw();
   c.remove_marks("lse");
-  c.plan.expectations = {at_most("lse.loss", "MW", 1e9)};
+  c.plan.expectations = {limits("lse.loss", {}, 1e9)};
   const MeasurementResult result = measure(c.view()).front();
   EXPECT_TRUE(std::isnan(result.value));
   EXPECT_EQ(result.reason, "no LSE");

@@ -107,20 +107,11 @@ const std::vector<Mutant>& mutants() {
   return all;
 }
 
-profile::Expectation expectation_of(const Mutant& mutant) {
-  profile::Expectation expectation;
-  expectation.measure = mutant.measure;
-  expectation.unit = find_measure(mutant.measure)->unit;
-  expectation.min = mutant.min;
-  expectation.max = mutant.max;
-  if (mutant.equals != nullptr) expectation.equals = mutant.equals;
-  return expectation;
-}
-
 TEST(Mutants, FailWhereTheRecordTheyCameFromPasses) {
   for (const Mutant& mutant : mutants()) {
     SyntheticCase c = mutant.of_command ? commanded() : loss_of_500_mw();
-    const profile::Expectation expectation = expectation_of(mutant);
+    profile::Expectation expectation = limits(mutant.measure, mutant.min, mutant.max);
+    if (mutant.equals != nullptr) expectation.equals = mutant.equals;
     EXPECT_EQ(verdict(c, expectation), record::Verdict::kPass) << mutant.measure;
     mutant.spoil(c);
     EXPECT_EQ(c.read(mutant.measure).missing, "") << mutant.measure << " must fail by its value";
@@ -143,11 +134,7 @@ TEST(Mutants, ANotANumberSaidToBeValidFailsEveryMeasureThatReadsIt) {
   c.outlet.trace.rocof_hz_s[200] = std::numeric_limits<float>::infinity();
   for (const char* name : {"tracker.delay", "tracker.error.max", "tracker.error.rms",
                            "tracker.bias", "tracker.rocof_error.rms"}) {
-    profile::Expectation expectation;
-    expectation.measure = name;
-    expectation.unit = find_measure(name)->unit;
-    expectation.max = 1e300;
-    EXPECT_EQ(verdict(c, expectation), record::Verdict::kFail) << name;
+    EXPECT_EQ(verdict(c, limits(name, {}, 1e300)), record::Verdict::kFail) << name;
   }
 }
 

@@ -24,12 +24,7 @@ struct TwoOutlets {
     run.outlets.push_back(c.outlet);
   }
 
-  void expect_events(double max) {
-    profile::Expectation expectation;
-    expectation.measure = "event.count";
-    expectation.max = max;
-    plan.expectations = {expectation};
-  }
+  void expect_events(double max) { plan.expectations = {limits("event.count", {}, max)}; }
 
   void expect_error(const std::string& reason) {
     judge(plan, run);

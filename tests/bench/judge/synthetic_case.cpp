@@ -121,6 +121,17 @@ SyntheticCase commanded() {
   return c;
 }
 
+profile::Expectation limits(const std::string& measure, std::optional<double> min,
+                            std::optional<double> max, const char* unit) {
+  const Measure* known = find_measure(measure);
+  profile::Expectation expectation;
+  expectation.measure = measure;
+  expectation.unit = unit != nullptr ? unit : known != nullptr ? known->unit : "";
+  expectation.min = min;
+  expectation.max = max;
+  return expectation;
+}
+
 record::Verdict verdict(SyntheticCase c, const profile::Expectation& expectation) {
   c.plan.expectations = {expectation};
   judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,10 @@ SyntheticCase loss_of_500_mw();
 // Without a loss: switched off by command at 2.000 s; ordered to the relay at 2.005 s, open at
 // 2.012 s.
 SyntheticCase commanded();
+
+// In the measure's own unit, unless another is named.
+profile::Expectation limits(const std::string& measure, std::optional<double> min,
+                            std::optional<double> max, const char* unit = nullptr);
 
 // The verdict of `judge_outlet` on one expectation.
 record::Verdict verdict(SyntheticCase c, const profile::Expectation& expectation);

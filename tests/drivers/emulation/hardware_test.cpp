@@ -91,8 +91,7 @@ HardwareOptions options() {
 
 TEST(Hardware, EndsItsOutletsBrokerAndFilesWithItself) {
   HardwareOptions two = options();
-  two.outlets = {{"s", Board::kHost, Connection::kSerial, 0.0},
-                 {"m", Board::kHost, Connection::kMqtt, 0.0}};
+  two.outlets = {{"s", "host", Connection::kSerial, 0.0}, {"m", "host", Connection::kMqtt, 0.0}};
   std::vector<pid_t> pids;
   std::string folder;
   {
@@ -116,7 +115,7 @@ TEST(Hardware, EndsItsOutletsBrokerAndFilesWithItself) {
 
 TEST(Hardware, WithoutOutletsOnMqttHasNoBroker) {
   HardwareOptions one = options();
-  one.outlets = {{"s", Board::kHost, Connection::kSerial, 0.0}};
+  one.outlets = {{"s", "host", Connection::kSerial, 0.0}};
   auto made = Hardware::set_up(one);
   ASSERT_TRUE(made.ok()) << made.error();
   EXPECT_EQ(made.value()->broker(), nullptr);
@@ -124,17 +123,21 @@ TEST(Hardware, WithoutOutletsOnMqttHasNoBroker) {
 
 TEST(Hardware, TellsWhatItCannotSetUp) {
   HardwareOptions radio = options();
-  radio.outlets = {{"m4", Board::kMps2An386, Connection::kMqtt, 0.0}};
+  radio.outlets = {{"m4", "mps2-an386", Connection::kMqtt, 0.0}};
   EXPECT_THAT(Hardware::set_up(radio).error(),
-              HasSubstr("outlet m4: the emulated board has no radio"));
+              HasSubstr("outlet m4: the board mps2-an386 has no radio"));
+  HardwareOptions unknown = options();
+  unknown.outlets = {{"f4", "stm32f405", Connection::kSerial, 0.0}};
+  EXPECT_THAT(Hardware::set_up(unknown).error(),
+              HasSubstr("outlet f4: no board \"stm32f405\" can be emulated"));
   HardwareOptions missing = options();
   missing.host_program = "/nowhere/gs-outlet";
-  missing.outlets = {{"s", Board::kHost, Connection::kSerial, 0.0}};
+  missing.outlets = {{"s", "host", Connection::kSerial, 0.0}};
   EXPECT_THAT(Hardware::set_up(missing).error(),
               HasSubstr("/nowhere/gs-outlet: cannot be started"));
   HardwareOptions twice = options();
-  twice.outlets = {{"s", Board::kHost, Connection::kSerial, 0.0},
-                   {"s", Board::kHost, Connection::kSerial, 0.0}};
+  twice.outlets = {{"s", "host", Connection::kSerial, 0.0},
+                   {"s", "host", Connection::kSerial, 0.0}};
   EXPECT_THAT(Hardware::set_up(twice).error(), HasSubstr("s.terminals: File exists"));
 }
 

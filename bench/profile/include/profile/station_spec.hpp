@@ -18,7 +18,7 @@ enum class StationKind {
 
 struct EmulatedOutletSpec {
   std::string id;
-  std::string board;         // "mps2-an386" or "host"
+  std::string board;         // of boards/boards.hpp
   std::string link;          // "serial" or "mqtt"
   double crystal_ppm = 0.0;  // by how much its crystal is fast; −1000 … 1000
 };
@@ -37,7 +37,7 @@ struct StationSpec {
   std::string path;
   StationKind kind = StationKind::kSimulated;
   std::vector<EmulatedOutletSpec> emulated;
-  std::string image;  // of the emulated board; empty: the one that was built
+  std::string image;  // of the boards in qemu; empty: those that were built
   std::vector<std::string> serial_ports;
   int baud = 921600;
   BrokerSpec broker;

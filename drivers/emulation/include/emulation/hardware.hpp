@@ -21,12 +21,11 @@ struct SharedMemory;
 
 namespace gsbench::emulation {
 
-enum class Board { kMps2An386, kHost };
 enum class Connection { kSerial, kMqtt };
 
 struct HardwareOutlet {
   std::string id;
-  Board board = Board::kHost;
+  std::string board = "host";  // of boards/boards.hpp, one that can be emulated
   Connection connection = Connection::kSerial;
   double crystal_ppm = 0.0;
 };
@@ -36,7 +35,8 @@ struct HardwareOptions {
   std::int64_t sample_rate_hz = 8000;
   int nominal_hz = 50;
   bool real_time = true;
-  std::string image;         // for the emulated board
+  std::string image;         // of all boards in qemu; empty: each its own, in image_folder
+  std::string image_folder;  // gs-outlet-<board's folder>.elf
   std::string host_program;  // gs-outlet
 };
 

@@ -22,6 +22,8 @@ struct Format {
   const char* file;  // in a run's folder; empty: not kept there
   const char* description;
   std::string (*render)(const record::RunRecord& run);
+
+  constexpr bool is_kept() const { return file[0] != '\0'; }
 };
 
 inline constexpr Format kFormats[] = {

@@ -19,7 +19,7 @@ class EmulatedOutlets {
     options.host_program = GS_OUTLET_PROGRAM;
     options.real_time = false;
     for (const std::string& id : ids) {
-      options.outlets.push_back({id, emulation::Board::kHost, connection, 0.0});
+      options.outlets.push_back({id, "host", connection, 0.0});
     }
     auto made = emulation::Hardware::set_up(options);
     if (!made.ok()) {
