@@ -57,7 +57,7 @@ void Application::receive(const wire::Downlink& downlink, Outbox& outbox) {
   }
   switch (downlink.kind) {
     case wire::DownlinkKind::kSettings:
-      return take_settings(downlink.settings, outbox);
+      return take_settings(downlink, outbox);
     case wire::DownlinkKind::kCommand:
       return take_command(downlink, outbox);
     case wire::DownlinkKind::kIdentify:
@@ -116,8 +116,11 @@ void Application::introduce(Outbox& outbox) const {
   outbox.put(told);
 }
 
-void Application::take_settings(const outlet::Settings& settings, Outbox& outbox) {
-  const outlet::SettingsError error = outlet::apply(config_, state_, settings);
+void Application::take_settings(const wire::Downlink& sent, Outbox& outbox) {
+  const outlet::Settings& settings = sent.settings;
+  const outlet::SettingsError error = sent.settings_error != outlet::SettingsError::kNone
+                                          ? sent.settings_error
+                                          : outlet::apply(config_, state_, settings);
   // An outlet that cannot keep them still follows them; the answer says so.
   const bool tried = error == outlet::SettingsError::kNone && area_ != nullptr;
   const bool kept = tried && area_->keep(settings);

@@ -107,18 +107,26 @@ bool Reader::head(std::uint8_t& major, std::uint8_t& info, std::uint64_t& value)
   return true;
 }
 
-bool Reader::array(std::size_t& items) {
+bool Reader::container(std::uint8_t wanted, std::size_t items_each, std::size_t& count) {
   Reader next = *this;
   std::uint8_t major = 0;
   std::uint8_t info = 0;
   std::uint64_t value = 0;
   // Each item takes a byte at least.
-  if (!next.head(major, info, value) || major != kArray || value > next.left()) {
+  if (!next.head(major, info, value) || major != wanted || value > next.left() / items_each) {
     return false;
   }
-  items = static_cast<std::size_t>(value);
+  count = static_cast<std::size_t>(value);
   *this = next;
   return true;
+}
+
+bool Reader::array(std::size_t& items) {
+  return container(kArray, 1, items);
+}
+
+bool Reader::map(std::size_t& pairs) {
+  return container(kMap, 2, pairs);
 }
 
 bool Reader::unsigned_integer(std::uint64_t& value) {

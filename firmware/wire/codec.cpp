@@ -1,3 +1,4 @@
+#include <outlet/settings_fields.hpp>
 #include <wire/cbor.hpp>
 #include <wire/codec.hpp>
 #include <wire/fields.hpp>
@@ -16,8 +17,105 @@ struct Counter {
   void choice(const E&, E, E = E{}) {
     ++items;
   }
-  void count(std::uint8_t, int) { ++items; }
+  void settings(const Downlink&) { ++items; }
 };
+
+constexpr std::size_t kSettingsFieldCount =
+    sizeof outlet::kSettingsFields / sizeof outlet::kSettingsFields[0];
+
+// Key and value of each setting.
+struct SettingsEncoder {
+  cbor::Writer& writer;
+
+  void operator()(const outlet::Field& field, const float& value) {
+    writer.unsigned_integer(field.key);
+    writer.single(value);
+  }
+  template <class T>
+  void operator()(const outlet::Field& field, const T& value) {
+    writer.unsigned_integer(field.key);
+    writer.unsigned_integer(value);
+  }
+  void rows(const outlet::Field& field, const outlet::ConditionRow* rows, std::uint8_t count) {
+    const int most = count < outlet::kMaxConditions ? count : outlet::kMaxConditions;
+    writer.unsigned_integer(field.key);
+    writer.array(2 * static_cast<std::size_t>(most));
+    for (int row = 0; row < most; ++row) {
+      writer.single(rows[row].from_hz);
+      writer.single(rows[row].rocof_below_hz_s);
+    }
+  }
+};
+
+void write_settings(cbor::Writer& writer, const outlet::Settings& settings) {
+  writer.map(kSettingsFieldCount);
+  SettingsEncoder encoder{writer};
+  outlet::visit_fields(settings, encoder);
+}
+
+template <class T>
+bool read_number(cbor::Reader& reader, T& value) {
+  std::uint64_t wide = 0;
+  const bool ok = reader.unsigned_integer(wide) && wide <= static_cast<T>(-1);
+  value = ok ? static_cast<T>(wide) : value;
+  return ok;
+}
+
+// The value of the setting whose key has just been read.
+struct SettingsDecoder {
+  cbor::Reader& reader;
+  bool ok = true;
+
+  void operator()(const outlet::Field&, float& value) { ok = reader.single(value); }
+  template <class T>
+  void operator()(const outlet::Field&, T& value) {
+    ok = read_number(reader, value);
+  }
+  void rows(const outlet::Field&, outlet::ConditionRow* rows, std::uint8_t& count) {
+    std::size_t items = 0;
+    ok = reader.array(items) && items % 2 == 0 && items <= 2 * outlet::kMaxConditions;
+    count = static_cast<std::uint8_t>(ok ? items / 2 : 0);
+    for (int row = 0; ok && row < count; ++row) {
+      ok = reader.single(rows[row].from_hz) && reader.single(rows[row].rocof_below_hz_s);
+    }
+  }
+};
+
+// What the map leaves out has its default. `unknown`: a key that no setting has.
+bool read_settings(cbor::Reader& reader, outlet::Settings& settings, bool& unknown) {
+  static_assert(kSettingsFieldCount <= 32, "one bit each");
+  std::size_t pairs = 0;
+  if (!reader.map(pairs)) {
+    return false;
+  }
+  settings = outlet::Settings{};
+  unknown = false;
+  std::uint32_t seen = 0;
+  for (; pairs > 0; --pairs) {
+    std::uint64_t key = 0;
+    if (!reader.unsigned_integer(key)) {
+      return false;
+    }
+    std::size_t at = 0;
+    while (at < kSettingsFieldCount && outlet::kSettingsFields[at].key != key) {
+      ++at;
+    }
+    if (at == kSettingsFieldCount) {
+      unknown = true;
+      if (!reader.skip()) {
+        return false;
+      }
+      continue;
+    }
+    SettingsDecoder decoder{reader};
+    outlet::visit_field(settings, outlet::kSettingsFields[at], decoder);
+    if (!decoder.ok || (seen >> at & 1u) != 0) {
+      return false;
+    }
+    seen |= std::uint32_t{1} << at;
+  }
+  return true;
+}
 
 struct Encoder {
   cbor::Writer& writer;
@@ -40,7 +138,7 @@ struct Encoder {
   void choice(E value, E, E = E{}) {
     writer.unsigned_integer(static_cast<std::uint8_t>(value));
   }
-  void count(std::uint8_t rows, int) { writer.unsigned_integer(rows); }
+  void settings(const Downlink& message) { write_settings(writer, message.settings); }
 };
 
 // What a later version has added; nothing may follow the array.
@@ -80,10 +178,12 @@ struct Decoder {
     ok = ok && raw >= static_cast<std::uint8_t>(first) && raw <= static_cast<std::uint8_t>(last);
     value = ok ? static_cast<E>(raw) : value;
   }
-  void count(std::uint8_t& rows, int most) {
-    number(rows);
-    ok = ok && rows <= most;
-    rows = ok ? rows : std::uint8_t{0};
+  void settings(Downlink& message) {
+    bool unknown = false;
+    ok = next() && read_settings(reader, message.settings, unknown);
+    if (unknown) {
+      message.settings_error = outlet::SettingsError::kUnknownField;
+    }
   }
 
   bool next() {
@@ -96,9 +196,7 @@ struct Decoder {
 
   template <class T>
   void number(T& value) {
-    std::uint64_t wide = 0;
-    ok = next() && reader.unsigned_integer(wide) && wide <= static_cast<T>(-1);
-    value = ok ? static_cast<T>(wide) : value;
+    ok = next() && read_number(reader, value);
   }
 
   bool finish() { return ok && pass_over(reader, items); }
@@ -156,12 +254,8 @@ std::size_t encode(const Downlink& message, std::uint32_t sequence, std::uint8_t
 }
 
 std::size_t encode(const outlet::Settings& settings, std::uint8_t* out, std::size_t capacity) {
-  Counter counter;
-  outlet::visit_fields(settings, counter);
   cbor::Writer writer(out, capacity);
-  writer.array(counter.items);
-  Encoder encoder{writer};
-  outlet::visit_fields(settings, encoder);
+  write_settings(writer, settings);
   return finished(writer);
 }
 
@@ -206,14 +300,10 @@ Decoded decode(const std::uint8_t* bytes, std::size_t size, Downlink& message,
 
 Decoded decode(const std::uint8_t* bytes, std::size_t size, outlet::Settings& settings) {
   cbor::Reader reader(bytes, size);
-  std::size_t items = 0;
-  if (!reader.array(items)) {
-    return Decoded::kMalformed;
-  }
-  settings = outlet::Settings{};
-  Decoder decoder{reader, items};
-  outlet::visit_fields(settings, decoder);
-  return decoder.finish() ? Decoded::kOk : Decoded::kMalformed;
+  bool unknown = false;
+  return read_settings(reader, settings, unknown) && !unknown && reader.left() == 0
+             ? Decoded::kOk
+             : Decoded::kMalformed;
 }
 
 }  // namespace gs::wire

@@ -77,7 +77,7 @@ class Application {
 
  private:
   void introduce(Outbox& outbox) const;
-  void take_settings(const outlet::Settings& settings, Outbox& outbox);
+  void take_settings(const wire::Downlink& sent, Outbox& outbox);
   void take_command(const wire::Downlink& command, Outbox& outbox);
   void test_itself(Outbox& outbox) const;
   void tell_status(Outbox& outbox) const;

@@ -63,7 +63,7 @@ struct Settings {
 
 enum class SettingsError : std::uint8_t {
   kNone = 0,
-  kNotFinite = 1,
+  kUnknownField = 1,  // sent by a centre of a later version
   kResponse = 2,  // gain, slope or omega_n² not positive, or outside what the model's series carry
   kThreshold = 3,
   kAccumulated = 4,

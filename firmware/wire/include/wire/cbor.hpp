@@ -1,6 +1,6 @@
 // The part of CBOR (RFC 8949) that messages are made of: integers, single-precision floats,
-// booleans, short text and arrays of definite length. No heap, no recursion over outside bytes
-// without a bound.
+// booleans, short text, arrays and maps of definite length. No heap, no recursion over outside
+// bytes without a bound.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,7 @@ class Writer {
   Writer(std::uint8_t* out, std::size_t capacity) : out_(out), capacity_(capacity) {}
 
   void array(std::size_t items) { head(4, items); }
+  void map(std::size_t pairs) { head(5, pairs); }
   void unsigned_integer(std::uint64_t value) { head(0, value); }
   void integer(std::int64_t value);
   void single(float value);  // any NaN as 0x7FC00000
@@ -40,6 +41,7 @@ class Reader {
   Reader(const std::uint8_t* bytes, std::size_t size) : at_(bytes), end_(bytes + size) {}
 
   [[nodiscard]] bool array(std::size_t& items);
+  [[nodiscard]] bool map(std::size_t& pairs);
   [[nodiscard]] bool unsigned_integer(std::uint64_t& value);
   [[nodiscard]] bool integer(std::int64_t& value);
   [[nodiscard]] bool single(float& value);
@@ -53,6 +55,7 @@ class Reader {
 
  private:
   bool head(std::uint8_t& major, std::uint8_t& info, std::uint64_t& value);
+  bool container(std::uint8_t wanted, std::size_t items_each, std::size_t& count);
 
   const std::uint8_t* at_;
   const std::uint8_t* end_;

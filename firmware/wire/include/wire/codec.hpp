@@ -3,6 +3,7 @@
 //   to the outlet    [kind, sequence, field, …]
 // with the fields of fields.hpp. A reader passes over what stands behind the fields it knows, so
 // that later versions can add some; what is missing or of another type makes a message malformed.
+// Settings are one field, a map by the keys of outlet/settings_fields.hpp.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace gs::wire {
 // What any version may say at most, and what a link must carry; the settings with all their rows
 // are this version's longest.
 constexpr std::size_t kLongestMessage = 560;
-constexpr std::size_t kLongestOfThisVersion = 448;
+constexpr std::size_t kLongestOfThisVersion = 482;
 static_assert(kLongestOfThisVersion <= kLongestMessage, "");
 
 enum class Decoded : std::uint8_t {
@@ -37,7 +38,7 @@ Decoded decode(const std::uint8_t* bytes, std::size_t size, Uplink& message,
 Decoded decode(const std::uint8_t* bytes, std::size_t size, Downlink& message,
                std::uint32_t& sequence);
 
-// Settings alone, as an outlet keeps them: a CBOR array of their fields.
+// Settings alone, as an outlet keeps them: their map. A key that is not known makes them malformed.
 std::size_t encode(const outlet::Settings& settings, std::uint8_t* out, std::size_t capacity);
 Decoded decode(const std::uint8_t* bytes, std::size_t size, outlet::Settings& settings);
 

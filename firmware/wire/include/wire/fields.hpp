@@ -3,10 +3,9 @@
 //
 // A visitor takes bool, std::uint8_t … std::uint32_t, std::int32_t, float and char arrays by
 // visit(field), enumerations by visit.choice(field, last) or, where they do not begin at 0,
-// visit.choice(field, last, first), and the number of condition rows by visit.count(field, most).
+// visit.choice(field, last, first), and settings, one map, by visit.settings(message).
 #pragma once
 
-#include <outlet/settings_fields.hpp>
 #include <wire/messages.hpp>
 
 namespace gs::wire {
@@ -101,7 +100,7 @@ template <class D, class V>
 void downlink_fields(D& m, V& visit) {
   switch (m.kind) {
     case DownlinkKind::kSettings:
-      return outlet::visit_fields(m.settings, visit);
+      return visit.settings(m);
     case DownlinkKind::kCommand:
       visit(m.request);
       return visit(m.close_relay);

@@ -189,6 +189,8 @@ constexpr DownlinkKind kLastDownlink = DownlinkKind::kPing;
 struct Downlink {
   DownlinkKind kind = DownlinkKind::kCommand;
   outlet::Settings settings;  // of kSettings
+  // Of kSettings, as they were read: kNone or kUnknownField.
+  outlet::SettingsError settings_error = outlet::SettingsError::kNone;
   bool close_relay = true;    // of kCommand
   std::uint32_t request = 0;  // of kCommand: comes back in its answer
   std::uint32_t token = 0;    // of kPing
