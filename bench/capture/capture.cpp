@@ -97,13 +97,9 @@ void Capture::add(Track& track, const link::Received& received) const {
   }
 }
 
-void Capture::add(const std::vector<relay::Edge>& edges) {
-  for (const relay::Edge& edge : edges) {
-    if (edge.outlet < tracks_.size()) {
-      tracks_[edge.outlet].bench_marks.push_back(
-          {edge.tick, "relay.sense", edge.closed ? 1.0 : 0.0, edge.closed ? "closed" : "open"});
-    }
-  }
+void Capture::add_edge(std::size_t outlet, std::int64_t tick, bool closed) {
+  tracks_.at(outlet).bench_marks.push_back(
+      {tick, "relay.sense", closed ? 1.0 : 0.0, closed ? "closed" : "open"});
 }
 
 void Capture::add_command(std::size_t outlet, std::int64_t tick, bool close) {

@@ -112,6 +112,12 @@ Reading trip_time(const Case& c) {
                  : not_done("the contact did not open");
 }
 
+// What only the relay sense can tell.
+template <Reading (*kRead)(const Case&)>
+Reading seen(const Case& c) {
+  return c.outlet.relay_sensed ? kRead(c) : not_known("no relay sense looks at its contact");
+}
+
 }  // namespace
 
 std::vector<Measure> relay_measures() {
@@ -121,7 +127,7 @@ std::vector<Measure> relay_measures() {
        "From the first loss to the contact's opening, by the relay sense.",
        "a loss in the profile, an opening after it",
        {},
-       delay},
+       seen<delay>},
       {"relay.delay_by_word",
        "ms",
        "The same by the outlet's word.",
@@ -134,43 +140,43 @@ std::vector<Measure> relay_measures() {
        "says.",
        "an opening, told and seen",
        {},
-       word_difference},
+       seen<word_difference>},
       {"relay.operate_time",
        "ms",
        "From the outlet's order to its relay to the contact's opening, by the relay sense.",
        "an opening",
        {},
-       operate_time},
+       seen<operate_time>},
       {"relay.end",
        "",
        "Where the contact stands at the end, by the relay sense.",
-       "nothing",
+       "a relay sense",
        {"closed", "open"},
-       end},
+       seen<end>},
       {"relay.edges",
        "",
        "Lasting changes of the contact, bounces aside, by the relay sense.",
-       "nothing",
+       "a relay sense",
        {},
-       edges},
+       seen<edges>},
       {"relay.chatter",
        "",
        "Edges of the contact beyond one for each lasting change.",
-       "nothing",
+       "a relay sense",
        {},
-       chatter},
+       seen<chatter>},
       {"command.delay",
        "ms",
        "From the first command sent to the contact's change.",
        "a command",
        {},
-       command_delay},
+       seen<command_delay>},
       {"trip.time",
        "s",
        "When the contact first opened, from the start of the run.",
        "an opening",
        {},
-       trip_time},
+       seen<trip_time>},
   };
 }
 

@@ -8,6 +8,7 @@ namespace {
 void align(std::size_t i, const Station& station, const capture::Markers& markers,
            capture::Capture& capture, record::RunRecord& run) {
   record::OutletRecord& outlet = run.outlets[i];
+  outlet.relay_sensed = station.relay_channel(i).has_value();
   capture::OutletClock clock;
   if (!station.outlets_count_ticks()) {
     const auto delay_s = outlet.settings.find("voltage_delay_s");

@@ -5,12 +5,6 @@
 
 namespace gsbench::station {
 
-void require(const drivers::Status& status) {
-  if (!status.ok()) {
-    throw BenchFault(status.error());
-  }
-}
-
 void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
   if (std::all_of(outlets.begin(), outlets.end(),
                   [](const record::OutletRecord& outlet) { return !outlet.fault.empty(); })) {

@@ -19,7 +19,13 @@ struct BenchFault : std::runtime_error {
 };
 
 // Throws BenchFault.
-void require(const drivers::Status& status);
+template <class T>
+T require(drivers::Result<T> result) {
+  if (!result.ok()) {
+    throw BenchFault(result.error());
+  }
+  return result.take();
+}
 void require_an_outlet(const std::vector<record::OutletRecord>& outlets);  // one without a fault
 
 // The first fault of an outlet stands; later ones often follow from it.

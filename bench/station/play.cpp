@@ -4,7 +4,6 @@
 #include "watch.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <waveform/tick.hpp>
 
@@ -33,6 +32,7 @@ class Player {
     // Where nothing is played before the run, answers come during its first reports.
     const std::int64_t answers_due = std::min(std::max(lead, tick_of(kSettingsAnswerS)), end);
     std::size_t command = 0;
+    require(station_.source().start());
     for (std::int64_t tick = 0; tick < end;) {
       if (options_.stop != nullptr && options_.stop->load()) {
         return false;
@@ -45,17 +45,19 @@ class Player {
            {answers_due, command < plan_.commands.size() ? command_tick(command) : end, end}) {
         next = stop > tick ? std::min(next, stop) : next;
       }
-      play_block(tick, static_cast<std::size_t>(next - tick));
-      if (tick < answers_due && next >= answers_due) {
+      const std::int64_t played = require(station_.source().advance(next));
+      listen(played);
+      if (tick < answers_due && played >= answers_due) {
         watch_.check_answers(capture_);
       }
-      tick = next;
+      tick = played;
       watch_.check_silence(capture_, tick);
       require_an_outlet(outlets_);
       if (options_.progress) {
         options_.progress(static_cast<double>(tick) / static_cast<double>(end));
       }
     }
+    require(station_.source().stop());
     return true;
   }
 
@@ -68,22 +70,28 @@ class Player {
     return signal_.lead_ticks() + tick_of(plan_.commands[command].at_s);
   }
 
-  void play_block(std::int64_t tick, std::size_t count) {
-    block_.resize(count);
-    signal_.render(tick, count, block_.data());
-    require(station_.source().play(tick, block_.data(), count));
+  // To all that came by the source's tick `now`.
+  void listen(std::int64_t now) {
     messages_.clear();
     faults_.clear();
     edges_.clear();
     require(station_.link().poll(messages_, faults_));
     require(station_.relay_sense().poll(edges_));
-    for (relay::Edge& edge : edges_) {
-      edge.tick -= signal_.lead_ticks();
-    }
-    watch_.hear(messages_, tick + static_cast<std::int64_t>(count));
+    watch_.hear(messages_, now);
     watch_.note_faults(faults_);
     capture_.add(messages_);
-    capture_.add(edges_);
+    add_edges();
+  }
+
+  void add_edges() {
+    const relay::Alignment alignment = station_.relay_sense().alignment();
+    for (std::size_t i = 0; i < outlets_.size(); ++i) {
+      for (const relay::Edge& edge : edges_) {
+        if (station_.relay_channel(i) == edge.channel) {
+          capture_.add_edge(i, alignment.tick_of(edge.count) - signal_.lead_ticks(), edge.closed);
+        }
+      }
+    }
   }
 
   void send(const profile::Command& command, std::int64_t tick) {
@@ -108,7 +116,6 @@ class Player {
   capture::Capture& capture_;
   Watch watch_;
   std::uint32_t requests_ = 0;
-  std::vector<float> block_;
   std::vector<link::Received> messages_;
   std::vector<link::Fault> faults_;
   std::vector<relay::Edge> edges_;
@@ -116,13 +123,9 @@ class Player {
 
 }  // namespace
 
-void start_source(const profile::Plan& plan, source::Source& source) {
-  source::SourceSettings settings;
-  settings.sample_rate_hz = plan.stimulus.sample_rate_hz;
-  settings.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
-  settings.noise_rms_pu = plan.stimulus.noise_rms_pu();
-  settings.seed = plan.seed;
-  require(source.start(settings));
+void power_up(const PlayedSignal& signal, source::Source& source) {
+  require(source.prepare(signal));
+  require(source.energise());
 }
 
 bool play(const profile::Plan& plan, const PlayedSignal& signal, Station& station,

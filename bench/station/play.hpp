@@ -10,7 +10,8 @@
 
 namespace gsbench::station {
 
-void start_source(const profile::Plan& plan, source::Source& source);
+// Throws BenchFault, where the source cannot play the signal too. `signal` outlives the playing.
+void power_up(const PlayedSignal& signal, source::Source& source);
 
 // Notes the faults of `outlets` as they come. Throws BenchFault. Returns false where it was stopped
 // from outside.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <station/played_signal.hpp>
 #include <waveform/tick.hpp>
@@ -62,7 +63,7 @@ class Calm {
 }  // namespace
 
 PlayedSignal::PlayedSignal(const profile::Plan& plan, bool with_markers)
-    : run_ticks_(plan.duration_ticks()) {
+    : run_ticks_(plan.duration_ticks()), noise_{plan.stimulus.noise_rms_pu(), plan.seed} {
   const std::int64_t rate_hz = plan.stimulus.sample_rate_hz;
   if (!with_markers) {
     parts_.push_back({0, plan.synthesizer()});
@@ -102,6 +103,30 @@ std::vector<double> PlayedSignal::square_sum(std::int64_t first_tick, std::size_
     sum.push_back(sum.back() + pu * pu);
   }
   return sum;
+}
+
+const PlayedSignal::Part& PlayedSignal::part_at(std::int64_t tick) const {
+  return *std::find_if(parts_.rbegin(), std::prev(parts_.rend()),
+                       [tick](const Part& part) { return part.first_tick <= tick; });
+}
+
+std::int64_t PlayedSignal::sample_rate_hz() const {
+  return parts_.front().synthesizer.sample_rate_hz();
+}
+
+int PlayedSignal::nominal_hz() const {
+  return static_cast<int>(std::lround(part_at(lead_ticks_).synthesizer.truth().nominal_hz()));
+}
+
+double PlayedSignal::frequency_hz(std::int64_t tick) const {
+  const Part& part = part_at(tick);
+  return part.synthesizer.truth().frequency_hz(static_cast<double>(tick - part.first_tick) /
+                                               static_cast<double>(sample_rate_hz()));
+}
+
+double PlayedSignal::amplitude_pu(std::int64_t tick) const {
+  const Part& part = part_at(tick);
+  return part.synthesizer.amplitude_pu(tick - part.first_tick);
 }
 
 void PlayedSignal::render(std::int64_t first_tick, std::size_t count, float* out) const {

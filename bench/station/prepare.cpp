@@ -13,7 +13,7 @@
 namespace gsbench::station {
 namespace {
 
-std::string noise_text(const profile::Plan& plan, const source::SourceInfo& source) {
+std::string noise_text(const profile::Plan& plan, const source::Limits& source) {
   if (!(plan.stimulus.noise_pct > 0.0)) {
     return "none";
   }
@@ -58,7 +58,7 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
                    recording.replaces_profile};
   run.station = station.name();
   run.bench_uncertainty = station.uncertainty();
-  run.noise = noise_text(plan, station.source().info());
+  run.noise = noise_text(plan, station.source().limits());
   run.seed = plan.seed;
   run.sample_rate_hz = plan.stimulus.sample_rate_hz;
   run.duration_ticks = plan.duration_ticks();

@@ -19,12 +19,12 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
   const PlayedSignal signal(plan, !station.outlets_count_ticks());
   capture::Capture capture(plan.outlets.size(), plan.stimulus.sample_rate_hz);
   {
-    const SafeState safe_state(station.source(), station.link());
+    const SafeState safe_state(station.source(), station.link(), run.fault);
     if (options.writer != nullptr) {
       options.writer->begin(run);
     }
     try {
-      start_source(plan, station.source());
+      power_up(signal, station.source());
       run.outlets = claim(plan, station.link());
       run.interrupted = !play(plan, signal, station, options, run.outlets, capture);
     } catch (const BenchFault& fault) {

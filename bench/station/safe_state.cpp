@@ -3,8 +3,11 @@
 namespace gsbench::station {
 
 SafeState::~SafeState() {
-  source_.make_safe();
+  const drivers::Status safe = source_.make_safe();
   link_.close();
+  if (!safe.ok()) {
+    fault_ += (fault_.empty() ? "" : "; ") + ("the source may still be live: " + safe.error());
+  }
 }
 
 }  // namespace gsbench::station

@@ -141,6 +141,11 @@ void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out)
   }
 }
 
+double Synthesizer::amplitude_pu(std::int64_t tick) const {
+  const double t_s = static_cast<double>(tick) / static_cast<double>(impl_->sample_rate_hz);
+  return impl_->schedule[impl_->schedule.index_at(tick)].level * impl_->truth->voltage_pu(t_s);
+}
+
 std::int64_t Synthesizer::sample_rate_hz() const {
   return impl_->sample_rate_hz;
 }

@@ -1,4 +1,3 @@
-#include "adc.hpp"
 #include "shared_memory_file.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include <emulation/mains.hpp>
 #include <models/adc.hpp>
+#include <models/crystal_adc.hpp>
 #include <models/relay_model.hpp>
 #include <simulated/pacer.hpp>
 
@@ -19,13 +19,13 @@ using drivers::Result;
 using drivers::Status;
 using models::ContactEdge;
 using models::kCountsPerPu;
-using models::kFullScalePu;
 
 namespace {
 
 // Not faster than an outlet takes them: so far it may be behind. One that takes none for so long
 // has ended, and the others do not wait for it.
 constexpr std::uint32_t kMostBehind = 4096;
+constexpr double kPi = 3.14159265358979323846;
 constexpr auto kGivenUpAfter = std::chrono::seconds(2);
 
 // One outlet on the mains.
@@ -34,7 +34,7 @@ struct Outlet {
 
   SharedMemoryFile terminal;
   double crystal_ppm;
-  std::unique_ptr<Adc> adc;        // while the source plays
+  std::unique_ptr<models::CrystalAdc> adc;  // from power-up on
   std::uint32_t first_sample = 0;  // the terminal's count when the source began
   std::uint32_t edges_read = 0;
   std::uint64_t coil_changes = 0;
@@ -50,7 +50,6 @@ struct Shared {
   std::vector<Outlet> outlets;
   std::int64_t tick = 0;
   std::uint64_t seed = 0;
-  bool live = false;
 };
 
 class MainsSource final : public source::Source {
@@ -59,66 +58,90 @@ class MainsSource final : public source::Source {
       : shared_(shared),
         pacer_(shared.options.real_time ? simulated::Pace::kRealTime : simulated::Pace::kVirtual) {}
 
-  source::SourceInfo info() const override { return {"emulated mains", kFullScalePu, true}; }
+  source::Limits limits() const override {
+    source::Limits limits;
+    limits.name = "emulated mains";
+    limits.full_scale_pu = models::kFullScalePu;
+    limits.sample_rates_hz = {shared_.options.sample_rate_hz};
+    limits.nominal_hz = {shared_.options.nominal_hz};
+    limits.noise_per_outlet = true;
+    return limits;
+  }
 
-  Status start(const source::SourceSettings& settings) override {
-    if (settings.sample_rate_hz != shared_.options.sample_rate_hz ||
-        settings.nominal_hz != shared_.options.nominal_hz) {
-      return Error{"emulated mains: its outlets sample at " +
-                   std::to_string(shared_.options.sample_rate_hz) + " Hz for mains of " +
-                   std::to_string(shared_.options.nominal_hz) + " Hz"};
-    }
-    shared_.seed = settings.seed;
+ protected:
+  Result<source::Played> deviation(const source::Stimulus&) const override {
+    return source::Played{};
+  }
+
+  Status power_up() override {
+    const source::Noise noise = stimulus().noise();
+    shared_.seed = noise.seed;
+    shared_.tick = 0;
     for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
       Outlet& outlet = shared_.outlets[i];
-      const models::Stream noise{settings.seed, models::kSourceNoise,
-                                 static_cast<std::uint32_t>(i)};
-      outlet.adc =
-          std::make_unique<Adc>(outlet.crystal_ppm, kCountsPerPu, settings.noise_rms_pu, noise);
-      // Nothing on the mains yet, while the adc counts: each outlet's count is another.
-      const std::vector<std::int16_t> nothing(800 + 137 * i);
-      outlet.terminal.write(nothing.data(), nothing.size());
-      outlet.first_sample = outlet.terminal.terminals().written;
+      const models::Stream stream{noise.seed, models::kSourceNoise, static_cast<std::uint32_t>(i)};
+      outlet.adc = std::make_unique<models::CrystalAdc>(outlet.crystal_ppm, kCountsPerPu,
+                                                        noise.rms_pu, stream);
       outlet.given_up = false;
+      Status fed = feed_nominal(outlet, 800 + 137 * i);  // each outlet's count is another
+      if (!fed.ok()) {
+        return fed;
+      }
+      outlet.first_sample = outlet.terminal.terminals().written;
     }
-    shared_.tick = 0;
-    shared_.live = true;
-    pacer_.start(settings.sample_rate_hz);
     return Done{};
   }
 
-  Status play(std::int64_t first_tick, const float* voltage_pu, std::size_t count) override {
-    if (!shared_.live || first_tick != shared_.tick) {
-      return Error{"emulated mains: asked for tick " + std::to_string(first_tick) +
-                   (shared_.live ? ", stands at " + std::to_string(shared_.tick)
-                                 : " before it was started")};
+  Status begin() override {
+    pacer_.start(shared_.options.sample_rate_hz);
+    return Done{};
+  }
+
+  Result<std::int64_t> play_until(std::int64_t until_tick) override {
+    const std::int64_t count = until_tick - tick();
+    const Result<const float*> voltage_pu = samples(tick(), count);
+    if (!voltage_pu.ok()) {
+      return Error{voltage_pu.error()};
     }
-    Status playable = models::within_full_scale("emulated mains", first_tick, voltage_pu, count);
-    if (!playable.ok()) {
-      return playable;
-    }
-    if (first_tick == 0) {
-      pacer_.restart();  // outlets that do not answer are waited for after the start
-    }
-    pacer_.wait_until(first_tick + static_cast<std::int64_t>(count));
+    pacer_.wait_until(until_tick);
     for (Outlet& outlet : shared_.outlets) {
       outlet.samples.clear();
-      outlet.adc->take(voltage_pu, count, outlet.samples);
+      outlet.adc->take(voltage_pu.value(), static_cast<std::size_t>(count), outlet.samples);
       outlet.terminal.write(outlet.samples.data(), outlet.samples.size());
       outlet.terminal.ring();
     }
-    shared_.tick += static_cast<std::int64_t>(count);
+    shared_.tick = until_tick;
     if (!shared_.options.real_time) {
       for (Outlet& outlet : shared_.outlets) {
         wait_for(outlet);
       }
     }
+    return until_tick;
+  }
+
+  Status switch_off() noexcept override { return Done{}; }
+
+ private:
+  // Nominal voltage of so many samples, in phase with the stimulus's first two.
+  Status feed_nominal(Outlet& outlet, std::size_t count) {
+    const Result<const float*> first = samples(0, 2);
+    if (!first.ok()) {
+      return Error{first.error()};
+    }
+    const auto at_0 = static_cast<double>(first.value()[0]);
+    const auto at_1 = static_cast<double>(first.value()[1]);
+    const double step_rad = 2.0 * kPi * static_cast<double>(shared_.options.nominal_hz) /
+                            static_cast<double>(shared_.options.sample_rate_hz);
+    const double phase_rad = std::atan2((at_0 * std::cos(step_rad) - at_1) / std::sin(step_rad), at_0);
+    outlet.samples.resize(count);
+    for (std::size_t n = 0; n < count; ++n) {
+      const double angle_rad = phase_rad - step_rad * static_cast<double>(count - n);
+      outlet.samples[n] = models::adc_counts(static_cast<float>(std::cos(angle_rad)), kCountsPerPu);
+    }
+    outlet.terminal.write(outlet.samples.data(), count);
     return Done{};
   }
 
-  void make_safe() noexcept override { shared_.live = false; }
-
- private:
   static void wait_for(Outlet& outlet) {
     const auto end = std::chrono::steady_clock::now() + kGivenUpAfter;
     while (!outlet.given_up && outlet.terminal.behind() > kMostBehind) {
@@ -135,8 +158,10 @@ class TerminalRelaySense final : public relay::RelaySense {
  public:
   explicit TerminalRelaySense(Shared& shared) : shared_(shared) {}
 
-  // Half a tick for the edge itself, half for the outlet's sample that its coil changed with.
-  double uncertainty_ticks() const override { return 1.0; }
+  std::size_t channels() const override { return shared_.outlets.size(); }
+  // It counts the source's ticks. Half a tick for the edge itself, half for the outlet's sample
+  // that its coil changed with.
+  relay::Alignment alignment() const override { return {0.0, 1.0, 1.0}; }
 
   Status poll(std::vector<relay::Edge>& edges) override {
     for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {

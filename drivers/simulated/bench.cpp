@@ -23,7 +23,6 @@ struct Shared {
   BenchParameters parameters;
   std::vector<Outlet> outlets;
   std::int64_t tick = 0;
-  bool live = false;
 };
 
 class SimulatedSource final : public source::Source {
@@ -33,47 +32,57 @@ class SimulatedSource final : public source::Source {
         pacer_(shared.parameters.pace),
         workers_(std::min(shared.parameters.threads, shared.outlets.size())) {}
 
-  source::SourceInfo info() const override { return {"simulated", kFullScalePu, true}; }
+  source::Limits limits() const override {
+    source::Limits limits;
+    limits.name = "simulated source";
+    limits.full_scale_pu = models::kFullScalePu;
+    for (std::int64_t rate_hz = 1000; rate_hz <= gs::outlet::kMaxSampleRateHz; rate_hz += 1000) {
+      limits.sample_rates_hz.push_back(rate_hz);
+    }
+    limits.nominal_hz = {50, 60};
+    limits.noise_per_outlet = true;
+    return limits;
+  }
 
-  Status start(const source::SourceSettings& settings) override {
+ protected:
+  Result<source::Played> deviation(const source::Stimulus&) const override {
+    return source::Played{};
+  }
+
+  Status power_up() override {
+    const source::Noise noise = stimulus().noise();
     for (Outlet& outlet : shared_.outlets) {
-      if (!outlet.start(settings.sample_rate_hz, settings.nominal_hz, settings.noise_rms_pu,
-                        settings.seed)) {
-        return Error{"simulated outlets: the firmware serves no " +
-                     std::to_string(settings.sample_rate_hz) + " Hz at " +
-                     std::to_string(settings.nominal_hz) + " Hz nominal"};
+      if (!outlet.start(stimulus().sample_rate_hz(), stimulus().nominal_hz(), noise.rms_pu,
+                        noise.seed)) {
+        return Error{"simulated source: the firmware serves no " +
+                     std::to_string(stimulus().sample_rate_hz()) + " Hz"};
       }
     }
     shared_.tick = 0;
-    shared_.live = true;
-    pacer_.start(settings.sample_rate_hz);
     return Done{};
   }
 
-  Status play(std::int64_t first_tick, const float* voltage_pu, std::size_t count) override {
-    if (!shared_.live) {
-      return Error{"simulated source: asked to play before it was started"};
-    }
-    if (first_tick != shared_.tick) {
-      return Error{"simulated source: asked for tick " + std::to_string(first_tick) +
-                   ", stands at " + std::to_string(shared_.tick)};
-    }
-    Status playable = within_full_scale("simulated source", first_tick, voltage_pu, count);
-    if (!playable.ok()) {
-      return playable;
-    }
-    if (first_tick == 0) {
-      pacer_.restart();
+  Status begin() override {
+    pacer_.start(stimulus().sample_rate_hz());
+    return Done{};
+  }
+
+  Result<std::int64_t> play_until(std::int64_t until_tick) override {
+    const std::int64_t first_tick = tick();
+    const std::int64_t count = until_tick - first_tick;
+    const Result<const float*> voltage_pu = samples(first_tick, count);
+    if (!voltage_pu.ok()) {
+      return Error{voltage_pu.error()};
     }
     pacer_.wait_until(first_tick);
     workers_.run(shared_.outlets.size(), [&](std::size_t outlet) {
-      shared_.outlets[outlet].feed(first_tick, voltage_pu, count);
+      shared_.outlets[outlet].feed(first_tick, voltage_pu.value(), static_cast<std::size_t>(count));
     });
-    shared_.tick += static_cast<std::int64_t>(count);
-    return Done{};
+    shared_.tick = until_tick;
+    return until_tick;
   }
 
-  void make_safe() noexcept override { shared_.live = false; }
+  Status switch_off() noexcept override { return Done{}; }
 
  private:
   Shared& shared_;
@@ -100,7 +109,7 @@ class SimulatedLink final : public link::Link {
       }
     }
     if (present.size() != shared_.outlets.size()) {
-      return Error{"simulated link: not every outlet said hello; start the source first"};
+      return Error{"simulated link: not every outlet said hello; energise the source first"};
     }
     return present;
   }
@@ -135,13 +144,15 @@ class SimulatedRelaySense final : public relay::RelaySense {
  public:
   explicit SimulatedRelaySense(Shared& shared) : shared_(shared) {}
 
-  double uncertainty_ticks() const override { return 0.5; }
+  std::size_t channels() const override { return shared_.outlets.size(); }
+  // It counts the source's ticks.
+  relay::Alignment alignment() const override { return {0.0, 1.0, 0.5}; }
 
   Status poll(std::vector<relay::Edge>& edges) override {
     for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
       contacts_.clear();
       shared_.outlets[i].take_edges(contacts_, shared_.tick);
-      for (const ContactEdge& contact : contacts_) {
+      for (const models::ContactEdge& contact : contacts_) {
         edges.push_back({i, contact.tick, contact.closed});
       }
     }
@@ -150,7 +161,7 @@ class SimulatedRelaySense final : public relay::RelaySense {
 
  private:
   Shared& shared_;
-  std::vector<ContactEdge> contacts_;
+  std::vector<models::ContactEdge> contacts_;
 };
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <simulated/outlet.hpp>
 
 namespace gsbench::simulated {
+
+using models::ContactEdge;
+
 namespace {
 
 // Small enough for the cache, large enough that noise comes in whole batches.
@@ -36,7 +39,7 @@ bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_
   gs::outlet::Hardware hardware;
   hardware.sample_rate_hz = static_cast<std::int32_t>(sample_rate_hz);
   hardware.nominal_hz = nominal_hz;
-  hardware.counts_per_pu = kCountsPerPu;
+  hardware.counts_per_pu = models::kCountsPerPu;
   return app_.start(hardware, identity_, nullptr, collector_);
 }
 
@@ -74,7 +77,7 @@ void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, 
                            noise_rms_pu_, volts_.data());
     }
     std::transform(volts_.begin(), volts_.begin() + static_cast<std::ptrdiff_t>(length),
-                   samples_.begin(), [](float volts) { return adc_counts(volts, kCountsPerPu); });
+                   samples_.begin(), [](float volts) { return models::adc_counts(volts, models::kCountsPerPu); });
     app_.feed(samples_.data(), length, collector_);
   }
 }

@@ -90,6 +90,7 @@ struct Fields<OutletRecord> {
     visitor("firmware", outlet.firmware);
     visitor("settings_digest", outlet.settings_digest);
     visitor("fault", outlet.fault);
+    visitor("relay_sensed", outlet.relay_sensed);
     visitor("clock_drift_ppm", outlet.clock.drift_ppm);
     visitor("clock_drift_uncertainty_ppm", outlet.clock.drift_uncertainty_ppm);
     visitor("clock_uncertainty_ms", outlet.clock.uncertainty_ms);

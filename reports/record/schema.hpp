@@ -13,7 +13,7 @@
 namespace gsbench::record {
 
 constexpr std::int64_t kApplicationId = 0x67734252;  // "gsBR": told from other SQLite files
-constexpr std::int64_t kSchemaVersion = 2;           // one more whenever the schema's text changes
+constexpr std::int64_t kSchemaVersion = 3;           // one more whenever the schema's text changes
 
 constexpr std::int64_t kRunOwner = 0;
 

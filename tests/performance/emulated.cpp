@@ -1,6 +1,7 @@
 // Emulated outlets against the clock, and the framed link beside the bare cable it runs on.
 #include "measuring.hpp"
 #include <link_framed/framed_link.hpp>
+#include <test_support/mains.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -22,7 +23,6 @@ namespace {
 
 namespace emulation = gsbench::emulation;
 namespace link = gsbench::link;
-namespace source = gsbench::source;
 namespace transport = gsbench::transport;
 using gs::wire::Downlink;
 using gs::wire::DownlinkKind;
@@ -41,8 +41,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t kOutlets = 16;
 constexpr double kPlayedS = 20.0;
-constexpr std::int64_t kRateHz = 8000;
-constexpr std::size_t kBlock = 128;  // 16 ms: one measurement
+constexpr std::int64_t kBlock = 128;  // 16 ms: one measurement
 constexpr int kRoundTrips = 1000;
 constexpr std::size_t kMessages = 200000;
 
@@ -67,19 +66,16 @@ link::FramedOptions ports_of(const emulation::Hardware& hardware) {
   return options;
 }
 
-void start_source(emulation::Hardware& hardware) {
-  source::SourceSettings settings;
-  settings.sample_rate_hz = kRateHz;
-  settings.nominal_hz = 50;
-  settings.noise_rms_pu = 0.01F;
-  or_die(hardware.source().start(settings));
-}
-
 void measure_sixteen_outlets() {
   const auto hardware = or_die(emulation::Hardware::set_up(options_for(kOutlets, "mps2-an386")));
   link::FramedLink link(ports_of(*hardware));
   or_die(link.open());
-  start_source(*hardware);
+  gsbench::test::Mains mains;
+  mains.duration_s = kPlayedS;
+  mains.added.rms_pu = 0.01F;
+  or_die(hardware->source().prepare(mains));
+  or_die(hardware->source().energise());
+  or_die(hardware->source().start());
   std::vector<link::Received> messages;
   std::vector<link::Fault> faults;
   std::size_t measurements = 0;
@@ -90,19 +86,13 @@ void measure_sixteen_outlets() {
       measurements += received.message.kind == UplinkKind::kMeasurement ? 1 : 0;
     }
   };
-  const auto ticks = static_cast<std::int64_t>(kPlayedS * static_cast<double>(kRateHz));
-  std::vector<float> block(kBlock);
+  const std::int64_t ticks = mains.total_ticks();
   const auto begin = steady_clock::now();
-  for (std::int64_t tick = 0; tick < ticks; tick += static_cast<std::int64_t>(kBlock)) {
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      const double t_s =
-          static_cast<double>(tick + static_cast<std::int64_t>(i)) / static_cast<double>(kRateHz);
-      block[i] = static_cast<float>(std::sin(2.0 * 3.14159265358979323846 * 50.0 * t_s));
-    }
-    or_die(hardware->source().play(tick, block.data(), kBlock));
+  for (std::int64_t tick = kBlock; tick <= ticks; tick += kBlock) {
+    or_die(hardware->source().advance(tick));
     look();
   }
-  const auto blocks = static_cast<std::size_t>(ticks) / kBlock;
+  const auto blocks = static_cast<std::size_t>(ticks / kBlock);
   wait_for(
       [&] {
         look();

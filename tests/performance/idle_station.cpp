@@ -6,15 +6,33 @@ namespace gsbench::performance {
 namespace {
 
 using drivers::Done;
+using drivers::Error;
 using drivers::Result;
 using drivers::Status;
 
 class IdleSource final : public source::Source {
  public:
-  source::SourceInfo info() const override { return {"idle", 1.5, true}; }
-  Status start(const source::SourceSettings&) override { return Done{}; }
-  Status play(std::int64_t, const float*, std::size_t) override { return Done{}; }
-  void make_safe() noexcept override {}
+  source::Limits limits() const override {
+    source::Limits limits;
+    limits.name = "idle";
+    limits.full_scale_pu = 1.5;
+    limits.sample_rates_hz = {8000};
+    limits.nominal_hz = {50};
+    return limits;
+  }
+
+ protected:
+  Result<source::Played> deviation(const source::Stimulus&) const override {
+    return source::Played{};
+  }
+  Status power_up() override { return Done{}; }
+  Status begin() override { return Done{}; }
+  // As a driver that streams: it takes the samples and does nothing with them.
+  Result<std::int64_t> play_until(std::int64_t until_tick) override {
+    const auto voltage_pu = samples(tick(), until_tick - tick());
+    return voltage_pu.ok() ? Result<std::int64_t>(until_tick) : Error{voltage_pu.error()};
+  }
+  Status switch_off() noexcept override { return Done{}; }
 };
 
 // Accepts its settings, then reports once a poll, as an outlet does every 16 ms.
@@ -63,7 +81,8 @@ class IdleLink final : public link::Link {
 
 class IdleRelaySense final : public relay::RelaySense {
  public:
-  double uncertainty_ticks() const override { return 0.0; }
+  std::size_t channels() const override { return 0; }
+  relay::Alignment alignment() const override { return {}; }
   Status poll(std::vector<relay::Edge>&) override { return Done{}; }
 };
 

@@ -66,12 +66,12 @@ TEST_F(DamagedStore, IsNoRecordWhenItIsAnotherDatabase) {
 }
 
 TEST_F(DamagedStore, OfANewerVersionAsksForANewerGsbench) {
-  change("PRAGMA user_version = 3");
-  EXPECT_THAT(error(), AllOf(StartsWith(path_), HasSubstr("version 3"), HasSubstr("newer")));
+  change("PRAGMA user_version = 4");
+  EXPECT_THAT(error(), AllOf(StartsWith(path_), HasSubstr("version 4"), HasSubstr("newer")));
 }
 
 // Whoever changes the tables must count kSchemaVersion up; this digest of the tables says when.
-TEST_F(DamagedStore, TablesOfVersion2AreWhatTheyWere) {
+TEST_F(DamagedStore, TablesOfVersion3AreWhatTheyWere) {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(path_.c_str(), &database), SQLITE_OK);
   QCryptographicHash hash(QCryptographicHash::Sha256);

@@ -94,7 +94,8 @@ TEST(Capture, KeepsWhatHappenedAsMarks) {
   shed.message.decision = {515.0F, 163.0F, 30, Trust::kTrusted, true};
   capture.add({event(0, 100), lse, shed, relay_word(0, 300, false),
                received(0, 400, UplinkKind::kAborted)});
-  capture.add(std::vector<relay::Edge>{{0, 310, false}, {0, 900, true}});
+  capture.add_edge(0, 310, false);
+  capture.add_edge(0, 900, true);
   capture.add_command(0, 800, true);
   EXPECT_THAT(
       told(taken(capture, 0)),
@@ -120,7 +121,8 @@ TEST(Capture, SaysOfADecisionToHoldWhetherTheEstimateWasTrusted) {
 TEST(Capture, BringsMarksIntoTheOrderOfTimeAndLeavesThoseOfOneInstantAsTheyCame) {
   Capture capture(1, kRateHz);
   capture.add({relay_word(0, 500, false), event(0, 700)});
-  capture.add(std::vector<relay::Edge>{{0, 600, false}, {0, 500, true}});
+  capture.add_edge(0, 600, false);
+  capture.add_edge(0, 500, true);
   capture.add_command(0, 400, false);
   EXPECT_THAT(
       told(taken(capture, 0)),
@@ -187,7 +189,6 @@ TEST(Capture, IsEmptyOnceItsContentIsTaken) {
 TEST(Capture, LeavesOutWhatOutletsSayThatAreNotOfTheRun) {
   Capture capture(1, kRateHz);
   capture.add({measurement(1, 128, 50.0F), event(7, 200), event(0, 300)});
-  capture.add(std::vector<relay::Edge>{{1, 400, false}});
   EXPECT_THAT(told(taken(capture, 0)), ElementsAre("300 event 49 frequency before it, Hz"));
 }
 

@@ -1,13 +1,12 @@
 #include "outlet_voltage.hpp"
 
-#include <adc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include <app/application.hpp>
+#include <models/crystal_adc.hpp>
 #include <outlet/front_end.hpp>
 #include <station/played_signal.hpp>
 
@@ -52,10 +51,10 @@ Played play(const profile::Plan& plan, const Crystal& crystal) {
   const std::vector<std::int16_t> nothing(static_cast<std::size_t>(crystal.lead_in));
   node.feed(nothing.data(), nothing.size(), listener);
 
-  emulation::Adc converter(crystal.ppm, kCountsPerPu,
-                           static_cast<float>(plan.stimulus.noise_rms_pu()),
-                           {plan.seed, models::kSourceNoise, crystal.noise_index});
-  played.samples_per_tick = 1.0 / converter.tick_of(1.0);
+  models::CrystalAdc adc(crystal.ppm, kCountsPerPu,
+                         static_cast<float>(plan.stimulus.noise_rms_pu()),
+                         {plan.seed, models::kSourceNoise, crystal.noise_index});
+  played.samples_per_tick = 1.0 / adc.tick_of(1.0);
   played.zero_sample = static_cast<double>(crystal.started) + static_cast<double>(crystal.lead_in) +
                        static_cast<double>(signal.lead_ticks()) * played.samples_per_tick;
   std::vector<float> volts(kBlock);
@@ -65,7 +64,7 @@ Played play(const profile::Plan& plan, const Crystal& crystal) {
         std::min<std::int64_t>(static_cast<std::int64_t>(kBlock), signal.total_ticks() - tick);
     signal.render(tick, static_cast<std::size_t>(count), volts.data());
     samples.clear();
-    converter.take(volts.data(), static_cast<std::size_t>(count), samples);
+    adc.take(volts.data(), static_cast<std::size_t>(count), samples);
     node.feed(samples.data(), samples.size(), listener);
     tick += count;
   }

@@ -1,11 +1,11 @@
 // What finds outlets and listens to them, on an emulated line or behind a broker.
 #include "gsbench_process.hpp"
 #include <sys/wait.h>
+#include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -57,18 +57,11 @@ class SerialStation : public testing::Test {
 
  private:
   void play() {
-    constexpr double kTwoPi = 6.283185307179586;
-    std::vector<float> block(128);
-    gsbench::source::SourceSettings settings;
-    settings.sample_rate_hz = 8000;
-    settings.nominal_hz = 50;
-    ASSERT_TRUE(hardware_->source().start(settings).ok());
-    for (std::int64_t tick = 0; !over_; tick += 128) {
-      for (std::size_t i = 0; i < block.size(); ++i) {
-        const auto at = static_cast<double>(tick + static_cast<std::int64_t>(i));
-        block[i] = static_cast<float>(std::sin(kTwoPi * 50.0 / 8000.0 * at));
-      }
-      ASSERT_TRUE(hardware_->source().play(tick, block.data(), block.size()).ok());
+    gsbench::test::Mains mains;
+    mains.duration_s = 600.0;
+    gsbench::test::start(hardware_->source(), mains);
+    for (std::int64_t tick = 128; !over_; tick += 128) {
+      gsbench::test::advance(hardware_->source(), tick);
     }
   }
 

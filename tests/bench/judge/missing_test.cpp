@@ -24,6 +24,10 @@ void no_loss(SyntheticCase& c) {
   c.plan.stimulus.losses.clear();
 }
 
+void no_sense(SyntheticCase& c) {
+  c.outlet.relay_sensed = false;
+}
+
 void no_clock(SyntheticCase& c) {
   c.outlet.clock = {};
 }
@@ -72,6 +76,14 @@ const std::vector<Missing>& all_missing() {
       {"relay.delay", true, "did not open after the loss", without("relay.sense")},
       {"relay.delay", true, "did not open after the loss",
        [](SyntheticCase& c) { c.move_marks("relay.sense", -929); }},
+      {"relay.delay", false, "no relay sense", no_sense},
+      {"relay.word_difference", false, "no relay sense", no_sense},
+      {"relay.operate_time", false, "no relay sense", no_sense},
+      {"relay.end", false, "no relay sense", no_sense},
+      {"relay.edges", false, "no relay sense", no_sense},
+      {"relay.chatter", false, "no relay sense", no_sense},
+      {"command.delay", false, "no relay sense", no_sense},
+      {"trip.time", false, "no relay sense", no_sense},
       {"relay.delay_by_word", false, "plays no loss", no_loss},
       {"relay.delay_by_word", true, "did not say that it opened", without("relay.word")},
       {"relay.operate_time", true, "was not opened", without("relay.word")},

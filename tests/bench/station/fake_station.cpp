@@ -14,31 +14,36 @@ constexpr std::int64_t kReportTicks = 128;
 
 }  // namespace
 
-source::SourceInfo FakeStation::info() const {
-  return {"fake source", 1.5, script_.noise_per_outlet};
+source::Limits FakeStation::limits() const {
+  source::Limits limits;
+  limits.name = "fake source";
+  limits.full_scale_pu = 1.5;
+  limits.sample_rates_hz = {8000};
+  limits.nominal_hz = {50};
+  limits.noise_per_outlet = script_.noise_per_outlet;
+  return limits;
 }
 
-Status FakeStation::start(const source::SourceSettings&) {
+Status FakeStation::power_up() {
   touched_ = true;
   source_on_ = true;  // a source that failed to start may be live all the same
   if (!script_.start_error.empty()) return Error{script_.start_error};
   return Done{};
 }
 
-Status FakeStation::play(std::int64_t first_tick, const float*, std::size_t count) {
-  touched_ = true;
-  played_while_off_ = played_while_off_ || !source_on_;
+drivers::Result<std::int64_t> FakeStation::play_until(std::int64_t until_tick) {
   if (script_.play_throws_at == plays_) throw std::runtime_error("fake source: thrown");
   if (script_.play_fails_at == plays_) return Error{"fake source: tripped"};
-  if (first_tick != tick_) return Error{"fake source: ticks do not follow on one another"};
-  tick_ += static_cast<std::int64_t>(count);
+  played_tick_ = until_tick;
   ++plays_;
-  return Done{};
+  return until_tick;
 }
 
-void FakeStation::make_safe() noexcept {
+Status FakeStation::switch_off() noexcept {
   source_on_ = false;
   ++made_safe_;
+  if (!script_.make_safe_error.empty()) return Error{script_.make_safe_error};
+  return Done{};
 }
 
 drivers::Result<std::vector<link::OutletPresence>> FakeStation::open() {
@@ -85,7 +90,7 @@ Status FakeStation::poll(std::vector<link::Received>& messages, std::vector<link
       answer_settings(i, messages);
       answered_[i] = true;
     }
-    for (std::int64_t tick = reported_tick_ + kReportTicks; tick <= tick_; tick += kReportTicks) {
+    for (std::int64_t tick = reported_tick_ + kReportTicks; tick <= played_tick_; tick += kReportTicks) {
       if (is_last(i) && tick >= script_.silent_from_tick) break;
       link::Received report;
       report.outlet = i;
@@ -95,7 +100,7 @@ Status FakeStation::poll(std::vector<link::Received>& messages, std::vector<link
       messages.push_back(report);
     }
   }
-  reported_tick_ = tick_ / kReportTicks * kReportTicks;
+  reported_tick_ = played_tick_ / kReportTicks * kReportTicks;
   return Done{};
 }
 

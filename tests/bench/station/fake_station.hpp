@@ -16,11 +16,13 @@ constexpr std::int64_t kNeverTick = std::numeric_limits<std::int64_t>::max();
 
 struct Script {
   std::size_t outlets = 2;
+  std::size_t relay_channels = 2;
   bool noise_per_outlet = false;
   double block_s = 0.1;
 
   // What goes wrong. Calls are counted from 0.
-  std::string start_error;
+  std::string start_error;  // of the source, energised
+  std::string make_safe_error;
   std::string open_error;
   std::optional<int> play_fails_at;
   std::optional<int> play_throws_at;  // against the rules of drivers
@@ -53,19 +55,24 @@ class FakeStation final : public Station,
   // The source is off and the link closed, both after all else that was asked of them.
   bool is_safe() const { return made_safe_ > 0 && closed_ > 0 && !source_on_ && !link_open_; }
   bool was_touched() const { return touched_; }
-  bool played_while_off() const { return played_while_off_; }
+  std::optional<std::size_t> relay_channel(std::size_t outlet) const override {
+    return outlet < script_.relay_channels ? std::optional(outlet) : std::nullopt;
+  }
   int blocks_played() const { return plays_; }
-  std::int64_t tick() const { return tick_; }
+  std::int64_t tick() const { return played_tick_; }
   const std::vector<gs::wire::Downlink>& sent_to(std::size_t outlet) const {
     return sent_.at(outlet);
   }
 
  private:
-  source::SourceInfo info() const override;
-  drivers::Status start(const source::SourceSettings& settings) override;
-  drivers::Status play(std::int64_t first_tick, const float* voltage_pu,
-                       std::size_t count) override;
-  void make_safe() noexcept override;
+  source::Limits limits() const override;
+  drivers::Result<source::Played> deviation(const source::Stimulus&) const override {
+    return source::Played{};
+  }
+  drivers::Status power_up() override;
+  drivers::Status begin() override { return drivers::Done{}; }
+  drivers::Result<std::int64_t> play_until(std::int64_t until_tick) override;
+  drivers::Status switch_off() noexcept override;
 
   drivers::Result<std::vector<link::OutletPresence>> open() override;
   drivers::Status send(std::size_t outlet, const gs::wire::Downlink& message) override;
@@ -73,7 +80,8 @@ class FakeStation final : public Station,
                        std::vector<link::Fault>& faults) override;
   void close() noexcept override;
 
-  double uncertainty_ticks() const override { return 0.5; }
+  std::size_t channels() const override { return script_.relay_channels; }
+  relay::Alignment alignment() const override { return {0.0, 1.0, 0.5}; }
   drivers::Status poll(std::vector<relay::Edge>& edges) override;
 
   bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }
@@ -83,14 +91,13 @@ class FakeStation final : public Station,
   bool touched_ = false;
   bool source_on_ = false;
   bool link_open_ = false;
-  bool played_while_off_ = false;
   int made_safe_ = 0;
   int closed_ = 0;
   int plays_ = 0;
   int sends_ = 0;
   int link_polls_ = 0;
   int relay_polls_ = 0;
-  std::int64_t tick_ = 0;
+  std::int64_t played_tick_ = 0;
   std::int64_t reported_tick_ = 0;
   std::vector<std::vector<gs::wire::Downlink>> sent_;
   std::vector<bool> answered_;

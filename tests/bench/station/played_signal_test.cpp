@@ -45,6 +45,21 @@ TEST(PlayedSignal, BetweenItsMarkersPlaysThePlansOwn) {
   EXPECT_EQ(rendered(signal, signal.lead_ticks(), p.duration_ticks()), own);
 }
 
+TEST(PlayedSignal, TellsTheFrequencyAndAmplitudeOfItsSamples) {
+  const profile::Plan p = off_nominal_plan();
+  const PlayedSignal signal(p, true);
+  EXPECT_EQ(signal.nominal_hz(), 50);
+  EXPECT_EQ(signal.sample_rate_hz(), 8000);
+  EXPECT_EQ(signal.noise().seed, p.seed);
+  EXPECT_EQ(signal.noise().rms_pu, p.stimulus.noise_rms_pu());
+  EXPECT_EQ(signal.frequency_hz(0), 49.8);
+  EXPECT_NEAR(signal.frequency_hz(signal.lead_ticks() + 8000), 49.75, 1e-9);
+  EXPECT_EQ(signal.frequency_hz(signal.total_ticks() - 1), 50.0);
+  const std::int64_t dip = signal.lead_ticks() + signal.markers().before.dips[0].from_tick;
+  EXPECT_EQ(signal.amplitude_pu(dip - 1), 1.0);
+  EXPECT_NEAR(signal.amplitude_pu(dip), signal.markers().level, 1e-12);
+}
+
 TEST(PlayedSignal, IsTheSameHoweverItIsCut) {
   const PlayedSignal signal(off_nominal_plan(), true);
   const std::vector<float> whole = rendered(signal, 0, signal.total_ticks());

@@ -48,6 +48,15 @@ TEST(RunRecord, SaysWhatWasPlayedWhereAndWithWhat) {
   EXPECT_LE(record.started_utc, record.finished_utc);
 }
 
+TEST(RunRecord, SaysWhichContactsTheBenchSees) {
+  Script script;
+  script.relay_channels = 1;
+  const record::RunRecord record = record_of(test::plan(0.2), script);
+  ASSERT_EQ(record.outlets.size(), 2U);
+  EXPECT_TRUE(record.outlets[0].relay_sensed);
+  EXPECT_FALSE(record.outlets[1].relay_sensed);
+}
+
 TEST(RunRecord, SaysOfEachOutletWhoItIsAndWhatItWasSent) {
   const record::RunRecord record = record_of(test::plan(0.2));
   ASSERT_EQ(record.outlets.size(), 2U);

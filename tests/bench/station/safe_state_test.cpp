@@ -1,4 +1,5 @@
 #include "fake_station.hpp"
+#include <test_support/mains.hpp>
 
 #include <stdexcept>
 
@@ -10,10 +11,12 @@ namespace gsbench::station::test {
 namespace {
 
 TEST(SafeState, IsReachedAtTheEndOfItsScopeAndNotBefore) {
+  const gsbench::test::Mains mains;
+  std::string failure;
   FakeStation station({});
   {
-    const SafeState safe_state(station.source(), station.link());
-    EXPECT_TRUE(station.source().start({}).ok());
+    const SafeState safe_state(station.source(), station.link(), failure);
+    gsbench::test::start(station.source(), mains);
     EXPECT_TRUE(station.link().open().ok());
     EXPECT_FALSE(station.is_safe());
   }
@@ -21,10 +24,12 @@ TEST(SafeState, IsReachedAtTheEndOfItsScopeAndNotBefore) {
 }
 
 TEST(SafeState, IsReachedByAnException) {
+  const gsbench::test::Mains mains;
+  std::string failure;
   FakeStation station({});
   const auto fail = [&] {
-    const SafeState safe_state(station.source(), station.link());
-    EXPECT_TRUE(station.source().start({}).ok());
+    const SafeState safe_state(station.source(), station.link(), failure);
+    gsbench::test::start(station.source(), mains);
     throw std::runtime_error("a fault");
   };
   EXPECT_THROW(fail(), std::runtime_error);
@@ -32,9 +37,19 @@ TEST(SafeState, IsReachedByAnException) {
 }
 
 TEST(SafeState, IsReachedWhereNothingWasEverStarted) {
+  std::string failure;
   FakeStation station({});
-  { const SafeState safe_state(station.source(), station.link()); }
+  { const SafeState safe_state(station.source(), station.link(), failure); }
   EXPECT_TRUE(station.is_safe());
+}
+
+TEST(SafeState, TellsWhereTheSourceDidNotReachIt) {
+  Script script;
+  script.make_safe_error = "fake source: relay welded";
+  FakeStation station(script);
+  std::string failure;
+  { const SafeState safe_state(station.source(), station.link(), failure); }
+  EXPECT_EQ(failure, "the source may still be live: fake source: relay welded");
 }
 
 }  // namespace

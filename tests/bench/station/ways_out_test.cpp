@@ -31,7 +31,6 @@ profile::Plan one_second() {
 
 void expect_safe(const FakeStation& station) {
   EXPECT_TRUE(station.is_safe());
-  EXPECT_FALSE(station.played_while_off());
 }
 
 void expect_error(const Script& script, const std::string& reason, double duration_s = 1.0) {
@@ -75,6 +74,14 @@ TEST(WaysOut, ASourceThatDoesNotStart) {
   Script script;
   script.start_error = "fake source: no such port";
   expect_error(script, "fake source: no such port");
+}
+
+TEST(WaysOut, ASourceThatCannotBeSwitchedOff) {
+  Script script;
+  script.make_safe_error = "fake source: relay welded";
+  expect_error(script, "the source may still be live: fake source: relay welded");
+  script.play_fails_at = 3;
+  expect_error(script, "fake source: tripped; the source may still be live");
 }
 
 TEST(WaysOut, ASourceThatFailsAtAnyBlock) {

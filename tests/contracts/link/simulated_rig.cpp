@@ -1,4 +1,5 @@
 #include "rigs.hpp"
+#include <test_support/mains.hpp>
 
 #include <simulated/bench.hpp>
 
@@ -8,18 +9,14 @@ namespace {
 class SimulatedRig final : public LinkRig {
  public:
   SimulatedRig() : bench_(std::make_shared<simulated::Bench>(parameters())) {
-    source::SourceSettings settings;
-    settings.sample_rate_hz = 8000;
-    settings.nominal_hz = 50;
-    EXPECT_TRUE(bench_->source().start(settings).ok());
+    start(bench_->source(), mains_);
   }
 
   std::shared_ptr<link::Link> make_link() override { return {bench_, &bench_->link()}; }
 
   void play(int reports) override {
-    const std::vector<float> block(static_cast<std::size_t>(reports) * 128);
-    EXPECT_TRUE(bench_->source().play(tick_, block.data(), block.size()).ok());
-    tick_ += static_cast<std::int64_t>(block.size());
+    tick_ += std::int64_t{reports} * 128;
+    advance(bench_->source(), tick_);
   }
 
  private:
@@ -29,6 +26,7 @@ class SimulatedRig final : public LinkRig {
     return parameters;
   }
 
+  Mains mains_;
   std::shared_ptr<simulated::Bench> bench_;
   std::int64_t tick_ = 0;
 };

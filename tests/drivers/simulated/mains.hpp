@@ -1,7 +1,9 @@
 // A mains voltage to play, and everything a simulated bench says while it is played.
 #pragma once
 
-#include <cmath>
+#include <test_support/mains.hpp>
+
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,16 +19,13 @@ constexpr std::int64_t kRateHz = 8000;
 
 // Nominal for a second, then falling by 0.5 Hz/s: an event, an estimate, a decision, and after
 // 0.4 s of it the switching-off frequency of settings().
-inline std::vector<float> falling_mains(double duration_s) {
-  constexpr double kTau = 6.283185307179586;
-  std::vector<float> voltage(static_cast<std::size_t>(duration_s * static_cast<double>(kRateHz)));
-  for (std::size_t n = 0; n < voltage.size(); ++n) {
-    const double t_s = static_cast<double>(n) / static_cast<double>(kRateHz);
-    const double after_s = std::fmax(t_s - 1.0, 0.0);
-    const double cycles = 50.0 * t_s - 0.25 * after_s * after_s;
-    voltage[n] = static_cast<float>(std::cos(kTau * (cycles - std::floor(cycles))));
-  }
-  return voltage;
+inline gsbench::test::Mains falling_mains(double duration_s, float noise_rms_pu = 0.0F,
+                                          std::uint64_t seed = 1) {
+  gsbench::test::Mains mains;
+  mains.duration_s = duration_s;
+  mains.falls_hz_s = 0.5;
+  mains.added = {noise_rms_pu, seed};
+  return mains;
 }
 
 // Of a system like the modified IEEE 24-bus one.
@@ -78,7 +77,7 @@ struct Heard {
       all.emplace_back(one.begin(), one.end());
     }
     for (const relay::Edge& edge : edges) {
-      all.push_back(std::to_string(edge.tick) + (edge.closed ? " closed" : " open"));
+      all.push_back(std::to_string(edge.count) + (edge.closed ? " closed" : " open"));
     }
     return all;
   }
@@ -101,15 +100,6 @@ inline BenchParameters bench_of(std::size_t outlets, std::size_t threads = 1) {
   return parameters;
 }
 
-inline source::SourceSettings mains_settings(float noise_rms_pu, std::uint64_t seed) {
-  source::SourceSettings settings;
-  settings.sample_rate_hz = kRateHz;
-  settings.nominal_hz = 50;
-  settings.noise_rms_pu = noise_rms_pu;
-  settings.seed = seed;
-  return settings;
-}
-
 inline void poll(Bench& bench, std::vector<Heard>& heard) {
   std::vector<link::Received> messages;
   std::vector<link::Fault> faults;
@@ -120,33 +110,27 @@ inline void poll(Bench& bench, std::vector<Heard>& heard) {
   for (const link::Received& received : messages) {
     heard.at(received.outlet).messages.push_back(received.message);
   }
-  for (const relay::Edge& edge : edges) heard.at(edge.outlet).edges.push_back(edge);
+  for (const relay::Edge& edge : edges) heard.at(edge.channel).edges.push_back(edge);
 }
 
 // Starts the bench, sends each outlet its settings and plays, block by block. Blocks take turns
 // through `block_ticks`.
 inline std::vector<Heard> play(Bench& bench, std::size_t outlets,
-                               const source::SourceSettings& settings,
-                               const std::vector<float>& voltage,
-                               const std::vector<std::size_t>& block_ticks) {
+                               const source::Stimulus& stimulus,
+                               const std::vector<std::int64_t>& block_ticks) {
   std::vector<Heard> heard(outlets);
-  const auto started = bench.source().start(settings);
-  EXPECT_TRUE(started.ok());
+  gsbench::test::start(bench.source(), stimulus);
   EXPECT_TRUE(bench.link().open().ok());
   for (std::size_t i = 0; i < outlets; ++i) {
     EXPECT_TRUE(bench.link().send(i, settings_message()).ok());
   }
   std::size_t turn = 0;
-  for (std::size_t tick = 0; tick < voltage.size();) {
-    const std::size_t count =
-        std::min(block_ticks[turn++ % block_ticks.size()], voltage.size() - tick);
-    const auto played =
-        bench.source().play(static_cast<std::int64_t>(tick), voltage.data() + tick, count);
-    EXPECT_TRUE(played.ok());
+  for (std::int64_t tick = 0; tick < stimulus.total_ticks();) {
+    tick = std::min(tick + block_ticks[turn++ % block_ticks.size()], stimulus.total_ticks());
+    gsbench::test::advance(bench.source(), tick);
     poll(bench, heard);
-    tick += count;
   }
-  bench.source().make_safe();
+  EXPECT_TRUE(bench.source().make_safe().ok());
   return heard;
 }
 

@@ -27,8 +27,10 @@ Edges contact_after(const std::vector<std::int64_t>& coil_ticks, std::size_t blo
     outlet.send(tick, command(close));
     close = !close;
   }
-  const std::vector<float> voltage = falling_mains(0.5);
-  std::vector<ContactEdge> edges;
+  const gsbench::test::Mains mains = falling_mains(0.5);
+  std::vector<float> voltage(static_cast<std::size_t>(mains.total_ticks()));
+  mains.render(0, voltage.size(), voltage.data());
+  std::vector<models::ContactEdge> edges;
   std::vector<gs::wire::Uplink> messages;
   for (std::size_t tick = 0; tick < voltage.size(); tick += block_ticks) {
     const std::size_t count = std::min(block_ticks, voltage.size() - tick);
@@ -43,7 +45,7 @@ Edges contact_after(const std::vector<std::int64_t>& coil_ticks, std::size_t blo
   EXPECT_EQ(turns, coil_ticks.size()) << "the outlet tells of each turn of its coil";
   EXPECT_EQ(outlet.relay_closed(), coil_ticks.size() % 2 == 0);
   Edges seen;
-  for (const ContactEdge& edge : edges) seen.emplace_back(edge.tick, edge.closed);
+  for (const models::ContactEdge& edge : edges) seen.emplace_back(edge.tick, edge.closed);
   return seen;
 }
 

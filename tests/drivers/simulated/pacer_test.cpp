@@ -39,14 +39,14 @@ TEST(Pacer, DoesNotHoldBackVirtualTime) {
 }
 
 TEST(Pacer, RealTimeBringsTheSameAsVirtualTime) {
-  const std::vector<float> voltage = falling_mains(0.2 + 0.016);
+  const gsbench::test::Mains mains = falling_mains(0.2 + 0.016, 0.01F);
   BenchParameters parameters = bench_of(2);
   Bench virtual_time(parameters);
   parameters.pace = Pace::kRealTime;
   Bench real_time(parameters);
-  const auto fast = play(virtual_time, 2, mains_settings(0.01F, 1), voltage, {128});
+  const auto fast = play(virtual_time, 2, mains, {128});
   const auto before = Clock::now();
-  const auto slow = play(real_time, 2, mains_settings(0.01F, 1), voltage, {128});
+  const auto slow = play(real_time, 2, mains, {128});
   // The last block is handed over when the one before it is through.
   EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(200 - 8));
   EXPECT_EQ(fast[0].as_bytes(), slow[0].as_bytes());

@@ -8,7 +8,6 @@
 #include <capture/clock.hpp>
 #include <link/link.hpp>
 #include <record/run_record.hpp>
-#include <relay/relay_sense.hpp>
 
 namespace gsbench::capture {
 
@@ -27,7 +26,7 @@ class Capture {
   Capture(std::size_t outlets, std::int64_t sample_rate_hz);
 
   void add(const std::vector<link::Received>& messages);
-  void add(const std::vector<relay::Edge>& edges);
+  void add_edge(std::size_t outlet, std::int64_t tick, bool closed);
   void add_command(std::size_t outlet, std::int64_t tick, bool close);
 
   const SettingsAnswer& settings_answer(std::size_t outlet) const;

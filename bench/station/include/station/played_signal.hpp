@@ -7,22 +7,27 @@
 
 #include <capture/clock.hpp>
 #include <profile/plan.hpp>
+#include <source/stimulus.hpp>
 #include <waveform/synthesizer.hpp>
 
 namespace gsbench::station {
 
-class PlayedSignal {
+class PlayedSignal final : public source::Stimulus {
  public:
   PlayedSignal(const profile::Plan& plan, bool with_markers);
 
-  // The source's ticks before the run's tick 0, and all of them.
+  // The source's ticks before the run's tick 0.
   std::int64_t lead_ticks() const { return lead_ticks_; }
-  std::int64_t total_ticks() const { return lead_ticks_ + run_ticks_ + tail_ticks_; }
   // In ticks of the run: negative before it.
   const capture::Markers& markers() const { return markers_; }
 
-  // Samples first_tick … first_tick + count − 1 by the source's ticks.
-  void render(std::int64_t first_tick, std::size_t count, float* out) const;
+  std::int64_t sample_rate_hz() const override;
+  std::int64_t total_ticks() const override { return lead_ticks_ + run_ticks_ + tail_ticks_; }
+  int nominal_hz() const override;
+  source::Noise noise() const override { return noise_; }
+  double frequency_hz(std::int64_t tick) const override;
+  double amplitude_pu(std::int64_t tick) const override;
+  void render(std::int64_t first_tick, std::size_t count, float* out) const override;
 
  private:
   struct Part {
@@ -30,11 +35,13 @@ class PlayedSignal {
     waveform::Synthesizer synthesizer;
   };
 
+  const Part& part_at(std::int64_t tick) const;
   // Of the samples before each tick from first_tick on.
   std::vector<double> square_sum(std::int64_t first_tick, std::size_t count) const;
 
   std::int64_t lead_ticks_ = 0;
   std::int64_t run_ticks_;
+  source::Noise noise_;
   std::int64_t tail_ticks_ = 0;
   capture::Markers markers_;
   std::vector<Part> parts_;  // ascending

@@ -1,6 +1,8 @@
 // Source off, outlets' links closed: reached on every way out of a run, an exception's among them.
 #pragma once
 
+#include <string>
+
 #include <link/link.hpp>
 #include <source/source.hpp>
 
@@ -8,7 +10,9 @@ namespace gsbench::station {
 
 class SafeState {
  public:
-  SafeState(source::Source& source, link::Link& link) : source_(source), link_(link) {}
+  // `fault` gets why the source is not in its safe state, where it is not.
+  SafeState(source::Source& source, link::Link& link, std::string& fault)
+      : source_(source), link_(link), fault_(fault) {}
   ~SafeState();
   SafeState(const SafeState&) = delete;
   SafeState& operator=(const SafeState&) = delete;
@@ -16,6 +20,7 @@ class SafeState {
  private:
   source::Source& source_;
   link::Link& link_;
+  std::string& fault_;
 };
 
 }  // namespace gsbench::station

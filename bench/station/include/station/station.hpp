@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <link/link.hpp>
@@ -20,6 +21,8 @@ class Station {
   virtual source::Source& source() = 0;
   virtual link::Link& link() = 0;
   virtual relay::RelaySense& relay_sense() = 0;
+  // Of the relay sense, for an outlet that it looks at.
+  virtual std::optional<std::size_t> relay_channel(std::size_t outlet) const { return outlet; }
   // Without the outlets' clocks: those are measured in each run.
   virtual record::BenchUncertainty uncertainty() = 0;
   // Does an outlet's sample count begin at 0 with the source's first tick, and keep step with it?

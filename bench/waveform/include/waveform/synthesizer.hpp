@@ -58,6 +58,9 @@ class Synthesizer {
   // channel for each outlet. Thread-safe: const and without shared mutable state.
   void render(std::int64_t first_tick, std::size_t count, float* out) const;
 
+  // Of the fundamental, per unit of nominal: the recording's times the amplitude steps.
+  double amplitude_pu(std::int64_t tick) const;
+
   std::int64_t sample_rate_hz() const;
   const Truth& truth() const;
 

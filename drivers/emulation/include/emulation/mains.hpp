@@ -1,6 +1,6 @@
 // The mains at emulated outlets, and the bench's eye on their relays: source and relay sense over
-// their terminals. Each outlet has a adc with a crystal of its own, some ppm off, that began
-// to count long before the source did; its relay's contact follows the coil as the simulated one
+// their terminals. Each outlet has an ADC on a crystal of its own, some ppm off, that began to count
+// before the stimulus does; its relay's contact follows the coil as the simulated one
 // does.
 #pragma once
 

@@ -21,7 +21,7 @@ using models::RelayParameters;
 using models::within_full_scale;
 
 struct OutletParameters {
-  RelayParameters relay;
+  models::RelayParameters relay;
   double downlink_ms = 5.0;  // from send() until the outlet has a message
 };
 
@@ -38,7 +38,7 @@ class Outlet {
 
   // Appends and forgets what happened since the last call.
   void take_messages(std::vector<gs::wire::Uplink>& messages);
-  void take_edges(std::vector<ContactEdge>& edges, std::int64_t up_to_tick);
+  void take_edges(std::vector<models::ContactEdge>& edges, std::int64_t up_to_tick);
 
   bool relay_closed() const { return app_.relay_closed(); }
 
@@ -67,7 +67,7 @@ class Outlet {
   Collector collector_;
   std::size_t relay_changes_read_ = 0;  // messages of the collector already seen by follow_relay
   std::deque<Pending> pending_;
-  std::vector<ContactEdge> edges_;
+  std::vector<models::ContactEdge> edges_;
   std::uint64_t coil_changes_ = 0;
   std::int64_t contact_moves_tick_ = 0;  // first edge of the newest change
   std::vector<float> volts_;

@@ -14,8 +14,6 @@ class Pacer {
   explicit Pacer(Pace pace) : pace_(pace) {}
   // Tick 0 is now.
   void start(std::int64_t sample_rate_hz);
-  // Tick 0 is only now: what came between was not played.
-  void restart() { start(sample_rate_hz_); }
   // Returns when the wall clock has reached the tick.
   void wait_until(std::int64_t tick) const;
 

@@ -72,6 +72,7 @@ struct OutletRecord {
   std::string firmware;         // version and digest it said of itself
   std::string settings_digest;  // that it acknowledged, hexadecimal
   std::string fault;            // what first went wrong between the bench and it; empty: nothing
+  bool relay_sensed = true;     // the bench's relay sense looks at its contact
   Clock clock;
   std::map<std::string, double> settings;  // what it was sent, unit in the name
   Verdict verdict = Verdict::kPass;

@@ -100,8 +100,7 @@ void FaultyStation::expect_whole(const record::OutletRecord& outlet) const {
 }
 
 void FaultyStation::expect_safe_state() {
-  const float calm[] = {0.0F};
-  EXPECT_FALSE(station_->source().play(0, calm, 1).ok()) << "the source still plays";
+  EXPECT_FALSE(station_->source().advance(1).ok()) << "the source still plays";
   gs::wire::Downlink ping;
   ping.kind = gs::wire::DownlinkKind::kPing;
   std::size_t reached = 0;

@@ -1,5 +1,7 @@
-// Outlets' processes on mains without a voltage, as an emulated station has them.
+// Outlets' processes on mains, as an emulated station has them.
 #pragma once
+
+#include <test_support/mains.hpp>
 
 #include <csignal>
 #include <memory>
@@ -41,16 +43,15 @@ class EmulatedOutlets {
   // So many measurements of each outlet, of 16 ms; before the first some more, of the time before
   // the source began.
   void play(int reports) {
-    constexpr std::size_t kTicks = 128;
-    const std::vector<float> block(kTicks);
+    source::Source& source = hardware_->source();
     if (tick_ == 0) {
-      source::SourceSettings settings;
-      settings.sample_rate_hz = 8000;
-      settings.nominal_hz = 50;
-      demand(hardware_->source().start(settings));
+      demand(source.prepare(mains_));
+      demand(source.energise());
+      demand(source.start());
     }
-    for (int i = 0; i < reports; ++i, tick_ += kTicks) {
-      demand(hardware_->source().play(tick_, block.data(), kTicks));
+    for (int i = 0; i < reports; ++i) {
+      tick_ += 128;
+      demand(source.advance(tick_));
     }
   }
 
@@ -63,12 +64,14 @@ class EmulatedOutlets {
   void start(std::size_t outlet) { demand(hardware_->restart_outlet(outlet)); }
 
  private:
-  static void demand(const drivers::Status& status) {
-    if (!status.ok()) {
-      throw std::runtime_error(status.error());
+  template <class T>
+  static void demand(const drivers::Result<T>& result) {
+    if (!result.ok()) {
+      throw std::runtime_error(result.error());
     }
   }
 
+  Mains mains_;
   std::unique_ptr<emulation::Hardware> hardware_;
   std::int64_t tick_ = 0;
 };

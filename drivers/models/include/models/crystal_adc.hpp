@@ -1,5 +1,5 @@
-// An outlet's analogue-to-digital adc on its own crystal: the source's samples, read where
-// the outlet's clock has its own. Between samples a cubic through the four nearest, right within
+// An outlet's ADC on its own crystal: the source's samples, read where the outlet's clock has its
+// own. Between samples a cubic through the four nearest, right within
 // 1e-5 of the amplitude at the 10th harmonic of 50 Hz and 8 kHz.
 #pragma once
 
@@ -9,13 +9,13 @@
 
 #include <models/noise.hpp>
 
-namespace gsbench::emulation {
+namespace gsbench::models {
 
-class Adc {
+class CrystalAdc {
  public:
   // `ppm`: by how much the crystal is fast. Noise is the outlet's own, drawn for each of its
   // samples.
-  Adc(double ppm, float counts_per_pu, float noise_rms_pu, models::Stream noise);
+  CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stream noise);
 
   // Takes the source's next samples; appends the outlet's own that they make.
   void take(const float* voltage_pu, std::size_t count, std::vector<std::int16_t>& samples);
@@ -27,11 +27,11 @@ class Adc {
   double rate_;  // samples a tick
   float counts_per_pu_;
   float noise_rms_pu_;
-  models::Stream noise_;
+  Stream noise_;
   std::int64_t made_ = 0;        // samples so far
   std::int64_t first_held_ = 0;  // tick of held_[0]
   std::vector<float> held_;      // the source's samples that are still needed
   std::vector<float> volts_;
 };
 
-}  // namespace gsbench::emulation
+}  // namespace gsbench::models

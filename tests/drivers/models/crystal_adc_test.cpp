@@ -1,15 +1,15 @@
-// The adc of an outlet on its own crystal.
-#include "adc.hpp"
-
+// The ADC of an outlet on its own crystal.
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <models/crystal_adc.hpp>
+
 namespace {
 
-using gsbench::emulation::Adc;
+using gsbench::models::CrystalAdc;
 using gsbench::models::kTest;
 using gsbench::models::Stream;
 
@@ -28,7 +28,7 @@ std::vector<float> sine(double frequency_hz, double amplitude_pu, std::size_t ti
 
 std::vector<std::int16_t> converted(const std::vector<float>& voltage, double ppm,
                                     std::size_t block, float noise_rms_pu = 0.0F) {
-  Adc adc(ppm, kCountsPerPu, noise_rms_pu, Stream{1, kTest, 0});
+  CrystalAdc adc(ppm, kCountsPerPu, noise_rms_pu, Stream{1, kTest, 0});
   std::vector<std::int16_t> samples;
   for (std::size_t at = 0; at < voltage.size(); at += block) {
     adc.take(voltage.data() + at, std::min(block, voltage.size() - at), samples);
@@ -58,10 +58,10 @@ double measured_hz(const std::vector<std::int16_t>& samples, double about_hz) {
   return about_hz + turned / (2.0 * kPi) * kRateHz / static_cast<double>(last);
 }
 
-class ConverterOfCrystal : public testing::TestWithParam<double> {};
+class Crystals : public testing::TestWithParam<double> {};
 
 // A crystal that is fast makes more samples in the same time: the mains look slower to it.
-TEST_P(ConverterOfCrystal, SeesTheMainsByItsOwnSamples) {
+TEST_P(Crystals, SeesTheMainsByItsOwnSamples) {
   const double ppm = GetParam();
   const auto samples = converted(sine(50.0, 1.0, 80000), ppm, 128);
   // Rounding to counts of 1/20000 leaves 1e-8 Hz over nine seconds; single precision's position
@@ -71,9 +71,9 @@ TEST_P(ConverterOfCrystal, SeesTheMainsByItsOwnSamples) {
   EXPECT_NEAR(static_cast<double>(samples.size()), (80000.0 - 2.0) * (1.0 + 1e-6 * ppm), 2.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Crystals, ConverterOfCrystal, testing::Values(-1000.0, -60.0, 0.0, 200.0));
+INSTANTIATE_TEST_SUITE_P(Ppm, Crystals, testing::Values(-1000.0, -60.0, 0.0, 200.0));
 
-TEST(Adc, HasTheHarmonicsRightBetweenTheSamples) {
+TEST(CrystalAdc, HasTheHarmonicsRightBetweenTheSamples) {
   const auto samples = converted(sine(500.0, 1.0, 80000), 200.0, 128);
   const double amplitude = std::abs(correlation(samples, 0, 40000, 500.0 / 1.0002));
   // A cubic at a sixteenth of the sampling rate is 3e-4 low in the middle between two samples and
@@ -81,7 +81,7 @@ TEST(Adc, HasTheHarmonicsRightBetweenTheSamples) {
   EXPECT_NEAR(amplitude / static_cast<double>(kCountsPerPu), 1.0, 5e-4);
 }
 
-TEST(Adc, DoesNotDependOnTheBlocks) {
+TEST(CrystalAdc, DoesNotDependOnTheBlocks) {
   const auto voltage = sine(50.0, 1.0, 20000);
   const auto once = converted(voltage, 200.0, voltage.size(), 0.01F);
   EXPECT_EQ(converted(voltage, 200.0, 1, 0.01F), once);
@@ -89,7 +89,7 @@ TEST(Adc, DoesNotDependOnTheBlocks) {
   EXPECT_EQ(converted(voltage, 200.0, 128, 0.01F), once);
 }
 
-TEST(Adc, WithACrystalThatIsRightTakesTheSourcesSamples) {
+TEST(CrystalAdc, WithACrystalThatIsRightTakesTheSourcesSamples) {
   const auto voltage = sine(50.0, 1.0, 1000);
   const auto samples = converted(voltage, 0.0, 100);
   ASSERT_EQ(samples.size(), 998U);
@@ -98,7 +98,7 @@ TEST(Adc, WithACrystalThatIsRightTakesTheSourcesSamples) {
   }
 }
 
-TEST(Adc, AddsNoiseOfTheRmsThatIsAsked) {
+TEST(CrystalAdc, AddsNoiseOfTheRmsThatIsAsked) {
   constexpr double kRmsPu = 0.01;
   constexpr std::size_t kTicks = 80000;
   const auto samples =
@@ -112,7 +112,7 @@ TEST(Adc, AddsNoiseOfTheRmsThatIsAsked) {
   EXPECT_NEAR(rms_pu, kRmsPu, 0.0125 * kRmsPu);
 }
 
-TEST(Adc, StopsAtItsFullScale) {
+TEST(CrystalAdc, StopsAtItsFullScale) {
   const auto samples = converted({2.0F, 2.0F, 2.0F, 2.0F, -2.0F, -2.0F, -2.0F, -2.0F}, 0.0, 8);
   ASSERT_EQ(samples.size(), 6U);
   EXPECT_EQ(samples.front(), 32767);

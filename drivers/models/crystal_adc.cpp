@@ -1,17 +1,18 @@
-#include "adc.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-namespace gsbench::emulation {
+#include <models/adc.hpp>
+#include <models/crystal_adc.hpp>
 
-Adc::Adc(double ppm, float counts_per_pu, float noise_rms_pu, models::Stream noise)
+namespace gsbench::models {
+
+CrystalAdc::CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stream noise)
     : rate_(1.0 + 1e-6 * ppm),
       counts_per_pu_(counts_per_pu),
       noise_rms_pu_(noise_rms_pu),
       noise_(noise) {}
 
-void Adc::take(const float* voltage_pu, std::size_t count, std::vector<std::int16_t>& samples) {
+void CrystalAdc::take(const float* voltage_pu, std::size_t count, std::vector<std::int16_t>& samples) {
   if (first_held_ == 0 && held_.empty() && count > 0) {
     // What was before the first sample, for the cubic.
     held_.push_back(voltage_pu[0]);
@@ -38,12 +39,11 @@ void Adc::take(const float* voltage_pu, std::size_t count, std::vector<std::int1
     ++made_;
   }
   if (noise_rms_pu_ > 0.0F) {
-    models::add_gaussian(noise_, static_cast<std::uint64_t>(first_made), volts_.size(),
+    add_gaussian(noise_, static_cast<std::uint64_t>(first_made), volts_.size(),
                          noise_rms_pu_, volts_.data());
   }
   for (const float volt : volts_) {
-    const float counts = std::min(std::max(volt * counts_per_pu_, -32768.0F), 32767.0F);
-    samples.push_back(static_cast<std::int16_t>(std::lround(counts)));
+    samples.push_back(adc_counts(volt, counts_per_pu_));
   }
   const auto needed =
       static_cast<std::int64_t>(std::floor(tick_of(static_cast<double>(made_)))) - 1;
@@ -55,4 +55,4 @@ void Adc::take(const float* voltage_pu, std::size_t count, std::vector<std::int1
   }
 }
 
-}  // namespace gsbench::emulation
+}  // namespace gsbench::models

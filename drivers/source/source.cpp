@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <source/source.hpp>
+
+namespace gsbench::source {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Result;
+using drivers::Status;
+
+namespace {
+
+constexpr std::int64_t kScannedAtOnce = 4096;
+
+Status render(const Limits& limits, const Stimulus& stimulus, std::int64_t first_tick,
+              std::int64_t count, std::vector<float>& out) {
+  out.resize(static_cast<std::size_t>(count));
+  stimulus.render(first_tick, out.size(), out.data());
+  const auto full_scale = static_cast<float>(limits.full_scale_pu);
+  const auto beyond = std::find_if(out.begin(), out.end(), [full_scale](float pu) {
+    return !(std::fabs(pu) <= full_scale);  // NaN is
+  });
+  if (beyond != out.end()) {
+    return Error{fmt::format("{}: {} pu at tick {} is beyond its full scale of {} pu", limits.name,
+                             *beyond, first_tick + (beyond - out.begin()), limits.full_scale_pu)};
+  }
+  return Done{};
+}
+
+template <class Value>
+Status one_of(const Limits& limits, const char* what, Value value, const std::vector<Value>& ones) {
+  if (std::find(ones.begin(), ones.end(), value) != ones.end()) {
+    return Done{};
+  }
+  std::string list;
+  for (const Value one : ones) {
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", one);
+  }
+  return Error{fmt::format("{}: a {} of {} Hz; it takes {} Hz", limits.name, what, value, list)};
+}
+
+Status within(const Limits& limits, const Stimulus& stimulus) {
+  const std::int64_t rate_hz = stimulus.sample_rate_hz();
+  const std::int64_t ticks = stimulus.total_ticks();
+  Status rate = one_of(limits, "sample rate", rate_hz, limits.sample_rates_hz);
+  if (!rate.ok()) {
+    return rate;
+  }
+  Status nominal = one_of(limits, "nominal frequency", stimulus.nominal_hz(), limits.nominal_hz);
+  if (!nominal.ok()) {
+    return nominal;
+  }
+  const double duration_s = static_cast<double>(ticks) / static_cast<double>(rate_hz);
+  if (ticks < 2 || duration_s > limits.longest_s) {
+    return Error{fmt::format("{}: a stimulus of {} ticks, {} s; it plays from 2 ticks to {} s",
+                             limits.name, ticks, duration_s, limits.longest_s)};
+  }
+  std::vector<float> scanned;
+  for (std::int64_t tick = 0; tick < ticks; tick += kScannedAtOnce) {
+    Status rendered =
+        render(limits, stimulus, tick, std::min(kScannedAtOnce, ticks - tick), scanned);
+    if (!rendered.ok()) {
+      return rendered;
+    }
+  }
+  return Done{};
+}
+
+}  // namespace
+
+const char* Source::word(State state) {
+  static const char* const kWords[] = {"off",     "prepared", "energised",
+                                       "playing", "stopped",  "failed"};
+  return kWords[static_cast<std::size_t>(state)];
+}
+
+Status Source::expect(const char* call, State needed) const {
+  if (state_ == needed) {
+    return Done{};
+  }
+  return Error{fmt::format("{}: cannot {} while {}: it must be {}", limits().name, call,
+                           word(state_), word(needed))};
+}
+
+Status Source::enter(State next, Status answer) {
+  state_ = answer.ok() ? next : State::kFailed;
+  return answer;
+}
+
+Result<Played> Source::check(const Stimulus& stimulus) const {
+  const Status possible = within(limits(), stimulus);
+  if (!possible.ok()) {
+    return Error{possible.error()};
+  }
+  return deviation(stimulus);
+}
+
+Result<Played> Source::prepare(const Stimulus& stimulus, const Progress& progress) {
+  const Status ready = expect("prepare", State::kOff);
+  if (!ready.ok()) {
+    return Error{ready.error()};
+  }
+  Result<Played> played = check(stimulus);
+  if (!played.ok()) {
+    return played;
+  }
+  stimulus_ = &stimulus;
+  limits_ = limits();
+  tick_ = 0;
+  const Status uploaded = enter(State::kPrepared, upload(progress));
+  if (!uploaded.ok()) {
+    return Error{uploaded.error()};
+  }
+  return played;
+}
+
+Status Source::energise() {
+  Status ready = expect("energise", State::kPrepared);
+  return ready.ok() ? enter(State::kEnergised, power_up()) : ready;
+}
+
+Status Source::start() {
+  Status ready = expect("start", State::kEnergised);
+  return ready.ok() ? enter(State::kPlaying, begin()) : ready;
+}
+
+Result<std::int64_t> Source::advance(std::int64_t until_tick) {
+  const Status ready = expect("advance", State::kPlaying);
+  if (!ready.ok()) {
+    return Error{ready.error()};
+  }
+  const std::int64_t end_tick = stimulus_->total_ticks();
+  if (until_tick <= tick_ || until_tick > end_tick) {
+    return Error{fmt::format("{}: asked to advance to tick {}; it stands at {} of {}",
+                             limits_.name, until_tick, tick_, end_tick)};
+  }
+  Result<std::int64_t> played = play_until(until_tick);
+  if (!played.ok()) {
+    state_ = State::kFailed;
+    return played;
+  }
+  if (played.value() < until_tick || played.value() > end_tick) {
+    state_ = State::kFailed;
+    return Error{fmt::format("{}: asked to advance to tick {} of {}, it stands at {}",
+                             limits_.name, until_tick, end_tick, played.value())};
+  }
+  tick_ = played.value();
+  return played;
+}
+
+Status Source::stop() {
+  Status ready = expect("stop", State::kPlaying);
+  return ready.ok() ? enter(State::kStopped, end()) : ready;
+}
+
+Status Source::make_safe() noexcept {
+  stimulus_ = nullptr;
+  return enter(State::kOff, switch_off());
+}
+
+Result<const float*> Source::samples(std::int64_t first_tick, std::int64_t count) {
+  const Status rendered = render(limits_, *stimulus_, first_tick, count, samples_);
+  if (!rendered.ok()) {
+    return Error{rendered.error()};
+  }
+  return static_cast<const float*>(samples_.data());
+}
+
+}  // namespace gsbench::source

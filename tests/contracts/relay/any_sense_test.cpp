@@ -1,0 +1,90 @@
+// What every relay sense does. A new driver: its rig, and a line below.
+#include "rigs.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gsbench::test {
+namespace {
+
+// The slowest relay, bounces included.
+constexpr std::int64_t kSlowestTicks = 160;
+
+class AnySense : public testing::TestWithParam<std::unique_ptr<RelayRig> (*)()> {
+ protected:
+  AnySense() { play(4000); }
+
+  void play(std::int64_t ticks) {
+    tick_ += ticks;
+    rig_->advance(tick_);
+  }
+  std::vector<relay::Edge> polled() {
+    std::vector<relay::Edge> edges;
+    const auto status = rig_->sense().poll(edges);
+    EXPECT_TRUE(status.ok()) << status.error();
+    return edges;
+  }
+  double tick_of(const relay::Edge& edge) {
+    return static_cast<double>(rig_->sense().alignment().tick_of(edge.count));
+  }
+
+  std::unique_ptr<RelayRig> rig_ = GetParam()();
+  std::int64_t tick_ = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Simulated, AnySense, testing::Values(&simulated_sense));
+INSTANTIATE_TEST_SUITE_P(Emulated, AnySense, testing::Values(&emulated_sense));
+INSTANTIATE_TEST_SUITE_P(Counter, AnySense, testing::Values(&counter_sense));
+
+TEST_P(AnySense, TellsAnOpeningByItsChannelAndTheSourcesTicksOnce) {
+  EXPECT_EQ(rig_->sense().channels(), 2U);
+  EXPECT_TRUE(polled().empty());
+  const double uncertainty = rig_->sense().alignment().uncertainty_ticks;
+  EXPECT_GT(uncertainty, 0.0);
+  EXPECT_LT(uncertainty, 8.0) << "a millisecond is a tenth of the time it measures";
+  for (const std::size_t channel : {1U, 0U}) {
+    const auto turned = static_cast<double>(tick_);
+    rig_->turn(channel, false);
+    play(2 * kSlowestTicks);
+    const std::vector<relay::Edge> edges = polled();
+    ASSERT_EQ(edges.size(), 1U) << "an opening contact does not bounce";
+    EXPECT_EQ(edges[0].channel, channel);
+    EXPECT_FALSE(edges[0].closed);
+    EXPECT_GE(tick_of(edges[0]), turned - uncertainty);
+    EXPECT_LE(tick_of(edges[0]), turned + kSlowestTicks + uncertainty);
+    EXPECT_TRUE(polled().empty());
+  }
+}
+
+TEST_P(AnySense, TellsNothingThatIsStillToCome) {
+  rig_->turn(0, false);
+  EXPECT_TRUE(polled().empty());
+  std::vector<relay::Edge> edges;
+  for (int i = 0; edges.empty() && i < kSlowestTicks; ++i) {
+    play(2);
+    edges = polled();
+  }
+  ASSERT_FALSE(edges.empty());
+  EXPECT_LE(tick_of(edges[0]),
+            static_cast<double>(tick_) + rig_->sense().alignment().uncertainty_ticks);
+  // Nor is it late.
+  EXPECT_GE(tick_of(edges[0]), static_cast<double>(tick_) - 8.0);
+}
+
+TEST_P(AnySense, TellsAContactsEdgesInTheirOrderBouncesIncluded) {
+  std::vector<relay::Edge> all;
+  for (const bool closed : {false, true, false, true, false}) {
+    rig_->turn(1, closed);
+    play(2 * kSlowestTicks);
+    const std::vector<relay::Edge> edges = polled();
+    ASSERT_FALSE(edges.empty());
+    EXPECT_EQ(edges.back().closed, closed);
+    all.insert(all.end(), edges.begin(), edges.end());
+  }
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    EXPECT_GT(all[i].count, all[i - 1].count);
+    EXPECT_NE(all[i].closed, all[i - 1].closed);
+  }
+}
+
+}  // namespace
+}  // namespace gsbench::test

@@ -1,0 +1,38 @@
+#include "rigs.hpp"
+#include <test_support/mains.hpp>
+
+#include <simulated/bench.hpp>
+
+namespace gsbench::test {
+namespace {
+
+class SimulatedRig final : public RelayRig {
+ public:
+  SimulatedRig() {
+    simulated::BenchParameters parameters;
+    parameters.outlet_ids = {"a", "b"};
+    parameters.outlet.downlink_ms = 0.0;
+    bench_ = std::make_unique<simulated::Bench>(parameters);
+    start(bench_->source(), mains_);
+  }
+  relay::RelaySense& sense() override { return bench_->relay_sense(); }
+  void turn(std::size_t channel, bool closed) override {
+    gs::wire::Downlink command;
+    command.kind = gs::wire::DownlinkKind::kCommand;
+    command.close_relay = closed;
+    EXPECT_TRUE(bench_->link().send(channel, command).ok());
+  }
+  void advance(std::int64_t until_tick) override { test::advance(bench_->source(), until_tick); }
+
+ private:
+  Mains mains_;
+  std::unique_ptr<simulated::Bench> bench_;
+};
+
+}  // namespace
+
+std::unique_ptr<RelayRig> simulated_sense() {
+  return std::make_unique<SimulatedRig>();
+}
+
+}  // namespace gsbench::test
