@@ -85,7 +85,8 @@ EmulatedStation::~EmulatedStation() {
 
 record::BenchUncertainty EmulatedStation::uncertainty() {
   record::BenchUncertainty uncertainty;
-  uncertainty.relay_sense_ms = 1e3 * hardware_->relay_sense().alignment().uncertainty_ticks / sample_rate_hz_;
+  uncertainty.relay_sense_ms =
+      1e3 * hardware_->relay_sense().alignment().uncertainty_ticks / sample_rate_hz_;
   return uncertainty;
 }
 

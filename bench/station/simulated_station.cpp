@@ -30,7 +30,8 @@ class SimulatedStation final : public Station {
   record::BenchUncertainty uncertainty() override {
     // Outlets count the very samples that are played.
     record::BenchUncertainty uncertainty;
-    uncertainty.relay_sense_ms = 1e3 * bench_.relay_sense().alignment().uncertainty_ticks / sample_rate_hz_;
+    uncertainty.relay_sense_ms =
+        1e3 * bench_.relay_sense().alignment().uncertainty_ticks / sample_rate_hz_;
     return uncertainty;
   }
 

@@ -35,7 +35,7 @@ struct Outlet {
   SharedMemoryFile terminal;
   double crystal_ppm;
   std::unique_ptr<models::CrystalAdc> adc;  // from power-up on
-  std::uint32_t first_sample = 0;  // the terminal's count when the source began
+  std::uint32_t first_sample = 0;           // the terminal's count when the source began
   std::uint32_t edges_read = 0;
   std::uint64_t coil_changes = 0;
   std::vector<ContactEdge> contact;  // edges that the sense has still to tell, ascending
@@ -132,13 +132,15 @@ class MainsSource final : public source::Source {
     const auto at_1 = static_cast<double>(first.value()[1]);
     const double step_rad = 2.0 * kPi * static_cast<double>(shared_.options.nominal_hz) /
                             static_cast<double>(shared_.options.sample_rate_hz);
-    const double phase_rad = std::atan2((at_0 * std::cos(step_rad) - at_1) / std::sin(step_rad), at_0);
+    const double phase_rad =
+        std::atan2((at_0 * std::cos(step_rad) - at_1) / std::sin(step_rad), at_0);
     outlet.samples.resize(count);
     for (std::size_t n = 0; n < count; ++n) {
       const double angle_rad = phase_rad - step_rad * static_cast<double>(count - n);
       outlet.samples[n] = models::adc_counts(static_cast<float>(std::cos(angle_rad)), kCountsPerPu);
     }
     outlet.terminal.write(outlet.samples.data(), count);
+    outlet.terminal.ring();
     return Done{};
   }
 

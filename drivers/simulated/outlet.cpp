@@ -77,7 +77,8 @@ void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, 
                            noise_rms_pu_, volts_.data());
     }
     std::transform(volts_.begin(), volts_.begin() + static_cast<std::ptrdiff_t>(length),
-                   samples_.begin(), [](float volts) { return models::adc_counts(volts, models::kCountsPerPu); });
+                   samples_.begin(),
+                   [](float volts) { return models::adc_counts(volts, models::kCountsPerPu); });
     app_.feed(samples_.data(), length, collector_);
   }
 }

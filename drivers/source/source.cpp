@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+
 #include <source/source.hpp>
 
 namespace gsbench::source {
@@ -134,8 +135,8 @@ Result<std::int64_t> Source::advance(std::int64_t until_tick) {
   }
   const std::int64_t end_tick = stimulus_->total_ticks();
   if (until_tick <= tick_ || until_tick > end_tick) {
-    return Error{fmt::format("{}: asked to advance to tick {}; it stands at {} of {}",
-                             limits_.name, until_tick, tick_, end_tick)};
+    return Error{fmt::format("{}: asked to advance to tick {}; it stands at {} of {}", limits_.name,
+                             until_tick, tick_, end_tick)};
   }
   Result<std::int64_t> played = play_until(until_tick);
   if (!played.ok()) {
@@ -144,8 +145,8 @@ Result<std::int64_t> Source::advance(std::int64_t until_tick) {
   }
   if (played.value() < until_tick || played.value() > end_tick) {
     state_ = State::kFailed;
-    return Error{fmt::format("{}: asked to advance to tick {} of {}, it stands at {}",
-                             limits_.name, until_tick, end_tick, played.value())};
+    return Error{fmt::format("{}: asked to advance to tick {} of {}, it stands at {}", limits_.name,
+                             until_tick, end_tick, played.value())};
   }
   tick_ = played.value();
   return played;

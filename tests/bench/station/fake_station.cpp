@@ -90,7 +90,8 @@ Status FakeStation::poll(std::vector<link::Received>& messages, std::vector<link
       answer_settings(i, messages);
       answered_[i] = true;
     }
-    for (std::int64_t tick = reported_tick_ + kReportTicks; tick <= played_tick_; tick += kReportTicks) {
+    for (std::int64_t tick = reported_tick_ + kReportTicks; tick <= played_tick_;
+         tick += kReportTicks) {
       if (is_last(i) && tick >= script_.silent_from_tick) break;
       link::Received report;
       report.outlet = i;

@@ -22,14 +22,11 @@ class EmulatedRig final : public RelayRig {
     start(mains_->source(), stimulus_);
   }
   relay::RelaySense& sense() override { return mains_->relay_sense(); }
-  void turn(std::size_t channel, bool closed) override {
-    outlets_[channel]->drive_relay(closed);
-  }
+  void turn(std::size_t channel, bool closed) override { outlets_[channel]->drive_relay(closed); }
   void advance(std::int64_t until_tick) override {
     test::advance(mains_->source(), until_tick);
     for (std::size_t i = 0; i < 2; ++i) {
-      EXPECT_TRUE(
-          until([&] { return outlets_[i]->taken() == mains_->terminals(i).written; }));
+      EXPECT_TRUE(until([&] { return outlets_[i]->taken() == mains_->terminals(i).written; }));
     }
   }
 

@@ -121,8 +121,8 @@ TEST(Driver, ThatStandsBeforeTheTickOrAfterTheEndIsNotBelieved) {
   for (const std::int64_t off_by : {std::int64_t{-1}, mains.total_ticks() - 800 + 1}) {
     FailingSource source("");
     source.off_by = off_by;
-    EXPECT_THAT(first_error(source, mains), testing::HasSubstr("it stands at " +
-                                                               std::to_string(800 + off_by)));
+    EXPECT_THAT(first_error(source, mains),
+                testing::HasSubstr("it stands at " + std::to_string(800 + off_by)));
     EXPECT_FALSE(source.stop().ok());
   }
 }

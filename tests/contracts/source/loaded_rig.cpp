@@ -23,8 +23,8 @@ class LoadedSource final : public source::Source {
   explicit LoadedSource(ListeningOutlet& outlet) : outlet_(outlet) {}
 
   source::Limits limits() const override {
-    return {"waveform generator", source::Kind::kLoaded, kFullScalePu, kLongestS, {8000}, {50},
-            false};
+    return {
+        "waveform generator", source::Kind::kLoaded, kFullScalePu, kLongestS, {8000}, {50}, false};
   }
 
  protected:
@@ -34,8 +34,8 @@ class LoadedSource final : public source::Source {
     const std::vector<double> memory = resampled(ideal.data(), ideal.size());
     source::Played played;
     for (std::size_t n = 0; n < ideal.size(); ++n) {
-      played.voltage_pu = std::fmax(
-          played.voltage_pu, std::fabs(output(memory, n) - static_cast<double>(ideal[n])));
+      played.voltage_pu = std::fmax(played.voltage_pu,
+                                    std::fabs(output(memory, n) - static_cast<double>(ideal[n])));
     }
     return played;
   }

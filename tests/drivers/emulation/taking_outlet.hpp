@@ -34,7 +34,8 @@ class TakingOutlet {
         bell_(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
-    std::strncpy(address.sun_path, mains.doorbell_path(outlet).c_str(), sizeof address.sun_path - 1);
+    std::strncpy(address.sun_path, mains.doorbell_path(outlet).c_str(),
+                 sizeof address.sun_path - 1);
     EXPECT_EQ(connect(bell_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
     port_.start();
     taking_ = std::thread([this] { take(); });

@@ -115,8 +115,7 @@ inline void poll(Bench& bench, std::vector<Heard>& heard) {
 
 // Starts the bench, sends each outlet its settings and plays, block by block. Blocks take turns
 // through `block_ticks`.
-inline std::vector<Heard> play(Bench& bench, std::size_t outlets,
-                               const source::Stimulus& stimulus,
+inline std::vector<Heard> play(Bench& bench, std::size_t outlets, const source::Stimulus& stimulus,
                                const std::vector<std::int64_t>& block_ticks) {
   std::vector<Heard> heard(outlets);
   gsbench::test::start(bench.source(), stimulus);

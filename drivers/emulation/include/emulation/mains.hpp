@@ -1,7 +1,6 @@
 // The mains at emulated outlets, and the bench's eye on their relays: source and relay sense over
-// their terminals. Each outlet has an ADC on a crystal of its own, some ppm off, that began to count
-// before the stimulus does; its relay's contact follows the coil as the simulated one
-// does.
+// their terminals. Each outlet has an ADC on a crystal of its own, some ppm off, that began to
+// count before the stimulus does; its relay's contact follows the coil as the simulated one does.
 #pragma once
 
 #include <cstdint>

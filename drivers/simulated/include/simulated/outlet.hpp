@@ -13,13 +13,6 @@
 
 namespace gsbench::simulated {
 
-using models::adc_counts;
-using models::ContactEdge;
-using models::kCountsPerPu;
-using models::kFullScalePu;
-using models::RelayParameters;
-using models::within_full_scale;
-
 struct OutletParameters {
   models::RelayParameters relay;
   double downlink_ms = 5.0;  // from send() until the outlet has a message
