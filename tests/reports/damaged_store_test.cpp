@@ -83,7 +83,7 @@ TEST_F(DamagedStore, TablesOfVersion3AreWhatTheyWere) {
                          nullptr),
             SQLITE_OK);
   sqlite3_close(database);
-  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "32b8b418311d0f0e");
+  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "0e7e1b510284ece8");
 }
 
 TEST_F(DamagedStore, WithForeignTablesIsRefused) {
