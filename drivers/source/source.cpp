@@ -59,6 +59,11 @@ Status within(const Limits& limits, const Stimulus& stimulus) {
     return Error{fmt::format("{}: a stimulus of {} ticks, {} s; it plays from 2 ticks to {} s",
                              limits.name, ticks, duration_s, limits.longest_s)};
   }
+  return Done{};
+}
+
+Status within_full_scale(const Limits& limits, const Stimulus& stimulus) {
+  const std::int64_t ticks = stimulus.total_ticks();
   std::vector<float> scanned;
   for (std::int64_t tick = 0; tick < ticks; tick += kScannedAtOnce) {
     Status rendered =
@@ -92,6 +97,12 @@ Status Source::enter(State next, Status answer) {
 }
 
 Result<Played> Source::check(const Stimulus& stimulus) const {
+  Result<Played> played = preview(stimulus);
+  const Status playable = played.ok() ? within_full_scale(limits(), stimulus) : Status(Done{});
+  return playable.ok() ? played : Error{playable.error()};
+}
+
+Result<Played> Source::preview(const Stimulus& stimulus) const {
   const Status possible = within(limits(), stimulus);
   if (!possible.ok()) {
     return Error{possible.error()};
@@ -104,7 +115,7 @@ Result<Played> Source::prepare(const Stimulus& stimulus, const Progress& progres
   if (!ready.ok()) {
     return Error{ready.error()};
   }
-  Result<Played> played = check(stimulus);
+  Result<Played> played = limits().kind == Kind::kStreamed ? preview(stimulus) : check(stimulus);
   if (!played.ok()) {
     return played;
   }

@@ -200,15 +200,31 @@ struct Spike final : source::Stimulus {
   float spike_pu;
 };
 
-TEST_P(AnySource, RefusesWhatIsBeyondItsFullScaleAndStaysAsItWas) {
+// Why a stimulus is not played to its end: by prepare() or, of a source that streams, advance().
+std::string refusal_to_play(source::Source& source, const source::Stimulus& stimulus) {
+  const auto prepared = source.prepare(stimulus);
+  if (!prepared.ok()) {
+    return prepared.error();
+  }
+  EXPECT_EQ(source.limits().kind, source::Kind::kStreamed);
+  EXPECT_TRUE(source.energise().ok());
+  EXPECT_TRUE(source.start().ok());
+  const auto played = source.advance(stimulus.total_ticks());
+  return played.ok() ? "" : played.error();
+}
+
+TEST_P(AnySource, PlaysNothingThatIsBeyondItsFullScale) {
   const auto full_scale = static_cast<float>(source().limits().full_scale_pu);
   for (const float beyond :
        {1.0001F * full_scale, -1.0001F * full_scale, std::numeric_limits<float>::infinity(),
         std::numeric_limits<float>::quiet_NaN()}) {
-    EXPECT_THAT(refusal(Spike(mains_, beyond)),
-                HasSubstr("pu at tick 5000 is beyond its full scale"))
-        << beyond;
-    EXPECT_FALSE(source().energise().ok()) << "nothing is prepared";
+    const Spike spike(mains_, beyond);
+    const auto refused = HasSubstr("pu at tick 5000 is beyond its full scale");
+    const auto checked = source().check(spike);
+    EXPECT_THAT(checked.ok() ? "" : checked.error(), refused) << beyond;
+    EXPECT_THAT(refusal_to_play(source(), spike), refused) << beyond;
+    EXPECT_FALSE(source().stop().ok()) << "nothing is played";
+    EXPECT_TRUE(source().make_safe().ok());
   }
   EXPECT_EQ(refusal(Spike(mains_, full_scale)), "");
 }

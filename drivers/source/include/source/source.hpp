@@ -46,11 +46,13 @@ class Source {
   virtual ~Source() = default;
   virtual Limits limits() const = 0;
 
-  // What would be played, or why not. Touches no output.
+  // What would be played, or why not. Touches no output. Renders the whole stimulus: takes a
+  // second for each ten minutes of it, or so.
   drivers::Result<Played> check(const Stimulus& stimulus) const;
 
   // Refuses what check() refuses, and uploads what can be uploaded before the run. Blocks for so
-  // long. `stimulus` lives until make_safe().
+  // long; a source that streams refuses what is beyond full scale in advance() only.
+  // `stimulus` lives until make_safe().
   drivers::Result<Played> prepare(const Stimulus& stimulus, const Progress& progress = {});
 
   // Nominal voltage: outlets power up. It stays until start().
@@ -91,6 +93,7 @@ class Source {
  private:
   enum class State { kOff, kPrepared, kEnergised, kPlaying, kStopped, kFailed };
 
+  drivers::Result<Played> preview(const Stimulus& stimulus) const;
   static const char* word(State state);
   drivers::Status expect(const char* call, State needed) const;
   // The driver's answer; after a failure only make_safe() is left.
