@@ -11,5 +11,6 @@ endif()
 find_program(GSBENCH_CCACHE ccache)
 if(GSBENCH_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_C_COMPILER_LAUNCHER ${GSBENCH_CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${GSBENCH_CCACHE})
+  # It takes precompiled headers only where it is told that they depend on no macro and no clock.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${GSBENCH_CCACHE})
 endif()

@@ -34,9 +34,24 @@ function(gs_library name)
   endif()
 endfunction()
 
+# What is built once and run once need not be optimised: what takes long is in the rooms under test.
 set(GSBENCH_TEST_OPTIONS
-    ""
-    CACHE STRING "For the tests alone: what is built once and run once need not be optimised")
+    -O0
+    CACHE STRING "Compiler options of the tests alone")
+
+# gs_precompiled(TARGET HEADERS <a> … | REUSE_FROM other): headers compiled once, for one target or
+# for several with the same options. g++ with ccache must name them in its preprocessed text.
+function(gs_precompiled target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "REUSE_FROM" "HEADERS")
+  if(arg_REUSE_FROM)
+    target_precompile_headers(${target} REUSE_FROM ${arg_REUSE_FROM})
+  else()
+    target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
+  endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  endif()
+endfunction()
 
 # gs_test(NAME SOURCES a.cpp … DEPENDS targets [LABEL …] [TIMEOUT s] [THREADS]): a GoogleTest
 # program, one CTest test a case. Those that have a label (`slow`, `end-to-end`) are not built for
@@ -58,8 +73,11 @@ function(gs_test name)
     endif()
   endif()
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main gs_warnings)
-  target_compile_options(${name} PRIVATE ${GSBENCH_TEST_OPTIONS})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main gs_arithmetic
+                                        gs_warnings)
+  # -fPIC as Qt asks for it: of all, so that one set of precompiled headers fits.
+  target_compile_options(${name} PRIVATE -fPIC ${GSBENCH_TEST_OPTIONS})
+  gs_precompiled(${name} REUSE_FROM test_precompiled)
   target_compile_definitions(${name} PRIVATE GSBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              GSBENCH_BINARY_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(

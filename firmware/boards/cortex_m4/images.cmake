@@ -1,14 +1,7 @@
 # The images for other builds: made by a build of their own, in firmware-m4/ beside it, whenever a
 # source of theirs has changed. Sets GSBENCH_M4_IMAGE_FOLDER and GSBENCH_M4_IMAGE (the emulated
-# outlet's) in the cache, and the target `firmware_m4` that both need.
-find_program(GSBENCH_ARM_GXX arm-none-eabi-g++)
-if(NOT GSBENCH_ARM_GXX)
-  message(
-    FATAL_ERROR
-      "arm-none-eabi-g++ is not there: install gcc-arm-none-eabi, libnewlib-arm-none-eabi and "
-      "libstdc++-arm-none-eabi-dev.")
-endif()
-
+# outlet's) in the cache, and the target `firmware_m4` that both need. The compiler is looked for
+# only when that is built: a run on simulated outlets needs neither.
 set(m4_folder ${PROJECT_BINARY_DIR}/firmware-m4)
 set(GSBENCH_M4_IMAGE_FOLDER
     ${m4_folder}/bin
@@ -16,6 +9,10 @@ set(GSBENCH_M4_IMAGE_FOLDER
 set(GSBENCH_M4_IMAGE
     ${GSBENCH_M4_IMAGE_FOLDER}/gs-outlet-mps2_an386.elf
     CACHE INTERNAL "The emulated outlet's image")
+
+if(NOT GSBENCH_FIRMWARE_IMAGES)
+  return()
+endif()
 
 set(images "")
 foreach(name IN LISTS GSBENCH_BOARDS_cortex_m4 ITEMS mps2_an386-Os mps2_an386-contracted)
@@ -45,6 +42,6 @@ add_custom_command(
           ${PROJECT_SOURCE_DIR}/bench/cmake/arm-none-eabi.cmake
           ${PROJECT_SOURCE_DIR}/bench/cmake/compiler.cmake
           ${PROJECT_SOURCE_DIR}/bench/cmake/targets.cmake
-  COMMENT "Firmware for the Cortex-M4F"
+  COMMENT "Firmware for the Cortex-M4F, with arm-none-eabi-g++"
   VERBATIM)
 add_custom_target(firmware_m4 ALL DEPENDS ${m4_folder}/.built)

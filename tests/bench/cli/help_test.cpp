@@ -1,28 +1,101 @@
 #include "gsbench_process.hpp"
 
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace {
 
 using gsbench::test::Outcome;
 using gsbench::test::run_gsbench;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Key;
 
-TEST(Help, EverySubcommandHasOneWithAnExample) {
-  for (const std::string command : {"run", "list", "check", "params", "waveform", "report", "runs",
-                                    "study", "measures", "reproduce", "fleet"}) {
-    const Outcome outcome = run_gsbench({command, "--help"});
-    EXPECT_EQ(outcome.exit_code, 0) << command;
-    EXPECT_NE(outcome.out.find("gsbench " + command), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
+// Entries of one section of a help text and what is said of each: below "Options:" and the like,
+// indented by two; a name, then two spaces or a line further indented, then the description.
+std::map<std::string, std::string> entries(const std::string& help, const std::string& section) {
+  std::map<std::string, std::string> found;
+  std::istringstream lines(help.substr(std::min(help.find(section + ":\n"), help.size())));
+  std::string line;
+  std::string name;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && !line.empty()) {
+    const std::size_t start = line.find_first_not_of(' ');
+    if (start > 2) {
+      found[name] += line.substr(start);
+      continue;
+    }
+    const std::size_t end = line.find("  ", start);
+    name = line.substr(start, end - start);
+    found[name] = end == std::string::npos ? "" : line.substr(line.find_first_not_of(' ', end));
+  }
+  return found;
+}
+
+// What the help of a command lacks, "" where nothing.
+std::string lacking(const std::string& command, const std::string& description,
+                    const std::string& help) {
+  if (description.empty() || help.rfind(description + "\n", 0) != 0) {
+    return "a description";
+  }
+  if (help.find("\nUsage: gsbench " + command + " ") == std::string::npos) {
+    return "its usage";
+  }
+  const auto options = entries(help, "Options");
+  if (options.empty()) {
+    return "options";
+  }
+  for (const auto& [option, text] : options) {
+    if (text.empty()) {
+      return "a description of " + option;
+    }
+  }
+  const std::size_t example = help.find("\nExample");
+  if (example == std::string::npos ||
+      help.find("\n  gsbench " + command, example) == std::string::npos) {
+    return "an example";
+  }
+  return "";
+}
+
+TEST(Help, EverySubcommandHasADescriptionOptionsAndAnExample) {
+  const Outcome outcome = run_gsbench({"--help"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("INCONCLUSIVE"));
+  const auto commands = entries(outcome.out, "Subcommands");
+  EXPECT_THAT(commands, Contains(Key("run")));
+  EXPECT_THAT(commands, Contains(Key("monitor")));
+  for (const auto& [command, description] : commands) {
+    const Outcome help = run_gsbench({command, "--help"});
+    EXPECT_EQ(help.exit_code, 0) << command;
+    EXPECT_EQ(lacking(command, description, help.out), "") << command << "\n" << help.out;
   }
 }
 
-TEST(Help, NamesEverySubcommandAndTheExitCodes) {
-  const Outcome outcome = run_gsbench({"--help"});
-  EXPECT_EQ(outcome.exit_code, 0);
-  for (const std::string word : {"run", "list", "check", "params", "waveform", "report", "runs",
-                                 "study", "measures", "reproduce", "fleet", "INCONCLUSIVE"}) {
-    EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+TEST(Help, WhatOneLacksIsFound) {
+  const std::string whole =
+      "Plays\nUsage: gsbench play [OPTIONS]\n\nOptions:\n  -h,--help    Print this\n"
+      "  --port TEXT Excludes: --station\n               A port\n\nExample:\n  gsbench play\n";
+  EXPECT_THAT(lacking("play", "Plays", whole), IsEmpty());
+  EXPECT_EQ(lacking("play", "", whole), "a description");
+  const std::vector<std::pair<std::string, std::string>> losses = {
+      {"Plays", "a description"},
+      {" play [", "its usage"},
+      {"Options:", "options"},
+      {"               A port\n", "a description of --port TEXT Excludes: --station"},
+      {"Example:", "an example"},
+      {"  gsbench play\n", "an example"}};
+  for (const auto& [lost, told] : losses) {
+    std::string text = whole;
+    EXPECT_EQ(lacking("play", "Plays", text.erase(text.find(lost), lost.size())), told);
   }
 }
 
