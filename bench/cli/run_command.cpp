@@ -89,7 +89,7 @@ void add_run(CLI::App& app, int& exit_code) {
                    "For simulated outlets; the result is the same for any")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  waveform::TraceColumns& columns = arguments->overrides.trace_columns;
+  recording::TraceColumns& columns = arguments->overrides.trace_columns;
   CLI::Option* trace =
       command->add_option("--trace", arguments->overrides.trace_path,
                           "Play this CSV recording in place of the profile's frequency");

@@ -33,7 +33,7 @@ struct Peak {
 // stand still between steps, so that it is at one of those instants.
 Peak greatest_amplitude(const Stimulus& stimulus, const waveform::Truth& truth) {
   std::vector<double> instants = {0.0};
-  for (const waveform::TracePoint& point : stimulus.trace) instants.push_back(point.t_s);
+  for (const recording::TracePoint& point : stimulus.trace) instants.push_back(point.t_s);
   for (const waveform::AmplitudeStep& step : stimulus.signal.amplitude_steps) {
     instants.push_back(step.at_s);
     instants.push_back(step.at_s + step.duration_s);

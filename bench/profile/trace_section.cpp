@@ -16,17 +16,17 @@ namespace {
 
 using keys::ConfigurationError;
 
-std::vector<waveform::TracePoint> read_recording(const std::string& path,
-                                                 const waveform::TraceColumns& columns) {
+std::vector<recording::TracePoint> read_recording(const std::string& path,
+                                                  const recording::TraceColumns& columns) {
   try {
-    return waveform::read_trace(path, columns);
+    return recording::read_trace(path, columns);
   } catch (const std::runtime_error& error) {  // its message names file, line and column
     throw ConfigurationError(error.what());
   }
 }
 
 // A recording is held to what break points and durations in a profile are held to.
-void check(const std::vector<waveform::TracePoint>& points, const std::string& path,
+void check(const std::vector<recording::TracePoint>& points, const std::string& path,
            double nominal_hz) {
   if (!(points.back().t_s <= kLongestRun_s)) {
     throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at most", path,
@@ -36,7 +36,7 @@ void check(const std::vector<waveform::TracePoint>& points, const std::string& p
     throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at least", path,
                                          points.back().t_s, kShortestRun_s));
   }
-  for (const waveform::TracePoint& point : points) {
+  for (const recording::TracePoint& point : points) {
     if (!(point.frequency_hz >= 0.5 * nominal_hz && point.frequency_hz <= 1.5 * nominal_hz)) {
       throw ConfigurationError(fmt::format(
           "{}: {} Hz at {} s from its start: half to one and a half of the nominal {} Hz "
@@ -46,7 +46,7 @@ void check(const std::vector<waveform::TracePoint>& points, const std::string& p
   }
 }
 
-void use(std::vector<waveform::TracePoint> points, Recording recording, Stimulus& stimulus) {
+void use(std::vector<recording::TracePoint> points, Recording recording, Stimulus& stimulus) {
   stimulus.kind = TruthKind::kTrace;
   stimulus.duration_s = points.back().t_s;
   stimulus.trace = std::move(points);
@@ -84,7 +84,7 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
   const keys::Table table = signal.table("trace");
   const std::string file = table.text("file");
   const std::string path = resolve(file, table.document().path);
-  waveform::TraceColumns columns;
+  recording::TraceColumns columns;
   columns.time = table.text("time");
   columns.frequency = table.text("frequency");
   columns.voltage = table.find_text("voltage").value_or("");
@@ -98,7 +98,7 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
 
   auto points = read_recording(path, columns);
   points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const waveform::TracePoint& point) {
+                              [&](const recording::TracePoint& point) {
                                 return point.t_s < from_s || (until_s && point.t_s > *until_s);
                               }),
                points.end());
@@ -109,12 +109,12 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
                  fmt::format("less than two rows of {} are left to play", path));
   }
   const double first_s = points.front().t_s;
-  for (waveform::TracePoint& point : points) point.t_s -= first_s;
+  for (recording::TracePoint& point : points) point.t_s -= first_s;
   check(points, path, nominal_hz);
   use(std::move(points), {file, path, "", columns, false}, stimulus);
 }
 
-void replace_by_recording(const std::string& path, const waveform::TraceColumns& columns,
+void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
                           double nominal_hz, Stimulus& stimulus) {
   if (columns.time.empty() || columns.frequency.empty()) {
     throw ConfigurationError(

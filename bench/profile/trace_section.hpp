@@ -15,7 +15,7 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
 
 // The whole recording in place of whatever happens in the stimulus so far; what the signal is made
 // of (noise, harmonics, DC offset) stays.
-void replace_by_recording(const std::string& path, const waveform::TraceColumns& columns,
+void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
                           double nominal_hz, Stimulus& stimulus);
 
 }  // namespace gsbench::profile

@@ -12,7 +12,8 @@
 namespace gsbench::waveform {
 namespace {
 
-void check(const TracePoint& point, const TracePoint* before, std::size_t number) {
+void check(const recording::TracePoint& point, const recording::TracePoint* before,
+           std::size_t number) {
   const auto refuse = [number](const char* what, double value, const char* wanted) {
     throw std::invalid_argument(fmt::format("point {}: {} {} {}", number, what, value, wanted));
   };
@@ -28,7 +29,7 @@ void check(const TracePoint& point, const TracePoint* before, std::size_t number
   }
 }
 
-void check(double nominal_hz, const std::vector<TracePoint>& points) {
+void check(double nominal_hz, const std::vector<recording::TracePoint>& points) {
   if (!std::isfinite(nominal_hz) || nominal_hz <= 0.0) {
     throw std::invalid_argument(
         fmt::format("nominal frequency {} Hz: must be finite and above 0", nominal_hz));
@@ -39,10 +40,10 @@ void check(double nominal_hz, const std::vector<TracePoint>& points) {
   }
 }
 
-std::vector<Knot> deviations(double nominal_hz, const std::vector<TracePoint>& points) {
+std::vector<Knot> deviations(double nominal_hz, const std::vector<recording::TracePoint>& points) {
   std::vector<Knot> knots;
   knots.reserve(points.size());
-  for (const TracePoint& point : points) {
+  for (const recording::TracePoint& point : points) {
     knots.push_back({point.t_s, point.frequency_hz - nominal_hz});
   }
   return knots;
@@ -50,7 +51,7 @@ std::vector<Knot> deviations(double nominal_hz, const std::vector<TracePoint>& p
 
 class PointTruth final : public Truth {
  public:
-  PointTruth(double nominal_hz, std::vector<TracePoint> points)
+  PointTruth(double nominal_hz, std::vector<recording::TracePoint> points)
       : nominal_hz_(nominal_hz),
         points_(std::move(points)),
         deviation_hz_(deviations(nominal_hz, points_)),
@@ -64,11 +65,12 @@ class PointTruth final : public Truth {
   }
 
   double voltage_pu(double t_s) const override {
-    const auto next = std::upper_bound(points_.begin(), points_.end(), t_s,
-                                       [](double t, const TracePoint& p) { return t < p.t_s; });
+    const auto next =
+        std::upper_bound(points_.begin(), points_.end(), t_s,
+                         [](double t, const recording::TracePoint& p) { return t < p.t_s; });
     if (next == points_.begin()) return points_.front().voltage_pu;
     if (next == points_.end()) return points_.back().voltage_pu;
-    const TracePoint& from = *std::prev(next);
+    const recording::TracePoint& from = *std::prev(next);
     const double fraction = (t_s - from.t_s) / (next->t_s - from.t_s);
     return from.voltage_pu + fraction * (next->voltage_pu - from.voltage_pu);
   }
@@ -77,13 +79,13 @@ class PointTruth final : public Truth {
   std::vector<double> corners_s() const override {
     std::vector<double> corners;
     corners.reserve(points_.size());
-    for (const TracePoint& point : points_) corners.push_back(point.t_s);
+    for (const recording::TracePoint& point : points_) corners.push_back(point.t_s);
     return corners;
   }
 
  private:
   double nominal_hz_;
-  std::vector<TracePoint> points_;
+  std::vector<recording::TracePoint> points_;
   MonotoneCubic deviation_hz_;  // from nominal, so that its integral stays small
   double cycles_at_zero_;
 };
@@ -92,13 +94,14 @@ class PointTruth final : public Truth {
 
 std::unique_ptr<Truth> truth_from_points(double nominal_hz,
                                          const std::vector<FrequencyPoint>& points) {
-  std::vector<TracePoint> trace;
+  std::vector<recording::TracePoint> trace;
   trace.reserve(points.size());
   for (const FrequencyPoint& point : points) trace.push_back({point.t_s, point.frequency_hz, 1.0});
   return truth_from_trace(nominal_hz, std::move(trace));
 }
 
-std::unique_ptr<Truth> truth_from_trace(double nominal_hz, std::vector<TracePoint> points) {
+std::unique_ptr<Truth> truth_from_trace(double nominal_hz,
+                                        std::vector<recording::TracePoint> points) {
   check(nominal_hz, points);
   return std::make_unique<PointTruth>(nominal_hz, std::move(points));
 }

@@ -139,7 +139,7 @@ TEST(PointTruth, InterpolatesTheVoltageOfATraceLinearly) {
 struct Refusal {
   const char* name;
   double nominal_hz;
-  std::vector<TracePoint> points;
+  std::vector<recording::TracePoint> points;
   const char* message;
 };
 

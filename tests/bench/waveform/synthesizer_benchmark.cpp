@@ -33,7 +33,7 @@ void LossOf500Mw(benchmark::State& state) {
 BENCHMARK(LossOf500Mw);
 
 void RecordingEvery2Seconds(benchmark::State& state) {
-  std::vector<TracePoint> points;
+  std::vector<recording::TracePoint> points;
   points.reserve(3600);
   for (int i = 0; i < 3600; ++i) points.push_back({2.0 * i, 50.0 + 0.02 * (i % 5), 1.0});
   play(state, {truth_from_trace(50.0, points), {}, 8000});

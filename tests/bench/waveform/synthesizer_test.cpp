@@ -30,7 +30,7 @@ SignalSpec busy_signal() {
 }
 
 std::shared_ptr<const Truth> busy_truth() {
-  std::vector<TracePoint> points;
+  std::vector<recording::TracePoint> points;
   points.reserve(60);
   for (int i = 0; i < 60; ++i) {
     points.push_back({0.0137 * i, 50.0 + 0.5 * std::sin(i), 1.0 - 0.01 * (i % 7)});

@@ -36,7 +36,7 @@ struct Overrides {
   // Replays this recording, whole, in place of the profile's frequency, amplitude steps and phase
   // jumps; noise, harmonics and DC offset stay. Empty: none.
   std::string trace_path;
-  waveform::TraceColumns trace_columns;
+  recording::TraceColumns trace_columns;
 };
 
 // `name`: a shipped profile ("paper/loss-500mw") or a path to a .toml file.

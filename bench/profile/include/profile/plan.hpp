@@ -25,7 +25,7 @@ struct Recording {
   std::string file;    // as the profile or the command line names it
   std::string path;    // as opened
   std::string sha256;  // of its content, hexadecimal
-  waveform::TraceColumns columns;
+  recording::TraceColumns columns;
   bool replaces_profile = false;  // the command line gave it in place of the profile's own signal
 };
 
@@ -33,7 +33,7 @@ struct Stimulus {
   TruthKind kind = TruthKind::kLosses;
   std::vector<grid::PowerChange> losses;         // [[grid.loss]]
   std::vector<waveform::FrequencyPoint> points;  // [signal] frequency = [[t, hz], …]
-  std::vector<waveform::TracePoint> trace;       // [signal.trace], already read
+  std::vector<recording::TracePoint> trace;      // [signal.trace], already read
   Recording recording;                           // where `trace` came from
   waveform::SignalSpec signal;
   double duration_s = 0.0;             // > 0

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gsbench::waveform {
+namespace gsbench::recording {
 
 struct Place {
   std::size_t line = 1;    // from 1
@@ -55,4 +55,4 @@ class CsvReader {
   Place row_end_;
 };
 
-}  // namespace gsbench::waveform
+}  // namespace gsbench::recording

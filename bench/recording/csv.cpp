@@ -1,6 +1,6 @@
 #include "csv.hpp"
 
-namespace gsbench::waveform {
+namespace gsbench::recording {
 namespace {
 
 std::string trimmed(std::string_view text) {
@@ -86,4 +86,4 @@ std::string CsvReader::read_quoted() {
   throw CsvError(opened, "a quote that is never closed");
 }
 
-}  // namespace gsbench::waveform
+}  // namespace gsbench::recording

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace gsbench::waveform {
+namespace gsbench::recording {
 namespace {
 
 // Takes a text apart from the left; once something is not as it should be, `good` stays false.
@@ -155,4 +155,4 @@ std::optional<Instant> parse_instant(std::string_view text) {
   return parse_date_and_time(text);
 }
 
-}  // namespace gsbench::waveform
+}  // namespace gsbench::recording

@@ -14,9 +14,9 @@
 
 #include <fmt/format.h>
 
-#include <waveform/truth.hpp>
+#include <recording/trace.hpp>
 
-namespace gsbench::waveform {
+namespace gsbench::recording {
 namespace {
 
 using Row = std::vector<Cell>;
@@ -187,4 +187,4 @@ std::vector<TracePoint> read_trace(const std::string& path, const TraceColumns& 
   }
 }
 
-}  // namespace gsbench::waveform
+}  // namespace gsbench::recording

@@ -6,9 +6,9 @@
 
 #include <gmock/gmock.h>
 
-#include <waveform/truth.hpp>
+#include <recording/trace.hpp>
 
-namespace gsbench::waveform {
+namespace gsbench::recording {
 namespace {
 
 using testing::AllOf;
@@ -187,4 +187,4 @@ TEST_F(ReadTrace, NamesAFileThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace gsbench::waveform
+}  // namespace gsbench::recording

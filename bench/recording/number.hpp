@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace gsbench::waveform {
+namespace gsbench::recording {
 
 // The whole text as a finite number.
 inline std::optional<double> parse_number(std::string_view text) {
@@ -17,4 +17,4 @@ inline std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-}  // namespace gsbench::waveform
+}  // namespace gsbench::recording

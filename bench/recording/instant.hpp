@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-namespace gsbench::waveform {
+namespace gsbench::recording {
 
 struct Instant {
   // Only instants of one kind can be compared.
@@ -24,4 +24,4 @@ struct Instant {
 // offset such as "+02:00". Nothing where the text is none of them, or no such time exists.
 std::optional<Instant> parse_instant(std::string_view text);
 
-}  // namespace gsbench::waveform
+}  // namespace gsbench::recording
