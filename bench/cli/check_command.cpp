@@ -3,14 +3,13 @@
 #include <cstdio>
 #include <memory>
 
-#include <judge/catalogue.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::cli {
 namespace {
 
 void check(const std::string& name) {
-  const profile::Plan plan = profile::load_profile(name, judge::measure_names());
+  const profile::Plan plan = profile::load_profile(name);
   std::printf("%s: outlets: %zu, %g s at %lld Hz, limits: %zu\n", plan.name.c_str(),
               plan.outlets.size(), plan.stimulus.duration_s,
               static_cast<long long>(plan.stimulus.sample_rate_hz), plan.expectations.size());

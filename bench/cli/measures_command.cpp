@@ -5,12 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <judge/catalogue.hpp>
+#include <measures/catalogue.hpp>
 
 namespace gsbench::cli {
 namespace {
 
-std::string unit_or_words(const judge::Measure& measure) {
+std::string unit_or_words(const measures::Measure& measure) {
   if (!measure.is_word()) {
     return measure.unit.empty() ? "number" : measure.unit;
   }
@@ -24,7 +24,7 @@ std::string unit_or_words(const judge::Measure& measure) {
 void measures(bool json) {
   if (json) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    for (const judge::Measure& measure : judge::catalogue()) {
+    for (const measures::Measure& measure : measures::catalogue()) {
       out.push_back({{"name", measure.name},
                      {"unit", measure.unit},
                      {"words", measure.words},
@@ -34,7 +34,7 @@ void measures(bool json) {
     std::printf("%s\n", out.dump(2).c_str());
     return;
   }
-  for (const judge::Measure& measure : judge::catalogue()) {
+  for (const measures::Measure& measure : measures::catalogue()) {
     std::printf("%s [%s]\n    %s\n    Needs: %s.\n", measure.name.c_str(),
                 unit_or_words(measure).c_str(), measure.definition.c_str(), measure.needs.c_str());
   }

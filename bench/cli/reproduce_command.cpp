@@ -5,7 +5,6 @@
 #include <memory>
 
 #include <campaign/estimates.hpp>
-#include <judge/catalogue.hpp>
 #include <paper/reproduction.hpp>
 #include <profile/load.hpp>
 #include <station/run.hpp>
@@ -25,7 +24,7 @@ struct ReproduceArguments {
 record::RunRecord play_experiment(std::uint64_t seed, const campaign::Execution& execution) {
   profile::Overrides overrides;
   overrides.seed = seed;
-  const profile::Plan plan = profile::load_profile(kExperiment, judge::measure_names(), overrides);
+  const profile::Plan plan = profile::load_profile(kExperiment, overrides);
   station::SimulatedOptions simulated;
   simulated.threads = execution.threads;
   const auto station = station::make_station(profile::load_station("simulated"), plan, simulated);

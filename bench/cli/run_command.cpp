@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 
-#include <judge/catalogue.hpp>
 #include <profile/load.hpp>
 #include <profile/station_spec.hpp>
 #include <record/store.hpp>
@@ -30,8 +29,7 @@ struct RunArguments {
 };
 
 int run(const RunArguments& arguments) {
-  const profile::Plan asked =
-      profile::load_profile(arguments.profile, judge::measure_names(), arguments.overrides);
+  const profile::Plan asked = profile::load_profile(arguments.profile, arguments.overrides);
   const profile::StationSpec spec = profile::load_station(arguments.station);
   const profile::Plan plan = station::fit_to_station(spec, asked);
   station::SimulatedOptions simulated;

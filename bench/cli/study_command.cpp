@@ -9,7 +9,7 @@
 #include <limits>
 #include <memory>
 
-#include <judge/catalogue.hpp>
+#include <measures/catalogue.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::cli {
@@ -38,7 +38,7 @@ Shares parse_shares(const std::vector<std::string>& texts) {
     if (!CLI::detail::lexical_cast(figure, limit)) {
       limit = std::numeric_limits<double>::quiet_NaN();
     }
-    const judge::Measure* measure = judge::find_measure(text.substr(0, equals));
+    const measures::Measure* measure = measures::find(text.substr(0, equals));
     if (!std::isfinite(limit) || measure == nullptr) {
       refuse_share(text, "write MEASURE=LIMIT, such as ekf.error=4; `gsbench measures` lists them");
     }
@@ -72,7 +72,7 @@ int run_study(const StudyArguments& arguments) {
         std::to_string(profile::kLargestSeed));
   }
   Shares shares = parse_shares(arguments.within);
-  const profile::Plan plan = profile::load_profile(arguments.profile, judge::measure_names());
+  const profile::Plan plan = profile::load_profile(arguments.profile);
   const std::atomic<bool>& interrupted = catch_interrupts();
   seed_sweep::StudyOptions options = arguments.options;
   options.stop = &interrupted;

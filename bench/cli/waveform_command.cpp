@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <judge/catalogue.hpp>
 #include <models/noise.hpp>
 #include <profile/load.hpp>
 
@@ -55,8 +54,7 @@ bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupt
 }
 
 int write_waveform(const WaveformArguments& arguments) {
-  const profile::Plan plan =
-      profile::load_profile(arguments.profile, judge::measure_names(), arguments.overrides);
+  const profile::Plan plan = profile::load_profile(arguments.profile, arguments.overrides);
   const std::atomic<bool>& interrupted = catch_interrupts();
   OutputFile file(arguments.output, {plan.path, plan.grid.path, plan.stimulus.recording.path});
   if (!write_samples(plan, interrupted, file)) {

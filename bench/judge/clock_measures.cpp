@@ -1,9 +1,7 @@
-#include <judge/catalogue.hpp>
+#include <judge/reading.hpp>
 
 namespace gsbench::judge {
 namespace {
-
-constexpr const char* kNeeds = "an outlet that counts its own samples";
 
 // A clock that was measured has an uncertainty.
 bool has_clock(const Case& c) {
@@ -23,21 +21,10 @@ Reading uncertainty(const Case& c) {
 
 }  // namespace
 
-std::vector<Measure> clock_measures() {
+Readings clock_readings() {
   return {
-      {"clock.drift",
-       "ppm",
-       "By how much the outlet's sample clock is fast, from dips of the voltage before and after "
-       "the run.",
-       kNeeds,
-       {},
-       drift},
-      {"clock.uncertainty",
-       "ms",
-       "How well the outlet's stamps are known on the run's time base, expanded (k = 2).",
-       kNeeds,
-       {},
-       uncertainty},
+      {"clock.drift", drift},
+      {"clock.uncertainty", uncertainty},
   };
 }
 

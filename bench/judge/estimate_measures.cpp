@@ -1,4 +1,4 @@
-#include <judge/catalogue.hpp>
+#include <judge/reading.hpp>
 
 namespace gsbench::judge {
 namespace {
@@ -76,50 +76,15 @@ Reading decision_cause(const Case& c) {
 
 }  // namespace
 
-std::vector<Measure> estimate_measures() {
+Readings estimate_readings() {
   return {
-      {"lse.loss",
-       "MW",
-       "Lost power by the least-squares estimate of the first event, eq. (18).",
-       "an event",
-       {},
-       lse_loss},
-      {"lse.error",
-       "%",
-       "The same against the power really lost by then.",
-       "an event, losses in the profile",
-       {},
-       lse_error},
-      {"ekf.loss",
-       "MW",
-       "Lost power by the EKF at the first decision.",
-       "a decision",
-       {},
-       ekf_loss},
-      {"ekf.error",
-       "%",
-       "The same against the power really lost by then.",
-       "a decision, losses in the profile",
-       {},
-       ekf_error},
-      {"ekf.t_x_error",
-       "ms",
-       "Instant of the loss by the EKF at the first decision, less the true one.",
-       "a decision, a loss in the profile",
-       {},
-       t_x_error},
-      {"decision.delay",
-       "ms",
-       "From the first loss to the decision on it, for or against, by the outlet's stamp.",
-       "a loss in the profile, a decision after it",
-       {},
-       decision_delay},
-      {"decision.cause",
-       "",
-       "Which of the three criteria opened the relay first.",
-       "nothing",
-       {"none", "loss", "frequency", "command"},
-       decision_cause},
+      {"lse.loss", lse_loss},
+      {"lse.error", lse_error},
+      {"ekf.loss", ekf_loss},
+      {"ekf.error", ekf_error},
+      {"ekf.t_x_error", t_x_error},
+      {"decision.delay", decision_delay},
+      {"decision.cause", decision_cause},
   };
 }
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <judge/catalogue.hpp>
+#include <judge/reading.hpp>
 
 namespace gsbench::judge {
 namespace {
@@ -57,28 +57,12 @@ Reading hits(const Case& c) {
 
 }  // namespace
 
-std::vector<Measure> event_measures() {
+Readings event_readings() {
   return {
-      {"event.count", "", "Events the outlet detected in the whole run.", "nothing", {}, count},
-      {"event.false",
-       "",
-       "Events before which the true frequency had not fallen by half of the least drop that makes "
-       "one.",
-       "the drop that the outlet was set to",
-       {},
-       false_events},
-      {"event.delay",
-       "ms",
-       "From the first loss to the first event after it, by the outlet's stamp.",
-       "a loss in the profile, an event after it",
-       {},
-       delay},
-      {"condition.hits",
-       "",
-       "Measurements that met a load-shedding condition, at the first decision.",
-       "a decision",
-       {},
-       hits},
+      {"event.count", count},
+      {"event.false", false_events},
+      {"event.delay", delay},
+      {"condition.hits", hits},
   };
 }
 

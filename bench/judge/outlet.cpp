@@ -2,7 +2,8 @@
 #include <set>
 
 #include <judge/judge.hpp>
-#include <profile/units.hpp>
+#include <measures/catalogue.hpp>
+#include <measures/units.hpp>
 
 namespace gsbench::judge {
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-MeasurementResult result_of(const Measure& measure, const Reading& reading) {
+MeasurementResult result_of(const measures::Measure& measure, const Reading& reading) {
   MeasurementResult result;
   result.name = measure.name;
   result.definition = measure.definition;
@@ -34,7 +35,7 @@ bool concerns(const profile::Expectation& expectation, const record::OutletRecor
 }
 
 // In the unit that the profile sets its limits in, so that a reader finds his own figures again.
-MeasurementResult judged(const profile::Expectation& expectation, const Measure& measure,
+MeasurementResult judged(const profile::Expectation& expectation, const measures::Measure& measure,
                          const Reading& reading) {
   MeasurementResult result = result_of(measure, reading);
   result.judged = true;
@@ -43,7 +44,7 @@ MeasurementResult judged(const profile::Expectation& expectation, const Measure&
     result.expected_word = expectation.equals.value_or("");
     judgement = judge_word(reading, result.expected_word);
   } else {
-    const double scale = profile::unit_scale(measure.unit, expectation.unit).value_or(kNone);
+    const double scale = measures::unit_scale(measure.unit, expectation.unit).value_or(kNone);
     Reading scaled = reading;
     scaled.value *= scale;
     scaled.uncertainty *= scale;
@@ -79,7 +80,7 @@ std::vector<MeasurementResult> measure(const Case& c) {
   std::vector<MeasurementResult> results;
   std::set<std::string> named;
   for (const profile::Expectation& expectation : c.plan.expectations) {
-    const Measure* measure = find_measure(expectation.measure);
+    const measures::Measure* measure = measures::find(expectation.measure);
     if (!concerns(expectation, c.outlet)) {
       continue;
     }
@@ -87,12 +88,12 @@ std::vector<MeasurementResult> measure(const Case& c) {
       results.push_back(unknown(expectation));
       continue;
     }
-    results.push_back(judged(expectation, *measure, measure->read(c)));
+    results.push_back(judged(expectation, *measure, reading_of(measure->name)(c)));
     named.insert(measure->name);
   }
-  for (const Measure& measure : catalogue()) {
+  for (const measures::Measure& measure : measures::catalogue()) {
     if (named.count(measure.name) == 0) {
-      results.push_back(result_of(measure, measure.read(c)));
+      results.push_back(result_of(measure, reading_of(measure.name)(c)));
     }
   }
   return results;

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <optional>
 
-#include <judge/catalogue.hpp>
+#include <judge/reading.hpp>
 
 namespace gsbench::judge {
 namespace {
@@ -120,63 +120,17 @@ Reading seen(const Case& c) {
 
 }  // namespace
 
-std::vector<Measure> relay_measures() {
+Readings relay_readings() {
   return {
-      {"relay.delay",
-       "ms",
-       "From the first loss to the contact's opening, by the relay sense.",
-       "a loss in the profile, an opening after it",
-       {},
-       seen<delay>},
-      {"relay.delay_by_word",
-       "ms",
-       "The same by the outlet's word.",
-       "a loss in the profile, the outlet's word of an opening",
-       {},
-       delay_by_word},
-      {"relay.word_difference",
-       "ms",
-       "By how much the contact's first opening, by the relay sense, is later than the outlet "
-       "says.",
-       "an opening, told and seen",
-       {},
-       seen<word_difference>},
-      {"relay.operate_time",
-       "ms",
-       "From the outlet's order to its relay to the contact's opening, by the relay sense.",
-       "an opening",
-       {},
-       seen<operate_time>},
-      {"relay.end",
-       "",
-       "Where the contact stands at the end, by the relay sense.",
-       "a relay sense",
-       {"closed", "open"},
-       seen<end>},
-      {"relay.edges",
-       "",
-       "Lasting changes of the contact, bounces aside, by the relay sense.",
-       "a relay sense",
-       {},
-       seen<edges>},
-      {"relay.chatter",
-       "",
-       "Edges of the contact beyond one for each lasting change.",
-       "a relay sense",
-       {},
-       seen<chatter>},
-      {"command.delay",
-       "ms",
-       "From the first command sent to the contact's change.",
-       "a command",
-       {},
-       seen<command_delay>},
-      {"trip.time",
-       "s",
-       "When the contact first opened, from the start of the run.",
-       "an opening",
-       {},
-       seen<trip_time>},
+      {"relay.delay", seen<delay>},
+      {"relay.delay_by_word", delay_by_word},
+      {"relay.word_difference", seen<word_difference>},
+      {"relay.operate_time", seen<operate_time>},
+      {"relay.end", seen<end>},
+      {"relay.edges", seen<edges>},
+      {"relay.chatter", seen<chatter>},
+      {"command.delay", seen<command_delay>},
+      {"trip.time", seen<trip_time>},
   };
 }
 

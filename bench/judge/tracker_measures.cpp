@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include <judge/catalogue.hpp>
+#include <judge/reading.hpp>
 
 namespace gsbench::judge {
 namespace {
@@ -170,43 +170,15 @@ Reading dead_bus_claims(const Case& c) {
 
 }  // namespace
 
-std::vector<Measure> tracker_measures() {
-  const std::string needs_ten = "10 valid frequency measurements";
+Readings tracker_readings() {
   return {
-      {"tracker.delay",
-       "ms",
-       "Shift of the true frequency that brings it nearest to the measured one, where it moves by "
-       "more than 0.05 Hz/s.",
-       needs_ten + " while the frequency moves",
-       {},
-       delay},
-      {"tracker.error.max",
-       "mHz",
-       "Largest difference of a valid frequency from the truth at its instant: the report's, less "
-       "the delay the outlet declares.",
-       needs_ten,
-       {},
-       error_max},
-      {"tracker.error.rms", "mHz", "RMS of the same differences.", needs_ten, {}, error_rms},
-      {"tracker.bias", "mHz", "Mean of the same differences.", needs_ten, {}, bias},
-      {"tracker.rocof_error.rms",
-       "Hz/s",
-       "RMS difference of the tracker's ROCOF from the true one at its instant.",
-       needs_ten,
-       {},
-       rocof_error_rms},
-      {"validity.valid_share",
-       "%",
-       "Share of the reports after the first second that are valid.",
-       "10 reports after the first second",
-       {},
-       valid_share},
-      {"validity.dead_bus_claims",
-       "",
-       "Valid frequency reports after the voltage has been below 10 % for over 60 ms.",
-       "nothing",
-       {},
-       dead_bus_claims},
+      {"tracker.delay", delay},
+      {"tracker.error.max", error_max},
+      {"tracker.error.rms", error_rms},
+      {"tracker.bias", bias},
+      {"tracker.rocof_error.rms", rocof_error_rms},
+      {"validity.valid_share", valid_share},
+      {"validity.dead_bus_claims", dead_bus_claims},
   };
 }
 

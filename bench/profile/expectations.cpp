@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include <keys/suggestion.hpp>
-#include <profile/units.hpp>
+#include <measures/catalogue.hpp>
+#include <measures/units.hpp>
 
 namespace gsbench::profile {
 namespace {
@@ -15,21 +16,18 @@ namespace {
 using keys::Table;
 using keys::Word;
 
-const MeasureName& find_measure(const Table& table, const std::string& name,
-                                const MeasureCatalogue& catalogue) {
-  const auto found = std::find_if(catalogue.begin(), catalogue.end(),
-                                  [&](const MeasureName& known) { return known.name == name; });
-  if (found != catalogue.end()) return *found;
+const measures::Measure& find_measure(const Table& table, const std::string& name) {
+  if (const measures::Measure* found = measures::find(name)) return *found;
   std::vector<std::string> names;
-  for (const MeasureName& known : catalogue) names.push_back(known.name);
+  for (const measures::Measure& known : measures::catalogue()) names.push_back(known.name);
   table.refuse("measure", fmt::format("unknown measure \"{}\"{}", name,
                                       keys::suggestion(name, names, "measures")));
 }
 
-std::string read_unit(const Table& table, const MeasureName& measure) {
+std::string read_unit(const Table& table, const measures::Measure& measure) {
   std::string unit = table.find_text("unit").value_or("");
-  if (unit_scale(unit, measure.unit)) return unit;
-  const auto units = units_like(measure.unit);
+  if (measures::unit_scale(unit, measure.unit)) return unit;
+  const auto units = measures::units_like(measure.unit);
   if (measure.unit.empty()) {
     table.refuse("unit", fmt::format("{} has no unit; leave it out", measure.name));
   }
@@ -41,7 +39,8 @@ std::string read_unit(const Table& table, const MeasureName& measure) {
                                    fmt::join(units, " or ")));
 }
 
-void read_word_limit(const Table& table, const MeasureName& measure, Expectation& expectation) {
+void read_word_limit(const Table& table, const measures::Measure& measure,
+                     Expectation& expectation) {
   for (const char* key : {"min", "max"}) {
     if (table.has(key)) {
       table.refuse(key, fmt::format("{} is a word, not a number; it takes equals", measure.name));
@@ -52,14 +51,15 @@ void read_word_limit(const Table& table, const MeasureName& measure, Expectation
     table.refuse_missing("equals", fmt::format("the word that {} must be", measure.name));
   }
   const auto& words = measure.words;
-  if (!words.empty() && std::count(words.begin(), words.end(), *expectation.equals) == 0) {
+  if (std::count(words.begin(), words.end(), *expectation.equals) == 0) {
     table.refuse("equals",
                  fmt::format("equals is \"{}\"{}", *expectation.equals,
                              keys::suggestion(*expectation.equals, words, "what it can be")));
   }
 }
 
-void read_number_limits(const Table& table, const MeasureName& measure, Expectation& expectation) {
+void read_number_limits(const Table& table, const measures::Measure& measure,
+                        Expectation& expectation) {
   if (table.has("equals")) {
     table.refuse("equals", fmt::format("{} is a number; it takes min and max", measure.name));
   }
@@ -111,15 +111,14 @@ keys::Key expect_keys() {
       .require("at least one [[expect]]: a run without limits proves nothing");
 }
 
-std::vector<Expectation> read_expectations(const Table& top, const std::vector<Outlet>& outlets,
-                                           const MeasureCatalogue& catalogue) {
+std::vector<Expectation> read_expectations(const Table& top, const std::vector<Outlet>& outlets) {
   std::vector<Expectation> expectations;
   for (const Table& table : top.tables("expect")) {
     Expectation expectation;
     expectation.measure = table.text("measure");
-    const MeasureName& measure = find_measure(table, expectation.measure, catalogue);
+    const measures::Measure& measure = find_measure(table, expectation.measure);
     expectation.unit = read_unit(table, measure);
-    if (measure.word) {
+    if (measure.is_word()) {
       read_word_limit(table, measure, expectation);
     } else {
       read_number_limits(table, measure, expectation);

@@ -4,14 +4,13 @@
 #include <vector>
 
 #include <keys/table.hpp>
-#include <profile/load.hpp>
+#include <profile/plan.hpp>
 
 namespace gsbench::profile {
 
 keys::Key expect_keys();
 
 std::vector<Expectation> read_expectations(const keys::Table& top,
-                                           const std::vector<Outlet>& outlets,
-                                           const MeasureCatalogue& catalogue);
+                                           const std::vector<Outlet>& outlets);
 
 }  // namespace gsbench::profile

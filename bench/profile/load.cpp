@@ -41,8 +41,7 @@ const keys::Key& profile_keys() {
   return keys;
 }
 
-Plan parse_profile(const std::string& text, const std::string& path,
-                   const MeasureCatalogue& catalogue, const Overrides& overrides) {
+Plan parse_profile(const std::string& text, const std::string& path, const Overrides& overrides) {
   const keys::Document document = keys::parse_toml(text, path);
   const keys::Table top(document, profile_keys());
   Plan plan;
@@ -66,16 +65,15 @@ Plan parse_profile(const std::string& text, const std::string& path,
   plan.seed = overrides.seed.value_or(plan.seed);
   plan.outlets = read_outlets(top, plan.grid);
   plan.commands = read_commands(top, plan.outlets, plan.stimulus.duration_s);
-  plan.expectations = read_expectations(top, plan.outlets, catalogue);
+  plan.expectations = read_expectations(top, plan.outlets);
   check_playable(plan);
   check_full_scale(signal, plan.stimulus, *plan.truth());
   return plan;
 }
 
-Plan load_profile(const std::string& name, const MeasureCatalogue& catalogue,
-                  const Overrides& overrides) {
+Plan load_profile(const std::string& name, const Overrides& overrides) {
   const NamedFile file = find_profile(name);
-  return parse_profile(read_file(file.path), file.path, catalogue, overrides);
+  return parse_profile(read_file(file.path), file.path, overrides);
 }
 
 grid::Grid load_grid(const std::string& name) {

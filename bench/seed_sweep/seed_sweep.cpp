@@ -6,8 +6,8 @@
 #include <set>
 #include <thread>
 
-#include <judge/catalogue.hpp>
-#include <profile/units.hpp>
+#include <measures/catalogue.hpp>
+#include <measures/units.hpp>
 #include <station/run.hpp>
 
 namespace gsbench::seed_sweep {
@@ -33,7 +33,7 @@ Row& row_of(std::vector<Row>& rows, const std::string& measure, const std::strin
 
 // A judged result is in the unit of its limit.
 double in_unit(const std::string& unit, const record::MeasurementResult& result) {
-  return result.value * profile::unit_scale(result.unit, unit).value_or(1.0);
+  return result.value * measures::unit_scale(result.unit, unit).value_or(1.0);
 }
 
 void take(const record::OutletRecord& outlet, std::uint64_t seed, SeedResult& into) {
@@ -43,7 +43,7 @@ void take(const record::OutletRecord& outlet, std::uint64_t seed, SeedResult& in
   }
   std::set<std::string> taken;
   for (const record::MeasurementResult& result : outlet.measurements) {
-    const judge::Measure* measure = judge::find_measure(result.name);
+    const measures::Measure* measure = measures::find(result.name);
     Row& row = row_of(into.rows, result.name, measure != nullptr ? measure->unit : result.unit);
     // Several limits on one measure are several results of one value.
     if (taken.insert(result.name).second) {
@@ -99,10 +99,10 @@ void merge(const SeedResult& seed, StudyResult& into) {
 }
 
 std::size_t place_in_catalogue(const std::string& name) {
-  const std::vector<judge::Measure>& all = judge::catalogue();
+  const std::vector<measures::Measure>& all = measures::catalogue();
   return static_cast<std::size_t>(
       std::find_if(all.begin(), all.end(),
-                   [&](const judge::Measure& measure) { return measure.name == name; }) -
+                   [&](const measures::Measure& measure) { return measure.name == name; }) -
       all.begin());
 }
 

@@ -1,6 +1,5 @@
 #include "profile_input.hpp"
 
-#include <profile_test/catalogue.hpp>
 
 #include <cmath>
 #include <exception>
@@ -37,7 +36,7 @@ std::string wrong_with_plan(const profile::Plan& plan) {
 }  // namespace
 
 profile::Plan parse_as_gsbench(const std::string& text) {
-  return profile::parse_profile(text, "fuzz.toml", profile::test::catalogue());
+  return profile::parse_profile(text, "fuzz.toml");
 }
 
 std::string wrong_with(const std::string& text, const ParseProfile& parse) {

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include <app/application.hpp>
-#include <judge/catalogue.hpp>
 #include <models/noise.hpp>
 #include <profile/load.hpp>
 #include <station/run.hpp>
@@ -48,7 +47,7 @@ struct Work {
 };
 
 profile::Plan plan_for(std::size_t outlets) {
-  profile::Plan plan = profile::load_profile("paper/loss-500mw", judge::measure_names());
+  profile::Plan plan = profile::load_profile("paper/loss-500mw");
   plan.stimulus.duration_s = kPlayedS;
   plan.outlets.resize(outlets, plan.outlets.front());
   return plan;

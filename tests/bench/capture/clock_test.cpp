@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <judge/catalogue.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::capture {
@@ -29,7 +28,7 @@ profile::Plan plan_of(double duration_s, const std::string& grid = "ieee24",
       "title = \"A test\"\nsource = \"None\"\n[grid]\nsystem = \"" + grid + "\"\n" + loss +
           "[signal]\nduration_s = " + std::to_string(duration_s) + "\n" + signal +
           "[[outlet]]\n[[expect]]\nmeasure = \"event.count\"\nmin = 0\n",
-      "test.toml", judge::measure_names());
+      "test.toml");
 }
 
 // Largest difference over the run of where a stamp is from where it was told to be, ms.

@@ -55,7 +55,7 @@ TEST(Judge, ListsJudgedMeasuresFirstInTheProfilesOrderAndEveryOtherOnce) {
   c.plan.expectations = {limits("relay.edges", {}, 1.0), limits("event.count", {}, 1.0),
                          limits("relay.edges", {}, 2.0)};
   const std::vector<MeasurementResult> results = measure(c.view());
-  ASSERT_EQ(results.size(), catalogue().size() + 1);
+  ASSERT_EQ(results.size(), measures::catalogue().size() + 1);
   EXPECT_EQ(results[0].name, "relay.edges");
   EXPECT_EQ(results[0].high, 1.0);
   EXPECT_EQ(results[1].name, "event.count");

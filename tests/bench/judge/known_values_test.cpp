@@ -59,9 +59,9 @@ const std::vector<Known>& of_the_loss() {
 }
 
 void expect_known(const SyntheticCase& c, const Known& known) {
-  const Measure* measure = find_measure(known.measure);
+  const measures::Measure* measure = measures::find(known.measure);
   ASSERT_NE(measure, nullptr) << known.measure;
-  const Reading reading = measure->read(c.view());
+  const Reading reading = reading_of(measure->name)(c.view());
   EXPECT_EQ(reading.missing, "") << known.measure;
   EXPECT_EQ(reading.word, known.word) << known.measure;
   EXPECT_NEAR(reading.uncertainty, known.uncertainty, kExact) << known.measure;
@@ -108,7 +108,7 @@ TEST(KnownValues, AreTestedForEveryMeasureOfTheCatalogue) {
   std::set<std::string> tested = {"command.delay", "tracker.delay"};
   for (const Known& known : of_the_loss()) tested.insert(known.measure);
   std::set<std::string> all;
-  for (const Measure& measure : catalogue()) all.insert(measure.name);
+  for (const measures::Measure& measure : measures::catalogue()) all.insert(measure.name);
   EXPECT_EQ(tested, all);
 }
 

@@ -128,7 +128,7 @@ TEST(MissingMeasurement, SaysWhyAndWhoseFaultItIsAndNeverPasses) {
 TEST(MissingMeasurement, IsTestedForEveryMeasureThatNeedsSomething) {
   std::set<std::string> tested;
   for (const Missing& missing : all_missing()) tested.insert(missing.measure);
-  for (const Measure& measure : catalogue()) {
+  for (const measures::Measure& measure : measures::catalogue()) {
     EXPECT_EQ(tested.count(measure.name) > 0, measure.needs != "nothing") << measure.name;
   }
 }

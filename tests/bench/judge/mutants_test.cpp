@@ -122,7 +122,7 @@ TEST(Mutants, FailWhereTheRecordTheyCameFromPasses) {
 TEST(Mutants, ExistForEveryMeasureOfTheCatalogue) {
   std::set<std::string> spoiled;
   for (const Mutant& mutant : mutants()) spoiled.insert(mutant.measure);
-  for (const Measure& measure : catalogue()) {
+  for (const measures::Measure& measure : measures::catalogue()) {
     EXPECT_EQ(spoiled.count(measure.name), 1U) << measure.name;
   }
 }

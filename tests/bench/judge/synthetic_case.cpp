@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <measures/catalogue.hpp>
+
 namespace gsbench::judge::test {
 namespace {
 
@@ -123,7 +125,7 @@ SyntheticCase commanded() {
 
 profile::Expectation limits(const std::string& measure, std::optional<double> min,
                             std::optional<double> max, const char* unit) {
-  const Measure* known = find_measure(measure);
+  const measures::Measure* known = measures::find(measure);
   profile::Expectation expectation;
   expectation.measure = measure;
   expectation.unit = unit != nullptr ? unit : known != nullptr ? known->unit : "";

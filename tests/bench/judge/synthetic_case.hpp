@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <judge/judge.hpp>
+#include <measures/catalogue.hpp>
 
 namespace gsbench::judge::test {
 
@@ -33,7 +34,7 @@ struct SyntheticCase {
   record::BenchUncertainty uncertainty;
 
   Case view() const { return {plan, *truth, outlet, uncertainty}; }
-  Reading read(const std::string& measure) const { return find_measure(measure)->read(view()); }
+  Reading read(const std::string& measure) const { return reading_of(measure)(view()); }
 
   void add_mark(std::int64_t tick, const std::string& kind, double value,
                 const std::string& text = "");

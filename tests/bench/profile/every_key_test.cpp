@@ -249,7 +249,7 @@ const File kFiles[] = {
     {"Profile",
      &profile_keys,
      {kLossesInPlace, kPoints, kRecording},
-     [](const std::string& path) { (void)load_profile(path, catalogue()); }},
+     [](const std::string& path) { (void)load_profile(path); }},
     {"Grid", &grid_keys, {kGrid}, [](const std::string& path) { (void)load_grid(path); }},
     {"Station",
      &station_keys,

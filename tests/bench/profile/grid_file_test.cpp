@@ -75,7 +75,7 @@ TEST_F(GridFile, IsNamedByItsFileAndHasTheDocumentedDefaults) {
 TEST_F(GridFile, IsFoundBesideTheProfile) {
   write("small.toml", kGrid);
   const std::string path = write("case.toml", replaced(kMinimal, "ieee24", "small.toml"));
-  EXPECT_EQ(load_profile(path, catalogue()).grid.title, "Small");
+  EXPECT_EQ(load_profile(path).grid.title, "Small");
 }
 
 TEST_F(GridFile, RefusesWithItsOwnPathAndPlace) {
@@ -96,7 +96,7 @@ TEST_F(GridFile, RefusedInsideAProfileNamesTheGridsFile) {
       write("bad.toml", replaced(kGrid, "damping_pu = 1.0", "damping_pu = -1"));
   const std::string path = write("case.toml", replaced(kMinimal, "ieee24", "bad.toml"));
   try {
-    (void)load_profile(path, catalogue());
+    (void)load_profile(path);
     FAIL() << "a negative damping was taken";
   } catch (const ConfigurationError& error) {
     EXPECT_THAT(error.what(), StartsWith(grid + ":8:14: "));

@@ -181,7 +181,7 @@ TEST(Profile, HoldsBreakPoints) {
 TEST(Profile, TakesTheSeedOfTheCommandLineInPlaceOfItsOwn) {
   Overrides overrides;
   overrides.seed = 42;
-  EXPECT_EQ(parse_profile(kLossesInPlace, "test.toml", catalogue(), overrides).seed, 42u);
+  EXPECT_EQ(parse_profile(kLossesInPlace, "test.toml", overrides).seed, 42u);
 }
 
 TEST(Profile, ReadsWindowsLineEndsAndAByteOrderMark) {

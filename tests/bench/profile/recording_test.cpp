@@ -38,7 +38,7 @@ class Recording : public testing::Test {
   }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   Plan parse_here(const std::string& text, const Overrides& overrides = {}) const {
-    return parse_profile(text, path("case.toml"), catalogue(), overrides);
+    return parse_profile(text, path("case.toml"), overrides);
   }
   std::string refusal_here(const std::string& text, const Overrides& overrides = {}) const {
     try {

@@ -19,7 +19,7 @@ using testing::StartsWith;
 
 std::string refusal_of_name(const std::string& name) {
   try {
-    (void)load_profile(name, catalogue());
+    (void)load_profile(name);
   } catch (const ConfigurationError& error) {
     return error.what();
   }
@@ -44,7 +44,7 @@ class ProfilesElsewhere {
 class Shipped : public testing::TestWithParam<std::string> {};
 
 TEST_P(Shipped, LoadsUnderItsName) {
-  const Plan plan = load_profile(GetParam(), catalogue());
+  const Plan plan = load_profile(GetParam());
   EXPECT_EQ(plan.name, GetParam());
   EXPECT_FALSE(plan.title.empty());
   EXPECT_GT(plan.duration_ticks(), 0);
@@ -52,7 +52,7 @@ TEST_P(Shipped, LoadsUnderItsName) {
 }
 
 TEST_P(Shipped, LimitsEveryOutlet) {
-  const Plan plan = load_profile(GetParam(), catalogue());
+  const Plan plan = load_profile(GetParam());
   for (const Outlet& outlet : plan.outlets) {
     const auto limits = [&](const std::string& measure) {
       return std::any_of(
@@ -90,7 +90,7 @@ TEST(ShippedProfiles, AreThese) {
 
 TEST(ShippedProfiles, AreNamedAlsoWhenGivenByPath) {
   const std::string path = profiles_folder() + "/paper/loss-500mw.toml";
-  EXPECT_EQ(load_profile(path, catalogue()).name, "paper/loss-500mw");
+  EXPECT_EQ(load_profile(path).name, "paper/loss-500mw");
 }
 
 TEST(ShippedProfiles, MisspeltAreSuggested) {
@@ -121,7 +121,7 @@ TEST(ProfilesFolder, IsTakenFromTheEnvironment) {
   const ProfilesElsewhere elsewhere(folder);
 
   EXPECT_EQ(profiles_folder(), folder);
-  EXPECT_EQ(load_profile("mine/case", catalogue()).grid.name, "own");
+  EXPECT_EQ(load_profile("mine/case").grid.name, "own");
   const auto profiles = list_profiles();
   ASSERT_EQ(profiles.size(), 2u);
   EXPECT_EQ(profiles[0].name, "mine/broken");

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <judge/catalogue.hpp>
+#include <measures/catalogue.hpp>
 #include <profile/load.hpp>
 #include <station/run.hpp>
 
@@ -25,7 +25,7 @@ profile::Plan parse(const std::string& expectations) {
       "title = \"A test\"\nsource = \"None\"\n[grid]\nsystem = \"ieee24\"\n[signal]\n"
       "duration_s = 1.5\nnoise_pct = 1.0\n[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n" +
           expectations,
-      "test.toml", judge::measure_names());
+      "test.toml");
 }
 
 profile::Plan quiet() {
@@ -107,7 +107,7 @@ TEST(Study, CountsAnOutletOnceWhateverTheNumberAndUnitsOfItsLimits) {
                      "[[expect]]\nmeasure = \"relay.end\"\nequals = \"closed\"\n"
                      "[[expect]]\nmeasure = \"relay.end\"\nequals = \"closed\"\n"),
                2);
-  EXPECT_EQ(limited.rows.size(), judge::catalogue().size());
+  EXPECT_EQ(limited.rows.size(), measures::catalogue().size());
   const Row& rms = row(limited, "tracker.error.rms");
   EXPECT_EQ(rms.unit, "mHz");
   EXPECT_EQ(rms.values.count(), 4U);
@@ -122,9 +122,9 @@ TEST(Study, CountsAnOutletOnceWhateverTheNumberAndUnitsOfItsLimits) {
 
 TEST(Study, HasItsRowsInTheOrderOfTheCatalogue) {
   const StudyResult result = study_of(half_failing(), 1);
-  ASSERT_EQ(result.rows.size(), judge::catalogue().size());
+  ASSERT_EQ(result.rows.size(), measures::catalogue().size());
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
-    EXPECT_EQ(result.rows[i].measure, judge::catalogue()[i].name);
+    EXPECT_EQ(result.rows[i].measure, measures::catalogue()[i].name);
   }
 }
 

@@ -1,12 +1,11 @@
 #include "plans.hpp"
 
-#include <judge/catalogue.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::station::test {
 
 profile::Plan parse(const std::string& text) {
-  return profile::parse_profile(text, "test.toml", judge::measure_names());
+  return profile::parse_profile(text, "test.toml");
 }
 
 std::string profile_text(double duration_s, const std::string& more, const std::string& outlet) {

@@ -69,8 +69,7 @@ std::vector<gsbench::waveform::Harmonic> en50160() {
     measure = "event.count"
     max = 0
   )";
-  return gsbench::profile::parse_profile(text, "harmonics.toml", {{"event.count", ""}})
-      .stimulus.signal.harmonics;
+  return gsbench::profile::parse_profile(text, "harmonics.toml").stimulus.signal.harmonics;
 }
 
 // Cramér–Rao bound of a constant frequency over `window_s` of a sine in white noise, mHz:

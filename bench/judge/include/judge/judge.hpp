@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <judge/catalogue.hpp>
+#include <judge/reading.hpp>
 
 namespace gsbench::judge {
 

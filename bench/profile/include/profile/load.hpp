@@ -15,15 +15,6 @@ namespace gsbench::profile {
 
 using keys::ConfigurationError;
 
-// One entry of the judge's catalogue, as far as an [[expect]] must agree with it.
-struct MeasureName {
-  std::string name;                     // "event.delay"
-  std::string unit;                     // "ms"; empty: dimensionless, or a word
-  bool word = false;                    // judged by `equals`, not by min and max
-  std::vector<std::string> words = {};  // that it can be; empty: any
-};
-using MeasureCatalogue = std::vector<MeasureName>;
-
 // Folder that profiles are looked for in: $GSBENCH_PROFILES if set, else the shipped ones.
 std::string profiles_folder();
 
@@ -40,13 +31,12 @@ struct Overrides {
 };
 
 // `name`: a shipped profile ("paper/loss-500mw") or a path to a .toml file.
-Plan load_profile(const std::string& name, const MeasureCatalogue& catalogue,
-                  const Overrides& overrides = {});
+Plan load_profile(const std::string& name, const Overrides& overrides = {});
 
 // The same of a text, such as a run record keeps; grids and recordings it names by a relative path
 // are looked for beside `path`.
 Plan parse_profile(const std::string& text, const std::string& path,
-                   const MeasureCatalogue& catalogue, const Overrides& overrides = {});
+                   const Overrides& overrides = {});
 
 // `name`: a shipped grid ("ieee24") or a path to a .toml file.
 grid::Grid load_grid(const std::string& name);

@@ -1,8 +1,6 @@
 // Profiles to test with, and ways to spoil them.
 #pragma once
 
-#include <profile_test/catalogue.hpp>
-
 #include <ostream>
 #include <string>
 
@@ -154,13 +152,13 @@ inline std::string replaced(std::string text, const std::string& what, const std
 }
 
 inline Plan parse(const std::string& text) {
-  return parse_profile(text, "test.toml", catalogue());
+  return parse_profile(text, "test.toml");
 }
 
 // The message that the profile is refused with; empty where it is not.
 inline std::string refusal(const std::string& text, const std::string& path = "test.toml") {
   try {
-    (void)parse_profile(text, path, catalogue());
+    (void)parse_profile(text, path);
   } catch (const ConfigurationError& error) {
     return error.what();
   }

@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <profile/units.hpp>
+#include <measures/units.hpp>
 
-namespace gsbench::profile {
+namespace gsbench::measures {
 namespace {
 
 TEST(Units, ConvertWithinADimension) {
@@ -33,4 +33,4 @@ TEST(Units, ListThoseOfTheSameDimension) {
 }
 
 }  // namespace
-}  // namespace gsbench::profile
+}  // namespace gsbench::measures

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 
-#include <profile/units.hpp>
+#include <measures/units.hpp>
 
-namespace gsbench::profile {
+namespace gsbench::measures {
 namespace {
 
 struct Unit {
@@ -62,4 +62,4 @@ std::vector<std::string> units_like(const std::string& unit) {
   return names;
 }
 
-}  // namespace gsbench::profile
+}  // namespace gsbench::measures

@@ -1,0 +1,44 @@
+// How measures are read from one outlet's record.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <judge/case.hpp>
+
+namespace gsbench::judge {
+
+// What came of one measurement.
+struct Reading {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::string word;          // for measurements that are words
+  double uncertainty = 0.0;  // expanded (k = 2), in the measure's unit
+  std::string missing;       // why there is no value; empty where there is one
+  bool outlets_fault =
+      true;  // where it is missing: the outlet did not do it, or the bench lacks it
+};
+
+using Read = Reading (*)(const Case&);
+
+// How the measure of this name in the catalogue (measures/catalogue.hpp) is read. Throws
+// std::logic_error where bench/judge has no row for it.
+Read reading_of(const std::string& measure);
+
+// For those who write measures.
+Reading number(double value, double uncertainty = 0.0);
+Reading word(std::string text);
+Reading not_done(std::string why);   // the outlet did not do it: FAIL where it was expected
+Reading not_known(std::string why);  // the bench cannot tell: INCONCLUSIVE
+
+// A row a measure: its name and how it is read, in one file a subject.
+using Readings = std::vector<std::pair<std::string, Read>>;
+Readings tracker_readings();
+Readings event_readings();
+Readings estimate_readings();
+Readings relay_readings();
+Readings clock_readings();
+Readings all_readings();
+
+}  // namespace gsbench::judge

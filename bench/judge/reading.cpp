@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include <judge/reading.hpp>
+
+namespace gsbench::judge {
+
+Readings all_readings() {
+  Readings all;
+  for (Readings part : {tracker_readings(), event_readings(), estimate_readings(), relay_readings(),
+                        clock_readings()}) {
+    std::move(part.begin(), part.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+Read reading_of(const std::string& measure) {
+  static const Readings all = all_readings();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& row) { return row.first == measure; });
+  if (found == all.end()) throw std::logic_error("nothing reads the measure " + measure);
+  return found->second;
+}
+
+Reading number(double value, double uncertainty) {
+  Reading reading;
+  reading.value = value;
+  reading.uncertainty = uncertainty;
+  return reading;
+}
+
+Reading word(std::string text) {
+  Reading reading;
+  reading.word = std::move(text);
+  return reading;
+}
+
+Reading not_done(std::string why) {
+  Reading reading;
+  reading.missing = std::move(why);
+  return reading;
+}
+
+Reading not_known(std::string why) {
+  Reading reading;
+  reading.missing = std::move(why);
+  reading.outlets_fault = false;
+  return reading;
+}
+
+}  // namespace gsbench::judge
