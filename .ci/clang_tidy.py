@@ -48,8 +48,17 @@ def digest(entry, files):
     return text.hexdigest()
 
 
-def tidy(build, source):
-    return subprocess.run(["clang-tidy", "--quiet", "-p", build, source], capture_output=True, text=True)
+def without_precompiled(entry):
+    """clang cannot read g++'s precompiled headers, and a file is to include what it needs itself."""
+    words = shlex.split(entry["command"])
+    for place in [i for i, word in enumerate(words) if word == "-include"][::-1]:
+        if words[place + 1].endswith("cmake_pch.hxx"):
+            del words[place : place + 2]
+    return {**entry, "command": shlex.join(words)}
+
+
+def tidy(database, source):
+    return subprocess.run(["clang-tidy", "--quiet", "-p", database, source], capture_output=True, text=True)
 
 
 def main():
@@ -60,8 +69,11 @@ def main():
     listed = {str(root / line.strip()) for line in sys.stdin}
     made_from = our_includes(build, root)
 
+    entries = json.loads((build / "compile_commands.json").read_text())
+    (stamps / "compile_commands.json").write_text(json.dumps([without_precompiled(entry) for entry in entries]))
+
     todo = {}  # one entry a source: a file built twice is still one file
-    for entry in json.loads((build / "compile_commands.json").read_text()):
+    for entry in entries:
         source = pathlib.Path(entry["file"])
         if str(source) not in listed:
             continue
@@ -72,7 +84,7 @@ def main():
 
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        running = {pool.submit(tidy, build, source): source for source in todo}
+        running = {pool.submit(tidy, stamps, source): source for source in todo}
         for done, future in enumerate(concurrent.futures.as_completed(running), 1):
             source, result = running[future], future.result()
             name = os.path.relpath(source, root)
