@@ -136,11 +136,22 @@ bool is_freestanding(std::string_view path) {
 }
 
 bool may_stand_at_top_level(std::string_view entry) {
-  static const Names entries = {".ci",        ".clang-format",  ".clang-tidy",
-                                ".gitignore", "CMakeLists.txt", "CMakePresets.json",
-                                "LICENSE",    "README.md",      "bench",
-                                "dev",        "docs",           "drivers",
-                                "firmware",   "profiles",       "reports",
+  static const Names entries = {".ci",
+                                ".clang-format",
+                                ".clang-tidy",
+                                ".gitignore",
+                                "CHANGELOG.md",
+                                "CMakeLists.txt",
+                                "CMakePresets.json",
+                                "CONTRIBUTING.md",
+                                "LICENSE",
+                                "README.md",
+                                "bench",
+                                "dev",
+                                "drivers",
+                                "firmware",
+                                "profiles",
+                                "reports",
                                 "tests"};
   return entries.count(entry) > 0;
 }
