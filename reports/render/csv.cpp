@@ -1,6 +1,7 @@
 #include "format.hpp"
 #include "truth_line.hpp"
 
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -42,16 +43,8 @@ class Row {
 };
 
 const char* validity_word(std::uint8_t validity) {
-  switch (validity) {
-    case 0:
-      return "invalid";
-    case 1:
-      return "valid";
-    case 2:
-      return "held";
-    default:
-      return "unknown";
-  }
+  constexpr std::array kWords = {"invalid", "valid", "held"};
+  return validity < kWords.size() ? kWords[validity] : "unknown";
 }
 
 // Reports and estimates are merged by tick: an estimate that came between two reports has a row of

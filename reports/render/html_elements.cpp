@@ -1,40 +1,22 @@
 #include "html_elements.hpp"
 
+#include <utility>
+
 namespace gsbench::render {
-namespace {
-
-using record::Verdict;
-
-struct VerdictLook {
-  const char* css_class;
-  const char* sign;
-};
-
-VerdictLook look_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kPass:
-      return {"pass", "✓"};
-    case Verdict::kInconclusive:
-      return {"inconclusive", "?"};
-    case Verdict::kFail:
-      return {"fail", "✕"};
-    case Verdict::kError:
-      break;
-  }
-  return {"error", "!"};
-}
-
-}  // namespace
 
 kainjow::mustache::data flag(bool value) {
   return value ? kainjow::mustache::data::type::bool_true
                : kainjow::mustache::data::type::bool_false;
 }
 
-void set_verdict(object& where, Verdict verdict) {
+void set_verdict(object& where, record::Verdict verdict) {
+  // In the order of the verdicts: class of CSS and sign.
+  static constexpr std::pair<const char*, const char*> kLooks[] = {
+      {"pass", "✓"}, {"inconclusive", "?"}, {"fail", "✕"}, {"error", "!"}};
+  const auto& [css_class, sign] = kLooks[static_cast<std::size_t>(verdict)];
   where["verdict"] = std::string(record::to_string(verdict));
-  where["class"] = std::string(look_of(verdict).css_class);
-  where["sign"] = std::string(look_of(verdict).sign);
+  where["class"] = std::string(css_class);
+  where["sign"] = std::string(sign);
 }
 
 std::string typographic(std::string text) {

@@ -31,12 +31,6 @@ Case case_of(const record::MeasurementResult& result) {
   return one;
 }
 
-// Where a verdict is worse than its measurements say (the outlet was lost, the run did not finish),
-// a case of its own says so: no CI may read such a run as passed.
-Case own_verdict(const char* name, Verdict verdict, const std::string& reason) {
-  return {name, verdict, reason, true};
-}
-
 void write_suite(QXmlStreamWriter& xml, const record::RunRecord& run, const std::string& name,
                  const std::vector<Case>& cases) {
   const auto count = [&](auto&& which) {
@@ -81,6 +75,8 @@ Verdict worst(const std::vector<Case>& cases) {
 
 }  // namespace
 
+// Where a verdict is worse than its measurements say (the outlet was lost, the run did not finish),
+// a case of its own says so: no CI may read such a run as passed.
 std::string junit_xml(const record::RunRecord& run) {
   QByteArray bytes;
   QXmlStreamWriter xml(&bytes);
@@ -94,13 +90,13 @@ std::string junit_xml(const record::RunRecord& run) {
     std::vector<Case> cases;
     for (const auto& result : outlet.measurements) cases.push_back(case_of(result));
     if (outlet.verdict > worst(cases)) {
-      cases.push_back(own_verdict("outlet", outlet.verdict, outlet_sentence(outlet)));
+      cases.push_back({"outlet", outlet.verdict, outlet_sentence(outlet)});
     }
     shown = std::max(shown, worst(cases));
     write_suite(xml, run, outlet.id, cases);
   }
   if (run.verdict > shown || !run.fault.empty() || run.interrupted) {
-    write_suite(xml, run, "run", {own_verdict("run", run.verdict, verdict_sentence(run))});
+    write_suite(xml, run, "run", {{"run", run.verdict, verdict_sentence(run)}});
   }
   xml.writeEndDocument();
   return bytes.toStdString();
