@@ -18,7 +18,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-using gsbench::emulation::Board;
 using gsbench::emulation::Connection;
 using gsbench::emulation::Hardware;
 using gsbench::emulation::HardwareOptions;

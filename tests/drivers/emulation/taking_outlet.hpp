@@ -1,7 +1,6 @@
 // What an outlet's process does with its terminals: takes samples, as long as it lives.
 #pragma once
 
-#include "descriptor.hpp"
 #include <fcntl.h>
 #include <shared_memory_io/shared_port.hpp>
 #include <sys/mman.h>
@@ -16,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <drivers/descriptor.hpp>
 #include <emulation/mains.hpp>
 
 namespace gsbench::test {
@@ -75,10 +75,10 @@ class TakingOutlet {
   }
 
   Use use_;
-  emulation::Descriptor file_;
+  drivers::Descriptor file_;
   void* mapped_;
   gs::shared_memory_io::SharedPort port_;
-  emulation::Descriptor bell_;
+  drivers::Descriptor bell_;
   std::atomic<std::size_t> taken_{0};
   std::atomic<std::uint32_t> lost_{0};
   std::thread taking_;
