@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <capture/capture.hpp>
 
@@ -11,19 +12,13 @@ using gs::wire::UplinkKind;
 
 }  // namespace
 
-Capture::Capture(std::size_t outlets, std::int64_t sample_rate_hz)
-    : tracks_(outlets), sample_rate_hz_(static_cast<double>(sample_rate_hz)) {}
-
 void Capture::add(const std::vector<link::Received>& messages) {
   for (const link::Received& received : messages) {
-    if (received.outlet < tracks_.size()) {
-      add(tracks_[received.outlet], received);
-    }
+    add(tracks_[received.id], received.message);
   }
 }
 
-void Capture::add(Track& track, const link::Received& received) const {
-  const gs::wire::Uplink& message = received.message;
+void Capture::add(Track& track, const gs::wire::Uplink& message) {
   std::vector<record::Mark>& marks = track.record.marks;
   const auto tick = static_cast<std::int64_t>(message.sample);
   switch (message.kind) {
@@ -97,40 +92,47 @@ void Capture::add(Track& track, const link::Received& received) const {
   }
 }
 
-void Capture::add_edge(std::size_t outlet, std::int64_t tick, bool closed) {
-  tracks_.at(outlet).bench_marks.push_back(
+void Capture::add_edge(const std::string& id, std::int64_t tick, bool closed) {
+  tracks_[id].bench_marks.push_back(
       {tick, "relay.sense", closed ? 1.0 : 0.0, closed ? "closed" : "open"});
 }
 
-void Capture::add_command(std::size_t outlet, std::int64_t tick, bool close) {
-  tracks_.at(outlet).bench_marks.push_back(
+void Capture::add_command(const std::string& id, std::int64_t tick, bool close) {
+  tracks_[id].bench_marks.push_back(
       {tick, "command", close ? 1.0 : 0.0, close ? "switch on" : "switch off"});
 }
 
-const SettingsAnswer& Capture::settings_answer(std::size_t outlet) const {
-  return tracks_.at(outlet).settings_answer;
+const Capture::Track& Capture::track(const std::string& id) const {
+  static const Track kEmpty;
+  const auto found = tracks_.find(id);
+  return found != tracks_.end() ? found->second : kEmpty;
 }
 
-std::uint32_t Capture::self_test_failed(std::size_t outlet) const {
-  return tracks_.at(outlet).self_test_failed;
+const SettingsAnswer& Capture::settings_answer(const std::string& id) const {
+  return track(id).settings_answer;
 }
 
-std::uint64_t Capture::last_report_sample(std::size_t outlet) const {
-  const std::vector<std::int64_t>& samples = tracks_.at(outlet).record.trace.tick;
+std::uint32_t Capture::self_test_failed(const std::string& id) const {
+  return track(id).self_test_failed;
+}
+
+std::uint64_t Capture::last_report_sample(const std::string& id) const {
+  const std::vector<std::int64_t>& samples = track(id).record.trace.tick;
   return samples.empty() ? 0 : static_cast<std::uint64_t>(samples.back());
 }
 
-VoltageTrace Capture::voltage_trace(std::size_t outlet) const {
-  const record::MeasurementTrace& trace = tracks_.at(outlet).record.trace;
+VoltageTrace Capture::voltage_trace(const std::string& id) const {
+  const record::MeasurementTrace& trace = track(id).record.trace;
   VoltageTrace voltage;
   voltage.sample.assign(trace.tick.begin(), trace.tick.end());
   voltage.voltage_pu = trace.voltage_pu;
   return voltage;
 }
 
-void Capture::move_into(std::size_t outlet, const OutletClock& clock, std::int64_t last_tick,
-                        record::OutletRecord& record) {
-  Track& track = tracks_.at(outlet);
+void Capture::move_into(record::OutletRecord& record, const OutletClock& clock,
+                        std::int64_t last_tick) {
+  Track track = std::move(tracks_[record.id]);
+  tracks_.erase(record.id);
   record::OutletRecord& from = track.record;
   const auto to_tick = [&](std::int64_t sample) {
     return clock.tick_of(static_cast<std::uint64_t>(sample));
@@ -168,7 +170,6 @@ void Capture::move_into(std::size_t outlet, const OutletClock& clock, std::int64
   std::copy_if(from.marks.begin(), from.marks.end(), std::back_inserter(record.marks),
                [&](const record::Mark& mark) { return in_run(mark.tick); });
   record.settings_digest = from.settings_digest;
-  track = Track{};
 }
 
 }  // namespace gsbench::capture

@@ -36,9 +36,7 @@ nlohmann::ordered_json as_json(const link::OutletPresence& outlet) {
 }
 
 int devices(const DevicesArguments& arguments) {
-  const std::unique_ptr<link::Link> link = make_link(arguments.link);
-  const std::vector<link::OutletPresence> present = open_link(*link);
-  link->close();
+  const std::vector<link::OutletPresence> present = find_outlets(arguments.link).outlets;
   const bool at_fault = std::any_of(present.begin(), present.end(),
                                     [](const auto& outlet) { return !outlet.fault.empty(); });
   const ExitCode exit_code = at_fault ? kErrored : kPassed;

@@ -1,13 +1,19 @@
 #include "link_arguments.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
+#include <link/wait_for_outlets.hpp>
 #include <profile/station_spec.hpp>
 #include <station/stations.hpp>
 #include <transport/transport.hpp>
 
 namespace gsbench::cli {
 namespace {
+
+constexpr auto kPatience = std::chrono::seconds(3);      // for those that are named
+constexpr auto kForSearching = std::chrono::seconds(1);  // where all on a broker are wanted
 
 // Of all the ports of a machine those that cannot be opened are of no interest; of those that
 // somebody named they are a mistake.
@@ -20,18 +26,7 @@ void require_ports(const std::vector<std::string>& named) {
   }
 }
 
-}  // namespace
-
-void add_link_options(CLI::App& command, LinkArguments& arguments) {
-  CLI::Option* station = command.add_option("--station", arguments.station,
-                                            "A station file, or the name of a shipped one");
-  command
-      .add_option("--port", arguments.ports,
-                  "A serial port, or tcp://host:port; may be given more than once")
-      ->excludes(station);
-}
-
-std::unique_ptr<link::Link> make_link(const LinkArguments& arguments) {
+profile::StationSpec station_of(const LinkArguments& arguments) {
   profile::StationSpec spec;
   if (!arguments.station.empty()) {
     spec = profile::load_station(arguments.station);
@@ -48,15 +43,39 @@ std::unique_ptr<link::Link> make_link(const LinkArguments& arguments) {
           "this machine has no serial port; name a station with --station");
     }
   }
-  return station::make_link(spec, arguments.station.empty() && arguments.ports.empty());
+  return spec;
 }
 
-std::vector<link::OutletPresence> open_link(link::Link& link) {
-  const auto present = link.open();
-  if (!present.ok()) {
-    throw std::runtime_error(present.error());
+}  // namespace
+
+void add_link_options(CLI::App& command, LinkArguments& arguments) {
+  CLI::Option* station = command.add_option("--station", arguments.station,
+                                            "A station file, or the name of a shipped one");
+  command
+      .add_option("--port", arguments.ports,
+                  "A serial port, or tcp://host:port; may be given more than once")
+      ->excludes(station);
+}
+
+FoundOutlets find_outlets(const LinkArguments& arguments) {
+  const profile::StationSpec spec = station_of(arguments);
+  const bool looking = arguments.station.empty() && arguments.ports.empty();
+  std::vector<std::string> named = spec.serial_ports;
+  named.insert(named.end(), spec.broker.outlets.begin(), spec.broker.outlets.end());
+  const bool any_on_broker = !spec.broker.url.empty() && spec.broker.outlets.empty();
+  FoundOutlets found{station::make_link(spec, looking), {}};
+  auto outlets = link::wait_for_outlets(*found.link, named, kPatience,
+                                        any_on_broker ? kForSearching : std::chrono::seconds(0));
+  if (!outlets.ok()) {
+    throw std::runtime_error(outlets.error());
   }
-  return present.value();
+  found.outlets = outlets.take();
+  if (looking) {
+    found.outlets.erase(std::remove_if(found.outlets.begin(), found.outlets.end(),
+                                       [](const auto& outlet) { return outlet.where.empty(); }),
+                        found.outlets.end());
+  }
+  return found;
 }
 
 }  // namespace gsbench::cli

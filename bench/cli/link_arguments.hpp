@@ -18,11 +18,15 @@ struct LinkArguments {
 
 void add_link_options(CLI::App& command, LinkArguments& arguments);
 
-// To the station's outlets, else to those on the named ports, else on every serial port there is.
-// Throws profile::ConfigurationError where there is nowhere to look, or a named port is not there.
-std::unique_ptr<link::Link> make_link(const LinkArguments& arguments);
+struct FoundOutlets {
+  std::unique_ptr<link::Link> link;  // open
+  std::vector<link::OutletPresence> outlets;
+};
 
-// Opens it; throws std::runtime_error with what the link says.
-std::vector<link::OutletPresence> open_link(link::Link& link);
+// The station's outlets, else those on the named ports, else those on every serial port there is:
+// then one without an outlet is left out. Blocks for some seconds where one does not answer. Throws
+// profile::ConfigurationError where there is nowhere to look, or a named port is not there, and
+// std::runtime_error with what the link says.
+FoundOutlets find_outlets(const LinkArguments& arguments);
 
 }  // namespace gsbench::cli

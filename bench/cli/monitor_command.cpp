@@ -31,49 +31,58 @@ void print_fault(const std::string& id, const std::string& fault) {
   std::printf("%-20s ! %s\n", id.c_str(), fault.c_str());
 }
 
+void print(const MonitorArguments& arguments, const link::OutletPresence& outlet) {
+  if (!outlet.fault.empty()) {
+    print_fault(outlet.id, outlet.fault);
+  } else if (wanted(arguments, outlet.id)) {
+    gs::wire::Uplink hello;
+    hello.hello = outlet.hello;
+    std::printf("%s\n", message_text(outlet.id, hello).c_str());
+  }
+}
+
+void print(const MonitorArguments& arguments, const link::Happenings& happenings) {
+  for (const link::OutletPresence& outlet : happenings.joined) {
+    print(arguments, outlet);
+  }
+  for (const link::Received& received : happenings.messages) {
+    const bool measurement = received.message.kind == gs::wire::UplinkKind::kMeasurement;
+    if (wanted(arguments, received.id) && !(arguments.quiet && measurement)) {
+      std::printf("%s\n", message_text(received.id, received.message).c_str());
+    }
+  }
+  for (const std::vector<link::Fault>& faults : {happenings.left, happenings.faults}) {
+    for (const link::Fault& fault : faults) {
+      print_fault(fault.id, fault.what);
+    }
+  }
+}
+
 int monitor(const MonitorArguments& arguments) {
-  const std::unique_ptr<link::Link> link = make_link(arguments.link);
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const std::vector<link::OutletPresence> present = open_link(*link);
-  if (std::none_of(present.begin(), present.end(), [&](const link::OutletPresence& outlet) {
+  const FoundOutlets found = find_outlets(arguments.link);
+  if (std::none_of(found.outlets.begin(), found.outlets.end(), [&](const auto& outlet) {
         return outlet.fault.empty() && wanted(arguments, outlet.id);
       })) {
     throw profile::ConfigurationError(arguments.outlet.empty()
                                           ? "no outlet answers"
                                           : "no outlet " + arguments.outlet + " answers");
   }
-  for (const link::OutletPresence& outlet : present) {
-    if (!outlet.fault.empty()) {
-      print_fault(outlet.id, outlet.fault);
-    } else if (wanted(arguments, outlet.id)) {
-      gs::wire::Uplink hello;
-      hello.hello = outlet.hello;
-      std::printf("%s\n", message_text(outlet.id, hello).c_str());
-    }
+  for (const link::OutletPresence& outlet : found.outlets) {
+    print(arguments, outlet);
   }
   std::fflush(stdout);
   const auto started = std::chrono::steady_clock::now();
-  std::vector<link::Received> messages;
-  std::vector<link::Fault> faults;
+  link::Happenings happenings;
   while (!interrupted && !std::ferror(stdout) &&
          std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() <
              arguments.seconds) {
-    messages.clear();
-    faults.clear();
-    const drivers::Status status = link->poll(messages, faults);
+    happenings.clear();
+    const drivers::Status status = found.link->poll(happenings);
     if (!status.ok()) {
       throw std::runtime_error(status.error());
     }
-    for (const link::Received& received : messages) {
-      const std::string& id = present.at(received.outlet).id;
-      const bool measurement = received.message.kind == gs::wire::UplinkKind::kMeasurement;
-      if (wanted(arguments, id) && !(arguments.quiet && measurement)) {
-        std::printf("%s\n", message_text(id, received.message).c_str());
-      }
-    }
-    for (const link::Fault& fault : faults) {
-      print_fault(present.at(fault.outlet).id, fault.what);
-    }
+    print(arguments, happenings);
     std::fflush(stdout);
     std::this_thread::sleep_for(kBetweenLooks);
   }

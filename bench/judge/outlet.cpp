@@ -74,6 +74,12 @@ MeasurementResult unknown(const profile::Expectation& expectation) {
   return result;
 }
 
+Reading read(const std::string& measure, const Case& c) {
+  return c.outlet.link.empty() && !is_seen(measure)
+             ? not_known("the outlet has no link: it tells the bench nothing")
+             : reading_of(measure)(c);
+}
+
 }  // namespace
 
 std::vector<MeasurementResult> measure(const Case& c) {
@@ -88,12 +94,12 @@ std::vector<MeasurementResult> measure(const Case& c) {
       results.push_back(unknown(expectation));
       continue;
     }
-    results.push_back(judged(expectation, *measure, reading_of(measure->name)(c)));
+    results.push_back(judged(expectation, *measure, read(measure->name, c)));
     named.insert(measure->name);
   }
   for (const measures::Measure& measure : measures::catalogue()) {
     if (named.count(measure.name) == 0) {
-      results.push_back(result_of(measure, reading_of(measure.name)(c)));
+      results.push_back(result_of(measure, read(measure.name, c)));
     }
   }
   return results;

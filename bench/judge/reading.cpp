@@ -9,8 +9,8 @@ namespace gsbench::judge {
 
 Readings all_readings() {
   Readings all;
-  for (Readings part : {tracker_readings(), event_readings(), estimate_readings(), relay_readings(),
-                        clock_readings()}) {
+  for (Readings part : {tracker_readings(), event_readings(), estimate_readings(),
+                        contact_readings(), relay_readings(), clock_readings()}) {
     std::move(part.begin(), part.end(), std::back_inserter(all));
   }
   return all;
@@ -22,6 +22,12 @@ Read reading_of(const std::string& measure) {
       std::find_if(all.begin(), all.end(), [&](const auto& row) { return row.first == measure; });
   if (found == all.end()) throw std::logic_error("nothing reads the measure " + measure);
   return found->second;
+}
+
+bool is_seen(const std::string& measure) {
+  static const Readings seen = contact_readings();
+  return std::any_of(seen.begin(), seen.end(),
+                     [&](const auto& row) { return row.first == measure; });
 }
 
 Reading number(double value, double uncertainty) {

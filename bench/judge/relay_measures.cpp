@@ -120,17 +120,19 @@ Reading seen(const Case& c) {
 
 }  // namespace
 
+Readings contact_readings() {
+  return {
+      {"relay.delay", seen<delay>},           {"relay.end", seen<end>},
+      {"relay.edges", seen<edges>},           {"relay.chatter", seen<chatter>},
+      {"command.delay", seen<command_delay>}, {"trip.time", seen<trip_time>},
+  };
+}
+
 Readings relay_readings() {
   return {
-      {"relay.delay", seen<delay>},
       {"relay.delay_by_word", delay_by_word},
       {"relay.word_difference", seen<word_difference>},
       {"relay.operate_time", seen<operate_time>},
-      {"relay.end", seen<end>},
-      {"relay.edges", seen<edges>},
-      {"relay.chatter", seen<chatter>},
-      {"command.delay", seen<command_delay>},
-      {"trip.time", seen<trip_time>},
   };
 }
 

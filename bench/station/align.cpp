@@ -5,18 +5,16 @@
 namespace gsbench::station {
 namespace {
 
-void align(std::size_t i, const Station& station, const capture::Markers& markers,
-           capture::Capture& capture, record::RunRecord& run) {
-  record::OutletRecord& outlet = run.outlets[i];
-  outlet.relay_sensed = station.relay_channel(i).has_value();
+void align(const Station& station, const capture::Markers& markers, const record::RunRecord& run,
+           capture::Capture& capture, record::OutletRecord& outlet) {
   capture::OutletClock clock;
-  if (!station.outlets_count_ticks()) {
+  if (!outlet.link.empty() && !station.outlets_count_ticks()) {
     const auto delay_s = outlet.settings.find("voltage_delay_s");
     if (delay_s == outlet.settings.end()) {
       return;  // it was not spoken to: what it said may mean anything
     }
     const auto rate_hz = static_cast<double>(run.sample_rate_hz);
-    capture::VoltageTrace voltage = capture.voltage_trace(i);
+    capture::VoltageTrace voltage = capture.voltage_trace(outlet.id);
     voltage.window_samples = 2.0 * delay_s->second * rate_hz;
     const auto alignment = capture::align(voltage, markers, rate_hz);
     if (alignment) {
@@ -26,15 +24,15 @@ void align(std::size_t i, const Station& station, const capture::Markers& marker
       note(outlet, "did not show the marks before the run in its voltage: its time is not known");
     }
   }
-  capture.move_into(i, clock, run.duration_ticks, outlet);
+  capture.move_into(outlet, clock, run.duration_ticks);
 }
 
 }  // namespace
 
 void align(const Station& station, const capture::Markers& markers, capture::Capture& capture,
            record::RunRecord& run) {
-  for (std::size_t i = 0; i < run.outlets.size(); ++i) {
-    align(i, station, markers, capture, run);
+  for (record::OutletRecord& outlet : run.outlets) {
+    align(station, markers, run, capture, outlet);
   }
 }
 

@@ -6,57 +6,83 @@
 #include <cmath>
 
 #include <link/version_text.hpp>
+#include <link/wait_for_outlets.hpp>
 
 namespace gsbench::station {
 namespace {
 
-record::OutletRecord claim(const profile::Plan& plan, std::size_t i,
-                           const link::OutletPresence& present, link::Link& link) {
-  const gs::wire::Hello& hello = present.hello;
-  record::OutletRecord record;
-  record.id = present.id;
-  record.group = plan.outlets[i].group;
-  record.link = present.where;
-  if (!present.fault.empty()) {
-    note(record, present.fault);
-    return record;
-  }
+void send_settings(const profile::Plan& plan, const profile::Outlet& planned,
+                   const link::OutletPresence& outlet, link::Link& link,
+                   record::OutletRecord& record) {
+  const gs::wire::Hello& hello = outlet.hello;
   record.firmware = link::version_text(hello.firmware_version);
   if (hello.sample_rate_hz != plan.stimulus.sample_rate_hz ||
       hello.nominal_hz != static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz))) {
     note(record, "samples at " + std::to_string(hello.sample_rate_hz) + " Hz for mains of " +
                      std::to_string(hello.nominal_hz) + " Hz, which is not the profile's");
-    return record;
+    return;
   }
   record.took_part = true;
   // An outlet takes no settings that are older than those it has.
   gs::wire::Downlink message;
   message.kind = gs::wire::DownlinkKind::kSettings;
-  message.settings = control_centre::outlet_settings(plan.grid, plan.outlets[i].settings,
-                                                     hello.settings_version + 1);
+  message.settings =
+      control_centre::outlet_settings(plan.grid, planned.settings, hello.settings_version + 1);
   record.settings = control_centre::described(message.settings);
   record.settings["tracker_delay_s"] = static_cast<double>(hello.tracker_delay_s);
   record.settings["voltage_delay_s"] = static_cast<double>(hello.voltage_delay_s);
-  require(link.send(i, message));
+  require(link.send(outlet.id, message));
   message.kind = gs::wire::DownlinkKind::kAskSelfTest;
-  require(link.send(i, message));
-  return record;
+  require(link.send(outlet.id, message));
+}
+
+// Of the slots that have a link, in their order.
+std::vector<link::OutletPresence> call(const std::vector<Slot>& slots, Station& station) {
+  std::vector<std::string> named;
+  for (const Slot& slot : slots) {
+    if (slot.link_id) {
+      named.push_back(*slot.link_id);
+    }
+  }
+  auto present = link::wait_for_outlets(station.link(), named, station.answers_within());
+  if (!present.ok()) {
+    throw BenchFault(present.error());
+  }
+  return present.take();
 }
 
 }  // namespace
 
-std::vector<record::OutletRecord> claim(const profile::Plan& plan, link::Link& link) {
-  const auto present = link.open();
-  if (!present.ok()) {
-    throw BenchFault(present.error());
-  }
-  if (present.value().size() < plan.outlets.size()) {
+std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::vector<Slot>& slots,
+                                        Station& station) {
+  if (slots.size() < plan.outlets.size()) {
     throw BenchFault("the profile needs " + std::to_string(plan.outlets.size()) +
-                     " outlets; the station has " + std::to_string(present.value().size()));
+                     " outlets; the station has " + std::to_string(slots.size()));
   }
+  const std::vector<link::OutletPresence> present = call(slots, station);
+  auto next = present.begin();
   std::vector<record::OutletRecord> records;
-  for (std::size_t i = 0; i < plan.outlets.size(); ++i) {
-    records.push_back(claim(plan, i, present.value()[i], link));
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    record::OutletRecord& record = records.emplace_back();
+    record.id = slots[i].serial_number;
+    record.group = plan.outlets[i].group;
+    record.relay_sensed = slots[i].relay_channel.has_value();
+    if (!slots[i].link_id) {
+      record.took_part = true;
+      continue;
+    }
+    const link::OutletPresence& outlet = *next++;
+    if (outlet.where.empty()) {
+      record.link = slots[i].place;  // it did not answer there
+    } else {
+      record.id = outlet.id;
+      record.link = outlet.where;
+    }
+    if (outlet.fault.empty()) {
+      send_settings(plan, plan.outlets[i], outlet, station.link(), record);
+    } else {
+      note(record, outlet.fault);
+    }
   }
   return records;
 }

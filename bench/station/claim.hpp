@@ -3,14 +3,17 @@
 
 #include <vector>
 
-#include <link/link.hpp>
 #include <profile/plan.hpp>
 #include <record/run_record.hpp>
+#include <station/slot.hpp>
+#include <station/station.hpp>
 
 namespace gsbench::station {
 
-// In the plan's order. An outlet that was found at fault, or that samples otherwise than the plan
-// needs, has that fault and no settings. Throws BenchFault where there are too few.
-std::vector<record::OutletRecord> claim(const profile::Plan& plan, link::Link& link);
+// In the plan's order, each in its slot. One that does not answer, was found at fault, or samples
+// otherwise than the plan needs, has that fault and no settings; one without a link has no settings
+// either. Throws BenchFault where there are too few slots.
+std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::vector<Slot>& slots,
+                                        Station& station);
 
 }  // namespace gsbench::station

@@ -3,11 +3,9 @@
 #include <link_framed/framed_link.hpp>
 #include <link_mqtt/mqtt_link.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include <emulation/hardware.hpp>
@@ -19,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Outlets in a busy machine's processes take their time to come up.
-constexpr double kAnswerS = 10.0;
+constexpr auto kAnswersWithin = std::chrono::seconds(10);
 
 // Where the program's own companions are: beside it.
 std::string companion(const std::string& name) {
@@ -40,11 +38,6 @@ emulation::HardwareOptions options_of(const profile::StationSpec& spec, const pr
          outlet.link == "mqtt" ? emulation::Connection::kMqtt : emulation::Connection::kSerial,
          outlet.crystal_ppm});
   }
-  // In the order of the links below, which is that of the plan's outlets: mains and relay sense
-  // count as they do.
-  std::stable_partition(options.outlets.begin(), options.outlets.end(), [](const auto& outlet) {
-    return outlet.connection == emulation::Connection::kSerial;
-  });
   return options;
 }
 
@@ -57,12 +50,18 @@ EmulatedStation::EmulatedStation(const profile::StationSpec& spec, const profile
     throw std::runtime_error("station " + spec.name + ": " + hardware.error());
   }
   hardware_ = hardware.take();
+  std::size_t on_cable = 0;
+  for (const profile::EmulatedOutletSpec& outlet : spec.emulated) {
+    // On a cable it is known by its port: only what it says there shows who it is.
+    const bool by_broker = outlet.link == "mqtt";
+    const std::string place =
+        by_broker ? hardware_->broker()->url() : hardware_->serial_ports()[on_cable++];
+    slots_.push_back({place, outlet.id, by_broker ? outlet.id : place, slots_.size()});
+  }
   std::vector<std::unique_ptr<link::Link>> links;
   if (!hardware_->serial_ports().empty()) {
     link::FramedOptions options;
     options.ports = hardware_->serial_ports();
-    options.ids = hardware_->serial_ids();
-    options.answer_s = kAnswerS;
     links.push_back(std::make_unique<link::FramedLink>(options));
   }
   if (const emulation::PrivateBroker* const broker = hardware_->broker(); broker != nullptr) {
@@ -72,10 +71,13 @@ EmulatedStation::EmulatedStation(const profile::StationSpec& spec, const profile
     options.user = broker->bench().user;
     options.password = broker->bench().password;
     options.outlets = hardware_->mqtt_ids();
-    options.patience = std::chrono::milliseconds(static_cast<int>(1e3 * kAnswerS));
     links.push_back(std::make_unique<link::MqttLink>(options));
   }
   link_ = std::make_unique<link::CombinedLink>(std::move(links));
+}
+
+std::chrono::milliseconds EmulatedStation::answers_within() const {
+  return kAnswersWithin;
 }
 
 // The link lets go of its ports before they are gone.

@@ -24,6 +24,8 @@ class EmulatedStation final : public Station {
   source::Source& source() override { return hardware_->source(); }
   link::Link& link() override { return *link_; }
   relay::RelaySense& relay_sense() override { return hardware_->relay_sense(); }
+  std::vector<Slot> slots() const override { return slots_; }
+  std::chrono::milliseconds answers_within() const override;
   record::BenchUncertainty uncertainty() override;
   bool outlets_count_ticks() const override { return false; }
   double block_s() const override { return 0.016; }
@@ -34,6 +36,7 @@ class EmulatedStation final : public Station {
   std::string name_;
   double sample_rate_hz_;
   std::unique_ptr<emulation::Hardware> hardware_;
+  std::vector<Slot> slots_;
   std::unique_ptr<link::Link> link_;
 };
 

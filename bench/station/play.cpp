@@ -15,10 +15,11 @@ constexpr double kSettingsAnswerS = 0.096;
 
 class Player {
  public:
-  Player(const profile::Plan& plan, const PlayedSignal& signal, Station& station,
-         const RunOptions& options, std::vector<record::OutletRecord>& outlets,
+  Player(const profile::Plan& plan, const std::vector<Slot>& slots, const PlayedSignal& signal,
+         Station& station, const RunOptions& options, std::vector<record::OutletRecord>& outlets,
          capture::Capture& capture)
       : plan_(plan),
+        slots_(slots),
         signal_(signal),
         station_(station),
         options_(options),
@@ -72,23 +73,22 @@ class Player {
 
   // To all that came by the source's tick `now`.
   void listen(std::int64_t now) {
-    messages_.clear();
-    faults_.clear();
+    happenings_.clear();
     edges_.clear();
-    require(station_.link().poll(messages_, faults_));
+    require(station_.link().poll(happenings_));
     require(station_.relay_sense().poll(edges_));
-    watch_.hear(messages_, now);
-    watch_.note_faults(faults_);
-    capture_.add(messages_);
+    watch_.hear(happenings_, now);
+    capture_.add(happenings_.messages);
     add_edges();
   }
 
   void add_edges() {
     const relay::Alignment alignment = station_.relay_sense().alignment();
-    for (std::size_t i = 0; i < outlets_.size(); ++i) {
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
       for (const relay::Edge& edge : edges_) {
-        if (station_.relay_channel(i) == edge.channel) {
-          capture_.add_edge(i, alignment.tick_of(edge.count) - signal_.lead_ticks(), edge.closed);
+        if (slots_[i].relay_channel == edge.channel) {
+          capture_.add_edge(outlets_[i].id, alignment.tick_of(edge.count) - signal_.lead_ticks(),
+                            edge.closed);
         }
       }
     }
@@ -100,15 +100,19 @@ class Player {
     message.close_relay = command.switch_on;
     message.request = ++requests_;
     for (std::size_t i = 0; i < plan_.outlets.size(); ++i) {
-      if (command.outlets.empty() ||
-          std::count(command.outlets.begin(), command.outlets.end(), plan_.outlets[i].id) > 0) {
-        require(station_.link().send(i, message));
-        capture_.add_command(i, tick - signal_.lead_ticks(), command.switch_on);
+      const std::string& id = outlets_[i].id;
+      const bool is_meant =
+          command.outlets.empty() ||
+          std::count(command.outlets.begin(), command.outlets.end(), plan_.outlets[i].id) > 0;
+      if (is_meant && watch_.is_watched(id)) {
+        require(station_.link().send(id, message));
+        capture_.add_command(id, tick - signal_.lead_ticks(), command.switch_on);
       }
     }
   }
 
   const profile::Plan& plan_;
+  const std::vector<Slot>& slots_;
   const PlayedSignal& signal_;
   Station& station_;
   const RunOptions& options_;
@@ -116,8 +120,7 @@ class Player {
   capture::Capture& capture_;
   Watch watch_;
   std::uint32_t requests_ = 0;
-  std::vector<link::Received> messages_;
-  std::vector<link::Fault> faults_;
+  link::Happenings happenings_;
   std::vector<relay::Edge> edges_;
 };
 
@@ -128,10 +131,10 @@ void power_up(const PlayedSignal& signal, source::Source& source) {
   require(source.energise());
 }
 
-bool play(const profile::Plan& plan, const PlayedSignal& signal, Station& station,
-          const RunOptions& options, std::vector<record::OutletRecord>& outlets,
+bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const PlayedSignal& signal,
+          Station& station, const RunOptions& options, std::vector<record::OutletRecord>& outlets,
           capture::Capture& capture) {
-  return Player(plan, signal, station, options, outlets, capture).play();
+  return Player(plan, slots, signal, station, options, outlets, capture).play();
 }
 
 }  // namespace gsbench::station

@@ -6,6 +6,7 @@
 #include <record/run_record.hpp>
 #include <station/played_signal.hpp>
 #include <station/run.hpp>
+#include <station/slot.hpp>
 #include <station/station.hpp>
 
 namespace gsbench::station {
@@ -15,8 +16,8 @@ void power_up(const PlayedSignal& signal, source::Source& source);
 
 // Notes the faults of `outlets` as they come. Throws BenchFault. Returns false where it was stopped
 // from outside.
-bool play(const profile::Plan& plan, const PlayedSignal& signal, Station& station,
-          const RunOptions& options, std::vector<record::OutletRecord>& outlets,
+bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const PlayedSignal& signal,
+          Station& station, const RunOptions& options, std::vector<record::OutletRecord>& outlets,
           capture::Capture& capture);
 
 }  // namespace gsbench::station

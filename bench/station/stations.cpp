@@ -43,7 +43,7 @@ std::unique_ptr<link::Link> make_link(const profile::StationSpec& spec, bool loo
     link::FramedOptions options;
     options.ports = spec.serial_ports;
     options.baud = spec.baud;
-    options.skip_silent = looking;
+    options.skip_unusable = looking;
     links.push_back(std::make_unique<link::FramedLink>(options));
   }
   if (!spec.broker.url.empty()) {

@@ -15,54 +15,74 @@ constexpr double kLongestSilenceS = 1.0;
 
 }  // namespace
 
-void Watch::hear(std::vector<link::Received>& messages, std::int64_t now) {
-  const auto of_second_life = [&](const link::Received& received) {
-    if (received.outlet >= lives_.size()) {
-      return false;
+Watch::Watch(std::vector<record::OutletRecord>& outlets, std::int64_t sample_rate_hz)
+    : longest_silence_ticks_(waveform::tick_at(kLongestSilenceS, sample_rate_hz)) {
+  for (record::OutletRecord& outlet : outlets) {
+    if (outlet.took_part && !outlet.link.empty()) {
+      lives_[outlet.id].outlet = &outlet;
+    }
+  }
+}
+
+void Watch::hear(link::Happenings& happenings, std::int64_t now) {
+  for (const link::OutletPresence& outlet : happenings.joined) {
+    const auto found = lives_.find(outlet.id);
+    if (found != lives_.end() && found->second.outlet->link != outlet.where) {
+      note(*found->second.outlet,
+           "is there twice: the one on " + outlet.where + " says that it is it");
+      found->second.over = true;
+    }
+  }
+  const auto is_not_for_the_record = [&](const link::Received& received) {
+    const auto found = lives_.find(received.id);
+    if (found == lives_.end()) {
+      return true;
     }
     const gs::wire::Uplink& message = received.message;
-    Life& life = lives_[received.outlet];
+    Life& life = found->second;
     life.heard_tick = now;
     if (message.kind == gs::wire::UplinkKind::kError && spoils_a_run(message.error.code)) {
-      note(outlets_[received.outlet],
-           std::string("tells: ") + gs::wire::to_string(message.error.code));
+      note(*life.outlet, std::string("tells: ") + gs::wire::to_string(message.error.code));
     }
     life.over = life.over || message.sample < life.newest_sample;
     life.newest_sample = message.sample;
     return life.over;
   };
-  messages.erase(std::remove_if(messages.begin(), messages.end(), of_second_life), messages.end());
+  std::vector<link::Received>& messages = happenings.messages;
+  messages.erase(std::remove_if(messages.begin(), messages.end(), is_not_for_the_record),
+                 messages.end());
+  note_faults(happenings.left);
+  note_faults(happenings.faults);
 }
 
 void Watch::note_faults(const std::vector<link::Fault>& faults) {
   for (const link::Fault& fault : faults) {
-    if (fault.outlet < outlets_.size()) {
-      note(outlets_[fault.outlet], fault.what);
+    if (const auto found = lives_.find(fault.id); found != lives_.end()) {
+      note(*found->second.outlet, fault.what);
     }
   }
 }
 
 void Watch::check_answers(const capture::Capture& capture) {
-  for (std::size_t i = 0; i < outlets_.size(); ++i) {
-    const capture::SettingsAnswer& answer = capture.settings_answer(i);
+  for (const auto& [id, life] : lives_) {
+    const capture::SettingsAnswer& answer = capture.settings_answer(id);
     if (!answer.came) {
-      note(outlets_[i], "did not answer to its settings");
+      note(*life.outlet, "did not answer to its settings");
     } else if (!answer.accepted) {
-      note(outlets_[i], "refused its settings: " + answer.reason);
+      note(*life.outlet, "refused its settings: " + answer.reason);
     }
-    const std::string failed = failed_parts(capture.self_test_failed(i));
+    const std::string failed = failed_parts(capture.self_test_failed(id));
     if (!failed.empty()) {
-      note(outlets_[i], "fails its self test: " + failed);
+      note(*life.outlet, "fails its self test: " + failed);
     }
   }
 }
 
 void Watch::check_silence(const capture::Capture& capture, std::int64_t now) {
-  const std::int64_t longest = waveform::tick_at(kLongestSilenceS, sample_rate_hz_);
-  for (std::size_t i = 0; i < outlets_.size(); ++i) {
-    if (now - lives_[i].heard_tick > longest) {
-      note(outlets_[i],
-           "fell silent after its sample " + std::to_string(capture.last_report_sample(i)));
+  for (const auto& [id, life] : lives_) {
+    if (now - life.heard_tick > longest_silence_ticks_) {
+      note(*life.outlet,
+           "fell silent after its sample " + std::to_string(capture.last_report_sample(id)));
     }
   }
 }

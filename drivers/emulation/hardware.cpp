@@ -171,10 +171,6 @@ std::vector<std::string> Hardware::serial_ports() const {
   return ports;
 }
 
-std::vector<std::string> Hardware::serial_ids() const {
-  return ids_on(Connection::kSerial);
-}
-
 std::vector<std::string> Hardware::mqtt_ids() const {
   return ids_on(Connection::kMqtt);
 }

@@ -7,7 +7,6 @@ namespace gsbench::simulated {
 
 using drivers::Done;
 using drivers::Error;
-using drivers::Result;
 using drivers::Status;
 
 namespace {
@@ -96,38 +95,30 @@ class SimulatedLink final : public link::Link {
 
   std::string name() const override { return "simulated"; }
 
-  Result<std::vector<link::OutletPresence>> open() override {
-    std::vector<link::OutletPresence> present;
-    std::vector<gs::wire::Uplink> messages;
-    for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
-      messages.clear();
-      shared_.outlets[i].take_messages(messages);
-      for (const gs::wire::Uplink& message : messages) {
-        if (message.kind == gs::wire::UplinkKind::kHello) {
-          present.push_back({shared_.parameters.outlet_ids[i], name(), message.hello});
-        }
-      }
-    }
-    if (present.size() != shared_.outlets.size()) {
-      return Error{"simulated link: not every outlet said hello; energise the source first"};
-    }
-    return present;
-  }
+  Status open() override { return Done{}; }
 
-  Status send(std::size_t outlet, const gs::wire::Downlink& message) override {
-    if (outlet >= shared_.outlets.size()) {
-      return Error{"simulated link: no outlet " + std::to_string(outlet)};
+  Status send(const std::string& id, const gs::wire::Downlink& message) override {
+    const std::vector<std::string>& ids = shared_.parameters.outlet_ids;
+    const auto found = std::find(ids.begin(), ids.end(), id);
+    if (found == ids.end()) {
+      return Error{"simulated link: no outlet " + id};
     }
-    shared_.outlets[outlet].send(shared_.tick, message);
+    shared_.outlets[static_cast<std::size_t>(found - ids.begin())].send(shared_.tick, message);
     return Done{};
   }
 
-  Status poll(std::vector<link::Received>& messages, std::vector<link::Fault>&) override {
+  // An outlet joins when it gets power.
+  Status poll(link::Happenings& happenings) override {
     for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
+      const std::string& id = shared_.parameters.outlet_ids[i];
       inbox_.clear();
       shared_.outlets[i].take_messages(inbox_);
       for (const gs::wire::Uplink& message : inbox_) {
-        messages.push_back({i, message});
+        if (message.kind == gs::wire::UplinkKind::kHello) {
+          happenings.joined.push_back({id, name(), message.hello});
+        } else {
+          happenings.messages.push_back({id, message});
+        }
       }
     }
     return Done{};

@@ -17,6 +17,7 @@
 
 #include <emulation/hardware.hpp>
 #include <emulation/null_modem.hpp>
+#include <link/wait_for_outlets.hpp>
 #include <wire/frame.hpp>
 
 namespace {
@@ -43,6 +44,7 @@ constexpr std::size_t kOutlets = 16;
 constexpr double kPlayedS = 20.0;
 constexpr std::int64_t kBlock = 128;  // 16 ms: one measurement
 constexpr int kRoundTrips = 1000;
+constexpr auto kToAnswer = std::chrono::seconds(30);
 constexpr std::size_t kMessages = 200000;
 
 // ---- sixteen emulated Cortex-M4F as fast as they go
@@ -59,30 +61,23 @@ emulation::HardwareOptions options_for(std::size_t count, const char* board) {
   return options;
 }
 
-link::FramedOptions ports_of(const emulation::Hardware& hardware) {
-  link::FramedOptions options;
-  options.ports = hardware.serial_ports();
-  options.answer_s = 30.0;
-  return options;
-}
-
 void measure_sixteen_outlets() {
   const auto hardware = or_die(emulation::Hardware::set_up(options_for(kOutlets, "mps2-an386")));
-  link::FramedLink link(ports_of(*hardware));
-  or_die(link.open());
+  const std::vector<std::string> ports = hardware->serial_ports();
+  link::FramedLink link({ports});
+  or_die(link::wait_for_outlets(link, ports, kToAnswer));
   gsbench::test::Mains mains;
   mains.duration_s = kPlayedS;
   mains.added.rms_pu = 0.01F;
   or_die(hardware->source().prepare(mains));
   or_die(hardware->source().energise());
   or_die(hardware->source().start());
-  std::vector<link::Received> messages;
-  std::vector<link::Fault> faults;
+  link::Happenings happenings;
   std::size_t measurements = 0;
   const auto look = [&] {
-    messages.clear();
-    or_die(link.poll(messages, faults));
-    for (const link::Received& received : messages) {
+    happenings.messages.clear();
+    or_die(link.poll(happenings));
+    for (const link::Received& received : happenings.messages) {
       measurements += received.message.kind == UplinkKind::kMeasurement ? 1 : 0;
     }
   };
@@ -100,34 +95,34 @@ void measure_sixteen_outlets() {
       },
       "emulated outlets lost measurements");
   const double wall_s = seconds_since(begin);
-  for (const link::Fault& fault : faults) {
-    std::printf("  outlet-%zu %s\n", fault.outlet, fault.what.c_str());
+  for (const link::Fault& fault : happenings.faults) {
+    std::printf("  %s %s\n", fault.id.c_str(), fault.what.c_str());
   }
   judge_at_least("16 emulated Cortex-M4F, all measurements received", kPlayedS / wall_s,
                  "x real time", 1.0);
-  judge_at_most("  faults told", static_cast<double>(faults.size()), "", 0.0);
+  judge_at_most("  faults told", static_cast<double>(happenings.faults.size()), "", 0.0);
 }
 
 // ---- a round trip
 
 double link_round_trip_ms() {
   const auto hardware = or_die(emulation::Hardware::set_up(options_for(1, "host")));
-  link::FramedLink link(ports_of(*hardware));
-  or_die(link.open());
-  std::vector<link::Received> messages;
-  std::vector<link::Fault> faults;
+  const std::vector<std::string> ports = hardware->serial_ports();
+  link::FramedLink link({ports});
+  or_die(link::wait_for_outlets(link, ports, kToAnswer));
+  link::Happenings happenings;
   std::vector<double> taken_ms;
   for (int i = 0; i < kRoundTrips; ++i) {
     Downlink command;
     command.kind = DownlinkKind::kCommand;
     command.request = static_cast<std::uint32_t>(i);
-    messages.clear();
+    happenings.messages.clear();
     const auto begin = steady_clock::now();
-    or_die(link.send(0, command));
+    or_die(link.send("outlet-0", command));
     wait_for(
         [&] {
-          or_die(link.poll(messages, faults));
-          return !messages.empty();
+          or_die(link.poll(happenings));
+          return !happenings.messages.empty();
         },
         "a command was not answered");
     taken_ms.push_back(1e3 * seconds_since(begin));
@@ -224,27 +219,25 @@ double link_seconds() {
     }
     say_measurements(*raw.outlet);
   });
-  link::FramedOptions options;
-  options.ports = {raw.cable.bench_end()};
-  link::FramedLink link(options);
-  or_die(link.open());
+  const std::vector<std::string> ports = {raw.cable.bench_end()};
+  link::FramedLink link({ports});
+  or_die(link::wait_for_outlets(link, ports, kToAnswer));
   const auto begin = steady_clock::now();
   opened = true;
-  std::vector<link::Received> messages;
-  std::vector<link::Fault> faults;
+  link::Happenings happenings;
   std::size_t came = 0;
   wait_for(
       [&] {
-        messages.clear();
-        or_die(link.poll(messages, faults));
-        came += messages.size();
+        happenings.messages.clear();
+        or_die(link.poll(happenings));
+        came += happenings.messages.size();
         return came >= kMessages;
       },
       "the framed link lost messages");
   const double wall_s = seconds_since(begin);
   saying.join();
-  if (!faults.empty()) {
-    die("the framed link told a fault: " + faults.front().what);
+  if (!happenings.faults.empty()) {
+    die("the framed link told a fault: " + happenings.faults.front().what);
   }
   return wall_s;
 }

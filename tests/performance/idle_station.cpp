@@ -42,21 +42,21 @@ class IdleLink final : public link::Link {
 
   std::string name() const override { return "idle"; }
 
-  Result<std::vector<link::OutletPresence>> open() override {
-    std::vector<link::OutletPresence> present;
-    for (const profile::Outlet& outlet : plan_.outlets) {
-      link::OutletPresence here{outlet.id, "idle", {}};
-      here.hello.sample_rate_hz = static_cast<std::int32_t>(plan_.stimulus.sample_rate_hz);
-      here.hello.nominal_hz = static_cast<std::int32_t>(plan_.grid.nominal_hz);
-      present.push_back(here);
+  Status open() override { return Done{}; }
+  Status send(const std::string&, const gs::wire::Downlink&) override { return Done{}; }
+
+  Status poll(link::Happenings& happenings) override {
+    if (!joined_) {
+      joined_ = true;
+      for (const profile::Outlet& outlet : plan_.outlets) {
+        link::OutletPresence here{outlet.id, "idle", {}};
+        here.hello.sample_rate_hz = static_cast<std::int32_t>(plan_.stimulus.sample_rate_hz);
+        here.hello.nominal_hz = static_cast<std::int32_t>(plan_.grid.nominal_hz);
+        happenings.joined.push_back(here);
+      }
+      return Done{};
     }
-    return present;
-  }
-
-  Status send(std::size_t, const gs::wire::Downlink&) override { return Done{}; }
-
-  Status poll(std::vector<link::Received>& messages, std::vector<link::Fault>&) override {
-    for (std::size_t i = 0; i < plan_.outlets.size(); ++i) {
+    for (const profile::Outlet& outlet : plan_.outlets) {
       gs::wire::Uplink message;
       message.kind =
           polls_ == 0 ? gs::wire::UplinkKind::kSettingsAnswer : gs::wire::UplinkKind::kMeasurement;
@@ -66,7 +66,7 @@ class IdleLink final : public link::Link {
         message.measurement = {50.0F, 0.0F, 1.0F, gs::outlet::Validity::kValid};
       }
       message.sample = polls_ * 128;
-      messages.push_back({i, message});
+      happenings.messages.push_back({outlet.id, message});
     }
     ++polls_;
     return Done{};
@@ -76,6 +76,7 @@ class IdleLink final : public link::Link {
 
  private:
   const profile::Plan& plan_;
+  bool joined_ = false;
   std::uint64_t polls_ = 0;
 };
 
@@ -88,17 +89,26 @@ class IdleRelaySense final : public relay::RelaySense {
 
 class IdleStation final : public station::Station {
  public:
-  IdleStation(const profile::Plan& plan, double block_s) : link_(plan), block_s_(block_s) {}
+  IdleStation(const profile::Plan& plan, double block_s)
+      : plan_(plan), link_(plan), block_s_(block_s) {}
 
   std::string name() const override { return "idle"; }
   source::Source& source() override { return source_; }
   link::Link& link() override { return link_; }
   relay::RelaySense& relay_sense() override { return relay_sense_; }
+  std::vector<station::Slot> slots() const override {
+    std::vector<station::Slot> slots;
+    for (const profile::Outlet& outlet : plan_.outlets) {
+      slots.push_back({"idle", outlet.id, outlet.id, slots.size()});
+    }
+    return slots;
+  }
   record::BenchUncertainty uncertainty() override { return {}; }
   bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return block_s_; }
 
  private:
+  const profile::Plan& plan_;
   IdleSource source_;
   IdleLink link_;
   IdleRelaySense relay_sense_;

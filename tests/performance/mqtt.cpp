@@ -19,6 +19,7 @@
 
 #include <emulation/child.hpp>
 #include <emulation/private_broker.hpp>
+#include <link/wait_for_outlets.hpp>
 #include <wire/codec.hpp>
 
 namespace {
@@ -28,7 +29,7 @@ using gs::wire::DownlinkKind;
 using gs::wire::UplinkKind;
 using gsbench::emulation::Child;
 using gsbench::emulation::PrivateBroker;
-using gsbench::link::Fault;
+using gsbench::link::Happenings;
 using gsbench::link::MqttLink;
 using gsbench::link::MqttOptions;
 using gsbench::link::Received;
@@ -161,12 +162,12 @@ Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, 
               const TemporaryFolder& folder) {
   const auto ids = some_ids(count);
   const Child outlets = start_outlets(broker, ids, each, per_second, folder);
-  MqttOptions options{
+  const MqttOptions options{
       broker.url(), broker.ca_file(), broker.bench().user, broker.bench().password, {}};
-  options.search = std::chrono::seconds(3);
   MqttLink link(options);
-  const auto opened = or_die(link.open());
-  if (opened.size() != count) {
+  const auto opened = or_die(wait_for_outlets(link, ids, std::chrono::seconds(10)));
+  if (std::any_of(opened.begin(), opened.end(),
+                  [](const auto& outlet) { return !outlet.fault.empty(); })) {
     die("not all outlets were found");
   }
 
@@ -174,16 +175,15 @@ Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, 
   const double broker_before = processor_s(broker.pid());
   const double bench_before = own_processor_s();
   const auto begin = steady_clock::now();
-  for (std::size_t i = 0; i < count; ++i) {
-    or_die(link.send(i, ping(0)));
+  for (const std::string& id : ids) {
+    or_die(link.send(id, ping(0)));
   }
-  std::vector<Received> messages;
-  std::vector<Fault> faults;
+  Happenings happenings;
   std::size_t other = 0;
   const auto all_came = [&] {
-    messages.clear();
-    or_die(link.poll(messages, faults));
-    for (const Received& received : messages) {
+    happenings.messages.clear();
+    or_die(link.poll(happenings));
+    for (const Received& received : happenings.messages) {
       const bool measured = received.message.kind == UplinkKind::kMeasurement;
       result.measurements += measured ? 1 : 0;
       other += measured ? 0 : 1;
@@ -194,9 +194,9 @@ Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, 
   result.wall_s = seconds_since(begin);
   result.broker_s = processor_s(broker.pid()) - broker_before;
   result.bench_s = own_processor_s() - bench_before;
-  result.faults = faults.size();
-  for (std::size_t i = 0; i < std::min<std::size_t>(faults.size(), 5); ++i) {
-    std::printf("  %s: %s\n", ids[faults[i].outlet].c_str(), faults[i].what.c_str());
+  result.faults = happenings.faults.size();
+  for (std::size_t i = 0; i < std::min<std::size_t>(happenings.faults.size(), 5); ++i) {
+    std::printf("  %s: %s\n", happenings.faults[i].id.c_str(), happenings.faults[i].what.c_str());
   }
   return result;
 }
@@ -205,18 +205,17 @@ double link_round_trip_ms(const PrivateBroker& broker, const TemporaryFolder& fo
   const Child outlets = start_outlets(broker, some_ids(1), 0, kPerSecond, folder);
   MqttLink link(
       {broker.url(), broker.ca_file(), broker.bench().user, broker.bench().password, some_ids(1)});
-  or_die(link.open());
-  std::vector<Received> messages;
-  std::vector<Fault> faults;
+  or_die(wait_for_outlets(link, some_ids(1), std::chrono::seconds(10)));
+  Happenings happenings;
   std::vector<double> taken;
   for (int i = 0; i < kRoundTrips; ++i) {
-    messages.clear();
+    happenings.messages.clear();
     const auto begin = steady_clock::now();
-    or_die(link.send(0, ping(static_cast<std::uint32_t>(i))));
+    or_die(link.send(some_ids(1).front(), ping(static_cast<std::uint32_t>(i))));
     wait_for(
         [&] {
-          or_die(link.poll(messages, faults));
-          return !messages.empty();
+          or_die(link.poll(happenings));
+          return !happenings.messages.empty();
         },
         "a ping was not answered");
     taken.push_back(seconds_since(begin));

@@ -3,9 +3,9 @@
 #include <sys/eventfd.h>
 
 #include <chrono>
-#include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include <drivers/descriptor.hpp>
@@ -16,7 +16,6 @@ namespace gsbench::link {
 
 using drivers::Done;
 using drivers::Error;
-using drivers::Result;
 using drivers::Status;
 using Clock = std::chrono::steady_clock;
 
@@ -36,13 +35,12 @@ struct Line {
   explicit Line(std::unique_ptr<transport::Transport> opened) : port(std::move(opened)) {}
 
   std::unique_ptr<transport::Transport> port;
-  std::string expected_id;
   gs::wire::FrameReader reader;
   OutletStream stream{Delivery::kByCable};
-  std::optional<gs::wire::Hello> hello;
-  std::optional<std::size_t> outlet;  // place in what open() returned
-  bool at_fault = false;              // since open(): nobody speaks with it
+  std::optional<gs::wire::Hello> hello;  // of the outlet that joined on it
   bool unplugged = false;
+  bool left = false;      // with its port; it joins again by its next hello
+  bool at_fault = false;  // nobody speaks with it
 };
 
 }  // namespace
@@ -53,9 +51,10 @@ struct FramedLink::Impl {
   // All of these with `mutex` held.
   Status open_ports();
   void ask();
-  bool all_answered() const;
-  std::vector<OutletPresence> present();
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
+  void join(Line& line, const gs::wire::Hello& hello);
+  void leave(Line& line, const std::string& how);
+  Line* find(const std::string& id);
   bool send(Line& line, const gs::wire::Downlink& message);
   void lose(Line& line);
   void find_again(std::unique_lock<std::mutex>& lock);
@@ -65,67 +64,69 @@ struct FramedLink::Impl {
 
   FramedOptions options;
   std::mutex mutex;
-  std::condition_variable hello_came;
   std::vector<std::unique_ptr<Line>> lines;
-  std::vector<Received> received;
-  std::vector<Line*> outlets;  // in the order that open() returned
+  std::set<std::string> known;  // ids of all that ever joined
+  Happenings happenings;        // but for most faults, which their streams keep
   bool ending = false;
   drivers::Descriptor wake;  // an eventfd: there is something new to wait for
   std::thread listener;
 };
 
 Status FramedLink::Impl::open_ports() {
-  for (std::size_t i = 0; i < options.ports.size(); ++i) {
-    auto port = transport::make_transport(options.ports[i], options.baud);
+  for (const std::string& name : options.ports) {
+    auto port = transport::make_transport(name, options.baud);
     Status opened = port->open();
     if (opened.ok()) {
       lines.push_back(std::make_unique<Line>(std::move(port)));
-      lines.back()->expected_id = i < options.ids.size() ? options.ids[i] : "";
-    } else if (!options.skip_silent) {
+    } else if (!options.skip_unusable) {
       return opened;
     }
   }
   return Done{};
 }
 
+// More than once: what an emulator or an adapter drops while it starts is gone.
 void FramedLink::Impl::ask() {
   for (const auto& line : lines) {
-    if (!line->hello) {
+    if (!line->hello && !line->unplugged) {
       send(*line, gs::wire::identify());
     }
   }
 }
 
-bool FramedLink::Impl::all_answered() const {
+Line* FramedLink::Impl::find(const std::string& id) {
   for (const auto& line : lines) {
-    if (!line->hello) {
-      return false;
+    if (line->hello && line->hello->id == id) {
+      return line.get();
     }
   }
-  return true;
+  return nullptr;
 }
 
-std::vector<OutletPresence> FramedLink::Impl::present() {
-  std::vector<OutletPresence> all;
-  for (const auto& line : lines) {
-    const std::string& where = line->port->port();
-    if (line->hello) {
-      all.push_back({line->hello->id, where, *line->hello, protocol_fault(*line->hello)});
-    } else if (!options.skip_silent) {
-      const std::string& id = line->expected_id.empty() ? where : line->expected_id;
-      all.push_back({id, where, {}, "does not answer"});
-    } else {
-      continue;
-    }
-    line->stream.take_faults();  // of the opening
-    line->outlet = outlets.size();
-    outlets.push_back(line.get());
+void FramedLink::Impl::join(Line& line, const gs::wire::Hello& hello) {
+  if (!line.hello) {
+    line.stream.take_faults();  // of the time before it was known
   }
-  mark_twins(all);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    outlets[i]->at_fault = !all[i].fault.empty();
+  const std::string fault = protocol_fault(hello);
+  line.at_fault = !fault.empty();
+  line.left = false;
+  line.hello.reset();
+  if (Line* const twin = find(hello.id); twin != nullptr && twin->left) {
+    twin->hello.reset();  // it was plugged in elsewhere
+  } else if (twin != nullptr) {
+    line.at_fault = true;
+    twin->at_fault = true;
   }
-  return all;
+  line.hello = hello;
+  known.insert(hello.id);
+  happenings.joined.push_back({hello.id, line.port->port(), hello, fault});
+}
+
+void FramedLink::Impl::leave(Line& line, const std::string& how) {
+  if (line.hello && !line.at_fault && !line.left) {
+    happenings.left.push_back({line.hello->id, how});
+  }
+  line.left = true;
 }
 
 void FramedLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
@@ -139,11 +140,17 @@ void FramedLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
       continue;
     }
     const auto message = line.stream.take(line.reader.message(), line.reader.size());
-    if (message && message->kind == gs::wire::UplinkKind::kHello && !line.hello) {
-      line.hello = message->hello;
-      hello_came.notify_all();
-    } else if (message && line.outlet && !line.at_fault) {
-      received.push_back({*line.outlet, *message, arrival_ns});
+    if (!message) {
+      continue;
+    }
+    const bool is_hello = message->kind == gs::wire::UplinkKind::kHello;
+    if (is_hello && line.hello && std::string(line.hello->id) != message->hello.id) {
+      leave(line, "is no longer on " + line.port->port() + ": " + message->hello.id + " is");
+    }
+    if (is_hello && (!line.hello || line.left)) {
+      join(line, message->hello);
+    } else if (line.hello && !line.at_fault) {
+      happenings.messages.push_back({line.hello->id, *message, arrival_ns});
     }
   }
 }
@@ -152,7 +159,7 @@ void FramedLink::Impl::lose(Line& line) {
   line.port->close();
   line.unplugged = true;
   line.reader = gs::wire::FrameReader();
-  line.stream.note("was unplugged from " + line.port->port());
+  leave(line, "was unplugged from " + line.port->port());
 }
 
 bool FramedLink::Impl::send(Line& line, const gs::wire::Downlink& message) {
@@ -189,8 +196,13 @@ std::vector<pollfd> FramedLink::Impl::waited_for() {
 void FramedLink::Impl::listen() {
   std::unique_lock<std::mutex> lock(mutex);
   Clock::time_point next_look = Clock::now();
+  Clock::time_point next_question = Clock::now();
   std::vector<std::uint8_t> bytes;
   while (!ending) {
+    if (Clock::now() >= next_question) {
+      ask();
+      next_question = Clock::now() + kAskEvery;
+    }
     std::vector<pollfd> ready = waited_for();
     lock.unlock();
     ::poll(ready.data(), ready.size(), static_cast<int>(kReopenEvery.count()));
@@ -223,13 +235,13 @@ FramedLink::~FramedLink() {
   close();
 }
 
-Result<std::vector<OutletPresence>> FramedLink::open() {
+Status FramedLink::open() {
   close();
-  std::unique_lock<std::mutex> lock(impl_->mutex);
-  const Status opened = impl_->open_ports();
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  Status opened = impl_->open_ports();
   if (!opened.ok()) {
     impl_->lines.clear();
-    return Error{opened.error()};
+    return opened;
   }
   impl_->ending = false;
   impl_->wake = drivers::Descriptor(eventfd(0, EFD_CLOEXEC));
@@ -237,42 +249,31 @@ Result<std::vector<OutletPresence>> FramedLink::open() {
     return Error{"framed link: no event descriptor is left"};
   }
   impl_->listener = std::thread([this] { impl_->listen(); });
-  const Clock::time_point end =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                         std::chrono::duration<double>(impl_->options.answer_s));
-  // Asked more than once: what an emulator or an adapter drops while it starts is gone.
-  while (!impl_->all_answered() && Clock::now() < end) {
-    impl_->ask();
-    impl_->hello_came.wait_until(lock, std::min(end, Clock::now() + kAskEvery),
-                                 [this] { return impl_->all_answered(); });
-  }
-  return impl_->present();
+  return Done{};
 }
 
-Status FramedLink::send(std::size_t outlet, const gs::wire::Downlink& message) {
+Status FramedLink::send(const std::string& id, const gs::wire::Downlink& message) {
   const std::lock_guard<std::mutex> lock(impl_->mutex);
-  if (outlet >= impl_->outlets.size()) {
-    return Error{"framed link: no outlet " + std::to_string(outlet)};
+  Line* const line = impl_->find(id);
+  if (line == nullptr && impl_->known.count(id) == 0) {
+    return Error{"framed link: no outlet " + id + " has joined"};
   }
-  Line& line = *impl_->outlets[outlet];
-  if (line.at_fault) {
-    return Done{};
-  }
-  if (!impl_->send(line, message)) {
-    line.stream.note("does not take what is sent to it on " + line.port->port());
+  if (line == nullptr) {
+    impl_->happenings.faults.push_back({id, "was not sent a message: it is on no port"});
+  } else if (!line->at_fault && !impl_->send(*line, message)) {
+    line->stream.note("does not take what is sent to it on " + line->port->port());
   }
   return Done{};
 }
 
-Status FramedLink::poll(std::vector<Received>& messages, std::vector<Fault>& faults) {
+Status FramedLink::poll(Happenings& happenings) {
   const std::lock_guard<std::mutex> lock(impl_->mutex);
-  messages.insert(messages.end(), impl_->received.begin(), impl_->received.end());
-  impl_->received.clear();
-  for (std::size_t i = 0; i < impl_->outlets.size(); ++i) {
-    Line& line = *impl_->outlets[i];
-    for (std::string& fault : line.stream.take_faults()) {
-      if (!line.at_fault) {
-        faults.push_back({i, std::move(fault)});
+  happenings.append(impl_->happenings);
+  impl_->happenings.clear();
+  for (const auto& line : impl_->lines) {
+    for (std::string& fault : line->stream.take_faults()) {
+      if (line->hello && !line->at_fault) {
+        happenings.faults.push_back({line->hello->id, std::move(fault)});
       }
     }
   }
@@ -292,8 +293,8 @@ void FramedLink::close() noexcept {
   }
   impl_->wake.close();
   impl_->lines.clear();
-  impl_->outlets.clear();
-  impl_->received.clear();
+  impl_->known.clear();
+  impl_->happenings.clear();
 }
 
 }  // namespace gsbench::link

@@ -1,16 +1,15 @@
 #include "arrivals.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <utility>
 
 #include <link/version_text.hpp>
 
 namespace gsbench::link {
 
 namespace {
-
-// Two outlets with one id answer within a round trip or two of each other.
-constexpr auto kTimeForATwin = std::chrono::milliseconds(200);
 
 constexpr std::string_view kPrefix = "gs/";
 constexpr std::string_view kHello = "/hello";
@@ -19,6 +18,10 @@ std::string piece(std::uint32_t instance) {
   char text[16];
   std::snprintf(text, sizeof text, "0x%08X", static_cast<unsigned>(instance));
   return text;
+}
+
+std::string calls_itself(const gs::wire::Hello& hello) {
+  return "says there that it is \"" + std::string(hello.id) + '"';
 }
 
 std::int64_t now_ns() {
@@ -42,152 +45,119 @@ std::string down_topic(const std::string& id) {
 void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::size_t size,
                     bool retained) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (places_.count(topic) == 0 && size > 0) {
+    add(topic);
+  }
   const auto found = places_.find(topic);
-  if (found == places_.end()) {
-    take_candidate(topic, size);
-  } else if (outlets_[found->second.outlet].left_out) {
+  if (found == places_.end() || outlets_[found->second.outlet].at_fault) {
     return;
-  } else if (found->second.hello) {
+  }
+  if (found->second.hello) {
     take_hello(found->second.outlet, message, size, retained);
-  } else if (outlets_[found->second.outlet].said_hello) {
-    take_message(found->second.outlet, message, size);
+  } else if (Outlet& outlet = outlets_[found->second.outlet]; outlet.joined) {
+    if (const auto read = outlet.stream.take(message, size)) {
+      happenings_.messages.push_back({outlet.id, *read, now_ns()});
+    }
   }
 }
 
-void Arrivals::take_candidate(std::string_view topic, std::size_t size) {
+// Nothing that is not a hello: what else one says before it is known means nothing.
+void Arrivals::add(std::string_view hello_topic) {
   const std::size_t around = kPrefix.size() + kHello.size();
-  if (topic.size() <= around || topic.substr(0, kPrefix.size()) != kPrefix ||
-      topic.substr(topic.size() - kHello.size()) != kHello) {
+  if (hello_topic.size() <= around || hello_topic.substr(0, kPrefix.size()) != kPrefix ||
+      hello_topic.substr(hello_topic.size() - kHello.size()) != kHello) {
     return;
   }
-  candidates_[std::string(topic.substr(kPrefix.size(), topic.size() - around))] = size > 0;
-  changed_.notify_all();
+  Outlet& outlet = outlets_.emplace_back();
+  outlet.id = hello_topic.substr(kPrefix.size(), hello_topic.size() - around);
+  outlet.hello_topic = hello_topic;
+  outlet.up_topic = up_topic(outlet.id);
+  places_[outlet.hello_topic] = {outlets_.size() - 1, true};
+  places_[outlet.up_topic] = {outlets_.size() - 1, false};
 }
 
 void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::size_t size,
                           bool retained) {
   Outlet& outlet = outlets_[place];
   if (size == 0) {
+    if (outlet.joined && outlet.here) {
+      happenings_.left.push_back({outlet.id, "left the broker"});
+    }
     outlet.here = false;
-    outlet.stream.note("left the broker");
     return;
   }
   // What the broker had kept is news only where it is another one than the last that came.
   const bool known =
       std::equal(message, message + size, outlet.last_hello.begin(), outlet.last_hello.end());
-  if (retained && (known || !outlet.said_hello)) {
+  if (retained && !outlet.joined) {
+    outlet.here = true;
+    newcomers_.push_back(place);
+    return;
+  }
+  if (retained && known) {
     return;
   }
   gs::wire::Uplink read;
   std::uint32_t sequence = 0;
-  if (gs::wire::decode(message, size, read, sequence) == gs::wire::Decoded::kOk &&
-      read.kind == gs::wire::UplinkKind::kHello && !take_identity(outlet, read.hello)) {
+  const bool is_hello = gs::wire::decode(message, size, read, sequence) == gs::wire::Decoded::kOk &&
+                        read.kind == gs::wire::UplinkKind::kHello;
+  const bool joins = is_hello && !(outlet.joined && outlet.here);
+  if (is_hello && !take_identity(outlet, read.hello)) {
     return;
   }
   outlet.here = true;
   outlet.last_hello.assign(message, message + size);
-  take_message(place, message, size);
+  const auto taken = outlet.stream.take(message, size);
+  if (taken && !joins) {
+    happenings_.messages.push_back({outlet.id, *taken, now_ns()});
+  }
 }
 
-// Before its number is looked at: that of another outlet means nothing. False where it is
-// another's.
+// Before its number is looked at: that of another outlet means nothing. False where it is at fault.
 bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Hello& hello) {
-  std::string trouble;
-  if (hello.id != outlet.id) {
-    trouble = "says there that it is \"" + std::string(hello.id) + '"';
-  } else if (outlet.said_hello && hello.instance != outlet.hello.instance) {
-    trouble = "is there twice: " + piece(outlet.hello.instance) + " and " + piece(hello.instance) +
-              " say that they are it";
-  }
-  if (!trouble.empty()) {
-    outlet.trouble = trouble;
-    outlet.stream.note(trouble);
+  if (outlet.joined && (hello.id != outlet.id || hello.instance != outlet.hello.instance)) {
+    outlet.at_fault = true;
+    happenings_.left.push_back({outlet.id, hello.id != outlet.id
+                                               ? calls_itself(hello)
+                                               : "is there twice: " + piece(outlet.hello.instance) +
+                                                     " and " + piece(hello.instance) +
+                                                     " say that they are it"});
     return false;
   }
-  if (!outlet.said_hello) {
-    outlet.said_hello = true;
+  if (!outlet.joined) {
+    outlet.stream.take_faults();  // of the time before it was known
+  }
+  if (!outlet.joined || !outlet.here) {
+    const std::string fault = hello.id != outlet.id ? calls_itself(hello) : protocol_fault(hello);
+    outlet.joined = true;
     outlet.hello = hello;
-    --silent_;
-    changed_.notify_all();
+    outlet.at_fault = !fault.empty();
+    happenings_.joined.push_back({outlet.id, "", hello, fault});
   }
-  return true;
+  return !outlet.at_fault;
 }
 
-void Arrivals::take_message(std::size_t place, const std::uint8_t* message, std::size_t size) {
-  const auto read = outlets_[place].stream.take(message, size);
-  if (read) {
-    received_.push_back({place, *read, now_ns()});
-  }
-}
-
-std::vector<std::string> Arrivals::wait_for_hellos(const std::vector<std::string>& wanted,
-                                                   Deadline until) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  const auto here = [this](const std::string& id) {
-    const auto found = candidates_.find(id);
-    return found != candidates_.end() && found->second;
-  };
-  changed_.wait_until(lock, until, [&] {
-    return !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), here);
-  });
-  std::vector<std::string> ids;
-  for (const auto& [id, present] : candidates_) {
-    if (present) {
-      ids.push_back(id);
-    }
-  }
-  return ids;
-}
-
-void Arrivals::expect(const std::vector<std::string>& ids) {
+std::vector<std::size_t> Arrivals::take_newcomers() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const std::string& id : ids) {
-    Outlet& outlet = outlets_.emplace_back();
-    outlet.id = id;
-    outlet.hello_topic = hello_topic(id);
-    outlet.up_topic = up_topic(id);
-    const std::size_t place = outlets_.size() - 1;
-    places_[outlet.hello_topic] = {place, true};
-    places_[outlet.up_topic] = {place, false};
-  }
-  silent_ = outlets_.size();
+  return std::exchange(newcomers_, {});
 }
 
-void Arrivals::leave_out(std::size_t outlet, const std::string& fault) {
+const std::string& Arrivals::id(std::size_t outlet) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  outlets_[outlet].trouble = fault;
-  outlets_[outlet].left_out = true;
-  --silent_;
+  return outlets_[outlet].id;
 }
 
-void Arrivals::wait_for_answers(Deadline until) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  if (changed_.wait_until(lock, until, [this] { return silent_ == 0; })) {
-    changed_.wait_for(lock, kTimeForATwin, [] { return false; });
-  }
-}
-
-std::vector<OutletPresence> Arrivals::settle() {
+std::optional<std::size_t> Arrivals::find(const std::string& id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<OutletPresence> all;
-  for (Outlet& outlet : outlets_) {
-    const auto faults = outlet.stream.take_faults();
-    if (!outlet.said_hello && outlet.trouble.empty()) {
-      outlet.trouble = faults.empty() ? "does not answer" : faults.front();
-    }
-    if (outlet.trouble.empty()) {
-      outlet.trouble = protocol_fault(outlet.hello);
-    }
-    outlet.left_out = !outlet.trouble.empty();
-    all.push_back({outlet.id, "", outlet.hello, outlet.trouble});
-  }
-  received_.clear();
-  return all;
+  const auto found = places_.find(hello_topic(id));
+  return found != places_.end() && outlets_[found->second.outlet].joined
+             ? std::optional(found->second.outlet)
+             : std::nullopt;
 }
 
 std::vector<std::uint8_t> Arrivals::encode(std::size_t outlet, const gs::wire::Downlink& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (outlets_[outlet].left_out) {
+  if (outlets_[outlet].at_fault) {
     return {};
   }
   if (!outlets_[outlet].here) {
@@ -205,26 +175,43 @@ void Arrivals::note(std::size_t outlet, const std::string& fault) {
 void Arrivals::note_all(const std::string& fault) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (Outlet& outlet : outlets_) {
-    outlet.stream.note(fault);
+    if (outlet.joined) {
+      outlet.stream.note(fault);
+    }
   }
 }
 
-void Arrivals::hand_over(std::vector<Received>& messages, std::vector<Fault>& faults) {
+void Arrivals::hand_over(Happenings& happenings) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (messages.empty()) {
-    messages.swap(received_);
-  } else {
-    messages.insert(messages.end(), received_.begin(), received_.end());
+  if (happenings.messages.empty()) {
+    happenings.messages.swap(happenings_.messages);
   }
-  received_.clear();
-  for (std::size_t place = 0; place < outlets_.size(); ++place) {
-    Outlet& outlet = outlets_[place];
+  happenings.append(happenings_);
+  happenings_.clear();
+  for (Outlet& outlet : outlets_) {
     for (std::string& fault : outlet.stream.take_faults()) {
-      if (!outlet.left_out) {
-        faults.push_back({place, std::move(fault)});
+      if (!outlet.at_fault) {
+        happenings.faults.push_back({outlet.id, std::move(fault)});
       }
     }
   }
+}
+
+std::vector<Fault> Arrivals::missing(const std::vector<std::string>& wanted) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<Fault> all;
+  for (const std::string& id : wanted) {
+    const auto found = places_.find(hello_topic(id));
+    if (found == places_.end() || !outlets_[found->second.outlet].here) {
+      all.push_back({id, "is not on the broker"});
+    }
+  }
+  for (const Outlet& outlet : outlets_) {
+    if (outlet.here && !outlet.joined) {
+      all.push_back({outlet.id, "does not answer"});
+    }
+  }
+  return all;
 }
 
 }  // namespace gsbench::link

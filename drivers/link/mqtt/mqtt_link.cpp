@@ -2,8 +2,6 @@
 #include "broker_connection.hpp"
 #include <link_mqtt/mqtt_link.hpp>
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace gsbench::link {
@@ -20,7 +18,6 @@ class MqttLink::Opened {
 
   Arrivals arrivals;
   BrokerConnection connection;  // after what it fills
-  std::vector<std::string> down_topics;
 };
 
 MqttLink::MqttLink(MqttOptions options) : options_(std::move(options)) {}
@@ -29,7 +26,7 @@ MqttLink::~MqttLink() {
   close();
 }
 
-Result<std::vector<OutletPresence>> MqttLink::open() {
+Status MqttLink::open() {
   close();
   opened_ = std::make_unique<Opened>(options_);
   Status done = opened_->connection.connect();
@@ -38,13 +35,8 @@ Result<std::vector<OutletPresence>> MqttLink::open() {
   }
   if (!done.ok()) {
     close();
-    return Error{done.error()};
   }
-  auto answered = identify();
-  if (!answered.ok()) {
-    close();
-  }
-  return answered;
+  return done;
 }
 
 Status MqttLink::look_for_outlets() {
@@ -59,49 +51,39 @@ Status MqttLink::look_for_outlets() {
   return opened_->connection.subscribe(std::move(filters));
 }
 
-Result<std::vector<OutletPresence>> MqttLink::identify() {
-  Arrivals& arrivals = opened_->arrivals;
-  const bool named = !options_.outlets.empty();
-  const auto found = arrivals.wait_for_hellos(
-      options_.outlets, steady_clock::now() + (named ? options_.patience : options_.search));
-  const std::vector<std::string>& ids = named ? options_.outlets : found;
-  arrivals.expect(ids);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    opened_->down_topics.push_back(down_topic(ids[i]));
-    if (std::find(found.begin(), found.end(), ids[i]) == found.end()) {
-      arrivals.leave_out(i, "is not on the broker");
-    }
-    const Status sent = send(i, gs::wire::identify());
-    if (!sent.ok()) {
-      return Error{sent.error()};
-    }
+Status MqttLink::send(const std::string& id, const gs::wire::Downlink& message) {
+  const auto outlet = opened_ ? opened_->arrivals.find(id) : std::nullopt;
+  if (!outlet) {
+    return Error{"the link to the broker " + options_.url + " has no outlet " + id};
   }
-  arrivals.wait_for_answers(steady_clock::now() + options_.patience);
-  std::vector<OutletPresence> outlets = arrivals.settle();
-  for (OutletPresence& outlet : outlets) {
-    outlet.where = options_.url;
-  }
-  return outlets;
-}
-
-Status MqttLink::send(std::size_t outlet, const gs::wire::Downlink& message) {
-  if (!opened_ || outlet >= opened_->down_topics.size()) {
-    return Error{"the link to the broker " + options_.url + " has no outlet " +
-                 std::to_string(outlet)};
-  }
-  const auto bytes = opened_->arrivals.encode(outlet, message);
-  if (!bytes.empty()) {
-    opened_->connection.publish(outlet, opened_->down_topics[outlet], bytes);
-  }
+  send(*outlet, message);
   return Done{};
 }
 
-Status MqttLink::poll(std::vector<Received>& messages, std::vector<Fault>& faults) {
+void MqttLink::send(std::size_t outlet, const gs::wire::Downlink& message) {
+  const auto bytes = opened_->arrivals.encode(outlet, message);
+  if (!bytes.empty()) {
+    opened_->connection.publish(outlet, down_topic(opened_->arrivals.id(outlet)), bytes);
+  }
+}
+
+Status MqttLink::poll(Happenings& happenings) {
   if (!opened_) {
     return Error{"the link to the broker " + options_.url + " is not open"};
   }
-  opened_->arrivals.hand_over(messages, faults);
+  for (const std::size_t outlet : opened_->arrivals.take_newcomers()) {
+    send(outlet, gs::wire::identify());
+  }
+  const std::size_t known = happenings.joined.size();
+  opened_->arrivals.hand_over(happenings);
+  for (std::size_t i = known; i < happenings.joined.size(); ++i) {
+    happenings.joined[i].where = options_.url;
+  }
   return Done{};
+}
+
+std::vector<Fault> MqttLink::missing() {
+  return opened_ ? opened_->arrivals.missing(options_.outlets) : std::vector<Fault>();
 }
 
 void MqttLink::close() noexcept {

@@ -15,41 +15,42 @@ using ::testing::ElementsAre;
 
 constexpr std::int64_t kRateHz = 8000;
 
-link::Received received(std::size_t outlet, std::int64_t tick, UplinkKind kind) {
+link::Received received(const std::string& outlet, std::int64_t tick, UplinkKind kind) {
   link::Received message;
-  message.outlet = outlet;
+  message.id = outlet;
   message.message.sample = static_cast<std::uint64_t>(tick);
   message.message.kind = kind;
   return message;
 }
 
-link::Received measurement(std::size_t outlet, std::int64_t tick, float frequency_hz) {
+link::Received measurement(const std::string& outlet, std::int64_t tick, float frequency_hz) {
   link::Received message = received(outlet, tick, UplinkKind::kMeasurement);
   message.message.measurement = {frequency_hz, -0.5F, 0.99F, gs::outlet::Validity::kHeld};
   return message;
 }
 
-link::Received event(std::size_t outlet, std::int64_t tick) {
+link::Received event(const std::string& outlet, std::int64_t tick) {
   link::Received message = received(outlet, tick, UplinkKind::kEvent);
   message.message.event = {49.99F, 0.01F};
   return message;
 }
 
-link::Received relay_word(std::size_t outlet, std::int64_t tick, bool closed) {
+link::Received relay_word(const std::string& outlet, std::int64_t tick, bool closed) {
   link::Received message = received(outlet, tick, UplinkKind::kRelay);
   message.message.relay = {closed, closed ? gs::outlet::Cause::kNone : gs::outlet::Cause::kLoss};
   return message;
 }
 
 link::Received estimate(std::int64_t tick, float loss_instant_s, Trust trust) {
-  link::Received message = received(0, tick, UplinkKind::kEstimate);
+  link::Received message = received("a", tick, UplinkKind::kEstimate);
   message.message.estimate = {500.0F, 8.0F, loss_instant_s, trust};
   return message;
 }
 
-record::OutletRecord taken(Capture& capture, std::size_t outlet) {
+record::OutletRecord taken(Capture& capture, const std::string& outlet) {
   record::OutletRecord record;
-  capture.move_into(outlet, OutletClock(), 1 << 30, record);
+  record.id = outlet;
+  capture.move_into(record, OutletClock(), 1 << 30);
   return record;
 }
 
@@ -65,40 +66,40 @@ std::vector<std::string> told(const record::OutletRecord& record) {
 }
 
 TEST(Capture, KeepsMeasurementsAsTheTraceOfTheirOutlet) {
-  Capture capture(2, kRateHz);
-  capture.add({measurement(0, 128, 50.0F), measurement(1, 128, 49.0F)});
-  capture.add({measurement(0, 256, std::numeric_limits<float>::quiet_NaN())});
-  EXPECT_EQ(capture.last_report_sample(0), 256);
-  EXPECT_EQ(capture.last_report_sample(1), 128);
-  const record::MeasurementTrace first = taken(capture, 0).trace;
+  Capture capture(kRateHz);
+  capture.add({measurement("a", 128, 50.0F), measurement("b", 128, 49.0F)});
+  capture.add({measurement("a", 256, std::numeric_limits<float>::quiet_NaN())});
+  EXPECT_EQ(capture.last_report_sample("a"), 256);
+  EXPECT_EQ(capture.last_report_sample("b"), 128);
+  const record::MeasurementTrace first = taken(capture, "a").trace;
   EXPECT_THAT(first.tick, ElementsAre(128, 256));
   EXPECT_EQ(first.frequency_hz[0], 50.0F);
   EXPECT_TRUE(std::isnan(first.frequency_hz[1]));
   EXPECT_THAT(first.rocof_hz_s, ElementsAre(-0.5F, -0.5F));
   EXPECT_THAT(first.voltage_pu, ElementsAre(0.99F, 0.99F));
   EXPECT_THAT(first.validity, ElementsAre(2, 2));
-  EXPECT_THAT(taken(capture, 1).trace.frequency_hz, ElementsAre(49.0F));
+  EXPECT_THAT(taken(capture, "b").trace.frequency_hz, ElementsAre(49.0F));
 }
 
 TEST(Capture, KnowsNoReportOfAnOutletThatHasSaidNothing) {
-  const Capture capture(1, kRateHz);
-  EXPECT_EQ(capture.last_report_sample(0), 0);
-  EXPECT_FALSE(capture.settings_answer(0).came);
+  const Capture capture(kRateHz);
+  EXPECT_EQ(capture.last_report_sample("a"), 0);
+  EXPECT_FALSE(capture.settings_answer("a").came);
 }
 
 TEST(Capture, KeepsWhatHappenedAsMarks) {
-  Capture capture(1, kRateHz);
-  link::Received lse = received(0, 200, UplinkKind::kLse);
+  Capture capture(kRateHz);
+  link::Received lse = received("a", 200, UplinkKind::kLse);
   lse.message.lse = {450.0F};
-  link::Received shed = received(0, 300, UplinkKind::kDecision);
+  link::Received shed = received("a", 300, UplinkKind::kDecision);
   shed.message.decision = {515.0F, 163.0F, 30, Trust::kTrusted, true};
-  capture.add({event(0, 100), lse, shed, relay_word(0, 300, false),
-               received(0, 400, UplinkKind::kAborted)});
-  capture.add_edge(0, 310, false);
-  capture.add_edge(0, 900, true);
-  capture.add_command(0, 800, true);
+  capture.add({event("a", 100), lse, shed, relay_word("a", 300, false),
+               received("a", 400, UplinkKind::kAborted)});
+  capture.add_edge("a", 310, false);
+  capture.add_edge("a", 900, true);
+  capture.add_command("a", 800, true);
   EXPECT_THAT(
-      told(taken(capture, 0)),
+      told(taken(capture, "a")),
       ElementsAre("100 event 49 frequency before it, Hz", "200 lse 450 MW", "300 decision 163 shed",
                   "300 decision.loss 515 MW", "300 decision.hits 30 ",
                   std::string("300 decision.trust 1 ") + to_string(Trust::kTrusted),
@@ -108,35 +109,35 @@ TEST(Capture, KeepsWhatHappenedAsMarks) {
 }
 
 TEST(Capture, SaysOfADecisionToHoldWhetherTheEstimateWasTrusted) {
-  Capture capture(1, kRateHz);
-  link::Received hold = received(0, 300, UplinkKind::kDecision);
+  Capture capture(kRateHz);
+  link::Received hold = received("a", 300, UplinkKind::kDecision);
   hold.message.decision = {515.0F, 163.0F, 3, Trust::kNotYet, false};
   capture.add({hold});
-  const record::OutletRecord record = taken(capture, 0);
+  const record::OutletRecord record = taken(capture, "a");
   EXPECT_EQ(record.marks[0].text, std::string("hold; estimate ") + to_string(Trust::kNotYet));
   EXPECT_EQ(told(record.marks[3]),
             std::string("300 decision.trust 0 ") + to_string(Trust::kNotYet));
 }
 
 TEST(Capture, BringsMarksIntoTheOrderOfTimeAndLeavesThoseOfOneInstantAsTheyCame) {
-  Capture capture(1, kRateHz);
-  capture.add({relay_word(0, 500, false), event(0, 700)});
-  capture.add_edge(0, 600, false);
-  capture.add_edge(0, 500, true);
-  capture.add_command(0, 400, false);
+  Capture capture(kRateHz);
+  capture.add({relay_word("a", 500, false), event("a", 700)});
+  capture.add_edge("a", 600, false);
+  capture.add_edge("a", 500, true);
+  capture.add_command("a", 400, false);
   EXPECT_THAT(
-      told(taken(capture, 0)),
+      told(taken(capture, "a")),
       ElementsAre("400 command 0 switch off", "500 relay.word 0 loss", "500 relay.sense 1 closed",
                   "600 relay.sense 0 open", "700 event 49 frequency before it, Hz"));
 }
 
 TEST(Capture, PutsTheInstantOfTheLossOnTheRunsTimeBase) {
-  Capture capture(1, kRateHz);
+  Capture capture(kRateHz);
   // An event at 3.12 s, a loss 0.11 s before it; then another event.
-  capture.add({event(0, 24960), estimate(25088, -0.11F, Trust::kNotYet),
-               estimate(25216, -0.12F, Trust::kTrusted), event(0, 80000),
+  capture.add({event("a", 24960), estimate(25088, -0.11F, Trust::kNotYet),
+               estimate(25216, -0.12F, Trust::kTrusted), event("a", 80000),
                estimate(80128, -0.1F, Trust::kTrusted)});
-  const record::EstimateTrace estimates = taken(capture, 0).estimates;
+  const record::EstimateTrace estimates = taken(capture, "a").estimates;
   EXPECT_THAT(estimates.tick, ElementsAre(25088, 25216, 80128));
   // A float near 10 s resolves a microsecond.
   EXPECT_NEAR(static_cast<double>(estimates.t_x_s[0]), 3.01, 1e-6);
@@ -148,28 +149,28 @@ TEST(Capture, PutsTheInstantOfTheLossOnTheRunsTimeBase) {
 }
 
 TEST(Capture, KeepsTheAnswerToTheSettingsWithItsDigestAsEightDigits) {
-  Capture capture(2, kRateHz);
-  link::Received accepted = received(0, 40, UplinkKind::kSettingsAnswer);
+  Capture capture(kRateHz);
+  link::Received accepted = received("a", 40, UplinkKind::kSettingsAnswer);
   accepted.message.settings_answer = {gs::outlet::SettingsError::kNone, 1, 0x00C0FFEEU};
-  link::Received refused = received(1, 40, UplinkKind::kSettingsAnswer);
+  link::Received refused = received("b", 40, UplinkKind::kSettingsAnswer);
   refused.message.settings_answer = {gs::outlet::SettingsError::kConditions, 0, 0};
   capture.add({accepted, refused});
-  EXPECT_TRUE(capture.settings_answer(0).came);
-  EXPECT_TRUE(capture.settings_answer(0).accepted);
-  EXPECT_TRUE(capture.settings_answer(1).came);
-  EXPECT_FALSE(capture.settings_answer(1).accepted);
-  EXPECT_EQ(capture.settings_answer(1).reason, to_string(gs::outlet::SettingsError::kConditions));
-  EXPECT_EQ(taken(capture, 0).settings_digest, "00c0ffee");
+  EXPECT_TRUE(capture.settings_answer("a").came);
+  EXPECT_TRUE(capture.settings_answer("a").accepted);
+  EXPECT_TRUE(capture.settings_answer("b").came);
+  EXPECT_FALSE(capture.settings_answer("b").accepted);
+  EXPECT_EQ(capture.settings_answer("b").reason, to_string(gs::outlet::SettingsError::kConditions));
+  EXPECT_EQ(taken(capture, "a").settings_digest, "00c0ffee");
 }
 
 TEST(Capture, KeepsWhatTheRecordKnowsOfTheOutletAlready) {
-  Capture capture(1, kRateHz);
-  capture.add({event(0, 100)});
+  Capture capture(kRateHz);
+  capture.add({event("outlet-7", 100)});
   record::OutletRecord record;
   record.id = "outlet-7";
   record.settings = {{"threshold_mw", 351.9}};
   record.verdict = record::Verdict::kError;
-  capture.move_into(0, OutletClock(), 1 << 30, record);
+  capture.move_into(record, OutletClock(), 1 << 30);
   EXPECT_EQ(record.id, "outlet-7");
   EXPECT_EQ(record.settings.size(), 1U);
   EXPECT_EQ(record.verdict, record::Verdict::kError);
@@ -177,25 +178,27 @@ TEST(Capture, KeepsWhatTheRecordKnowsOfTheOutletAlready) {
 }
 
 TEST(Capture, IsEmptyOnceItsContentIsTaken) {
-  Capture capture(1, kRateHz);
-  capture.add({measurement(0, 128, 50.0F), event(0, 200), estimate(300, 0.0F, Trust::kTrusted)});
-  taken(capture, 0);
-  const record::OutletRecord again = taken(capture, 0);
+  Capture capture(kRateHz);
+  capture.add(
+      {measurement("a", 128, 50.0F), event("a", 200), estimate(300, 0.0F, Trust::kTrusted)});
+  taken(capture, "a");
+  const record::OutletRecord again = taken(capture, "a");
   EXPECT_TRUE(again.trace.tick.empty());
   EXPECT_TRUE(again.marks.empty());
   EXPECT_TRUE(again.estimates.tick.empty());
 }
 
-TEST(Capture, LeavesOutWhatOutletsSayThatAreNotOfTheRun) {
-  Capture capture(1, kRateHz);
-  capture.add({measurement(1, 128, 50.0F), event(7, 200), event(0, 300)});
-  EXPECT_THAT(told(taken(capture, 0)), ElementsAre("300 event 49 frequency before it, Hz"));
+TEST(Capture, KeepsWhatOutletsSayAndDoApart) {
+  Capture capture(kRateHz);
+  capture.add({measurement("b", 128, 50.0F), event("h", 200), event("a", 300)});
+  capture.add_edge("b", 400, false);
+  EXPECT_THAT(told(taken(capture, "a")), ElementsAre("300 event 49 frequency before it, Hz"));
 }
 
 TEST(Capture, TakesAHelloForNoMark) {
-  Capture capture(1, kRateHz);
-  capture.add({received(0, 0, UplinkKind::kHello)});
-  EXPECT_TRUE(taken(capture, 0).marks.empty());
+  Capture capture(kRateHz);
+  capture.add({received("a", 0, UplinkKind::kHello)});
+  EXPECT_TRUE(taken(capture, "a").marks.empty());
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ SyntheticCase quiet(double falls_from_s) {
   c.outlet.id = "outlet-1";
   c.outlet.group = "all";
   c.outlet.took_part = true;
+  c.outlet.link = "simulated";
   c.outlet.settings = {{"tracker_delay_s", 0.028}, {"event_drop_hz", 0.020}};
   // 0.3, 0.4 and 0.5: what depends on two of them is told from what depends on one.
   c.uncertainty.relay_sense_ms = 0.3;

@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::int64_t kReportTicks = 128;
 
+std::string id_of(std::size_t outlet) {
+  return "serial-" + std::to_string(outlet + 1);
+}
+
 }  // namespace
 
 source::Limits FakeStation::limits() const {
@@ -46,36 +50,51 @@ Status FakeStation::switch_off() noexcept {
   return Done{};
 }
 
-drivers::Result<std::vector<link::OutletPresence>> FakeStation::open() {
+std::vector<Slot> FakeStation::slots() const {
+  std::vector<Slot> slots;
+  for (std::size_t i = 0; i < script_.outlets; ++i) {
+    Slot& slot = slots.emplace_back();
+    slot.place = "fake";
+    slot.serial_number = id_of(i);
+    if (is_linked(i)) slot.link_id = id_of(i);
+    if (i < script_.relay_channels) slot.relay_channel = i;
+  }
+  return slots;
+}
+
+Status FakeStation::open() {
   touched_ = true;
   link_open_ = true;
   if (!script_.open_error.empty()) return Error{script_.open_error};
-  std::vector<link::OutletPresence> present(script_.outlets);
-  for (std::size_t i = 0; i < present.size(); ++i) {
-    present[i].id = "serial-" + std::to_string(i + 1);
-    present[i].hello.firmware_version = 1002003;
-    present[i].where = "fake";
-    present[i].hello.sample_rate_hz = 8000;
-    present[i].hello.nominal_hz = 50;
-    present[i].hello.tracker_delay_s = 0.028F;
-    if (is_last(i)) present[i].hello.protocol_version = script_.protocol_version;
-    present[i].fault = link::protocol_fault(present[i].hello);
-  }
-  sent_.resize(present.size());
-  answered_.resize(present.size());
-  return present;
+  return Done{};
 }
 
-Status FakeStation::send(std::size_t outlet, const gs::wire::Downlink& message) {
+void FakeStation::join(std::vector<link::OutletPresence>& joined) const {
+  for (std::size_t i = 0; i < script_.outlets; ++i) {
+    if (!is_linked(i)) continue;
+    link::OutletPresence outlet{id_of(i), "fake", {}};
+    outlet.hello.firmware_version = 1002003;
+    outlet.hello.sample_rate_hz = 8000;
+    outlet.hello.nominal_hz = 50;
+    outlet.hello.tracker_delay_s = 0.028F;
+    if (is_last(i)) outlet.hello.protocol_version = script_.protocol_version;
+    outlet.fault = link::protocol_fault(outlet.hello);
+    joined.push_back(outlet);
+  }
+}
+
+Status FakeStation::send(const std::string& id, const gs::wire::Downlink& message) {
   touched_ = true;
   if (script_.send_fails_at == sends_++) return Error{"fake link: cannot send"};
-  sent_.at(outlet).push_back(message);
+  for (std::size_t i = 0; i < script_.outlets; ++i) {
+    if (id_of(i) == id) sent_[i].push_back(message);
+  }
   return Done{};
 }
 
 void FakeStation::answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const {
   link::Received answer;
-  answer.outlet = outlet;
+  answer.id = id_of(outlet);
   answer.message.sample = static_cast<std::uint64_t>(reported_tick_);
   answer.message.kind = gs::wire::UplinkKind::kSettingsAnswer;
   answer.message.settings_answer = {};
@@ -83,22 +102,28 @@ void FakeStation::answer_settings(std::size_t outlet, std::vector<link::Received
   messages.push_back(answer);
 }
 
-Status FakeStation::poll(std::vector<link::Received>& messages, std::vector<link::Fault>&) {
+Status FakeStation::poll(link::Happenings& happenings) {
+  if (!joined_) {
+    joined_ = true;
+    join(happenings.joined);
+    return Done{};
+  }
   if (script_.link_poll_fails_at == link_polls_++) return Error{"fake link: broken"};
   for (std::size_t i = 0; i < sent_.size(); ++i) {
+    if (!is_linked(i)) continue;
     if (!sent_[i].empty() && !answered_[i] && !(is_last(i) && !script_.answers_settings)) {
-      answer_settings(i, messages);
+      answer_settings(i, happenings.messages);
       answered_[i] = true;
     }
     for (std::int64_t tick = reported_tick_ + kReportTicks; tick <= played_tick_;
          tick += kReportTicks) {
       if (is_last(i) && tick >= script_.silent_from_tick) break;
       link::Received report;
-      report.outlet = i;
+      report.id = id_of(i);
       report.message.kind = gs::wire::UplinkKind::kMeasurement;
       report.message.sample = static_cast<std::uint64_t>(tick);
       report.message.measurement = {50.0F, 0.0F, 1.0F, gs::outlet::Validity::kValid};
-      messages.push_back(report);
+      happenings.messages.push_back(report);
     }
   }
   reported_tick_ = played_tick_ / kReportTicks * kReportTicks;
@@ -110,8 +135,9 @@ void FakeStation::close() noexcept {
   ++closed_;
 }
 
-Status FakeStation::poll(std::vector<relay::Edge>&) {
-  if (script_.relay_poll_fails_at == relay_polls_++) return Error{"fake relay sense: unplugged"};
+Status FakeStation::poll(std::vector<relay::Edge>& edges) {
+  if (script_.relay_poll_fails_at == relay_polls_) return Error{"fake relay sense: unplugged"};
+  if (relay_polls_++ == 0) edges.insert(edges.end(), script_.edges.begin(), script_.edges.end());
   return Done{};
 }
 

@@ -31,6 +31,8 @@ struct Script {
   std::optional<int> relay_poll_fails_at;
 
   // Of the last outlet.
+  bool without_link = false;
+  std::vector<relay::Edge> edges;  // that the relay sense sees at its first poll
   std::uint16_t protocol_version = gs::wire::kProtocolVersion;
   gs::outlet::SettingsError settings_error = gs::outlet::SettingsError::kNone;
   bool answers_settings = true;
@@ -48,6 +50,7 @@ class FakeStation final : public Station,
   source::Source& source() override { return *this; }
   link::Link& link() override { return *this; }
   relay::RelaySense& relay_sense() override { return *this; }
+  std::vector<Slot> slots() const override;
   record::BenchUncertainty uncertainty() override { return {}; }
   bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return script_.block_s; }
@@ -55,9 +58,6 @@ class FakeStation final : public Station,
   // The source is off and the link closed, both after all else that was asked of them.
   bool is_safe() const { return made_safe_ > 0 && closed_ > 0 && !source_on_ && !link_open_; }
   bool was_touched() const { return touched_; }
-  std::optional<std::size_t> relay_channel(std::size_t outlet) const override {
-    return outlet < script_.relay_channels ? std::optional(outlet) : std::nullopt;
-  }
   int blocks_played() const { return plays_; }
   std::int64_t tick() const { return played_tick_; }
   const std::vector<gs::wire::Downlink>& sent_to(std::size_t outlet) const {
@@ -74,10 +74,9 @@ class FakeStation final : public Station,
   drivers::Result<std::int64_t> play_until(std::int64_t until_tick) override;
   drivers::Status switch_off() noexcept override;
 
-  drivers::Result<std::vector<link::OutletPresence>> open() override;
-  drivers::Status send(std::size_t outlet, const gs::wire::Downlink& message) override;
-  drivers::Status poll(std::vector<link::Received>& messages,
-                       std::vector<link::Fault>& faults) override;
+  drivers::Status open() override;
+  drivers::Status send(const std::string& id, const gs::wire::Downlink& message) override;
+  drivers::Status poll(link::Happenings& happenings) override;
   void close() noexcept override;
 
   std::size_t channels() const override { return script_.relay_channels; }
@@ -85,12 +84,15 @@ class FakeStation final : public Station,
   drivers::Status poll(std::vector<relay::Edge>& edges) override;
 
   bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }
+  bool is_linked(std::size_t outlet) const { return !(is_last(outlet) && script_.without_link); }
+  void join(std::vector<link::OutletPresence>& joined) const;
   void answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const;
 
   Script script_;
   bool touched_ = false;
   bool source_on_ = false;
   bool link_open_ = false;
+  bool joined_ = false;
   int made_safe_ = 0;
   int closed_ = 0;
   int plays_ = 0;
@@ -99,8 +101,8 @@ class FakeStation final : public Station,
   int relay_polls_ = 0;
   std::int64_t played_tick_ = 0;
   std::int64_t reported_tick_ = 0;
-  std::vector<std::vector<gs::wire::Downlink>> sent_;
-  std::vector<bool> answered_;
+  std::vector<std::vector<gs::wire::Downlink>> sent_{script_.outlets};
+  std::vector<bool> answered_ = std::vector<bool>(script_.outlets);
 };
 
 }  // namespace gsbench::station::test

@@ -78,6 +78,44 @@ TEST(RunRecord, LeavesOutOutletsThatThePlanDoesNotNeed) {
   EXPECT_TRUE(station.sent_to(2).empty());
 }
 
+record::MeasurementResult measured(const record::OutletRecord& outlet, const std::string& name) {
+  for (const record::MeasurementResult& result : outlet.measurements) {
+    if (result.name == name) return result;
+  }
+  return {};
+}
+
+TEST(RunRecord, OfAnOutletWithoutALinkHasItsContactAndKnowsNothingOfItsReports) {
+  Script script;
+  script.without_link = true;
+  script.edges = {{1, 400, false}};
+  FakeStation station(script);
+  profile::Plan plan = test::plan(3.0, "[[command]]\nat_s = 0.5\nswitch = \"off\"\n");
+  profile::Expectation opens = plan.expectations[0];
+  opens.measure = "relay.edges";
+  opens.min = 1.0;
+  opens.max = 1.0;
+  plan.expectations.push_back(opens);
+  const record::RunRecord record = run(plan, station, {});
+  const record::OutletRecord& outlet = record.outlets[1];
+  EXPECT_EQ(outlet.id, "serial-2");
+  EXPECT_TRUE(outlet.took_part);
+  EXPECT_EQ(outlet.fault, "") << "it is not silent: nothing is expected of it";
+  EXPECT_TRUE(outlet.settings.empty());
+  EXPECT_TRUE(station.sent_to(1).empty());
+  EXPECT_EQ(measured(outlet, "relay.edges").verdict, record::Verdict::kPass);
+  EXPECT_EQ(measured(outlet, plan.expectations[0].measure).verdict, record::Verdict::kInconclusive);
+  EXPECT_EQ(outlet.verdict, record::Verdict::kInconclusive);
+}
+
+TEST(RunRecord, GivesAnOutletThatThePlanNamesItsOwnSlot) {
+  const record::RunRecord record =
+      record_of(test::plan(0.2, "", "[[outlet]]\nid = \"any\"\n[[outlet]]\nid = \"serial-1\"\n"));
+  EXPECT_EQ(record.outlets[0].id, "serial-2");
+  EXPECT_EQ(record.outlets[0].group, "any");
+  EXPECT_EQ(record.outlets[1].id, "serial-1");
+}
+
 std::string noise_of(const std::string& noise_line, bool per_outlet) {
   Script script;
   script.noise_per_outlet = per_outlet;

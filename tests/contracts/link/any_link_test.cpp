@@ -24,10 +24,10 @@ class AnyLink : public HearsALink, public testing::WithParamInterface<LinkUnderT
 INSTANTIATE_TEST_SUITE_P(InProcess, AnyLink, testing::ValuesIn(kInProcess), name_of);
 INSTANTIATE_TEST_SUITE_P(ToProcesses, AnyLink, testing::ValuesIn(kToProcesses), name_of);
 
-TEST_P(AnyLink, FindsItsOutletsInTheirOrder) {
+TEST_P(AnyLink, FindsItsOutlets) {
   ASSERT_THAT(present_, SizeIs(2));
-  EXPECT_EQ(present_[kA].id, "a");
-  EXPECT_EQ(present_[kB].id, "b");
+  EXPECT_EQ(present_[0].id, kA);
+  EXPECT_EQ(present_[1].id, kB);
   for (const link::OutletPresence& outlet : present_) {
     EXPECT_EQ(outlet.fault, "");
     EXPECT_NE(outlet.where, "");
@@ -41,7 +41,7 @@ TEST_P(AnyLink, FindsItsOutletsInTheirOrder) {
 TEST_P(AnyLink, EveryMeasurementComesOnceAndInOrder) {
   constexpr int kReports = 400;
   rig_->play(kReports);
-  for (const std::size_t outlet : {kA, kB}) {
+  for (const char* const outlet : {kA, kB}) {
     ASSERT_TRUE(comes(outlet, UplinkKind::kMeasurement, kReports));
     const auto measurements = messages(outlet, UplinkKind::kMeasurement);
     for (std::size_t i = 1; i < measurements.size(); ++i) {
@@ -61,10 +61,9 @@ TEST_P(AnyLink, StatusesAndMeasurementsKeepTheirOrder) {
   }
   ASSERT_TRUE(comes(kA, UplinkKind::kStatus, kRounds));
   ASSERT_TRUE(comes(kA, UplinkKind::kMeasurement, kRounds));
-  messages_.erase(
-      std::remove_if(messages_.begin(), messages_.end(),
-                     [](const link::Received& received) { return received.outlet != kA; }),
-      messages_.end());
+  messages_.erase(std::remove_if(messages_.begin(), messages_.end(),
+                                 [](const link::Received& received) { return received.id != kA; }),
+                  messages_.end());
   EXPECT_TRUE(std::is_sorted(messages_.begin(), messages_.end(), [](const auto& x, const auto& y) {
     return x.message.sample < y.message.sample;
   }));
@@ -105,9 +104,9 @@ TEST_P(AnyLink, SettingsThatMakeNoSenseAreRefusedWithTheReason) {
 }
 
 TEST_P(AnyLink, AnOutletThatItDoesNotLeadToIsRefused) {
-  const auto sent = link_->send(2, ping(1));
+  const auto sent = link_->send("c", ping(1));
   ASSERT_FALSE(sent.ok());
-  EXPECT_THAT(sent.error(), testing::HasSubstr("no outlet 2"));
+  EXPECT_THAT(sent.error(), testing::HasSubstr("no outlet c"));
 }
 
 }  // namespace

@@ -22,11 +22,10 @@ class FramedRig : public ProcessRig {
   std::shared_ptr<link::Link> make_link() override {
     link::FramedOptions options;
     options.ports = ports();
-    options.answer_s = 1.5;
     return std::make_shared<link::FramedLink>(options);
   }
-  void unplug() override { outlets.hardware().cable(kA).unplug(); }
-  void plug_in() override { EXPECT_TRUE(outlets.hardware().cable(kA).plug_in().ok()); }
+  void unplug() override { outlets.hardware().cable(0).unplug(); }
+  void plug_in() override { EXPECT_TRUE(outlets.hardware().cable(0).plug_in().ok()); }
   Words words() const override {
     const std::string port = ports().front();
     return {"does not answer", "was unplugged from " + port,
@@ -85,11 +84,11 @@ class SerialPort {
 class SerialRig final : public FramedRig {
  public:
   SerialRig() {
-    plug_in(kA);
-    plug_in(kB);
+    plug_in(0);
+    plug_in(1);
   }
-  void unplug() override { serial_ports_[kA].reset(); }
-  void plug_in() override { plug_in(kA); }
+  void unplug() override { serial_ports_[0].reset(); }
+  void plug_in() override { plug_in(0); }
 
  protected:
   std::vector<std::string> ports() const override { return {folder_.file("a"), folder_.file("b")}; }

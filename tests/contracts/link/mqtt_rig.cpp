@@ -1,8 +1,6 @@
 #include "rigs.hpp"
 #include <link_mqtt/mqtt_link.hpp>
 
-#include <chrono>
-
 namespace gsbench::test {
 namespace {
 
@@ -17,8 +15,7 @@ class MqttRig final : public ProcessRig {
     options.ca_file = broker.ca_file();
     options.user = broker.bench().user;
     options.password = broker.bench().password;
-    options.outlets = {"a", "b"};
-    options.patience = std::chrono::milliseconds(1500);
+    options.outlets = {kA, kB};
     return std::make_shared<link::MqttLink>(options);
   }
   void unplug() override { outlets.kill(kA); }

@@ -3,23 +3,19 @@
 #pragma once
 
 #include <link_test/emulated_outlets.hpp>
+#include <link_test/hears_a_link.hpp>
 
 #include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include <link/link.hpp>
-
 namespace gsbench::test {
-
-constexpr std::size_t kA = 0;
-constexpr std::size_t kB = 1;
 
 class LinkRig {
  public:
   virtual ~LinkRig() = default;
-  // To both outlets, in their order; not open yet.
+  // To both outlets; not open yet.
   virtual std::shared_ptr<link::Link> make_link() = 0;
   // So many measurements of each outlet, of 16 ms and without a voltage, or some more.
   virtual void play(int reports) = 0;
@@ -28,7 +24,7 @@ class LinkRig {
 // Outlets that are processes, and can be lost.
 class ProcessRig : public LinkRig {
  public:
-  explicit ProcessRig(emulation::Connection connection) : outlets({"a", "b"}, connection) {}
+  explicit ProcessRig(emulation::Connection connection) : outlets({kA, kB}, connection) {}
 
   void play(int reports) override { outlets.play(reports); }
 

@@ -20,7 +20,7 @@ class SimulatedRig final : public RelayRig {
     gs::wire::Downlink command;
     command.kind = gs::wire::DownlinkKind::kCommand;
     command.close_relay = closed;
-    EXPECT_TRUE(bench_->link().send(channel, command).ok());
+    EXPECT_TRUE(bench_->link().send(channel == 0 ? "a" : "b", command).ok());
   }
   void advance(std::int64_t until_tick) override { test::advance(bench_->source(), until_tick); }
 

@@ -13,10 +13,9 @@ class SimulatedRig final : public SourceRig {
   source::Source& source() override { return bench_.source(); }
 
   std::vector<Reading> readings() override {
-    std::vector<link::Received> messages;
-    std::vector<link::Fault> faults;
-    EXPECT_TRUE(bench_.link().poll(messages, faults).ok());
-    for (const link::Received& received : messages) {
+    link::Happenings happenings;
+    EXPECT_TRUE(bench_.link().poll(happenings).ok());
+    for (const link::Received& received : happenings.messages) {
       measurements_.put(received.message);
     }
     return measurements_.after(0);

@@ -1,4 +1,4 @@
-// Several links as one.
+// Several links as one, and waiting for outlets on it.
 #include <cstdio>
 #include <memory>
 
@@ -6,139 +6,138 @@
 #include <gtest/gtest.h>
 
 #include <link/combined_link.hpp>
+#include <link/wait_for_outlets.hpp>
 
 namespace {
 
+using namespace std::chrono_literals;
 using gs::wire::Downlink;
-using gs::wire::Uplink;
 using gsbench::link::CombinedLink;
 using gsbench::link::Fault;
+using gsbench::link::Happenings;
 using gsbench::link::Link;
 using gsbench::link::OutletPresence;
-using gsbench::link::Received;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// Has these outlets; each says one message and has one fault at every poll.
+// Has these outlets, which join at the first poll; at each later one each says a message and has a
+// fault.
 class Scripted final : public Link {
  public:
-  Scripted(std::vector<OutletPresence> outlets, std::vector<std::size_t>& sent, bool refused)
+  Scripted(std::vector<OutletPresence> outlets, std::vector<std::string>& sent, bool refused)
       : outlets_(std::move(outlets)), sent_(sent), refused_(refused) {}
   std::string name() const override { return "scripted"; }
-  gsbench::drivers::Result<std::vector<OutletPresence>> open() override {
+  gsbench::drivers::Status open() override {
     if (refused_) {
       return gsbench::drivers::Error{"not now"};
     }
-    return outlets_;
-  }
-  gsbench::drivers::Status send(std::size_t outlet, const Downlink&) override {
-    sent_.push_back(outlet);
     return gsbench::drivers::Done{};
   }
-  gsbench::drivers::Status poll(std::vector<Received>& messages,
-                                std::vector<Fault>& faults) override {
-    for (std::size_t i = 0; i < outlets_.size(); ++i) {
-      messages.push_back({i, Uplink(), 0});
-      faults.push_back({i, "of " + outlets_[i].id});
+  gsbench::drivers::Status send(const std::string& id, const Downlink&) override {
+    sent_.push_back(id);
+    return gsbench::drivers::Done{};
+  }
+  gsbench::drivers::Status poll(Happenings& happenings) override {
+    for (const OutletPresence& outlet : outlets_) {
+      if (!joined_) {
+        happenings.joined.push_back(outlet);
+      } else {
+        happenings.messages.push_back({outlet.id, {}, 0});
+        happenings.faults.push_back({outlet.id, "of " + outlet.id});
+      }
     }
+    joined_ = true;
     return gsbench::drivers::Done{};
   }
+  std::vector<Fault> missing() override { return {{"nobody", "is not on " + name()}}; }
   void close() noexcept override {}
 
  private:
   std::vector<OutletPresence> outlets_;
-  std::vector<std::size_t>& sent_;
+  std::vector<std::string>& sent_;
   bool refused_;
+  bool joined_ = false;
 };
-
-OutletPresence outlet(const char* id, const char* where) {
-  OutletPresence present{id, where, {}};
-  gs::wire::Hello& hello = present.hello;
-  std::snprintf(hello.id, sizeof hello.id, "%s", id);
-  return present;
-}
 
 class TwoLinks : public testing::Test {
  protected:
-  void open(std::vector<OutletPresence> first, std::vector<OutletPresence> second) {
+  void wait(std::vector<OutletPresence> first, std::vector<OutletPresence> second,
+            const std::vector<std::string>& named, std::chrono::milliseconds patience = 0ms,
+            std::chrono::milliseconds others_for = 0ms) {
     std::vector<std::unique_ptr<Link>> links;
     links.push_back(std::make_unique<Scripted>(std::move(first), sent_to_first_, false));
     links.push_back(std::make_unique<Scripted>(std::move(second), sent_to_second_, refused_));
     link_ = std::make_unique<CombinedLink>(std::move(links));
-    auto opened = link_->open();
-    EXPECT_EQ(opened.ok(), !refused_);
-    if (opened.ok()) {
-      present_ = opened.take();
+    auto waited = wait_for_outlets(*link_, named, patience, others_for);
+    EXPECT_EQ(waited.ok(), !refused_);
+    if (waited.ok()) {
+      present_ = waited.take();
     }
+  }
+  std::vector<std::string> found() const {
+    std::vector<std::string> all;
+    for (const OutletPresence& outlet : present_) {
+      all.push_back(outlet.id + (outlet.fault.empty() ? "" : ": " + outlet.fault));
+    }
+    return all;
   }
 
   bool refused_ = false;  // by the second
-  std::vector<std::size_t> sent_to_first_;
-  std::vector<std::size_t> sent_to_second_;
+  std::vector<std::string> sent_to_first_;
+  std::vector<std::string> sent_to_second_;
   std::unique_ptr<CombinedLink> link_;
   std::vector<OutletPresence> present_;
 };
 
-TEST_F(TwoLinks, AreOneInTheirOrder) {
-  open({outlet("a", "port 1"), outlet("b", "port 2")}, {outlet("c", "broker")});
-  ASSERT_EQ(present_.size(), 3U);
-  EXPECT_EQ(present_[2].id, "c");
-  EXPECT_EQ(present_[2].where, "broker");
-  for (const std::size_t outlet : {2U, 0U}) {
-    EXPECT_TRUE(link_->send(outlet, {}).ok());
+TEST_F(TwoLinks, AreOneByTheIdsOfTheirOutlets) {
+  wait({{"a", "port 1", {}}, {"b", "port 2", {}}}, {{"c", "broker", {}}}, {"c", "port 1"});
+  EXPECT_THAT(found(), ElementsAre("c", "a"));
+  EXPECT_EQ(present_[0].where, "broker");
+  for (const char* const id : {"c", "b"}) {
+    EXPECT_TRUE(link_->send(id, {}).ok());
   }
-  EXPECT_FALSE(link_->send(3, {}).ok());
-  EXPECT_THAT(sent_to_first_, ElementsAre(0));
-  EXPECT_THAT(sent_to_second_, ElementsAre(0));
-  std::vector<Received> messages;
-  std::vector<Fault> faults;
-  ASSERT_TRUE(link_->poll(messages, faults).ok());
-  ASSERT_EQ(messages.size(), 3U);
-  ASSERT_EQ(faults.size(), 3U);
-  EXPECT_EQ(messages[2].outlet, 2U);
-  EXPECT_EQ(faults[2].outlet, 2U);
-  EXPECT_EQ(faults[2].what, "of c");
+  EXPECT_FALSE(link_->send("d", {}).ok());
+  EXPECT_THAT(sent_to_first_, ElementsAre("b"));
+  EXPECT_THAT(sent_to_second_, ElementsAre("c"));
+  Happenings happenings;
+  ASSERT_TRUE(link_->poll(happenings).ok());
+  ASSERT_EQ(happenings.messages.size(), 3U);
+  EXPECT_EQ(happenings.messages[2].id, "c");
+  ASSERT_EQ(happenings.faults.size(), 3U);
+  EXPECT_EQ(happenings.faults[2].what, "of c");
 }
 
-TEST_F(TwoLinks, WithAnOutletOfOneIdOnEachSpeakWithTheOthersAlone) {
-  open({outlet("a", "port 1"), outlet("twin", "port 2")},
-       {outlet("twin", "broker"), outlet("c", "broker")});
-  EXPECT_EQ(present_[1].id, "twin on port 2");
-  EXPECT_EQ(present_[1].fault, "is there twice: the one on broker says that it is it");
-  EXPECT_EQ(present_[2].id, "twin on broker");
-  EXPECT_EQ(present_[2].fault, "is there twice: the one on port 2 says that it is it");
-  EXPECT_EQ(present_[0].fault, "");
-  EXPECT_EQ(present_[3].fault, "");
-  for (std::size_t outlet = 0; outlet < 4; ++outlet) {
-    EXPECT_TRUE(link_->send(outlet, {}).ok());
-  }
-  EXPECT_THAT(sent_to_first_, ElementsAre(0));
-  EXPECT_THAT(sent_to_second_, ElementsAre(1));
-  std::vector<Received> messages;
-  std::vector<Fault> faults;
-  ASSERT_TRUE(link_->poll(messages, faults).ok());
-  ASSERT_EQ(messages.size(), 2U);
-  EXPECT_EQ(messages[0].outlet, 0U);
-  EXPECT_EQ(messages[1].outlet, 3U);
-  ASSERT_EQ(faults.size(), 2U);
-  EXPECT_EQ(faults[1].what, "of c");
+TEST_F(TwoLinks, WithAnOutletOfOneIdOnEachHaveBothAtFault) {
+  wait({{"a", "port 1", {}}, {"twin", "port 2", {}}}, {{"twin", "broker", {}}, {"c", "broker", {}}},
+       {"port 1", "port 2", "twin", "c"});
+  EXPECT_THAT(
+      found(),
+      ElementsAre("a", "twin on port 2: is there twice: the one on broker says that it is it",
+                  "twin on broker: is there twice: the one on port 2 says that it is it", "c"));
 }
 
 TEST_F(TwoLinks, HaveNoOutletWhereOneOfThemCannotBeOpened) {
   refused_ = true;
-  open({outlet("a", "port 1")}, {});
+  wait({{"a", "port 1", {}}}, {}, {"a"});
   EXPECT_THAT(present_, IsEmpty());
-  EXPECT_FALSE(link_->send(0, {}).ok());
-  std::vector<Received> messages;
-  std::vector<Fault> faults;
-  EXPECT_TRUE(link_->poll(messages, faults).ok());
-  EXPECT_THAT(faults, IsEmpty());
+  EXPECT_FALSE(link_->send("a", {}).ok());
 }
 
 TEST_F(TwoLinks, PassOnWhatOneOfThemFoundAtFault) {
-  open({{"a", "port 1", {}, "does not answer"}}, {});
-  EXPECT_EQ(present_[0].fault, "does not answer");
-  EXPECT_THAT(sent_to_first_, IsEmpty());
+  wait({{"a", "port 1", {}, "speaks in tongues"}}, {}, {"a"});
+  EXPECT_THAT(found(), ElementsAre("a: speaks in tongues"));
+}
+
+TEST_F(TwoLinks, AreWaitedForUntilTheEndAndNoLonger) {
+  const auto begin = std::chrono::steady_clock::now();
+  wait({{"a", "port 1", {}}}, {}, {"a", "b", "nobody"}, 100ms);
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, 100ms);
+  EXPECT_THAT(found(), ElementsAre("a", "b: does not answer", "nobody: is not on scripted"));
+}
+
+TEST_F(TwoLinks, GiveAllThatThereAreWhereOthersAreWanted) {
+  wait({{"a", "port 1", {}}}, {{"c", "broker", {}}}, {"c"}, 0ms, 1ms);
+  EXPECT_THAT(found(), ElementsAre("c", "a", "nobody: is not on scripted"));
 }
 
 }  // namespace

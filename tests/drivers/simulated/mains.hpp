@@ -91,24 +91,30 @@ struct Heard {
   }
 };
 
+inline std::string id_of(std::size_t outlet) {
+  return "outlet-" + std::to_string(outlet + 1);
+}
+inline std::size_t place_of(const std::string& id) {
+  return std::stoul(id.substr(std::string("outlet-").size())) - 1;
+}
+
 inline BenchParameters bench_of(std::size_t outlets, std::size_t threads = 1) {
   BenchParameters parameters;
   for (std::size_t i = 0; i < outlets; ++i) {
-    parameters.outlet_ids.push_back("outlet-" + std::to_string(i + 1));
+    parameters.outlet_ids.push_back(id_of(i));
   }
   parameters.threads = threads;
   return parameters;
 }
 
 inline void poll(Bench& bench, std::vector<Heard>& heard) {
-  std::vector<link::Received> messages;
-  std::vector<link::Fault> faults;
+  link::Happenings happenings;
   std::vector<relay::Edge> edges;
-  ASSERT_TRUE(bench.link().poll(messages, faults).ok());
-  ASSERT_TRUE(faults.empty());
+  ASSERT_TRUE(bench.link().poll(happenings).ok());
+  ASSERT_TRUE(happenings.faults.empty());
   ASSERT_TRUE(bench.relay_sense().poll(edges).ok());
-  for (const link::Received& received : messages) {
-    heard.at(received.outlet).messages.push_back(received.message);
+  for (const link::Received& received : happenings.messages) {
+    heard.at(place_of(received.id)).messages.push_back(received.message);
   }
   for (const relay::Edge& edge : edges) heard.at(edge.channel).edges.push_back(edge);
 }
@@ -121,7 +127,7 @@ inline std::vector<Heard> play(Bench& bench, std::size_t outlets, const source::
   gsbench::test::start(bench.source(), stimulus);
   EXPECT_TRUE(bench.link().open().ok());
   for (std::size_t i = 0; i < outlets; ++i) {
-    EXPECT_TRUE(bench.link().send(i, settings_message()).ok());
+    EXPECT_TRUE(bench.link().send(id_of(i), settings_message()).ok());
   }
   std::size_t turn = 0;
   for (std::int64_t tick = 0; tick < stimulus.total_ticks();) {

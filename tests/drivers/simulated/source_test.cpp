@@ -68,9 +68,9 @@ TEST(SimulatedSource, StartedAgainIsAsNew) {
   // Ended with a contact about to move, messages not taken and one not yet delivered.
   const gsbench::test::Mains other = falling_mains(2.0, 0.01F, 4);
   gsbench::test::start(bench.source(), other);
-  ASSERT_TRUE(bench.link().send(0, command(false)).ok());
+  ASSERT_TRUE(bench.link().send(id_of(0), command(false)).ok());
   gsbench::test::advance(bench.source(), 20);
-  ASSERT_TRUE(bench.link().send(0, command(true)).ok());
+  ASSERT_TRUE(bench.link().send(id_of(0), command(true)).ok());
   ASSERT_TRUE(bench.source().make_safe().ok());
   const auto second = play(bench, 1, falling_mains(2.0, 0.01F, 3), {1000});
   EXPECT_EQ(first[0].as_bytes(), second[0].as_bytes());

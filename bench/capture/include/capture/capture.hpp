@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,27 +20,27 @@ struct SettingsAnswer {
 };
 
 // What outlets say is kept by their own sample counts and comes onto the run's time base when it is
-// moved into the record; edges and commands are given in ticks of the run.
+// moved into the record; edges and commands are given in ticks of the run. Outlets are known by
+// their ids; of one that nothing came from all is empty.
 class Capture {
  public:
-  // Of the first `outlets` of a station; what others say is not for the record.
-  Capture(std::size_t outlets, std::int64_t sample_rate_hz);
+  explicit Capture(std::int64_t sample_rate_hz)
+      : sample_rate_hz_(static_cast<double>(sample_rate_hz)) {}
 
   void add(const std::vector<link::Received>& messages);
-  void add_edge(std::size_t outlet, std::int64_t tick, bool closed);
-  void add_command(std::size_t outlet, std::int64_t tick, bool close);
+  void add_edge(const std::string& id, std::int64_t tick, bool closed);
+  void add_command(const std::string& id, std::int64_t tick, bool close);
 
-  const SettingsAnswer& settings_answer(std::size_t outlet) const;
+  const SettingsAnswer& settings_answer(const std::string& id) const;
   // Bits of gs::wire::SelfTestPart; 0 also where no result came.
-  std::uint32_t self_test_failed(std::size_t outlet) const;
+  std::uint32_t self_test_failed(const std::string& id) const;
   // Stamp of the newest measurement; 0 before the first.
-  std::uint64_t last_report_sample(std::size_t outlet) const;
-  VoltageTrace voltage_trace(std::size_t outlet) const;  // its window is for the caller to set
+  std::uint64_t last_report_sample(const std::string& id) const;
+  VoltageTrace voltage_trace(const std::string& id) const;  // its window is for the caller to set
 
-  // The records' traces, estimates and marks (ascending in time) of the run itself, from tick 0 to
-  // its last; what was before and after is left out. The capture is empty afterwards.
-  void move_into(std::size_t outlet, const OutletClock& clock, std::int64_t last_tick,
-                 record::OutletRecord& record);
+  // Of the outlet record.id: the record's traces, estimates and marks (ascending in time) of the
+  // run itself, from tick 0 to its last; what was before and after is left out. Nothing is kept.
+  void move_into(record::OutletRecord& record, const OutletClock& clock, std::int64_t last_tick);
 
  private:
   struct Track {
@@ -52,9 +53,10 @@ class Capture {
     std::int64_t newest_event_sample = 0;
   };
 
-  void add(Track& track, const link::Received& received) const;
+  static void add(Track& track, const gs::wire::Uplink& message);
+  const Track& track(const std::string& id) const;
 
-  std::vector<Track> tracks_;
+  std::map<std::string, Track> tracks_;
   double sample_rate_hz_;
 };
 

@@ -26,6 +26,9 @@ using Read = Reading (*)(const Case&);
 // std::logic_error where bench/judge has no row for it.
 Read reading_of(const std::string& measure);
 
+// It is read from the relay sense alone: what the outlet reports plays no part.
+bool is_seen(const std::string& measure);
+
 // For those who write measures.
 Reading number(double value, double uncertainty = 0.0);
 Reading word(std::string text);
@@ -37,6 +40,7 @@ using Readings = std::vector<std::pair<std::string, Read>>;
 Readings tracker_readings();
 Readings event_readings();
 Readings estimate_readings();
+Readings contact_readings();  // what the relay sense sees without a word of the outlet
 Readings relay_readings();
 Readings clock_readings();
 Readings all_readings();

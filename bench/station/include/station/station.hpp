@@ -1,16 +1,18 @@
 // A station: the drivers a run uses, and what they can get wrong.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include <link/link.hpp>
 #include <profile/plan.hpp>
 #include <record/run_record.hpp>
 #include <relay/relay_sense.hpp>
 #include <source/source.hpp>
+#include <station/slot.hpp>
 
 namespace gsbench::station {
 
@@ -21,8 +23,9 @@ class Station {
   virtual source::Source& source() = 0;
   virtual link::Link& link() = 0;
   virtual relay::RelaySense& relay_sense() = 0;
-  // Of the relay sense, for an outlet that it looks at.
-  virtual std::optional<std::size_t> relay_channel(std::size_t outlet) const { return outlet; }
+  virtual std::vector<Slot> slots() const = 0;
+  // For so long an outlet that was named is waited for; 0: outlets join at once or not at all.
+  virtual std::chrono::milliseconds answers_within() const { return {}; }
   // Without the outlets' clocks: those are measured in each run.
   virtual record::BenchUncertainty uncertainty() = 0;
   // Does an outlet's sample count begin at 0 with the source's first tick, and keep step with it?

@@ -14,8 +14,8 @@ namespace gsbench::station {
 std::unique_ptr<Station> make_station(const profile::StationSpec& spec, const profile::Plan& plan,
                                       const SimulatedOptions& simulated);
 
-// To the outlets of a physical station. `looking`: ports without an outlet are left out, not at
-// fault.
+// To the outlets of a physical station. `looking`: ports that cannot be opened are left out, not an
+// error.
 std::unique_ptr<link::Link> make_link(const profile::StationSpec& spec, bool looking);
 
 // A station with fewer outlets than the profile asks for plays to some of each group: the plan with

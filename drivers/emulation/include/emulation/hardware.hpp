@@ -59,7 +59,6 @@ class Hardware {
   // The bench's ends of the cables (transport/transport.hpp), in the order of the outlets on serial
   // lines.
   std::vector<std::string> serial_ports() const;
-  std::vector<std::string> serial_ids() const;
   // Those behind the broker, in their order.
   std::vector<std::string> mqtt_ids() const;
   PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one

@@ -1,7 +1,9 @@
-// Several links as one: the outlets of the first, then those of the second, and so on.
+// Several links as one; of none at all: one without outlets.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <link/link.hpp>
@@ -13,18 +15,16 @@ class CombinedLink final : public Link {
   explicit CombinedLink(std::vector<std::unique_ptr<Link>> links) : links_(std::move(links)) {}
 
   std::string name() const override;
-  // Outlets of one id on two links are at fault.
-  [[nodiscard]] drivers::Result<std::vector<OutletPresence>> open() override;
-  [[nodiscard]] drivers::Status send(std::size_t outlet,
+  [[nodiscard]] drivers::Status open() override;
+  [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;
-  [[nodiscard]] drivers::Status poll(std::vector<Received>& messages,
-                                     std::vector<Fault>& faults) override;
+  [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
+  std::vector<Fault> missing() override;
   void close() noexcept override;
 
  private:
   std::vector<std::unique_ptr<Link>> links_;
-  std::vector<std::size_t> first_;  // outlet of each link; one more: the end
-  std::vector<bool> at_fault_;
+  std::map<std::string, Link*> link_of_;  // by the id of an outlet that is there
 };
 
 }  // namespace gsbench::link

@@ -1,4 +1,5 @@
-// Messages between the bench and its outlets, whatever carries them.
+// Messages between the bench and its outlets, whatever carries them. Outlets are known by the id
+// that they say of themselves; they join and leave while a link is open.
 #pragma once
 
 #include <cstdint>
@@ -10,47 +11,60 @@
 
 namespace gsbench::link {
 
-// An outlet that was looked for. With one that is at fault nobody speaks, and what it says is
+// An outlet that said who it is. With one that is at fault nobody speaks, and what it says is
 // passed over: no other outlet suffers from it.
 struct OutletPresence {
-  std::string id;     // its place instead, or both, where that tells nobody apart
+  std::string id;
   std::string where;  // "simulated", "/dev/ttyUSB0", "mqtts://127.0.0.1:8883"
   gs::wire::Hello hello;
   std::string fault = {};  // as in Fault; empty: none
 };
 
-// Outlets that say the same id in their hellos are all at fault, by their places: which of them was
-// meant nobody can tell.
-void mark_twins(std::vector<OutletPresence>& outlets);
-
 // What a link found wrong with one outlet. The others go on.
 struct Fault {
-  std::size_t outlet = 0;  // place in what open() returned
-  std::string what;        // one sentence, for people
+  std::string id;
+  std::string what;  // one sentence, for people
 };
 
 struct Received {
-  std::size_t outlet = 0;  // place in what open() returned
+  std::string id;
   gs::wire::Uplink message;
   std::int64_t arrival_ns = 0;  // std::chrono::steady_clock; 0: of no meaning, as in simulation
 };
 
+// Each once, and each kind in the order of time for each outlet.
+struct Happenings {
+  std::vector<OutletPresence> joined;
+  std::vector<Fault> left;  // and how; from now on one cannot speak with them
+  std::vector<Received> messages;
+  std::vector<Fault> faults;
+
+  void append(const Happenings& more);
+  void clear() {
+    joined.clear();
+    left.clear();
+    messages.clear();
+    faults.clear();
+  }
+};
+
+// An error is one of the link as a whole.
 class Link {
  public:
   virtual ~Link() = default;
-  virtual std::string name() const = 0;  // "simulated", "serial", "mqtt"
+  virtual std::string name() const = 0;  // "simulated", "framed", "mqtt"
 
-  // Finds the outlets, in a fixed order: those that were named, with a fault where they do not
-  // answer, or all that answer where none was. Two that say they are the same are both at fault. An
-  // error is one of the link as a whole.
-  [[nodiscard]] virtual drivers::Result<std::vector<OutletPresence>> open() = 0;
-  // Does not wait for an answer. An outlet that cannot be reached now is a Fault, not an error.
-  [[nodiscard]] virtual drivers::Status send(std::size_t outlet,
+  // Starts to look for outlets, and does not wait for them: they join (wait_for_outlets.hpp).
+  [[nodiscard]] virtual drivers::Status open() = 0;
+  // To an outlet that joined, else an error. Does not wait for an answer. An outlet that cannot be
+  // reached now is a Fault.
+  [[nodiscard]] virtual drivers::Status send(const std::string& id,
                                              const gs::wire::Downlink& message) = 0;
-  // Appends what came since the last call, in order of arrival for each outlet, each message once.
-  // An error is one of the link as a whole.
-  [[nodiscard]] virtual drivers::Status poll(std::vector<Received>& messages,
-                                             std::vector<Fault>& faults) = 0;
+  // Appends what happened since the last call.
+  [[nodiscard]] virtual drivers::Status poll(Happenings& happenings) = 0;
+  // Of those that it was told to look for, or has seen a trace of, and that have not joined: why,
+  // as far as it can tell.
+  virtual std::vector<Fault> missing() { return {}; }
   virtual void close() noexcept = 0;
 };
 

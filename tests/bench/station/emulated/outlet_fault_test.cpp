@@ -11,6 +11,7 @@
 
 #include <emulation/child.hpp>
 #include <emulation/mains.hpp>
+#include <link/wait_for_outlets.hpp>
 
 namespace gsbench::station::test {
 namespace {
@@ -27,9 +28,11 @@ class OutletFault : public FaultyStation {
  protected:
   // So that what happens to it then is what the run meets.
   bool answers(Place outlet) {
-    const auto present = station_->link().open();
+    const std::string name = *station_->slots()[outlet].link_id;
+    const auto present =
+        link::wait_for_outlets(station_->link(), {name}, station_->answers_within());
     station_->link().close();
-    return present.ok() && present.value()[outlet].fault.empty();
+    return present.ok() && present.value().front().fault.empty();
   }
 };
 

@@ -16,37 +16,36 @@ using gsbench::test::each_message;
 // Stands between the run and the station's own link, and changes what is sent to one outlet.
 class ChangingLink final : public link::Link {
  public:
-  ChangingLink(link::Link& real, std::size_t outlet, std::function<void(Downlink&)> change)
-      : real_(real), outlet_(outlet), change_(std::move(change)) {}
+  ChangingLink(link::Link& real, std::string outlet, std::function<void(Downlink&)> change)
+      : real_(real), outlet_(std::move(outlet)), change_(std::move(change)) {}
   std::string name() const override { return real_.name(); }
-  drivers::Result<std::vector<link::OutletPresence>> open() override { return real_.open(); }
-  drivers::Status send(std::size_t outlet, const Downlink& message) override {
+  drivers::Status open() override { return real_.open(); }
+  drivers::Status send(const std::string& id, const Downlink& message) override {
     Downlink changed = message;
-    if (outlet == outlet_ && message.kind == DownlinkKind::kSettings) {
+    if (id == outlet_ && message.kind == DownlinkKind::kSettings) {
       change_(changed);
     }
-    return real_.send(outlet, changed);
+    return real_.send(id, changed);
   }
-  drivers::Status poll(std::vector<link::Received>& messages,
-                       std::vector<link::Fault>& faults) override {
-    return real_.poll(messages, faults);
-  }
+  drivers::Status poll(link::Happenings& happenings) override { return real_.poll(happenings); }
   void close() noexcept override { real_.close(); }
 
  private:
   link::Link& real_;
-  std::size_t outlet_;
+  std::string outlet_;  // its id
   std::function<void(Downlink&)> change_;
 };
 
 class ChangedStation final : public Station {
  public:
   ChangedStation(Station& real, std::size_t outlet, std::function<void(Downlink&)> change)
-      : real_(real), link_(real.link(), outlet, std::move(change)) {}
+      : real_(real), link_(real.link(), real.slots()[outlet].serial_number, std::move(change)) {}
   std::string name() const override { return real_.name(); }
   source::Source& source() override { return real_.source(); }
   link::Link& link() override { return link_; }
   relay::RelaySense& relay_sense() override { return real_.relay_sense(); }
+  std::vector<Slot> slots() const override { return real_.slots(); }
+  std::chrono::milliseconds answers_within() const override { return real_.answers_within(); }
   record::BenchUncertainty uncertainty() override { return real_.uncertainty(); }
   bool outlets_count_ticks() const override { return real_.outlets_count_ticks(); }
   double block_s() const override { return real_.block_s(); }

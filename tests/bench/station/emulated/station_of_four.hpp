@@ -20,7 +20,7 @@
 
 namespace gsbench::station::test {
 
-// By their places in the station and in the record: those on serial lines come first.
+// By their places in the station and in the record.
 enum Place : std::size_t { kM4 = 0, kHost = 1, kRadioA = 2, kRadioB = 3 };
 
 profile::StationSpec station_of_four();

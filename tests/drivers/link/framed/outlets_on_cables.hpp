@@ -14,20 +14,26 @@ namespace gsbench::test {
 
 class OutletsOnCables : public HearsALink {
  protected:
-  emulation::NullModem& cable(std::size_t outlet) { return outlets_.hardware().cable(outlet); }
-  std::string port(std::size_t outlet) const { return outlets_.hardware().serial_ports()[outlet]; }
+  emulation::NullModem& cable(const std::string& id) {
+    return outlets_.hardware().cable(outlets_.place(id));
+  }
+  std::string port(const std::string& id) const {
+    return outlets_.hardware().serial_ports()[outlets_.place(id)];
+  }
 
   link::FramedOptions options() const {
     link::FramedOptions options;
     options.ports = outlets_.hardware().serial_ports();
     return options;
   }
+  // Waits for an outlet on each port.
   void open() { open(options()); }
   void open(const link::FramedOptions& options) {
-    HearsALink::open(std::make_shared<link::FramedLink>(options));
+    HearsALink::open(std::make_shared<link::FramedLink>(options), options.ports, kPatience);
   }
 
-  EmulatedOutlets outlets_{{"a", "b"}, emulation::Connection::kSerial};
+  static constexpr auto kPatience = std::chrono::seconds(3);
+  EmulatedOutlets outlets_{{kA, kB}, emulation::Connection::kSerial};
 };
 
 }  // namespace gsbench::test

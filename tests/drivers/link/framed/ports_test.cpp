@@ -3,6 +3,7 @@
 #include "spoilers.hpp"
 
 #include <cstring>
+#include <utility>
 
 namespace {
 
@@ -10,6 +11,8 @@ using gsbench::emulation::NullModem;
 using gsbench::link::FramedLink;
 using gsbench::link::FramedOptions;
 using gsbench::test::change_hello;
+using gsbench::test::kA;
+using gsbench::test::kB;
 using gsbench::test::OutletsOnCables;
 using gsbench::test::ping;
 using testing::HasSubstr;
@@ -22,44 +25,43 @@ class Ports : public OutletsOnCables {
 };
 
 TEST_F(Ports, TwoWithOutletsThatSayTheyAreTheSameAreBothAtFaultAndNotSpokenTo) {
-  cable(1).spoil(change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "a"); }));
+  cable(kB).spoil(change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, kA); }));
   open();
   ASSERT_THAT(present_, SizeIs(2));
-  for (const std::size_t twin : {0U, 1U}) {
-    EXPECT_EQ(present_[twin].id, "a on " + port(twin));
-    EXPECT_EQ(present_[twin].fault,
-              "is there twice: the one on " + port(1 - twin) + " says that it is it");
-    send(twin, ping(1));
+  for (const auto& [one, other] : {std::pair(port(kA), port(kB)), {port(kB), port(kA)}}) {
+    EXPECT_EQ(present(one).id, "a on " + one);
+    EXPECT_EQ(present(one).fault, "is there twice: the one on " + other + " says that it is it");
   }
+  send(kA, ping(1));
   outlets_.play(10);
-  cable(1).unplug();
+  cable(kB).unplug();
   std::this_thread::sleep_for(std::chrono::milliseconds(400));
   poll();
   EXPECT_THAT(messages_, IsEmpty());
   EXPECT_THAT(faults_, IsEmpty());
 }
 
-TEST_F(Ports, OneWithoutAnAnswerIsAtFaultByItsName) {
-  FramedOptions three = options();
-  three.ports.insert(three.ports.begin(), nobodys_.bench_end());
-  three.answer_s = 0.7;
-  open(three);
-  ASSERT_THAT(present_, SizeIs(3));
-  EXPECT_EQ(present_[0].id, nobodys_.bench_end());
-  EXPECT_EQ(present_[0].fault, "does not answer");
-  EXPECT_EQ(present_[1].where, port(0));
-  EXPECT_TRUE(answers(1));
+TEST_F(Ports, OneWithoutAnAnswerIsAtFaultByItsNameUntilItAnswers) {
+  cable(kA).spoil([](gsbench::test::Bytes& bytes) { bytes.clear(); });
+  open();
+  ASSERT_THAT(present_, SizeIs(2));
+  EXPECT_EQ(present(port(kA)).fault, "does not answer");
+  EXPECT_EQ(present(kB).where, port(kB));
+  EXPECT_TRUE(answers(kB));
+  EXPECT_THAT(joined_, IsEmpty());
+  cable(kA).spoil({});
+  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
+  EXPECT_EQ(joined_[0].id, kA);
+  EXPECT_TRUE(answers(kA));
 }
 
-TEST_F(Ports, ThoseWithoutAnOutletAreLeftOutWhereItIsLooking) {
+TEST_F(Ports, ThatCannotBeOpenedAreLeftOutWhereItIsLooking) {
   FramedOptions looking = options();
   looking.ports.insert(looking.ports.begin(), {nobodys_.bench_end(), "/dev/no-such-port"});
-  looking.answer_s = 0.7;
-  looking.skip_silent = true;
-  open(looking);
-  ASSERT_THAT(present_, SizeIs(2));
-  EXPECT_EQ(present_[0].id, "a");
-  EXPECT_TRUE(answers(0));
+  looking.skip_unusable = true;
+  HearsALink::open(std::make_shared<FramedLink>(looking), options().ports, kPatience);
+  EXPECT_EQ(present(kA).fault, "");
+  EXPECT_TRUE(answers(kA));
 }
 
 TEST_F(Ports, OneThatCannotBeOpenedIsRefused) {

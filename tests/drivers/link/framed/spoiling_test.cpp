@@ -14,6 +14,8 @@ using gsbench::test::Bytes;
 using gsbench::test::downlink;
 using gsbench::test::each_message;
 using gsbench::test::every_nth_byte;
+using gsbench::test::kA;
+using gsbench::test::kB;
 using gsbench::test::OutletsOnCables;
 using gsbench::test::ping;
 using gsbench::test::Spoiling;
@@ -24,7 +26,7 @@ class SpoiledLine : public OutletsOnCables, public testing::WithParamInterface<S
  protected:
   // What an outlet on mains without a voltage says: an invalid measurement every 128 samples,
   // counted from its start. Anything else was made up by the line.
-  void expect_only_true_measurements(std::size_t outlet) const {
+  void expect_only_true_measurements(const std::string& outlet) const {
     std::uint64_t last = 0;
     for (const auto& received : messages(outlet, UplinkKind::kMeasurement)) {
       EXPECT_GT(received.message.sample, last);
@@ -47,24 +49,24 @@ TEST_P(SpoiledLine, IsReportedAndNothingWrongIsTakenForRight) {
   constexpr std::size_t kReports = 300;
   open();
   // In one of about three messages, at another place in each.
-  cable(0).spoil(every_nth_byte(97, GetParam().spoil));
+  cable(kA).spoil(every_nth_byte(97, GetParam().spoil));
   for (std::size_t i = 0; i < kReports / 10; ++i) {
     outlets_.play(10);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  ASSERT_TRUE(comes(1, UplinkKind::kMeasurement, kReports));
-  EXPECT_TRUE(is_reported(0, "sent a damaged frame"));
-  cable(0).spoil({});
+  ASSERT_TRUE(comes(kB, UplinkKind::kMeasurement, kReports));
+  EXPECT_TRUE(is_reported(kA, "sent a damaged frame"));
+  cable(kA).spoil({});
   // The first message after a spoiled one may go with it.
-  send(0, ping(1));
-  EXPECT_TRUE(answers(0, 2));
-  EXPECT_TRUE(reported(0, " of its messages were lost before its sample ")) << "by their numbers";
-  const std::size_t came = messages(0, UplinkKind::kMeasurement).size();
+  send(kA, ping(1));
+  EXPECT_TRUE(answers(kA, 2));
+  EXPECT_TRUE(reported(kA, " of its messages were lost before its sample ")) << "by their numbers";
+  const std::size_t came = messages(kA, UplinkKind::kMeasurement).size();
   EXPECT_LT(came, kReports);
   EXPECT_GT(came, kReports / 4) << "most messages are whole";
-  expect_only_true_measurements(0);
-  expect_only_true_measurements(1);
-  EXPECT_THAT(faults(1), IsEmpty());
+  expect_only_true_measurements(kA);
+  expect_only_true_measurements(kB);
+  EXPECT_THAT(faults(kB), IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledLine, testing::ValuesIn(gsbench::test::kSpoilings),
@@ -74,14 +76,14 @@ using RepeatingLine = OutletsOnCables;
 
 TEST_F(RepeatingLine, DoubledMessagesComeOnce) {
   open();
-  cable(0).spoil(each_message([](const Bytes& message) {
+  cable(kA).spoil(each_message([](const Bytes& message) {
     return std::vector<Bytes>{message, message};
   }));
   outlets_.play(50);
-  ASSERT_TRUE(comes(0, UplinkKind::kMeasurement, 50));
-  ASSERT_TRUE(answers(0, 1));
-  EXPECT_THAT(messages(0, UplinkKind::kEcho), SizeIs(1));
-  const auto measurements = messages(0, UplinkKind::kMeasurement);
+  ASSERT_TRUE(comes(kA, UplinkKind::kMeasurement, 50));
+  ASSERT_TRUE(answers(kA, 1));
+  EXPECT_THAT(messages(kA, UplinkKind::kEcho), SizeIs(1));
+  const auto measurements = messages(kA, UplinkKind::kMeasurement);
   for (std::size_t i = 1; i < measurements.size(); ++i) {
     EXPECT_EQ(measurements[i].message.sample, measurements[i - 1].message.sample + 128);
   }
@@ -91,7 +93,7 @@ TEST_F(RepeatingLine, DoubledMessagesComeOnce) {
 TEST_F(RepeatingLine, ReorderedMessagesAreReportedAndTheLateOneIsLeftOut) {
   open();
   auto held = std::make_shared<Bytes>();
-  cable(0).spoil(each_message([held](const Bytes& message) {
+  cable(kA).spoil(each_message([held](const Bytes& message) {
     if (held->empty()) {
       *held = message;
       return std::vector<Bytes>{};
@@ -100,10 +102,10 @@ TEST_F(RepeatingLine, ReorderedMessagesAreReportedAndTheLateOneIsLeftOut) {
     return std::vector<Bytes>{message, late};
   }));
   outlets_.play(50);
-  EXPECT_TRUE(comes(0, UplinkKind::kMeasurement, 25));
-  EXPECT_TRUE(reported(0, "1 of its messages were lost before its sample "));
+  EXPECT_TRUE(comes(kA, UplinkKind::kMeasurement, 25));
+  EXPECT_TRUE(reported(kA, "1 of its messages were lost before its sample "));
   std::uint64_t last = 0;
-  for (const auto& received : messages(0, UplinkKind::kMeasurement)) {
+  for (const auto& received : messages(kA, UplinkKind::kMeasurement)) {
     EXPECT_GT(received.message.sample, last);
     last = received.message.sample;
   }
@@ -112,18 +114,18 @@ TEST_F(RepeatingLine, ReorderedMessagesAreReportedAndTheLateOneIsLeftOut) {
 TEST_F(OutletsOnCables, SettingsThatAreCutOffAreReportedByTheOutletAndChangeNothing) {
   open();
   // Without its last half: the next frame's zero ends it.
-  cable(0).spoil([](Bytes& bytes) { bytes.resize(bytes.size() / 2); }, Way::kToOutlet);
-  send(0, downlink(DownlinkKind::kSettings));
+  cable(kA).spoil([](Bytes& bytes) { bytes.resize(bytes.size() / 2); }, Way::kToOutlet);
+  send(kA, downlink(DownlinkKind::kSettings));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  cable(0).spoil({}, Way::kToOutlet);
-  send(0, downlink(DownlinkKind::kAskStatus));
-  ASSERT_TRUE(comes(0, UplinkKind::kStatus));
+  cable(kA).spoil({}, Way::kToOutlet);
+  send(kA, downlink(DownlinkKind::kAskStatus));
+  ASSERT_TRUE(comes(kA, UplinkKind::kStatus));
   // The frame that was cut, and the number that is missing because of it.
-  EXPECT_EQ(messages(0, UplinkKind::kStatus).front().message.status.messages_bad, 1U);
-  const auto errors = messages(0, UplinkKind::kError);
+  EXPECT_EQ(messages(kA, UplinkKind::kStatus).front().message.status.messages_bad, 1U);
+  const auto errors = messages(kA, UplinkKind::kError);
   ASSERT_FALSE(errors.empty());
   EXPECT_EQ(errors.front().message.error.code, gs::wire::ErrorCode::kBadFrame);
-  EXPECT_THAT(messages(0, UplinkKind::kSettingsAnswer), IsEmpty());
+  EXPECT_THAT(messages(kA, UplinkKind::kSettingsAnswer), IsEmpty());
 }
 
 }  // namespace

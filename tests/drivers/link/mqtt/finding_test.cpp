@@ -7,6 +7,9 @@ namespace {
 
 using gsbench::link::MqttLink;
 using gsbench::link::MqttOptions;
+using gsbench::test::HearsALink;
+using gsbench::test::kA;
+using gsbench::test::kB;
 using gsbench::test::MqttOutlet;
 using gsbench::test::OutletsOnABroker;
 using testing::AllOf;
@@ -15,41 +18,47 @@ using testing::HasSubstr;
 class FindingOutlets : public OutletsOnABroker {
  protected:
   std::string fault_of_a() {
-    MqttLink link(options({"a"}));
-    const auto opened = link.open();
-    return opened.ok() ? opened.value().front().fault : opened.error();
+    open({kA});
+    return present_.empty() ? "not found" : present_.front().fault;
   }
 };
 
-TEST_F(FindingOutlets, FindsAllWhereNoneIsNamed) {
-  const MqttOutlet b(*broker_, "b");
-  const MqttOutlet a(*broker_, "a");
-  open({});
-  ASSERT_EQ(present_.size(), 2U);
-  EXPECT_EQ(present_[0].id, "a");
-  EXPECT_EQ(present_[1].id, "b");
+TEST_F(FindingOutlets, FindsAllWhereNoneIsNamedAndTellsWhoDoesNotAnswer) {
+  const MqttOutlet b(*broker_, kB);
+  const MqttOutlet a(*broker_, kA);
+  MqttOutlet c(*broker_, "c");
+  open({"c"});  // so that the broker has its hello
+  c.stop_answering();
+  HearsALink::open(std::make_shared<MqttLink>(options({})), {}, {}, std::chrono::seconds(1));
+  ASSERT_THAT(present_, testing::SizeIs(3));
+  EXPECT_EQ(present(kA).fault, "");
+  EXPECT_EQ(present(kB).fault, "");
+  EXPECT_EQ(present("c").fault, "does not answer");
 }
 
-TEST_F(FindingOutlets, OneThatComesTooLateIsNotListenedTo) {
-  const MqttOutlet a(*broker_, "a");
-  open({"b", "a"});
-  MqttOutlet b(*broker_, "b");
+TEST_F(FindingOutlets, OneThatComesLateJoinsAndIsHeard) {
+  const MqttOutlet a(*broker_, kA);
+  open({kB, kA});
+  EXPECT_EQ(present(kB).fault, "is not on the broker");
+  MqttOutlet b(*broker_, kB);
+  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
+  EXPECT_EQ(joined_[0].id, kB);
+  EXPECT_EQ(joined_[0].where, broker_->url());
   b.take_samples(1280);
-  EXPECT_TRUE(answers(1));
-  EXPECT_TRUE(faults(0).empty());
-  EXPECT_TRUE(messages(0, gs::wire::UplinkKind::kMeasurement).empty());
+  EXPECT_TRUE(comes(kB, gs::wire::UplinkKind::kMeasurement, 10));
+  EXPECT_TRUE(answers(kA));
+  EXPECT_THAT(faults_, testing::IsEmpty());
 }
 
 TEST_F(FindingOutlets, TwoOfOneIdAreAtFaultAndTheOthersAreSpokenTo) {
-  const MqttOutlet one(*broker_, "a", 0x1111);
-  const MqttOutlet two(*broker_, "a", 0x2222);
-  const MqttOutlet b(*broker_, "b");
-  open({"b", "a"});
-  ASSERT_EQ(present_.size(), 2U);
-  EXPECT_EQ(present_[0].fault, "");
-  EXPECT_THAT(present_[1].fault,
+  const MqttOutlet one(*broker_, kA, 0x1111);
+  const MqttOutlet two(*broker_, kA, 0x2222);
+  const MqttOutlet b(*broker_, kB);
+  open({kB, kA});
+  EXPECT_EQ(present(kB).fault, "");
+  EXPECT_THAT(present(kA).fault,
               AllOf(HasSubstr("is there twice"), HasSubstr("0x00001111"), HasSubstr("0x00002222")));
-  EXPECT_TRUE(answers(0));
+  EXPECT_TRUE(answers(kB));
 }
 
 // Says one hello, and whatever is sent to it again.
@@ -140,10 +149,8 @@ TEST_F(FindingOutlets, AnOutletsLoginOpensNoLink) {
   MqttOptions wrong = options({"a"});
   wrong.user = broker_->outlet("b").user;
   wrong.password = broker_->outlet("b").password;
-  MqttLink link(wrong);
-  const auto opened = link.open();
-  ASSERT_TRUE(opened.ok()) << opened.error();
-  EXPECT_EQ(opened.value().front().fault, "is not on the broker");
+  HearsALink::open(std::make_shared<MqttLink>(wrong), {kA});
+  EXPECT_EQ(present(kA).fault, "is not on the broker");
   EXPECT_EQ(fault_of_a(), "");
 }
 

@@ -7,6 +7,8 @@ namespace {
 
 using gs::wire::UplinkKind;
 using gsbench::test::command;
+using gsbench::test::kA;
+using gsbench::test::kB;
 using gsbench::test::MqttOutlet;
 using gsbench::test::OutletsOnABroker;
 
@@ -39,8 +41,8 @@ TEST_F(BrokerOutage, LosesNoneOfWhatMustArriveAndRepeatsNone) {
       // A broker takes with it what it has acknowledged and not passed on yet; MQTT promises no
       // more. All of that has come.
       ASSERT_TRUE(until([&] {
-        return messages(0, UplinkKind::kStatus).size() == i &&
-               messages(1, UplinkKind::kStatus).size() == i;
+        return messages(kA, UplinkKind::kStatus).size() == i &&
+               messages(kB, UplinkKind::kStatus).size() == i;
       }));
       broker_->kill();
     }
@@ -53,12 +55,12 @@ TEST_F(BrokerOutage, LosesNoneOfWhatMustArriveAndRepeatsNone) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_TRUE(until([&] {
-    return messages(0, UplinkKind::kStatus).size() >= kStatuses &&
-           messages(1, UplinkKind::kStatus).size() >= kStatuses;
+    return messages(kA, UplinkKind::kStatus).size() >= kStatuses &&
+           messages(kB, UplinkKind::kStatus).size() >= kStatuses;
   }));
   // What waits for the bench comes before the broker's answer to its subscription.
-  EXPECT_TRUE(is_reported(0, "has its broker back"));
-  for (const std::size_t outlet : {0U, 1U}) {
+  EXPECT_TRUE(is_reported(kA, "has its broker back"));
+  for (const char* const outlet : {kA, kB}) {
     const auto statuses = messages(outlet, UplinkKind::kStatus);
     ASSERT_EQ(statuses.size(), kStatuses) << testing::PrintToString(faults(outlet));
     for (std::size_t i = 1; i < kStatuses; ++i) {
@@ -78,14 +80,14 @@ TEST_F(BrokerOutage, CommandsAreObeyedAgainAfterwards) {
   MqttOutlet a(*broker_, "a");
   open({"a"});
   broker_->kill();
-  ASSERT_TRUE(is_reported(0, "has lost its broker"));
+  ASSERT_TRUE(is_reported(kA, "has lost its broker"));
   ASSERT_TRUE(broker_->restart().ok());
   // Both ends are back once the outlet's new hello has come.
   ASSERT_TRUE(until([&] {
-    return reported(0, "has its broker back") && !messages(0, UplinkKind::kHello).empty();
+    return reported(kA, "has its broker back") && !messages(kA, UplinkKind::kHello).empty();
   }));
-  send(0, command(false));
-  EXPECT_TRUE(until([&] { return !messages(0, UplinkKind::kCommandAnswer).empty(); }));
+  send(kA, command(false));
+  EXPECT_TRUE(until([&] { return !messages(kA, UplinkKind::kCommandAnswer).empty(); }));
   EXPECT_FALSE(a.relay_closed());
 }
 
@@ -93,15 +95,15 @@ TEST_F(BrokerOutage, MeasurementsThatWereLostAreCounted) {
   MqttOutlet a(*broker_, "a");
   open({"a"});
   a.take_samples(1280);
-  ASSERT_TRUE(until([&] { return messages(0, UplinkKind::kMeasurement).size() == 10; }));
+  ASSERT_TRUE(until([&] { return messages(kA, UplinkKind::kMeasurement).size() == 10; }));
   broker_->kill();
   ASSERT_TRUE(until([&] { return !a.connected(); }));
   a.take_samples(2560);
   ASSERT_TRUE(broker_->restart().ok());
-  ASSERT_TRUE(until([&] { return a.connected() && reported(0, "has its broker back"); }));
+  ASSERT_TRUE(until([&] { return a.connected() && reported(kA, "has its broker back"); }));
   a.take_samples(1280);
-  ASSERT_TRUE(until([&] { return messages(0, UplinkKind::kMeasurement).size() == 20; }));
-  EXPECT_TRUE(reported(0, "20 of its messages were lost"));
+  ASSERT_TRUE(until([&] { return messages(kA, UplinkKind::kMeasurement).size() == 20; }));
+  EXPECT_TRUE(reported(kA, "20 of its messages were lost"));
 }
 
 }  // namespace

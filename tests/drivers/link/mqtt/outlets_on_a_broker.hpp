@@ -6,7 +6,6 @@
 #include <link_test/hears_a_link.hpp>
 #include <test_support/temporary_folder.hpp>
 
-#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,13 +30,11 @@ class OutletsOnABroker : public HearsALink {
     all.user = broker_->bench().user;
     all.password = broker_->bench().password;
     all.outlets = std::move(outlets);
-    all.search = std::chrono::milliseconds(300);
-    all.patience = std::chrono::milliseconds(1500);
     return all;
   }
 
-  void open(std::vector<std::string> outlets) {
-    HearsALink::open(std::make_shared<link::MqttLink>(options(std::move(outlets))));
+  void open(const std::vector<std::string>& outlets) {
+    HearsALink::open(std::make_shared<link::MqttLink>(options(outlets)), outlets);
   }
 
   static std::string refusal(const link::MqttOptions& wrong) {

@@ -6,6 +6,7 @@
 namespace {
 
 using gs::wire::UplinkKind;
+using gsbench::test::kA;
 using gsbench::test::MqttOutlet;
 using gsbench::test::OutletsOnABroker;
 using gsbench::test::ping;
@@ -24,13 +25,13 @@ class Broker : public OutletsOnABroker {
 TEST_F(Broker, AMessageThatTheBrokerForbidsIsAFault) {
   MqttOutlet a(*broker_, "a");
   open({"a"});
-  ASSERT_TRUE(answers(0));
+  ASSERT_TRUE(answers(kA));
   EXPECT_THAT(faults_, IsEmpty());
   forbid_commands();
   // Again and again: the broker follows the signal when it gets to it.
   EXPECT_TRUE(until([&] {
-    send(0, ping(2));
-    return reported(0, "does not allow");
+    send(kA, ping(2));
+    return reported(kA, "does not allow");
   }));
 }
 
@@ -38,18 +39,18 @@ TEST_F(Broker, AnOutletThatRestartsOnTheConnectionThatItHasIsReportedAndHeard) {
   MqttOutlet a(*broker_, "a");
   open({"a"});
   a.take_samples(1280);
-  ASSERT_TRUE(until([&] { return messages(0, UplinkKind::kMeasurement).size() == 10; }));
+  ASSERT_TRUE(until([&] { return messages(kA, UplinkKind::kMeasurement).size() == 10; }));
   a.restart();
   a.take_samples(1280);
-  ASSERT_TRUE(until([&] { return messages(0, UplinkKind::kMeasurement).size() == 20; }));
-  EXPECT_THAT(faults(0), ElementsAre("restarted after its sample 1280"));
+  ASSERT_TRUE(until([&] { return messages(kA, UplinkKind::kMeasurement).size() == 20; }));
+  EXPECT_THAT(faults(kA), ElementsAre("restarted after its sample 1280"));
 }
 
 TEST_F(Broker, ASecondOutletOfOneIdThatTurnsUpLaterIsAFault) {
   MqttOutlet one(*broker_, "a", 1);
   open({"a"});
   MqttOutlet two(*broker_, "a", 2);
-  EXPECT_TRUE(is_reported(0, "is there twice: 0x00000001 and 0x00000002"));
+  EXPECT_TRUE(is_reported(kA, "is there twice: 0x00000001 and 0x00000002"));
 }
 
 TEST_F(Broker, WhatAnOutletSaysInAnothersNameDoesNotReachTheBench) {
@@ -74,8 +75,8 @@ TEST_F(Broker, WhatAnOutletSaysInAnothersNameDoesNotReachTheBench) {
   EXPECT_EQ(impostor.refused(), 1U);
   // What came after it has come, so it would have, too.
   a.report_status();
-  ASSERT_TRUE(until([&] { return !messages(0, UplinkKind::kStatus).empty(); }));
-  EXPECT_THAT(messages(0, UplinkKind::kHello), IsEmpty());
+  ASSERT_TRUE(until([&] { return !messages(kA, UplinkKind::kStatus).empty(); }));
+  EXPECT_THAT(messages(kA, UplinkKind::kHello), IsEmpty());
   EXPECT_THAT(faults_, IsEmpty());
 }
 

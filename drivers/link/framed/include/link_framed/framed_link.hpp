@@ -14,12 +14,9 @@ namespace gsbench::link {
 
 struct FramedOptions {
   std::vector<std::string> ports;  // as transport::make_transport() takes them
-  // Names for ports without an answer, in their order; none: the port itself.
-  std::vector<std::string> ids;
   int baud = transport::kBaud;
-  double answer_s = 3.0;  // within which each outlet says who it is
-  // A port without an outlet is left out instead of at fault: for looking what is there.
-  bool skip_silent = false;
+  // For looking what is there: a port that cannot be opened is left out, else it is an error.
+  bool skip_unusable = false;
 };
 
 class FramedLink final : public Link {
@@ -28,12 +25,11 @@ class FramedLink final : public Link {
   ~FramedLink() override;
 
   std::string name() const override { return "framed"; }
-  // A port that cannot be opened is an error, unless it would be left out.
-  [[nodiscard]] drivers::Result<std::vector<OutletPresence>> open() override;
-  [[nodiscard]] drivers::Status send(std::size_t outlet,
+  // Asks on every port who is there, again and again until an outlet says so.
+  [[nodiscard]] drivers::Status open() override;
+  [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;
-  [[nodiscard]] drivers::Status poll(std::vector<Received>& messages,
-                                     std::vector<Fault>& faults) override;
+  [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
   void close() noexcept override;
 
  private:

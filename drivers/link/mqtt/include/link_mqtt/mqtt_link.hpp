@@ -6,7 +6,6 @@
 // lets later measurements pass changes their order, and the one held back then counts as lost.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,10 +19,7 @@ struct MqttOptions {
   std::string ca_file;  // for TLS: who may vouch for the broker
   std::string user;
   std::string password;
-  std::vector<std::string> outlets;  // their ids; none: all that are found
-
-  std::chrono::milliseconds search = std::chrono::seconds(1);    // where no outlets are named
-  std::chrono::milliseconds patience = std::chrono::seconds(3);  // for those named, and each answer
+  std::vector<std::string> outlets;  // their ids, to look for no others; none: all that are found
 };
 
 class MqttLink final : public Link {
@@ -32,21 +28,22 @@ class MqttLink final : public Link {
   ~MqttLink() override;
 
   std::string name() const override { return "mqtt"; }
-  [[nodiscard]] drivers::Result<std::vector<OutletPresence>> open() override;
+  // Blocks until the broker has answered, some ten seconds at most.
+  [[nodiscard]] drivers::Status open() override;
   // What the broker did not take or had nobody to give to comes back as a fault. While the broker
   // is away, messages wait for it.
-  [[nodiscard]] drivers::Status send(std::size_t outlet,
+  [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;
   // A broker that is lost is a fault of each outlet's, once; the link connects again by itself.
-  [[nodiscard]] drivers::Status poll(std::vector<Received>& messages,
-                                     std::vector<Fault>& faults) override;
+  [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
+  std::vector<Fault> missing() override;
   void close() noexcept override;
 
  private:
   class Opened;
 
   drivers::Status look_for_outlets();
-  drivers::Result<std::vector<OutletPresence>> identify();
+  void send(std::size_t outlet, const gs::wire::Downlink& message);
 
   MqttOptions options_;
   std::unique_ptr<Opened> opened_;

@@ -3,6 +3,7 @@
 
 #include <test_support/mains.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <memory>
 #include <stdexcept>
@@ -16,11 +17,12 @@ namespace gsbench::test {
 class EmulatedOutlets {
  public:
   // Throws std::runtime_error.
-  EmulatedOutlets(const std::vector<std::string>& ids, emulation::Connection connection) {
+  EmulatedOutlets(std::vector<std::string> ids, emulation::Connection connection)
+      : ids_(std::move(ids)) {
     emulation::HardwareOptions options;
     options.host_program = GS_OUTLET_PROGRAM;
     options.real_time = false;
-    for (const std::string& id : ids) {
+    for (const std::string& id : ids_) {
       options.outlets.push_back({id, "host", connection, 0.0});
     }
     auto made = emulation::Hardware::set_up(options);
@@ -31,8 +33,8 @@ class EmulatedOutlets {
   }
   // Stopped, it would not be ended either.
   ~EmulatedOutlets() {
-    for (std::size_t i = 0; i < hardware_->outlets(); ++i) {
-      signal(i, SIGCONT);
+    for (const std::string& id : ids_) {
+      signal(id, SIGCONT);
     }
   }
   EmulatedOutlets(const EmulatedOutlets&) = delete;
@@ -55,13 +57,17 @@ class EmulatedOutlets {
     }
   }
 
-  void signal(std::size_t outlet, int number) {
-    if (const pid_t pid = hardware_->outlet_process(outlet).pid(); pid > 0) {
+  void signal(const std::string& id, int number) {
+    if (const pid_t pid = hardware_->outlet_process(place(id)).pid(); pid > 0) {
       ::kill(pid, number);
     }
   }
-  void kill(std::size_t outlet) { hardware_->outlet_process(outlet).kill(); }
-  void start(std::size_t outlet) { demand(hardware_->restart_outlet(outlet)); }
+  void kill(const std::string& id) { hardware_->outlet_process(place(id)).kill(); }
+  void start(const std::string& id) { demand(hardware_->restart_outlet(place(id))); }
+  // In the hardware's order.
+  std::size_t place(const std::string& id) const {
+    return static_cast<std::size_t>(std::find(ids_.begin(), ids_.end(), id) - ids_.begin());
+  }
 
  private:
   template <class T>
@@ -71,6 +77,7 @@ class EmulatedOutlets {
     }
   }
 
+  std::vector<std::string> ids_;
   Mains mains_;
   std::unique_ptr<emulation::Hardware> hardware_;
   std::int64_t tick_ = 0;

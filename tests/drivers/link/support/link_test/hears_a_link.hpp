@@ -7,15 +7,20 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include <link/link.hpp>
+#include <link/wait_for_outlets.hpp>
 
 namespace gsbench::test {
+
+// Ids of the outlets that most tests have.
+constexpr const char* kA = "a";
+constexpr const char* kB = "b";
 
 inline gs::wire::Downlink downlink(gs::wire::DownlinkKind kind) {
   gs::wire::Downlink message;
@@ -41,9 +46,11 @@ class HearsALink : public testing::Test {
   // The link goes before what it leads to.
   void TearDown() override { link_.reset(); }
 
-  void open(std::shared_ptr<link::Link> link) {
+  void open(std::shared_ptr<link::Link> link, const std::vector<std::string>& named = {kA, kB},
+            std::chrono::milliseconds patience = std::chrono::milliseconds(1500),
+            std::chrono::milliseconds others_for = {}) {
     link_ = std::move(link);
-    auto opened = link_->open();
+    auto opened = link::wait_for_outlets(*link_, named, patience, others_for);
     ASSERT_TRUE(opened.ok()) << opened.error();
     present_ = opened.take();
   }
@@ -54,14 +61,31 @@ class HearsALink : public testing::Test {
     return opened.ok() ? "it opened" : opened.error();
   }
 
-  void send(std::size_t outlet, const gs::wire::Downlink& message) {
-    const auto sent = link_->send(outlet, message);
+  // As it was found by the name it was looked for with.
+  const link::OutletPresence& present(const std::string& name) const {
+    const auto found = std::find_if(present_.begin(), present_.end(), [&](const auto& outlet) {
+      return outlet.id == name || outlet.where == name;
+    });
+    if (found == present_.end()) {
+      throw std::runtime_error("no outlet " + name);
+    }
+    return *found;
+  }
+
+  void send(const std::string& id, const gs::wire::Downlink& message) {
+    const auto sent = link_->send(id, message);
     ASSERT_TRUE(sent.ok()) << sent.error();
   }
 
   void poll() {
-    const auto polled = link_->poll(messages_, faults_);
+    link::Happenings happenings;
+    const auto polled = link_->poll(happenings);
     ASSERT_TRUE(polled.ok()) << polled.error();
+    joined_.insert(joined_.end(), happenings.joined.begin(), happenings.joined.end());
+    messages_.insert(messages_.end(), happenings.messages.begin(), happenings.messages.end());
+    for (const auto& told : {happenings.left, happenings.faults}) {
+      faults_.insert(faults_.end(), told.begin(), told.end());
+    }
   }
 
   // Polls until it holds; false after ten seconds.
@@ -79,54 +103,55 @@ class HearsALink : public testing::Test {
     }
   }
 
-  bool comes(std::size_t outlet, gs::wire::UplinkKind kind, std::size_t count = 1) {
-    return until([&] { return messages(outlet, kind).size() >= count; });
+  bool comes(const std::string& id, gs::wire::UplinkKind kind, std::size_t count = 1) {
+    return until([&] { return messages(id, kind).size() >= count; });
   }
 
-  bool answers(std::size_t outlet, std::uint32_t token = 1) {
-    send(outlet, ping(token));
+  bool answers(const std::string& id, std::uint32_t token = 1) {
+    send(id, ping(token));
     return until([&] {
-      const auto echoes = messages(outlet, gs::wire::UplinkKind::kEcho);
+      const auto echoes = messages(id, gs::wire::UplinkKind::kEcho);
       return std::any_of(echoes.begin(), echoes.end(), [&](const link::Received& received) {
         return received.message.echo.token == token;
       });
     });
   }
 
-  std::vector<link::Received> messages(std::size_t outlet, gs::wire::UplinkKind kind) const {
+  std::vector<link::Received> messages(const std::string& id, gs::wire::UplinkKind kind) const {
     std::vector<link::Received> found;
     std::copy_if(messages_.begin(), messages_.end(), std::back_inserter(found),
                  [&](const link::Received& received) {
-                   return received.outlet == outlet && received.message.kind == kind;
+                   return received.id == id && received.message.kind == kind;
                  });
     return found;
   }
 
-  std::vector<std::string> faults(std::size_t outlet) const {
+  std::vector<std::string> faults(const std::string& id) const {
     std::vector<std::string> what;
     for (const link::Fault& fault : faults_) {
-      if (fault.outlet == outlet) {
+      if (fault.id == id) {
         what.push_back(fault.what);
       }
     }
     return what;
   }
 
-  bool reported(std::size_t outlet, const std::string& words) const {
-    const auto all = faults(outlet);
+  bool reported(const std::string& id, const std::string& words) const {
+    const auto all = faults(id);
     return std::any_of(all.begin(), all.end(), [&](const std::string& fault) {
       return fault.find(words) != std::string::npos;
     });
   }
 
-  bool is_reported(std::size_t outlet, const std::string& words) {
-    return until([&] { return reported(outlet, words); });
+  bool is_reported(const std::string& id, const std::string& words) {
+    return until([&] { return reported(id, words); });
   }
 
   std::shared_ptr<link::Link> link_;
   std::vector<link::OutletPresence> present_;
   std::vector<link::Received> messages_;
-  std::vector<link::Fault> faults_;
+  std::vector<link::OutletPresence> joined_;  // after the opening
+  std::vector<link::Fault> faults_;           // those of outlets that left among them
 };
 
 }  // namespace gsbench::test

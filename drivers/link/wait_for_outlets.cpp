@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <thread>
+
+#include <link/wait_for_outlets.hpp>
+
+namespace gsbench::link {
+namespace {
+
+constexpr auto kBetweenLooks = std::chrono::milliseconds(2);
+// Two outlets with one id answer within a round trip or two of each other.
+constexpr auto kTimeForATwin = std::chrono::milliseconds(200);
+
+class RollCall {
+ public:
+  explicit RollCall(const std::vector<std::string>& named) : named_(named) {}
+
+  void take(const Happenings& happenings) {
+    for (const OutletPresence& outlet : happenings.joined) {
+      const auto again = std::find_if(joined_.begin(), joined_.end(), [&](const auto& other) {
+        return other.id == outlet.id && other.where == outlet.where;
+      });
+      if (again != joined_.end()) {
+        *again = outlet;
+      } else {
+        joined_.push_back(outlet);
+      }
+    }
+    for (const Fault& left : happenings.left) {
+      for (OutletPresence& outlet : joined_) {
+        if (outlet.id == left.id && outlet.fault.empty()) {
+          outlet.fault = left.what;
+        }
+      }
+    }
+    faults_.insert(faults_.end(), happenings.faults.begin(), happenings.faults.end());
+  }
+
+  bool is_complete() const {
+    return std::all_of(named_.begin(), named_.end(), [&](const std::string& name) {
+      return std::any_of(joined_.begin(), joined_.end(),
+                         [&](const auto& outlet) { return is_called(outlet, name); });
+    });
+  }
+
+  // Ends it. `missing`: what the link knows of those that did not join.
+  std::vector<OutletPresence> result(const std::vector<Fault>& missing, bool others) {
+    const std::vector<OutletPresence> everyone = joined_;
+    faults_.insert(faults_.end(), missing.begin(), missing.end());
+    std::vector<OutletPresence> all;
+    all.reserve(named_.size());
+    for (const std::string& name : named_) {
+      all.push_back(take_out(name));
+    }
+    if (others) {
+      all.insert(all.end(), joined_.begin(), joined_.end());
+      for (const Fault& fault : missing) {
+        if (std::none_of(all.begin(), all.end(),
+                         [&](const auto& outlet) { return outlet.id == fault.id; })) {
+          all.push_back({fault.id, "", {}, fault.what});
+        }
+      }
+    }
+    mark_twins(all, everyone);
+    return all;
+  }
+
+ private:
+  static bool is_called(const OutletPresence& outlet, const std::string& name) {
+    return outlet.where == name || outlet.id == name;
+  }
+
+  OutletPresence take_out(const std::string& name) {
+    const auto found = std::find_if(joined_.begin(), joined_.end(),
+                                    [&](const auto& outlet) { return is_called(outlet, name); });
+    if (found != joined_.end()) {
+      const OutletPresence outlet = *found;
+      joined_.erase(found);
+      return outlet;
+    }
+    const auto fault = std::find_if(faults_.begin(), faults_.end(),
+                                    [&](const Fault& told) { return told.id == name; });
+    return {name, "", {}, fault != faults_.end() ? fault->what : "does not answer"};
+  }
+
+  static void mark_twins(std::vector<OutletPresence>& outlets,
+                         const std::vector<OutletPresence>& everyone) {
+    for (OutletPresence& outlet : outlets) {
+      const auto twin = std::find_if(everyone.begin(), everyone.end(), [&](const auto& other) {
+        return !outlet.where.empty() && other.id == outlet.id && other.where != outlet.where;
+      });
+      if (twin != everyone.end()) {
+        outlet.fault = "is there twice: the one on " + twin->where + " says that it is it";
+        outlet.id += " on " + outlet.where;
+      }
+    }
+  }
+
+  const std::vector<std::string>& named_;
+  std::vector<OutletPresence> joined_;
+  std::vector<Fault> faults_;  // of outlets that may not have joined
+};
+
+}  // namespace
+
+drivers::Result<std::vector<OutletPresence>> wait_for_outlets(
+    Link& link, const std::vector<std::string>& named, std::chrono::milliseconds patience,
+    std::chrono::milliseconds others_for) {
+  using Clock = std::chrono::steady_clock;
+  const drivers::Status opened = link.open();
+  if (!opened.ok()) {
+    return drivers::Error{opened.error()};
+  }
+  const Clock::time_point begin = Clock::now();
+  Clock::time_point end = begin + patience;
+  RollCall roll_call(named);
+  bool was_complete = false;
+  Happenings happenings;
+  while (true) {
+    happenings.clear();
+    const drivers::Status polled = link.poll(happenings);
+    if (!polled.ok()) {
+      link.close();
+      return drivers::Error{polled.error()};
+    }
+    roll_call.take(happenings);
+    if (!was_complete && roll_call.is_complete()) {
+      was_complete = true;
+      end = std::min(end, Clock::now() + kTimeForATwin);
+    }
+    if (Clock::now() >= std::max(end, begin + others_for)) {
+      return roll_call.result(link.missing(), others_for.count() > 0);
+    }
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+}
+
+}  // namespace gsbench::link
