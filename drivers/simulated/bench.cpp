@@ -7,6 +7,7 @@ namespace gsbench::simulated {
 
 using drivers::Done;
 using drivers::Error;
+using drivers::Result;
 using drivers::Status;
 
 namespace {
