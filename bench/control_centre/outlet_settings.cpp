@@ -4,12 +4,17 @@
 #include <control_centre/threshold.hpp>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include <grid/sfr_model.hpp>
+#include <outlet/settings_fields.hpp>
 
 namespace gsbench::control_centre {
 namespace {
@@ -33,17 +38,57 @@ void set_conditions(const grid::Grid& grid, const grid::SfrModel& model,
   }
 }
 
-template <class Count>
-void set_count(const std::optional<int>& wanted, const char* what, Count& field) {
-  if (!wanted) {
-    return;
+// In place of what is there. Out of the field's range by itself it is refused here, by name.
+struct Override {
+  double value;
+  float nominal_hz;
+
+  template <class T>
+  void operator()(const gs::outlet::Field& field, T& member) const {
+    const bool whole = std::is_floating_point_v<T> || value == std::trunc(value);
+    if (!whole || !gs::outlet::within(field.range, static_cast<float>(value), nominal_hz)) {
+      const double scale = field.range.of_nominal ? static_cast<double>(nominal_hz) : 1.0;
+      throw std::invalid_argument(fmt::format(
+          "{} is {}; outlets take {} from {}{:g} to {}{:g} {}", field.name, value,
+          std::is_floating_point_v<T> ? "a number" : "a whole number",
+          field.range.without_least ? "above " : "", static_cast<double>(field.range.least) * scale,
+          field.range.without_most ? "below " : "", static_cast<double>(field.range.most) * scale,
+          field.unit));
+    }
+    member = static_cast<T>(value);
   }
-  if (*wanted < 0 || *wanted > std::numeric_limits<Count>::max()) {
-    throw std::invalid_argument(std::string(what) + " = " + std::to_string(*wanted) +
-                                " is out of the firmware's range");
+  void rows(const gs::outlet::Field& field, gs::outlet::ConditionRow*, std::uint8_t&) const {
+    throw std::invalid_argument(fmt::format("{} follow from the grid", field.name));
   }
-  field = static_cast<Count>(*wanted);
+};
+
+void set(gs::outlet::Settings& settings, const std::string& name, Override value) {
+  const auto& fields = gs::outlet::kSettingsFields;
+  const auto* const field =
+      std::find_if(std::begin(fields), std::end(fields),
+                   [&](const gs::outlet::Field& one) { return one.name == name; });
+  if (field == std::end(fields)) {
+    throw std::invalid_argument(name + " is no setting of an outlet");
+  }
+  gs::outlet::visit_field(settings, *field, value);
 }
+
+struct Description {
+  std::map<std::string, double> values;
+
+  template <class T>
+  void operator()(const gs::outlet::Field& field, const T& value) {
+    values[field.name] = static_cast<double>(value);
+  }
+  void rows(const gs::outlet::Field&, const gs::outlet::ConditionRow* rows, std::uint8_t count) {
+    values["condition_rows"] = count;
+    for (int row = 0; row < count; ++row) {
+      const std::string name = fmt::format("condition_{:02}_", row + 1);
+      values[name + "from_hz"] = static_cast<double>(rows[row].from_hz);
+      values[name + "rocof_below_hz_s"] = static_cast<double>(rows[row].rocof_below_hz_s);
+    }
+  }
+};
 
 double switch_off_of(const grid::Grid& grid, const Wishes& wishes) {
   const double power_mw = wishes.power_mw.value_or(wishes.accumulated_mw);
@@ -71,22 +116,17 @@ gs::outlet::Settings grid_settings(const grid::Grid& grid) {
 
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const Wishes& wishes,
                                      std::uint32_t version) {
+  const auto nominal_hz = static_cast<float>(grid.nominal_hz);
   gs::outlet::Settings settings = grid_settings(grid);
-  const auto set = [](const std::optional<double>& wanted, float& field) {
-    field = wanted ? static_cast<float>(*wanted) : field;
-  };
   settings.version = version;
-  set(wishes.threshold_mw, settings.threshold_mw);
-  settings.accumulated_mw = static_cast<float>(wishes.accumulated_mw);
-  settings.switch_off_hz = static_cast<float>(wishes.switch_off_hz ? *wishes.switch_off_hz
-                                                                   : switch_off_of(grid, wishes));
-  set(wishes.event_drop_hz, settings.event_drop_hz);
-  set(wishes.event_departure_hz, settings.event_departure_hz);
-  set_count(wishes.condition_hits, "condition_hits", settings.condition_hits);
-  set_count(wishes.lse_samples, "lse_samples", settings.lse_samples);
-  set_count(wishes.ekf_samples, "ekf_samples", settings.ekf_samples);
-  const gs::outlet::SettingsError error =
-      gs::outlet::validate(settings, static_cast<float>(grid.nominal_hz));
+  set(settings, "accumulated_mw", {wishes.accumulated_mw, nominal_hz});
+  if (wishes.settings.count("switch_off_hz") == 0) {
+    settings.switch_off_hz = static_cast<float>(switch_off_of(grid, wishes));
+  }
+  for (const auto& [name, value] : wishes.settings) {
+    set(settings, name, {value, nominal_hz});
+  }
+  const gs::outlet::SettingsError error = gs::outlet::validate(settings, nominal_hz);
   if (error != gs::outlet::SettingsError::kNone) {
     throw std::invalid_argument(std::string("the firmware refuses these settings: ") +
                                 gs::outlet::to_string(error));
@@ -94,29 +134,10 @@ gs::outlet::Settings outlet_settings(const grid::Grid& grid, const Wishes& wishe
   return settings;
 }
 
-std::map<std::string, double> described(const gs::outlet::Settings& s) {
-  return {
-      {"version", static_cast<double>(s.version)},
-      {"gain_hz_per_mw", static_cast<double>(s.response.gain_hz_per_mw)},
-      {"sigma_per_s", static_cast<double>(s.response.sigma_per_s)},
-      {"discriminant_per_s2", static_cast<double>(s.response.discriminant_per_s2)},
-      {"initial_slope_per_s", static_cast<double>(s.response.initial_slope_per_s)},
-      {"threshold_mw", static_cast<double>(s.threshold_mw)},
-      {"largest_loss_mw", static_cast<double>(s.largest_loss_mw)},
-      {"accumulated_mw", static_cast<double>(s.accumulated_mw)},
-      {"switch_off_hz", static_cast<double>(s.switch_off_hz)},
-      {"condition_rows", static_cast<double>(s.condition_rows)},
-      {"condition_hits", static_cast<double>(s.condition_hits)},
-      {"rocof_samples", static_cast<double>(s.rocof_samples)},
-      {"event_drops", static_cast<double>(s.event_drops)},
-      {"event_drop_hz", static_cast<double>(s.event_drop_hz)},
-      {"event_departure_hz", static_cast<double>(s.event_departure_hz)},
-      {"event_lag_s", static_cast<double>(s.event_lag_s)},
-      {"t_x_sigma_s", static_cast<double>(s.t_x_sigma_s)},
-      {"lse_samples", static_cast<double>(s.lse_samples)},
-      {"ekf_samples", static_cast<double>(s.ekf_samples)},
-      {"loss_sigma_mw", static_cast<double>(s.loss_sigma_mw)},
-  };
+std::map<std::string, double> described(const gs::outlet::Settings& settings) {
+  Description all;
+  gs::outlet::visit_fields(settings, all);
+  return all.values;
 }
 
 }  // namespace gsbench::control_centre

@@ -1,15 +1,21 @@
 #include "outlets.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
-#include <grid/limits.hpp>
+#include <outlet/settings_fields.hpp>
 
 namespace gsbench::profile {
 namespace {
 
+using gs::outlet::Field;
+using gs::outlet::FieldType;
+using gs::outlet::kSettingsFields;
 using keys::Key;
 using keys::Range;
 using keys::Table;
@@ -17,99 +23,126 @@ using keys::Table;
 constexpr std::int64_t kMostOutlets = 1000;  // of one run; studies of more have no profile
 constexpr std::size_t kLongestId = 64;
 
-// What outlets accept of their settings (outlet/settings.hpp), told here by line and key.
-constexpr double kLowestSwitchOff_pu = 0.8;
-constexpr double kLargestDrop_hz = 1.0;
-constexpr int kMostHits = 1000;
-constexpr int kMostLseSamples = 64;
-constexpr int kMostEkfSamples = 200;
+// Settings of the firmware that a profile may set: name, type, unit and range are the firmware's.
+struct Setting {
+  const char* name;
+  const char* meaning;
+  const char* otherwise;
+};
+constexpr Setting kSettings[] = {
+    {"threshold_mw", "ΔP_s", "eq. (15)"},
+    {"switch_off_hz", "f^B", "eq. (17)"},
+    {"event_drop_hz", "least sum of the successive drops that make an event", nullptr},
+    {"event_departure_hz", "least fall below the course before, for the same", nullptr},
+    {"condition_hits", "n_max: more hits than this are needed to shed", nullptr},
+    {"lse_samples", "measurements in the least squares, eq. (19)", nullptr},
+    {"ekf_samples", "measurements in the Kalman filter before the decision", nullptr},
+};
 
-std::optional<int> find_count(const Table& table, const std::string& key) {
-  const auto value = table.find_whole(key);
-  return value ? std::optional<int>(static_cast<int>(*value)) : std::nullopt;
+const Field& field_of(const Setting& setting) {
+  const auto* const found = std::find_if(
+      std::begin(kSettingsFields), std::end(kSettingsFields),
+      [&](const Field& field) { return std::string_view(field.name) == setting.name; });
+  if (found == std::end(kSettingsFields)) {
+    throw std::logic_error(std::string(setting.name) + " is no setting of an outlet");
+  }
+  return *found;
 }
 
-control_centre::Wishes read_settings(const Table& table, const grid::Grid& grid) {
-  control_centre::Wishes settings;
+// As it is written: 0.1f is 0.1.
+double decimal(float value) {
+  return std::stod(fmt::format("{}", value));
+}
+
+Range range_of(const Field& field, double nominal_hz) {
+  const double scale = field.range.of_nominal ? nominal_hz : 1.0;
+  return {decimal(field.range.least) * scale, decimal(field.range.most) * scale,
+          field.range.without_least, field.range.without_most,
+          field.range.of_nominal ? "the grid's nominal_hz" : ""};
+}
+
+Key key_of(const Setting& setting) {
+  const Field& field = field_of(setting);
+  const Range range = range_of(field, 1.0);
+  const Key key =
+      field.type != FieldType::kFloat
+          ? keys::whole(field.name, field.unit, range.low, range.high, setting.meaning)
+      : field.range.of_nominal
+          ? keys::number(field.name, field.unit, keys::above(0.0), setting.meaning)
+                .permits(fmt::format("{} of nominal … below nominal, in single precision too",
+                                     range.low))
+          : keys::number(field.name, field.unit, range, setting.meaning);
+  const auto firmwares = control_centre::described({});
+  return key.or_else(setting.otherwise != nullptr
+                         ? setting.otherwise
+                         : fmt::format("firmware's, {:g}", firmwares.at(field.name)));
+}
+
+void read_setting(const Table& table, const Setting& setting, double nominal_hz,
+                  std::map<std::string, double>& settings) {
+  const Field& field = field_of(setting);
+  std::optional<double> value;
+  if (field.type == FieldType::kFloat) {
+    value = table.find_number(field.name, range_of(field, nominal_hz));
+  } else if (const auto whole = table.find_whole(field.name)) {
+    value = static_cast<double>(*whole);
+  }
+  if (!value) {
+    return;
+  }
+  const auto single = static_cast<float>(*value);
+  if (!gs::outlet::within(field.range, single, static_cast<float>(nominal_hz))) {
+    table.refuse(field.name, fmt::format("{} is {}; in the outlets' single precision that is {}, "
+                                         "which is out of its range",
+                                         field.name, *value, single));
+  }
+  settings[field.name] = *value;
+}
+
+control_centre::Wishes read_wishes(const Table& table, const grid::Grid& grid) {
+  control_centre::Wishes wishes;
   Range load = keys::between(0.0, grid.load_mw);
   load.note = "the grid's load";
-  settings.accumulated_mw = table.number("accumulated_mw", load);
+  wishes.accumulated_mw = table.number("accumulated_mw", load);
   Range block = keys::above(0.0);
-  block.high = 2.0 * settings.accumulated_mw;
+  block.high = 2.0 * wishes.accumulated_mw;
   block.note = "twice accumulated_mw, which counts half of the outlet's own block";
-  settings.power_mw = table.find_number("power_mw", block);
-  settings.threshold_mw = table.find_number("threshold_mw");
-  Range below_nominal = keys::between(kLowestSwitchOff_pu * grid.nominal_hz, grid.nominal_hz);
-  below_nominal.high_open = true;
-  below_nominal.note = "the grid's nominal_hz";
-  settings.switch_off_hz = table.find_number("switch_off_hz", below_nominal);
-  if (settings.switch_off_hz &&
-      !(static_cast<float>(*settings.switch_off_hz) < static_cast<float>(grid.nominal_hz))) {
-    table.refuse("switch_off_hz", fmt::format("switch_off_hz is {}; in the outlets' single "
-                                              "precision that is nominal_hz itself",
-                                              *settings.switch_off_hz));
+  wishes.power_mw = table.find_number("power_mw", block);
+  for (const Setting& setting : kSettings) {
+    read_setting(table, setting, grid.nominal_hz, wishes.settings);
   }
-  settings.event_drop_hz = table.find_number("event_drop_hz");
-  settings.event_departure_hz = table.find_number("event_departure_hz");
-  settings.condition_hits = find_count(table, "condition_hits");
-  settings.lse_samples = find_count(table, "lse_samples");
-  settings.ekf_samples = find_count(table, "ekf_samples");
-  return settings;
+  return wishes;
 }
 
 }  // namespace
 
 Key outlet_keys() {
-  Range drop = keys::above(0.0);
-  drop.high = kLargestDrop_hz;
-  const char* const firmware = "firmware's";
-  return keys::tables(
-             "outlet",
-             "At least one. What is left out the control centre derives from the grid, or the "
-             "firmware's default stands.",
-             {keys::whole("count", "", 1, kMostOutlets, "so many alike")
-                  .permits("1 … 1000 in all")
-                  .by_default(1),
-              keys::id("id", kLongestId,
-                       "its name; with `count` above 1 the names are `id-1`, `id-2`, …")
-                  .or_else("`outlet-N`"),
-              keys::id("group", kLongestId, "what limits and commands refer to")
-                  .permits("as `id`")
-                  .or_else("`id`; without: `all`"),
-              keys::number("accumulated_mw", "MW", keys::at_least(0.0),
-                           "P^A as sent: load that is shed before it and half of its own block "
-                           "(all of it where "
-                           "you want eq. (11) as printed)")
-                  .permits("0 … the grid's load")
-                  .by_default(0.0),
-              keys::number(
-                  "power_mw", "MW", keys::above(0.0),
-                  "power of its own block, for eq. (17); half of it is taken to be counted in "
-                  "`accumulated_mw`")
-                  .permits("above 0, at most twice `accumulated_mw`")
-                  .or_else("`accumulated_mw`"),
-              keys::number("threshold_mw", "MW",
-                           keys::between(grid::kPowerMw.low, grid::kPowerMw.high), "ΔP_s")
-                  .or_else("eq. (15)"),
-              keys::number("switch_off_hz", "Hz", keys::above(0.0), "f^B")
-                  .permits("0.8 of nominal … below nominal, in single precision too")
-                  .or_else("eq. (17)"),
-              keys::number("event_drop_hz", "Hz", drop,
-                           "least sum of the successive drops that make an event")
-                  .or_else(firmware),
-              keys::number("event_departure_hz", "Hz", drop,
-                           "least fall below the course before, for the same")
-                  .or_else(firmware),
-              keys::whole("condition_hits", "", 0, kMostHits,
-                          "n_max: more hits than this are needed to shed")
-                  .or_else(firmware),
-              keys::whole("lse_samples", "", 2, kMostLseSamples,
-                          "measurements in the least squares, eq. (19)")
-                  .or_else(firmware),
-              keys::whole("ekf_samples", "", 1, kMostEkfSamples,
-                          "measurements in the Kalman filter before the decision")
-                  .or_else(firmware)})
-      .require("at least one [[outlet]]");
+  Key outlets = keys::tables(
+      "outlet",
+      "At least one. What is left out the control centre derives from the grid, or the "
+      "firmware's default stands.",
+      {keys::whole("count", "", 1, kMostOutlets, "so many alike")
+           .permits("1 … 1000 in all")
+           .by_default(1),
+       keys::id("id", kLongestId, "its name; with `count` above 1 the names are `id-1`, `id-2`, …")
+           .or_else("`outlet-N`"),
+       keys::id("group", kLongestId, "what limits and commands refer to")
+           .permits("as `id`")
+           .or_else("`id`; without: `all`"),
+       keys::number("accumulated_mw", "MW", keys::at_least(0.0),
+                    "P^A as sent: load that is shed before it and half of its own block "
+                    "(all of it where you want eq. (11) as printed)")
+           .permits("0 … the grid's load")
+           .by_default(0.0),
+       keys::number("power_mw", "MW", keys::above(0.0),
+                    "power of its own block, for eq. (17); half of it is taken to be counted in "
+                    "`accumulated_mw`")
+           .permits("above 0, at most twice `accumulated_mw`")
+           .or_else("`accumulated_mw`")});
+  for (const Setting& setting : kSettings) {
+    outlets.inner.push_back(key_of(setting));
+  }
+  return outlets.require("at least one [[outlet]]");
 }
 
 std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid) {
@@ -118,7 +151,7 @@ std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid) {
     const std::int64_t count = table.whole("count");
     const auto prefix = table.find_text("id");
     const std::string group = table.find_text("group").value_or(prefix.value_or("all"));
-    const control_centre::Wishes settings = read_settings(table, grid);
+    const control_centre::Wishes settings = read_wishes(table, grid);
     try {
       control_centre::outlet_settings(grid, settings, 1);
     } catch (const std::invalid_argument& error) {

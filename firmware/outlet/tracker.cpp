@@ -143,11 +143,12 @@ void coast(const TrackerSettings& settings, TrackerState& s, const Phasor& z, fl
 // Did anything happen since the last report that grids do not cause?
 bool leaps(const TrackerSettings& settings, const TrackerState& s, float innovation_rad,
            float innovation_amplitude) {
-  const float leap_rad = settings.leap_rad * phase_noise_factor(s);
+  const float gate_rad = settings.innovation_gate_rad * phase_noise_factor(s);
   const float limit_rad =
-      leap_rad * (s.coasting ? kCoastingFactor : 1.0f) + kSigmasAllowed * root(s.covariance[kPP]);
+      gate_rad * (s.coasting ? kCoastingFactor : 1.0f) + kSigmasAllowed * root(s.covariance[kPP]);
   return beyond(innovation_rad - s.last_innovation_rad, limit_rad) ||
-         beyond(innovation_amplitude - s.last_innovation_amplitude, settings.leap_amplitude);
+         beyond(innovation_amplitude - s.last_innovation_amplitude,
+                settings.innovation_gate_amplitude);
 }
 
 Measurement report(float nominal_hz, const TrackerState& s, const Phasor& z, Validity validity) {

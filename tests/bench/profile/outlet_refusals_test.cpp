@@ -34,9 +34,13 @@ const Spoilt kOutlets[] = {
      "test.toml:70:1: the firmware refuses these settings: switching-off frequency not from 80 % "
      "of "
      "nominal to below nominal"},
+    {"ThresholdBelowAnyPower", "threshold_mw = 200.0", "threshold_mw = 1e-300",
+     "test.toml:63:16: threshold_mw is 1e-300; in the outlets' single precision that is 0, which "
+     "is out of its "
+     "range"},
     {"SwitchOffAtNominalInSinglePrecision", "switch_off_hz = 58.5", "switch_off_hz = 59.9999999",
-     "test.toml:64:17: switch_off_hz is 59.9999999; in the outlets' single precision that is "
-     "nominal_hz itself"},
+     "test.toml:64:17: switch_off_hz is 59.9999999; in the outlets' single precision that is 60, "
+     "which is out of its range"},
     {"SwitchOffAtNominal", "switch_off_hz = 58.5", "switch_off_hz = 60",
      "test.toml:64:17: switch_off_hz is 60; it must be at least 48 and below 60 (the grid's "
      "nominal_hz)"},

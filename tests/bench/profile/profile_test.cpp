@@ -28,7 +28,7 @@ TEST(Profile, MinimalOneHasTheDocumentedDefaults) {
   EXPECT_EQ(plan.outlets[0].id, "outlet-1");
   EXPECT_EQ(plan.outlets[0].group, "all");
   EXPECT_EQ(plan.outlets[0].settings.accumulated_mw, 0.0);
-  EXPECT_FALSE(plan.outlets[0].settings.switch_off_hz);
+  EXPECT_TRUE(plan.outlets[0].settings.settings.empty());
   EXPECT_THAT(plan.commands, IsEmpty());
 }
 
@@ -136,14 +136,14 @@ TEST(Profile, GivesEachOutletItsSettings) {
   const control_centre::Wishes& settings = plan.outlets[2].settings;
   EXPECT_EQ(settings.accumulated_mw, 100.0);
   EXPECT_EQ(settings.power_mw, 40.0);
-  EXPECT_EQ(settings.threshold_mw, 200.0);
-  EXPECT_EQ(settings.switch_off_hz, 58.5);
-  EXPECT_EQ(settings.event_drop_hz, 0.03);
-  EXPECT_EQ(settings.event_departure_hz, 0.04);
-  EXPECT_EQ(settings.condition_hits, 12);
-  EXPECT_EQ(settings.lse_samples, 8);
-  EXPECT_EQ(settings.ekf_samples, 30);
-  EXPECT_FALSE(plan.outlets[3].settings.ekf_samples);
+  EXPECT_EQ(settings.settings, (std::map<std::string, double>{{"threshold_mw", 200.0},
+                                                              {"switch_off_hz", 58.5},
+                                                              {"event_drop_hz", 0.03},
+                                                              {"event_departure_hz", 0.04},
+                                                              {"condition_hits", 12.0},
+                                                              {"lse_samples", 8.0},
+                                                              {"ekf_samples", 30.0}}));
+  EXPECT_TRUE(plan.outlets[3].settings.settings.empty());
 }
 
 TEST(Profile, PutsCommandsInTheOrderOfTimeAndResolvesGroups) {

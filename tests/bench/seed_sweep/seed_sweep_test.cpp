@@ -213,7 +213,7 @@ TEST(Study, TellsItsProgressSeedBySeed) {
 
 TEST(Study, RethrowsWhatARunThrows) {
   profile::Plan refused = quiet();
-  refused.outlets[0].settings.threshold_mw = -1.0;
+  refused.outlets[0].settings.settings["threshold_mw"] = -1.0;
   for (const std::size_t threads : {1U, 3U}) {
     EXPECT_THROW(study_of(refused, 5, threads), profile::ConfigurationError);
   }

@@ -280,7 +280,7 @@ TEST(WaysOut, SettingsThatTheFirmwareRefusesEndTheRunBeforeAnythingIsTouched) {
   gsbench::test::TemporaryFolder folder;
   record::Writer writer(folder.file("run.gsbench"));
   profile::Plan refused = one_second();
-  refused.outlets[1].settings.threshold_mw = -1.0;
+  refused.outlets[1].settings.settings["threshold_mw"] = -1.0;
   FakeStation station({});
   RunOptions options;
   options.writer = &writer;

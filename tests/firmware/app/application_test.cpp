@@ -172,10 +172,15 @@ TEST_F(NodeTest, SettingsAreAnsweredWithWhatIsInForce) {
   outlet::Settings stale = settings;
   stale.accumulated_mw = 1.0F;
   app_.receive(settings_message(stale), letters_);
-  ASSERT_EQ(letters_.all.size(), 4U);
+  wire::Downlink later = settings_message(wrong);
+  later.settings.threshold_mw = settings.threshold_mw;
+  later.settings_error = SettingsError::kUnknownField;
+  app_.receive(later, letters_);
+  ASSERT_EQ(letters_.all.size(), 5U);
   EXPECT_EQ(letters_.all[2].settings_answer.error, SettingsError::kThreshold);
   EXPECT_EQ(letters_.all[3].settings_answer.error, SettingsError::kStale);
-  for (const std::size_t i : {2U, 3U}) {
+  EXPECT_EQ(letters_.all[4].settings_answer.error, SettingsError::kUnknownField);
+  for (const std::size_t i : {2U, 3U, 4U}) {
     EXPECT_EQ(letters_.all[i].settings_answer.version, 3U);
     EXPECT_EQ(letters_.all[i].settings_answer.digest, outlet::digest(settings));
   }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <outlet/outlet.hpp>
+#include <outlet/settings_fields.hpp>
 
 namespace gs::outlet {
 namespace {
@@ -28,11 +29,11 @@ std::vector<Spoiling> spoilings() {
   using S = Settings&;
   using E = SettingsError;
   return {
-      {"gain NaN", E::kNotFinite, [](S s) { s.response.gain_hz_per_mw = kNaN; }},
-      {"threshold infinite", E::kNotFinite, [](S s) { s.threshold_mw = kInfinity; }},
-      {"largest loss beyond any grid", E::kNotFinite, [](S s) { s.largest_loss_mw = 2e9F; }},
-      {"a condition NaN", E::kNotFinite, [](S s) { s.conditions[3].rocof_below_hz_s = kNaN; }},
-      {"leap NaN", E::kNotFinite, [](S s) { s.tracker.leap_rad = kNaN; }},
+      {"gain NaN", E::kResponse, [](S s) { s.response.gain_hz_per_mw = kNaN; }},
+      {"threshold infinite", E::kThreshold, [](S s) { s.threshold_mw = kInfinity; }},
+      {"largest loss beyond any grid", E::kThreshold, [](S s) { s.largest_loss_mw = 2e9F; }},
+      {"a condition NaN", E::kConditions, [](S s) { s.conditions[3].rocof_below_hz_s = kNaN; }},
+      {"innovation gate NaN", E::kTracker, [](S s) { s.tracker.innovation_gate_rad = kNaN; }},
       {"no gain", E::kResponse, [](S s) { s.response.gain_hz_per_mw = 0.0F; }},
       {"gain of the wrong sign", E::kResponse, [](S s) { s.response.gain_hz_per_mw *= -1.0F; }},
       {"no slope", E::kResponse, [](S s) { s.response.initial_slope_per_s = 0.0F; }},
@@ -83,8 +84,9 @@ std::vector<Spoiling> spoilings() {
       {"no residual is trusted", E::kEstimator, [](S s) { s.trusted_residual_hz = 0.0F; }},
       {"no phase noise", E::kTracker, [](S s) { s.tracker.phase_noise_rad = 0.0F; }},
       {"no jerk", E::kTracker, [](S s) { s.tracker.jerk_rad_s3_per_sqrt_hz = 0.0F; }},
-      {"no leap", E::kTracker, [](S s) { s.tracker.leap_rad = 0.0F; }},
-      {"no leap of the amplitude", E::kTracker, [](S s) { s.tracker.leap_amplitude = 0.0F; }},
+      {"no innovation gate", E::kTracker, [](S s) { s.tracker.innovation_gate_rad = 0.0F; }},
+      {"no innovation gate of the amplitude", E::kTracker,
+       [](S s) { s.tracker.innovation_gate_amplitude = 0.0F; }},
       {"no bus is dead", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.0F; }},
       {"every bus is dead", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.6F; }},
   };
@@ -92,6 +94,25 @@ std::vector<Spoiling> spoilings() {
 
 TEST(Settings, AreAcceptedWhereTheyMakeSense) {
   EXPECT_EQ(validate(test::ieee24_settings(), 50.0F), SettingsError::kNone);
+}
+
+// Just inside both ends of each range, just outside of each.
+TEST(Settings, AreAcceptedOnlyWithinTheRangesOfTheList) {
+  for (const Field& field : kSettingsFields) {
+    if (field.type == FieldType::kRows) continue;
+    const float scale = field.range.of_nominal ? 50.0F : 1.0F;
+    EXPECT_NE(within(field.range, field.range.least * scale, 50.0F), field.range.without_least);
+    EXPECT_NE(within(field.range, field.range.most * scale, 50.0F), field.range.without_most);
+    const float beyond[] = {std::nextafter(field.range.least * scale, -kInfinity),
+                            std::nextafter(field.range.most * scale, kInfinity), kNaN};
+    for (const float value : beyond) {
+      EXPECT_FALSE(within(field.range, value, 50.0F)) << field.name;
+      if (field.type != FieldType::kFloat) continue;
+      Settings settings = test::ieee24_settings();
+      member<float>(settings, field) = value;
+      EXPECT_EQ(validate(settings, 50.0F), field.error) << field.name << " = " << value;
+    }
+  }
 }
 
 TEST(Settings, AreRefusedWithTheReasonWhereOneDoesNot) {
@@ -103,7 +124,8 @@ TEST(Settings, AreRefusedWithTheReasonWhereOneDoesNot) {
 }
 
 TEST(Settings, EveryReasonIsReachedAndHasItsOwnWords) {
-  std::set<SettingsError> reached = {SettingsError::kNone, SettingsError::kStale};
+  std::set<SettingsError> reached = {SettingsError::kNone, SettingsError::kUnknownField,
+                                     SettingsError::kStale};
   for (const Spoiling& spoiling : spoilings()) reached.insert(spoiling.error);
   std::set<std::string> words;
   for (const SettingsError error : reached) words.insert(to_string(error));

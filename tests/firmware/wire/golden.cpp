@@ -64,8 +64,8 @@ outlet::Settings settings() {
   settings.switch_off_samples = 3;
   settings.tracker.phase_noise_rad = 0.0009765625F;
   settings.tracker.jerk_rad_s3_per_sqrt_hz = 0.75F;
-  settings.tracker.leap_rad = 0.05078125F;
-  settings.tracker.leap_amplitude = 0.0625F;
+  settings.tracker.innovation_gate_rad = 0.05078125F;
+  settings.tracker.innovation_gate_amplitude = 0.0625F;
   settings.tracker.dead_bus_pu = 0.125F;
   return settings;
 }
@@ -131,12 +131,13 @@ std::vector<Golden> goldens() {
       {"identify as a frame", framed(encoded(down(DownlinkKind::kIdentify), 0)),
        "00 03 82 03 05 3f 45 dd 36 00"},
       {"settings", encoded(settings_message(), 1),
-       "98 22 01 01 01 fa 3a 80 00 00 fa 3e 80 00 00 fa 3d 80 00 00 fa 3f a0 00 "
-       "00 fa 43 b0 00 00 fa 45 2b 90 00 fa 42 c8 00 00 fa 42 44 00 00 02 fa 42 "
-       "47 00 00 fa bf 00 00 00 fa 42 46 00 00 fa be 80 00 00 14 08 05 fa 3c 80 "
-       "00 00 fa 3d 00 00 00 0a 18 28 fa 3b 80 00 00 fa 42 b0 00 00 fa 3c 00 00 "
-       "00 fa 3c c0 00 00 fa 3c 40 00 00 03 fa 3a 80 00 00 fa 3f 40 00 00 fa 3d "
-       "50 00 00 fa 3d 80 00 00 fa 3e 00 00 00"},
+       "83 01 01 b8 1c 01 01 02 fa 3a 80 00 00 03 fa 3e 80 00 00 04 fa 3d 80 00 "
+       "00 05 fa 3f a0 00 00 06 fa 43 b0 00 00 07 fa 45 2b 90 00 08 fa 42 c8 00 "
+       "00 09 fa 42 44 00 00 0a 84 fa 42 47 00 00 fa bf 00 00 00 fa 42 46 00 00 "
+       "fa be 80 00 00 0b 14 0c 08 0d 05 0e fa 3c 80 00 00 0f fa 3d 00 00 00 10 "
+       "0a 11 18 28 12 fa 3b 80 00 00 13 fa 42 b0 00 00 14 fa 3c 00 00 00 15 fa "
+       "3c c0 00 00 16 fa 3c 40 00 00 17 03 18 18 fa 3a 80 00 00 18 19 fa 3f 40 "
+       "00 00 18 1a fa 3d 50 00 00 18 1b fa 3d 80 00 00 18 1c fa 3e 00 00 00"},
       {"settings answer", encoded(settings_answer(), 3), "87 02 03 18 c8 00 01 1a a5 6a 7f e2 f5"},
       {"first measurement, not settled", encoded(measurement(), 1),
        "87 03 01 18 80 fa 7f c0 00 00 fa 7f c0 00 00 fa 00 00 00 00 00"},

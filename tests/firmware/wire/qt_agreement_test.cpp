@@ -4,6 +4,7 @@
 
 #include <QByteArray>
 #include <QCborArray>
+#include <QCborMap>
 #include <QCborStreamReader>
 #include <QCborStreamWriter>
 #include <QCborValue>
@@ -68,6 +69,12 @@ Field read_field(QCborStreamReader& reader) {
   if (reader.isFloat()) return read_single(reader);
   if (reader.isString()) return read_text(reader);
   Field field;
+  if (reader.isMap() || reader.isArray()) {
+    field.type = reader.isMap() ? Field::Type::kMap : Field::Type::kArray;
+    EXPECT_TRUE(reader.isLengthKnown());
+    field.number = static_cast<std::int64_t>(reader.length());
+    return field;
+  }
   if (reader.isBool()) {
     field.type = Field::Type::kBoolean;
     field.number = reader.toBool() ? 1 : 0;
@@ -80,6 +87,29 @@ Field read_field(QCborStreamReader& reader) {
   return field;
 }
 
+// The next item, and behind it what it holds.
+void read_all(QCborStreamReader& reader, std::vector<Field>& found) {
+  const bool container = reader.isContainer();
+  found.push_back(read_field(reader));
+  if (!container) return;
+  ASSERT_TRUE(reader.enterContainer());
+  while (reader.lastError() == QCborError::NoError && reader.hasNext()) read_all(reader, found);
+  EXPECT_TRUE(reader.leaveContainer());
+}
+
+// How many items of the message these are: what a map or an array holds is part of it.
+std::size_t items_of(const std::vector<Field>& fields) {
+  std::int64_t items = 0;
+  std::int64_t inner = 0;
+  for (const Field& field : fields) {
+    items += inner > 0 ? 0 : 1;
+    inner -= inner > 0 ? 1 : 0;
+    inner += field.type == Field::Type::kMap ? 2 * field.number : 0;
+    inner += field.type == Field::Type::kArray ? field.number : 0;
+  }
+  return static_cast<std::size_t>(items);
+}
+
 // Head and fields as Qt's reader finds them.
 template <class Message>
 void expect_qt_reads(const Message& message) {
@@ -87,7 +117,7 @@ void expect_qt_reads(const Message& message) {
   const std::vector<std::uint64_t> head = head_of(message);
   const std::vector<Field> fields = fields_of(message);
   ASSERT_TRUE(reader.isArray() && reader.isLengthKnown());
-  ASSERT_EQ(reader.length(), head.size() + fields.size());
+  ASSERT_EQ(reader.length(), head.size() + items_of(fields));
   ASSERT_TRUE(reader.enterContainer());
   for (const std::uint64_t number : head) {
     ASSERT_TRUE(reader.isUnsignedInteger());
@@ -96,11 +126,56 @@ void expect_qt_reads(const Message& message) {
   }
   std::vector<Field> found;
   while (reader.lastError() == QCborError::NoError && reader.hasNext()) {
-    found.push_back(read_field(reader));
+    read_all(reader, found);
   }
   EXPECT_EQ(reader.lastError(), QCborError::NoError);
   EXPECT_EQ(found, fields);
   EXPECT_TRUE(reader.leaveContainer());
+}
+
+// Qt's values in the order in which they were read; its maps keep that order.
+void flatten(const QCborValue& value, std::vector<QCborValue>& all) {
+  all.push_back(value);
+  if (value.isArray()) {
+    for (const QCborValue& item : value.toArray()) flatten(item, all);
+  } else if (value.isMap()) {
+    for (const auto& [key, item] : value.toMap()) {
+      flatten(key, all);
+      flatten(item, all);
+    }
+  }
+}
+
+void expect_same(const QCborValue& item, const Field& field) {
+  switch (field.type) {
+    case Field::Type::kInteger:
+      EXPECT_TRUE(item.isInteger());
+      EXPECT_EQ(item.toInteger(), field.number);
+      break;
+    case Field::Type::kSingle: {
+      EXPECT_TRUE(item.isDouble());  // Qt keeps all floats as doubles
+      const double expected = static_cast<double>(float_of(field));
+      EXPECT_TRUE(item.toDouble() == expected ||
+                  (std::isnan(item.toDouble()) && std::isnan(expected)));
+      break;
+    }
+    case Field::Type::kBoolean:
+      EXPECT_TRUE(item.isBool());
+      EXPECT_EQ(item.toBool(), field.number != 0);
+      break;
+    case Field::Type::kText:
+      EXPECT_TRUE(item.isString());
+      EXPECT_EQ(item.toString().toStdString(), field.text);
+      break;
+    case Field::Type::kMap:
+      EXPECT_TRUE(item.isMap());
+      EXPECT_EQ(item.toMap().size(), field.number);
+      break;
+    case Field::Type::kArray:
+      EXPECT_TRUE(item.isArray());
+      EXPECT_EQ(item.toArray().size(), field.number);
+      break;
+  }
 }
 
 template <class Message>
@@ -110,33 +185,39 @@ void expect_qt_value(const Message& message) {
   const QCborValue value = QCborValue::fromCbor(bytes, &error);
   ASSERT_EQ(error.error, QCborError::NoError) << error.errorString().toStdString();
   EXPECT_EQ(error.offset, bytes.size());
-  const QCborArray array = value.toArray();
-  const std::size_t head = head_of(message).size();
+  std::vector<QCborValue> all;
+  flatten(value, all);
+  const std::size_t head = 1 + head_of(message).size();  // and the array itself
   const std::vector<Field> fields = fields_of(message);
-  ASSERT_EQ(static_cast<std::size_t>(array.size()), head + fields.size());
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const QCborValue item = array.at(static_cast<qsizetype>(head) + static_cast<qsizetype>(i));
-    switch (fields[i].type) {
-      case Field::Type::kInteger:
-        EXPECT_TRUE(item.isInteger());
-        EXPECT_EQ(item.toInteger(), fields[i].number);
-        break;
-      case Field::Type::kSingle: {
-        EXPECT_TRUE(item.isDouble());  // Qt keeps all floats as doubles
-        const double expected = static_cast<double>(float_of(fields[i]));
-        EXPECT_TRUE(item.toDouble() == expected ||
-                    (std::isnan(item.toDouble()) && std::isnan(expected)));
-        break;
-      }
-      case Field::Type::kBoolean:
-        EXPECT_TRUE(item.isBool());
-        EXPECT_EQ(item.toBool(), fields[i].number != 0);
-        break;
-      case Field::Type::kText:
-        EXPECT_TRUE(item.isString());
-        EXPECT_EQ(item.toString().toStdString(), fields[i].text);
-        break;
-    }
+  ASSERT_EQ(all.size(), head + fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) expect_same(all[head + i], fields[i]);
+}
+
+// The field at `next`, with what it holds; `next` is then behind it.
+void write_all(QCborStreamWriter& writer, const std::vector<Field>& fields, std::size_t& next) {
+  const Field& field = fields[next++];
+  const bool map = field.type == Field::Type::kMap;
+  switch (field.type) {
+    case Field::Type::kInteger:
+      return writer.append(qint64{field.number});
+    case Field::Type::kSingle:
+      return writer.append(float_of(field));
+    case Field::Type::kBoolean:
+      return writer.append(field.number != 0);
+    case Field::Type::kText:
+      return writer.append(QString::fromStdString(field.text));
+    case Field::Type::kMap:
+      writer.startMap(static_cast<quint64>(field.number));
+      break;
+    case Field::Type::kArray:
+      writer.startArray(static_cast<quint64>(field.number));
+      break;
+  }
+  for (std::int64_t i = 0; i < (map ? 2 : 1) * field.number; ++i) write_all(writer, fields, next);
+  if (map) {
+    writer.endMap();
+  } else {
+    writer.endArray();
   }
 }
 
@@ -146,24 +227,9 @@ Bytes written_by_qt(const Message& message) {
   QCborStreamWriter writer(&bytes);
   const std::vector<std::uint64_t> head = head_of(message);
   const std::vector<Field> fields = fields_of(message);
-  writer.startArray(head.size() + fields.size());
+  writer.startArray(head.size() + items_of(fields));
   for (const std::uint64_t number : head) writer.append(quint64{number});
-  for (const Field& field : fields) {
-    switch (field.type) {
-      case Field::Type::kInteger:
-        writer.append(qint64{field.number});
-        break;
-      case Field::Type::kSingle:
-        writer.append(float_of(field));
-        break;
-      case Field::Type::kBoolean:
-        writer.append(field.number != 0);
-        break;
-      case Field::Type::kText:
-        writer.append(QString::fromStdString(field.text));
-        break;
-    }
-  }
+  for (std::size_t next = 0; next < fields.size();) write_all(writer, fields, next);
   writer.endArray();
   return from_qt(bytes);
 }

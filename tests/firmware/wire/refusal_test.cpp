@@ -44,8 +44,6 @@ std::vector<Case> cases() {
     for (const DownlinkKind kind : downlink_kinds()) {
       all.push_back({encoded(downlink(kind, fill, random), kSequence), decode_downlink});
     }
-    all.push_back(
-        {encoded(downlink(DownlinkKind::kSettings, fill, random).settings), decode_settings});
   }
   return all;
 }
@@ -274,22 +272,57 @@ TEST(Refusal, NumbersBeyondTheirFieldAreMalformed) {
   EXPECT_EQ(decode_downlink({0x82, 0x03, 0x1B, 0, 0, 0, 1, 0, 0, 0, 0}), Decoded::kMalformed);
 }
 
-TEST(Refusal, MoreConditionRowsThanThereIsRoomForAreMalformed) {
-  std::mt19937 random(10);
-  const outlet::Settings full = downlink(DownlinkKind::kSettings, Fill::kHighest, random).settings;
-  const std::vector<Bytes> items = items_of(encoded(full));
-  constexpr std::size_t kRowsAt = 9;  // the number of rows stands behind nine fields
-  ASSERT_EQ(items.at(kRowsAt), (Bytes{0x18, 0x20}));
-  for (const int rows : {33, 34, 255}) {
-    std::vector<Bytes> more = items;
-    more[kRowsAt] = {0x18, static_cast<std::uint8_t>(rows)};
-    more.insert(more.begin() + kRowsAt + 1, 2 * static_cast<std::size_t>(rows - 32),
-                Bytes{0xFA, 0, 0, 0, 0});
-    EXPECT_EQ(decode_settings(array_of(more)), Decoded::kMalformed) << rows;
+// A settings message and settings by themselves, with this map.
+void expect_settings(const Bytes& map, Decoded expected, const char* what) {
+  EXPECT_EQ(decode_downlink(array_of({{0x01}, {0x05}, map})), expected) << what;
+  EXPECT_EQ(decode_settings(map), expected) << what;
+  for (std::size_t length = 0; length < map.size(); ++length) {
+    const Bytes cut(map.begin(), map.begin() + static_cast<std::ptrdiff_t>(length));
+    EXPECT_EQ(decode_settings(cut), Decoded::kMalformed) << what << " cut to " << length;
   }
-  std::vector<Bytes> fewer = items;
-  fewer[kRowsAt] = {0x18, 0x1F};  // one row less than stands there
-  EXPECT_EQ(decode_settings(array_of(fewer)), Decoded::kMalformed);
+}
+
+TEST(Refusal, SettingsOfWrongTypesTwiceOrWithoutAKeyAreMalformed) {
+  expect_settings({0xA1, 0x10, 0x0A}, Decoded::kOk, "lse_samples 10");
+  expect_settings({0xA1, 0x10, 0xFA, 0, 0, 0, 0}, Decoded::kMalformed, "a float in place of it");
+  expect_settings({0xA1, 0x10, 0x20}, Decoded::kMalformed, "a negative number");
+  expect_settings({0xA1, 0x10, 0x19, 0x01, 0x00}, Decoded::kMalformed, "256 in eight bits");
+  expect_settings({0xA2, 0x10, 0x0A, 0x10, 0x0A}, Decoded::kMalformed, "twice the same");
+  expect_settings({0xA2, 0x10, 0x0A, 0x18, 0x10, 0x0B}, Decoded::kMalformed,
+                  "twice, by another form of the key");
+  expect_settings({0xA1, 0x61, 'x', 0x0A}, Decoded::kMalformed, "a text for a key");
+  expect_settings({0xA1, 0x06, 0x0A}, Decoded::kMalformed, "an integer for a float");
+  expect_settings({0x82, 0x10, 0x0A}, Decoded::kMalformed, "an array in place of the map");
+  expect_settings({0xBB, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x10, 0x0A},
+                  Decoded::kMalformed, "a map that promises more");
+}
+
+TEST(Refusal, SettingsWithAnUnknownKeyAreAMessageThatSaysSo) {
+  for (const Bytes& value : kAnyItem) {
+    Bytes map = {0xA2, 0x18, 0xC8};
+    map.insert(map.end(), value.begin(), value.end());
+    map.insert(map.end(), {0x10, 0x0C});
+    const Bytes bytes = array_of({{0x01}, {0x05}, map});
+    Downlink message;
+    std::uint32_t sequence = 0;
+    ASSERT_EQ(decode(bytes.data(), bytes.size(), message, sequence), Decoded::kOk) << hex(bytes);
+    EXPECT_EQ(message.settings_error, outlet::SettingsError::kUnknownField);
+    EXPECT_EQ(message.settings.lse_samples, 12) << "what follows is read";
+    EXPECT_EQ(decode_settings(map), Decoded::kMalformed) << "kept by another firmware";
+  }
+}
+
+TEST(Refusal, ConditionsAreARowsTwoNumbersForAsManyAsThereIsRoomFor) {
+  const auto conditions = [](std::size_t numbers) {
+    Bytes map = {0xA1, 0x0A, 0x98, static_cast<std::uint8_t>(numbers)};
+    for (std::size_t i = 0; i < numbers; ++i) map.insert(map.end(), {0xFA, 0x42, 0x47, 0, 0});
+    return map;
+  };
+  expect_settings(conditions(0), Decoded::kOk, "none");
+  expect_settings(conditions(64), Decoded::kOk, "32 rows");
+  expect_settings(conditions(66), Decoded::kMalformed, "33 rows");
+  expect_settings(conditions(3), Decoded::kMalformed, "half a row");
+  expect_settings({0xA1, 0x0A, 0x82, 0x01, 0x02}, Decoded::kMalformed, "integers");
 }
 
 }  // namespace

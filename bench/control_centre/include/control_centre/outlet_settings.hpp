@@ -14,15 +14,9 @@ namespace gsbench::control_centre {
 
 // What is wanted of one outlet; what is absent follows from the grid, or is the firmware's default.
 struct Wishes {
-  double accumulated_mw = 0.0;               // P^A as sent, >= 0
-  std::optional<double> power_mw;            // of its own block, half of which P^A counts
-  std::optional<double> threshold_mw;        // ΔP_s in place of eq. (15)
-  std::optional<double> switch_off_hz;       // f^B in place of eq. (17)
-  std::optional<double> event_drop_hz;       // least sum of the drops that make an event
-  std::optional<double> event_departure_hz;  // least fall below the course before, for the same
-  std::optional<int> condition_hits;         // n_max of §5.2
-  std::optional<int> lse_samples;            // n of eq. (19)
-  std::optional<int> ekf_samples;            // EKF iterations before the decision
+  double accumulated_mw = 0.0;             // P^A as sent, >= 0
+  std::optional<double> power_mw;          // of its own block, half of which P^A counts
+  std::map<std::string, double> settings;  // by the names of outlet/settings_fields.hpp
 };
 
 // The grid's part, which is the same for all outlets: response, threshold, largest loss, conditions
@@ -37,7 +31,8 @@ gs::outlet::Settings grid_settings(const grid::Grid& grid);
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const Wishes& wishes,
                                      std::uint32_t version);
 
-// By name with the unit in it, for the record.
+// Every field by its name, for the record; of the conditions condition_rows, condition_01_from_hz,
+// condition_01_rocof_below_hz_s, …
 std::map<std::string, double> described(const gs::outlet::Settings& settings);
 
 }  // namespace gsbench::control_centre

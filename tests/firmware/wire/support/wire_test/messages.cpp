@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
+#include <outlet/settings_fields.hpp>
 #include <wire/fields.hpp>
 #include <wire/frame.hpp>
 
@@ -45,7 +47,25 @@ struct Collector {
   void choice(E value, E, E = E{}) {
     integer(static_cast<std::uint8_t>(value));
   }
-  void count(std::uint8_t rows, int) { integer(rows); }
+
+  void settings(const Downlink& message) { settings(message.settings); }
+  void settings(const outlet::Settings& settings) {
+    fields.push_back({Field::Type::kMap, std::size(outlet::kSettingsFields), {}});
+    outlet::visit_fields(settings, *this);
+  }
+  template <class T>
+  void operator()(const outlet::Field& field, const T& value) {
+    integer(field.key);
+    (*this)(value);
+  }
+  void rows(const outlet::Field& field, const outlet::ConditionRow* rows, std::uint8_t count) {
+    integer(field.key);
+    fields.push_back({Field::Type::kArray, 2 * count, {}});
+    for (int row = 0; row < count; ++row) {
+      (*this)(rows[row].from_hz);
+      (*this)(rows[row].rocof_below_hz_s);
+    }
+  }
 };
 
 // Random numbers not by std::uniform_int_distribution, whose values differ between libraries.
@@ -123,10 +143,19 @@ class Filler {
                                ? low + below(static_cast<std::uint32_t>(high - low + 1))
                                : integer(low, high));
   }
-  void count(std::uint8_t& rows, int most) {
-    rows = static_cast<std::uint8_t>(
-        fill_ == Fill::kAnything ? below(static_cast<std::uint32_t>(most) + 1)
-                                 : integer(std::uint8_t{0}, static_cast<std::uint8_t>(most)));
+  void settings(Downlink& message) { outlet::visit_fields(message.settings, *this); }
+  template <class T>
+  void operator()(const outlet::Field&, T& value) {
+    (*this)(value);
+  }
+  void rows(const outlet::Field&, outlet::ConditionRow* rows, std::uint8_t& count) {
+    constexpr std::uint8_t kMost = outlet::kMaxConditions;
+    count = static_cast<std::uint8_t>(fill_ == Fill::kAnything ? below(kMost + 1U)
+                                                               : integer(std::uint8_t{0}, kMost));
+    for (int row = 0; row < count; ++row) {
+      (*this)(rows[row].from_hz);
+      (*this)(rows[row].rocof_below_hz_s);
+    }
   }
 
  private:
@@ -191,6 +220,10 @@ void PrintTo(const Field& field, std::ostream* out) {
     case Field::Type::kText:
       *out << '"' << field.text << '"';
       break;
+    case Field::Type::kMap:
+    case Field::Type::kArray:
+      *out << (field.type == Field::Type::kMap ? "a map of " : "an array of ") << field.number;
+      break;
   }
 }
 
@@ -208,7 +241,7 @@ std::vector<Field> fields_of(const Downlink& message) {
 
 std::vector<Field> fields_of(const outlet::Settings& settings) {
   Collector collector;
-  outlet::visit_fields(settings, collector);
+  collector.settings(settings);
   return collector.fields;
 }
 

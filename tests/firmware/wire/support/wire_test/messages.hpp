@@ -13,11 +13,12 @@ namespace gs::wire::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// One field as it stands on the wire.
+// One field as it stands on the wire. What a map or an array holds stands behind it: of a map its
+// keys and values in turn.
 struct Field {
-  enum class Type { kInteger, kSingle, kBoolean, kText };
+  enum class Type { kInteger, kSingle, kBoolean, kText, kMap, kArray };
   Type type = Type::kInteger;
-  std::int64_t number = 0;  // an integer, 0 or 1, or the bits of a float
+  std::int64_t number = 0;  // an integer, 0 or 1, the bits of a float, or how many it holds
   std::string text;
 };
 
