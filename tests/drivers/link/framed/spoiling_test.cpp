@@ -48,6 +48,15 @@ class SpoiledLine : public OutletsOnCables, public testing::WithParamInterface<S
 TEST_P(SpoiledLine, IsReportedAndNothingWrongIsTakenForRight) {
   constexpr std::size_t kReports = 300;
   open();
+  // Until nothing is left of the voltage that they are switched on with.
+  outlets_.play(100);
+  for (const std::size_t outlet : {0U, 1U}) {
+    ASSERT_TRUE(until([&] {
+      const auto all = messages(outlet, UplinkKind::kMeasurement);
+      return all.size() >= 100 && all.back().message.measurement.voltage_pu == 0.0F;
+    }));
+  }
+  messages_.clear();
   // In one of about three messages, at another place in each.
   cable(kA).spoil(every_nth_byte(97, GetParam().spoil));
   for (std::size_t i = 0; i < kReports / 10; ++i) {
