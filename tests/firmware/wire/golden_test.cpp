@@ -5,10 +5,13 @@
 #include <wire_test/messages.hpp>
 
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
+
+#include <outlet/settings_fields.hpp>
 
 namespace gs::wire::test {
 namespace {
@@ -47,6 +50,29 @@ TEST(Golden, ExamplesInTheReadmeAreTrueBytes) {
   std::set<std::string> golden;
   for (const Golden& one : goldens()) golden.insert(one.was);
   EXPECT_EQ(examples_of_readme(), golden);
+}
+
+// "| 16 | lse_samples | u8 |": the settings' rows of the README, and no others.
+TEST(Golden, SettingsInTheReadmeAreThoseOfTheList) {
+  std::ifstream file(GSBENCH_SOURCE_DIR "/firmware/wire/README.md");
+  std::string line;
+  while (std::getline(file, line) && line.rfind("| key | name", 0) != 0) {
+  }
+  std::getline(file, line);  // what is below the head
+  const std::map<outlet::FieldType, std::string> types = {
+      {outlet::FieldType::kU8, "u8"},
+      {outlet::FieldType::kU16, "u16"},
+      {outlet::FieldType::kU32, "u32"},
+      {outlet::FieldType::kFloat, "f32"},
+      {outlet::FieldType::kRows, "array of 2r"}};
+  for (const outlet::Field& field : outlet::kSettingsFields) {
+    std::getline(file, line);
+    const std::string row =
+        "| " + std::to_string(field.key) + " | " + field.name + " | " + types.at(field.type);
+    EXPECT_EQ(line.substr(0, row.size()), row);
+  }
+  std::getline(file, line);
+  EXPECT_EQ(line, "");
 }
 
 }  // namespace
