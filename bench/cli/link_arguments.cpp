@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include <link/wait_for_outlets.hpp>
-#include <profile/station_spec.hpp>
-#include <station/stations.hpp>
+#include <profile/station_there.hpp>
+#include <station/station_file.hpp>
 #include <transport/transport.hpp>
 
 namespace gsbench::cli {
@@ -26,24 +26,25 @@ void require_ports(const std::vector<std::string>& named) {
   }
 }
 
-profile::StationSpec station_of(const LinkArguments& arguments) {
-  profile::StationSpec spec;
+station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
+  station::PhysicalOutlets outlets;
   if (!arguments.station.empty()) {
-    spec = profile::load_station(arguments.station);
-    if (spec.kind != profile::StationKind::kPhysical) {
-      throw profile::ConfigurationError(spec.path +
+    const auto file = station::load_station(arguments.station);
+    if (!file->reachable()) {
+      throw profile::ConfigurationError(file->path +
                                         ": its outlets are there only while a run plays to them");
     }
-    require_ports(spec.serial_ports);
+    outlets = *file->reachable();
+    require_ports(outlets.serial_ports);
   } else {
     require_ports(arguments.ports);
-    spec.serial_ports = arguments.ports.empty() ? transport::serial_ports() : arguments.ports;
-    if (spec.serial_ports.empty()) {
+    outlets.serial_ports = arguments.ports.empty() ? transport::serial_ports() : arguments.ports;
+    if (outlets.serial_ports.empty()) {
       throw profile::ConfigurationError(
           "this machine has no serial port; name a station with --station");
     }
   }
-  return spec;
+  return outlets;
 }
 
 }  // namespace
@@ -58,12 +59,12 @@ void add_link_options(CLI::App& command, LinkArguments& arguments) {
 }
 
 FoundOutlets find_outlets(const LinkArguments& arguments) {
-  const profile::StationSpec spec = station_of(arguments);
+  const station::PhysicalOutlets there = outlets_of(arguments);
   const bool looking = arguments.station.empty() && arguments.ports.empty();
-  std::vector<std::string> named = spec.serial_ports;
-  named.insert(named.end(), spec.broker.outlets.begin(), spec.broker.outlets.end());
-  const bool any_on_broker = !spec.broker.url.empty() && spec.broker.outlets.empty();
-  FoundOutlets found{station::make_link(spec, looking), {}};
+  std::vector<std::string> named = there.serial_ports;
+  named.insert(named.end(), there.broker.outlets.begin(), there.broker.outlets.end());
+  const bool any_on_broker = !there.broker.url.empty() && there.broker.outlets.empty();
+  FoundOutlets found{station::make_link(there, looking), {}};
   auto outlets = link::wait_for_outlets(*found.link, named, kPatience,
                                         any_on_broker ? kForSearching : std::chrono::seconds(0));
   if (!outlets.ok()) {

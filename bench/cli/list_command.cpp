@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <profile/load.hpp>
-#include <profile/station_spec.hpp>
+#include <station/station_file.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -29,7 +29,7 @@ void print(const char* heading, const std::vector<profile::ProfileSummary>& summ
 void list(bool json) {
   const std::vector<profile::ProfileSummary> profiles = profile::list_profiles();
   const std::vector<std::string> grids = profile::list_grids();
-  const std::vector<profile::ProfileSummary> stations = profile::list_stations();
+  const std::vector<profile::ProfileSummary> stations = station::list_stations();
   if (json) {
     nlohmann::ordered_json out;
     out["profiles"] = as_json(profiles);

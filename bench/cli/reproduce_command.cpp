@@ -8,7 +8,7 @@
 #include <paper/reproduction.hpp>
 #include <profile/load.hpp>
 #include <station/run.hpp>
-#include <station/stations.hpp>
+#include <station/station.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -27,7 +27,7 @@ record::RunRecord play_experiment(std::uint64_t seed, const campaign::Execution&
   const profile::Plan plan = profile::load_profile(kExperiment, overrides);
   station::SimulatedOptions simulated;
   simulated.threads = execution.threads;
-  const auto station = station::make_station(profile::load_station("simulated"), plan, simulated);
+  const auto station = station::simulated_station(plan, simulated);
   station::RunOptions options;
   options.stop = execution.stop;
   options.progress = execution.progress;

@@ -9,11 +9,10 @@
 #include <optional>
 
 #include <profile/load.hpp>
-#include <profile/station_spec.hpp>
 #include <record/store.hpp>
 #include <render/render.hpp>
 #include <station/run.hpp>
-#include <station/stations.hpp>
+#include <station/station_file.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -30,13 +29,13 @@ struct RunArguments {
 
 int run(const RunArguments& arguments) {
   const profile::Plan asked = profile::load_profile(arguments.profile, arguments.overrides);
-  const profile::StationSpec spec = profile::load_station(arguments.station);
-  const profile::Plan plan = station::fit_to_station(spec, asked);
+  const auto file = station::load_station(arguments.station);
+  const profile::Plan plan = station::fit_to_station(*file, asked);
   station::SimulatedOptions simulated;
   simulated.real_time = arguments.real_time;
   simulated.threads = arguments.threads;
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const auto station = station::make_station(spec, plan, simulated);
+  const auto station = file->make_station(plan, simulated);
 
   RunFolder folder(arguments.output_folder);
   record::RunRecord run;

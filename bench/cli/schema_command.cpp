@@ -9,7 +9,7 @@
 
 #include <keys/markdown.hpp>
 #include <profile/keys.hpp>
-#include <profile/station_spec.hpp>
+#include <station/station_file.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -22,7 +22,7 @@ struct Arguments {
 const keys::Key& keys_of(const std::string& format) {
   return format == "profile" ? profile::profile_keys()
          : format == "grid"  ? profile::grid_keys()
-                             : profile::station_keys();
+                             : station::station_keys();
 }
 
 void schema(const Arguments& arguments) {

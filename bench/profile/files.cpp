@@ -1,5 +1,3 @@
-#include "files.hpp"
-
 #include <QCryptographicHash>
 #include <QFile>
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <keys/suggestion.hpp>
+#include <profile/files.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::profile {

@@ -1,12 +1,11 @@
 // A grid from a file of its own, or in place in a profile.
 #pragma once
 
-#include "files.hpp"
-
 #include <string>
 
 #include <grid/grid.hpp>
 #include <keys/table.hpp>
+#include <profile/files.hpp>
 
 namespace gsbench::profile {
 

@@ -1,6 +1,5 @@
 #include "commands.hpp"
 #include "expectations.hpp"
-#include "files.hpp"
 #include "full_scale.hpp"
 #include "grid_section.hpp"
 #include "outlets.hpp"
@@ -11,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <profile/files.hpp>
 #include <profile/keys.hpp>
 #include <profile/load.hpp>
 

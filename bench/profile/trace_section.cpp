@@ -1,6 +1,5 @@
 #include "trace_section.hpp"
 
-#include "files.hpp"
 #include "times.hpp"
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <keys/error.hpp>
+#include <profile/files.hpp>
 
 namespace gsbench::profile {
 namespace {

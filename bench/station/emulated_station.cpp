@@ -25,35 +25,33 @@ std::string companion(const std::string& name) {
   return (fs::read_symlink("/proc/self/exe", error).parent_path() / name).string();
 }
 
-emulation::HardwareOptions options_of(const profile::StationSpec& spec, const profile::Plan& plan) {
+emulation::HardwareOptions options_of(const std::string& image, const profile::Plan& plan) {
   emulation::HardwareOptions options;
   options.sample_rate_hz = plan.stimulus.sample_rate_hz;
   options.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
-  options.image = spec.image;
+  options.image = image;
   options.image_folder = GSBENCH_M4_IMAGE_FOLDER;
   options.host_program = companion("gs-outlet");
-  for (const profile::EmulatedOutletSpec& outlet : spec.emulated) {
-    options.outlets.push_back(
-        {outlet.id, outlet.board,
-         outlet.link == "mqtt" ? emulation::Connection::kMqtt : emulation::Connection::kSerial,
-         outlet.crystal_ppm});
-  }
   return options;
 }
 
 }  // namespace
 
-EmulatedStation::EmulatedStation(const profile::StationSpec& spec, const profile::Plan& plan)
-    : name_(spec.name), sample_rate_hz_(static_cast<double>(plan.stimulus.sample_rate_hz)) {
-  auto hardware = emulation::Hardware::set_up(options_of(spec, plan));
+EmulatedStation::EmulatedStation(std::string name,
+                                 const std::vector<emulation::HardwareOutlet>& outlets,
+                                 const std::string& image, const profile::Plan& plan)
+    : name_(std::move(name)), sample_rate_hz_(static_cast<double>(plan.stimulus.sample_rate_hz)) {
+  emulation::HardwareOptions hardware_options = options_of(image, plan);
+  hardware_options.outlets = outlets;
+  auto hardware = emulation::Hardware::set_up(hardware_options);
   if (!hardware.ok()) {
-    throw std::runtime_error("station " + spec.name + ": " + hardware.error());
+    throw std::runtime_error("station " + name_ + ": " + hardware.error());
   }
   hardware_ = hardware.take();
   std::size_t on_cable = 0;
-  for (const profile::EmulatedOutletSpec& outlet : spec.emulated) {
+  for (const emulation::HardwareOutlet& outlet : outlets) {
     // On a cable it is known by its port: only what it says there shows who it is.
-    const bool by_broker = outlet.link == "mqtt";
+    const bool by_broker = outlet.connection == emulation::Connection::kMqtt;
     const std::string place =
         by_broker ? hardware_->broker()->url() : hardware_->serial_ports()[on_cable++];
     slots_.push_back({place, outlet.id, by_broker ? outlet.id : place, slots_.size()});

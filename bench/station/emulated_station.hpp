@@ -1,4 +1,4 @@
-// Stations of emulated outlets, and links as station files describe them.
+// Stations of emulated outlets.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,6 @@
 #include <emulation/hardware.hpp>
 #include <link/link.hpp>
 #include <profile/plan.hpp>
-#include <profile/station_spec.hpp>
 #include <station/station.hpp>
 
 namespace gsbench::station {
@@ -17,7 +16,9 @@ namespace gsbench::station {
 class EmulatedStation final : public Station {
  public:
   // Throws std::runtime_error where it cannot be set up.
-  EmulatedStation(const profile::StationSpec& spec, const profile::Plan& plan);
+  // `image`: of the boards in qemu; empty: those that were built.
+  EmulatedStation(std::string name, const std::vector<emulation::HardwareOutlet>& outlets,
+                  const std::string& image, const profile::Plan& plan);
   ~EmulatedStation() override;
 
   std::string name() const override { return name_; }

@@ -1,5 +1,6 @@
+#include "station_kind.hpp"
+
 #include <simulated/bench.hpp>
-#include <station/station.hpp>
 
 namespace gsbench::station {
 namespace {
@@ -60,7 +61,24 @@ class SimulatedStation final : public Station {
   double block_s_;
 };
 
+class SimulatedFile final : public StationFile {
+ public:
+  std::unique_ptr<Station> make_station(const profile::Plan& plan,
+                                        const SimulatedOptions& simulated) const override {
+    return simulated_station(plan, simulated);
+  }
+};
+
 }  // namespace
+
+StationKind simulated_kind() {
+  return {"simulated",
+          "outlets in the bench's process",
+          {},
+          [](const keys::Table&, const std::string&) -> std::unique_ptr<StationFile> {
+            return std::make_unique<SimulatedFile>();
+          }};
+}
 
 std::unique_ptr<Station> simulated_station(const profile::Plan& plan,
                                            const SimulatedOptions& options) {

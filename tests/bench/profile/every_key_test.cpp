@@ -16,7 +16,7 @@
 
 #include <keys/document.hpp>
 #include <profile/keys.hpp>
-#include <profile/station_spec.hpp>
+#include <station/station_file.hpp>
 
 namespace gsbench::profile::test {
 namespace {
@@ -252,9 +252,9 @@ const File kFiles[] = {
      [](const std::string& path) { (void)load_profile(path); }},
     {"Grid", &grid_keys, {kGrid}, [](const std::string& path) { (void)load_grid(path); }},
     {"Station",
-     &station_keys,
+     &station::station_keys,
      {kEmulatedStation, kPhysicalStation},
-     [](const std::string& path) { (void)load_station(path); }},
+     [](const std::string& path) { (void)station::load_station(path); }},
 };
 INSTANTIATE_TEST_SUITE_P(OfA, EveryKey, testing::ValuesIn(kFiles),
                          [](const auto& file) { return std::string(file.param.name); });

@@ -7,7 +7,7 @@
 
 #include <keys/markdown.hpp>
 #include <profile/keys.hpp>
-#include <profile/station_spec.hpp>
+#include <station/station_file.hpp>
 
 namespace gsbench::profile {
 namespace {
@@ -38,7 +38,7 @@ TEST(Readme, HoldsTheKeysOfAGrid) {
 }
 
 TEST(Readme, HoldsTheKeysOfAStation) {
-  expect_printed("station", station_keys());
+  expect_printed("station", station::station_keys());
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <station/stations.hpp>
+#include <station/station_file.hpp>
 
 namespace gsbench::station {
 namespace {
@@ -16,15 +16,19 @@ using testing::HasSubstr;
 constexpr const char* kTwoGroups =
     "[[outlet]]\ncount = 3\nid = \"a\"\n[[outlet]]\ncount = 2\nid = \"b\"\n";
 
-profile::StationSpec emulated(std::size_t outlets) {
-  profile::StationSpec spec;
-  spec.kind = profile::StationKind::kEmulated;
-  spec.name = "desk";
-  for (std::size_t i = 0; i < outlets; ++i) {
-    spec.emulated.push_back({"e" + std::to_string(i), "host", "serial", 0.0});
+// With so many outlets.
+class Desk final : public StationFile {
+ public:
+  explicit Desk(std::optional<std::size_t> outlets) : outlets_(outlets) { name = "desk"; }
+  std::optional<std::size_t> outlets() const override { return outlets_; }
+  std::unique_ptr<Station> make_station(const profile::Plan&,
+                                        const SimulatedOptions&) const override {
+    return nullptr;
   }
-  return spec;
-}
+
+ private:
+  std::optional<std::size_t> outlets_;
+};
 
 std::vector<std::string> ids(const profile::Plan& plan) {
   std::vector<std::string> all;
@@ -34,23 +38,23 @@ std::vector<std::string> ids(const profile::Plan& plan) {
 
 TEST(FitToStation, LeavesAPlanWhereThereAreOutletsEnough) {
   const profile::Plan asked = plan(1.0, "", kTwoGroups);
-  EXPECT_EQ(ids(fit_to_station(emulated(5), asked)), ids(asked));
-  EXPECT_EQ(ids(fit_to_station(emulated(9), asked)), ids(asked));
-  EXPECT_EQ(ids(fit_to_station(profile::StationSpec(), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(Desk(5), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(Desk(9), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(Desk(std::nullopt), asked)), ids(asked));
 }
 
 TEST(FitToStation, TakesOneOfEachGroupInTurnInThePlansOrder) {
   const profile::Plan asked = plan(1.0, "", kTwoGroups);
   const std::vector<std::string> all = ids(asked);
   ASSERT_EQ(all.size(), 5U);
-  EXPECT_THAT(ids(fit_to_station(emulated(2), asked)), ElementsAre(all[0], all[3]));
-  EXPECT_THAT(ids(fit_to_station(emulated(3), asked)), ElementsAre(all[0], all[1], all[3]));
-  EXPECT_THAT(ids(fit_to_station(emulated(4), asked)), ElementsAre(all[0], all[1], all[3], all[4]));
+  EXPECT_THAT(ids(fit_to_station(Desk(2), asked)), ElementsAre(all[0], all[3]));
+  EXPECT_THAT(ids(fit_to_station(Desk(3), asked)), ElementsAre(all[0], all[1], all[3]));
+  EXPECT_THAT(ids(fit_to_station(Desk(4), asked)), ElementsAre(all[0], all[1], all[3], all[4]));
 }
 
 TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
   try {
-    fit_to_station(emulated(1), plan(1.0, "", kTwoGroups));
+    fit_to_station(Desk(1), plan(1.0, "", kTwoGroups));
     FAIL() << "one outlet cannot be of two groups";
   } catch (const profile::ConfigurationError& error) {
     EXPECT_THAT(error.what(), HasSubstr("2 groups of outlets, and the station desk only 1"));
@@ -58,20 +62,17 @@ TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
 }
 
 TEST(Stations, APhysicalOneIsRefusedForARunWithWhatItIsGoodFor) {
-  profile::StationSpec spec;
-  spec.kind = profile::StationKind::kPhysical;
-  spec.path = "hardware.toml";
   try {
-    make_station(spec, plan(1.0), {});
+    (void)load_station("serial")->make_station(plan(1.0), {});
     FAIL() << "nothing plays to its outlets";
   } catch (const profile::ConfigurationError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("hardware.toml: "));
+    EXPECT_THAT(error.what(), HasSubstr("serial.toml: "));
     EXPECT_THAT(error.what(), HasSubstr("gsbench monitor"));
   }
 }
 
 TEST(Stations, ASimulatedOneCountsTheSourcesTicks) {
-  EXPECT_TRUE(make_station(profile::StationSpec(), plan(1.0), {})->outlets_count_ticks());
+  EXPECT_TRUE(load_station("simulated")->make_station(plan(1.0), {})->outlets_count_ticks());
 }
 
 }  // namespace

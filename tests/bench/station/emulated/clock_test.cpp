@@ -22,11 +22,11 @@ class OutletClocks : public FaultyStation {
   }
 
   void expect_drifts_of_the_crystals() const {
-    const auto spec = station_of_four();
+    const Outlets outlets = station_of_four();
     for (std::size_t i = 0; i < record_.outlets.size(); ++i) {
       const record::Clock& clock = record_.outlets[i].clock;
-      EXPECT_NEAR(clock.drift_ppm, spec.emulated[i].crystal_ppm, clock.drift_uncertainty_ppm)
-          << spec.emulated[i].id;
+      EXPECT_NEAR(clock.drift_ppm, outlets[i].crystal_ppm, clock.drift_uncertainty_ppm)
+          << outlets[i].id;
       // Not by being unsure of everything: dips a few seconds apart, each known within 0.1 ms.
       EXPECT_GT(clock.drift_uncertainty_ppm, 0.0);
       EXPECT_LT(clock.drift_uncertainty_ppm, 150.0);
@@ -44,12 +44,12 @@ TEST_F(OutletClocks, AreFoundWithinTheirStatedUncertainty) {
 
 // Crystals far worse than any that is sold: a wrong sign would be seen at a glance.
 TEST_F(OutletClocks, OfBadCrystalsAreFoundWithTheirSign) {
-  profile::StationSpec spec = station_of_four();
+  Outlets outlets = station_of_four();
   const double ppm[] = {900.0, -900.0, 600.0, -600.0};
   for (std::size_t i = 0; i < 4; ++i) {
-    spec.emulated[i].crystal_ppm = ppm[i];
+    outlets[i].crystal_ppm = ppm[i];
   }
-  set_up(spec);
+  set_up(outlets);
   play();
   for (std::size_t i = 0; i < 4; ++i) {
     const record::Clock& clock = record_.outlets[i].clock;

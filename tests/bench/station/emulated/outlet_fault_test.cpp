@@ -206,12 +206,12 @@ TEST_F(OutletFault, SamplesThatAnOutletCouldNotTakeAreTold) {
 
 // A station lists its outlets as it likes: what is heard, sensed and played is of the same one.
 TEST_F(OutletFault, NoneWhereTheStationListsRadiosFirst) {
-  profile::StationSpec spec = station_of_four();
-  std::rotate(spec.emulated.begin(), spec.emulated.begin() + 2, spec.emulated.end());
+  Outlets outlets = station_of_four();
+  std::rotate(outlets.begin(), outlets.begin() + 2, outlets.end());
   plan_ = plan(1.5, "noise_pct = 1.0\n",
                "[[outlet]]\nid = \"cut\"\n[[outlet]]\ncount = 3\nid = \"left\"\n"
                "[[command]]\nat_s = 0.5\noutlets = [\"cut\"]\nswitch = \"off\"\n");
-  set_up(spec);
+  set_up(outlets);
   play();
   expect_all_whole();
   for (const record::OutletRecord& outlet : record_.outlets) {

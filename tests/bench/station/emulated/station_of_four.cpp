@@ -21,24 +21,21 @@ constexpr std::int64_t kTicksPerReport = 128;
 
 }  // namespace
 
-profile::StationSpec station_of_four() {
-  profile::StationSpec spec;
-  spec.name = "four";
-  spec.kind = profile::StationKind::kEmulated;
-  spec.emulated = {{"m4", "mps2-an386", "serial", 40.0},
-                   {"host", "host", "serial", -25.0},
-                   {"radio-a", "host", "mqtt", 12.0},
-                   {"radio-b", "host", "mqtt", -60.0}};
-  return spec;
+Outlets station_of_four() {
+  using emulation::Connection;
+  return {{"m4", "mps2-an386", Connection::kSerial, 40.0},
+          {"host", "host", Connection::kSerial, -25.0},
+          {"radio-a", "host", Connection::kMqtt, 12.0},
+          {"radio-b", "host", Connection::kMqtt, -60.0}};
 }
 
 profile::Plan calm_plan(double duration_s) {
   return plan(duration_s, "noise_pct = 1.0\n", "[[outlet]]\ncount = 4\n");
 }
 
-void FaultyStation::set_up(const profile::StationSpec& spec) {
+void FaultyStation::set_up(const Outlets& outlets) {
   station_.reset();
-  station_ = std::make_unique<EmulatedStation>(spec, plan_);
+  station_ = std::make_unique<EmulatedStation>("four", outlets, "", plan_);
 }
 
 void FaultyStation::at(double part, std::function<void()> fault) {

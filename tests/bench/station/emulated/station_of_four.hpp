@@ -23,14 +23,15 @@ namespace gsbench::station::test {
 // By their places in the station and in the record.
 enum Place : std::size_t { kM4 = 0, kHost = 1, kRadioA = 2, kRadioB = 3 };
 
-profile::StationSpec station_of_four();
+using Outlets = std::vector<emulation::HardwareOutlet>;
+Outlets station_of_four();
 // Mains without a disturbance, for so long between the clock's markers.
 profile::Plan calm_plan(double duration_s = 1.5);
 
 class FaultyStation : public testing::Test {
  protected:
   void SetUp() override { set_up(station_of_four()); }
-  void set_up(const profile::StationSpec& spec);
+  void set_up(const Outlets& outlets);
 
   emulation::Hardware& hardware() { return station_->hardware(); }
 

@@ -1,5 +1,5 @@
 // Station files: what they say, and what is refused, with the place.
-#include <profile_test/texts.hpp>
+#include "emulated_file.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <profile/station_spec.hpp>
+#include <station/station_file.hpp>
 
-namespace gsbench::profile::test {
+namespace gsbench::station {
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,19 +18,19 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class StationFile : public testing::Test {
+class StationFiles : public testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
 
-  StationSpec load(const std::string& text) const {
+  std::unique_ptr<StationFile> load(const std::string& text) const {
     std::ofstream(path()) << text;
     return load_station(path());
   }
   std::string refusal_of(const std::string& text) const {
     try {
-      load(text);
-    } catch (const ConfigurationError& error) {
+      (void)load(text);
+    } catch (const profile::ConfigurationError& error) {
       return error.what();
     }
     return {};
@@ -45,33 +45,36 @@ class StationFile : public testing::Test {
 constexpr const char* kEmulated = "title = \"A desk\"\nkind = \"emulated\"\n";
 constexpr const char* kPhysical = "title = \"A desk\"\nkind = \"physical\"\n";
 
-TEST_F(StationFile, OfEmulatedOutletsTakesThemWithDefaults) {
+TEST_F(StationFiles, OfEmulatedOutletsTakesThemWithDefaults) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "my.elf") << "code";
-  const StationSpec station = load(std::string(kEmulated) +
-                                   "image = \"my.elf\"\n[[outlet]]\nid = \"a\"\n[[outlet]]\n"
-                                   "id = \"b\"\nboard = \"mps2-an386\"\nlink = \"serial\"\n"
-                                   "crystal_ppm = -40.0\n");
-  EXPECT_EQ(station.name, "hardware");
-  EXPECT_EQ(station.title, "A desk");
-  EXPECT_EQ(station.kind, StationKind::kEmulated);
+  const auto file = load(std::string(kEmulated) +
+                         "image = \"my.elf\"\n[[outlet]]\nid = \"a\"\n[[outlet]]\n"
+                         "id = \"b\"\nboard = \"mps2-an386\"\nlink = \"serial\"\n"
+                         "crystal_ppm = -40.0\n");
+  EXPECT_EQ(file->name, "hardware");
+  EXPECT_EQ(file->title, "A desk");
+  EXPECT_EQ(file->outlets(), 2U);
+  EXPECT_FALSE(file->reachable());
+  const auto& station = dynamic_cast<const EmulatedFile&>(*file);
   EXPECT_EQ(station.image, (folder_ / "my.elf").string());
-  ASSERT_EQ(station.emulated.size(), 2U);
-  EXPECT_EQ(station.emulated[0].board, "host");
-  EXPECT_EQ(station.emulated[0].link, "serial");
-  EXPECT_EQ(station.emulated[0].crystal_ppm, 0.0);
-  EXPECT_EQ(station.emulated[1].id, "b");
-  EXPECT_EQ(station.emulated[1].board, "mps2-an386");
-  EXPECT_EQ(station.emulated[1].crystal_ppm, -40.0);
+  ASSERT_EQ(station.hardware.size(), 2U);
+  EXPECT_EQ(station.hardware[0].board, "host");
+  EXPECT_EQ(station.hardware[0].connection, emulation::Connection::kSerial);
+  EXPECT_EQ(station.hardware[0].crystal_ppm, 0.0);
+  EXPECT_EQ(station.hardware[1].id, "b");
+  EXPECT_EQ(station.hardware[1].board, "mps2-an386");
+  EXPECT_EQ(station.hardware[1].crystal_ppm, -40.0);
 }
 
-TEST_F(StationFile, OfPhysicalOutletsSaysWhereTheyAre) {
-  const StationSpec station = load(std::string(kPhysical) +
-                                   "[serial]\nports = [\"/dev/ttyUSB0\", \"/dev/ttyUSB1\"]\n"
-                                   "baud = 115200\n[mqtt]\nurl = \"mqtts://b:8883\"\n"
-                                   "ca_file = \"ca.crt\"\nuser = \"u\"\n"
-                                   "password_file = \"pw\"\noutlets = [\"k-1\"]\n");
-  EXPECT_EQ(station.kind, StationKind::kPhysical);
+TEST_F(StationFiles, OfPhysicalOutletsSaysWhereTheyAre) {
+  const auto file = load(std::string(kPhysical) +
+                         "[serial]\nports = [\"/dev/ttyUSB0\", \"/dev/ttyUSB1\"]\n"
+                         "baud = 115200\n[mqtt]\nurl = \"mqtts://b:8883\"\n"
+                         "ca_file = \"ca.crt\"\nuser = \"u\"\n"
+                         "password_file = \"pw\"\noutlets = [\"k-1\"]\n");
+  ASSERT_TRUE(file->reachable());
+  const PhysicalOutlets station = *file->reachable();
   EXPECT_THAT(station.serial_ports, ElementsAre("/dev/ttyUSB0", "/dev/ttyUSB1"));
   EXPECT_EQ(station.baud, 115200);
   EXPECT_EQ(station.broker.url, "mqtts://b:8883");
@@ -80,8 +83,9 @@ TEST_F(StationFile, OfPhysicalOutletsSaysWhereTheyAre) {
   EXPECT_THAT(station.broker.outlets, ElementsAre("k-1"));
 }
 
-TEST_F(StationFile, NeedsNoCertificateWithoutTls) {
-  const StationSpec station = load(std::string(kPhysical) + "[mqtt]\nurl = \"mqtt://b:1883\"\n");
+TEST_F(StationFiles, NeedsNoCertificateWithoutTls) {
+  const PhysicalOutlets station =
+      *load(std::string(kPhysical) + "[mqtt]\nurl = \"mqtt://b:1883\"\n")->reachable();
   EXPECT_EQ(station.broker.ca_file, "");
   EXPECT_EQ(station.baud, 921600);
 }
@@ -92,7 +96,7 @@ struct Refused {
   std::string why;
 };
 
-TEST_F(StationFile, IsRefusedWithThePlaceAndWhatWouldBeRight) {
+TEST_F(StationFiles, IsRefusedWithThePlaceAndWhatWouldBeRight) {
   const std::string emulated = kEmulated;
   const std::string physical = kPhysical;
   std::string many = emulated;
@@ -131,26 +135,26 @@ TEST_F(StationFile, IsRefusedWithThePlaceAndWhatWouldBeRight) {
 
 TEST(Stations, AnUnknownNameIsToldWithTheNearest) {
   try {
-    load_station("emulatd");
+    (void)load_station("emulatd");
     FAIL() << "no such station";
-  } catch (const ConfigurationError& error) {
+  } catch (const profile::ConfigurationError& error) {
     EXPECT_THAT(error.what(), HasSubstr("\"emulated\""));
   }
-  EXPECT_THROW(load_station("nowhere/hardware.toml"), ConfigurationError);
+  EXPECT_THROW((void)load_station("nowhere/hardware.toml"), profile::ConfigurationError);
 }
 
 TEST(Stations, ThatAreShippedAreReadableAndNoProfiles) {
-  const std::vector<ProfileSummary> stations = list_stations();
+  const std::vector<profile::ProfileSummary> stations = list_stations();
   std::vector<std::string> names;
-  for (const ProfileSummary& station : stations) {
+  for (const profile::ProfileSummary& station : stations) {
     names.push_back(station.name);
-    EXPECT_NO_THROW(load_station(station.name)) << station.title;
+    EXPECT_NO_THROW((void)load_station(station.name)) << station.title;
   }
   EXPECT_THAT(names, ElementsAre("emulated", "mqtt", "serial", "simulated"));
-  for (const ProfileSummary& profile : list_profiles()) {
+  for (const profile::ProfileSummary& profile : profile::list_profiles()) {
     EXPECT_EQ(profile.name.rfind("stations/", 0), std::string::npos) << profile.name;
   }
 }
 
 }  // namespace
-}  // namespace gsbench::profile::test
+}  // namespace gsbench::station

@@ -1,0 +1,123 @@
+// Station files of outlets that are there.
+#include "station_kind.hpp"
+
+#include <algorithm>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include <profile/files.hpp>
+
+namespace gsbench::station {
+namespace {
+
+class PhysicalFile final : public StationFile {
+ public:
+  std::optional<PhysicalOutlets> reachable() const override { return outlets_there; }
+  std::unique_ptr<Station> make_station(const profile::Plan&,
+                                        const SimulatedOptions&) const override {
+    throw profile::ConfigurationError(
+        path +
+        ": this station has outlets and no source to play to them; `gsbench devices` and `gsbench "
+        "monitor` work on it");
+  }
+
+  PhysicalOutlets outlets_there;
+};
+
+std::vector<std::string> texts(const std::vector<keys::Word>& words) {
+  std::vector<std::string> all;
+  all.reserve(words.size());
+  for (const keys::Word& word : words) {
+    all.push_back(word.text);
+  }
+  return all;
+}
+
+bool is_broker_url(const std::string& url) {
+  std::smatch parts;
+  static const std::regex kForm("mqtts?://[^/:]+:([0-9]{1,5})");
+  return std::regex_match(url, parts, kForm) && std::stoi(parts[1]) >= 1 &&
+         std::stoi(parts[1]) <= 65535;
+}
+
+std::vector<std::string> outlet_ids(const keys::Table& table) {
+  std::vector<std::string> ids;
+  for (const keys::Word& word : table.words("outlets")) {
+    if (std::count(ids.begin(), ids.end(), word.text) > 0) {
+      table.refuse(word.at, fmt::format("outlet \"{}\" is named already", word.text));
+    }
+    ids.push_back(word.text);
+  }
+  return ids;
+}
+
+Broker read_mqtt(const keys::Table& table, const std::string& file_path) {
+  Broker broker;
+  broker.url = table.text("url");
+  const bool tls = broker.url.rfind("mqtts://", 0) == 0;
+  if (!is_broker_url(broker.url)) {
+    table.refuse("url", fmt::format("url is \"{}\"; it must be mqtts://host:port, or "
+                                    "mqtt://host:port where TLS is not wanted",
+                                    broker.url));
+  }
+  const auto beside = [&](const std::optional<std::string>& path) {
+    return path ? profile::resolve(*path, file_path) : std::string();
+  };
+  broker.ca_file = beside(table.find_text("ca_file"));
+  if (tls && broker.ca_file.empty()) {
+    table.refuse_missing("ca_file", "the certificate that vouches for the broker: ca_file = …");
+  }
+  broker.user = table.find_text("user").value_or("");
+  broker.password_file = beside(table.find_text("password_file"));
+  broker.outlets = outlet_ids(table);
+  return broker;
+}
+
+std::unique_ptr<StationFile> read(const keys::Table& top, const std::string& path) {
+  auto file = std::make_unique<PhysicalFile>();
+  PhysicalOutlets& outlets = file->outlets_there;
+  if (top.has("serial")) {
+    const keys::Table serial = top.table("serial");
+    outlets.serial_ports = texts(serial.words("ports"));
+    outlets.baud = static_cast<int>(serial.whole("baud"));
+  }
+  if (top.has("mqtt")) {
+    outlets.broker = read_mqtt(top.table("mqtt"), path);
+  }
+  if (outlets.serial_ports.empty() && outlets.broker.url.empty()) {
+    top.refuse_missing("serial", "where the outlets are: [serial] or [mqtt]");
+  }
+  return file;
+}
+
+}  // namespace
+
+StationKind physical_kind() {
+  return {"physical",
+          "outlets that are there",
+          {keys::table("serial", "Physical stations only, which need this or the next.",
+                       {keys::array("ports", keys::text("", ""),
+                                    "one outlet on each; one that does not answer is at fault")
+                            .permits("array of device paths or `tcp://host:port`, at least one")
+                            .require("the ports: ports = [\"/dev/ttyUSB0\"]"),
+                        keys::whole("baud", "bit/s", 9600, 4000000, "of serial ports")
+                            .by_default(PhysicalOutlets{}.baud)}),
+           keys::table(
+               "mqtt", "Physical stations only.",
+               {keys::text("url", "the broker")
+                    .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
+                    .require(),
+                keys::text("ca_file", "the certificate that vouches for it")
+                    .permits("path")
+                    .or_else("required with `mqtts`"),
+                keys::text("user", "the bench's name there"),
+                keys::text("password_file", "holds its password in the first line").permits("path"),
+                keys::array("outlets", keys::id("", kLongestId, ""),
+                            "one that is named and not there is at fault")
+                    .permits("array of ids, each once")
+                    .or_else("all that are found")})},
+          read};
+}
+
+}  // namespace gsbench::station
