@@ -50,7 +50,7 @@ TEST_P(SpoiledLine, IsReportedAndNothingWrongIsTakenForRight) {
   open();
   // Until nothing is left of the voltage that they are switched on with.
   outlets_.play(100);
-  for (const std::size_t outlet : {0U, 1U}) {
+  for (const char* const outlet : {kA, kB}) {
     ASSERT_TRUE(until([&] {
       const auto all = messages(outlet, UplinkKind::kMeasurement);
       return all.size() >= 100 && all.back().message.measurement.voltage_pu == 0.0F;
