@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include <link/wait_for_outlets.hpp>
-#include <profile/station_there.hpp>
 #include <station/station_file.hpp>
 #include <transport/transport.hpp>
 
@@ -75,6 +74,13 @@ FoundOutlets find_outlets(const LinkArguments& arguments) {
     found.outlets.erase(std::remove_if(found.outlets.begin(), found.outlets.end(),
                                        [](const auto& outlet) { return outlet.where.empty(); }),
                         found.outlets.end());
+  }
+  for (link::OutletPresence& outlet : found.outlets) {
+    if (outlet.where.empty()) {
+      const auto& ports = there.serial_ports;
+      const bool is_port = std::find(ports.begin(), ports.end(), outlet.id) != ports.end();
+      outlet.where = is_port ? outlet.id : there.broker.url;  // where it was looked for
+    }
   }
   return found;
 }

@@ -189,9 +189,12 @@ TEST_F(LoopTest, FeedsTheWatchdogOnlyWhileSamplesCome) {
   play(0.0, 0.01);
   turn_until_idle();
   EXPECT_EQ(board_.watchdog_fed, 10);
-  // Talking does not make up for a converter that stands still.
+  // Talking does not make up for an ADC that stands still.
   for (int i = 0; i < 5; ++i) {
-    send({wire::DownlinkKind::kPing, {}, true, 0, 1});
+    wire::Downlink ping;
+    ping.kind = wire::DownlinkKind::kPing;
+    ping.token = 1;
+    send(ping);
     loop_.turn();
   }
   EXPECT_EQ(board_.of(UplinkKind::kEcho).size(), 5U);
@@ -230,7 +233,9 @@ TEST_F(LoopTest, AFullLineDropsMessagesAndCountsThem) {
   play(0.0, 0.16);
   turn_until_idle();
   board_.line_full = false;
-  send({wire::DownlinkKind::kAskStatus, {}, true, 0, 0});
+  wire::Downlink ask;
+  ask.kind = wire::DownlinkKind::kAskStatus;
+  send(ask);
   turn_until_idle();
   const auto status = board_.of(UplinkKind::kStatus);
   ASSERT_EQ(status.size(), 1U);
