@@ -14,7 +14,7 @@ namespace gsbench::station {
 namespace {
 
 constexpr double kMostPpm = 1000.0;
-constexpr std::size_t kMostEmulated = 64;  // processes of one desk
+constexpr std::size_t kMostEmulated = 64;  // processes of one station
 constexpr const char* kBenchUser = "bench";
 
 std::vector<std::string> emulated_boards() {

@@ -12,7 +12,8 @@ CrystalAdc::CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stre
       noise_rms_pu_(noise_rms_pu),
       noise_(noise) {}
 
-void CrystalAdc::take(const float* voltage_pu, std::size_t count, std::vector<std::int16_t>& samples) {
+void CrystalAdc::take(const float* voltage_pu, std::size_t count,
+                      std::vector<std::int16_t>& samples) {
   if (first_held_ == 0 && held_.empty() && count > 0) {
     // What was before the first sample, for the cubic.
     held_.push_back(voltage_pu[0]);
@@ -39,8 +40,8 @@ void CrystalAdc::take(const float* voltage_pu, std::size_t count, std::vector<st
     ++made_;
   }
   if (noise_rms_pu_ > 0.0F) {
-    add_gaussian(noise_, static_cast<std::uint64_t>(first_made), volts_.size(),
-                         noise_rms_pu_, volts_.data());
+    add_gaussian(noise_, static_cast<std::uint64_t>(first_made), volts_.size(), noise_rms_pu_,
+                 volts_.data());
   }
   for (const float volt : volts_) {
     samples.push_back(adc_counts(volt, counts_per_pu_));

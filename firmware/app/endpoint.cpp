@@ -25,7 +25,7 @@ void MessageEndpoint::receive(const std::uint8_t* bytes, std::size_t size) {
     case Decoded::kOk:
       break;
   }
-  // Whoever asks for identity begins anew.
+  // Whoever asks for identity restarts.
   if (message.kind == wire::DownlinkKind::kIdentify) {
     received_.restart();
   }

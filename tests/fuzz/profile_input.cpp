@@ -1,6 +1,5 @@
 #include "profile_input.hpp"
 
-
 #include <cmath>
 #include <exception>
 #include <regex>

@@ -40,7 +40,7 @@ struct Line {
   std::optional<gs::wire::Hello> hello;  // of the outlet that joined on it
   bool unplugged = false;
   bool left = false;      // with its port; it joins again by its next hello
-  bool at_fault = false;  // nobody speaks with it
+  bool at_fault = false;  // excluded from the run
 };
 
 }  // namespace

@@ -51,7 +51,7 @@ class Arrivals {
     bool joined = false;
     gs::wire::Hello hello;                 // by which it joined
     std::vector<std::uint8_t> last_hello;  // as it came
-    bool at_fault = false;                 // nobody speaks with it
+    bool at_fault = false;                 // excluded from the run
   };
   struct Place {
     std::size_t outlet = 0;

@@ -79,7 +79,7 @@ bool Mps2Board::take_byte(std::uint8_t& byte) {
 }
 
 void Mps2Board::feed_watchdog() {
-  watchdog().INTCLR = 1;  // and begins anew
+  watchdog().INTCLR = 1;  // and restarts
   barked = 0;
 }
 

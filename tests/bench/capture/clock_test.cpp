@@ -45,7 +45,7 @@ double error_ms(const Played& played, const OutletClock& clock) {
   return largest_ms;
 }
 
-struct Tally {
+struct Totals {
   int cases = 0;
   int times_within = 0;
   int drifts_within = 0;
@@ -79,10 +79,10 @@ Crystal random_crystal(std::mt19937& random, double most_ppm) {
   return crystal;
 }
 
-Tally random_cases(int cases, double duration_s, const std::string& grid) {
+Totals random_cases(int cases, double duration_s, const std::string& grid) {
   const profile::Plan plan = plan_of(duration_s, grid);
   std::mt19937 random(20);
-  Tally tally;
+  Totals totals;
   for (int i = 0; i < cases; ++i) {
     const Crystal crystal = random_crystal(random, 200.0);
     const Played played = play(plan, crystal);
@@ -91,16 +91,16 @@ Tally random_cases(int cases, double duration_s, const std::string& grid) {
       ADD_FAILURE() << "case " << i << ": markers not found";
       continue;
     }
-    tally.add(played, crystal.ppm, *found);
+    totals.add(played, crystal.ppm, *found);
   }
   std::printf(
       "%s, %g s, %d cases: times within %d, drifts within %d; error at most %.3f ms, RMS %.3f ms; "
       "uncertainty at most %.3f ms, mean %.3f ms, drift %.1f ppm\n",
-      grid.c_str(), duration_s, tally.cases, tally.times_within, tally.drifts_within,
-      tally.largest_error_ms, std::sqrt(tally.sum_error2_ms2 / tally.cases),
-      tally.largest_uncertainty_ms, tally.sum_uncertainty_ms / tally.cases,
-      tally.largest_drift_uncertainty_ppm);
-  return tally;
+      grid.c_str(), duration_s, totals.cases, totals.times_within, totals.drifts_within,
+      totals.largest_error_ms, std::sqrt(totals.sum_error2_ms2 / totals.cases),
+      totals.largest_uncertainty_ms, totals.sum_uncertainty_ms / totals.cases,
+      totals.largest_drift_uncertainty_ppm);
+  return totals;
 }
 
 // k = 2: of normal errors 95.4 % lie within.
@@ -113,20 +113,20 @@ constexpr double kMostUncertaintyMs = 0.5;
 
 TEST(OutletClock, LiesWithinItsUncertaintyForCrystalsOfAnyCountAndDrift) {
   for (const char* grid : {"ieee24", "island-60hz"}) {
-    const Tally tally = random_cases(150, 6.0, grid);
-    EXPECT_TRUE(mostly(tally.times_within, tally.cases));
-    EXPECT_TRUE(mostly(tally.drifts_within, tally.cases));
-    EXPECT_LT(tally.largest_uncertainty_ms, kMostUncertaintyMs);
+    const Totals totals = random_cases(150, 6.0, grid);
+    EXPECT_TRUE(mostly(totals.times_within, totals.cases));
+    EXPECT_TRUE(mostly(totals.drifts_within, totals.cases));
+    EXPECT_LT(totals.largest_uncertainty_ms, kMostUncertaintyMs);
     // 0.2 ms over the 8.6 s between the first dip and the last.
-    EXPECT_LT(tally.largest_drift_uncertainty_ppm, 50.0);
+    EXPECT_LT(totals.largest_drift_uncertainty_ppm, 50.0);
     // And it is not claimed larger than it is: the largest of some hundred errors comes near it.
-    EXPECT_GT(tally.largest_error_ms, 0.3 * tally.largest_uncertainty_ms);
+    EXPECT_GT(totals.largest_error_ms, 0.3 * totals.largest_uncertainty_ms);
   }
 }
 
 TEST(OutletClock, IsKnownTheBetterTheLongerTheRun) {
-  const Tally brief = random_cases(20, 1.5, "ieee24");
-  const Tally lengthy = random_cases(20, 30.0, "ieee24");
+  const Totals brief = random_cases(20, 1.5, "ieee24");
+  const Totals lengthy = random_cases(20, 30.0, "ieee24");
   EXPECT_LT(4.0 * lengthy.largest_drift_uncertainty_ppm, brief.largest_drift_uncertainty_ppm);
   EXPECT_LT(lengthy.largest_uncertainty_ms, kMostUncertaintyMs);
 }

@@ -42,8 +42,8 @@ class StationFiles : public testing::Test {
       ("stations-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
-constexpr const char* kEmulated = "title = \"A desk\"\nkind = \"emulated\"\n";
-constexpr const char* kPhysical = "title = \"A desk\"\nkind = \"physical\"\n";
+constexpr const char* kEmulated = "title = \"A station\"\nkind = \"emulated\"\n";
+constexpr const char* kPhysical = "title = \"A station\"\nkind = \"physical\"\n";
 
 TEST_F(StationFiles, OfEmulatedOutletsTakesThemWithDefaults) {
   fs::create_directories(folder_);
@@ -53,7 +53,7 @@ TEST_F(StationFiles, OfEmulatedOutletsTakesThemWithDefaults) {
                          "id = \"b\"\nboard = \"mps2-an386\"\nlink = \"serial\"\n"
                          "crystal_ppm = -40.0\n");
   EXPECT_EQ(file->name, "hardware");
-  EXPECT_EQ(file->title, "A desk");
+  EXPECT_EQ(file->title, "A station");
   EXPECT_EQ(file->outlets(), 2U);
   EXPECT_FALSE(file->reachable());
   const auto& station = dynamic_cast<const EmulatedFile&>(*file);

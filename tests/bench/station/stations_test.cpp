@@ -17,9 +17,9 @@ constexpr const char* kTwoGroups =
     "[[outlet]]\ncount = 3\nid = \"a\"\n[[outlet]]\ncount = 2\nid = \"b\"\n";
 
 // With so many outlets.
-class Desk final : public StationFile {
+class StationOf final : public StationFile {
  public:
-  explicit Desk(std::optional<std::size_t> outlets) : outlets_(outlets) { name = "desk"; }
+  explicit StationOf(std::optional<std::size_t> outlets) : outlets_(outlets) { name = "station"; }
   std::optional<std::size_t> outlets() const override { return outlets_; }
   std::unique_ptr<Station> make_station(const profile::Plan&,
                                         const SimulatedOptions&) const override {
@@ -38,23 +38,24 @@ std::vector<std::string> ids(const profile::Plan& plan) {
 
 TEST(FitToStation, LeavesAPlanWhereThereAreOutletsEnough) {
   const profile::Plan asked = plan(1.0, "", kTwoGroups);
-  EXPECT_EQ(ids(fit_to_station(Desk(5), asked)), ids(asked));
-  EXPECT_EQ(ids(fit_to_station(Desk(9), asked)), ids(asked));
-  EXPECT_EQ(ids(fit_to_station(Desk(std::nullopt), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(StationOf(5), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(StationOf(9), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(StationOf(std::nullopt), asked)), ids(asked));
 }
 
 TEST(FitToStation, TakesOneOfEachGroupInTurnInThePlansOrder) {
   const profile::Plan asked = plan(1.0, "", kTwoGroups);
   const std::vector<std::string> all = ids(asked);
   ASSERT_EQ(all.size(), 5U);
-  EXPECT_THAT(ids(fit_to_station(Desk(2), asked)), ElementsAre(all[0], all[3]));
-  EXPECT_THAT(ids(fit_to_station(Desk(3), asked)), ElementsAre(all[0], all[1], all[3]));
-  EXPECT_THAT(ids(fit_to_station(Desk(4), asked)), ElementsAre(all[0], all[1], all[3], all[4]));
+  EXPECT_THAT(ids(fit_to_station(StationOf(2), asked)), ElementsAre(all[0], all[3]));
+  EXPECT_THAT(ids(fit_to_station(StationOf(3), asked)), ElementsAre(all[0], all[1], all[3]));
+  EXPECT_THAT(ids(fit_to_station(StationOf(4), asked)),
+              ElementsAre(all[0], all[1], all[3], all[4]));
 }
 
 TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
   try {
-    fit_to_station(Desk(1), plan(1.0, "", kTwoGroups));
+    fit_to_station(StationOf(1), plan(1.0, "", kTwoGroups));
     FAIL() << "one outlet cannot be of two groups";
   } catch (const profile::ConfigurationError& error) {
     EXPECT_THAT(error.what(), HasSubstr("2 groups of outlets, and the station desk only 1"));

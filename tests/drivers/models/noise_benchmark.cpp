@@ -11,7 +11,8 @@ void AddGaussian(benchmark::State& state) {
   std::array<float, 128> samples{};
   std::uint64_t first = 0;
   for (auto _ : state) {
-    gsbench::models::add_gaussian({1, gsbench::models::kTest, 0}, first, samples.size(), 0.01f, samples.data());
+    gsbench::models::add_gaussian({1, gsbench::models::kTest, 0}, first, samples.size(), 0.01f,
+                                  samples.data());
     benchmark::DoNotOptimize(samples);
     first += samples.size();
   }

@@ -89,7 +89,8 @@ Course worst_course(const std::function<void(SignalSpec&, double)>& disturb) {
   return worst;
 }
 
-// A jump of 4° spreads over the filter's 56 ms, at most 2° a report: more than twice innovation_gate_rad.
+// A jump of 4° spreads over the filter's 56 ms, at most 2° a report: more than twice
+// innovation_gate_rad.
 TEST(TrackerDisturbance, CoastsOverPhaseJumpsFromFourDegreesUp) {
   for (const double degrees : {-60.0, -20.0, -10.0, -4.0, 4.0, 10.0, 20.0, 60.0}) {
     const Course course = worst_course([&](SignalSpec& signal, double at_s) {

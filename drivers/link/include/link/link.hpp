@@ -11,8 +11,8 @@
 
 namespace gsbench::link {
 
-// An outlet that said who it is. With one that is at fault nobody speaks, and what it says is
-// passed over: no other outlet suffers from it.
+// An outlet that said who it is. A faulty outlet is excluded: it is
+// sent nothing and what it says is passed over, so that no other outlet suffers from it.
 struct OutletPresence {
   std::string id;
   std::string where;  // "simulated", "/dev/ttyUSB0", "mqtts://127.0.0.1:8883"

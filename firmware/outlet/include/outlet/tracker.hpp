@@ -6,10 +6,10 @@
 // divided by A, its innovation parts into an amplitude error (real) and a phase error (imaginary)
 // whose noise is independent, so that the four states need no covariance across the two.
 //
-// A phase jump, a dip or an interruption is no frequency: where the innovation leaps by more than
-// grids move it in 16 ms, the filter coasts until nothing has leapt for three reports, then takes
-// phase and amplitude anew and keeps its frequency. Where leap follows leap it begins anew. A step
-// of the ROCOF by more than 4 Hz/s leaps too, and is followed eight reports later.
+// A phase jump, a dip or an interruption is no frequency: where the innovation exceeds its
+// gate, more than grids move it in 16 ms, the filter coasts until three reports are within it, then
+// takes phase and amplitude anew and keeps its frequency. Where this repeats it restarts. A step of
+// the ROCOF by more than 4 Hz/s exceeds the gate too, and is followed eight reports later.
 #pragma once
 
 #include <cstdint>

@@ -42,7 +42,7 @@ struct SharedMemory {
   alignas(64) volatile std::uint32_t edges;
   PinEdge edge[kPinEdges];
 
-  volatile std::uint32_t starts;  // how often the outlet has begun anew
+  volatile std::uint32_t starts;  // how often the outlet has restarted
 
   // As flash: an erase sets bytes to 0xFF, programming only clears bits.
   alignas(64) std::uint8_t flash[kFlashSlots][kFlashSlotBytes];

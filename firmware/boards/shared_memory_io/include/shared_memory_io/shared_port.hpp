@@ -12,7 +12,7 @@ class SharedPort {
  public:
   explicit SharedPort(SharedMemory& terminals) : terminals_(terminals) {}
 
-  // An outlet that begins anew counts from what is written from now on.
+  // An outlet that restarts counts from what is written from now on.
   void start();
 
   bool samples_wait() const { return terminals_.written != terminals_.taken; }
