@@ -31,13 +31,13 @@ int check_all(const std::vector<std::string>& profiles) {
 
 }  // namespace
 
-void add_check(CLI::App& app, int& exit_code) {
+void add_check(CommandLine& line) {
   auto profiles = std::make_shared<std::vector<std::string>>();
-  CLI::App* command =
-      app.add_subcommand("check", "Say whether profiles make sense, and play nothing");
-  command->add_option("profile", *profiles, "Shipped profiles, or .toml files")->required();
-  command->footer("Example:\n  gsbench check my-profile.toml regression/backup");
-  command->callback([profiles, &exit_code] { exit_code = check_all(*profiles); });
+  const Command command =
+      line.command("check", "Say whether profiles make sense, and play nothing");
+  command.option("profile", *profiles, "Shipped profiles, or .toml files").required();
+  command.footer("Example:\n  gsbench check my-profile.toml regression/backup");
+  command.callback([profiles] { return check_all(*profiles); });
 }
 
 }  // namespace gsbench::cli

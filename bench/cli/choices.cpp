@@ -8,7 +8,7 @@ namespace gsbench::cli {
 namespace {
 
 template <class Choice>
-void add_choice(CLI::App& command, const std::string& name, Choice& choice,
+void add_choice(const Command& command, const std::string& name, Choice& choice,
                 const std::map<std::string, Choice>& named, const std::string& text) {
   std::vector<std::string> names;
   std::string usual;
@@ -19,22 +19,22 @@ void add_choice(CLI::App& command, const std::string& name, Choice& choice,
     }
   }
   command
-      .add_option_function<std::string>(
+      .option_to(
           name, [&choice, named](const std::string& word) { choice = named.at(word); }, text)
-      ->check(CLI::IsMember(names))
-      ->default_str(usual);
+      .one_of(names)
+      .show_default(usual);
 }
 
 }  // namespace
 
-void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& distribution) {
+void add_noise_distribution(const Command& command, campaign::NoiseDistribution& distribution) {
   add_choice(command, "--noise-distribution", distribution,
              {{"uniform", campaign::NoiseDistribution::kUniform},
               {"gaussian", campaign::NoiseDistribution::kGaussian}},
              "How measured frequencies are off");
 }
 
-void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation) {
+void add_accumulation(const Command& command, control_centre::Accumulation& accumulation) {
   add_choice(command, "--accumulated", accumulation,
              {{"half", control_centre::Accumulation::kHalfGroup},
               {"whole", control_centre::Accumulation::kWholeGroup}},
@@ -42,7 +42,7 @@ void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulat
              "half, right on average, or the whole, eq. (11)");
 }
 
-void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {
+void add_loss_instant(const Command& command, campaign::LossInstant& instant) {
   add_choice(command, "--loss-instant", instant,
              {{"on-report", campaign::LossInstant::kOnReport},
               {"between-reports", campaign::LossInstant::kBetweenReports}},

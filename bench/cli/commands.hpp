@@ -1,13 +1,10 @@
-// The sub-commands of gsbench. Each adds itself to the parser; what it does it does when the parser
-// has understood everything, and leaves its exit code in `exit_code`.
+// The sub-commands of gsbench, and what they have in common. Each adds itself to the command line.
 #pragma once
 
+#include "arguments.hpp"
+
 #include <cstddef>
-#include <cstdint>
 
-#include <CLI/CLI.hpp>
-
-#include <profile/load.hpp>
 #include <record/run_record.hpp>
 
 namespace gsbench::cli {
@@ -21,28 +18,25 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-// As in a profile.
-inline const CLI::Range kSeedRange(std::uint64_t{0}, profile::kLargestSeed);
-
 // Threads that simulated outlets are played on, where nothing else is asked for.
 std::size_t default_threads();
 
 // What a verdict comes to.
 ExitCode exit_code_of(record::Verdict verdict);
 
-void add_check(CLI::App& app, int& exit_code);
-void add_devices(CLI::App& app, int& exit_code);
-void add_fleet(CLI::App& app, int& exit_code);
-void add_list(CLI::App& app, int& exit_code);
-void add_measures(CLI::App& app, int& exit_code);
-void add_monitor(CLI::App& app, int& exit_code);
-void add_params(CLI::App& app, int& exit_code);
-void add_report(CLI::App& app, int& exit_code);
-void add_reproduce(CLI::App& app, int& exit_code);
-void add_run(CLI::App& app, int& exit_code);
-void add_runs(CLI::App& app, int& exit_code);
-void add_schema(CLI::App& app, int& exit_code);
-void add_study(CLI::App& app, int& exit_code);
-void add_waveform(CLI::App& app, int& exit_code);
+void add_check(CommandLine& line);
+void add_devices(CommandLine& line);
+void add_fleet(CommandLine& line);
+void add_list(CommandLine& line);
+void add_measures(CommandLine& line);
+void add_monitor(CommandLine& line);
+void add_params(CommandLine& line);
+void add_report(CommandLine& line);
+void add_reproduce(CommandLine& line);
+void add_run(CommandLine& line);
+void add_runs(CommandLine& line);
+void add_schema(CommandLine& line);
+void add_study(CommandLine& line);
+void add_waveform(CommandLine& line);
 
 }  // namespace gsbench::cli

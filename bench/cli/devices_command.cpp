@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "json_text.hpp"
 #include "link_arguments.hpp"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ int devices(const DevicesArguments& arguments) {
     for (const link::OutletPresence& outlet : present) {
       all.push_back(as_json(outlet));
     }
-    std::printf("%s\n", all.dump(2).c_str());
+    std::fputs(json_text(all).c_str(), stdout);
     return exit_code;
   }
   if (present.empty()) {
@@ -73,19 +74,19 @@ int devices(const DevicesArguments& arguments) {
 
 }  // namespace
 
-void add_devices(CLI::App& app, int& exit_code) {
+void add_devices(CommandLine& line) {
   auto arguments = std::make_shared<DevicesArguments>();
-  CLI::App* command = app.add_subcommand("devices", "Finds outlets on ports and brokers");
-  add_link_options(*command, arguments->link);
-  command->add_flag("--json", arguments->json, "Print as JSON");
-  command->footer(
+  const Command command = line.command("devices", "Finds outlets on ports and brokers");
+  add_link_options(command, arguments->link);
+  command.flag("--json", arguments->json, "Print as JSON");
+  command.footer(
       "Exit code 4 where an outlet does not answer, is there twice, or speaks another protocol.\n"
       "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"
       "  gsbench devices --port /dev/ttyUSB0\n"
       "  gsbench devices --station my-station.toml");
-  command->callback([arguments, &exit_code] { exit_code = devices(*arguments); });
+  command.callback([arguments] { return devices(*arguments); });
 }
 
 }  // namespace gsbench::cli

@@ -1,5 +1,7 @@
 #include "json_schema.hpp"
 
+#include "json_text.hpp"
+
 #include <cmath>
 #include <string>
 
@@ -95,11 +97,11 @@ ordered_json schema_of(const keys::Key& key) {
 
 }  // namespace
 
-ordered_json json_schema(const keys::Key& format) {
+std::string json_schema(const keys::Key& format) {
   ordered_json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                          {"title", format.name}};
   schema.update(object(format));
-  return schema;
+  return json_text(schema);
 }
 
 }  // namespace gsbench::cli

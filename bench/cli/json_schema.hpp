@@ -1,13 +1,13 @@
 // Declared keys as a JSON Schema, for editors that check TOML against one.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include <keys/key.hpp>
 
 namespace gsbench::cli {
 
 // Of draft 7, which editors' TOML extensions know.
-nlohmann::ordered_json json_schema(const keys::Key& format);
+std::string json_schema(const keys::Key& format);
 
 }  // namespace gsbench::cli

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "json_text.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -35,7 +36,7 @@ void list(bool json) {
     out["profiles"] = as_json(profiles);
     out["grids"] = grids;
     out["stations"] = as_json(stations);
-    std::printf("%s\n", out.dump(2).c_str());
+    std::fputs(json_text(out).c_str(), stdout);
     return;
   }
   print("Profiles", profiles);
@@ -48,12 +49,15 @@ void list(bool json) {
 
 }  // namespace
 
-void add_list(CLI::App& app, int&) {
+void add_list(CommandLine& line) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("list", "The shipped profiles, grids and stations");
-  command->add_flag("--json", *json, "Print as JSON");
-  command->footer("Example:\n  gsbench list");
-  command->callback([json] { list(*json); });
+  const Command command = line.command("list", "The shipped profiles, grids and stations");
+  command.flag("--json", *json, "Print as JSON");
+  command.footer("Example:\n  gsbench list");
+  command.callback([json] {
+    list(*json);
+    return kPassed;
+  });
 }
 
 }  // namespace gsbench::cli

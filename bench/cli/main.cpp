@@ -3,10 +3,6 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <string>
-#include <vector>
-
-#include <CLI/CLI.hpp>
 
 #include <profile/load.hpp>
 #include <record/store.hpp>
@@ -32,41 +28,28 @@ int complain(const char* what, int exit_code) {
   return exit_code;
 }
 
-std::string usage_mistake(const CLI::App* app, const CLI::Error& error) {
-  const std::vector<std::string> unknown = app->remaining();
-  const bool no_command = app->get_subcommands().empty() && !unknown.empty();
-  return "gsbench: " + (no_command ? unknown.front() + " is no command" : error.what()) +
-         "; `gsbench --help` and `gsbench COMMAND --help` say more\n";
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   namespace cli = gsbench::cli;
-  CLI::App app(kAbout, "gsbench");
-  app.footer(kExitCodes);
-  app.set_version_flag("--version", GSBENCH_VERSION);
-  app.require_subcommand(1);
-  app.failure_message(usage_mistake);
+  cli::CommandLine line(kAbout, kExitCodes, GSBENCH_VERSION);
+  cli::add_run(line);
+  cli::add_list(line);
+  cli::add_check(line);
+  cli::add_params(line);
+  cli::add_waveform(line);
+  cli::add_report(line);
+  cli::add_runs(line);
+  cli::add_study(line);
+  cli::add_reproduce(line);
+  cli::add_fleet(line);
+  cli::add_measures(line);
+  cli::add_schema(line);
+  cli::add_devices(line);
+  cli::add_monitor(line);
   int exit_code = cli::kPassed;
-  cli::add_run(app, exit_code);
-  cli::add_list(app, exit_code);
-  cli::add_check(app, exit_code);
-  cli::add_params(app, exit_code);
-  cli::add_waveform(app, exit_code);
-  cli::add_report(app, exit_code);
-  cli::add_runs(app, exit_code);
-  cli::add_study(app, exit_code);
-  cli::add_reproduce(app, exit_code);
-  cli::add_fleet(app, exit_code);
-  cli::add_measures(app, exit_code);
-  cli::add_schema(app, exit_code);
-  cli::add_devices(app, exit_code);
-  cli::add_monitor(app, exit_code);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? cli::kPassed : cli::kBadInput;
+    exit_code = line.run(argc, argv);
   } catch (const gsbench::profile::ConfigurationError& error) {
     return complain(error.what(), cli::kBadInput);
   } catch (const gsbench::record::StoreError& error) {

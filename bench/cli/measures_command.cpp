@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "json_text.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -31,7 +32,7 @@ void measures(bool json) {
                      {"definition", measure.definition},
                      {"needs", measure.needs}});
     }
-    std::printf("%s\n", out.dump(2).c_str());
+    std::fputs(json_text(out).c_str(), stdout);
     return;
   }
   for (const measures::Measure& measure : measures::catalogue()) {
@@ -42,13 +43,16 @@ void measures(bool json) {
 
 }  // namespace
 
-void add_measures(CLI::App& app, int&) {
+void add_measures(CommandLine& line) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command =
-      app.add_subcommand("measures", "What a profile can set limits to: names, units, definitions");
-  command->add_flag("--json", *json, "Print as JSON");
-  command->footer("Example:\n  gsbench measures");
-  command->callback([json] { measures(*json); });
+  const Command command =
+      line.command("measures", "What a profile can set limits to: names, units, definitions");
+  command.flag("--json", *json, "Print as JSON");
+  command.footer("Example:\n  gsbench measures");
+  command.callback([json] {
+    measures(*json);
+    return kPassed;
+  });
 }
 
 }  // namespace gsbench::cli

@@ -92,19 +92,19 @@ int monitor(const MonitorArguments& arguments) {
 
 }  // namespace
 
-void add_monitor(CLI::App& app, int& exit_code) {
+void add_monitor(CommandLine& line) {
   auto arguments = std::make_shared<MonitorArguments>();
-  CLI::App* command = app.add_subcommand("monitor", "Prints what outlets say, as they say it");
-  add_link_options(*command, arguments->link);
-  command->add_option("--outlet", arguments->outlet, "Only this one's messages");
-  command->add_option("--seconds", arguments->seconds, "End after so long; else at an interrupt")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--quiet", arguments->quiet, "Without the measurement of every 16 ms");
-  command->footer(
+  const Command command = line.command("monitor", "Prints what outlets say, as they say it");
+  add_link_options(command, arguments->link);
+  command.option("--outlet", arguments->outlet, "Only this one's messages");
+  command.option("--seconds", arguments->seconds, "End after so long; else at an interrupt")
+      .positive();
+  command.flag("--quiet", arguments->quiet, "Without the measurement of every 16 ms");
+  command.footer(
       "Examples:\n"
       "  gsbench monitor --port /dev/ttyUSB0\n"
       "  gsbench monitor --station my-station.toml --outlet kitchen-1 --quiet");
-  command->callback([arguments, &exit_code] { exit_code = monitor(*arguments); });
+  command.callback([arguments] { return monitor(*arguments); });
 }
 
 }  // namespace gsbench::cli

@@ -29,14 +29,13 @@ void write(const record::Page& page, const PageOutput& output) {
 
 }  // namespace
 
-void add_page_options(CLI::App& command, PageOutput& output) {
+void add_page_options(const Command& command, PageOutput& output) {
   output.threads = default_threads();
-  command.add_option("--threads", output.threads, "The result is the same for any")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command.add_option("-o,--output", output.report,
-                     "Write an HTML report there; - is standard output");
-  command.add_flag("--json", output.json, "Print as JSON");
+  command.option("--threads", output.threads, "The result is the same for any")
+      .range(1, 256)
+      .show_default();
+  command.option("-o,--output", output.report, "Write an HTML report there; - is standard output");
+  command.flag("--json", output.json, "Print as JSON");
 }
 
 int print_page(const char* what, const PageOutput& output,

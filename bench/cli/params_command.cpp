@@ -1,5 +1,6 @@
 #include "choices.hpp"
 #include "commands.hpp"
+#include "json_text.hpp"
 #include <control_centre/blocks.hpp>
 #include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
@@ -128,7 +129,7 @@ void params(const ParamsArguments& arguments) {
   }
   const double row_hz = arguments.row_hz > 0.0 ? arguments.row_hz : grid.condition_row_hz;
   if (arguments.json) {
-    std::printf("%s\n", as_json(grid, row_hz, arguments.accumulation).dump(2).c_str());
+    std::fputs(json_text(as_json(grid, row_hz, arguments.accumulation)).c_str(), stdout);
   } else {
     print(grid, row_hz, arguments.accumulation);
   }
@@ -136,17 +137,20 @@ void params(const ParamsArguments& arguments) {
 
 }  // namespace
 
-void add_params(CLI::App& app, int&) {
+void add_params(CommandLine& line) {
   auto arguments = std::make_shared<ParamsArguments>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = line.command(
       "params", "What the control centre works out for a grid: threshold, conditions, blocks");
-  command->add_option("grid", arguments->grid, "A shipped grid, or a .toml file")->required();
-  command->add_option("--row", arguments->row_hz, "Height of a row of the conditions, Hz")
-      ->check(CLI::Range(0.001, 5.0));
-  add_accumulation(*command, arguments->accumulation);
-  command->add_flag("--json", arguments->json, "Print as JSON");
-  command->footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");
-  command->callback([arguments] { params(*arguments); });
+  command.option("grid", arguments->grid, "A shipped grid, or a .toml file").required();
+  command.option("--row", arguments->row_hz, "Height of a row of the conditions, Hz")
+      .range(0.001, 5.0);
+  add_accumulation(command, arguments->accumulation);
+  command.flag("--json", arguments->json, "Print as JSON");
+  command.footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");
+  command.callback([arguments] {
+    params(*arguments);
+    return kPassed;
+  });
 }
 
 }  // namespace gsbench::cli

@@ -52,21 +52,23 @@ std::string described_formats() {
 
 }  // namespace
 
-void add_report(CLI::App& app, int&) {
+void add_report(CommandLine& line) {
   auto arguments = std::make_shared<ReportArguments>();
-  CLI::App* command = app.add_subcommand("report", "Render a kept run again");
-  command->add_option("run", arguments->run, "A run's folder, record file or id")->required();
-  command->add_option("--out", arguments->output_folder, "Folder that keeps the runs")
-      ->capture_default_str();
-  command->add_option("--format", arguments->format, "What to render")
-      ->check(CLI::IsMember(format_names()))
-      ->capture_default_str();
-  command->add_option("-o,--output", arguments->output, "File to write; -: standard output")
-      ->capture_default_str();
-  command->footer(described_formats() +
-                  "Examples:\n  gsbench report 20260101T120000Z-0123abcd\n"
-                  "  gsbench report runs/20260101T120000Z-0123abcd --format csv -o traces.csv");
-  command->callback([arguments] { report(*arguments); });
+  const Command command = line.command("report", "Render a kept run again");
+  command.option("run", arguments->run, "A run's folder, record file or id").required();
+  command.option("--out", arguments->output_folder, "Folder that keeps the runs").show_default();
+  command.option("--format", arguments->format, "What to render")
+      .one_of(format_names())
+      .show_default();
+  command.option("-o,--output", arguments->output, "File to write; -: standard output")
+      .show_default();
+  command.footer(described_formats() +
+                 "Examples:\n  gsbench report 20260101T120000Z-0123abcd\n"
+                 "  gsbench report runs/20260101T120000Z-0123abcd --format csv -o traces.csv");
+  command.callback([arguments] {
+    report(*arguments);
+    return kPassed;
+  });
 }
 
 }  // namespace gsbench::cli

@@ -46,21 +46,20 @@ int run_reproduce(ReproduceArguments arguments) {
 }
 
 // What the paper leaves open.
-void add_choices(CLI::App& command, paper::Choices& choices) {
+void add_choices(const Command& command, paper::Choices& choices) {
   add_noise_distribution(command, choices.noise_distribution);
   add_loss_instant(command, choices.loss_instant);
   campaign::Counting& counting = choices.counting;
   const auto add = [&command](const char* name, auto& value, const char* text) {
-    return command.add_option(name, value, text)->capture_default_str();
+    return command.option(name, value, text).show_default();
   };
   add("--rocof-window", counting.window, "Table 2, the paper's way: samples in a slope")
-      ->check(CLI::Range(2, 64));
+      .range(2, 64);
   add("--count-from", counting.first, "The same: sample from which on conditions are counted")
-      ->check(CLI::Range(0, 1000));
-  add("--count-lines", counting.count, "The same: how many samples are counted")
-      ->check(CLI::Range(1, 1000));
+      .range(0, 1000);
+  add("--count-lines", counting.count, "The same: how many samples are counted").range(1, 1000);
   add("--hits-above", counting.more_than, "The same: hits above which load shedding is needed")
-      ->check(CLI::Range(0, 1000));
+      .range(0, 1000);
   add("--ekf-loss-sigma", choices.ekf_loss_sigma_mw,
       "The paper's EKF starts with this standard deviation of LSE, MW");
   add("--ekf-instant-sigma", choices.ekf_t_x_sigma_s,
@@ -83,25 +82,24 @@ std::string list_of_items() {
 
 }  // namespace
 
-void add_reproduce(CLI::App& app, int& exit_code) {
+void add_reproduce(CommandLine& line) {
   auto arguments = std::make_shared<ReproduceArguments>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = line.command(
       "reproduce", "The paper's tables and figures, computed again and set beside what it prints");
-  command->add_option("--only", arguments->options.only, "Comma-separated sections, instead of all")
-      ->delimiter(',');
-  command->add_option("--n", arguments->options.trajectories, "Trajectories of each campaign")
-      ->check(CLI::Range(std::uint64_t{1}, campaign::kMostTrajectories))
-      ->capture_default_str();
-  command->add_option("--seed", arguments->options.seed, "Of all random numbers")
-      ->check(kSeedRange)
-      ->capture_default_str();
-  command->add_option("--grid", arguments->grid, "A shipped grid, or a .toml file")
-      ->capture_default_str();
-  add_choices(*command, arguments->options.choices);
-  add_accumulation(*command, arguments->options.accumulation);
-  add_page_options(*command, arguments->output);
-  command->footer(list_of_items());
-  command->callback([arguments, &exit_code] { exit_code = run_reproduce(*arguments); });
+  command.option("--only", arguments->options.only, "Comma-separated sections, instead of all")
+      .comma_separated();
+  command.option("--n", arguments->options.trajectories, "Trajectories of each campaign")
+      .range(std::uint64_t{1}, campaign::kMostTrajectories)
+      .show_default();
+  command.option("--seed", arguments->options.seed, "Of all random numbers")
+      .range(std::uint64_t{0}, profile::kLargestSeed)
+      .show_default();
+  command.option("--grid", arguments->grid, "A shipped grid, or a .toml file").show_default();
+  add_choices(command, arguments->options.choices);
+  add_accumulation(command, arguments->options.accumulation);
+  add_page_options(command, arguments->output);
+  command.footer(list_of_items());
+  command.callback([arguments] { return run_reproduce(*arguments); });
 }
 
 }  // namespace gsbench::cli

@@ -63,51 +63,47 @@ int run(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run(CLI::App& app, int& exit_code) {
+void add_run(CommandLine& line) {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand(
-      "run", "Play a profile into outlets, judge what they did, keep and report it");
-  command->add_option("profile", arguments->profile, "A shipped profile, or a .toml file")
-      ->required();
-  command->add_option("--out", arguments->output_folder, "Folder that keeps the runs")
-      ->capture_default_str();
+  const Command command =
+      line.command("run", "Play a profile into outlets, judge what they did, keep and report it");
+  command.option("profile", arguments->profile, "A shipped profile, or a .toml file").required();
+  command.option("--out", arguments->output_folder, "Folder that keeps the runs").show_default();
   command
-      ->add_option("--seed", arguments->overrides.seed,
-                   "Seed of the noise, in place of the profile's")
-      ->check(kSeedRange);
+      .option("--seed", arguments->overrides.seed, "Seed of the noise, in place of the profile's")
+      .range(std::uint64_t{0}, profile::kLargestSeed);
   command
-      ->add_option("--station", arguments->station,
-                   "Where the outlets are: a shipped station, or a .toml file")
-      ->capture_default_str();
-  command->add_flag("--real-time", arguments->real_time,
-                    "Pace by the wall clock, not as fast as possible");
+      .option("--station", arguments->station,
+              "Where the outlets are: a shipped station, or a .toml file")
+      .show_default();
+  command.flag("--real-time", arguments->real_time,
+               "Pace by the wall clock, not as fast as possible");
   command
-      ->add_option("--threads", arguments->threads,
-                   "For simulated outlets; the result is the same for any")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+      .option("--threads", arguments->threads,
+              "For simulated outlets; the result is the same for any")
+      .range(1, 256)
+      .show_default();
   recording::TraceColumns& columns = arguments->overrides.trace_columns;
-  CLI::Option* trace =
-      command->add_option("--trace", arguments->overrides.trace_path,
-                          "Play this CSV recording in place of the profile's frequency");
-  command->add_option("--trace-time", columns.time, "Its column of times")->needs(trace);
-  command->add_option("--trace-frequency", columns.frequency, "Its column of frequencies, Hz")
-      ->needs(trace);
+  const Option trace =
+      command.option("--trace", arguments->overrides.trace_path,
+                     "Play this CSV recording in place of the profile's frequency");
+  command.option("--trace-time", columns.time, "Its column of times").needs(trace);
+  command.option("--trace-frequency", columns.frequency, "Its column of frequencies, Hz")
+      .needs(trace);
+  command.option("--trace-voltage", columns.voltage, "Its column of RMS voltages; none: nominal")
+      .needs(trace);
   command
-      ->add_option("--trace-voltage", columns.voltage, "Its column of RMS voltages; none: nominal")
-      ->needs(trace);
-  command
-      ->add_option("--trace-nominal-voltage", columns.nominal_voltage,
-                   "Nominal voltage in that column's unit; none: the column's median")
-      ->needs(trace);
-  command->add_flag("--json", arguments->json, "Print the result as JSON");
-  command->footer(
+      .option("--trace-nominal-voltage", columns.nominal_voltage,
+              "Nominal voltage in that column's unit; none: the column's median")
+      .needs(trace);
+  command.flag("--json", arguments->json, "Print the result as JSON");
+  command.footer(
       "Examples:\n"
       "  gsbench run paper/loss-500mw\n"
       "  gsbench run my-profile.toml --seed 7 --out my-runs --json\n"
       "  gsbench run my-profile.toml --trace grid.csv --trace-time time --trace-frequency f\n"
       "With --trace the profile's limits still hold: take one without a loss to detect.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command.callback([arguments] { return run(*arguments); });
 }
 
 }  // namespace gsbench::cli

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "json_text.hpp"
 #include "run_folder.hpp"
 
 #include <algorithm>
@@ -58,21 +59,24 @@ void runs(const RunsArguments& arguments) {
         folder.c_str());
   }
   if (arguments.json) {
-    std::printf("%s\n", out.dump(2).c_str());
+    std::fputs(json_text(out).c_str(), stdout);
   }
 }
 
 }  // namespace
 
-void add_runs(CLI::App& app, int&) {
+void add_runs(CommandLine& line) {
   auto arguments = std::make_shared<RunsArguments>();
-  CLI::App* command = app.add_subcommand("runs", "The runs that are kept, oldest first");
-  command->add_option("--out", arguments->output_folder, "Folder that keeps the runs")
-      ->check(CLI::ExistingDirectory)
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "Print as JSON");
-  command->footer("Example:\n  gsbench runs");
-  command->callback([arguments] { runs(*arguments); });
+  const Command command = line.command("runs", "The runs that are kept, oldest first");
+  command.option("--out", arguments->output_folder, "Folder that keeps the runs")
+      .existing_folder()
+      .show_default();
+  command.flag("--json", arguments->json, "Print as JSON");
+  command.footer("Example:\n  gsbench runs");
+  command.callback([arguments] {
+    runs(*arguments);
+    return kPassed;
+  });
 }
 
 }  // namespace gsbench::cli

@@ -5,8 +5,6 @@
 #include <memory>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include <keys/markdown.hpp>
 #include <profile/keys.hpp>
 #include <station/station_file.hpp>
@@ -27,23 +25,24 @@ const keys::Key& keys_of(const std::string& format) {
 
 void schema(const Arguments& arguments) {
   const keys::Key& keys = keys_of(arguments.format);
-  const std::string text =
-      arguments.markdown ? keys::markdown(keys) : json_schema(keys).dump(2) + "\n";
-  std::fputs(text.c_str(), stdout);
+  std::fputs((arguments.markdown ? keys::markdown(keys) : json_schema(keys)).c_str(), stdout);
 }
 
 }  // namespace
 
-void add_schema(CLI::App& app, int&) {
+void add_schema(CommandLine& line) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("schema", "What a file may say, as a JSON Schema for editors");
-  command->add_option("FORMAT", arguments->format, "profile, grid or station")
-      ->required()
-      ->check(CLI::IsMember({"profile", "grid", "station"}));
-  command->add_flag("--markdown", arguments->markdown, "Print as the tables of profiles/README.md");
-  command->footer("Example:\n  gsbench schema profile > profile.schema.json");
-  command->callback([arguments] { schema(*arguments); });
+  const Command command =
+      line.command("schema", "What a file may say, as a JSON Schema for editors");
+  command.option("FORMAT", arguments->format, "profile, grid or station")
+      .required()
+      .one_of({"profile", "grid", "station"});
+  command.flag("--markdown", arguments->markdown, "Print as the tables of profiles/README.md");
+  command.footer("Example:\n  gsbench schema profile > profile.schema.json");
+  command.callback([arguments] {
+    schema(*arguments);
+    return kPassed;
+  });
 }
 
 }  // namespace gsbench::cli

@@ -6,7 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
+#include <cstdlib>
 #include <memory>
 
 #include <measures/catalogue.hpp>
@@ -34,12 +34,11 @@ Shares parse_shares(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string figure = equals == std::string::npos ? "" : text.substr(equals + 1);
-    double limit = std::numeric_limits<double>::quiet_NaN();
-    if (!CLI::detail::lexical_cast(figure, limit)) {
-      limit = std::numeric_limits<double>::quiet_NaN();
-    }
+    char* end = nullptr;
+    const double limit = std::strtod(figure.c_str(), &end);
+    const bool is_number = !figure.empty() && *end == '\0' && std::isfinite(limit);
     const measures::Measure* measure = measures::find(text.substr(0, equals));
-    if (!std::isfinite(limit) || measure == nullptr) {
+    if (!is_number || measure == nullptr) {
       refuse_share(text, "write MEASURE=LIMIT, such as ekf.error=4; `gsbench measures` lists them");
     }
     if (measure->is_word()) {
@@ -95,35 +94,34 @@ int run_study(const StudyArguments& arguments) {
 
 }  // namespace
 
-void add_study(CLI::App& app, int& exit_code) {
+void add_study(CommandLine& line) {
   auto arguments = std::make_shared<StudyArguments>();
   arguments->options.seeds = 20;
   arguments->options.threads = default_threads();
-  CLI::App* command = app.add_subcommand(
+  const Command command = line.command(
       "study", "Run a profile over many seeds on simulated outlets: how its measurements spread");
-  command->add_option("profile", arguments->profile, "A shipped profile, or a .toml file")
-      ->required();
-  command->add_option("--seeds", arguments->options.seeds, "How many")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10000000}))
-      ->capture_default_str();
-  command->add_option("--first-seed", arguments->options.first_seed, "The first of them")
-      ->check(kSeedRange)
-      ->capture_default_str();
-  command->add_option("--threads", arguments->options.threads, "The result is the same for any")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+  command.option("profile", arguments->profile, "A shipped profile, or a .toml file").required();
+  command.option("--seeds", arguments->options.seeds, "How many")
+      .range(std::uint64_t{1}, std::uint64_t{10000000})
+      .show_default();
+  command.option("--first-seed", arguments->options.first_seed, "The first of them")
+      .range(std::uint64_t{0}, profile::kLargestSeed)
+      .show_default();
+  command.option("--threads", arguments->options.threads, "The result is the same for any")
+      .range(1, 256)
+      .show_default();
   command
-      ->add_option("--within", arguments->within,
-                   "MEASURE=LIMIT: print the share of a measure within ± a limit, in the unit that "
-                   "`gsbench measures` lists; may be given several times; without: ekf.error=1 and "
-                   "ekf.error=4")
-      ->allow_extra_args(false);
-  command->add_flag("--json", arguments->json, "Print as JSON");
-  command->footer(
+      .option("--within", arguments->within,
+              "MEASURE=LIMIT: print the share of a measure within ± a limit, in the unit that "
+              "`gsbench measures` lists; may be given several times; without: ekf.error=1 and "
+              "ekf.error=4")
+      .one_value_each_time();
+  command.flag("--json", arguments->json, "Print as JSON");
+  command.footer(
       "Examples:\n"
       "  gsbench study paper/loss-500mw --seeds 200 --within event.delay=140\n"
       "  gsbench study regression/steady --seeds 1000     1000 times the profile's hour");
-  command->callback([arguments, &exit_code] { exit_code = run_study(*arguments); });
+  command.callback([arguments] { return run_study(*arguments); });
 }
 
 }  // namespace gsbench::cli

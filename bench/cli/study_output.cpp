@@ -1,5 +1,7 @@
 #include "study_output.hpp"
 
+#include "json_text.hpp"
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -134,7 +136,7 @@ std::string study_json(const profile::Plan& plan, std::uint64_t first_seed,
                                {"share", finite_or_null(row->values.share_within(limit))}});
     }
   }
-  return out.dump(2) + "\n";
+  return json_text(out);
 }
 
 }  // namespace gsbench::cli

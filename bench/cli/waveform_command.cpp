@@ -70,17 +70,16 @@ int write_waveform(const WaveformArguments& arguments) {
 
 }  // namespace
 
-void add_waveform(CLI::App& app, int& exit_code) {
+void add_waveform(CommandLine& line) {
   auto arguments = std::make_shared<WaveformArguments>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = line.command(
       "waveform", "Write what a profile plays as CSV: t_s, frequency_hz, rocof_hz_s, voltage_pu");
-  command->add_option("profile", arguments->profile, "A shipped profile, or a .toml file")
-      ->required();
-  command->add_option("-o,--output", arguments->output, "The CSV file; -: standard output")
-      ->required();
-  command->add_option("--seed", arguments->overrides.seed, "Seed of the noise")->check(kSeedRange);
-  command->footer("Example:\n  gsbench waveform paper/loss-500mw -o loss.csv");
-  command->callback([arguments, &exit_code] { exit_code = write_waveform(*arguments); });
+  command.option("profile", arguments->profile, "A shipped profile, or a .toml file").required();
+  command.option("-o,--output", arguments->output, "The CSV file; -: standard output").required();
+  command.option("--seed", arguments->overrides.seed, "Seed of the noise")
+      .range(std::uint64_t{0}, profile::kLargestSeed);
+  command.footer("Example:\n  gsbench waveform paper/loss-500mw -o loss.csv");
+  command.callback([arguments] { return write_waveform(*arguments); });
 }
 
 }  // namespace gsbench::cli
