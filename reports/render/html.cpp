@@ -166,8 +166,7 @@ object page(const record::RunRecord& run) {
 }  // namespace
 
 std::string html(const record::RunRecord& run) {
-  kainjow::mustache::mustache report{std::string(templates::report_html)};
-  return report.render(page(run));
+  return filled(templates::report_html, page(run));
 }
 
 }  // namespace gsbench::render

@@ -4,6 +4,10 @@
 
 namespace gsbench::render {
 
+std::string filled(std::string_view page_template, const object& values) {
+  return kainjow::mustache::mustache(std::string(page_template)).render(values);
+}
+
 kainjow::mustache::data flag(bool value) {
   return value ? kainjow::mustache::data::type::bool_true
                : kainjow::mustache::data::type::bool_false;

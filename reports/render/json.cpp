@@ -69,7 +69,7 @@ std::string json(const record::RunRecord& run) {
                       {"verdict", record::to_string(run.verdict)},
                       {"verdict_reason", run.verdict_reason},
                       {"outlets", std::move(outlets)}};
-  return whole.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return indented(whole);
 }
 
 }  // namespace gsbench::render

@@ -4,6 +4,10 @@
 
 namespace gsbench::render {
 
+std::string indented(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
 std::string in_script(const Json& json) {
   std::string safe;
   for (const char character : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {

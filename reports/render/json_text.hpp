@@ -15,8 +15,11 @@ inline Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+// Indented by two, with a newline at its end. Bytes that are no UTF-8 become U+FFFD here as below.
+std::string indented(const Json& json);
+
 // JSON that may stand inside <script>, where an HTML parser knows no entities: no "<", ">" or "&"
-// occurs in it. Bytes that are no UTF-8 become U+FFFD.
+// occurs in it.
 std::string in_script(const Json& json);
 
 }  // namespace gsbench::render

@@ -1,5 +1,6 @@
 #include "columns.hpp"
 #include "format.hpp"
+#include "html_elements.hpp"
 #include "json_text.hpp"
 #include "templates.hpp"
 
@@ -7,7 +8,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <kainjow/mustache.hpp>
 
 #include <render/page.hpp>
 
@@ -15,8 +15,6 @@ namespace gsbench::render {
 namespace {
 
 using kainjow::mustache::data;
-using kainjow::mustache::object;
-using List = kainjow::mustache::list;
 using record::FigureRow;
 using record::FigureTable;
 
@@ -133,7 +131,7 @@ std::string json(const record::Page& page) {
                         {"tables", tables},
                         {"plots", plots}});
   }
-  return Json{{"title", page.title}, {"facts", facts}, {"sections", sections}}.dump(2) + "\n";
+  return indented({{"title", page.title}, {"facts", facts}, {"sections", sections}});
 }
 
 std::string terminal(const record::Page& page) {
@@ -195,8 +193,7 @@ std::string html(const record::Page& page) {
                       {"dygraphs_licence", std::string(templates::dygraphs_licence)},
                       {"report_css", std::string(templates::report_css)},
                       {"page_js", std::string(templates::page_js)}};
-  kainjow::mustache::mustache page_template{std::string(templates::page_html)};
-  return page_template.render(all);
+  return filled(templates::page_html, all);
 }
 
 }  // namespace gsbench::render
