@@ -13,10 +13,13 @@ namespace gsbench::test {
 
 class Measurements final : public gs::app::Outbox {
  public:
+  void hear(const gs::wire::Hello& hello) {
+    delay_ticks_ =
+        static_cast<double>(hello.tracker_delay_s) * static_cast<double>(hello.sample_rate_hz);
+  }
   void put(const gs::wire::Uplink& message) override {
     if (message.kind == gs::wire::UplinkKind::kHello) {
-      delay_ticks_ = static_cast<double>(message.hello.tracker_delay_s) *
-                     static_cast<double>(message.hello.sample_rate_hz);
+      hear(message.hello);
     } else if (message.kind == gs::wire::UplinkKind::kMeasurement &&
                message.measurement.validity == gs::outlet::Validity::kValid) {
       const double tick = static_cast<double>(message.sample) - delay_ticks_;

@@ -15,6 +15,9 @@ class SimulatedRig final : public SourceRig {
   std::vector<Reading> readings() override {
     link::Happenings happenings;
     EXPECT_TRUE(bench_.link().poll(happenings).ok());
+    for (const link::OutletPresence& outlet : happenings.joined) {
+      measurements_.hear(outlet.hello);
+    }
     for (const link::Received& received : happenings.messages) {
       measurements_.put(received.message);
     }

@@ -1,4 +1,4 @@
-// Outlets' processes on mains, as an emulated station has them.
+// Outlets' processes on mains without a voltage, as an emulated station has them.
 #pragma once
 
 #include <test_support/mains.hpp>
@@ -30,6 +30,7 @@ class EmulatedOutlets {
       throw std::runtime_error(made.error());
     }
     hardware_ = made.take();
+    mains_.level_pu = 0.0;
   }
   // Stopped, it would not be ended either.
   ~EmulatedOutlets() {
