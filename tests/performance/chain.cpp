@@ -20,7 +20,6 @@
 
 namespace {
 
-namespace judge = gsbench::judge;
 namespace performance = gsbench::performance;
 namespace profile = gsbench::profile;
 namespace models = gsbench::models;
