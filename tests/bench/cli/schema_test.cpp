@@ -55,13 +55,13 @@ std::string invalid_at(const json& value, const json& schema, const std::string&
     } else if (keyword == "enum") {
       holds = std::find(asked.begin(), asked.end(), value) != asked.end();
     } else if (keyword == "minimum") {
-      holds = value >= asked;
+      holds = !value.is_number() || value >= asked;
     } else if (keyword == "maximum") {
-      holds = value <= asked;
+      holds = !value.is_number() || value <= asked;
     } else if (keyword == "exclusiveMinimum") {
-      holds = value > asked;
+      holds = !value.is_number() || value > asked;
     } else if (keyword == "exclusiveMaximum") {
-      holds = value < asked;
+      holds = !value.is_number() || value < asked;
     } else if (keyword == "minItems" || keyword == "minLength") {
       const std::size_t size = value.is_string() ? value.get<std::string>().size() : value.size();
       holds = size >= asked;
@@ -153,7 +153,7 @@ TEST(Schema, RefusesWhatTheBenchRefuses) {
   EXPECT_EQ(spoilt("/signal/sample_rate_hz", 8000.5), ".signal.sample_rate_hz (type)");
   EXPECT_EQ(spoilt("/signal/harmonics", {{2, 1.0}}), ".signal.harmonics[0] (minItems)");
   EXPECT_EQ(spoilt("/signal/duration", 6), ".signal.duration");
-  EXPECT_EQ(spoilt("/outlet/0/event_drop_hz", 0), ".outlet[0].event_drop_hz (exclusiveMinimum)");
+  EXPECT_EQ(spoilt("/outlet/0/event_drop_hz", -1), ".outlet[0].event_drop_hz (minimum)");
   EXPECT_EQ(spoilt("/outlet/0/id", "a b"), ".outlet[0].id (pattern)");
   EXPECT_EQ(spoilt("/grid/system", 24), ".grid.system (anyOf)");
   EXPECT_EQ(spoilt("/outlet", json::array()), ".outlet (minItems)");

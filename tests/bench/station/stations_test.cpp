@@ -58,7 +58,7 @@ TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
     fit_to_station(StationOf(1), plan(1.0, "", kTwoGroups));
     FAIL() << "one outlet cannot be of two groups";
   } catch (const profile::ConfigurationError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("2 groups of outlets, and the station desk only 1"));
+    EXPECT_THAT(error.what(), HasSubstr("2 groups of outlets, and the station station only 1"));
   }
 }
 
