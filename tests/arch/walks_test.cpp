@@ -2,7 +2,6 @@
 // stands.
 #include "tree.hpp"
 
-#include <cstddef>
 #include <set>
 #include <string>
 
@@ -13,8 +12,6 @@ namespace gsbench::arch {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsSupersetOf;
-using testing::SizeIs;
 
 // Files of the product that name it, outside of `own_folder`.
 std::set<std::string> files_that_name(const std::string& word,
@@ -37,6 +34,14 @@ TEST(Walk, AMeasureIsARowOfTheCatalogueAndItsReading) {
 TEST(Walk, AReportFormatIsItsFileAndARowOfTheTable) {
   EXPECT_THAT(files_that_name("junit"), ElementsAre("reports/render/include/render/render.hpp",
                                                     "reports/render/junit_xml.cpp"));
+}
+
+TEST(Walk, ASettingIsItsFieldItsRowTheRuleAndItsRowInProfiles) {
+  EXPECT_THAT(files_that_name("event_departure_hz"),
+              ElementsAre("bench/profile/outlets.cpp", "firmware/outlet/event_detector.cpp",
+                          "firmware/outlet/include/outlet/event_detector.hpp",
+                          "firmware/outlet/include/outlet/settings.hpp",
+                          "firmware/outlet/include/outlet/settings_fields.hpp"));
 }
 
 TEST(Walk, ABoardIsItsFolderAndARowOfTheTable) {
