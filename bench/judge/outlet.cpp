@@ -76,7 +76,7 @@ MeasurementResult unknown(const profile::Expectation& expectation) {
 
 Reading read(const std::string& measure, const Case& c) {
   return c.outlet.link.empty() && !is_seen(measure)
-             ? not_known("the outlet has no link: it tells the bench nothing")
+             ? not_known("the outlet has no link: it reports nothing")
              : reading_of(measure)(c);
 }
 

@@ -64,7 +64,7 @@ Reading word_difference(const Case& c) {
   const record::Mark* said = first_word_open(c, loss.value_or(0));
   const auto opening = first_opening(c, loss.value_or(0));
   if (said == nullptr && !opening) {
-    return not_done("neither the outlet nor the relay sense tells of an opening");
+    return not_done("neither the outlet nor the relay sense reports an opening");
   }
   if (said == nullptr || !opening) {
     return not_done(said == nullptr ? "the contact opened and the outlet did not say so"

@@ -144,6 +144,11 @@ class NestingCheck {
         ++at_;
       } else if (long_text ? text_.compare(at_, 3, three) == 0 : text_[at_] == quote) {
         at_ += long_text ? 3 : 1;
+        // A long text may end in one or two quotes of its own.
+        for (int own = 0; long_text && own < 2 && at_ < text_.size() && text_[at_] == quote;
+             ++own) {
+          ++at_;
+        }
         return;
       }
     }

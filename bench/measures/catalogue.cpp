@@ -15,7 +15,8 @@ const std::vector<Measure>& catalogue() {
       {"tracker.error.max",
        "mHz",
        {},
-       "Largest difference of a valid frequency from the truth at its instant: the report's, less "
+       "Largest difference of a valid frequency from the reference at its instant: the report's, "
+       "less "
        "the delay the outlet declares.",
        "10 valid frequency measurements"},
       {"tracker.error.rms",
@@ -99,14 +100,14 @@ const std::vector<Measure>& catalogue() {
       {"relay.delay_by_word",
        "ms",
        {},
-       "The same by the outlet's word.",
-       "a loss in the profile, the outlet's word of an opening"},
+       "The same as the outlet reports it.",
+       "a loss in the profile, the outlet's report of an opening"},
       {"relay.word_difference",
        "ms",
        {},
        "By how much the contact's first opening, by the relay sense, is later than the outlet "
-       "says.",
-       "an opening, told and seen"},
+       "reports.",
+       "an opening, reported and sensed"},
       {"relay.operate_time",
        "ms",
        {},

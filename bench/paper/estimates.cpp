@@ -197,7 +197,7 @@ PageSection table4(Study& study, const Execution& execution) {
                            {{kPaperWay, paper_way.ekf_mw}, {kFirmware, firmware.ekf_mw}})};
   section.paragraphs = {
       "The innovation is that of the full model, f − h(X), where eq. (28) as printed has its "
-      "linearisation. The firmware is told the report after the loss as its event and the exact "
+      "linearisation. The firmware is given the report after the loss as its event and the exact "
       "frequency before it, where an outlet detects its event some 120 ms later and measures that "
       "frequency; what outlets find from the voltage on is Fig. 19 and `gsbench study`. The "
       "firmware's EKF is given the last four of LSE's measurements, too, and a spread of the "

@@ -84,7 +84,7 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
   page.subtitle =
       "Xiang et al., Distributed Frequency Emergency Control with Coordinated Edge Intelligence. "
       "\"Paper\" is what it prints; \"paper's way\" are its equations and its course of things; "
-      "\"firmware at a known event\" is the code that outlets run, told the report after the loss "
+      "\"firmware at a known event\" is the code that outlets run, given the report after the loss "
       "as "
       "its event and the frequency before it, which outlets detect and measure: event_drops 1 and "
       "event_lag_s 0, where they ship with 5 and 0.008. \"Experiment\" is what nothing ships.";

@@ -37,7 +37,8 @@ std::vector<std::string> texts(const std::vector<keys::Word>& words) {
 bool is_broker_url(const std::string& url) {
   std::smatch parts;
   static const std::regex kForm("mqtts?://[^/:]+:([0-9]{1,5})");
-  return std::regex_match(url, parts, kForm) && std::stoi(parts[1]) >= 1 &&
+  // std::regex recurses by the character.
+  return url.size() <= 300 && std::regex_match(url, parts, kForm) && std::stoi(parts[1]) >= 1 &&
          std::stoi(parts[1]) <= 65535;
 }
 

@@ -42,7 +42,7 @@ void Watch::hear(link::Happenings& happenings, std::int64_t now) {
     Life& life = found->second;
     life.heard_tick = now;
     if (message.kind == gs::wire::UplinkKind::kError && spoils_a_run(message.error.code)) {
-      note(*life.outlet, std::string("tells: ") + gs::wire::to_string(message.error.code));
+      note(*life.outlet, std::string("reports: ") + gs::wire::to_string(message.error.code));
     }
     life.over = life.over || message.sample < life.newest_sample;
     life.newest_sample = message.sample;

@@ -32,10 +32,10 @@ constexpr int kMostBehindMs = 100;
 void write_all(int to, const std::vector<std::uint8_t>& bytes) {
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t put = ::send(to, bytes.data() + done, bytes.size() - done, MSG_NOSIGNAL);
-    pollfd room{to, POLLOUT, 0};
     if (put > 0) {
       done += static_cast<std::size_t>(put);
-    } else if (errno != EAGAIN || ::poll(&room, 1, kMostBehindMs) <= 0) {
+    } else if (errno != EINTR &&
+               (errno != EAGAIN || !drivers::wait_for(to, POLLOUT, kMostBehindMs))) {
       return;
     }
   }

@@ -1,5 +1,6 @@
-// The terminals of one emulated outlet (terminals/terminals.hpp) in a file that its emulator maps
-// as memory, and the doorbell that wakes it: a byte on a Unix socket for each block of samples.
+// The terminals of one emulated outlet (shared_memory_io/shared_memory.hpp) in a file that its
+// emulator maps as memory, and the doorbell that wakes it: a byte on a Unix socket for each block
+// of samples.
 #pragma once
 
 #include "listening.hpp"

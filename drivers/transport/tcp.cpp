@@ -44,8 +44,7 @@ int connect_within(int socket, const addrinfo& to) {
   if (errno != EINPROGRESS) {
     return errno;
   }
-  pollfd ready{socket, POLLOUT, 0};
-  if (::poll(&ready, 1, kConnectMs) <= 0) {
+  if (!drivers::wait_for(socket, POLLOUT, kConnectMs)) {
     return ETIMEDOUT;
   }
   int error = 0;
@@ -65,7 +64,7 @@ Status check_address(const std::string& port) {
   const bool number = !address.service.empty() && address.service.size() <= 5 &&
                       std::all_of(address.service.begin(), address.service.end(),
                                   [](char c) { return c >= '0' && c <= '9'; }) &&
-                      std::stoul(address.service) <= 65535;
+                      std::stoul(address.service) >= 1 && std::stoul(address.service) <= 65535;
   if (address.host.empty() || !number) {
     return Error{port + ": is no tcp://host:port"};
   }
@@ -87,15 +86,20 @@ Status Tcp::open() {
     return failure("cannot be found", gai_strerror(error));
   }
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
-  Descriptor socket(
-      ::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, found->ai_protocol));
-  if (const int error = socket.is_open() ? connect_within(socket.get(), *found) : errno) {
+  // A name may have an address of each family, and the host listen on one of them.
+  int error = EHOSTUNREACH;
+  for (const addrinfo* to = found; to != nullptr && error != 0; to = to->ai_next) {
+    socket_ = Descriptor(
+        ::socket(to->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, to->ai_protocol));
+    error = socket_.is_open() ? connect_within(socket_.get(), *to) : errno;
+  }
+  if (error != 0) {
+    close();
     return failure("cannot be connected to", std::strerror(error));
   }
   // Small messages leave when they are sent, not when the one before has been acknowledged.
   const int yes = 1;
-  setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-  socket_ = std::move(socket);
+  setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
   return Done{};
 }
 

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include <drivers/descriptor.hpp>
 #include <transport/transport.hpp>
 
 namespace gsbench::transport {
@@ -30,8 +31,7 @@ Status Transport::send(const std::vector<std::uint8_t>& bytes) {
       return Error{taken.error()};
     }
     sent += taken.value();
-    pollfd ready{descriptor(), POLLOUT, 0};
-    if (sent < bytes.size() && ::poll(&ready, 1, kWriteMs) <= 0) {
+    if (sent < bytes.size() && !drivers::wait_for(descriptor(), POLLOUT, kWriteMs)) {
       return failure("cannot be sent to", "takes nothing");
     }
   }
@@ -43,14 +43,15 @@ Status Transport::receive(std::vector<std::uint8_t>& bytes, Clock::time_point un
     return failure("cannot be read", "is not open");
   }
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
-  pollfd ready{descriptor(), POLLIN, 0};
-  if (::poll(&ready, 1, left.count() > 0 ? static_cast<int>(left.count()) : 0) <= 0) {
+  const short ready = drivers::wait_for(descriptor(), POLLIN,
+                                        left.count() > 0 ? static_cast<int>(left.count()) : 0);
+  if (ready == 0) {
     return Done{};
   }
   const std::size_t before = bytes.size();
   Status read = read_some(bytes);
   // Ready and nothing there is a hang-up, which libserialport reports as silence.
-  if (read.ok() && bytes.size() == before && (ready.revents & (POLLHUP | POLLERR)) != 0) {
+  if (read.ok() && bytes.size() == before && (ready & (POLLHUP | POLLERR)) != 0) {
     return failure("cannot be read", "has hung up");
   }
   return read;

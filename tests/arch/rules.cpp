@@ -90,7 +90,7 @@ const std::vector<FolderRule>& folder_rules() {
 
 const std::vector<LibraryRule>& library_rules() {
   static const std::vector<LibraryRule> rules = {
-      {"Eigen", {"Eigen/"}, {"bench/grid"}},
+      {"Eigen", {"Eigen/"}, {"tests"}},
       {"Eigen's unsupported part", {"unsupported/Eigen/"}, {"tests"}},
       {"SQLite", {"sqlite3.h"}, {"reports/record"}},
       {"zlib", {"zlib.h"}, {"reports/record"}},
@@ -100,10 +100,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"mustache", {"kainjow/"}, {"reports/render"}},
       {"nlohmann-json", {"nlohmann/"}, {"bench/cli", "reports/render"}},
       {"fmt", {"fmt/"}, {"bench", "drivers", "reports"}},
-      {"Qt",
-       {"Q^"},
-       {"bench/profile", "bench/station", "bench/seed_sweep", "bench/cli", "drivers/source",
-        "drivers/link", "drivers/relay", "reports"}},
+      {"Qt", {"Q^"}, {"bench/profile", "reports"}},
       {"libserialport", {"libserialport.h"}, {"drivers/transport"}},
       {"Paho", {"MQTT", "mqtt/"}, {"drivers/link"}},
       {"libmosquitto", {"mosquitto.h", "mqtt_protocol.h"}, {"firmware/boards/host", "tests"}},

@@ -105,6 +105,10 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
   if (is_hello && !take_identity(outlet, read.hello)) {
     return;
   }
+  // It may have heard another bench before: its numbers restart with an identify.
+  if (joins && sequence != 0) {
+    newcomers_.push_back(place);
+  }
   outlet.here = true;
   outlet.last_hello.assign(message, message + size);
   const auto taken = outlet.stream.take(message, size);

@@ -71,13 +71,14 @@ Status MqttLink::poll(Happenings& happenings) {
   if (!opened_) {
     return Error{"the link to the broker " + options_.url + " is not open"};
   }
-  for (const std::size_t outlet : opened_->arrivals.take_newcomers()) {
-    send(outlet, gs::wire::identify());
-  }
   const std::size_t known = happenings.joined.size();
   opened_->arrivals.hand_over(happenings);
   for (std::size_t i = known; i < happenings.joined.size(); ++i) {
     happenings.joined[i].where = options_.url;
+  }
+  // Before the caller hears of them, and so before any message of its own.
+  for (const std::size_t outlet : opened_->arrivals.take_newcomers()) {
+    send(outlet, gs::wire::identify());
   }
   return Done{};
 }

@@ -1,4 +1,5 @@
-// ARM's MPS2 with AN386, as qemu emulates it, with the terminals of terminals.hpp in its PSRAM.
+// ARM's MPS2 with AN386, as qemu emulates it, with the terminals of
+// shared_memory_io/shared_memory.hpp in its PSRAM.
 #pragma once
 
 #include <shared_memory_io/shared_port.hpp>

@@ -1,8 +1,10 @@
 // A file descriptor that closes itself.
 #pragma once
 
+#include <poll.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <utility>
 
 namespace gsbench::drivers {
@@ -32,5 +34,15 @@ class Descriptor {
  private:
   int descriptor_ = -1;
 };
+
+// What poll() says of it, within so long; 0: nothing. A signal starts the wait again.
+inline short wait_for(int descriptor, short events, int timeout_ms) {
+  pollfd one{descriptor, events, 0};
+  int ready = 0;
+  do {
+    ready = ::poll(&one, 1, timeout_ms);
+  } while (ready < 0 && errno == EINTR);
+  return ready > 0 ? one.revents : short{0};
+}
 
 }  // namespace gsbench::drivers

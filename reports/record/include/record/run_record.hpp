@@ -68,8 +68,8 @@ struct OutletRecord {
   std::string id;
   bool took_part = false;  // it was taken into the run; else there is nothing to judge
   std::string group;
-  std::string link;             // "simulated", "serial", …
-  std::string firmware;         // version and digest it said of itself
+  std::string link;      // where it is reached: "simulated", "/dev/ttyUSB0"; empty: it has none
+  std::string firmware;  // version and digest it said of itself
   std::string settings_digest;  // that it acknowledged, hexadecimal
   std::string fault;            // what first went wrong between the bench and it; empty: nothing
   bool relay_sensed = true;     // the bench's relay sense looks at its contact

@@ -201,7 +201,7 @@ TEST_F(OutletFault, SamplesThatAnOutletCouldNotTakeAreTold) {
     ASSERT_EQ(::kill(hardware().outlet_process(kHost).pid(), SIGCONT), 0);
   });
   play();
-  expect_fault(kHost, "tells: samples lost");
+  expect_fault(kHost, "reports: samples lost");
 }
 
 // A station lists its outlets as it likes: what is heard, sensed and played is of the same one.

@@ -6,7 +6,9 @@
 namespace {
 
 using gs::wire::UplinkKind;
+using gsbench::link::MqttLink;
 using gsbench::test::command;
+using gsbench::test::HearsALink;
 using gsbench::test::kA;
 using gsbench::test::kB;
 using gsbench::test::MqttOutlet;
@@ -21,6 +23,13 @@ class BrokerOutage : public OutletsOnABroker {
       std::error_code missing;
       return std::filesystem::last_write_time(broker_->memory_file(), missing) > opened;
     });
+  }
+
+  static bool until_away(MqttOutlet& outlet) {
+    for (int tries = 0; tries < 10'000 && outlet.connected(); ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return !outlet.connected();
   }
 
   static std::ptrdiff_t times(const std::vector<std::string>& faults, const std::string& words) {
@@ -89,6 +98,22 @@ TEST_F(BrokerOutage, CommandsAreObeyedAgainAfterwards) {
   send(kA, command(false));
   EXPECT_TRUE(until([&] { return !messages(kA, UplinkKind::kCommandAnswer).empty(); }));
   EXPECT_FALSE(a.relay_closed());
+}
+
+// It still counts the messages of the bench before, until the next one identifies it.
+TEST_F(BrokerOutage, AnOutletThatComesBackLateListensToTheNextBench) {
+  MqttOutlet a(*broker_, "a");
+  open({"a"});
+  ASSERT_TRUE(answers(kA, 1));
+  ASSERT_TRUE(answers(kA, 2));
+  link_.reset();
+  broker_->kill();
+  std::filesystem::remove(broker_->memory_file());
+  ASSERT_TRUE(until_away(a));
+  ASSERT_TRUE(broker_->restart().ok());
+  HearsALink::open(std::make_shared<MqttLink>(options({"a"})), {"a"}, std::chrono::milliseconds(1));
+  ASSERT_TRUE(until([&] { return present(kA).fault.empty() || !joined_.empty(); }));
+  EXPECT_TRUE(answers(kA, 3));
 }
 
 TEST_F(BrokerOutage, MeasurementsThatWereLostAreCounted) {
