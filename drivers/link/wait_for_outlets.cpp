@@ -73,7 +73,7 @@ class RollCall {
     const auto found = std::find_if(joined_.begin(), joined_.end(),
                                     [&](const auto& outlet) { return is_called(outlet, name); });
     if (found != joined_.end()) {
-      const OutletPresence outlet = *found;
+      OutletPresence outlet = *found;
       joined_.erase(found);
       return outlet;
     }

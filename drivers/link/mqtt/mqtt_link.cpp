@@ -8,9 +8,7 @@ namespace gsbench::link {
 
 using drivers::Done;
 using drivers::Error;
-using drivers::Result;
 using drivers::Status;
-using std::chrono::steady_clock;
 
 class MqttLink::Opened {
  public:

@@ -137,7 +137,7 @@ void expect_qt_reads(const Message& message) {
 void flatten(const QCborValue& value, std::vector<QCborValue>& all) {
   all.push_back(value);
   if (value.isArray()) {
-    for (const QCborValue& item : value.toArray()) flatten(item, all);
+    for (const auto& item : value.toArray()) flatten(item, all);
   } else if (value.isMap()) {
     for (const auto& [key, item] : value.toMap()) {
       flatten(key, all);
