@@ -192,7 +192,7 @@ TEST_P(EveryKey, IsRefusedWhereItsTypeIsWrong) {
          [&](const Key&, const Key& key, const keys::Entry& entry) {
            if (keys::is_table(key)) return;
            std::vector<std::string> wrong = {"true", "2025-04-28", "{}"};  // no key takes these
-           wrong.push_back(keys::is_number(key) ? "\"6\"" : "6");
+           wrong.emplace_back(keys::is_number(key) ? "\"6\"" : "6");
            for (const std::string& value : wrong) {
              EXPECT_THAT(refusal_of(spoilt(text, entry.value.at, value)),
                          StartsWith(place(entry.value.at) + key.name + " is "))

@@ -7,7 +7,6 @@ namespace {
 
 using gsbench::link::MqttLink;
 using gsbench::link::MqttOptions;
-using gsbench::test::HearsALink;
 using gsbench::test::kA;
 using gsbench::test::kB;
 using gsbench::test::MqttOutlet;

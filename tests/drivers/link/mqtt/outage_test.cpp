@@ -8,7 +8,6 @@ namespace {
 using gs::wire::UplinkKind;
 using gsbench::link::MqttLink;
 using gsbench::test::command;
-using gsbench::test::HearsALink;
 using gsbench::test::kA;
 using gsbench::test::kB;
 using gsbench::test::MqttOutlet;
