@@ -45,6 +45,16 @@ bool has_type(const json& value, const std::string& type) {
                              : throw std::logic_error("a type of no file: " + type);
 }
 
+std::string key_in(const std::string& path, const std::string& key) {
+  return path + "." + key;
+}
+std::string item_in(const std::string& path, std::size_t i) {
+  return path + "[" + std::to_string(i) + "]";
+}
+std::string breaking(const std::string& path, const std::string& keyword) {
+  return path + " (" + keyword + ")";
+}
+
 // The first place that is not valid; empty where all is. Of JSON Schema as much as ours use, and no
 // keyword that is not known here.
 std::string invalid_at(const json& value, const json& schema, const std::string& path) {
@@ -80,25 +90,25 @@ std::string invalid_at(const json& value, const json& schema, const std::string&
                           [&](const json& key) { return value.contains(key); });
     } else if (keyword == "additionalProperties") {
       for (const auto& [key, inner] : value.items()) {
-        if (!schema["properties"].contains(key)) return path + "." + key;
+        if (!schema["properties"].contains(key)) return key_in(path, key);
       }
     } else if (keyword == "properties") {
       for (const auto& [key, inner] : value.items()) {
         if (!asked.contains(key)) continue;
-        const std::string where = invalid_at(inner, asked[key], path + "." + key);
+        std::string where = invalid_at(inner, asked[key], key_in(path, key));
         if (!where.empty()) return where;
       }
     } else if (keyword == "items") {
       for (std::size_t i = 0; i < value.size(); ++i) {
         const json& item = asked.is_array() ? asked.at(i) : asked;
-        const std::string where = invalid_at(value[i], item, path + "[" + std::to_string(i) + "]");
+        std::string where = invalid_at(value[i], item, item_in(path, i));
         if (!where.empty()) return where;
       }
     } else if (keyword != "description" && keyword != "default" && keyword != "title" &&
                keyword != "$schema") {
       throw std::logic_error("a keyword of no schema of ours: " + keyword);
     }
-    if (!holds) return path + " (" + keyword + ")";
+    if (!holds) return breaking(path, keyword);
   }
   return "";
 }
