@@ -218,7 +218,7 @@ TEST(Nesting, OfTablesByDotsOrBracketsIsRefusedBeforeItCouldOverflowTheStack) {
   EXPECT_EQ(refusal("x = " + repeated("{a = ", 50000)), "test.toml:1:325: " + says);
   EXPECT_EQ(refusal("x = 1\ny = " + repeated("{a.b.c = ", 50000)), "test.toml:2:196: " + says);
   // A long text that ends in a quote of its own.
-  EXPECT_EQ(refusal(R"(x = ["""q"""", )" + repeated("[", 50000)), "test.toml:1:80: " + says);
+  EXPECT_EQ(refusal(R"(x = ["""q"""", )" + repeated("[", 50000)), "test.toml:1:79: " + says);
 }
 
 TEST(Nesting, CountsNoDotsOrBracketsOfTextsCommentsAndNumbers) {
