@@ -1,6 +1,6 @@
 // What finds outlets and listens to them, on an emulated line or behind a broker.
 #include "gsbench_process.hpp"
-#include <sys/wait.h>
+#include "waiting.hpp"
 #include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -12,90 +12,97 @@
 #include <memory>
 #include <sstream>
 #include <thread>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <emulation/hardware.hpp>
 
+namespace gsbench::test {
 namespace {
 
-using gsbench::emulation::Connection;
-using gsbench::emulation::Hardware;
-using gsbench::test::Outcome;
-using gsbench::test::run_gsbench;
-using gsbench::test::start_gsbench;
-using gsbench::test::Started;
-using gsbench::test::text_of;
+using emulation::Connection;
 using testing::HasSubstr;
 
 // Calm mains of an emulated station with one outlet, for as long as a test lasts.
-class SerialStation : public testing::Test {
+class OneOutlet : public testing::Test {
  protected:
-  void SetUp() override { set_up(Connection::kSerial); }
-  void set_up(Connection connection) {
-    gsbench::emulation::HardwareOptions options;
-    options.outlets = {{"kitchen-1", "host", connection, 0.0}};
+  explicit OneOutlet(Connection connection) : connection_(connection) {}
+  void SetUp() override {
+    emulation::HardwareOptions options;
+    options.outlets = {{"kitchen-1", "host", connection_, 0.0}};
     options.host_program = GS_OUTLET_PROGRAM;
-    auto hardware = Hardware::set_up(options);
+    auto hardware = emulation::Hardware::set_up(options);
     ASSERT_TRUE(hardware.ok()) << hardware.error();
     hardware_ = hardware.take();
     mains_ = std::thread([this] { play(); });
+    if (connection_ == Connection::kSerial) {
+      where_ = hardware_->serial_ports().front();
+      return;
+    }
+    const auto& broker = *hardware_->broker();
+    where_ = broker.url();
+    folder_.write("bench.password", broker.bench().password + "\n");
+    station_ = folder_.write("station.toml",
+                             "title = \"Radio\"\nkind = \"physical\"\n[mqtt]\nurl = \"" + where_ +
+                                 "\"\nca_file = \"" + broker.ca_file() + "\"\nuser = \"" +
+                                 broker.bench().user + "\"\npassword_file = \"bench.password\"\n");
   }
   void TearDown() override {
     over_ = true;
-    if (mains_.joinable()) {
-      mains_.join();
-    }
+    if (mains_.joinable()) mains_.join();
   }
 
-  std::string port() const { return hardware_->serial_ports().front(); }
+  // A command to the place where the outlet is.
+  Words to_it(const std::string& command, const Words& more = {}) const {
+    Words words = {command, "--port", where_};
+    if (connection_ == Connection::kMqtt) words = {command, "--station", station_};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
 
-  std::unique_ptr<Hardware> hardware_;
+  const Connection connection_;
+  const TemporaryFolder folder_;
+  std::unique_ptr<emulation::Hardware> hardware_;
+  std::string where_;  // its port, or the broker's URL
+  std::string station_;
 
  private:
   void play() {
-    gsbench::test::Mains mains;
+    Mains mains;
     mains.duration_s = 600.0;
-    gsbench::test::start(hardware_->source(), mains);
-    for (std::int64_t tick = 128; !over_; tick += 128) {
-      gsbench::test::advance(hardware_->source(), tick);
-    }
+    start(hardware_->source(), mains);
+    for (std::int64_t tick = 128; !over_; tick += 128) advance(hardware_->source(), tick);
   }
 
   std::atomic<bool> over_{false};
   std::thread mains_;
 };
 
-std::vector<std::string> lines_of(const std::string& text) {
+struct SerialStation : OneOutlet {
+  SerialStation() : OneOutlet(Connection::kSerial) {}
+};
+struct MqttStation : OneOutlet {
+  MqttStation() : OneOutlet(Connection::kMqtt) {}
+};
+struct AnyStation : OneOutlet, testing::WithParamInterface<Connection> {
+  AnyStation() : OneOutlet(GetParam()) {}
+};
+INSTANTIATE_TEST_SUITE_P(SerialAndMqtt, AnyStation,
+                         testing::Values(Connection::kSerial, Connection::kMqtt));
+
+Words lines_of(const std::string& text) {
   std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(line);
-  }
+  Words lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
 }
 
-// Until it has printed that, and no longer than anything here could take.
-bool prints(const Started& started, const std::string& what) {
-  for (int tries = 0; tries < 2000; ++tries) {
-    if (text_of(started.out).find(what) != std::string::npos) {
-      return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
-
-TEST_F(SerialStation, IsFoundWithWhatItsOutletSaysOfItself) {
-  const Outcome outcome = run_gsbench({"devices", "--port", port(), "--json"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto found = nlohmann::json::parse(outcome.out);
+TEST_P(AnyStation, IsFoundWithWhatItsOutletSaysOfItself) {
+  const json found = run_for_json(to_it("devices", {"--json"}));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0]["id"], "kitchen-1");
-  EXPECT_EQ(found[0]["where"], port());
+  EXPECT_EQ(found[0]["where"], where_);
+  EXPECT_EQ(found[0]["fault"], "");
   EXPECT_EQ(found[0]["board"], "host");
   EXPECT_EQ(found[0]["sample_rate_hz"], 8000);
   EXPECT_EQ(found[0]["nominal_hz"], 50);
@@ -103,16 +110,16 @@ TEST_F(SerialStation, IsFoundWithWhatItsOutletSaysOfItself) {
   EXPECT_EQ(found[0]["settings_digest"], "00000000");
   EXPECT_EQ(found[0]["keeps_settings"], true);
 
-  const Outcome table = run_gsbench({"devices", "--port", port()});
+  const Outcome table = run_gsbench(to_it("devices"));
   EXPECT_EQ(table.exit_code, 0) << table.err;
   EXPECT_THAT(table.out, HasSubstr("kitchen-1"));
   EXPECT_EQ(lines_of(table.out).size(), 2U);
 }
 
-TEST_F(SerialStation, IsHeardForAsLongAsAsked) {
-  const Outcome outcome = run_gsbench({"monitor", "--port", port(), "--seconds", "1.5"});
+TEST_P(AnyStation, IsHeardForAsLongAsAsked) {
+  const Outcome outcome = run_gsbench(to_it("monitor", {"--seconds", "1.5"}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const std::vector<std::string> lines = lines_of(outcome.out);
+  const Words lines = lines_of(outcome.out);
   // A hello, and of the measurements every 16 ms most, on however slow a machine.
   ASSERT_GT(lines.size(), 20U);
   EXPECT_THAT(lines.front(), HasSubstr("hello"));
@@ -123,21 +130,18 @@ TEST_F(SerialStation, IsHeardForAsLongAsAsked) {
 }
 
 TEST_F(SerialStation, IsHeardLiveUntilInterrupted) {
-  const Started started = start_gsbench({"monitor", "--port", port()});
-  EXPECT_TRUE(prints(started, "pu valid"));
-  kill(started.pid, SIGINT);
-  const Outcome outcome = gsbench::test::wait_for(started);
+  const Started started = start_gsbench(to_it("monitor"));
+  EXPECT_TRUE(until([&] { return text_of(started.out).find("pu valid") != std::string::npos; }));
+  const Outcome outcome = stop(started, SIGINT);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 TEST_F(SerialStation, IsHeardNoLongerThanAnybodyReads) {
   const std::string command = "timeout 30 " + std::string(GSBENCH_PROGRAM) + " monitor --port " +
-                              port() + " 2>&1 | head -n 3";
+                              where_ + " 2>&1 | head -n 3";
   std::FILE* const pipe = popen(command.c_str(), "r");
   std::string said;
-  for (char part[256]; std::fgets(part, sizeof part, pipe) != nullptr;) {
-    said += part;
-  }
+  for (char part[256]; std::fgets(part, sizeof part, pipe) != nullptr;) said += part;
   const auto began = std::chrono::steady_clock::now();
   pclose(pipe);
   EXPECT_EQ(lines_of(said).size(), 3U);
@@ -145,61 +149,22 @@ TEST_F(SerialStation, IsHeardNoLongerThanAnybodyReads) {
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(15));
 }
 
-TEST_F(SerialStation, HasNoOutletOfAnotherName) {
-  const Outcome outcome =
-      run_gsbench({"monitor", "--port", port(), "--outlet", "cellar", "--seconds", "1"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("no outlet cellar answers"));
+TEST_P(AnyStation, HasNoOutletOfAnotherName) {
+  expect_refused(to_it("monitor", {"--outlet", "cellar", "--seconds", "1"}),
+                 "no outlet cellar answers");
 }
 
 TEST_F(SerialStation, WithItsOutletGoneHasNothingToFind) {
   hardware_->outlet_process(0).kill();
-  const Outcome found = run_gsbench({"devices", "--port", port()});
+  const Outcome found = run_gsbench(to_it("devices"));
   EXPECT_EQ(found.exit_code, 4) << found.err;
-  EXPECT_THAT(found.out, testing::ContainsRegex(port() + " +! does not answer"));
-  const Outcome heard = run_gsbench({"monitor", "--port", port()});
-  EXPECT_EQ(heard.exit_code, 2);
-  EXPECT_THAT(heard.err, HasSubstr("no outlet answers"));
-}
-
-class MqttStation : public SerialStation {
- protected:
-  void SetUp() override {
-    set_up(Connection::kMqtt);
-    const auto& broker = *hardware_->broker();
-    folder_.write("bench.password", broker.bench().password + "\n");
-    station_ = folder_.write(
-        "station.toml", "title = \"Radio\"\nkind = \"physical\"\n[mqtt]\nurl = \"" + broker.url() +
-                            "\"\nca_file = \"" + broker.ca_file() + "\"\nuser = \"" +
-                            broker.bench().user + "\"\npassword_file = \"bench.password\"\n");
-  }
-
-  gsbench::test::TemporaryFolder folder_;
-  std::string station_;
-};
-
-TEST_F(MqttStation, IsFoundWithWhatItsOutletSaysOfItself) {
-  const Outcome outcome = run_gsbench({"devices", "--station", station_, "--json"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto found = nlohmann::json::parse(outcome.out);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0]["id"], "kitchen-1");
-  EXPECT_EQ(found[0]["where"], hardware_->broker()->url());
-  EXPECT_EQ(found[0]["fault"], "");
-}
-
-TEST_F(MqttStation, IsHeardForAsLongAsAsked) {
-  const Outcome outcome = run_gsbench({"monitor", "--station", station_, "--seconds", "1.5"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const std::vector<std::string> lines = lines_of(outcome.out);
-  ASSERT_GT(lines.size(), 20U);
-  EXPECT_THAT(lines.front(), HasSubstr("hello"));
-  EXPECT_THAT(outcome.out, HasSubstr("1.0000 pu valid"));
+  EXPECT_THAT(found.out, testing::ContainsRegex(where_ + " +! does not answer"));
+  expect_refused(to_it("monitor"), "no outlet answers");
 }
 
 TEST_F(MqttStation, WithAWrongPasswordIsNotListenedTo) {
   folder_.write("bench.password", "guessed\n");
-  const Outcome outcome = run_gsbench({"monitor", "--station", station_, "--seconds", "1"});
+  const Outcome outcome = run_gsbench(to_it("monitor", {"--seconds", "1"}));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("refuses the user name"));
 }
@@ -207,30 +172,23 @@ TEST_F(MqttStation, WithAWrongPasswordIsNotListenedTo) {
 // An outlet that was named and is not there is told, and the one that is there is shown.
 TEST_F(MqttStation, AnOutletThatWasNamedAndIsNotThereIsTold) {
   std::ofstream(station_, std::ios::app) << "outlets = [\"cellar\", \"kitchen-1\"]\n";
-  const Outcome outcome = run_gsbench({"devices", "--station", station_});
+  const Outcome outcome = run_gsbench(to_it("devices"));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_THAT(outcome.out, HasSubstr("! is not on the broker"));
   EXPECT_THAT(outcome.out, HasSubstr("kitchen-1"));
-  const Outcome heard = run_gsbench({"monitor", "--station", station_, "--outlet", "cellar"});
-  EXPECT_EQ(heard.exit_code, 2);
-  EXPECT_THAT(heard.err, HasSubstr("no outlet cellar answers"));
+  expect_refused(to_it("monitor", {"--outlet", "cellar"}), "no outlet cellar answers");
 }
 
 TEST(Devices, APortThatDoesNotExistIsToldByItsName) {
   for (const char* command : {"devices", "monitor"}) {
-    const Outcome outcome = run_gsbench({command, "--port", "/dev/ttyNowhere7"});
-    EXPECT_EQ(outcome.exit_code, 2) << command;
-    EXPECT_THAT(outcome.err, HasSubstr("/dev/ttyNowhere7: No such file")) << command;
+    expect_refused({command, "--port", "/dev/ttyNowhere7"}, "/dev/ttyNowhere7: No such file");
   }
 }
 
 TEST(Devices, AStationWithoutOutletsOfItsOwnIsRefused) {
-  const Outcome outcome = run_gsbench({"devices", "--station", "simulated"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("only while a run plays"));
-  const Outcome unknown = run_gsbench({"monitor", "--station", "emulatd"});
-  EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("\"emulated\""));
+  expect_refused({"devices", "--station", "simulated"}, "only while a run plays");
+  expect_refused({"monitor", "--station", "emulatd"}, "\"emulated\"");
 }
 
 }  // namespace
+}  // namespace gsbench::test

@@ -1,14 +1,16 @@
 #include "gsbench_process.hpp"
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include <gmock/gmock.h>
 
 namespace gsbench::test {
 
@@ -30,45 +32,6 @@ void redirect(const fs::path& path, int descriptor) {
   close(file);
 }
 
-// `prepare` is called in the new process.
-template <class Prepare>
-Started start(const std::vector<std::string>& arguments, Prepare prepare) {
-  Started started{-1, new_file(), new_file()};
-  std::vector<std::string> words = {GSBENCH_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (std::string& word : words) {
-    argv.push_back(word.data());
-  }
-  argv.push_back(nullptr);
-  started.pid = fork();
-  if (started.pid < 0) {
-    throw std::runtime_error("fork failed");
-  }
-  if (started.pid == 0) {
-    redirect(started.out, STDOUT_FILENO);
-    redirect(started.err, STDERR_FILENO);
-    prepare();
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  return started;
-}
-
-}  // namespace
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-Started start_gsbench(const std::vector<std::string>& arguments) {
-  return start(arguments, [] {});
-}
-
 Outcome wait_for(const Started& started) {
   int status = 0;
   waitpid(started.pid, &status, 0);
@@ -81,40 +44,62 @@ Outcome wait_for(const Started& started) {
   return outcome;
 }
 
-Outcome run_gsbench(const std::vector<std::string>& arguments) {
-  return wait_for(start_gsbench(arguments));
+}  // namespace
+
+Started start_gsbench(const Words& arguments, const std::function<void()>& prepare) {
+  Started started{-1, new_file(), new_file()};
+  Words words = {GSBENCH_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  started.pid = fork();
+  if (started.pid < 0) throw std::runtime_error("fork failed");
+  if (started.pid == 0) {
+    redirect(started.out, STDOUT_FILENO);
+    redirect(started.err, STDERR_FILENO);
+    prepare();
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  return started;
 }
 
-Outcome run_gsbench_as_nobody(const std::vector<std::string>& arguments) {
-  return wait_for(start(arguments, [] {
-    constexpr uid_t kNobody = 65534;
-    if (setgid(kNobody) != 0 || setuid(kNobody) != 0) {
-      _exit(127);
-    }
-  }));
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
-Outcome run_gsbench_within(std::uint64_t most_bytes, const std::vector<std::string>& arguments) {
-  return wait_for(start(arguments, [&] {
-    const rlimit limit{most_bytes, most_bytes};
-    if (setrlimit(RLIMIT_AS, &limit) != 0) {
-      _exit(127);
-    }
-  }));
+Outcome stop(const Started& started, int signal) {
+  kill(started.pid, signal);
+  return wait_for(started);
+}
+
+Outcome run_gsbench(const Words& arguments, const std::function<void()>& prepare) {
+  return wait_for(start_gsbench(arguments, prepare));
+}
+
+json run_for_json(const Words& arguments) {
+  const Outcome outcome = run_gsbench(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  return json::parse(outcome.out);
+}
+
+void expect_refused(const Words& arguments, const std::string& says) {
+  const Outcome outcome = run_gsbench(arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments);
+  EXPECT_THAT(outcome.err, testing::HasSubstr(says)) << testing::PrintToString(arguments);
 }
 
 fs::path only_run(const fs::path& output_folder) {
-  fs::path run;
-  for (const fs::directory_entry& entry : fs::directory_iterator(output_folder)) {
-    if (!run.empty()) {
-      throw std::runtime_error("more than one run in " + output_folder.string());
-    }
-    run = entry.path();
+  const std::vector<fs::directory_entry> runs(fs::directory_iterator(output_folder), {});
+  if (runs.size() != 1) {
+    throw std::runtime_error(std::to_string(runs.size()) + " runs in " + output_folder.string());
   }
-  if (run.empty()) {
-    throw std::runtime_error("no run in " + output_folder.string());
-  }
-  return run;
+  return runs.front().path();
 }
 
 }  // namespace gsbench::test

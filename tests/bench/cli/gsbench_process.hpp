@@ -3,12 +3,16 @@
 
 #include <sys/types.h>
 
-#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 namespace gsbench::test {
+
+using nlohmann::json;
 
 struct Outcome {
   int exit_code = -1;  // 128 + the signal where one ended it
@@ -16,13 +20,17 @@ struct Outcome {
   std::string err;
 };
 
-Outcome run_gsbench(const std::vector<std::string>& arguments);
+using Words = std::vector<std::string>;
 
-// The same with no rights but everyone's; only root can do so.
-Outcome run_gsbench_as_nobody(const std::vector<std::string>& arguments);
+// `prepare` is called in the new process, before the program.
+Outcome run_gsbench(
+    const Words& arguments, const std::function<void()>& prepare = [] {});
 
-// The same where the process may take no more address space than this.
-Outcome run_gsbench_within(std::uint64_t most_bytes, const std::vector<std::string>& arguments);
+// What it prints for scripts; a failure where it does not exit with 0.
+json run_for_json(const Words& arguments);
+
+// A failure where it does not exit with 2 and a message that has `says`.
+void expect_refused(const Words& arguments, const std::string& says);
 
 // The same, without waiting for its end.
 struct Started {
@@ -30,8 +38,9 @@ struct Started {
   std::filesystem::path out;
   std::filesystem::path err;
 };
-Started start_gsbench(const std::vector<std::string>& arguments);
-Outcome wait_for(const Started& started);
+Started start_gsbench(
+    const Words& arguments, const std::function<void()>& prepare = [] {});
+Outcome stop(const Started& started, int signal);
 
 std::string text_of(const std::filesystem::path& path);
 

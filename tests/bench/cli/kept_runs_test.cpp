@@ -2,18 +2,18 @@
 #include "gsbench_process.hpp"
 #include <sys/stat.h>
 #include <test_support/temporary_folder.hpp>
+#include <unistd.h>
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
+#include <set>
 
+#include <gmock/gmock.h>
+
+namespace gsbench::test {
 namespace {
 
 namespace fs = std::filesystem;
-using gsbench::test::only_run;
-using gsbench::test::Outcome;
-using gsbench::test::run_gsbench;
-using gsbench::test::TemporaryFolder;
-using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kProfile = R"(title = "t"
 source = "made for this test"
@@ -29,8 +29,8 @@ max = 0
 
 class KeptRuns : public testing::Test {
  protected:
-  fs::path run(const std::string& runs, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {"run", profile_, "--out", folder_.file(runs)};
+  fs::path run(const std::string& runs, const Words& more = {}) const {
+    Words arguments = {"run", profile_, "--out", folder_.file(runs)};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run_gsbench(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -44,20 +44,17 @@ class KeptRuns : public testing::Test {
 TEST_F(KeptRuns, AreListedOldestFirstWhateverTheirFolders) {
   const fs::path first = run("first");
   const fs::path second = run("second");
-  const std::string first_id = first.filename().string();
-  const std::string second_id = second.filename().string();
+  const std::set<std::string> ids = {first.filename().string(), second.filename().string()};
   fs::create_directory(folder_.file("all"));
   fs::rename(first, folder_.file("all/z"));
   fs::rename(second, folder_.file("all/a"));
-  const json list = json::parse(run_gsbench({"runs", "--out", folder_.file("all"), "--json"}).out);
+  const json list = run_for_json({"runs", "--out", folder_.file("all"), "--json"});
   ASSERT_EQ(list.size(), 2U);
   const auto key = [](const json& entry) {
-    return std::make_pair(entry["started_utc"].get<std::string>(),
-                          entry["run_id"].get<std::string>());
+    return std::pair<std::string, std::string>(entry["started_utc"], entry["run_id"]);
   };
   EXPECT_LT(key(list[0]), key(list[1]));
-  EXPECT_EQ(std::set<std::string>({list[0]["run_id"], list[1]["run_id"]}),
-            std::set<std::string>({first_id, second_id}));
+  EXPECT_EQ(std::set<std::string>({list[0]["run_id"], list[1]["run_id"]}), ids);
 }
 
 TEST_F(KeptRuns, InHiddenFoldersAreNotListed) {
@@ -79,36 +76,37 @@ TEST_F(KeptRuns, SayWhichRecordingWasPlayedInPlaceOfTheProfile) {
   const std::string csv = folder_.write("other.csv", "t,f\n0,50\n0.3,49.9\n");
   const fs::path kept =
       run("runs", {"--trace", csv, "--trace-time", "t", "--trace-frequency", "f"});
-  const json recording = json::parse(gsbench::test::text_of(kept / "result.json"))["recording"];
+  const json recording = json::parse(text_of(kept / "result.json"))["recording"];
   EXPECT_EQ(recording["file"], csv);
   EXPECT_EQ(recording["frequency"], "f");
   EXPECT_EQ(recording["sha256"].get<std::string>().size(), 64U);
   EXPECT_EQ(recording["replaces_profile"], true);
-  const std::string page = gsbench::test::text_of(kept / "report.html");
-  EXPECT_EQ(page.find("The profile as it was played"), std::string::npos);
-  EXPECT_NE(page.find(recording["sha256"].get<std::string>()), std::string::npos);
+  const std::string page = text_of(kept / "report.html");
+  EXPECT_THAT(page, Not(HasSubstr("The profile as it was played")));
+  EXPECT_THAT(page, HasSubstr(recording["sha256"].get<std::string>()));
 }
 
 TEST_F(KeptRuns, AreReportedOnStandardOutputForADash) {
   const fs::path kept = run("runs");
   const Outcome report = run_gsbench({"report", kept.string(), "--format", "json", "-o", "-"});
-  EXPECT_EQ(report.out, gsbench::test::text_of(kept / "result.json"));
+  EXPECT_EQ(report.out, text_of(kept / "result.json"));
 }
 
 TEST_F(KeptRuns, AreFoundInAFolderThatCannotBeReadOnlyWithThatReason) {
-  if (geteuid() != 0) {
-    GTEST_SKIP() << "only root can become nobody";
-  }
+  if (geteuid() != 0) GTEST_SKIP() << "only root can become nobody";
   run("runs");
   fs::permissions(folder_.path(), fs::perms(0755));
   fs::permissions(folder_.file("runs"), fs::perms(0700));
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"runs", "--out", folder_.file("runs")},
-           {"report", folder_.file("runs/20260101"), "--out", folder_.file("runs")},
-           {"report", "20260101", "--out", folder_.file("runs")}}) {
-    const Outcome outcome = gsbench::test::run_gsbench_as_nobody(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_NE(outcome.err.find("ermission denied"), std::string::npos) << outcome.err;
+  for (const Words& arguments :
+       std::vector<Words>{{"runs", "--out", folder_.file("runs")},
+                          {"report", folder_.file("runs/20260101"), "--out", folder_.file("runs")},
+                          {"report", "20260101", "--out", folder_.file("runs")}}) {
+    const Outcome outcome = run_gsbench(arguments, [] {
+      constexpr uid_t kNobody = 65534;
+      if (setgid(kNobody) != 0 || setuid(kNobody) != 0) _exit(127);
+    });
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("ermission denied"));
   }
 }
 
@@ -118,7 +116,8 @@ TEST(Waveform, GoesToStandardOutputForADashAndNothingElseDoes) {
   const Outcome shown = run_gsbench({"waveform", profile, "-o", "-"});
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
   ASSERT_EQ(run_gsbench({"waveform", profile, "-o", folder.file("my.csv")}).exit_code, 0);
-  EXPECT_EQ(shown.out, gsbench::test::text_of(folder.path() / "my.csv"));
+  EXPECT_EQ(shown.out, text_of(folder.path() / "my.csv"));
 }
 
 }  // namespace
+}  // namespace gsbench::test

@@ -1,30 +1,24 @@
 // The paper's tables and fleets as users and scripts meet them.
 #include "gsbench_process.hpp"
+#include "waiting.hpp"
 #include <test_support/temporary_folder.hpp>
 
 #include <csignal>
 #include <fstream>
 #include <map>
-#include <thread>
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
+#include <gmock/gmock.h>
 
+namespace gsbench::test {
 namespace {
 
-using gsbench::test::Outcome;
-using gsbench::test::run_gsbench;
-using gsbench::test::Started;
-using gsbench::test::TemporaryFolder;
-using gsbench::test::text_of;
-using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 
-json reproduced(const std::string& only, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments = {"reproduce", "--only", only, "--n", "20000", "--json"};
+json reproduced(const std::string& only, const Words& more = {}) {
+  Words arguments = {"reproduce", "--only", only, "--n", "20000", "--json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  const Outcome outcome = run_gsbench(arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return json::parse(outcome.out);
+  return run_for_json(arguments);
 }
 
 const std::string kFirmware = "firmware at a known event";
@@ -115,50 +109,41 @@ TEST(Reproduce, TakesTheReadersChoices) {
             figure(usual[1], "paper's way, EKF started with 0.3 of all power and 50 ms", within));
 }
 
-// Until a process has computed for a while, its start is behind it.
-void wait_until_busy(pid_t pid, long hundredths = 30) {
-  for (int tries = 0; tries < 6000; ++tries) {
-    std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+// Interrupted once it has computed for so long, and its start is behind it.
+Outcome interrupted(const Words& arguments, long hundredths = 30) {
+  const Started started = start_gsbench(arguments);
+  EXPECT_TRUE(until([&] {
+    std::ifstream stat("/proc/" + std::to_string(started.pid) + "/stat");
     std::string field;
-    for (int i = 0; i < 14; ++i) {
-      stat >> field;  // the fourteenth: time in user mode, in hundredths of a second
-    }
-    if (stat && std::stol(field) >= hundredths) {
-      return;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  ADD_FAILURE() << "it does nothing";
+    // The fourteenth: time in user mode, in hundredths of a second.
+    for (int i = 0; i < 14; ++i) stat >> field;
+    return stat && std::stol(field) >= hundredths;
+  })) << "it does nothing";
+  Outcome outcome = stop(started, SIGINT);
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  return outcome;
 }
 
 TEST(Reproduce, InterruptedReportsWhatItDid) {
-  for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"reproduce", "--only", "table4", "--n", "4000000000", "--json"},
-        std::vector<std::string>{"fleet", "--sweep", "--json"}}) {
-    const Started started = gsbench::test::start_gsbench(command);
-    wait_until_busy(started.pid);
-    kill(started.pid, SIGINT);
-    const Outcome outcome = gsbench::test::wait_for(started);
-    EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-    const json page = json::parse(outcome.out);
+  for (const Words& command :
+       std::vector<Words>{{"reproduce", "--only", "table4", "--n", "4000000000", "--json"},
+                          {"fleet", "--sweep", "--json"}}) {
+    const json page = json::parse(interrupted(command).out);
     EXPECT_FALSE(page["sections"].empty());
-    EXPECT_NE(page["facts"].dump().find("not whole"), std::string::npos) << page["facts"];
+    EXPECT_THAT(page["facts"].dump(), HasSubstr("not whole"));
   }
 }
 
 // What was being played when it was stopped is no result.
 TEST(Fleet, InterruptedLeavesOutWhatIsNotWholeAndSaysSo) {
-  const Started started = gsbench::test::start_gsbench({"fleet", "--sweep"});
-  wait_until_busy(started.pid, 250);  // within the controls or after them
-  kill(started.pid, SIGINT);
-  const Outcome outcome = gsbench::test::wait_for(started);
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  EXPECT_NE(outcome.out.find("stopped: "), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("not whole"), std::string::npos);
+  // Within the controls or after them.
+  const std::string text = interrupted({"fleet", "--sweep"}, 250).out;
+  EXPECT_THAT(text, HasSubstr("stopped: "));
+  EXPECT_THAT(text, HasSubstr("not whole"));
   // A fleet that had not decided yet would have the nadir of nobody's control.
-  const auto row = outcome.out.find("Grid Sense, by each outlet's estimate");
+  const auto row = text.find("Grid Sense, by each outlet's estimate");
   if (row != std::string::npos) {
-    EXPECT_NE(outcome.out.substr(row, 200).find(" 148."), std::string::npos) << outcome.out;
+    EXPECT_THAT(text.substr(row, 200), HasSubstr(" 148."));
   }
 }
 
@@ -167,36 +152,28 @@ TEST(Reproduce, WritesAReportThatStandsAlone) {
   const std::string report = folder.file("paper.html");
   const Outcome outcome = run_gsbench({"reproduce", "--only", "fig13,table1,fig14", "-o", report});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("351.921"), std::string::npos) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("351.921"));
   const std::string text = text_of(report);
-  EXPECT_NE(text.find("id=\"table1\""), std::string::npos);
-  EXPECT_EQ(text.find("<script src"), std::string::npos);
-  EXPECT_EQ(text.find("<link rel=\"stylesheet\""), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("id=\"table1\""));
+  EXPECT_THAT(text, Not(HasSubstr("<script src")));
+  EXPECT_THAT(text, Not(HasSubstr("<link rel=\"stylesheet\"")));
 }
 
 TEST(Reproduce, RefusesWhatThereIsNone) {
-  const Outcome outcome = run_gsbench({"reproduce", "--only", "table9"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("\"table9\" cannot be reproduced; there are fig13, table1"),
-            std::string::npos)
-      << outcome.err;
-  EXPECT_EQ(run_gsbench({"reproduce", "--n", "0"}).exit_code, 2);
-  EXPECT_EQ(run_gsbench({"reproduce", "--rocof-window", "1"}).exit_code, 2);
-  EXPECT_EQ(run_gsbench({"reproduce", "--only", "table4", "--ekf-loss-sigma", "0"}).exit_code, 2);
-  EXPECT_EQ(run_gsbench({"reproduce", "--only", "table4", "--ekf-loss-sigma", "nan"}).exit_code, 2);
-  EXPECT_EQ(run_gsbench({"reproduce", "--only", "table2", "--hits-above", "36"}).exit_code, 2);
-  const Outcome distribution = run_gsbench({"reproduce", "--noise-distribution", "pink"});
-  EXPECT_EQ(distribution.exit_code, 2);
-  EXPECT_NE(distribution.err.find("pink not in {gaussian,uniform}"), std::string::npos)
-      << distribution.err;
-  EXPECT_EQ(run_gsbench({"reproduce", "--only", "fig13", "-o", "/nowhere/x.html"}).exit_code, 2);
+  expect_refused({"reproduce", "--only", "table9"},
+                 "\"table9\" cannot be reproduced; there are fig13, table1");
+  expect_refused({"reproduce", "--n", "0"}, "");
+  expect_refused({"reproduce", "--rocof-window", "1"}, "");
+  expect_refused({"reproduce", "--only", "table4", "--ekf-loss-sigma", "0"}, "");
+  expect_refused({"reproduce", "--only", "table4", "--ekf-loss-sigma", "nan"}, "");
+  expect_refused({"reproduce", "--only", "table2", "--hits-above", "36"}, "");
+  expect_refused({"reproduce", "--noise-distribution", "pink"}, "pink not in {gaussian,uniform}");
+  expect_refused({"reproduce", "--only", "fig13", "-o", "/nowhere/x.html"}, "/nowhere/x.html");
 }
 
 TEST(Fleet, SetsGridSenseBesideOtherControls) {
-  const Outcome outcome = run_gsbench({"fleet", "--per-group", "20", "--least", "500", "--most",
-                                       "90000", "--delay-aware", "--json"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json section = json::parse(outcome.out)["sections"][0];
+  const json section = run_for_json({"fleet", "--per-group", "20", "--least", "500", "--most",
+                                     "90000", "--delay-aware", "--json"})["sections"][0];
   EXPECT_NEAR(figure(section, "no control", "nadir, Hz"), 49.290, 0.001);
   EXPECT_NEAR(figure(section, "Grid Sense, by each outlet's estimate", "shed, MW"), 148.1, 1.5);
   EXPECT_NEAR(figure(section, "central control", "first action, s"), 1.9, 1e-9);
@@ -212,15 +189,13 @@ TEST(Fleet, SweepsAsHeatMapsOnAnyGrid) {
       run_gsbench({"fleet", "island-60hz", "--loss", "12", "--groups", "50", "--per-group", "20",
                    "--most", "40000", "--duration", "5", "--sweep", "-o", report});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(text_of(report).find("background: hsl("), std::string::npos);
+  EXPECT_THAT(text_of(report), HasSubstr("background: hsl("));
 }
 
 TEST(Fleet, SweepsOverEachLossNoiseAndDelay) {
-  const Outcome outcome =
-      run_gsbench({"fleet", "--per-group", "20", "--least", "500", "--most", "90000", "--sweep",
-                   "--losses", "450,500", "--noises", "0,0.02", "--delays", "0,0.5,1", "--json"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json sweep = json::parse(outcome.out)["sections"][1];
+  const json sweep = run_for_json({"fleet", "--per-group", "20", "--least", "500", "--most",
+                                   "90000", "--sweep", "--losses", "450,500", "--noises", "0,0.02",
+                                   "--delays", "0,0.5,1", "--json"})["sections"][1];
   ASSERT_EQ(sweep["tables"].size(), 5U);  // a nadir a delay, shed, central control
   double above_hz = 50.0;
   for (std::size_t delay = 0; delay < 3; ++delay) {
@@ -231,19 +206,14 @@ TEST(Fleet, SweepsOverEachLossNoiseAndDelay) {
     EXPECT_LT(nadir_hz, above_hz);  // the later the lower
     above_hz = nadir_hz;
   }
-  const json& central = sweep["tables"][4];
-  EXPECT_EQ(central["columns"].size(), 3U);
-  EXPECT_EQ(run_gsbench({"fleet", "--noises", "0.01"}).exit_code, 2);  // of no sweep
+  EXPECT_EQ(sweep["tables"][4]["columns"].size(), 3U);
+  expect_refused({"fleet", "--noises", "0.01"}, "");  // of no sweep
 }
 
 TEST(Fleet, RefusesASweepOverNonsenseBeforeItPlays) {
-  for (const auto& [option, value] : std::map<std::string, std::string>{
-           {"--losses", "500,nan"}, {"--noises", "0.01,-1"}, {"--delays", "0,100"}}) {
-    const Outcome outcome = run_gsbench({"fleet", "--sweep", option, value});
-    EXPECT_EQ(outcome.exit_code, 2) << option;
-    EXPECT_NE(outcome.err.find("the sweep's " + option.substr(2)), std::string::npos)
-        << outcome.err;
-  }
+  expect_refused({"fleet", "--sweep", "--losses", "500,nan"}, "the sweep's losses");
+  expect_refused({"fleet", "--sweep", "--noises", "0.01,-1"}, "the sweep's noises");
+  expect_refused({"fleet", "--sweep", "--delays", "0,100"}, "the sweep's delays");
 }
 
 TEST(Fleet, RefusesWhatMakesNoSense) {
@@ -253,10 +223,9 @@ TEST(Fleet, RefusesWhatMakesNoSense) {
                                           {"--noise", "-1"},
                                           {"--delay", "inf"},
                                           {"--central-delay", "1e300"}}) {
-    const Outcome outcome = run_gsbench({"fleet", option, value});
-    EXPECT_EQ(outcome.exit_code, 2) << option;
-    EXPECT_FALSE(outcome.err.empty());
+    expect_refused({"fleet", option, value}, "gsbench: ");
   }
 }
 
 }  // namespace
+}  // namespace gsbench::test

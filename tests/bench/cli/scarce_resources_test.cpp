@@ -1,0 +1,74 @@
+// Little memory, threads that the system does not give, a disk that fills while a run is written:
+// told by name, never an abort, and nothing half written stays.
+#include "gsbench_process.hpp"
+#include <sys/resource.h>
+#include <test_support/small_disk.hpp>
+#include <test_support/temporary_folder.hpp>
+#include <unistd.h>
+
+#include <cstring>
+
+#include <gmock/gmock.h>
+
+namespace gsbench::test {
+namespace {
+
+using testing::HasSubstr;
+
+// Each thread asks for 8 MB of stack: 256 of them are too many for all of these sizes.
+TEST(LittleMemory, EndsWithAResultOrTellsThatItWasTooLittle) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer takes terabytes of address space";
+#endif
+  const TemporaryFolder folder;
+  for (const rlim_t megabytes : {150U, 400U, 1000U}) {
+    for (const Words& arguments : std::vector<Words>{
+             {"study", "paper/loss-500mw", "--seeds", "2", "--threads", "256"},
+             {"run", "paper/loss-500mw", "--threads", "256", "--out", folder.file("runs")}}) {
+      const Outcome outcome = run_gsbench(arguments, [&] {
+        const rlimit limit{megabytes << 20U, megabytes << 20U};
+        if (setrlimit(RLIMIT_AS, &limit) != 0) _exit(127);
+      });
+      if (outcome.exit_code != 0) {
+        EXPECT_EQ(outcome.exit_code, 4) << megabytes << " MB: " << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("out of memory")) << megabytes << " MB";
+      }
+    }
+  }
+}
+
+TEST(FullDisk, EndsWithTwoAndLeavesNothing) {
+  // The sizes end the writing early in the record, and late in it.
+  for (const char* size : {"size=32k", "size=300k"}) {
+    const TemporaryFolder folder;
+    const SmallDisk disk(folder.path(), size);
+    if (!disk.mounted()) GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
+    const Outcome outcome = run_gsbench({"run", "paper/loss-500mw", "--out", folder.file("runs")});
+    EXPECT_EQ(outcome.exit_code, 2) << size;
+    EXPECT_THAT(outcome.err, HasSubstr(folder.path().string()));
+    // The database says it in its own words, a folder or a report in the system's.
+    EXPECT_THAT(outcome.err, HasSubstr("o space left on"));
+    EXPECT_TRUE(folder.entries().empty()) << size;
+  }
+}
+
+TEST(FullDisk, AmongTheReportsKeepsTheFinishedRecord) {
+  const TemporaryFolder folder;
+  const SmallDisk disk(folder.path(), "size=800k");
+  if (!disk.mounted()) GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
+  const Outcome outcome = run_gsbench({"run", "paper/loss-500mw", "--out", folder.file("runs")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("o space left on"));
+  EXPECT_THAT(outcome.err, HasSubstr("the run is kept"));
+  const std::filesystem::path run = only_run(folder.path() / "runs");
+  // Each report is whole or not there, and the last cannot be.
+  const std::string html = text_of(run / "report.html");
+  EXPECT_TRUE(html.empty() || html.find("</html>") != std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(run / "traces.csv"));
+  const Outcome report = run_gsbench({"report", run.string()});
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_THAT(report.out, HasSubstr("PASS: "));
+}
+
+}  // namespace
+}  // namespace gsbench::test
