@@ -1,20 +1,24 @@
-// Each declared key of each file is used by a text below, and each of its slips is refused at its
-// place: a wrong type, a value below and above its range, a misspelt name, and its absence.
+// Each declared key of each file is used by a text below and documented, and each of its slips is
+// refused at its place: a wrong type, a value below and above its range, a misspelt name, and its
+// absence.
 #include <profile_test/texts.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <regex>
 #include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <keys/document.hpp>
+#include <keys/markdown.hpp>
 #include <profile/keys.hpp>
 #include <station/station_file.hpp>
 
@@ -28,38 +32,15 @@ using testing::StartsWith;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr const char* kGrid = R"(title = "all keys of a grid"
-source = "Here"
-[system]
-nominal_hz = 50.0
-threshold_hz = 49.5
-base_mw = 100.0
-load_mw = 90.0
-damping_pu = 1.0
-gain_km = 0.9
-reheat_fraction = 0.25
-reheat_s = 7.0
-condition_row_hz = 0.1
-[[plant]]
-id = "one"
-rating_mw = 60.0
-inertia_s = 4.0
-droop_pu = 0.05
-[[plant]]
-id = "two"
-rating_mw = 40.0
-inertia_s = 4.0
-inverse_droop_pu = 20.0
-[[block]]
-id = "least"
-power_mw = 10.0
-[reference]
-source = "A paper"
-t_nadir_s = 2.5
-threshold_mw = 90.0
-condition_rocof_hz_s = [-0.5, 0.0]
-note = "Why they differ"
-)";
+// The grid in place of a profile, as a file of its own.
+std::string grid_file() {
+  const std::string text = kLossesInPlace;
+  const auto from = text.find("[grid.system]");
+  return "title = \"All keys of a grid\"\nsource = \"Here\"\n" +
+         std::regex_replace(text.substr(from, text.find("[[grid.loss]]") - from),
+                            std::regex("grid\\."), "");
+}
+
 constexpr const char* kEmulatedStation = R"(title = "all keys of an emulated station"
 kind = "emulated"
 image = "outlet.elf"
@@ -85,7 +66,7 @@ outlets = ["a"]
 struct File {
   const char* name;
   const Key& (*declared)();
-  std::vector<const char*> texts;  // that together use every key
+  std::vector<std::string> texts;  // that together use every key
   std::function<void(const std::string& path)> load;
 };
 
@@ -93,29 +74,7 @@ void PrintTo(const File& file, std::ostream* stream) {
   *stream << file.name;
 }
 
-class EveryKey : public testing::TestWithParam<File> {
- protected:
-  EveryKey() {
-    folder_.write("recording.csv", "t,f,u\n0,50,230\n2,50,230\n4,50,230\n");
-    folder_.write("outlet.elf", "code");
-  }
-
-  std::string refusal_of(const std::string& text) const {
-    const std::string path = folder_.write("case.toml", text);
-    try {
-      GetParam().load(path);
-    } catch (const ConfigurationError& error) {
-      const std::string message = error.what();
-      EXPECT_THAT(message, StartsWith(path + ":"));
-      return message.substr(std::min(message.size(), path.size() + 1));
-    }
-    return "";
-  }
-
-  const gsbench::test::TemporaryFolder folder_;
-};
-
-using Visit = std::function<void(const Key& table, const Key& key, const keys::Entry& entry)>;
+using Visit = std::function<void(const Key& key, const keys::Entry& entry)>;
 
 // Every entry of a document beside its declaration.
 void walk(const keys::Value& value, const Key& table, const Visit& visit) {
@@ -129,10 +88,40 @@ void walk(const keys::Value& value, const Key& table, const Visit& visit) {
     const auto key = std::find_if(table.inner.begin(), table.inner.end(),
                                   [&](const Key& known) { return known.name == entry.key; });
     ASSERT_NE(key, table.inner.end()) << entry.key;
-    visit(table, *key, entry);
+    visit(*key, entry);
     if (keys::is_table(*key)) walk(entry.value, *key, visit);
   }
 }
+
+class EveryKey : public testing::TestWithParam<File> {
+ protected:
+  EveryKey() {
+    folder_.write("recording.csv", "t,f,u\n0,50,230\n2,50,230\n4,50,230\n");
+    folder_.write("outlet.elf", "code");
+  }
+
+  std::string refusal_of(const std::string& text) const {
+    const std::string path = folder_.write("case.toml", text);
+    const std::string message =
+        gsbench::test::refusal_of<ConfigurationError>([&] { GetParam().load(path); });
+    if (message.empty()) return "";
+    EXPECT_THAT(message, StartsWith(path + ":"));
+    return message.substr(path.size() + 1);
+  }
+
+  // Each value of the texts that is no table.
+  void for_each_value(
+      const std::function<void(const std::string&, const Key&, const keys::Entry&)>& use) const {
+    for (const std::string& text : GetParam().texts) {
+      walk(keys::parse_toml(text, "").root, GetParam().declared(),
+           [&](const Key& key, const keys::Entry& entry) {
+             if (!keys::is_table(key)) use(text, key, entry);
+           });
+    }
+  }
+
+  const gsbench::test::TemporaryFolder folder_;
+};
 
 // `text` with the rest of a line replaced from the place on.
 std::string spoilt(const std::string& text, keys::Position at, const std::string& by) {
@@ -172,10 +161,10 @@ std::vector<std::string> out_of_range(const Key& key) {
 
 TEST_P(EveryKey, IsUsedByTheTexts) {
   std::set<const Key*> used;
-  for (const std::string text : GetParam().texts) {
+  for (const std::string& text : GetParam().texts) {
     ASSERT_EQ(refusal_of(text), "");
     walk(keys::parse_toml(text, "").root, GetParam().declared(),
-         [&](const Key&, const Key& key, const keys::Entry&) { used.insert(&key); });
+         [&](const Key& key, const keys::Entry&) { used.insert(&key); });
   }
   const std::function<void(const Key&)> expect_used = [&](const Key& table) {
     for (const Key& key : table.inner) {
@@ -186,72 +175,56 @@ TEST_P(EveryKey, IsUsedByTheTexts) {
   expect_used(GetParam().declared());
 }
 
-TEST_P(EveryKey, IsRefusedWhereItsTypeIsWrong) {
-  for (const std::string text : GetParam().texts) {
-    walk(keys::parse_toml(text, "").root, GetParam().declared(),
-         [&](const Key&, const Key& key, const keys::Entry& entry) {
-           if (keys::is_table(key)) return;
-           std::vector<std::string> wrong = {"true", "2025-04-28", "{}"};  // no key takes these
-           wrong.emplace_back(keys::is_number(key) ? "\"6\"" : "6");
-           for (const std::string& value : wrong) {
-             EXPECT_THAT(refusal_of(spoilt(text, entry.value.at, value)),
-                         StartsWith(place(entry.value.at) + key.name + " is "))
-                 << value;
-           }
-         });
-  }
-}
-
-TEST_P(EveryKey, IsRefusedOutsideItsRange) {
-  int refused = 0;
-  for (const std::string text : GetParam().texts) {
-    walk(keys::parse_toml(text, "").root, GetParam().declared(),
-         [&](const Key&, const Key& key, const keys::Entry& entry) {
-           if (keys::is_table(key)) return;
-           for (const std::string& value : out_of_range(key)) {
-             EXPECT_THAT(refusal_of(spoilt(text, entry.value.at, value)),
-                         StartsWith(place(entry.value.at) + key.name + " is "))
-                 << value;
-             ++refused;
-           }
-         });
-  }
-  EXPECT_GT(refused, 2);
+TEST_P(EveryKey, IsRefusedWhereItsTypeIsWrongAndOutsideItsRange) {
+  int outside = 0;
+  for_each_value([&](const std::string& text, const Key& key, const keys::Entry& entry) {
+    std::vector<std::string> wrong = out_of_range(key);
+    outside += static_cast<int>(wrong.size());
+    wrong.insert(wrong.end(), {"true", "2025-04-28", "{}"});  // no key takes these
+    wrong.emplace_back(keys::is_number(key) ? "\"6\"" : "6");
+    for (const std::string& value : wrong) {
+      EXPECT_THAT(refusal_of(spoilt(text, entry.value.at, value)),
+                  StartsWith(place(entry.value.at) + key.name + " is "))
+          << value;
+    }
+  });
+  EXPECT_GT(outside, 2);
 }
 
 TEST_P(EveryKey, IsSuggestedWhereItsNameIsMisspelt) {
-  for (const std::string text : GetParam().texts) {
-    walk(keys::parse_toml(text, "").root, GetParam().declared(),
-         [&](const Key&, const Key& key, const keys::Entry& entry) {
-           if (keys::is_table(key)) return;
-           EXPECT_THAT(refusal_of(spoilt(text, entry.at, key.name + "x = 1")),
-                       testing::AllOf(StartsWith(place(entry.at) + "unknown key"),
-                                      HasSubstr("did you mean \"" + key.name + "\"?")));
-         });
-  }
+  for_each_value([&](const std::string& text, const Key& key, const keys::Entry& entry) {
+    EXPECT_THAT(refusal_of(spoilt(text, entry.at, key.name + "x = 1")),
+                testing::AllOf(StartsWith(place(entry.at) + "unknown key"),
+                               HasSubstr("did you mean \"" + key.name + "\"?")));
+  });
 }
 
 TEST_P(EveryKey, IsMissedWhereItIsRequired) {
   int required = 0;
-  for (const std::string text : GetParam().texts) {
-    walk(keys::parse_toml(text, "").root, GetParam().declared(),
-         [&](const Key&, const Key& key, const keys::Entry& entry) {
-           if (keys::is_table(key) || !key.required) return;
-           EXPECT_THAT(refusal_of(spoilt(text, entry.at, "")),
-                       HasSubstr(" lacks \"" + key.name + "\": "));
-           ++required;
-         });
-  }
+  for_each_value([&](const std::string& text, const Key& key, const keys::Entry& entry) {
+    if (!key.required) return;
+    EXPECT_THAT(refusal_of(spoilt(text, entry.at, "")), HasSubstr(" lacks \"" + key.name + "\": "));
+    ++required;
+  });
   EXPECT_GT(required, 2);
 }
 
+TEST_P(EveryKey, IsDocumented) {
+  std::ifstream file(GSBENCH_SOURCE_DIR "/profiles/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::string command = fmt::format("gsbench schema {} --markdown", GetParam().name);
+  EXPECT_THAT(readme, HasSubstr("<!-- " + command + " -->\n" +
+                                keys::markdown(GetParam().declared()) + "<!-- end -->"))
+      << "replace it by what `" << command << "` prints";
+}
+
 const File kFiles[] = {
-    {"Profile",
+    {"profile",
      &profile_keys,
      {kLossesInPlace, kPoints, kRecording},
      [](const std::string& path) { (void)load_profile(path); }},
-    {"Grid", &grid_keys, {kGrid}, [](const std::string& path) { (void)load_grid(path); }},
-    {"Station",
+    {"grid", &grid_keys, {grid_file()}, [](const std::string& path) { (void)load_grid(path); }},
+    {"station",
      &station::station_keys,
      {kEmulatedStation, kPhysicalStation},
      [](const std::string& path) { (void)station::load_station(path); }},

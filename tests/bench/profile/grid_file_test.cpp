@@ -1,18 +1,12 @@
 // Grids from files of their own.
-#include <control_centre/threshold.hpp>
 #include <profile_test/texts.hpp>
-
-#include <filesystem>
-#include <fstream>
+#include <test_support/temporary_folder.hpp>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace gsbench::profile::test {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::HasSubstr;
 using testing::StartsWith;
 
 constexpr const char* kGrid = R"(title = "Small"
@@ -30,35 +24,11 @@ inertia_s = 4.0
 droop_pu = 0.05
 )";
 
-class GridFile : public testing::Test {
- protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
+const std::string kBesideIt = replaced(kMinimal, "ieee24", "small.toml");
 
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
-
-  std::string grid_refusal(const std::string& text) const {
-    const std::string path = write("grid.toml", text);
-    try {
-      (void)load_grid(path);
-    } catch (const ConfigurationError& error) {
-      const std::string message = error.what();
-      EXPECT_THAT(message, StartsWith(path + ":"));
-      return message.substr(path.size() + 1);
-    }
-    return "";
-  }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) /
-                           (std::string("gsbench-grid-") +
-                            testing::UnitTest::GetInstance()->current_test_info()->name());
-};
-
-TEST_F(GridFile, IsNamedByItsFileAndHasTheDocumentedDefaults) {
-  const grid::Grid grid = load_grid(write("small.toml", kGrid));
+TEST(GridFile, IsNamedByItsFileAndHasTheDocumentedDefaults) {
+  const gsbench::test::TemporaryFolder folder;
+  const grid::Grid grid = load_grid(folder.write("small.toml", kGrid));
   EXPECT_EQ(grid.name, "small");
   EXPECT_EQ(grid.title, "Small");
   EXPECT_EQ(grid.source, "Here");
@@ -72,50 +42,22 @@ TEST_F(GridFile, IsNamedByItsFileAndHasTheDocumentedDefaults) {
       << "of its text";
 }
 
-TEST_F(GridFile, IsFoundBesideTheProfile) {
-  write("small.toml", kGrid);
-  const std::string path = write("case.toml", replaced(kMinimal, "ieee24", "small.toml"));
-  EXPECT_EQ(load_profile(path).grid.title, "Small");
+TEST(GridFile, IsFoundBesideTheProfile) {
+  const gsbench::test::TemporaryFolder folder;
+  folder.write("small.toml", kGrid);
+  EXPECT_EQ(load_profile(folder.write("case.toml", kBesideIt)).grid.title, "Small");
 }
 
-TEST_F(GridFile, RefusesWithItsOwnPathAndPlace) {
-  EXPECT_EQ(grid_refusal(replaced(kGrid, "inertia_s = 4.0", "inertia_s = \"4 s\"")),
-            "12:13: inertia_s is the text \"4 s\"; it must be a plain number, in the unit that its "
-            "name says");
-  EXPECT_EQ(grid_refusal(replaced(kGrid, "title = \"Small\"", "")),
-            "1:1: a grid file lacks \"title\": a text in quotes");
-  EXPECT_EQ(grid_refusal(replaced(kGrid, "[system]", "[grid]")),
-            "3:2: unknown key \"grid\" in a grid file; its keys are: title, source, system, plant, "
-            "block, reference");
-  EXPECT_EQ(grid_refusal(replaced(kGrid, "rating_mw = 100.0", "rating_mw = -100.0")),
-            "11:13: rating_mw is -100; it must be at least 1e-06 and at most 10000000");
-}
-
-TEST_F(GridFile, RefusedInsideAProfileNamesTheGridsFile) {
-  const std::string grid =
-      write("bad.toml", replaced(kGrid, "damping_pu = 1.0", "damping_pu = -1"));
-  const std::string path = write("case.toml", replaced(kMinimal, "ieee24", "bad.toml"));
-  try {
-    (void)load_profile(path);
-    FAIL() << "a negative damping was taken";
-  } catch (const ConfigurationError& error) {
-    EXPECT_THAT(error.what(), StartsWith(grid + ":8:14: "));
-  }
+TEST(GridFile, RefusedInsideAProfileNamesTheGridsFile) {
+  const gsbench::test::TemporaryFolder folder;
+  folder.write("small.toml", replaced(kGrid, "damping_pu = 1.0", "damping_pu = -1"));
+  EXPECT_THAT(refusal(kBesideIt, folder.file("case.toml")),
+              StartsWith(folder.file("small.toml") + ":8:14: "));
 }
 
 TEST(GridName, UnknownIsRefusedWithASuggestion) {
-  try {
-    (void)load_grid("ieee42");
-    FAIL() << "an unknown grid was taken";
-  } catch (const ConfigurationError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no grid \"ieee42\"; did you mean \"ieee24\"?"));
-  }
-}
-
-TEST(ShippedGrid, GivesThePapersThreshold) {
-  const grid::Grid grid = load_grid("ieee24");
-  // Calibrated value 351.92 MW, printed 351.90 MW (Xiang et al., §6.1).
-  EXPECT_NEAR(control_centre::threshold_mw(grid::SfrModel(grid), grid.threshold_hz), 351.92, 0.1);
+  EXPECT_THAT(gsbench::test::refusal_of<ConfigurationError>([] { (void)load_grid("ieee42"); }),
+              testing::HasSubstr("no grid \"ieee42\"; did you mean \"ieee24\"?"));
 }
 
 }  // namespace

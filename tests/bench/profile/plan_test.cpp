@@ -1,8 +1,6 @@
 // A plan's truth and samples are those of its profile.
 #include <profile_test/texts.hpp>
 
-#include <vector>
-
 #include <gtest/gtest.h>
 
 #include <grid/sfr_model.hpp>

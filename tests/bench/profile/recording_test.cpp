@@ -1,16 +1,14 @@
 // Recordings as the stimulus: of the profile, and of the command line in its place.
 #include <profile_test/texts.hpp>
+#include <test_support/temporary_folder.hpp>
 
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace gsbench::profile::test {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -27,26 +25,20 @@ constexpr const char* kCsv =
 
 class Recording : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::create_directories(folder_);
-    write("recording.csv", kCsv);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  Recording() { folder_.write("recording.csv", kCsv); }
 
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.file(name); }
   Plan parse_here(const std::string& text, const Overrides& overrides = {}) const {
     return parse_profile(text, path("case.toml"), overrides);
   }
   std::string refusal_here(const std::string& text, const Overrides& overrides = {}) const {
-    try {
-      (void)parse_here(text, overrides);
-    } catch (const ConfigurationError& error) {
-      return error.what();
-    }
-    return "";
+    return refusal(text, path("case.toml"), overrides);
+  }
+  // The message behind the profile's path.
+  std::string refusal_of_one_with(const std::string& what, const std::string& by) const {
+    const std::string message = refusal_here(replaced(kRecording, what, by));
+    EXPECT_THAT(message, StartsWith(path("case.toml") + ":"));
+    return message.substr(std::min(message.size(), path("case.toml").size() + 1));
   }
   Overrides replay(const std::string& name) const {
     Overrides overrides;
@@ -55,9 +47,7 @@ class Recording : public testing::Test {
     return overrides;
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) /
-                           (std::string("gsbench-recording-") +
-                            testing::UnitTest::GetInstance()->current_test_info()->name());
+  const gsbench::test::TemporaryFolder folder_;
 };
 
 TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
@@ -79,7 +69,7 @@ TEST_F(Recording, IsKnownByItsNameColumnsAndContent) {
   EXPECT_EQ(own.columns.voltage, "u");
   EXPECT_EQ(own.sha256, "4fa5e3a1c3d7576c5d86a01f68b4974c7a3055ae4491f197a1af73e00d069837");
   EXPECT_FALSE(own.replaces_profile);
-  write("other.csv", "t,f\n0,50\n9,50\n");
+  folder_.write("other.csv", "t,f\n0,50\n9,50\n");
   const profile::Recording other = parse_here(kRecording, replay("other.csv")).stimulus.recording;
   EXPECT_EQ(other.file, path("other.csv"));
   EXPECT_EQ(other.columns.voltage, "");
@@ -92,14 +82,17 @@ TEST_F(Recording, IsPlayedToItsEndWhereTheProfileGivesNoDuration) {
   EXPECT_EQ(parse_here(replaced(kRecording, "duration_s = 2.0", "")).stimulus.duration_s, 3.0);
 }
 
-TEST_F(Recording, ThatIsShorterThanTheRunIsRefused) {
-  EXPECT_EQ(refusal_here(replaced(kRecording, "duration_s = 2.0", "duration_s = 3.5")),
-            path("case.toml") + ":6:14: duration_s is 3.5; the recording ends at 3 s");
-}
-
-TEST_F(Recording, ThatIsMissingIsRefusedAtTheProfilesLine) {
-  EXPECT_EQ(refusal_here(replaced(kRecording, "recording.csv", "none.csv")),
-            path("case.toml") + ":8:8: no recording " + path("none.csv"));
+TEST_F(Recording, IsRefusedAtThePlaceInTheProfile) {
+  EXPECT_EQ(refusal_of_one_with("duration_s = 2.0", "duration_s = 3.5"),
+            "6:14: duration_s is 3.5; the recording ends at 3 s");
+  EXPECT_EQ(refusal_of_one_with("recording.csv", "none.csv"),
+            "8:8: no recording " + path("none.csv"));
+  EXPECT_EQ(refusal_of_one_with("voltage = \"u\"", ""),
+            "12:19: nominal_voltage needs the column: voltage = \"…\"");
+  EXPECT_EQ(refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
+            "13:10: less than two rows of " + path("recording.csv") + " are left to play");
+  EXPECT_EQ(refusal_of_one_with("until_s = 4.0", "until_s = 0.5"),
+            "14:11: until_s is 0.5; it must be above 1");
 }
 
 TEST_F(Recording, WithoutTheNamedColumnIsRefusedByItsOwnName) {
@@ -107,24 +100,8 @@ TEST_F(Recording, WithoutTheNamedColumnIsRefusedByItsOwnName) {
               StartsWith(path("recording.csv") + ":1:"));
 }
 
-TEST_F(Recording, OfWhichTheWindowLeavesNothingIsRefused) {
-  EXPECT_EQ(refusal_here(replaced(kRecording, "from_s = 1.0", "from_s = 3.5")),
-            path("case.toml") + ":13:10: less than two rows of " + path("recording.csv") +
-                " are left to play");
-}
-
-TEST_F(Recording, NominalVoltageNeedsAVoltageColumn) {
-  EXPECT_EQ(refusal_here(replaced(kRecording, "voltage = \"u\"", "")),
-            path("case.toml") + ":12:19: nominal_voltage needs the column: voltage = \"…\"");
-}
-
-TEST_F(Recording, WindowThatEndsBeforeItBeginsIsRefused) {
-  EXPECT_EQ(refusal_here(replaced(kRecording, "until_s = 4.0", "until_s = 0.5")),
-            path("case.toml") + ":14:11: until_s is 0.5; it must be above 1");
-}
-
 TEST_F(Recording, OfTheCommandLineTakesThePlaceOfWhateverHappens) {
-  write("long.csv", std::string(kCsv) + "20,49.5,230\n");
+  folder_.write("long.csv", std::string(kCsv) + "20,49.5,230\n");
   const Stimulus stimulus = parse_here(kLossesInPlace, replay("long.csv")).stimulus;
   EXPECT_EQ(stimulus.kind, TruthKind::kTrace);
   EXPECT_EQ(stimulus.duration_s, 20.0);
@@ -143,29 +120,21 @@ TEST_F(Recording, OfTheCommandLineTakesThePlaceOfOneThatIsNotThere) {
 }
 
 TEST_F(Recording, WithAVoltageBeyondFullScaleIsRefused) {
-  EXPECT_EQ(
-      refusal_here(replaced(kRecording, "nominal_voltage = 230.0", "nominal_voltage = 150.0")),
-      path("case.toml") +
-          ":7:1: the voltage reaches 1.533 pu (at 0 s, with harmonics and offset); "
-          "a source plays 1.5 pu at most");
+  EXPECT_EQ(refusal_of_one_with("nominal_voltage = 230.0", "nominal_voltage = 150.0"),
+            "7:1: the voltage reaches 1.533 pu (at 0 s, with harmonics and offset); a source plays "
+            "1.5 pu at most");
   Overrides overrides = replay("recording.csv");
   overrides.trace_columns = {"t", "f", "u", 150.0};
   EXPECT_THAT(refusal_here(kMinimal, overrides),
               StartsWith(path("recording.csv") + ": the voltage reaches 1.533 pu (at 0 s"));
 }
 
-TEST_F(Recording, ThatIsTooShortForARunIsRefused) {
-  write("short.csv", "t,f\n0,50\n0.09,50\n");
+TEST_F(Recording, OfTheCommandLineIsRefusedByItsOwnName) {
+  folder_.write("short.csv", "t,f\n0,50\n0.09,50\n");
   EXPECT_EQ(refusal_here(kMinimal, replay("short.csv")),
             path("short.csv") + ": 0.09 s long; a run takes 0.1 s at least");
-}
-
-TEST_F(Recording, OfTheCommandLineThatIsMissingIsRefused) {
   EXPECT_EQ(refusal_here(kMinimal, replay("none.csv")), path("none.csv") + ": no such recording");
-}
-
-TEST_F(Recording, OfTheCommandLineWithABadRowIsRefusedAtTheRow) {
-  write("bad.csv", "t,f\n0,50\n1,fifty\n");
+  folder_.write("bad.csv", "t,f\n0,50\n1,fifty\n");
   EXPECT_THAT(refusal_here(kMinimal, replay("bad.csv")), StartsWith(path("bad.csv") + ":3:"));
 }
 

@@ -1,29 +1,24 @@
 // The shipped profiles and grids: all load, and are found by name and by path.
 #include <profile_test/texts.hpp>
+#include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace gsbench::profile::test {
 namespace {
 
 namespace fs = std::filesystem;
+using gsbench::test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::StartsWith;
 
 std::string refusal_of_name(const std::string& name) {
-  try {
-    (void)load_profile(name);
-  } catch (const ConfigurationError& error) {
-    return error.what();
-  }
-  return "";
+  return gsbench::test::refusal_of<ConfigurationError>([&] { (void)load_profile(name); });
 }
 
 std::vector<std::string> profile_names() {
@@ -111,23 +106,21 @@ TEST(ShippedGrids, AreListedAndLoad) {
 }
 
 TEST(ProfilesFolder, IsTakenFromTheEnvironment) {
-  const fs::path folder = fs::path(testing::TempDir()) / "gsbench-profiles-elsewhere";
-  fs::create_directories(folder / "mine");
-  fs::create_directories(folder / "grids");
-  fs::copy_file(profiles_folder() + "/grids/ieee24.toml", folder / "grids" / "own.toml",
-                fs::copy_options::overwrite_existing);
-  std::ofstream(folder / "mine" / "case.toml") << replaced(kMinimal, "ieee24", "own");
-  std::ofstream(folder / "mine" / "broken.toml") << "title = ";
-  const ProfilesElsewhere elsewhere(folder);
+  const TemporaryFolder folder;
+  fs::create_directory(folder.file("mine"));
+  fs::create_directory(folder.file("grids"));
+  fs::copy_file(profiles_folder() + "/grids/ieee24.toml", folder.file("grids/own.toml"));
+  folder.write("mine/case.toml", replaced(kMinimal, "ieee24", "own"));
+  folder.write("mine/broken.toml", "title = ");
+  const ProfilesElsewhere elsewhere(folder.path());
 
-  EXPECT_EQ(profiles_folder(), folder);
+  EXPECT_EQ(profiles_folder(), folder.path());
   EXPECT_EQ(load_profile("mine/case").grid.name, "own");
   const auto profiles = list_profiles();
   ASSERT_EQ(profiles.size(), 2u);
   EXPECT_EQ(profiles[0].name, "mine/broken");
   EXPECT_THAT(profiles[0].title, HasSubstr("broken.toml:1:"));
   EXPECT_EQ(profiles[1].title, "A test");
-  fs::remove_all(folder);
 }
 
 TEST(ProfilesFolder, ThatIsMissingIsRefused) {
@@ -139,19 +132,18 @@ TEST(ProfilesFolder, ThatIsMissingIsRefused) {
 }
 
 TEST(ProfileFile, ThatIsHugeIsRefusedUnread) {
-  const fs::path path = fs::path(testing::TempDir()) / "gsbench-huge.toml";
-  std::ofstream(path) << kMinimal;
+  const TemporaryFolder folder;
+  const std::string path = folder.write("huge.toml", kMinimal);
   fs::resize_file(path, std::uintmax_t{1} << 40U);  // sparse
-  EXPECT_EQ(refusal_of_name(path.string()),
-            path.string() + ": 1099511627776 bytes; a profile or grid has 4194304 at most");
-  fs::remove(path);
+  EXPECT_EQ(refusal_of_name(path),
+            path + ": 1099511627776 bytes; a profile or grid has 4194304 at most");
 }
 
 TEST(ProfileFile, ThatIsAFolderIsRefused) {
-  const fs::path folder = fs::path(testing::TempDir()) / "folder.toml";
-  fs::create_directories(folder);
-  EXPECT_EQ(refusal_of_name(folder.string()), folder.string() + ": no such profile file");
-  fs::remove(folder);
+  const TemporaryFolder folder;
+  fs::create_directory(folder.file("folder.toml"));
+  EXPECT_EQ(refusal_of_name(folder.file("folder.toml")),
+            folder.file("folder.toml") + ": no such profile file");
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // Profiles to test with, and ways to spoil them.
 #pragma once
 
-#include <ostream>
+#include <test_support/refusal.hpp>
+
 #include <string>
 
 #include <profile/load.hpp>
@@ -156,25 +157,10 @@ inline Plan parse(const std::string& text) {
 }
 
 // The message that the profile is refused with; empty where it is not.
-inline std::string refusal(const std::string& text, const std::string& path = "test.toml") {
-  try {
-    (void)parse_profile(text, path);
-  } catch (const ConfigurationError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-// One way to spoil a profile.
-struct Spoilt {
-  const char* name;  // of the test
-  const char* what;  // is replaced …
-  const char* by;    // … by this
-  const char* message;
-};
-
-inline void PrintTo(const Spoilt& spoilt, std::ostream* stream) {
-  *stream << spoilt.name;
+inline std::string refusal(const std::string& text, const std::string& path = "test.toml",
+                           const Overrides& overrides = {}) {
+  return gsbench::test::refusal_of<ConfigurationError>(
+      [&] { (void)parse_profile(text, path, overrides); });
 }
 
 }  // namespace gsbench::profile::test
