@@ -1,7 +1,6 @@
 #include "checks.hpp"
 #include "rules.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <ostream>

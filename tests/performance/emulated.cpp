@@ -3,12 +3,9 @@
 #include <link_framed/framed_link.hpp>
 #include <test_support/mains.hpp>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <string>

@@ -3,7 +3,6 @@
 #include "sample_run.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <record/store.hpp>

@@ -8,13 +8,11 @@
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <sstream>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <render/file.hpp>
 #include <render/page.hpp>

@@ -4,7 +4,6 @@
 #include <grid_test/example_grids.hpp>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <grid/sfr_model.hpp>
 #include <outlet/settings_fields.hpp>

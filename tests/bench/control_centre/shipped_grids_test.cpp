@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <grid/falling_limb.hpp>
 #include <profile/load.hpp>

@@ -1,5 +1,4 @@
 // Each measure of the catalogue is read by one row of the judge, and the judge reads no other.
-#include <algorithm>
 
 #include <gmock/gmock.h>
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <measures/catalogue.hpp>
 #include <profile/load.hpp>

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <record/store.hpp>
 #include <station/run.hpp>

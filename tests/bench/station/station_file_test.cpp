@@ -3,10 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
-#include <ostream>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <station/station_file.hpp>
 

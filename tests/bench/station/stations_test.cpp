@@ -2,7 +2,6 @@
 #include "plans.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <station/station_file.hpp>
 

@@ -4,10 +4,8 @@
 #include "plans.hpp"
 #include <test_support/temporary_folder.hpp>
 
-#include <functional>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <profile/load.hpp>
 #include <record/store.hpp>

@@ -1,6 +1,5 @@
 #include "example_truths.hpp"
 
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>

@@ -3,7 +3,6 @@
 #include "plans.hpp"
 #include "station_of_four.hpp"
 
-#include <cmath>
 
 namespace gsbench::station::test {
 namespace {

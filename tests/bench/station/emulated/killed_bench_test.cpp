@@ -10,10 +10,8 @@
 #include <iterator>
 #include <map>
 #include <string>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <emulation/child.hpp>
 #include <emulation/hardware.hpp>

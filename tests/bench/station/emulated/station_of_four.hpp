@@ -8,12 +8,10 @@
 
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <profile/plan.hpp>
 #include <station/run.hpp>

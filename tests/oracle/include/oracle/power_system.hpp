@@ -3,7 +3,6 @@
 // judge: no eq. (2)–(18), no aggregate H and R, no per-unit base, no damping ratio.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
