@@ -12,22 +12,6 @@
 namespace gs::wire::test {
 namespace {
 
-using Taken = FrameReader::Taken;
-
-// What the reader found, one entry a frame: a message, or nothing for a bad one.
-std::vector<Bytes> read(FrameReader& reader, const Bytes& bytes) {
-  std::vector<Bytes> found;
-  for (const std::uint8_t byte : bytes) {
-    const Taken taken = reader.take(byte);
-    if (taken == Taken::kMessage) {
-      found.emplace_back(reader.message(), reader.message() + reader.size());
-    } else if (taken == Taken::kBadFrame) {
-      found.emplace_back();
-    }
-  }
-  return found;
-}
-
 // Contents that exercise the stuffing: no zero, only zeros, zeros where groups end.
 std::vector<Bytes> contents(std::size_t length) {
   Bytes counting(length);
@@ -58,7 +42,7 @@ TEST(Frame, EveryLengthArrivesAsSent) {
       EXPECT_EQ(frame.front(), 0);
       EXPECT_EQ(frame.back(), 0);
       EXPECT_EQ(std::count(frame.begin(), frame.end(), 0), 2) << "length " << length;
-      ASSERT_EQ(read(reader, frame), std::vector<Bytes>{message}) << "length " << length;
+      ASSERT_EQ(frames_in(reader, frame), std::vector<Bytes>{message}) << "length " << length;
     }
   }
 }
@@ -105,7 +89,7 @@ TEST(Frame, AFullLastGroupNeedsNoEmptyOneBehindIt) {
   ASSERT_EQ(frame[256], 0x01);
   frame.erase(frame.begin() + 256);
   FrameReader reader;
-  EXPECT_EQ(read(reader, frame), std::vector<Bytes>{message});
+  EXPECT_EQ(frames_in(reader, frame), std::vector<Bytes>{message});
 }
 
 TEST(Frame, OneZeroBetweenFramesIsEnoughAndManyAreNone) {
@@ -116,7 +100,7 @@ TEST(Frame, OneZeroBetweenFramesIsEnoughAndManyAreNone) {
   stream.insert(stream.end(), frame.begin() + 1, frame.end());  // shares the zero before it
   stream.insert(stream.end(), 100, 0);
   FrameReader reader;
-  EXPECT_EQ(read(reader, stream), (std::vector<Bytes>{message, message}));
+  EXPECT_EQ(frames_in(reader, stream), (std::vector<Bytes>{message, message}));
 }
 
 TEST(Frame, WithoutRoomForACrcAndAMessageIsBad) {
@@ -124,7 +108,7 @@ TEST(Frame, WithoutRoomForACrcAndAMessageIsBad) {
   // Whole COBS frames of 1 … 4 bytes; four are a right CRC of no message.
   for (const Bytes& bytes :
        {Bytes{2, 1, 0}, Bytes{3, 1, 2, 0}, Bytes{4, 1, 2, 3, 0}, Bytes{1, 1, 1, 1, 0}}) {
-    EXPECT_EQ(read(reader, bytes), std::vector<Bytes>{{}}) << hex(bytes);
+    EXPECT_EQ(frames_in(reader, bytes), std::vector<Bytes>{{}}) << hex(bytes);
   }
 }
 
@@ -136,7 +120,7 @@ TEST(Frame, OneByteMoreThanTheLongestIsBadAndTheNextArrives) {
   for (const std::size_t length : {kLongestMessage + kCrcLength + 2, std::size_t{100'000}}) {
     Bytes stream(length, 1);
     stream.insert(stream.end(), next.begin(), next.end());
-    EXPECT_EQ(read(reader, stream), (std::vector<Bytes>{{}, message}));
+    EXPECT_EQ(frames_in(reader, stream), (std::vector<Bytes>{{}, message}));
   }
 }
 

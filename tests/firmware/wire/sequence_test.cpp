@@ -1,3 +1,5 @@
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <wire/frame.hpp>
@@ -7,69 +9,68 @@ namespace {
 
 using Order = Sequence::Order;
 
+struct Step {
+  std::uint32_t number;
+  Order order;
+  std::uint32_t missed = 0;  // of what is new
+};
+
+void expect_orders(Sequence& sequence, const std::vector<Step>& steps) {
+  for (const Step& step : steps) {
+    EXPECT_EQ(sequence.take(step.number), step.order) << step.number;
+    if (step.order != Order::kDuplicate) {
+      EXPECT_EQ(sequence.missed(), step.missed) << step.number;
+    }
+  }
+}
+
+void expect_orders(const std::vector<Step>& steps) {
+  Sequence sequence;
+  expect_orders(sequence, steps);
+}
+
 TEST(Sequence, TakesTheFirstWhateverItsNumber) {
   for (const std::uint32_t first : {0U, 1U, 77U, 0x80000000U, 0xFFFFFFFFU}) {
-    Sequence sequence;
-    EXPECT_EQ(sequence.take(first), Order::kNext);
-    EXPECT_EQ(sequence.missed(), 0U);
-    EXPECT_EQ(sequence.take(first + 1), Order::kNext);
+    expect_orders({{first, Order::kNext}, {first + 1, Order::kNext}});
   }
 }
 
 TEST(Sequence, CountsWhatAGapLeavesOut) {
-  Sequence sequence;
-  EXPECT_EQ(sequence.take(0), Order::kNext);
-  EXPECT_EQ(sequence.take(2), Order::kGap);
-  EXPECT_EQ(sequence.missed(), 1U);
-  EXPECT_EQ(sequence.take(3), Order::kNext);
-  EXPECT_EQ(sequence.missed(), 0U);
-  EXPECT_EQ(sequence.take(1004), Order::kGap);
-  EXPECT_EQ(sequence.missed(), 1000U);
+  expect_orders(
+      {{0, Order::kNext}, {2, Order::kGap, 1}, {3, Order::kNext}, {1004, Order::kGap, 1000}});
 }
 
 TEST(Sequence, DropsWhatComesTwiceOrLate) {
-  Sequence sequence;
-  EXPECT_EQ(sequence.take(10), Order::kNext);
-  EXPECT_EQ(sequence.take(10), Order::kDuplicate);
-  EXPECT_EQ(sequence.take(9), Order::kDuplicate);
-  EXPECT_EQ(sequence.take(13), Order::kGap);
-  EXPECT_EQ(sequence.take(12), Order::kDuplicate) << "reordered: its place was told as lost";
-  EXPECT_EQ(sequence.take(14), Order::kNext) << "a duplicate changes nothing";
+  expect_orders({{10, Order::kNext},
+                 {10, Order::kDuplicate},
+                 {9, Order::kDuplicate},
+                 {13, Order::kGap, 2},
+                 {12, Order::kDuplicate},  // reordered: its place was told as lost
+                 {14, Order::kNext}});     // a duplicate changes nothing
 }
 
 TEST(Sequence, GoesOnBeyondTheGreatestNumber) {
-  Sequence sequence;
-  EXPECT_EQ(sequence.take(0xFFFFFFFEU), Order::kNext);
-  EXPECT_EQ(sequence.take(0xFFFFFFFFU), Order::kNext);
-  EXPECT_EQ(sequence.take(0), Order::kNext);
-  EXPECT_EQ(sequence.take(0xFFFFFFFFU), Order::kDuplicate);
-  EXPECT_EQ(sequence.take(1), Order::kNext);
+  expect_orders({{0xFFFFFFFEU, Order::kNext},
+                 {0xFFFFFFFFU, Order::kNext},
+                 {0, Order::kNext},
+                 {0xFFFFFFFFU, Order::kDuplicate},
+                 {1, Order::kNext}});
 }
 
 TEST(Sequence, CountsAGapOverTheGreatestNumber) {
-  Sequence sequence;
-  EXPECT_EQ(sequence.take(0xFFFFFFFEU), Order::kNext);
-  EXPECT_EQ(sequence.take(1), Order::kGap);
-  EXPECT_EQ(sequence.missed(), 2U);
+  expect_orders({{0xFFFFFFFEU, Order::kNext}, {1, Order::kGap, 2}});
 }
 
 TEST(Sequence, HalfTheNumbersAreAheadAndHalfBehind) {
-  Sequence ahead;
-  EXPECT_EQ(ahead.take(0), Order::kNext);
-  EXPECT_EQ(ahead.take(0x80000000U), Order::kGap);
-  EXPECT_EQ(ahead.missed(), 0x7FFFFFFFU);
-  Sequence behind;
-  EXPECT_EQ(behind.take(0), Order::kNext);
-  EXPECT_EQ(behind.take(0x80000001U), Order::kDuplicate);
+  expect_orders({{0, Order::kNext}, {0x80000000U, Order::kGap, 0x7FFFFFFFU}});
+  expect_orders({{0, Order::kNext}, {0x80000001U, Order::kDuplicate}});
 }
 
 TEST(Sequence, TakesAnyNumberAfterARestart) {
   Sequence sequence;
-  EXPECT_EQ(sequence.take(5000), Order::kNext);
-  EXPECT_EQ(sequence.take(0), Order::kDuplicate);
+  expect_orders(sequence, {{5000, Order::kNext}, {0, Order::kDuplicate}});
   sequence.restart();
-  EXPECT_EQ(sequence.take(0), Order::kNext);
-  EXPECT_EQ(sequence.take(1), Order::kNext);
+  expect_orders(sequence, {{0, Order::kNext}, {1, Order::kNext}});
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include <outlet/settings_fields.hpp>
 #include <wire/fields.hpp>
-#include <wire/frame.hpp>
 
 namespace gs::wire::test {
 namespace {
@@ -206,25 +205,8 @@ bool operator==(const Field& a, const Field& b) {
 }
 
 void PrintTo(const Field& field, std::ostream* out) {
-  switch (field.type) {
-    case Field::Type::kInteger:
-      *out << field.number;
-      break;
-    case Field::Type::kSingle:
-      *out << float_of(static_cast<std::uint32_t>(field.number)) << "f (bits " << field.number
-           << ')';
-      break;
-    case Field::Type::kBoolean:
-      *out << (field.number != 0 ? "true" : "false");
-      break;
-    case Field::Type::kText:
-      *out << '"' << field.text << '"';
-      break;
-    case Field::Type::kMap:
-    case Field::Type::kArray:
-      *out << (field.type == Field::Type::kMap ? "a map of " : "an array of ") << field.number;
-      break;
-  }
+  constexpr const char* kTypes[] = {"integer", "float of bits", "boolean", "text", "map", "array"};
+  *out << kTypes[static_cast<std::size_t>(field.type)] << ' ' << field.number << ' ' << field.text;
 }
 
 std::vector<Field> fields_of(const Uplink& message) {
@@ -303,6 +285,19 @@ Bytes framed(const Bytes& message) {
   return bytes_from(
       [&](auto* out, auto size) { return frame(message.data(), message.size(), out, size); },
       kLongestFrame);
+}
+
+std::vector<Bytes> frames_in(FrameReader& reader, const Bytes& stream) {
+  std::vector<Bytes> found;
+  for (const std::uint8_t byte : stream) {
+    const FrameReader::Taken taken = reader.take(byte);
+    if (taken == FrameReader::Taken::kMessage) {
+      found.emplace_back(reader.message(), reader.message() + reader.size());
+    } else if (taken == FrameReader::Taken::kBadFrame) {
+      found.emplace_back();
+    }
+  }
+  return found;
 }
 
 std::string hex(const Bytes& bytes) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <wire/codec.hpp>
+#include <wire/frame.hpp>
 
 namespace gs::wire::test {
 
@@ -54,6 +54,8 @@ Bytes encoded(const Uplink& message, std::uint32_t sequence);
 Bytes encoded(const Downlink& message, std::uint32_t sequence);
 Bytes encoded(const outlet::Settings& settings);
 Bytes framed(const Bytes& message);
+// What the reader finds, one entry a frame: the message, or nothing for a bad frame.
+std::vector<Bytes> frames_in(FrameReader& reader, const Bytes& stream);
 
 std::string hex(const Bytes& bytes);
 
