@@ -1,5 +1,6 @@
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
+#include <wire_test/downlinks.hpp>
 
 #include <cmath>
 #include <vector>
@@ -17,6 +18,8 @@ using outlet::SettingsError;
 using outlet::Validity;
 using wire::Uplink;
 using wire::UplinkKind;
+using wire::test::command;
+using wire::test::settings_message;
 
 constexpr std::size_t kSamplesPerReport = 128;  // 16 ms at 8 kHz
 
@@ -24,31 +27,10 @@ class Letters : public Outbox {
  public:
   void put(const Uplink& message) override { all.push_back(message); }
 
-  std::vector<Uplink> of(UplinkKind kind) const {
-    std::vector<Uplink> some;
-    for (const Uplink& message : all) {
-      if (message.kind == kind) some.push_back(message);
-    }
-    return some;
-  }
+  std::vector<Uplink> of(UplinkKind kind) const { return wire::test::of_kind(all, kind); }
 
   std::vector<Uplink> all;
 };
-
-wire::Downlink settings_message(const outlet::Settings& settings) {
-  wire::Downlink message;
-  message.kind = wire::DownlinkKind::kSettings;
-  message.settings = settings;
-  return message;
-}
-
-wire::Downlink command_message(bool close) {
-  wire::Downlink message;
-  message.kind = wire::DownlinkKind::kCommand;
-  message.close_relay = close;
-  message.request = 9;
-  return message;
-}
 
 Identity identity() {
   Identity identity;
@@ -63,21 +45,16 @@ class NodeTest : public testing::Test {
  protected:
   void start() { ASSERT_TRUE(app_.start(outlet::Hardware{}, identity(), nullptr, letters_)); }
 
-  void feed(const test::Mains& mains, double duration_s) {
-    const auto samples = mains.samples(0, static_cast<std::size_t>(8000 * duration_s));
+  void feed(const test::MainsSpec& mains, double duration_s) {
+    const auto samples = test::Mains(mains).samples(0, static_cast<std::size_t>(8000 * duration_s));
     app_.feed(samples.data(), samples.size(), letters_);
   }
-
-  static test::Mains steady_mains() {
-    test::MainsSpec spec;
-    spec.truth = test::steady(50.0, 50.0);
-    return test::Mains(spec);
-  }
-
-  static test::Mains mains_with_loss(double power_mw) {
-    test::MainsSpec spec;
-    spec.truth = test::loss_of(power_mw, 1.0);
-    return test::Mains(spec);
+  void feed_steady(double duration_s) { feed({test::steady(50.0, 50.0)}, duration_s); }
+  // With settings; a loss of 500 MW at 1 s.
+  void feed_loss(const outlet::Settings& settings = test::ieee24_settings()) {
+    start();
+    app_.receive(settings_message(settings), letters_);
+    feed({test::loss_of(500.0, 1.0)}, 2.2);
   }
 
   Application app_;
@@ -109,7 +86,7 @@ TEST_F(NodeTest, DoesNothingOnHardwareItCannotServe) {
   EXPECT_FALSE(app_.start(hardware, identity(), nullptr, letters_));
   const std::vector<std::int16_t> samples(1000);
   app_.feed(samples.data(), samples.size(), letters_);
-  app_.receive(command_message(false), letters_);
+  app_.receive(command(false, 9), letters_);
   app_.receive(settings_message(test::ieee24_settings()), letters_);
   EXPECT_TRUE(letters_.all.empty());
   EXPECT_EQ(app_.samples_taken(), 0U);
@@ -124,9 +101,9 @@ TEST_F(NodeTest, DoesNothingBeforeItIsStarted) {
 
 TEST_F(NodeTest, StartsAfreshWhenStartedAgain) {
   start();
-  feed(steady_mains(), 1.0);
+  feed_steady(1.0);
   app_.receive(settings_message(test::ieee24_settings()), letters_);
-  app_.receive(command_message(false), letters_);
+  app_.receive(command(false, 9), letters_);
   ASSERT_FALSE(app_.relay_closed());
   letters_.all.clear();
   start();
@@ -139,7 +116,7 @@ TEST_F(NodeTest, StartsAfreshWhenStartedAgain) {
 
 TEST_F(NodeTest, ReportsEverySixteenMillisecondsStampedWithTheSamplesTaken) {
   start();
-  feed(steady_mains(), 1.0);
+  feed_steady(1.0);
   const std::vector<Uplink> measurements = letters_.of(UplinkKind::kMeasurement);
   ASSERT_EQ(measurements.size(), 62U);
   for (std::size_t i = 0; i < measurements.size(); ++i) {
@@ -199,14 +176,14 @@ TEST_F(NodeTest, RefusedSettingsAreAnsweredWithVersionAndDigestZeroWhereNoneAreI
 
 TEST_F(NodeTest, EveryCommandIsAnsweredAndTheRelayToldWhereItChanges) {
   start();
-  feed(steady_mains(), 0.1);
+  feed_steady(0.1);
   letters_.all.clear();
-  app_.receive(command_message(true), letters_);
+  app_.receive(command(true, 9), letters_);
   ASSERT_EQ(letters_.all.size(), 1U);
   EXPECT_EQ(letters_.all[0].kind, UplinkKind::kCommandAnswer);
   EXPECT_EQ(letters_.all[0].command_answer.request, 9U);
   EXPECT_TRUE(letters_.all[0].command_answer.closed);
-  app_.receive(command_message(false), letters_);
+  app_.receive(command(false, 9), letters_);
   ASSERT_EQ(letters_.all.size(), 3U);
   EXPECT_FALSE(letters_.all[1].command_answer.closed);
   EXPECT_EQ(letters_.all[2].kind, UplinkKind::kRelay);
@@ -214,16 +191,14 @@ TEST_F(NodeTest, EveryCommandIsAnsweredAndTheRelayToldWhereItChanges) {
   EXPECT_FALSE(letters_.all[2].relay.closed);
   EXPECT_EQ(letters_.all[2].relay.cause, Cause::kCommand);
   EXPECT_FALSE(app_.relay_closed());
-  app_.receive(command_message(true), letters_);
+  app_.receive(command(true, 9), letters_);
   ASSERT_EQ(letters_.all.size(), 5U);
   EXPECT_TRUE(letters_.all[4].relay.closed);
   EXPECT_EQ(letters_.all[4].relay.cause, Cause::kNone);
 }
 
 TEST_F(NodeTest, TellsAnEventFromItsBeginningToTheRelay) {
-  start();
-  app_.receive(settings_message(test::ieee24_settings()), letters_);
-  feed(mains_with_loss(500.0), 2.2);
+  feed_loss();
   std::vector<UplinkKind> kinds;
   for (const Uplink& message : letters_.all) {
     if (message.kind != UplinkKind::kMeasurement && message.kind != UplinkKind::kEstimate) {
@@ -259,9 +234,7 @@ TEST_F(NodeTest, TellsAnEventFromItsBeginningToTheRelay) {
 }
 
 TEST_F(NodeTest, WithinAReportTheMeasurementComesBeforeWhatFollowsFromIt) {
-  start();
-  app_.receive(settings_message(test::ieee24_settings()), letters_);
-  feed(mains_with_loss(500.0), 2.2);
+  feed_loss();
   std::uint64_t stamp = 0;
   for (const Uplink& message : letters_.all) {
     EXPECT_GE(message.sample, stamp);
@@ -272,27 +245,13 @@ TEST_F(NodeTest, WithinAReportTheMeasurementComesBeforeWhatFollowsFromIt) {
   }
 }
 
-TEST_F(NodeTest, SaysWhenItDecidesAgainst) {
-  start();
-  outlet::Settings settings = test::ieee24_settings();
-  settings.accumulated_mw = 200.0F;
-  app_.receive(settings_message(settings), letters_);
-  feed(mains_with_loss(500.0), 2.2);
-  ASSERT_EQ(letters_.of(UplinkKind::kDecision).size(), 1U);
-  EXPECT_FALSE(letters_.of(UplinkKind::kDecision)[0].decision.shed);
-  EXPECT_TRUE(letters_.of(UplinkKind::kRelay).empty());
-  EXPECT_TRUE(app_.relay_closed());
-}
-
 // The relay opens for the frequency's sake in the same report as criterion (1) is decided or not:
 // only a relay that opened for the loss was shed by the decision.
 TEST_F(NodeTest, ATripByTheSwitchOffFrequencyIsNoSheddingByDecision) {
-  start();
   outlet::Settings settings = test::ieee24_settings();
   settings.threshold_mw = 2000.0F;
   settings.switch_off_hz = 49.9F;
-  app_.receive(settings_message(settings), letters_);
-  feed(mains_with_loss(500.0), 2.2);
+  feed_loss(settings);
   ASSERT_EQ(letters_.of(UplinkKind::kRelay).size(), 1U);
   EXPECT_EQ(letters_.of(UplinkKind::kRelay)[0].relay.cause, Cause::kFrequency);
   ASSERT_EQ(letters_.of(UplinkKind::kDecision).size(), 1U);
@@ -305,7 +264,7 @@ TEST_F(NodeTest, SaysWhenAnEventIsGivenUp) {
   test::MainsSpec spec;
   spec.truth = test::loss_of(500.0, 1.0);
   spec.signal.amplitude_steps = {{1.4, 100.0, 0.0}};
-  feed(test::Mains(spec), 2.2);
+  feed(spec, 2.2);
   EXPECT_EQ(letters_.of(UplinkKind::kEvent).size(), 1U);
   EXPECT_EQ(letters_.of(UplinkKind::kAborted).size(), 1U);
   EXPECT_TRUE(letters_.of(UplinkKind::kDecision).empty());

@@ -1,6 +1,7 @@
 // The outlet's end of a link: bytes in, bytes out, over a carrier of whole messages and over one of
 // bytes.
 #include <firmware_test/settings.hpp>
+#include <wire_test/downlinks.hpp>
 #include <wire_test/messages.hpp>
 
 #include <vector>
@@ -18,8 +19,10 @@ using wire::ErrorCode;
 using wire::Uplink;
 using wire::UplinkKind;
 using wire::test::Bytes;
+using wire::test::downlink;
 using wire::test::encoded;
 using wire::test::framed;
+using wire::test::ping;
 
 // Takes whole messages and reads them as the other side would.
 class Listener final : public Carrier {
@@ -44,12 +47,9 @@ class Listener final : public Carrier {
 class Line final : public Carrier {
  public:
   bool send(const std::uint8_t* bytes, std::size_t size) override {
-    for (std::size_t i = 0; i < size; ++i) {
-      const auto taken = reader_.take(bytes[i]);
-      EXPECT_NE(taken, wire::FrameReader::Taken::kBadFrame);
-      if (taken == wire::FrameReader::Taken::kMessage) {
-        listener.send(reader_.message(), reader_.size());
-      }
+    for (const Bytes& message : wire::test::frames_in(reader_, Bytes(bytes, bytes + size))) {
+      EXPECT_FALSE(message.empty()) << "a bad frame";
+      listener.send(message.data(), message.size());
     }
     return true;
   }
@@ -74,23 +74,10 @@ class Area final : public SettingsStorage {
   std::vector<outlet::Settings> kept;
 };
 
-wire::Downlink message(DownlinkKind kind) {
-  wire::Downlink message;
-  message.kind = kind;
-  return message;
-}
-
-wire::Downlink ping(std::uint32_t token) {
-  wire::Downlink ping = message(DownlinkKind::kPing);
-  ping.token = token;
-  return ping;
-}
-
 wire::Downlink settings_message(std::uint32_t version) {
-  wire::Downlink settings = message(DownlinkKind::kSettings);
-  settings.settings = test::ieee24_settings();
-  settings.settings.version = version;
-  return settings;
+  outlet::Settings settings = test::ieee24_settings();
+  settings.version = version;
+  return wire::test::settings_message(settings);
 }
 
 class EndpointTest : public testing::Test {
@@ -108,7 +95,7 @@ class EndpointTest : public testing::Test {
     app_.feed(silence.data(), silence.size(), endpoint_);
   }
   wire::Status status(std::uint32_t sequence) {
-    send(message(DownlinkKind::kAskStatus), sequence);
+    send(downlink(DownlinkKind::kAskStatus), sequence);
     EXPECT_EQ(listener_.last().kind, UplinkKind::kStatus);
     return listener_.last().status;
   }
@@ -152,7 +139,7 @@ TEST_F(EndpointTest, IdentifyRestartsTheNumbering) {
   send(ping(1), 1000);
   send(ping(2), 1);
   ASSERT_EQ(listener_.heard.size(), 2U) << "from long before";
-  send(message(DownlinkKind::kIdentify), 0);
+  send(downlink(DownlinkKind::kIdentify), 0);
   ASSERT_EQ(listener_.last().kind, UplinkKind::kHello);
   send(ping(3), 1);
   EXPECT_EQ(listener_.last().echo.token, 3U);
@@ -190,9 +177,7 @@ TEST_F(EndpointTest, StatusIsWhatItHasBeenThrough) {
   EXPECT_EQ(told.cause, outlet::Cause::kNone);
   EXPECT_EQ(told.phase, outlet::Phase::kQuiet);
   EXPECT_EQ(told.samples_lost, 0U);
-  wire::Downlink open = message(DownlinkKind::kCommand);
-  open.close_relay = false;
-  send(open, 1);
+  send(wire::test::command(false), 1);
   told = status(2);
   EXPECT_FALSE(told.relay_closed);
   EXPECT_EQ(told.cause, outlet::Cause::kCommand);
@@ -253,7 +238,7 @@ TEST_F(EndpointTest, RestoredSettingsAreToldInTheHello) {
   const outlet::Settings settings = settings_message(7).settings;
   ASSERT_TRUE(app_.restore(settings));
   EXPECT_TRUE(area_.kept.empty()) << "they are there already";
-  send(message(DownlinkKind::kIdentify), 0);
+  send(downlink(DownlinkKind::kIdentify), 0);
   EXPECT_EQ(listener_.last().hello.settings_version, 7U);
   EXPECT_EQ(listener_.last().hello.settings_digest, outlet::digest(settings));
   send(settings_message(7), 1);
@@ -264,13 +249,13 @@ TEST_F(EndpointTest, SettingsOutOfRangeAreNotRestored) {
   outlet::Settings settings = settings_message(7).settings;
   settings.condition_rows = 0;
   EXPECT_FALSE(app_.restore(settings));
-  send(message(DownlinkKind::kIdentify), 0);
+  send(downlink(DownlinkKind::kIdentify), 0);
   EXPECT_EQ(listener_.last().hello.settings_version, 0U);
 }
 
 TEST_F(EndpointTest, SelfTestNamesTheArithmeticTheAreaTheClockAndTheConverter) {
   const auto failed = [this](std::uint32_t sequence) {
-    send(message(DownlinkKind::kAskSelfTest), sequence);
+    send(downlink(DownlinkKind::kAskSelfTest), sequence);
     EXPECT_EQ(listener_.last().kind, UplinkKind::kSelfTest);
     EXPECT_EQ(listener_.last().self_test.fingerprint, arithmetic_fingerprint());
     return listener_.last().self_test.failed;
@@ -325,7 +310,7 @@ TEST_F(SerialEndpointTest, CountsAndTellsABadFrameAndHearsTheNext) {
   EXPECT_EQ(line_.listener.heard[1].error.code, ErrorCode::kBadFrame);
   EXPECT_EQ(line_.listener.heard[1].error.detail, 1U);
   EXPECT_EQ(line_.listener.last().echo.token, 8U);
-  send(framed(encoded(message(DownlinkKind::kAskStatus), 2)));
+  send(framed(encoded(downlink(DownlinkKind::kAskStatus), 2)));
   EXPECT_EQ(line_.listener.last().status.messages_bad, 1U);
 }
 

@@ -77,13 +77,10 @@ void expect_same(const Report& a, const Report& b) {
 
 // Reports of a recording handed over in pieces, each of a length that `next_length` names.
 template <class NextLength>
-std::vector<Report> reports_in_pieces(const test::Mains& mains,
+std::vector<Report> reports_in_pieces(const test::MainsSpec& mains,
                                       const std::vector<std::int16_t>& samples,
                                       NextLength next_length) {
-  Config config;
-  State state;
-  EXPECT_TRUE(configure(mains.hardware(), config));
-  EXPECT_EQ(apply(config, state, test::ieee24_settings()), SettingsError::kNone);
+  test::PlayedOutlet outlet(mains, test::ieee24_settings());
   std::vector<Report> reports;
   std::size_t at = 0;
   while (at < samples.size()) {
@@ -91,7 +88,7 @@ std::vector<Report> reports_in_pieces(const test::Mains& mains,
     while (at < end) {
       Report report;
       bool ready = false;
-      at += step(config, state, samples.data() + at, end - at, report, ready);
+      at += step(outlet.config, outlet.state, samples.data() + at, end - at, report, ready);
       if (ready) reports.push_back(report);
     }
   }
@@ -100,12 +97,8 @@ std::vector<Report> reports_in_pieces(const test::Mains& mains,
 
 TEST(FrontEnd, ReportsDoNotDependOnHowTheSamplesAreHandedOver) {
   for (const std::int32_t rate : {1000, 4000, 8000, 32000}) {
-    test::MainsSpec spec;
-    spec.truth = test::loss_of(600.0, 0.7);
-    spec.noise_pct = 1.0;
-    spec.sample_rate_hz = rate;
-    const test::Mains mains(spec);
-    const auto samples = mains.samples(0, 2 * static_cast<std::size_t>(rate));
+    const test::MainsSpec mains = {test::loss_of(600.0, 0.7), {}, 1.0, 1, rate};
+    const auto samples = test::Mains(mains).samples(0, 2 * static_cast<std::size_t>(rate));
     const std::vector<Report> whole =
         reports_in_pieces(mains, samples, [&] { return samples.size(); });
     ASSERT_EQ(whole.size(), 125U);
@@ -224,11 +217,9 @@ TEST(FrontEnd, FoldsLittleOfTheKilohertzOfItsSums) {
 TEST(FrontEnd, MeasuresTheVoltageOfOffNominalFrequencies) {
   for (const double frequency_hz : {45.0, 48.0, 50.0, 52.0, 55.0}) {
     for (const double level_pct : {20.0, 100.0, 120.0}) {
-      test::MainsSpec spec;
-      spec.truth = test::steady(50.0, frequency_hz);
+      test::MainsSpec spec = {test::steady(50.0, frequency_hz)};
       spec.signal.amplitude_steps = {{0.0, 100.0, level_pct}};
-      for (const Report& report :
-           test::reports_of(test::Mains(spec), 1.0, test::ieee24_settings())) {
+      for (const Report& report : test::reports_of(spec, 1.0, test::ieee24_settings())) {
         if (report.number < 4) continue;
         // 50 ms are not whole half periods then: sin(x)/x of the square's ripple at 90 and at 110
         // Hz leaves up to 7 % of the mean square, half of that of its root.

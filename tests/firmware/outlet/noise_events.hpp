@@ -5,8 +5,6 @@
 
 #include <array>
 
-#include <gtest/gtest.h>
-
 #include <outlet/event_detector.hpp>
 
 namespace gs::outlet {
@@ -22,18 +20,12 @@ inline Settings five_drops(float drop_hz, float departure_hz) {
 // Events begun by each of several rules in the same hours of 1 % noise.
 template <std::size_t kRules>
 std::array<int, kRules> events_in_noise(const std::array<Settings, kRules>& rules, double hours) {
-  test::MainsSpec spec;
-  spec.truth = test::steady(50.0, 50.0);
-  spec.noise_pct = 1.0;
-  const test::Mains mains(spec);
-  Config config;
-  State state;
-  EXPECT_TRUE(configure(mains.hardware(), config));
+  test::PlayedOutlet outlet({test::steady(50.0, 50.0), {}, 1.0});
   std::array<int, kRules> events{};
   std::array<bool, kRules> under_way{};
-  test::play(mains, 3600.0 * hours, config, state, [&](const Report&) {
+  outlet.play(3600.0 * hours, [&](const Report&) {
     for (std::size_t i = 0; i < kRules; ++i) {
-      const bool detected = event_detected(rules[i], state.history);
+      const bool detected = event_detected(rules[i], outlet.state.history);
       events[i] += detected && !under_way[i] ? 1 : 0;
       under_way[i] = detected;
     }

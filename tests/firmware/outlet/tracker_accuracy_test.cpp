@@ -27,20 +27,17 @@ struct Accuracy {
 
 // From one second on: the tracker has settled for half of it.
 Accuracy accuracy(const test::MainsSpec& spec, double duration_s) {
-  const test::Mains mains(spec);
-  Config config;
-  State state;
-  EXPECT_TRUE(configure(mains.hardware(), config));
+  test::PlayedOutlet outlet(spec);
   Accuracy a;
   double squares = 0.0;
-  test::play(mains, duration_s, config, state, [&](const Report& report) {
+  outlet.play(duration_s, [&](const Report& report) {
     if (test::report_s(report) < 1.0) return;
     if (report.measurement.validity != Validity::kValid) {
       ++a.not_valid;
       return;
     }
     const double error_mhz = 1e3 * (static_cast<double>(report.measurement.frequency_hz) -
-                                    mains.frequency_hz(test::measured_s(report)));
+                                    spec.truth->frequency_hz(test::measured_s(report)));
     a.bias_mhz += error_mhz;
     squares += error_mhz * error_mhz;
     a.largest_mhz = std::max(a.largest_mhz, std::abs(error_mhz));
@@ -99,12 +96,9 @@ class TrackerAccuracy : public testing::TestWithParam<Case> {
     const Case& c = GetParam();
     std::printf("   f/Hz   bias/mHz    rms/mHz    max/mHz\n");
     for (int i = 0; i * step_hz <= 10.0; ++i) {
-      test::MainsSpec spec;
       const double frequency_hz = c.nominal_hz - 5.0 + i * step_hz;
-      spec.truth = test::steady(c.nominal_hz, frequency_hz);
-      spec.noise_pct = kNoisePct;
+      test::MainsSpec spec = {test::steady(c.nominal_hz, frequency_hz), {}, kNoisePct};
       spec.seed = static_cast<std::uint64_t>(i) + 1;
-      spec.sample_rate_hz = static_cast<std::int32_t>(kSampleRateHz);
       if (c.harmonics) spec.signal.harmonics = en50160();
       const Accuracy a = accuracy(spec, duration_s);
       std::printf("%7.2f %10.3f %10.3f %10.3f\n", frequency_hz, a.bias_mhz, a.rms_mhz,

@@ -32,10 +32,9 @@ struct Course {
 // 20 mHz are eight standard deviations of a measurement in 1 % noise.
 constexpr double kGoodMhz = 20.0;
 
-Course course_of(const std::vector<Report>& reports, const test::Mains& mains,
-                 double disturbance_s) {
+Course course_of(const test::MainsSpec& spec, double disturbance_s) {
   Course course;
-  for (const Report& report : reports) {
+  for (const Report& report : test::reports_of(spec, 2.5, test::ieee24_settings())) {
     const double t_s = test::report_s(report) - disturbance_s;
     if (t_s < -0.1) continue;
     course.tripped = course.tripped || !report.relay_closed;
@@ -54,7 +53,7 @@ Course course_of(const std::vector<Report>& reports, const test::Mains& mains,
       case Validity::kValid: {
         const double error_mhz =
             1e3 * std::abs(static_cast<double>(report.measurement.frequency_hz) -
-                           mains.frequency_hz(test::measured_s(report)));
+                           spec.truth->frequency_hz(test::measured_s(report)));
         course.largest_error_mhz = std::max(course.largest_error_mhz, error_mhz);
         good = error_mhz <= kGoodMhz;
         break;
@@ -71,14 +70,9 @@ Course worst_course(const std::function<void(SignalSpec&, double)>& disturb) {
   Course worst;
   for (int i = 0; i < 10; ++i) {
     const double disturbance_s = 1.0 + 0.00137 * i;
-    test::MainsSpec spec;
-    spec.truth = test::steady(50.0, 50.0);
-    spec.noise_pct = 1.0;
-    spec.seed = static_cast<std::uint64_t>(i) + 1;
+    test::MainsSpec spec = {test::steady(50.0, 50.0), {}, 1.0, static_cast<std::uint64_t>(i) + 1};
     disturb(spec.signal, disturbance_s);
-    const test::Mains mains(spec);
-    const Course course =
-        course_of(test::reports_of(mains, 2.5, test::ieee24_settings()), mains, disturbance_s);
+    const Course course = course_of(spec, disturbance_s);
     worst.held = std::max(worst.held, course.held);
     worst.invalid = std::max(worst.invalid, course.invalid);
     worst.events += course.events;
@@ -183,13 +177,10 @@ TEST(TrackerDisturbance, ClaimsNoFrequencyOnADeadBusAndFindsItAgainAfterwards) {
     for (int i = 0; i < 10; ++i) {
       const double dead_s = 1.0 + 0.00137 * i;
       const double alive_s = dead_s + 1.0;
-      test::MainsSpec spec;
-      spec.truth = test::ramp(50.0, 49.0, alive_s + 0.5, -0.5);
-      spec.noise_pct = 1.0;
+      test::MainsSpec spec = {test::ramp(50.0, 49.0, alive_s + 0.5, -0.5), {}, 1.0};
       spec.seed = static_cast<std::uint64_t>(i) + 1;
       spec.signal.amplitude_steps = {{dead_s, alive_s - dead_s, level_pct}};
-      const test::Mains mains(spec);
-      for (const Report& report : test::reports_of(mains, 4.0, test::ieee24_settings())) {
+      for (const Report& report : test::reports_of(spec, 4.0, test::ieee24_settings())) {
         const double t_s = test::report_s(report);
         // The front end's memory is 56 ms, the report in which it ends at most 16 ms later.
         if (t_s > dead_s + 0.072 && t_s <= alive_s) {
@@ -202,7 +193,7 @@ TEST(TrackerDisturbance, ClaimsNoFrequencyOnADeadBusAndFindsItAgainAfterwards) {
         if (t_s > alive_s + 0.056 + 19 * 0.016) {
           ASSERT_EQ(report.measurement.validity, Validity::kValid) << t_s;
           ASSERT_NEAR(static_cast<double>(report.measurement.frequency_hz),
-                      mains.frequency_hz(test::measured_s(report)), 0.03)
+                      spec.truth->frequency_hz(test::measured_s(report)), 0.03)
               << t_s;
         }
       }
@@ -212,18 +203,15 @@ TEST(TrackerDisturbance, ClaimsNoFrequencyOnADeadBusAndFindsItAgainAfterwards) {
 
 TEST(TrackerDisturbance, FollowsRampsOfTenHertzASecond) {
   for (const double hz_per_s : {-10.0, -5.0, -1.0, 1.0, 10.0}) {
-    test::MainsSpec spec;
     const double turn_hz = hz_per_s < 0.0 ? 45.5 : 54.5;
-    spec.truth = test::ramp(50.0, turn_hz, 1.0, hz_per_s);
-    spec.noise_pct = 1.0;
+    const test::MainsSpec spec = {test::ramp(50.0, turn_hz, 1.0, hz_per_s), {}, 1.0};
     const double end_s = 1.0 + (turn_hz - 50.0) / hz_per_s;
-    const test::Mains mains(spec);
     int on_the_ramp = 0;
-    for (const Report& report : test::reports_of(mains, end_s + 1.0, test::ieee24_settings())) {
+    for (const Report& report : test::reports_of(spec, end_s + 1.0, test::ieee24_settings())) {
       const double t_s = test::measured_s(report);
       if (report.number < 40 || report.measurement.validity != Validity::kValid) continue;
       const double error_hz =
-          static_cast<double>(report.measurement.frequency_hz) - mains.frequency_hz(t_s);
+          static_cast<double>(report.measurement.frequency_hz) - spec.truth->frequency_hz(t_s);
       // At the corners a tracker that remembers 80 ms is behind by as much of the ramp.
       EXPECT_LT(std::abs(error_hz), 0.08 * std::abs(hz_per_s) + 0.02) << hz_per_s << " " << t_s;
       if (t_s > 1.3 && t_s < end_s - 0.03) {
@@ -236,13 +224,10 @@ TEST(TrackerDisturbance, FollowsRampsOfTenHertzASecond) {
 }
 
 TEST(TrackerDisturbance, MeasuresTheRocofOfASteadyRamp) {
-  test::MainsSpec spec;
-  spec.truth = test::ramp(50.0, 48.0, 1.0, -1.0);
-  spec.noise_pct = 1.0;
-  const test::Mains mains(spec);
+  const test::MainsSpec spec = {test::ramp(50.0, 48.0, 1.0, -1.0), {}, 1.0};
   double sum = 0.0;
   int count = 0;
-  for (const Report& report : test::reports_of(mains, 2.9, test::ieee24_settings())) {
+  for (const Report& report : test::reports_of(spec, 2.9, test::ieee24_settings())) {
     if (test::measured_s(report) < 1.5) continue;
     sum += static_cast<double>(report.measurement.rocof_hz_s);
     ++count;
@@ -250,6 +235,15 @@ TEST(TrackerDisturbance, MeasuresTheRocofOfASteadyRamp) {
     EXPECT_NEAR(static_cast<double>(report.measurement.rocof_hz_s), -1.0, 0.4);
   }
   EXPECT_NEAR(sum / count, -1.0, 0.02);
+}
+
+Phasor phasor(float amplitude, float turns) {
+  Phasor phasor;
+  phasor.in_phase = amplitude * std::cos(kTwoPi * turns);
+  phasor.quadrature = amplitude * std::sin(kTwoPi * turns);
+  phasor.voltage_pu = amplitude;
+  phasor.complete = true;
+  return phasor;
 }
 
 // Whatever the voltage does, the numbers stay a grid's, and a clean voltage is found again.
@@ -267,13 +261,7 @@ TEST(TrackerDisturbance, SurvivesAnyVoltageAtAll) {
       if (kind == 1) amplitude = unit(generator);
       if (kind == 2) amplitude = 1.0F;
       if (kind == 3) amplitude = k % 2 == 0 ? 0.12F : 30000.0F;
-      const float angle = kTwoPi * unit(generator);
-      Phasor phasor;
-      phasor.in_phase = amplitude * std::cos(angle);
-      phasor.quadrature = amplitude * std::sin(angle);
-      phasor.voltage_pu = amplitude;
-      phasor.complete = true;
-      const Measurement m = track(settings, 50.0F, state, phasor);
+      const Measurement m = track(settings, 50.0F, state, phasor(amplitude, unit(generator)));
       if (m.validity == Validity::kInvalid) {
         ASSERT_TRUE(std::isnan(m.frequency_hz) && std::isnan(m.rocof_hz_s));
       } else {
@@ -284,13 +272,7 @@ TEST(TrackerDisturbance, SurvivesAnyVoltageAtAll) {
     // 51 Hz: a turn of 0.016 each report. 16 to hold, 16 to settle, and some to find the frequency.
     Measurement m;
     for (int k = 0; k < 60; ++k) {
-      const float angle = kTwoPi * 0.016F * static_cast<float>(k);
-      Phasor phasor;
-      phasor.in_phase = std::cos(angle);
-      phasor.quadrature = std::sin(angle);
-      phasor.voltage_pu = 1.0F;
-      phasor.complete = true;
-      m = track(settings, 50.0F, state, phasor);
+      m = track(settings, 50.0F, state, phasor(1.0F, 0.016F * static_cast<float>(k)));
     }
     ASSERT_EQ(m.validity, Validity::kValid) << run;
     ASSERT_NEAR(m.frequency_hz, 51.0F, 1e-2F) << run;
@@ -299,11 +281,9 @@ TEST(TrackerDisturbance, SurvivesAnyVoltageAtAll) {
 
 TEST(TrackerDisturbance, ANotANumberInThePhasorIsADeadBus) {
   TrackerState state;
-  Phasor phasor;
-  phasor.in_phase = std::numeric_limits<float>::quiet_NaN();
-  phasor.voltage_pu = 1.0F;
-  phasor.complete = true;
-  EXPECT_EQ(track(TrackerSettings{}, 50.0F, state, phasor).validity, Validity::kInvalid);
+  Phasor broken = phasor(1.0F, 0.0F);
+  broken.in_phase = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(track(TrackerSettings{}, 50.0F, state, broken).validity, Validity::kInvalid);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
 #include <firmware_test/simulated_flash.hpp>
+#include <wire_test/downlinks.hpp>
+#include <wire_test/messages.hpp>
 
 #include <deque>
 #include <vector>
@@ -9,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <superloop/loop.hpp>
-#include <wire/frame.hpp>
 
 namespace gs::superloop {
 namespace {
@@ -18,6 +19,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using wire::Uplink;
 using wire::UplinkKind;
+using wire::test::Bytes;
 
 class FakeBoard final : public Board {
  public:
@@ -28,12 +30,10 @@ class FakeBoard final : public Board {
 
   bool send(const std::uint8_t* bytes, std::size_t count) override {
     if (line_full) return false;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (reader_.take(bytes[i]) != wire::FrameReader::Taken::kMessage) continue;
+    for (const Bytes& frame : wire::test::frames_in(reader_, Bytes(bytes, bytes + count))) {
       Uplink message;
       std::uint32_t sequence = 0;
-      EXPECT_EQ(wire::decode(reader_.message(), reader_.size(), message, sequence),
-                wire::Decoded::kOk);
+      EXPECT_EQ(wire::decode(frame.data(), frame.size(), message, sequence), wire::Decoded::kOk);
       said.push_back(message);
     }
     return true;
@@ -61,13 +61,7 @@ class FakeBoard final : public Board {
   void feed_watchdog() override { ++watchdog_fed; }
   bool converter_rests() const override { return rests; }
 
-  std::vector<Uplink> of(UplinkKind kind) const {
-    std::vector<Uplink> some;
-    for (const Uplink& message : said) {
-      if (message.kind == kind) some.push_back(message);
-    }
-    return some;
-  }
+  std::vector<Uplink> of(UplinkKind kind) const { return wire::test::of_kind(said, kind); }
   std::vector<wire::ErrorCode> errors() const {
     std::vector<wire::ErrorCode> codes;
     for (const Uplink& message : of(UplinkKind::kError)) codes.push_back(message.error.code);
@@ -99,24 +93,13 @@ class LoopTest : public testing::Test {
   }
 
   void send(const wire::Downlink& message) {
-    std::uint8_t bytes[wire::kLongestMessage];
-    std::uint8_t framed[wire::kLongestFrame];
-    const std::size_t size = wire::encode(message, sequence_++, bytes, sizeof bytes);
-    const std::size_t length = wire::frame(bytes, size, framed, sizeof framed);
-    board_.incoming.insert(board_.incoming.end(), framed, framed + length);
-  }
-  void send_settings(std::uint32_t version) {
-    wire::Downlink message;
-    message.kind = wire::DownlinkKind::kSettings;
-    message.settings = test::ieee24_settings();
-    message.settings.version = version;
-    send(message);
+    const Bytes frame = wire::test::framed(wire::test::encoded(message, sequence_++));
+    board_.incoming.insert(board_.incoming.end(), frame.begin(), frame.end());
   }
 
   void play(double loss_mw, double duration_s) {
-    test::MainsSpec spec;
-    spec.truth = test::loss_of(loss_mw, 1.0);
-    const auto samples = test::Mains(spec).samples(0, static_cast<std::size_t>(8000 * duration_s));
+    const auto samples = test::Mains({test::loss_of(loss_mw, 1.0)})
+                             .samples(0, static_cast<std::size_t>(8000 * duration_s));
     board_.samples.insert(board_.samples.end(), samples.begin(), samples.end());
   }
   int turn_until_idle() {
@@ -141,7 +124,7 @@ TEST_F(LoopTest, TakesAMillisecondOfSamplesATurn) {
 
 TEST_F(LoopTest, ChangesTheRelayAtTheSampleOfTheDecision) {
   ASSERT_TRUE(start());
-  send_settings(1);
+  send(wire::test::settings_message(test::ieee24_settings()));
   // Out of step with the blocks that come: where reports end is what counts.
   board_.samples.assign(3, 0);
   loop_.turn();
@@ -191,10 +174,7 @@ TEST_F(LoopTest, FeedsTheWatchdogOnlyWhileSamplesCome) {
   EXPECT_EQ(board_.watchdog_fed, 10);
   // Talking does not make up for an ADC that stands still.
   for (int i = 0; i < 5; ++i) {
-    wire::Downlink ping;
-    ping.kind = wire::DownlinkKind::kPing;
-    ping.token = 1;
-    send(ping);
+    send(wire::test::ping(1));
     loop_.turn();
   }
   EXPECT_EQ(board_.of(UplinkKind::kEcho).size(), 5U);
@@ -233,9 +213,7 @@ TEST_F(LoopTest, AFullLineDropsMessagesAndCountsThem) {
   play(0.0, 0.16);
   turn_until_idle();
   board_.line_full = false;
-  wire::Downlink ask;
-  ask.kind = wire::DownlinkKind::kAskStatus;
-  send(ask);
+  send(wire::test::downlink(wire::DownlinkKind::kAskStatus));
   turn_until_idle();
   const auto status = board_.of(UplinkKind::kStatus);
   ASSERT_EQ(status.size(), 1U);

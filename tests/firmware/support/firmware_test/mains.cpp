@@ -55,15 +55,21 @@ std::shared_ptr<const waveform::Truth> ramp(double from_hz, double to_hz, double
   return waveform::truth_from_points(50.0, {{at_s, from_hz}, {end_s, to_hz}});
 }
 
-void play(const Mains& mains, double duration_s, const outlet::Config& config, outlet::State& state,
-          const std::function<void(const outlet::Report&)>& each) {
-  const auto end =
-      static_cast<std::int64_t>(duration_s * static_cast<double>(mains.hardware().sample_rate_hz));
-  play(mains, 0, end, config, state, each);
+PlayedOutlet::PlayedOutlet(const MainsSpec& spec) : mains(spec) {
+  if (!outlet::configure(mains.hardware(), config)) throw std::logic_error("hardware not served");
 }
 
-void play(const Mains& mains, std::int64_t from, std::int64_t end, const outlet::Config& config,
-          outlet::State& state, const std::function<void(const outlet::Report&)>& each) {
+PlayedOutlet::PlayedOutlet(const MainsSpec& spec, const outlet::Settings& settings)
+    : PlayedOutlet(spec) {
+  const outlet::SettingsError error = outlet::apply(config, state, settings);
+  if (error != outlet::SettingsError::kNone) throw std::logic_error(outlet::to_string(error));
+}
+
+void PlayedOutlet::play(double duration_s, const Each& each) {
+  play(0, static_cast<std::int64_t>(duration_s * mains.hardware().sample_rate_hz), each);
+}
+
+void PlayedOutlet::play(std::int64_t from, std::int64_t end, const Each& each) {
   const std::int64_t block = 16 * mains.ticks_per_report();
   for (std::int64_t tick = from; tick < end; tick += block) {
     const auto count = static_cast<std::size_t>(std::min(block, end - tick));
@@ -78,18 +84,12 @@ void play(const Mains& mains, std::int64_t from, std::int64_t end, const outlet:
   }
 }
 
-std::vector<outlet::Report> reports_of(const Mains& mains, double duration_s,
+std::vector<outlet::Report> reports_of(const MainsSpec& spec, double duration_s,
                                        const outlet::Settings& settings) {
-  outlet::Config config;
-  outlet::State state;
-  if (!outlet::configure(mains.hardware(), config)) {
-    throw std::logic_error("hardware not served");
-  }
-  const outlet::SettingsError error = outlet::apply(config, state, settings);
-  if (error != outlet::SettingsError::kNone) throw std::logic_error(outlet::to_string(error));
   std::vector<outlet::Report> reports;
-  play(mains, duration_s, config, state,
-       [&](const outlet::Report& report) { reports.push_back(report); });
+  PlayedOutlet(spec, settings).play(duration_s, [&](const outlet::Report& report) {
+    reports.push_back(report);
+  });
   return reports;
 }
 

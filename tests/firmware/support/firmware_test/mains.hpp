@@ -25,7 +25,6 @@ class Mains {
   explicit Mains(const MainsSpec& spec);
 
   outlet::Hardware hardware() const;
-  double frequency_hz(double t_s) const { return synthesizer_.truth().frequency_hz(t_s); }
   std::int64_t ticks_per_report() const { return synthesizer_.sample_rate_hz() * 16 / 1000; }
 
   // Samples first_tick … first_tick+count−1.
@@ -43,15 +42,26 @@ std::shared_ptr<const gsbench::waveform::Truth> steady(double nominal_hz, double
 std::shared_ptr<const gsbench::waveform::Truth> ramp(double from_hz, double to_hz, double at_s,
                                                      double hz_per_s);
 
-// Plays the first `duration_s` seconds into an outlet, and gives each report to `each`.
-void play(const Mains& mains, double duration_s, const outlet::Config& config, outlet::State& state,
-          const std::function<void(const outlet::Report&)>& each);
-// From one tick to before another.
-void play(const Mains& mains, std::int64_t from, std::int64_t end, const outlet::Config& config,
-          outlet::State& state, const std::function<void(const outlet::Report&)>& each);
+// An outlet at a mains, without settings where none are given. Throws std::logic_error where the
+// firmware does not serve its hardware or refuses the settings.
+struct PlayedOutlet {
+  using Each = std::function<void(const outlet::Report&)>;
 
-// The reports of an outlet with these settings that is played the mains from its start-up on.
-std::vector<outlet::Report> reports_of(const Mains& mains, double duration_s,
+  explicit PlayedOutlet(const MainsSpec& spec);
+  PlayedOutlet(const MainsSpec& spec, const outlet::Settings& settings);
+
+  // The first `duration_s` seconds, each report given to `each`.
+  void play(double duration_s, const Each& each);
+  // From one tick to before another.
+  void play(std::int64_t from, std::int64_t end, const Each& each);
+
+  Mains mains;
+  outlet::Config config;
+  outlet::State state;
+};
+
+// The reports of an outlet with these settings from its start-up on.
+std::vector<outlet::Report> reports_of(const MainsSpec& spec, double duration_s,
                                        const outlet::Settings& settings);
 
 // When a report was made, and the instant that its frequency is of.
