@@ -3,6 +3,7 @@
 #include "emulated_outlet.hpp"
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
+#include <wire_test/downlinks.hpp>
 
 #include <chrono>
 #include <iostream>
@@ -18,30 +19,17 @@ namespace gs::test {
 namespace {
 
 using wire::UplinkKind;
+using wire::test::downlink;
+using wire::test::settings_message;
 
 constexpr double kDurationS = 14.0;
 
 const std::vector<std::int16_t>& stream() {
   static const std::vector<std::int16_t> samples = [] {
-    MainsSpec spec;
-    spec.truth = loss_of(500.0, 3.0);
-    spec.noise_pct = 1.0;
-    return Mains(spec).samples(0, static_cast<std::size_t>(8000 * kDurationS));
+    return Mains({loss_of(500.0, 3.0), {}, 1.0})
+        .samples(0, static_cast<std::size_t>(8000 * kDurationS));
   }();
   return samples;
-}
-
-wire::Downlink settings_message() {
-  wire::Downlink message;
-  message.kind = wire::DownlinkKind::kSettings;
-  message.settings = ieee24_settings();
-  return message;
-}
-
-wire::Downlink question(wire::DownlinkKind kind) {
-  wire::Downlink message;
-  message.kind = kind;
-  return message;
 }
 
 struct Outcome {
@@ -77,39 +65,32 @@ Outcome in_process(const wire::Hello& as) {
   Keeps area;
   app::Application app;
   app::MessageEndpoint endpoint(app, collector);
-  MainsSpec spec;
-  spec.truth = steady(50.0, 50.0);
   app::Identity identity;
   app::set_text(identity.id, as.id);
   app::set_text(identity.board, as.board);
   identity.instance = as.instance;
   identity.build = as.build;
   identity.capabilities = as.capabilities;
-  EXPECT_TRUE(app.start(Mains(spec).hardware(), identity, &area, endpoint));
-  app.receive(settings_message(), endpoint);
+  EXPECT_TRUE(app.start(Mains({steady(50.0, 50.0)}).hardware(), identity, &area, endpoint));
+  app.receive(settings_message(ieee24_settings()), endpoint);
   app.feed(stream().data(), stream().size(), endpoint);
-  app.receive(question(wire::DownlinkKind::kAskStatus), endpoint);
-  app.receive(question(wire::DownlinkKind::kAskSelfTest), endpoint);
+  app.receive(downlink(wire::DownlinkKind::kAskStatus), endpoint);
+  app.receive(downlink(wire::DownlinkKind::kAskSelfTest), endpoint);
   return collector.outcome;
 }
 
-// `program`: gs-outlet, or the image of a board.
 Outcome emulated(EmulatedOutlet& outlet, const std::string& program) {
-  if (program == GS_OUTLET_PROGRAM) {
-    outlet.start_process(program);
-  } else {
-    outlet.start(program);
-  }
+  outlet.start(program);
   Line& line = outlet.line();
   line.wait_for(UplinkKind::kHello);
-  line.send(settings_message());
+  line.send(settings_message(ieee24_settings()));
   line.wait_for(UplinkKind::kSettingsAnswer);
   const auto begin = std::chrono::steady_clock::now();
   outlet.play(stream());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   std::cout << kDurationS / wall.count() << " x real time\n";
-  line.send(question(wire::DownlinkKind::kAskStatus));
-  line.send(question(wire::DownlinkKind::kAskSelfTest));
+  line.send(downlink(wire::DownlinkKind::kAskStatus));
+  line.send(downlink(wire::DownlinkKind::kAskSelfTest));
   line.wait_for(UplinkKind::kSelfTest);
   Outcome outcome;
   for (const Letter& letter : line.letters()) add(outcome, letter.uplink, letter.bytes);

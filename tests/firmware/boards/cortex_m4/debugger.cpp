@@ -4,6 +4,9 @@
 #include <cstdio>
 
 namespace gs::test {
+
+using gsbench::test::demand;
+
 namespace {
 
 constexpr unsigned kLinkRegister = 14;
@@ -25,7 +28,9 @@ std::string as_in_memory(std::uint32_t value) {
 
 }  // namespace
 
-Debugger::Debugger(const Machine& machine) : socket_(Socket::connect(machine.debugger())) {
+Debugger::Debugger(const Machine& machine)
+    : connection_(gsbench::transport::make_transport(machine.debugger())) {
+  demand(connection_->open());
   ask("?");
   // qemu writes single registers only for who has read what registers there are.
   ask("qXfer:features:read:target.xml:0,ff");
@@ -42,13 +47,16 @@ Debugger::~Debugger() {
 std::string Debugger::ask(const std::string& packet) {
   unsigned sum = 0;
   for (const char c : packet) sum += static_cast<unsigned char>(c);
-  const std::string framed = "$" + packet + "#" + hex(sum & 0xFFU);
-  socket_.send(framed.data(), framed.size());
+  send("$" + packet + "#" + hex(sum & 0xFFU));
   for (;;) {
     std::string answer = next_packet(packet);
     // That the machine has stopped is told when it has, in the middle of anything.
     if (packet == "?" || packet == "c" || answer.empty() || answer[0] != 'T') return answer;
   }
+}
+
+void Debugger::send(const std::string& text) {
+  demand(connection_->send({text.begin(), text.end()}));
 }
 
 std::string Debugger::next_packet(const std::string& after) {
@@ -58,12 +66,13 @@ std::string Debugger::next_packet(const std::string& after) {
     if (begin != std::string::npos && end != std::string::npos && received_.size() >= end + 3) {
       std::string packet = received_.substr(begin + 1, end - begin - 1);
       received_.erase(0, end + 3);
-      socket_.send("+", 1);
+      send("+");
       return packet;
     }
-    const std::string more = socket_.receive(65536, kPatience);
+    std::vector<std::uint8_t> more;
+    demand(connection_->receive(more, gsbench::transport::Clock::now() + kPatience));
     if (more.empty()) throw std::runtime_error("no answer to " + after);
-    received_ += more;
+    received_.append(more.begin(), more.end());
   }
 }
 
@@ -82,7 +91,7 @@ std::vector<std::uint8_t> Debugger::memory(std::uint32_t address, std::size_t co
   return bytes;
 }
 
-void Debugger::demand(const std::string& packet) {
+void Debugger::demand_ok(const std::string& packet) {
   if (ask(packet) != "OK") throw std::runtime_error("the debugger does not obey " + packet);
 }
 
@@ -93,12 +102,12 @@ void Debugger::write(std::uint32_t address, const std::vector<std::uint8_t>& byt
     std::string packet = "M" + hex(address + static_cast<std::uint32_t>(first)) + "," +
                          hex(static_cast<std::uint32_t>(now)) + ":";
     for (std::size_t i = 0; i < now; ++i) packet += hex(bytes[first + i]);
-    demand(packet);
+    demand_ok(packet);
   }
 }
 
 void Debugger::set_register(unsigned number, std::uint32_t value) {
-  demand("P" + hex(number, 1) + "=" + as_in_memory(value));
+  demand_ok("P" + hex(number, 1) + "=" + as_in_memory(value));
 }
 
 void Debugger::go_to(std::uint32_t address) {
@@ -107,13 +116,13 @@ void Debugger::go_to(std::uint32_t address) {
 
 void Debugger::call(std::uint32_t function, std::uint32_t argument, std::uint32_t return_to) {
   const std::string breakpoint = "1," + hex(return_to) + ",2";
-  demand("Z" + breakpoint);
+  demand_ok("Z" + breakpoint);
   set_register(0, argument);
   set_register(kLinkRegister, return_to | kThumb);
   go_to(function);
   ask("c");
   const std::string stopped_at = ask("p" + hex(kProgramCounter, 1));
-  demand("z" + breakpoint);
+  demand_ok("z" + breakpoint);
   if (stopped_at != as_in_memory(return_to))
     throw std::runtime_error("did not return but is at " + stopped_at);
 }
@@ -122,18 +131,16 @@ std::uint32_t address_of_symbol(const std::string& image, const std::string& sym
   const std::string command = "nm --demangle '" + image + "'";
   FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error(command);
-  std::uint32_t address = 0;
-  bool found = false;
-  std::array<char, 1024> line = {};
-  while (std::fgets(line.data(), static_cast<int>(line.size()), pipe) != nullptr) {
-    std::string text = line.data();
-    if (text.size() < symbol.size() + 12 || text.substr(11) != symbol + "\n") continue;
-    address = static_cast<std::uint32_t>(std::stoul(text.substr(0, 8), nullptr, 16));
-    found = true;
+  std::string all;
+  std::array<char, 1024> part = {};
+  while (std::fgets(part.data(), static_cast<int>(part.size()), pipe) != nullptr) {
+    all += part.data();
   }
   ::pclose(pipe);
-  if (!found) throw std::runtime_error("no " + symbol + " in " + image);
-  return address;
+  // "20004000 B gs_stack_top"
+  const std::size_t found = all.find(" " + symbol + "\n");
+  if (found == std::string::npos) throw std::runtime_error("no " + symbol + " in " + image);
+  return static_cast<std::uint32_t>(std::stoul(all.substr(found - 10, 8), nullptr, 16));
 }
 
 }  // namespace gs::test

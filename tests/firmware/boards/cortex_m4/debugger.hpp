@@ -27,10 +27,11 @@ class Debugger {
  private:
   void set_register(unsigned number, std::uint32_t value);
   std::string ask(const std::string& packet);
-  void demand(const std::string& packet);
+  void demand_ok(const std::string& packet);
+  void send(const std::string& text);
   std::string next_packet(const std::string& after);
 
-  Socket socket_;
+  std::unique_ptr<gsbench::transport::Transport> connection_;
   std::string received_;
 };
 

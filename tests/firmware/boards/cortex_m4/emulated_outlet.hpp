@@ -3,7 +3,7 @@
 #pragma once
 
 #include "machine.hpp"
-#include <shared_memory_io/shared_memory.hpp>
+#include "shared_memory_file.hpp"
 #include <test_support/temporary_folder.hpp>
 
 #include <functional>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <emulation/child.hpp>
+#include <models/adc.hpp>
 #include <wire/frame.hpp>
 
 namespace gs::test {
@@ -20,14 +20,13 @@ using Message = std::vector<std::uint8_t>;  // CBOR
 
 struct Letter {
   wire::Uplink uplink;
-  std::uint32_t sequence = 0;
   Message bytes;
 };
 
 // The test's end of a serial link.
 class Line {
  public:
-  explicit Line(const Socket& socket) : socket_(socket) {}
+  explicit Line(gsbench::transport::Transport& transport) : transport_(transport) {}
 
   void send(const wire::Downlink& message);
   // Reads what comes until `enough` says so; throws after kPatience.
@@ -41,7 +40,7 @@ class Line {
   bool has_error(wire::ErrorCode code) const;
 
  private:
-  const Socket& socket_;
+  gsbench::transport::Transport& transport_;
   wire::FrameReader reader_;
   std::vector<Letter> letters_;
   std::uint32_t sequence_ = 0;
@@ -49,32 +48,25 @@ class Line {
 
 class EmulatedOutlet {
  public:
-  EmulatedOutlet();
-  ~EmulatedOutlet();
-  EmulatedOutlet(const EmulatedOutlet&) = delete;
-  EmulatedOutlet& operator=(const EmulatedOutlet&) = delete;
-
-  // Switches it on, with the terminals as they are.
-  void start(const std::string& image);
-  // gs-outlet, on a line.
-  void start_process(const std::string& program);
-  void kill();
+  // Switches it on, with the terminals as they are. `program`: a board's image, or gs-outlet.
+  void start(const std::string& program);
+  void kill() { machine_->kill(); }
 
   // In blocks, never more than half a ring ahead, until all are taken. The link is read meanwhile.
   void play(const std::vector<std::int16_t>& samples);
-  void ring_doorbell();
+  void ring_doorbell() { file_.ring(); }
 
-  shared_memory_io::SharedMemory& terminals() { return *terminals_; }
+  shared_memory_io::SharedMemory& terminals() const { return file_.terminals(); }
   Line& line() { return *line_; }
   const Machine& machine() const { return *machine_; }
 
  private:
   gsbench::test::TemporaryFolder folder_;
-  shared_memory_io::SharedMemory* terminals_ = nullptr;
-  // One of the two.
+  // As it comes from the factory.
+  gsbench::emulation::SharedMemoryFile file_ =
+      gsbench::test::demand(gsbench::emulation::SharedMemoryFile::create(
+          folder_.path().string(), {"outlet-7", 77, 8000, 50, gsbench::models::kCountsPerPu}));
   std::unique_ptr<Machine> machine_;
-  struct Process;
-  std::unique_ptr<Process> process_;
   std::unique_ptr<Line> line_;
 };
 

@@ -3,6 +3,7 @@
 #include "emulated_outlet.hpp"
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
+#include <wire_test/downlinks.hpp>
 
 #include <iostream>
 #include <map>
@@ -18,33 +19,18 @@ namespace gs::test {
 namespace {
 
 using wire::UplinkKind;
+using wire::test::command;
+using wire::test::downlink;
 
 std::vector<std::int16_t> quiet_mains(double duration_s) {
-  MainsSpec spec;
-  spec.truth = steady(50.0, 50.0);
-  return Mains(spec).samples(0, static_cast<std::size_t>(8000 * duration_s));
+  return Mains({steady(50.0, 50.0)}).samples(0, static_cast<std::size_t>(8000 * duration_s));
 }
 
-wire::Downlink settings_message(std::uint32_t version) {
-  wire::Downlink message;
-  message.kind = wire::DownlinkKind::kSettings;
-  message.settings = ieee24_settings();
-  message.settings.version = version;
-  message.settings.accumulated_mw = static_cast<float>(version);
-  return message;
-}
-
-wire::Downlink command(bool close) {
-  wire::Downlink message;
-  message.kind = wire::DownlinkKind::kCommand;
-  message.close_relay = close;
-  return message;
-}
-
-wire::Downlink question(wire::DownlinkKind kind) {
-  wire::Downlink message;
-  message.kind = kind;
-  return message;
+wire::Downlink settings_of(std::uint32_t version) {
+  outlet::Settings settings = ieee24_settings();
+  settings.version = version;
+  settings.accumulated_mw = static_cast<float>(version);
+  return wire::test::settings_message(settings);
 }
 
 class Mps2 : public testing::Test {
@@ -61,7 +47,7 @@ class Mps2 : public testing::Test {
   wire::Status status() {
     Line& line = outlet_.line();
     const std::size_t first = line.letters().size();
-    line.send(question(wire::DownlinkKind::kAskStatus));
+    line.send(downlink(wire::DownlinkKind::kAskStatus));
     return line.wait_for(UplinkKind::kStatus, first).uplink.status;
   }
 
@@ -102,7 +88,7 @@ TEST_F(Mps2, ACrystalThatDoesNotStartIsToldAndFoundByTheSelfTest) {
   start();
   Line& line = outlet_.line();
   outlet_.play(quiet_mains(0.1));
-  line.send(question(wire::DownlinkKind::kAskSelfTest));
+  line.send(downlink(wire::DownlinkKind::kAskSelfTest));
   EXPECT_EQ(line.wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
             std::uint32_t{wire::kClock});
   EXPECT_TRUE(line.has_error(wire::ErrorCode::kClock));
@@ -114,7 +100,7 @@ TEST_F(Mps2, ACrystalThatDoesNotStartIsToldAndFoundByTheSelfTest) {
 
 TEST_F(Mps2, TheSelfTestFindsAConverterThatGivesNoSamples) {
   start();
-  outlet_.line().send(question(wire::DownlinkKind::kAskSelfTest));
+  outlet_.line().send(downlink(wire::DownlinkKind::kAskSelfTest));
   EXPECT_EQ(outlet_.line().wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
             std::uint32_t{wire::kConverter});
 }
@@ -134,13 +120,13 @@ TEST_F(Mps2, CountsTheSamplesThatABenchTooFarAheadWroteOver) {
 
 TEST_F(Mps2, SettingsOutliveALossOfPower) {
   start();
-  outlet_.line().send(settings_message(5));
+  outlet_.line().send(settings_of(5));
   const auto answer = outlet_.line().wait_for(UplinkKind::kSettingsAnswer).uplink.settings_answer;
   EXPECT_TRUE(answer.kept);
   outlet_.kill();
   start();
   EXPECT_EQ(hello_.settings_version, 5U);
-  EXPECT_EQ(hello_.settings_digest, outlet::digest(settings_message(5).settings));
+  EXPECT_EQ(hello_.settings_digest, outlet::digest(settings_of(5).settings));
 }
 
 // Power goes at random while settings come: what is in force at the next start is what was
@@ -159,7 +145,7 @@ TEST_F(Mps2, ALossOfPowerAtAnyMomentLeavesSettingsThatWereSent) {
     ASSERT_GE(hello_.settings_version, acknowledged);
     Line& line = outlet_.line();
     for (int i = 0; i < 20; ++i) {
-      const wire::Downlink message = settings_message(++sent);
+      const wire::Downlink message = settings_of(++sent);
       digests[sent] = outlet::digest(message.settings);
       line.send(message);
     }
@@ -169,7 +155,7 @@ TEST_F(Mps2, ALossOfPowerAtAnyMomentLeavesSettingsThatWereSent) {
     // What it said before it died.
     for (std::size_t had = line.letters().size() + 1; line.letters().size() != had;) {
       had = line.letters().size();
-      line.read_for(std::chrono::milliseconds(0));
+      line.read_for(std::chrono::milliseconds(20));
     }
     for (const Letter& letter : line.of(UplinkKind::kSettingsAnswer)) {
       ASSERT_TRUE(letter.uplink.settings_answer.kept);
@@ -184,7 +170,7 @@ TEST_F(Mps2, ALossOfPowerAtAnyMomentLeavesSettingsThatWereSent) {
 TEST_F(Mps2, TheWatchdogRestartsAFirmwareThatHangsAndTheRestartIsTold) {
   start();
   Line& line = outlet_.line();
-  line.send(settings_message(3));
+  line.send(settings_of(3));
   line.wait_for(UplinkKind::kSettingsAnswer);
   const std::size_t before = line.letters().size();
   Debugger(outlet_.machine()).go_to(address_of_symbol(GSBENCH_M4_IMAGE, "gs_hang"));
@@ -207,19 +193,17 @@ TEST_F(Mps2, AnOutletThatOnlyWaitsIsLeftAloneByItsWatchdog) {
 // Everything that goes deep: settings, kept ones at a start, self test, a decision, every command.
 TEST_F(Mps2, TheStackKeepsAnEighthInReserve) {
   start();
-  outlet_.line().send(settings_message(1));
+  outlet_.line().send(settings_of(1));
   outlet_.line().wait_for(UplinkKind::kSettingsAnswer);
   outlet_.kill();
   start();
   Line& line = outlet_.line();
-  line.send(settings_message(2));
+  line.send(settings_of(2));
   line.wait_for(UplinkKind::kSettingsAnswer);
-  MainsSpec spec;
-  spec.truth = loss_of(500.0, 1.0);
-  outlet_.play(Mains(spec).samples(0, 8000 * 4));
+  outlet_.play(Mains({loss_of(500.0, 1.0)}).samples(0, 8000 * 4));
   line.send(command(true));
-  line.send(question(wire::DownlinkKind::kIdentify));
-  line.send(question(wire::DownlinkKind::kAskSelfTest));
+  line.send(downlink(wire::DownlinkKind::kIdentify));
+  line.send(downlink(wire::DownlinkKind::kAskSelfTest));
   line.wait_for(UplinkKind::kSelfTest);
   status();
 

@@ -2,6 +2,7 @@
 // neither clocks nor DMA, flash that cannot be programmed, and no unique id.
 #include "emulated_outlet.hpp"
 #include <firmware_test/settings.hpp>
+#include <wire_test/downlinks.hpp>
 
 #include <gtest/gtest.h>
 
@@ -12,10 +13,8 @@ using wire::UplinkKind;
 
 class Stm32 : public testing::Test {
  protected:
-  gsbench::test::TemporaryFolder folder_;
-  Machine machine_{
-      folder_.path().string(), {"-M", "netduinoplus2", "-kernel", GSBENCH_STM32_IMAGE}, 1};
-  Line line_{machine_.serial(0)};
+  Machine machine_{{"qemu-system-arm", "-M", "netduinoplus2", "-kernel", GSBENCH_STM32_IMAGE}};
+  Line line_{machine_.line()};
 };
 
 TEST_F(Stm32, ComesUpWithoutAClockThatStartsAndSaysSo) {
@@ -31,9 +30,7 @@ TEST_F(Stm32, ComesUpWithoutAClockThatStartsAndSaysSo) {
 
 TEST_F(Stm32, ItsSelfTestFindsWhatTheEmulatorLacksAndThatItsArithmeticIsRight) {
   line_.wait_for(UplinkKind::kHello);
-  wire::Downlink ask;
-  ask.kind = wire::DownlinkKind::kAskSelfTest;
-  line_.send(ask);
+  line_.send(wire::test::downlink(wire::DownlinkKind::kAskSelfTest));
   EXPECT_EQ(line_.wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
             wire::kClock | wire::kConverter);
 }
@@ -41,9 +38,7 @@ TEST_F(Stm32, ItsSelfTestFindsWhatTheEmulatorLacksAndThatItsArithmeticIsRight) {
 TEST_F(Stm32, FollowsSettingsThatItsFlashDoesNotTakeAndSaysSo) {
   line_.wait_for(UplinkKind::kHello);
   line_.wait_for(UplinkKind::kError);
-  wire::Downlink message;
-  message.kind = wire::DownlinkKind::kSettings;
-  message.settings = ieee24_settings();
+  const wire::Downlink message = wire::test::settings_message(ieee24_settings());
   const std::size_t before = line_.letters().size();
   line_.send(message);
   const auto answer = line_.wait_for(UplinkKind::kSettingsAnswer).uplink.settings_answer;
@@ -56,11 +51,7 @@ TEST_F(Stm32, FollowsSettingsThatItsFlashDoesNotTakeAndSaysSo) {
 
 TEST_F(Stm32, ObeysCommands) {
   line_.wait_for(UplinkKind::kHello);
-  wire::Downlink open;
-  open.kind = wire::DownlinkKind::kCommand;
-  open.close_relay = false;
-  open.request = 4;
-  line_.send(open);
+  line_.send(wire::test::command(false, 4));
   const auto answer = line_.wait_for(UplinkKind::kCommandAnswer).uplink.command_answer;
   EXPECT_EQ(answer.request, 4U);
   EXPECT_FALSE(answer.closed);

@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <models/adc.hpp>
 #include <models/noise.hpp>
 
 namespace gs::test {
 
 namespace waveform = gsbench::waveform;
-
-namespace {
-
-// A quarter of the range above the largest amplitude that is played, 1.2 pu.
-constexpr float kCountsPerPu = 32767.0F / 1.5F;
-
-}  // namespace
 
 Mains::Mains(const MainsSpec& spec)
     : synthesizer_(spec.truth, spec.signal, spec.sample_rate_hz),
@@ -25,7 +19,7 @@ outlet::Hardware Mains::hardware() const {
   outlet::Hardware hardware;
   hardware.sample_rate_hz = static_cast<std::int32_t>(synthesizer_.sample_rate_hz());
   hardware.nominal_hz = static_cast<std::int32_t>(synthesizer_.truth().nominal_hz());
-  hardware.counts_per_pu = kCountsPerPu;
+  hardware.counts_per_pu = gsbench::models::kCountsPerPu;
   return hardware;
 }
 
@@ -39,8 +33,7 @@ std::vector<std::int16_t> Mains::samples(std::int64_t first_tick, std::size_t co
   }
   std::vector<std::int16_t> counts(count);
   std::transform(volts.begin(), volts.end(), counts.begin(), [](float volt) {
-    const float x = std::clamp(volt * kCountsPerPu, -32767.0F, 32767.0F);
-    return static_cast<std::int16_t>(x + (x < 0.0F ? -0.5F : 0.5F));
+    return gsbench::models::adc_counts(volt, gsbench::models::kCountsPerPu);
   });
   return counts;
 }

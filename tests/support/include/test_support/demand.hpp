@@ -1,0 +1,19 @@
+// What a driver returns, in a test that is about something else.
+#pragma once
+
+#include <stdexcept>
+
+#include <drivers/result.hpp>
+
+namespace gsbench::test {
+
+// Throws std::runtime_error with the driver's error.
+template <class T>
+T demand(drivers::Result<T> result) {
+  if (!result.ok()) {
+    throw std::runtime_error(result.error());
+  }
+  return result.take();
+}
+
+}  // namespace gsbench::test
