@@ -16,18 +16,11 @@
 #include <models/targets.hpp>
 #include <profile/load.hpp>
 
+namespace gsbench::performance {
 namespace {
 
-namespace campaign = gsbench::campaign;
-using campaign::EstimateOptions;
 using campaign::kLanes;
 using campaign::Lanes;
-using gsbench::performance::die;
-using gsbench::performance::judge_at_least;
-using gsbench::performance::judge_at_most;
-using gsbench::performance::median;
-using gsbench::performance::print;
-using gsbench::performance::seconds_since;
 using std::chrono::steady_clock;
 
 constexpr int kRounds = 3;
@@ -55,9 +48,9 @@ double numpy_seconds(int seed) {
   return seconds;
 }
 
-double campaign_seconds(const gsbench::grid::Grid& grid, std::size_t threads,
+double campaign_seconds(const grid::Grid& grid, std::size_t threads,
                         std::uint64_t trajectories = kTrajectories) {
-  EstimateOptions options;
+  campaign::EstimateOptions options;
   options.trajectories = trajectories;
   campaign::Execution execution;
   execution.threads = threads;
@@ -71,7 +64,7 @@ double campaign_seconds(const gsbench::grid::Grid& grid, std::size_t threads,
 }
 
 // One thread, the noise made before.
-double step_ns(const gsbench::grid::Grid& grid) {
+double step_ns(const grid::Grid& grid) {
   constexpr int kSamples = campaign::kLseSamples + campaign::kEkfSamples;
   constexpr int kBatches = 4000;
   const auto settings = campaign::estimate_settings(grid);
@@ -111,7 +104,7 @@ double peak_per_ns() {
   constexpr int kMany = 3000000;
   const auto begin = steady_clock::now();
   float result = 0.0F;
-  gsbench::models::run_on_this_machine([&] { result = multiply_and_add(kMany); });
+  models::run_on_this_machine([&] { result = multiply_and_add(kMany); });
   const double seconds = seconds_since(begin);
   if (!(result > 0.0F)) {
     die("the peak was not computed");
@@ -127,16 +120,12 @@ double largest_memory_mb() {
 
 double reproduce_seconds() {
   const auto begin = steady_clock::now();
-  if (std::system(GSBENCH_PROGRAM " reproduce --n 1000000 >/dev/null") != 0) {
-    die("gsbench reproduce failed");
-  }
+  run_or_die(GSBENCH_PROGRAM " reproduce --n 1000000 >/dev/null");
   return seconds_since(begin);
 }
 
-}  // namespace
-
-int main() {
-  const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
+int run() {
+  const grid::Grid grid = profile::load_grid("ieee24");
   std::vector<double> numpy;
   std::vector<double> two_threads;
   std::vector<double> one_thread;
@@ -163,5 +152,12 @@ int main() {
   print("a hundred million on two threads", long_s, "s");
   judge_at_most("  memory beyond that of a million", largest_memory_mb() - before_mb, "MB", 1.0);
   judge_at_most("gsbench reproduce --n 1000000", reproduce_seconds(), "s", 30.0);
-  return gsbench::performance::exit_code();
+  return exit_code();
+}
+
+}  // namespace
+}  // namespace gsbench::performance
+
+int main() {
+  return gsbench::performance::run();
 }

@@ -1,11 +1,8 @@
 // Speed of the chain from synthesis to capture, beside the parts it cannot do without, all measured
 // in turns within one run. Processor time, so that a busy machine tells in the ratios and not in a
 // verdict; exits with 1 where a figure falls short of what the project wants.
-#include "idle_station.hpp"
+#include "fake_station.hpp"
 #include "measuring.hpp"
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -18,15 +15,8 @@
 #include <profile/load.hpp>
 #include <station/run.hpp>
 
+namespace gsbench::performance {
 namespace {
-
-namespace performance = gsbench::performance;
-namespace profile = gsbench::profile;
-namespace models = gsbench::models;
-namespace station = gsbench::station;
-namespace waveform = gsbench::waveform;
-using performance::judge_at_least;
-using performance::judge_at_most;
 
 constexpr int kRounds = 7;
 constexpr double kPlayedS = 60.0;
@@ -39,7 +29,7 @@ double wall_s() {
 struct Work {
   std::string name;
   std::function<void()> run;
-  double (*clock)() = performance::own_processor_s;
+  double (*clock)() = own_processor_s;
   std::vector<double> seconds = {};
 
   double median() const { return performance::median(seconds); }
@@ -65,14 +55,13 @@ void for_each_block(const profile::Plan& plan, Use use) {
   for (std::int64_t tick = 0; tick < plan.duration_ticks();
        tick += static_cast<std::int64_t>(kBlock)) {
     synthesizer.render(tick, kBlock, block.data());
-    use(tick, block);
+    use(block);
   }
 }
 
 class Nowhere final : public gs::app::Outbox {
  public:
-  void put(const gs::wire::Uplink&) override { ++count; }
-  std::size_t count = 0;
+  void put(const gs::wire::Uplink&) override {}
 };
 
 void feed_firmware(const std::vector<std::int16_t>& samples) {
@@ -82,27 +71,12 @@ void feed_firmware(const std::vector<std::int16_t>& samples) {
   node.feed(samples.data(), samples.size(), nowhere);
 }
 
-void spawn(const char* program, const char* argument) {
-  std::string words[] = {program, argument};
-  char* argv[] = {words[0].data(), words[1].data(), nullptr};
-  posix_spawn_file_actions_t quiet;
-  posix_spawn_file_actions_init(&quiet);
-  posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", 1, 0);
-  pid_t child = 0;
-  if (posix_spawn(&child, program, &quiet, nullptr, argv, environ) == 0) {
-    waitpid(child, nullptr, 0);
-  }
-  posix_spawn_file_actions_destroy(&quiet);
-}
-
-}  // namespace
-
-int main() {
+int run() {
   const profile::Plan one = plan_for(1);
   const profile::Plan eight = plan_for(8);
   const double samples = kPlayedS * static_cast<double>(one.stimulus.sample_rate_hz);
   std::vector<std::int16_t> counts;
-  for_each_block(one, [&](std::int64_t, const std::vector<float>& block) {
+  for_each_block(one, [&](const std::vector<float>& block) {
     for (const float voltage_pu : block) {
       counts.push_back(static_cast<std::int16_t>(voltage_pu * 20000.0F));
     }
@@ -113,7 +87,7 @@ int main() {
   std::vector<Work> works = {
       {"chain, one outlet", [&] { play_simulated(one); }},
       {"chain, eight outlets", [&] { play_simulated(eight); }},
-      {"synthesis", [&] { for_each_block(one, [](std::int64_t, const std::vector<float>&) {}); }},
+      {"synthesis", [&] { for_each_block(one, [](const std::vector<float>&) {}); }},
       {"noise",
        [&] {
          std::vector<float> block(kBlock);
@@ -124,11 +98,15 @@ int main() {
       {"firmware", [&] { feed_firmware(counts); }},
       {"station, idle drivers, steps of 16 ms",
        [&] {
-         const auto station = performance::idle_station(eight, 0.016);
-         station::run(eight, *station, {});
+         station::test::Script idle;
+         idle.outlets = 8;
+         idle.relay_channels = 0;
+         idle.block_s = 0.016;
+         station::test::FakeStation station(idle);
+         station::run(eight, station, {});
        }},
-      {"gsbench --help", [] { spawn(GSBENCH_PROGRAM, "--help"); }, wall_s},
-      {"true", [] { spawn("/bin/true", ""); }, wall_s},
+      {"gsbench --help", [] { run_or_die(GSBENCH_PROGRAM " --help >/dev/null"); }, wall_s},
+      {"true", [] { run_or_die("/bin/true >/dev/null"); }, wall_s},
   };
   for (int round = 0; round < kRounds; ++round) {
     for (Work& work : works) {
@@ -141,7 +119,7 @@ int main() {
               kPlayedS, static_cast<long long>(one.stimulus.sample_rate_hz));
   for (const Work& work : works) {
     std::printf("  %-40s %10.3f ms", work.name.c_str(), 1e3 * work.median());
-    if (work.clock == performance::own_processor_s) {
+    if (work.clock == own_processor_s) {
       std::printf("  %8.2f ns a sample", 1e9 * work.median() / samples);
     }
     std::putchar('\n');
@@ -156,5 +134,12 @@ int main() {
                 0.1);
   judge_at_most("gsbench --help, beyond an empty process",
                 1e3 * (works[6].median() - works[7].median()), "ms", 50);
-  return performance::exit_code();
+  return exit_code();
+}
+
+}  // namespace
+}  // namespace gsbench::performance
+
+int main() {
+  return gsbench::performance::run();
 }

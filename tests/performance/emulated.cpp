@@ -17,23 +17,13 @@
 #include <link/wait_for_outlets.hpp>
 #include <wire/frame.hpp>
 
+namespace gsbench::performance {
 namespace {
 
-namespace emulation = gsbench::emulation;
-namespace link = gsbench::link;
-namespace transport = gsbench::transport;
 using gs::wire::Downlink;
 using gs::wire::DownlinkKind;
 using gs::wire::Uplink;
 using gs::wire::UplinkKind;
-using gsbench::performance::die;
-using gsbench::performance::judge_at_least;
-using gsbench::performance::judge_at_most;
-using gsbench::performance::median;
-using gsbench::performance::or_die;
-using gsbench::performance::print;
-using gsbench::performance::seconds_since;
-using gsbench::performance::wait_for;
 using std::chrono::steady_clock;
 using Bytes = std::vector<std::uint8_t>;
 
@@ -63,7 +53,7 @@ void measure_sixteen_outlets() {
   const std::vector<std::string> ports = hardware->serial_ports();
   link::FramedLink link({ports});
   or_die(link::wait_for_outlets(link, ports, kToAnswer));
-  gsbench::test::Mains mains;
+  test::Mains mains;
   mains.duration_s = kPlayedS;
   mains.added.rms_pu = 0.01F;
   or_die(hardware->source().prepare(mains));
@@ -275,9 +265,7 @@ Throughput better(const Throughput& a, const Throughput& b) {
   return a.per_s > b.per_s ? a : b;
 }
 
-}  // namespace
-
-int main() {
+int run() {
   measure_sixteen_outlets();
   print("round trip of 16 bytes through the cable", raw_round_trip_ms(), "ms");
   print("round trip of a command to an outlet over the framed link", link_round_trip_ms(), "ms");
@@ -297,5 +285,12 @@ int main() {
   const double line_per_s = transport::kBaud / 10.0 / static_cast<double>(measurement_bytes());
   const double lines = over_link.per_s / line_per_s;
   judge_at_least("  beside what a line of 921600 baud carries", lines, "x", 1.0);
-  return gsbench::performance::exit_code();
+  return exit_code();
+}
+
+}  // namespace
+}  // namespace gsbench::performance
+
+int main() {
+  return gsbench::performance::run();
 }

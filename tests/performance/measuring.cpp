@@ -25,6 +25,10 @@ void die(const std::string& why) {
   std::exit(1);
 }
 
+void run_or_die(const char* command) {
+  if (std::system(command) != 0) die(std::string("this failed: ") + command);
+}
+
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

@@ -13,6 +13,9 @@ namespace gsbench::performance {
 
 [[noreturn]] void die(const std::string& why);
 
+// A command of the shell, which must succeed.
+void run_or_die(const char* command);
+
 template <class T>
 T or_die(drivers::Result<T> result) {
   if (!result.ok()) {

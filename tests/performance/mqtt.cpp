@@ -21,29 +21,19 @@
 #include <link/wait_for_outlets.hpp>
 #include <wire/codec.hpp>
 
+namespace gsbench::performance {
 namespace {
 
+using emulation::Child;
+using emulation::PrivateBroker;
 using gs::wire::Downlink;
 using gs::wire::DownlinkKind;
 using gs::wire::UplinkKind;
-using gsbench::emulation::Child;
-using gsbench::emulation::PrivateBroker;
-using gsbench::link::Happenings;
-using gsbench::link::MqttLink;
-using gsbench::link::MqttOptions;
-using gsbench::link::Received;
-using gsbench::performance::comes_true;
-using gsbench::performance::die;
-using gsbench::performance::judge_at_most;
-using gsbench::performance::median;
-using gsbench::performance::or_die;
-using gsbench::performance::own_processor_s;
-using gsbench::performance::print;
-using gsbench::performance::RawClient;
-using gsbench::performance::seconds_since;
-using gsbench::performance::wait_for;
-using gsbench::test::TemporaryFolder;
+using link::Happenings;
+using link::MqttLink;
+using link::Received;
 using std::chrono::steady_clock;
+using test::TemporaryFolder;
 
 constexpr std::size_t kOutlets = 1000;
 constexpr double kPerSecond = 62.5;
@@ -62,9 +52,7 @@ double processor_s(pid_t pid) {
   std::getline(in, text);
   std::istringstream fields(text.substr(text.rfind(')') + 2));
   std::string skipped;
-  for (int i = 0; i < 11; ++i) {
-    fields >> skipped;
-  }
+  for (int i = 0; i < 11; ++i) fields >> skipped;
   double user = 0.0;
   double system = 0.0;
   fields >> user >> system;
@@ -161,7 +149,7 @@ Carried carry(const PrivateBroker& broker, std::size_t count, std::size_t each, 
               const TemporaryFolder& folder) {
   const auto ids = some_ids(count);
   const Child outlets = start_outlets(broker, ids, each, per_second, folder);
-  const MqttOptions options{
+  const link::MqttOptions options{
       broker.url(), broker.ca_file(), broker.bench().user, broker.bench().password, {}};
   MqttLink link(options);
   const auto opened = or_die(wait_for_outlets(link, ids, std::chrono::seconds(10)));
@@ -242,9 +230,7 @@ double raw_round_trip_ms(const PrivateBroker& broker) {
   return 1000.0 * median(taken);
 }
 
-}  // namespace
-
-int main() {
+int run() {
   mosquitto_lib_init();
   const TemporaryFolder folder;
   const PrivateBroker broker =
@@ -260,8 +246,7 @@ int main() {
   print("  of its own processor time", capacity.per_processor_second, "messages/s");
   print("  the raw client's processor time by the broker's", capacity.client_share, "");
   print("the same from mosquitto_pub to mosquitto_sub, one of each",
-        gsbench::performance::programs_per_second(broker, "outlet-0", kMessagesOfPrograms,
-                                                  measurement_bytes(), folder),
+        programs_per_second(broker, "outlet-0", kMessagesOfPrograms, measurement_bytes(), folder),
         "messages/s");
   const auto carried_outlets = std::min(
       kOutlets, static_cast<std::size_t>(kShareOfCapacity * capacity.per_second / kPerSecond));
@@ -283,5 +268,12 @@ int main() {
                 0.0);
   judge_at_most("  faults told", static_cast<double>(carried.faults), "", 0.0);
   print("  the bench's processor time by the broker's", carried.bench_s / carried.broker_s, "");
-  return gsbench::performance::exit_code();
+  return exit_code();
+}
+
+}  // namespace
+}  // namespace gsbench::performance
+
+int main() {
+  return gsbench::performance::run();
 }

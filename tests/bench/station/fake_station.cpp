@@ -38,6 +38,9 @@ Status FakeStation::power_up() {
 drivers::Result<std::int64_t> FakeStation::play_until(std::int64_t until_tick) {
   if (script_.play_throws_at == plays_) throw std::runtime_error("fake source: thrown");
   if (script_.play_fails_at == plays_) return Error{"fake source: tripped"};
+  // As a driver that streams: it takes the samples and does nothing with them.
+  const auto voltage_pu = samples(played_tick_, until_tick - played_tick_);
+  if (!voltage_pu.ok()) return Error{voltage_pu.error()};
   played_tick_ = until_tick;
   ++plays_;
   return until_tick;

@@ -38,6 +38,14 @@ struct Script {
   std::int64_t silent_from_tick = kNeverTick;
 };
 
+// One of which a single thing is said.
+template <class Field, class Value>
+Script with(Field Script::*field, const Value& value) {
+  Script script;
+  script.*field = value;
+  return script;
+}
+
 class FakeStation final : public Station,
                           private source::Source,
                           private link::Link,

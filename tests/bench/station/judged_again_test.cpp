@@ -1,4 +1,5 @@
-// A run judged again from its record alone, as the file keeps it, comes out the same.
+// The file keeps the record that a run returns; judged again from it alone, the run comes out the
+// same.
 
 #include "fake_station.hpp"
 #include "plans.hpp"
@@ -28,15 +29,19 @@ record::Verdict judged_again(const profile::Plan& plan, Station& station,
                              const std::atomic<bool>* stop = nullptr) {
   const gsbench::test::TemporaryFolder folder;
   const std::string path = folder.file("record.sqlite");
+  record::RunRecord returned;
   {
     record::Writer writer(path);
     RunOptions options;
     options.writer = &writer;
     options.stop = stop;
-    run(plan, station, options);
+    returned = run(plan, station, options);
   }
   record::RunRecord record = record::read_run(path);
+  EXPECT_EQ(record.run_id, returned.run_id);
+  EXPECT_EQ(record.finished_utc, returned.finished_utc);
   const std::string digest = record::content_digest(record);
+  EXPECT_EQ(record::content_digest(returned), digest);
   forget_verdicts(record);
   EXPECT_NE(record::content_digest(record), digest);
   judge::judge(parse(record.profile_text), record);
@@ -52,16 +57,12 @@ TEST(JudgedAgain, ARunWithALossAndNoise) {
 }
 
 TEST(JudgedAgain, ARunWithAFaultyOutlet) {
-  Script script;
-  script.answers_settings = false;
-  FakeStation station(script);
+  FakeStation station(with(&Script::answers_settings, false));
   EXPECT_EQ(judged_again(test::plan(0.5), station), record::Verdict::kError);
 }
 
 TEST(JudgedAgain, ARunThatTheBenchBrokeOff) {
-  Script script;
-  script.play_fails_at = 2;
-  FakeStation station(script);
+  FakeStation station(with(&Script::play_fails_at, 2));
   EXPECT_EQ(judged_again(test::plan(0.5), station), record::Verdict::kError);
 }
 

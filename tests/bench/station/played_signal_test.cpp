@@ -27,22 +27,16 @@ profile::Plan off_nominal_plan() {
   return off;
 }
 
-TEST(PlayedSignal, WithoutMarkersIsThePlansOwn) {
+TEST(PlayedSignal, WithoutMarkersOrBetweenThemPlaysThePlansOwn) {
   const profile::Plan p = plan(1.0);
-  const PlayedSignal signal(p, false);
-  EXPECT_EQ(signal.lead_ticks(), 0);
-  ASSERT_EQ(signal.total_ticks(), p.duration_ticks());
   std::vector<float> own(static_cast<std::size_t>(p.duration_ticks()));
   p.synthesizer().render(0, own.size(), own.data());
-  EXPECT_EQ(rendered(signal, 0, signal.total_ticks()), own);
-}
-
-TEST(PlayedSignal, BetweenItsMarkersPlaysThePlansOwn) {
-  const profile::Plan p = plan(1.0);
-  const PlayedSignal signal(p, true);
-  std::vector<float> own(static_cast<std::size_t>(p.duration_ticks()));
-  p.synthesizer().render(0, own.size(), own.data());
-  EXPECT_EQ(rendered(signal, signal.lead_ticks(), p.duration_ticks()), own);
+  const PlayedSignal unmarked(p, false);
+  EXPECT_EQ(unmarked.lead_ticks(), 0);
+  ASSERT_EQ(unmarked.total_ticks(), p.duration_ticks());
+  EXPECT_EQ(rendered(unmarked, 0, p.duration_ticks()), own);
+  const PlayedSignal marked(p, true);
+  EXPECT_EQ(rendered(marked, marked.lead_ticks(), p.duration_ticks()), own);
 }
 
 TEST(PlayedSignal, TellsTheFrequencyAndAmplitudeOfItsSamples) {

@@ -2,13 +2,11 @@
 
 #include "fake_station.hpp"
 #include "plans.hpp"
-#include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
 
 #include <gmock/gmock.h>
 
-#include <record/store.hpp>
 #include <station/run.hpp>
 
 namespace gsbench::station::test {
@@ -48,9 +46,7 @@ TEST(RunRecord, SaysWhatWasPlayedWhereAndWithWhat) {
 }
 
 TEST(RunRecord, SaysWhichContactsTheBenchSees) {
-  Script script;
-  script.relay_channels = 1;
-  const record::RunRecord record = record_of(test::plan(0.2), script);
+  const record::RunRecord record = record_of(test::plan(0.2), with(&Script::relay_channels, 1U));
   ASSERT_EQ(record.outlets.size(), 2U);
   EXPECT_TRUE(record.outlets[0].relay_sensed);
   EXPECT_FALSE(record.outlets[1].relay_sensed);
@@ -68,9 +64,7 @@ TEST(RunRecord, SaysOfEachOutletWhoItIsAndWhatItWasSent) {
 }
 
 TEST(RunRecord, LeavesOutOutletsThatThePlanDoesNotNeed) {
-  Script script;
-  script.outlets = 4;
-  FakeStation station(script);
+  FakeStation station(with(&Script::outlets, 4U));
   const record::RunRecord record = run(test::plan(0.2), station, {});
   EXPECT_EQ(record.verdict, record::Verdict::kPass) << record.verdict_reason;
   EXPECT_EQ(record.outlets.size(), 2U);
@@ -85,17 +79,14 @@ record::MeasurementResult measured(const record::OutletRecord& outlet, const std
 }
 
 TEST(RunRecord, OfAnOutletWithoutALinkHasItsContactAndKnowsNothingOfItsReports) {
-  Script script;
-  script.without_link = true;
+  Script script = with(&Script::without_link, true);
   script.edges = {{1, 400, false}};
   FakeStation station(script);
-  profile::Plan plan = test::plan(3.0, "[[command]]\nat_s = 0.5\nswitch = \"off\"\n");
-  profile::Expectation opens = plan.expectations[0];
-  opens.measure = "relay.edges";
-  opens.min = 1.0;
-  opens.max = 1.0;
-  plan.expectations.push_back(opens);
-  const record::RunRecord record = run(plan, station, {});
+  const record::RunRecord record =
+      run(test::plan(3.0,
+                     "[[command]]\nat_s = 0.5\nswitch = \"off\"\n"
+                     "[[expect]]\nmeasure = \"relay.edges\"\nmin = 1\nmax = 1\n"),
+          station, {});
   const record::OutletRecord& outlet = record.outlets[1];
   EXPECT_EQ(outlet.id, "serial-2");
   EXPECT_TRUE(outlet.took_part);
@@ -103,7 +94,7 @@ TEST(RunRecord, OfAnOutletWithoutALinkHasItsContactAndKnowsNothingOfItsReports) 
   EXPECT_TRUE(outlet.settings.empty());
   EXPECT_TRUE(station.sent_to(1).empty());
   EXPECT_EQ(measured(outlet, "relay.edges").verdict, record::Verdict::kPass);
-  EXPECT_EQ(measured(outlet, plan.expectations[0].measure).verdict, record::Verdict::kInconclusive);
+  EXPECT_EQ(measured(outlet, "event.count").verdict, record::Verdict::kInconclusive);
   EXPECT_EQ(outlet.verdict, record::Verdict::kInconclusive);
 }
 
@@ -116,9 +107,7 @@ TEST(RunRecord, GivesAnOutletThatThePlanNamesItsOwnSlot) {
 }
 
 std::string noise_of(const std::string& noise_line, bool per_outlet) {
-  Script script;
-  script.noise_per_outlet = per_outlet;
-  return record_of(test::plan(0.2, noise_line), script).noise;
+  return record_of(test::plan(0.2, noise_line), with(&Script::noise_per_outlet, per_outlet)).noise;
 }
 
 TEST(RunRecord, SaysWhatNoiseThereWas) {
@@ -194,33 +183,11 @@ TEST(RunRecord, ComparesNothingWhereNothingIsPublished) {
   EXPECT_TRUE(record_of(plan).comparisons.empty());
 }
 
-TEST(RunRecord, IsWhatTheWriterKept) {
-  gsbench::test::TemporaryFolder folder;
-  const std::string path = folder.file("run.gsbench");
-  const profile::Plan plan = test::plan(0.5, "noise_pct = 1.0\n");
-  const auto station = simulated_station(plan, {});
-  record::RunRecord returned;
-  {
-    record::Writer writer(path);
-    RunOptions options;
-    options.writer = &writer;
-    returned = run(plan, *station, options);
-  }
-  const record::RunRecord kept = record::read_run(path);
-  EXPECT_EQ(kept.run_id, returned.run_id);
-  EXPECT_EQ(kept.finished_utc, returned.finished_utc);
-  EXPECT_EQ(record::content_digest(kept), record::content_digest(returned));
-}
-
 TEST(RunRecord, TakesTheWorstOutletsVerdictAndCountsThoseThatDidNotPass) {
-  profile::Plan plan = test::plan(0.5, "", "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n");
-  profile::Expectation impossible = plan.expectations[0];
-  impossible.measure = "relay.edges";
-  impossible.max.reset();
-  impossible.min = 1.0;
-  impossible.groups = {"b"};
-  plan.expectations.push_back(impossible);
-  const record::RunRecord record = record_of(plan);
+  const record::RunRecord record =
+      record_of(test::plan(0.5, "",
+                           "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n"
+                           "[[expect]]\nmeasure = \"relay.edges\"\nmin = 1\noutlets = [\"b\"]\n"));
   EXPECT_EQ(record.outlets[0].verdict, record::Verdict::kPass);
   EXPECT_EQ(record.outlets[1].verdict, record::Verdict::kFail);
   EXPECT_EQ(record.verdict, record::Verdict::kFail);

@@ -10,46 +10,37 @@
 namespace gsbench::station::test {
 namespace {
 
-TEST(SafeState, IsReachedAtTheEndOfItsScopeAndNotBefore) {
-  const gsbench::test::Mains mains;
-  std::string failure;
-  FakeStation station({});
+class SafeStateTest : public testing::Test {
+ protected:
+  const gsbench::test::Mains mains_;
+  FakeStation station_{with(&Script::make_safe_error, "fake source: relay welded")};
+  std::string failure_;
+};
+
+TEST_F(SafeStateTest, IsReachedAtTheEndOfItsScopeAndNotBefore) {
   {
-    const SafeState safe_state(station.source(), station.link(), failure);
-    gsbench::test::start(station.source(), mains);
-    EXPECT_TRUE(station.link().open().ok());
-    EXPECT_FALSE(station.is_safe());
+    const SafeState safe_state(station_.source(), station_.link(), failure_);
+    gsbench::test::start(station_.source(), mains_);
+    EXPECT_TRUE(station_.link().open().ok());
+    EXPECT_FALSE(station_.is_safe());
   }
-  EXPECT_TRUE(station.is_safe());
+  EXPECT_TRUE(station_.is_safe());
 }
 
-TEST(SafeState, IsReachedByAnException) {
-  const gsbench::test::Mains mains;
-  std::string failure;
-  FakeStation station({});
+TEST_F(SafeStateTest, IsReachedByAnException) {
   const auto fail = [&] {
-    const SafeState safe_state(station.source(), station.link(), failure);
-    gsbench::test::start(station.source(), mains);
+    const SafeState safe_state(station_.source(), station_.link(), failure_);
+    gsbench::test::start(station_.source(), mains_);
     throw std::runtime_error("a fault");
   };
   EXPECT_THROW(fail(), std::runtime_error);
-  EXPECT_TRUE(station.is_safe());
+  EXPECT_TRUE(station_.is_safe());
 }
 
-TEST(SafeState, IsReachedWhereNothingWasEverStarted) {
-  std::string failure;
-  FakeStation station({});
-  { const SafeState safe_state(station.source(), station.link(), failure); }
-  EXPECT_TRUE(station.is_safe());
-}
-
-TEST(SafeState, TellsWhereTheSourceDidNotReachIt) {
-  Script script;
-  script.make_safe_error = "fake source: relay welded";
-  FakeStation station(script);
-  std::string failure;
-  { const SafeState safe_state(station.source(), station.link(), failure); }
-  EXPECT_EQ(failure, "the source may still be live: fake source: relay welded");
+TEST_F(SafeStateTest, IsReachedWhereNothingWasEverStartedAndTellsWhereTheSourceFailed) {
+  { const SafeState safe_state(station_.source(), station_.link(), failure_); }
+  EXPECT_TRUE(station_.is_safe());
+  EXPECT_EQ(failure_, "the source may still be live: fake source: relay welded");
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
-// Station files: what they say, and what is refused, with the place.
+// Station files: what they say, what is refused, with the place; which station a file makes, and
+// what of a plan is played on it.
 #include "emulated_file.hpp"
+#include "plans.hpp"
+#include <test_support/refusal.hpp>
+#include <test_support/temporary_folder.hpp>
 
-#include <filesystem>
-#include <fstream>
+#include <array>
 
 #include <gmock/gmock.h>
 
@@ -11,41 +14,31 @@
 namespace gsbench::station {
 namespace {
 
-namespace fs = std::filesystem;
+using test::plan;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
 class StationFiles : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::unique_ptr<StationFile> load(const std::string& text) const {
-    std::ofstream(path()) << text;
-    return load_station(path());
+    return load_station(folder_.write("hardware.toml", text));
   }
-  std::string refusal_of(const std::string& text) const {
-    try {
-      (void)load(text);
-    } catch (const profile::ConfigurationError& error) {
-      return error.what();
-    }
-    return {};
-  }
-  std::string path() const { return (folder_ / "hardware.toml").string(); }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      ("stations-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const gsbench::test::TemporaryFolder folder_;
 };
+
+template <class Call>
+std::string refusal_of(const Call& call) {
+  return gsbench::test::refusal_of<profile::ConfigurationError>(call);
+}
 
 constexpr const char* kEmulated = "title = \"A station\"\nkind = \"emulated\"\n";
 constexpr const char* kPhysical = "title = \"A station\"\nkind = \"physical\"\n";
 
 TEST_F(StationFiles, OfEmulatedOutletsTakesThemWithDefaults) {
-  fs::create_directories(folder_);
-  std::ofstream(folder_ / "my.elf") << "code";
+  const std::string image = folder_.write("my.elf", "code");
   const auto file = load(std::string(kEmulated) +
                          "image = \"my.elf\"\n[[outlet]]\nid = \"a\"\n[[outlet]]\n"
                          "id = \"b\"\nboard = \"mps2-an386\"\nlink = \"serial\"\n"
@@ -55,7 +48,7 @@ TEST_F(StationFiles, OfEmulatedOutletsTakesThemWithDefaults) {
   EXPECT_EQ(file->outlets(), 2U);
   EXPECT_FALSE(file->reachable());
   const auto& station = dynamic_cast<const EmulatedFile&>(*file);
-  EXPECT_EQ(station.image, (folder_ / "my.elf").string());
+  EXPECT_EQ(station.image, image);
   ASSERT_EQ(station.hardware.size(), 2U);
   EXPECT_EQ(station.hardware[0].board, "host");
   EXPECT_EQ(station.hardware[0].connection, emulation::Connection::kSerial);
@@ -76,8 +69,8 @@ TEST_F(StationFiles, OfPhysicalOutletsSaysWhereTheyAre) {
   EXPECT_THAT(station.serial_ports, ElementsAre("/dev/ttyUSB0", "/dev/ttyUSB1"));
   EXPECT_EQ(station.baud, 115200);
   EXPECT_EQ(station.broker.url, "mqtts://b:8883");
-  EXPECT_EQ(station.broker.ca_file, (folder_ / "ca.crt").string());
-  EXPECT_EQ(station.broker.password_file, (folder_ / "pw").string());
+  EXPECT_EQ(station.broker.ca_file, folder_.file("ca.crt"));
+  EXPECT_EQ(station.broker.password_file, folder_.file("pw"));
   EXPECT_THAT(station.broker.outlets, ElementsAre("k-1"));
 }
 
@@ -88,18 +81,13 @@ TEST_F(StationFiles, NeedsNoCertificateWithoutTls) {
   EXPECT_EQ(station.baud, 921600);
 }
 
-struct Refused {
-  std::string text;
-  std::string place;  // line:column
-  std::string why;
-};
-
 TEST_F(StationFiles, IsRefusedWithThePlaceAndWhatWouldBeRight) {
   const std::string emulated = kEmulated;
   const std::string physical = kPhysical;
   std::string many = emulated;
   for (int i = 0; i < 65; ++i) many += "[[outlet]]\nid = \"o" + std::to_string(i) + "\"\n";
-  const Refused all[] = {
+  // The text; line and column of what is wrong with it; what is said of that.
+  const std::array<std::string, 3> all[] = {
       {"title = \"A\"\n", "1:1", "kind = "},
       {"title = \"A\"\nkind = \"real\"\n", "2:8", "simulated"},
       {"title = \"A\"\nkind = \"simulated\"\nspeed = 3\n", "3:1", "unknown key \"speed\""},
@@ -124,21 +112,17 @@ TEST_F(StationFiles, IsRefusedWithThePlaceAndWhatWouldBeRight) {
        "named already"},
       {physical + "[[outlet]]\nid = \"a\"\n", "3:1", "means nothing"},
   };
-  for (const Refused& refused : all) {
-    const std::string message = refusal_of(refused.text);
-    EXPECT_THAT(message, StartsWith(path() + ":" + refused.place + ": ")) << refused.text;
-    EXPECT_THAT(message, HasSubstr(refused.why)) << refused.text;
+  for (const auto& [text, place, why] : all) {
+    EXPECT_THAT(
+        refusal_of([&, text = text] { (void)load(text); }),
+        AllOf(StartsWith(folder_.file("hardware.toml") + ":" + place + ": "), HasSubstr(why)))
+        << text;
   }
 }
 
 TEST(Stations, AnUnknownNameIsToldWithTheNearest) {
-  try {
-    (void)load_station("emulatd");
-    FAIL() << "no such station";
-  } catch (const profile::ConfigurationError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("\"emulated\""));
-  }
-  EXPECT_THROW((void)load_station("nowhere/hardware.toml"), profile::ConfigurationError);
+  EXPECT_THAT(refusal_of([] { (void)load_station("emulatd"); }), HasSubstr("\"emulated\""));
+  EXPECT_NE(refusal_of([] { (void)load_station("nowhere/hardware.toml"); }), "");
 }
 
 TEST(Stations, ThatAreShippedAreReadableAndNoProfiles) {
@@ -152,6 +136,60 @@ TEST(Stations, ThatAreShippedAreReadableAndNoProfiles) {
   for (const profile::ProfileSummary& profile : profile::list_profiles()) {
     EXPECT_EQ(profile.name.rfind("stations/", 0), std::string::npos) << profile.name;
   }
+}
+
+constexpr const char* kTwoGroups =
+    "[[outlet]]\ncount = 3\nid = \"a\"\n[[outlet]]\ncount = 2\nid = \"b\"\n";
+
+// With so many outlets.
+class StationOf final : public StationFile {
+ public:
+  explicit StationOf(std::optional<std::size_t> outlets) : outlets_(outlets) { name = "station"; }
+  std::optional<std::size_t> outlets() const override { return outlets_; }
+  std::unique_ptr<Station> make_station(const profile::Plan&,
+                                        const SimulatedOptions&) const override {
+    return nullptr;
+  }
+
+ private:
+  std::optional<std::size_t> outlets_;
+};
+
+std::vector<std::string> ids(const profile::Plan& plan) {
+  std::vector<std::string> all;
+  for (const profile::Outlet& outlet : plan.outlets) all.push_back(outlet.id);
+  return all;
+}
+
+TEST(FitToStation, LeavesAPlanWhereThereAreOutletsEnough) {
+  const profile::Plan asked = plan(1.0, "", kTwoGroups);
+  EXPECT_EQ(ids(fit_to_station(StationOf(5), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(StationOf(9), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(StationOf(std::nullopt), asked)), ids(asked));
+}
+
+TEST(FitToStation, TakesOneOfEachGroupInTurnInThePlansOrder) {
+  const profile::Plan asked = plan(1.0, "", kTwoGroups);
+  const std::vector<std::string> all = ids(asked);
+  ASSERT_EQ(all.size(), 5U);
+  EXPECT_THAT(ids(fit_to_station(StationOf(2), asked)), ElementsAre(all[0], all[3]));
+  EXPECT_THAT(ids(fit_to_station(StationOf(3), asked)), ElementsAre(all[0], all[1], all[3]));
+  EXPECT_THAT(ids(fit_to_station(StationOf(4), asked)),
+              ElementsAre(all[0], all[1], all[3], all[4]));
+}
+
+TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
+  EXPECT_THAT(refusal_of([] { fit_to_station(StationOf(1), plan(1.0, "", kTwoGroups)); }),
+              HasSubstr("2 groups of outlets, and the station station only 1"));
+}
+
+TEST(Stations, APhysicalOneIsRefusedForARunWithWhatItIsGoodFor) {
+  EXPECT_THAT(refusal_of([] { (void)load_station("serial")->make_station(plan(1.0), {}); }),
+              AllOf(HasSubstr("serial.toml: "), HasSubstr("gsbench monitor")));
+}
+
+TEST(Stations, ASimulatedOneCountsTheSourcesTicks) {
+  EXPECT_TRUE(load_station("simulated")->make_station(plan(1.0), {})->outlets_count_ticks());
 }
 
 }  // namespace

@@ -4,10 +4,11 @@
 #include "plans.hpp"
 #include <test_support/temporary_folder.hpp>
 
+#include <atomic>
+#include <utility>
 
 #include <gmock/gmock.h>
 
-#include <profile/load.hpp>
 #include <record/store.hpp>
 #include <station/run.hpp>
 
@@ -27,14 +28,17 @@ profile::Plan one_second() {
   return plan(1.0, kCommand);
 }
 
-void expect_safe(const FakeStation& station) {
+// Of a run that has an end of its own, safe by then.
+record::RunRecord play(FakeStation& station, const RunOptions& options = {},
+                       const profile::Plan& plan = one_second()) {
+  record::RunRecord record = run(plan, station, options);
   EXPECT_TRUE(station.is_safe());
+  return record;
 }
 
-void expect_error(const Script& script, const std::string& reason, double duration_s = 1.0) {
+void expect_error(const Script& script, const std::string& reason) {
   FakeStation station(script);
-  const record::RunRecord record = run(plan(duration_s, kCommand), station, {});
-  expect_safe(station);
+  const record::RunRecord record = play(station);
   EXPECT_EQ(record.verdict, Verdict::kError) << reason;
   EXPECT_THAT(record.fault, HasSubstr(reason));
   EXPECT_EQ(record.verdict_reason, record.fault);
@@ -47,8 +51,7 @@ void expect_error(const Script& script, const std::string& reason, double durati
 void expect_fault_of_the_last(const Script& script, const std::string& reason,
                               double duration_s = 1.0) {
   FakeStation station(script);
-  const record::RunRecord record = run(plan(duration_s, kCommand), station, {});
-  expect_safe(station);
+  const record::RunRecord record = play(station, {}, plan(duration_s, kCommand));
   EXPECT_EQ(record.verdict, Verdict::kError) << reason;
   EXPECT_THAT(record.verdict_reason, HasSubstr("serial-2 " + reason));
   ASSERT_EQ(record.outlets.size(), 2U);
@@ -61,180 +64,130 @@ void expect_fault_of_the_last(const Script& script, const std::string& reason,
 
 TEST(WaysOut, TheNormalEndIsSafeAndNoError) {
   FakeStation station({});
-  const record::RunRecord record = run(one_second(), station, {});
-  expect_safe(station);
+  const record::RunRecord record = play(station);
   EXPECT_EQ(record.verdict, Verdict::kPass) << record.verdict_reason;
   EXPECT_EQ(station.blocks_played(), kBlocks);
   EXPECT_EQ(station.tick(), 8000);
 }
 
 TEST(WaysOut, ASourceThatDoesNotStart) {
-  Script script;
-  script.start_error = "fake source: no such port";
-  expect_error(script, "fake source: no such port");
+  expect_error(with(&Script::start_error, "fake source: no such port"),
+               "fake source: no such port");
 }
 
 TEST(WaysOut, ASourceThatCannotBeSwitchedOff) {
-  Script script;
-  script.make_safe_error = "fake source: relay welded";
+  Script script = with(&Script::make_safe_error, "fake source: relay welded");
   expect_error(script, "the source may still be live: fake source: relay welded");
   script.play_fails_at = 3;
   expect_error(script, "fake source: tripped; the source may still be live");
 }
 
-TEST(WaysOut, ASourceThatFailsAtAnyBlock) {
-  for (int block = 0; block < kBlocks; ++block) {
-    Script script;
-    script.play_fails_at = block;
-    expect_error(script, "fake source: tripped");
-  }
-}
-
 TEST(WaysOut, ALinkThatDoesNotOpen) {
-  Script script;
-  script.open_error = "fake link: no broker";
-  expect_error(script, "fake link: no broker");
+  expect_error(with(&Script::open_error, "fake link: no broker"), "fake link: no broker");
 }
 
 // Settings to two outlets, the command to two.
 TEST(WaysOut, ALinkThatCannotSendAnyOneMessage) {
   for (int message = 0; message < 4; ++message) {
-    Script script;
-    script.send_fails_at = message;
-    expect_error(script, "fake link: cannot send");
+    expect_error(with(&Script::send_fails_at, message), "fake link: cannot send");
   }
 }
 
-TEST(WaysOut, ALinkThatBreaksAtAnyBlock) {
+TEST(WaysOut, ADriverThatFailsAtAnyBlock) {
   for (int block = 0; block < kBlocks; ++block) {
-    Script script;
-    script.link_poll_fails_at = block;
-    expect_error(script, "fake link: broken");
-  }
-}
-
-TEST(WaysOut, ARelaySenseThatBreaksAtAnyBlock) {
-  for (int block = 0; block < kBlocks; ++block) {
-    Script script;
-    script.relay_poll_fails_at = block;
-    expect_error(script, "fake relay sense: unplugged");
+    expect_error(with(&Script::play_fails_at, block), "fake source: tripped");
+    expect_error(with(&Script::link_poll_fails_at, block), "fake link: broken");
+    expect_error(with(&Script::relay_poll_fails_at, block), "fake relay sense: unplugged");
   }
 }
 
 TEST(WaysOut, TooFewOutlets) {
-  Script script;
-  script.outlets = 1;
-  expect_error(script, "needs 2 outlets; the station has 1");
+  expect_error(with(&Script::outlets, 1U), "needs 2 outlets; the station has 1");
 }
 
 TEST(WaysOut, AnOutletOfAnotherProtocol) {
-  Script script;
-  script.protocol_version = 7;
-  expect_fault_of_the_last(script, "speaks protocol 7, not 2");
+  expect_fault_of_the_last(with(&Script::protocol_version, std::uint16_t{7}),
+                           "speaks protocol 7, not 2");
 }
 
 TEST(WaysOut, AnOutletThatRefusesItsSettings) {
-  Script script;
-  script.settings_error = gs::outlet::SettingsError::kThreshold;
-  expect_fault_of_the_last(script, std::string("refused its settings: ") +
-                                       to_string(gs::outlet::SettingsError::kThreshold));
+  constexpr auto kError = gs::outlet::SettingsError::kThreshold;
+  expect_fault_of_the_last(with(&Script::settings_error, kError),
+                           std::string("refused its settings: ") + to_string(kError));
 }
 
 TEST(WaysOut, AnOutletThatDoesNotAnswerToItsSettings) {
-  Script script;
-  script.answers_settings = false;
+  const Script script = with(&Script::answers_settings, false);
   expect_fault_of_the_last(script, "did not answer to its settings");
   // In a run that ends before the answer is due, too.
   expect_fault_of_the_last(script, "did not answer to its settings", 0.56);
 }
 
 TEST(WaysOut, AnOutletThatFallsSilent) {
-  Script script;
-  script.silent_from_tick = 8000;
-  expect_fault_of_the_last(script, "fell silent after its sample 7936", 3.0);
+  expect_fault_of_the_last(with(&Script::silent_from_tick, 8000),
+                           "fell silent after its sample 7936", 3.0);
 }
 
 TEST(WaysOut, AnOutletThatIsSilentForASecondIsStillThere) {
-  Script script;
   // The last report is at tick 7936: a second later is 15936 of 15920.
-  script.silent_from_tick = 8000;
-  FakeStation station(script);
-  EXPECT_EQ(run(plan(1.99), station, {}).verdict, Verdict::kPass);
+  FakeStation station(with(&Script::silent_from_tick, 8000));
+  EXPECT_EQ(play(station, {}, plan(1.99)).verdict, Verdict::kPass);
 }
 
 TEST(WaysOut, TheOnlyOutletLostEndsTheRunEarly) {
-  Script script;
+  Script script = with(&Script::silent_from_tick, 8000);
   script.outlets = 1;
-  script.silent_from_tick = 8000;
   FakeStation station(script);
-  profile::Plan alone = plan(30.0);
-  alone.outlets.resize(1);
-  const record::RunRecord record = run(alone, station, {});
-  expect_safe(station);
+  const record::RunRecord record = play(station, {}, plan(30.0, "", "[[outlet]]\n"));
   EXPECT_EQ(record.verdict, Verdict::kError);
   EXPECT_THAT(record.verdict_reason, HasSubstr("fell silent after its sample 7936"));
   EXPECT_LT(station.tick(), 3 * 8000);
 }
 
 TEST(WaysOut, AFaultKeepsWhatWasCapturedUntilThen) {
-  Script script;
-  script.play_fails_at = 5;
-  FakeStation station(script);
-  const record::RunRecord record = run(one_second(), station, {});
+  FakeStation station(with(&Script::play_fails_at, 5));
+  const record::RunRecord record = play(station);
   ASSERT_EQ(record.outlets.size(), 2U);
   // Until 0.496 s, every 16 ms.
   EXPECT_EQ(record.outlets[0].trace.tick.size(), 31U);
   EXPECT_TRUE(record.outlets[0].measurements.empty()) << "half a run is not judged";
 }
 
-TEST(WaysOut, AStopBeforeTheFirstBlock) {
-  const std::atomic<bool> stop{true};
-  FakeStation station({});
+// Stopped once so much of it is played; below 0 before it begins.
+record::RunRecord stopped_at(double stop_at, FakeStation& station) {
+  std::atomic<bool> stop{stop_at < 0.0};
   RunOptions options;
   options.stop = &stop;
-  const record::RunRecord record = run(one_second(), station, options);
-  expect_safe(station);
-  EXPECT_EQ(station.blocks_played(), 0);
-  EXPECT_EQ(record.verdict, Verdict::kError);
-  EXPECT_THAT(record.verdict_reason, HasSubstr("interrupted"));
-  EXPECT_TRUE(record.interrupted);
+  options.progress = [&](double part) { stop = part >= stop_at; };
+  return play(station, options);
+}
+
+TEST(WaysOut, AStopEndsAfterTheBlockInHand) {
+  for (const auto& [stop_at, blocks] : {std::pair(-1.0, 0), std::pair(0.45, 5)}) {
+    FakeStation station({});
+    const record::RunRecord record = stopped_at(stop_at, station);
+    EXPECT_EQ(station.blocks_played(), blocks);
+    EXPECT_EQ(record.verdict, Verdict::kError);
+    EXPECT_THAT(record.verdict_reason, HasSubstr("interrupted"));
+    EXPECT_TRUE(record.interrupted);
+    for (const record::OutletRecord& outlet : record.outlets) {
+      EXPECT_EQ(outlet.verdict, Verdict::kError);
+    }
+  }
 }
 
 TEST(WaysOut, AStopAfterTheLastBlockChangesNothing) {
-  std::atomic<bool> stop{false};
   FakeStation station({});
-  RunOptions options;
-  options.stop = &stop;
-  options.progress = [&](double part) { stop = part >= 1.0; };
-  const record::RunRecord record = run(one_second(), station, options);
-  EXPECT_TRUE(stop);
+  const record::RunRecord record = stopped_at(1.0, station);
   EXPECT_EQ(record.verdict, Verdict::kPass) << record.verdict_reason;
   EXPECT_FALSE(record.interrupted);
 }
 
-TEST(WaysOut, AStopInTheMiddleEndsAfterTheBlockInHand) {
-  std::atomic<bool> stop{false};
-  FakeStation station({});
-  RunOptions options;
-  options.stop = &stop;
-  options.progress = [&](double part) { stop = part > 0.45; };
-  const record::RunRecord record = run(one_second(), station, options);
-  expect_safe(station);
-  EXPECT_EQ(station.blocks_played(), 5);
-  EXPECT_EQ(record.verdict, Verdict::kError);
-  EXPECT_THAT(record.verdict_reason, HasSubstr("interrupted"));
-  for (const record::OutletRecord& outlet : record.outlets) {
-    EXPECT_EQ(outlet.verdict, Verdict::kError);
-  }
-}
-
 TEST(WaysOut, ADriverThatThrowsAgainstItsRules) {
   for (int block = 0; block < kBlocks; ++block) {
-    Script script;
-    script.play_throws_at = block;
-    FakeStation station(script);
+    FakeStation station(with(&Script::play_throws_at, block));
     EXPECT_THROW(run(one_second(), station, {}), std::runtime_error);
-    expect_safe(station);
+    EXPECT_TRUE(station.is_safe());
   }
 }
 
@@ -243,67 +196,43 @@ TEST(WaysOut, AProgressThatThrows) {
   RunOptions options;
   options.progress = [](double) { throw std::runtime_error("no terminal"); };
   EXPECT_THROW(run(one_second(), station, options), std::runtime_error);
-  expect_safe(station);
+  EXPECT_TRUE(station.is_safe());
 }
 
-TEST(WaysOut, ARecordThatCannotBeBegun) {
-  gsbench::test::TemporaryFolder folder;
-  record::Writer writer(folder.file("run.gsbench"));
-  writer.begin({});  // a second time is refused
-  FakeStation station({});
-  RunOptions options;
-  options.writer = &writer;
-  EXPECT_ANY_THROW(run(one_second(), station, options));
-  expect_safe(station);
-  EXPECT_EQ(station.blocks_played(), 0);
+class WrittenWaysOut : public testing::Test {
+ protected:
+  WrittenWaysOut() { options_.writer = &writer_; }
+
+  const gsbench::test::TemporaryFolder folder_;
+  record::Writer writer_{folder_.file("run.gsbench")};
+  FakeStation station_{{}};
+  RunOptions options_;
+};
+
+TEST_F(WrittenWaysOut, ARecordThatCannotBeBegun) {
+  writer_.begin({});  // a second time is refused
+  EXPECT_ANY_THROW(run(one_second(), station_, options_));
+  EXPECT_TRUE(station_.is_safe());
+  EXPECT_EQ(station_.blocks_played(), 0);
 }
 
-TEST(WaysOut, ARecordThatCannotBeWrittenAtTheEnd) {
-  gsbench::test::TemporaryFolder folder;
-  record::Writer writer(folder.file("run.gsbench"));
-  FakeStation station({});
-  RunOptions options;
-  options.writer = &writer;
+TEST_F(WrittenWaysOut, ARecordThatCannotBeWrittenAtTheEnd) {
   bool finished = false;
-  options.progress = [&](double) {
-    if (!finished) writer.finish({});  // outlets after it are refused
+  options_.progress = [&](double) {
+    if (!finished) writer_.finish({});  // outlets after it are refused
     finished = true;
   };
-  EXPECT_ANY_THROW(run(one_second(), station, options));
-  expect_safe(station);
-  EXPECT_EQ(station.blocks_played(), kBlocks);
+  EXPECT_ANY_THROW(run(one_second(), station_, options_));
+  EXPECT_TRUE(station_.is_safe());
+  EXPECT_EQ(station_.blocks_played(), kBlocks);
 }
 
-TEST(WaysOut, SettingsThatTheFirmwareRefusesEndTheRunBeforeAnythingIsTouched) {
-  gsbench::test::TemporaryFolder folder;
-  record::Writer writer(folder.file("run.gsbench"));
+TEST_F(WrittenWaysOut, SettingsThatTheFirmwareRefusesEndTheRunBeforeAnythingIsTouched) {
   profile::Plan refused = one_second();
   refused.outlets[1].settings.settings["threshold_mw"] = -1.0;
-  FakeStation station({});
-  RunOptions options;
-  options.writer = &writer;
-  EXPECT_THROW(run(refused, station, options), profile::ConfigurationError);
-  EXPECT_FALSE(station.was_touched());
-  EXPECT_NO_THROW(writer.begin({})) << "nothing was written";
-}
-
-TEST(WaysOut, AFaultIsInTheRecordOnTheDiskToo) {
-  gsbench::test::TemporaryFolder folder;
-  const std::string path = folder.file("run.gsbench");
-  Script script;
-  script.link_poll_fails_at = 3;
-  FakeStation station(script);
-  record::RunRecord returned;
-  {
-    record::Writer writer(path);
-    RunOptions options;
-    options.writer = &writer;
-    returned = run(one_second(), station, options);
-  }
-  const record::RunRecord kept = record::read_run(path);
-  EXPECT_EQ(kept.verdict, Verdict::kError);
-  EXPECT_EQ(kept.verdict_reason, "fake link: broken");
-  EXPECT_EQ(record::content_digest(kept), record::content_digest(returned));
+  EXPECT_THROW(run(refused, station_, options_), profile::ConfigurationError);
+  EXPECT_FALSE(station_.was_touched());
+  EXPECT_NO_THROW(writer_.begin({})) << "nothing was written";
 }
 
 }  // namespace
