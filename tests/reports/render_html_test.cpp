@@ -1,6 +1,9 @@
 // The page as text; what a browser makes of it is tests/browser's part.
 
+#include "fields.hpp"
 #include "sample_run.hpp"
+
+#include <type_traits>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -108,46 +111,27 @@ TEST(Html, AsksForNoOtherFile) {
   EXPECT_THAT(page, HasSubstr("Permission is hereby granted"));  // Dygraphs' licence comes with it
 }
 
+// Each text of a part of a record.
+template <class Part>
+void attack(Part& part) {
+  record::Fields<Part>::visit(part, [](const char*, auto& value) {
+    if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, std::string>) {
+      value = kAttack;
+    }
+  });
+}
+
 TEST(Html, EscapesEveryTextOfTheRecord) {
   RunRecord run = sample::loss_500mw(1);
   const std::string plain = html(run);
-  for (std::string* text : {&run.run_id,
-                            &run.started_utc,
-                            &run.finished_utc,
-                            &run.gsbench_version,
-                            &run.profile,
-                            &run.profile_title,
-                            &run.profile_source,
-                            &run.profile_sha256,
-                            &run.profile_text,
-                            &run.grid,
-                            &run.grid_sha256,
-                            &run.recording.file,
-                            &run.recording.sha256,
-                            &run.recording.time,
-                            &run.recording.frequency,
-                            &run.recording.voltage,
-                            &run.station,
-                            &run.noise,
-                            &run.firmware_sha256,
-                            &run.verdict_reason,
-                            &run.comparisons[0].name,
-                            &run.comparisons[0].unit,
-                            &run.comparisons[0].note,
-                            &run.stimulus[0].kind,
-                            &run.stimulus[0].text}) {
-    *text = kAttack;
-  }
-  record::OutletRecord& outlet = run.outlets[0];
-  outlet.settings[kAttack] = 1.0;
-  outlet.marks[0] = {1, kAttack, 1.0, kAttack};
-  for (std::string* text : {&outlet.id, &outlet.group, &outlet.link, &outlet.firmware,
-                            &outlet.settings_digest, &outlet.fault}) {
-    *text = kAttack;
-  }
-  for (auto& result : outlet.measurements) {
-    result.name = result.definition = result.unit = result.word = result.expected_word =
-        result.reason = kAttack;
+  attack(run);
+  attack(run.comparisons[0]);
+  attack(run.stimulus[0]);
+  attack(run.outlets[0]);
+  attack(run.outlets[0].marks[0]);
+  run.outlets[0].settings[kAttack] = 1.0;
+  for (auto& result : run.outlets[0].measurements) {
+    attack(result);
     result.verdict = Verdict::kFail;
   }
   const std::string page = html(run);

@@ -275,12 +275,7 @@ TEST(Csv, PutsTheTrueFrequencyBetweenEntriesOnAStraightLine) {
   run.outlets.emplace_back();
   run.outlets[0].id = "one";
   for (const std::int64_t tick : {50, 100, 150, 200, 300, 400, 450}) {
-    auto& trace = run.outlets[0].trace;
-    trace.tick.push_back(tick);
-    trace.frequency_hz.push_back(50.0F);
-    trace.rocof_hz_s.push_back(0.0F);
-    trace.voltage_pu.push_back(1.0F);
-    trace.validity.push_back(1);
+    sample::add_report(run.outlets[0].trace, tick, 50.0, 0.0, 1.0, true);
   }
   std::vector<std::string> truth;
   for (const auto& row : csv_rows(csv(run))) truth.push_back(row[2]);

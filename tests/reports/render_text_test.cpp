@@ -4,6 +4,7 @@
 #include "format.hpp"
 #include "sample_run.hpp"
 #include "thinning.hpp"
+#include <test_support/refusal.hpp>
 #include <test_support/small_disk.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -185,15 +186,12 @@ TEST(Terminal, ShowsTheMeasurementsTheRunHas) {
 class Thinning : public ::testing::Test {
  protected:
   Thinning() {
-    for (int i = 0; i < 100000; ++i) {
-      tick_.push_back(128 * i);
-      frequency_.push_back(50.0F);
-      rocof_.push_back(0.0F);
-    }
+    for (std::size_t i = 0; i < tick_.size(); ++i) tick_[i] = 128 * static_cast<std::int64_t>(i);
   }
-  std::vector<std::int64_t> tick_;
-  std::vector<float> frequency_;
-  std::vector<float> rocof_;
+
+  std::vector<std::int64_t> tick_ = std::vector<std::int64_t>(100000);
+  std::vector<float> frequency_ = std::vector<float>(100000, 50.0F);
+  std::vector<float> rocof_ = std::vector<float>(100000);
 };
 
 TEST_F(Thinning, KeepsAllOfAShortSeries) {
@@ -231,12 +229,7 @@ TEST_F(Thinning, CoversTheRestEvenWhenStretchesAskForEverything) {
 }
 
 std::string write_error(const std::string& path, const std::string& content) {
-  try {
-    write_file(path, content);
-  } catch (const WriteError& error) {
-    return error.what();
-  }
-  return "no WriteError";
+  return test::refusal_of<WriteError>([&] { write_file(path, content); });
 }
 
 TEST(WriteFile, WritesAndReplaces) {

@@ -111,14 +111,10 @@ void trace(record::OutletRecord& outlet, std::int64_t duration_ticks, Noise& noi
   for (std::int64_t tick = kReportTicks; tick <= duration_ticks; tick += kReportTicks) {
     const double seen_s = seconds(tick) - kTrackerDelay_s;
     const bool settled = seconds(tick) > 0.2;
-    outlet.trace.tick.push_back(tick);
-    outlet.trace.frequency_hz.push_back(
-        settled ? static_cast<float>(true_frequency_hz(seen_s) + kFrequencyNoise_hz * noise())
-                : std::numeric_limits<float>::quiet_NaN());
-    outlet.trace.rocof_hz_s.push_back(
-        static_cast<float>(true_rocof_hz_s(seen_s) + kRocofNoise_hz_s * noise()));
-    outlet.trace.voltage_pu.push_back(static_cast<float>(1.0 + 0.001 * noise()));
-    outlet.trace.validity.push_back(settled ? 1 : 0);
+    const double frequency_hz =
+        settled ? true_frequency_hz(seen_s) + kFrequencyNoise_hz * noise() : kNone;
+    const double rocof_hz_s = true_rocof_hz_s(seen_s) + kRocofNoise_hz_s * noise();
+    add_report(outlet.trace, tick, frequency_hz, rocof_hz_s, 1.0 + 0.001 * noise(), settled);
   }
 }
 
@@ -225,11 +221,8 @@ record::RunRecord steady(int outlet_count, double duration_s) {
     double wander_hz = 0.0;
     for (std::int64_t tick = kReportTicks; tick <= run.duration_ticks; tick += kReportTicks) {
       wander_hz = 0.9 * wander_hz + 0.001 * noise();
-      outlet.trace.tick.push_back(tick);
-      outlet.trace.frequency_hz.push_back(static_cast<float>(50.0 + wander_hz));
-      outlet.trace.rocof_hz_s.push_back(static_cast<float>(0.05 * noise()));
-      outlet.trace.voltage_pu.push_back(static_cast<float>(1.0 + 0.001 * noise()));
-      outlet.trace.validity.push_back(1);
+      const double rocof_hz_s = 0.05 * noise();
+      add_report(outlet.trace, tick, 50.0 + wander_hz, rocof_hz_s, 1.0 + 0.001 * noise(), true);
     }
     run.outlets.push_back(std::move(outlet));
   }
@@ -241,6 +234,15 @@ void write(const std::string& path, const record::RunRecord& run) {
   writer.begin(run);
   for (const record::OutletRecord& outlet : run.outlets) writer.add_outlet(outlet);
   writer.finish(run);
+}
+
+void add_report(record::MeasurementTrace& trace, std::int64_t tick, double frequency_hz,
+                double rocof_hz_s, double voltage_pu, bool valid) {
+  trace.tick.push_back(tick);
+  trace.frequency_hz.push_back(static_cast<float>(frequency_hz));
+  trace.rocof_hz_s.push_back(static_cast<float>(rocof_hz_s));
+  trace.voltage_pu.push_back(static_cast<float>(voltage_pu));
+  trace.validity.push_back(valid ? 1 : 0);
 }
 
 record::MeasurementResult& measurement(record::OutletRecord& outlet, const std::string& name) {

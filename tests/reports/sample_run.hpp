@@ -16,6 +16,9 @@ record::RunRecord steady(int outlet_count, double duration_s);
 // Writes it into a new store.
 void write(const std::string& path, const record::RunRecord& run);
 
+void add_report(record::MeasurementTrace& trace, std::int64_t tick, double frequency_hz,
+                double rocof_hz_s, double voltage_pu, bool valid);
+
 record::MeasurementResult& measurement(record::OutletRecord& outlet, const std::string& name);
 
 }  // namespace gsbench::sample

@@ -1,4 +1,5 @@
 #include "sample_run.hpp"
+#include <test_support/refusal.hpp>
 #include <test_support/small_disk.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -16,30 +17,26 @@ namespace gsbench::record {
 namespace {
 
 using sample::write;
+using test::refusal_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-template <class Action>
-std::string store_error(Action&& action) {
-  try {
-    action();
-  } catch (const StoreError& error) {
-    return error.what();
-  }
-  return "no StoreError";
-}
 
 template <class Value>
 bool same_bits(const std::vector<Value>& a, const std::vector<Value>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0;
 }
 
-TEST(Store, ReadsBackWhatWasWritten) {
-  const test::TemporaryFolder folder;
+class Store : public ::testing::Test {
+ protected:
+  const test::TemporaryFolder folder_;
+  const std::string path_ = folder_.file("run.sqlite");
+};
+
+TEST_F(Store, ReadsBackWhatWasWritten) {
   const RunRecord run = sample::loss_500mw();
-  write(folder.file("run.sqlite"), run);
-  RunRecord read = read_run(folder.file("run.sqlite"));
+  write(path_, run);
+  RunRecord read = read_run(path_);
   EXPECT_EQ(content_digest(read), content_digest(run));
   EXPECT_EQ(read.run_id, run.run_id);
   EXPECT_EQ(read.started_utc, run.started_utc);
@@ -50,20 +47,18 @@ TEST(Store, ReadsBackWhatWasWritten) {
   EXPECT_TRUE(std::isnan(sample::measurement(read.outlets[7], "relay.delay").value));
 }
 
-TEST(Store, GivesTheHeadWithoutTheOutlets) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, GivesTheHeadWithoutTheOutlets) {
   RunRecord run = sample::loss_500mw(2);
-  write(folder.file("run.sqlite"), run);
-  const RunRecord head = read_head(folder.file("run.sqlite"));
+  write(path_, run);
+  const RunRecord head = read_head(path_);
   run.outlets.clear();
   EXPECT_EQ(content_digest(head), content_digest(run));
   EXPECT_EQ(head.run_id, run.run_id);
-  Writer(folder.file("begun.sqlite")).begin(run);
-  EXPECT_EQ(read_head(folder.file("begun.sqlite")).verdict_reason, "the run did not finish");
+  Writer(folder_.file("begun.sqlite")).begin(run);
+  EXPECT_EQ(read_head(folder_.file("begun.sqlite")).verdict_reason, "the run did not finish");
 }
 
-TEST(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
   RunRecord run = sample::loss_500mw(1);
   MeasurementTrace& trace = run.outlets[0].trace;
   trace.tick[0] = std::numeric_limits<std::int64_t>::min();
@@ -72,8 +67,8 @@ TEST(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
   trace.frequency_hz[3] = -0.0F;
   trace.frequency_hz[4] = std::numeric_limits<float>::infinity();
   trace.frequency_hz[5] = std::numeric_limits<float>::denorm_min();
-  write(folder.file("run.sqlite"), run);
-  const RunRecord read = read_run(folder.file("run.sqlite"));
+  write(path_, run);
+  const RunRecord read = read_run(path_);
   const OutletRecord& outlet = read.outlets.at(0);
   EXPECT_EQ(outlet.trace.tick, trace.tick);
   EXPECT_TRUE(same_bits(outlet.trace.frequency_hz, trace.frequency_hz));
@@ -84,64 +79,58 @@ TEST(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
   EXPECT_TRUE(same_bits(read.truth.frequency_hz, run.truth.frequency_hz));
 }
 
-TEST(Store, KeepsAnyText) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, KeepsAnyText) {
   RunRecord run = sample::loss_500mw(1);
   run.profile_text = std::string("nul ") + '\0' + ", quote ', bytes \xff\xfe, ü";
   run.outlets[0].id = "'; DROP TABLE outlet; --";
-  write(folder.file("run.sqlite"), run);
-  const RunRecord read = read_run(folder.file("run.sqlite"));
+  write(path_, run);
+  const RunRecord read = read_run(path_);
   EXPECT_EQ(read.profile_text, run.profile_text);
   EXPECT_EQ(read.outlets.at(0).id, run.outlets[0].id);
 }
 
-TEST(Store, KeepsARunWithoutOutletsAndAnOutletWithoutReports) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, KeepsARunWithoutOutletsAndAnOutletWithoutReports) {
   RunRecord run;
-  write(folder.file("empty.sqlite"), run);
-  EXPECT_EQ(content_digest(read_run(folder.file("empty.sqlite"))), content_digest(run));
+  write(folder_.file("empty.sqlite"), run);
+  EXPECT_EQ(content_digest(read_run(folder_.file("empty.sqlite"))), content_digest(run));
   run.outlets.emplace_back();
-  write(folder.file("silent.sqlite"), run);
-  EXPECT_EQ(content_digest(read_run(folder.file("silent.sqlite"))), content_digest(run));
+  write(folder_.file("silent.sqlite"), run);
+  EXPECT_EQ(content_digest(read_run(folder_.file("silent.sqlite"))), content_digest(run));
 }
 
-TEST(Store, IsOnePlainFileOnceWritten) {
-  const test::TemporaryFolder folder;
-  write(folder.file("run.sqlite"), sample::loss_500mw(1));
-  read_run(folder.file("run.sqlite"));
-  EXPECT_THAT(folder.entries(), ::testing::ElementsAre("run.sqlite"));
+TEST_F(Store, IsOnePlainFileOnceWritten) {
+  write(path_, sample::loss_500mw(1));
+  read_run(path_);
+  EXPECT_THAT(folder_.entries(), ::testing::ElementsAre("run.sqlite"));
 }
 
-TEST(Store, WritesTheSameBytesForTheSameRecord) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, WritesTheSameBytesForTheSameRecord) {
   const RunRecord run = sample::loss_500mw(2);
-  write(folder.file("a.sqlite"), run);
-  write(folder.file("b.sqlite"), run);
-  EXPECT_EQ(folder.read("a.sqlite"), folder.read("b.sqlite"));
+  write(folder_.file("a.sqlite"), run);
+  write(folder_.file("b.sqlite"), run);
+  EXPECT_EQ(folder_.read("a.sqlite"), folder_.read("b.sqlite"));
 }
 
 // An hour of one outlet is 225 000 reports of 21 bytes. What noise leaves incompressible are about
 // two bytes each of frequency and voltage and three of ROCOF, whose mantissa is noise throughout.
-TEST(Store, TakesUnderEightBytesAReport) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, TakesUnderEightBytesAReport) {
   const RunRecord run = sample::steady(1, 3600.0);
-  write(folder.file("hour.sqlite"), run);
+  write(folder_.file("hour.sqlite"), run);
   const double bytes_per_report =
-      static_cast<double>(std::filesystem::file_size(folder.file("hour.sqlite"))) /
+      static_cast<double>(std::filesystem::file_size(folder_.file("hour.sqlite"))) /
       static_cast<double>(run.outlets[0].trace.tick.size());
   RecordProperty("bytes_per_report", std::to_string(bytes_per_report));
   EXPECT_LT(bytes_per_report, 8.0);
 }
 
-TEST(Store, ReadsAnUnfinishedRunAsErrorWithWhatItHas) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, ReadsAnUnfinishedRunAsErrorWithWhatItHas) {
   const RunRecord run = sample::loss_500mw(3);
   {
-    Writer writer(folder.file("run.sqlite"));
+    Writer writer(path_);
     writer.begin(run);
     writer.add_outlet(run.outlets[0]);
   }
-  const RunRecord read = read_run(folder.file("run.sqlite"));
+  const RunRecord read = read_run(path_);
   EXPECT_EQ(read.verdict, Verdict::kError);
   EXPECT_EQ(read.verdict_reason, "the run did not finish");
   EXPECT_EQ(read.profile, run.profile);
@@ -149,70 +138,62 @@ TEST(Store, ReadsAnUnfinishedRunAsErrorWithWhatItHas) {
   EXPECT_EQ(read.outlets[0].verdict, Verdict::kPass);
 }
 
-TEST(Store, ReadsARunThatWasNeverBegunAsError) {
-  const test::TemporaryFolder folder;
-  { const Writer writer(folder.file("run.sqlite")); }
-  EXPECT_EQ(read_run(folder.file("run.sqlite")).verdict, Verdict::kError);
+TEST_F(Store, ReadsARunThatWasNeverBegunAsError) {
+  { const Writer writer(path_); }
+  EXPECT_EQ(read_run(path_).verdict, Verdict::kError);
 }
 
-TEST(Store, CanBeReadWhileItIsWritten) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, CanBeReadWhileItIsWritten) {
   const RunRecord run = sample::loss_500mw(2);
-  Writer writer(folder.file("run.sqlite"));
+  Writer writer(path_);
   writer.begin(run);
   writer.add_outlet(run.outlets[0]);
-  EXPECT_EQ(read_run(folder.file("run.sqlite")).outlets.size(), 1U);
+  EXPECT_EQ(read_run(path_).outlets.size(), 1U);
   writer.add_outlet(run.outlets[1]);
   writer.finish(run);
-  EXPECT_EQ(read_run(folder.file("run.sqlite")).verdict, Verdict::kPass);
+  EXPECT_EQ(read_run(path_).verdict, Verdict::kPass);
 }
 
-TEST(Store, RefusesAnExistingFileAndLeavesItAlone) {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.file("run.sqlite");
-  write(path, sample::loss_500mw(1));
-  EXPECT_THAT(store_error([&] { Writer writer(path); }),
-              AllOf(StartsWith(path), HasSubstr("File exists")));
-  EXPECT_EQ(read_run(path).outlets.size(), 1U);
+TEST_F(Store, RefusesAnExistingFileAndLeavesItAlone) {
+  write(path_, sample::loss_500mw(1));
+  EXPECT_THAT(refusal_of<StoreError>([&] { Writer writer(path_); }),
+              AllOf(StartsWith(path_), HasSubstr("File exists")));
+  EXPECT_EQ(read_run(path_).outlets.size(), 1U);
 }
 
-TEST(Store, NamesTheMissingFolder) {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.file("no/such/run.sqlite");
-  EXPECT_THAT(store_error([&] { Writer writer(path); }),
-              AllOf(StartsWith(path), HasSubstr("No such file or directory")));
-  EXPECT_THAT(store_error([&] { read_run(path); }),
-              AllOf(StartsWith(path), HasSubstr("No such file or directory")));
+TEST_F(Store, NamesTheMissingFolder) {
+  const std::string path = folder_.file("no/such/run.sqlite");
+  const auto says = AllOf(StartsWith(path), HasSubstr("No such file or directory"));
+  EXPECT_THAT(refusal_of<StoreError>([&] { Writer writer(path); }), says);
+  EXPECT_THAT(refusal_of<StoreError>([&] { read_run(path); }), says);
 }
 
-TEST(Store, RefusesTwoOutletsOfOneName) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, RefusesTwoOutletsOfOneName) {
   const RunRecord run = sample::loss_500mw(1);
-  Writer writer(folder.file("run.sqlite"));
+  Writer writer(path_);
   writer.begin(run);
   writer.add_outlet(run.outlets[0]);
-  EXPECT_THAT(store_error([&] { writer.add_outlet(run.outlets[0]); }), HasSubstr("outlet.id"));
+  EXPECT_THAT(refusal_of<StoreError>([&] { writer.add_outlet(run.outlets[0]); }),
+              HasSubstr("outlet.id"));
   writer.finish(run);
-  EXPECT_EQ(read_run(folder.file("run.sqlite")).outlets.size(), 1U);
+  EXPECT_EQ(read_run(path_).outlets.size(), 1U);
 }
 
-TEST(Store, RefusesColumnsOfUnequalLengthAndStaysUsable) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, RefusesColumnsOfUnequalLengthAndStaysUsable) {
   const RunRecord run = sample::loss_500mw(1);
-  Writer writer(folder.file("run.sqlite"));
+  Writer writer(path_);
   writer.begin(run);
   OutletRecord uneven = run.outlets[0];
   uneven.trace.rocof_hz_s.pop_back();
   EXPECT_THROW(writer.add_outlet(uneven), std::invalid_argument);
   writer.add_outlet(run.outlets[0]);
   writer.finish(run);
-  EXPECT_EQ(read_run(folder.file("run.sqlite")).outlets.size(), 1U);
+  EXPECT_EQ(read_run(path_).outlets.size(), 1U);
 }
 
-TEST(Store, RefusesCallsOutOfOrder) {
-  const test::TemporaryFolder folder;
+TEST_F(Store, RefusesCallsOutOfOrder) {
   const RunRecord run = sample::loss_500mw(1);
-  Writer writer(folder.file("run.sqlite"));
+  Writer writer(path_);
   EXPECT_THROW(writer.add_outlet(run.outlets[0]), std::logic_error);
   EXPECT_THROW(writer.finish(run), std::logic_error);
   writer.begin(run);
@@ -221,21 +202,19 @@ TEST(Store, RefusesCallsOutOfOrder) {
   EXPECT_THROW(writer.finish(run), std::logic_error);
 }
 
-TEST(Store, SaysThatTheDiskIsFullAndKeepsWhatWasThere) {
-  const test::TemporaryFolder folder;
-  const test::SmallDisk disk(folder.path(), "size=1m");
+TEST_F(Store, SaysThatTheDiskIsFullAndKeepsWhatWasThere) {
+  const test::SmallDisk disk(folder_.path(), "size=1m");
   if (!disk.mounted()) GTEST_SKIP() << "mounting a small tmpfs is not allowed here";
   const RunRecord small = sample::loss_500mw(1);
   const RunRecord large = sample::steady(1, 3600.0);
-  const std::string path = folder.file("run.sqlite");
   {
-    Writer writer(path);
+    Writer writer(path_);
     writer.begin(small);
     writer.add_outlet(small.outlets[0]);
-    EXPECT_THAT(store_error([&] { writer.add_outlet(large.outlets[0]); }),
-                AllOf(StartsWith(path), HasSubstr("o space left on")));
+    EXPECT_THAT(refusal_of<StoreError>([&] { writer.add_outlet(large.outlets[0]); }),
+                AllOf(StartsWith(path_), HasSubstr("o space left on")));
   }
-  const RunRecord read = read_run(path);
+  const RunRecord read = read_run(path_);
   ASSERT_EQ(read.outlets.size(), 1U);
   EXPECT_EQ(read.outlets[0].id, small.outlets[0].id);
 }
