@@ -1,12 +1,16 @@
-// The tree as it is, held to the rules.
+// The tree as it is, held to the rules; and how many files an addition touches (CONTRIBUTING.md),
+// counted where the last such addition stands.
 #include "checks.hpp"
 
+#include <set>
 #include <sstream>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace gsbench::arch {
 namespace {
+
+using testing::ElementsAre;
 
 class ArchitectureTest : public testing::Test {
  protected:
@@ -47,6 +51,42 @@ TEST_F(ArchitectureTest, FilesAreShortFinishedAndTiedToNoMachine) {
 
 TEST_F(ArchitectureTest, EveryFolderIsKnownAndBuilt) {
   EXPECT_TRUE(none(check_layout(tree_)));
+}
+
+// Files of the product that name it, outside of `own_folder`.
+std::set<std::string> files_that_name(const std::string& word,
+                                      const std::string& own_folder = "-") {
+  std::set<std::string> files;
+  for (const auto& [path, content] : read_tree(GSBENCH_SOURCE_DIR)) {
+    if (!starts_with(path, "tests/") && !starts_with(path, "profiles/") && is_cpp(path) &&
+        !starts_with(path, own_folder) && content.find(word) != std::string::npos) {
+      files.insert(path);
+    }
+  }
+  return files;
+}
+
+TEST(Walk, AMeasureIsARowOfTheCatalogueAndItsReading) {
+  EXPECT_THAT(files_that_name("\"relay.chatter\""),
+              ElementsAre("bench/judge/relay_measures.cpp", "bench/measures/catalogue.cpp"));
+}
+
+TEST(Walk, AReportFormatIsItsFileAndARowOfTheTable) {
+  EXPECT_THAT(files_that_name("junit"), ElementsAre("reports/render/include/render/render.hpp",
+                                                    "reports/render/junit_xml.cpp"));
+}
+
+TEST(Walk, ASettingIsItsFieldItsRowTheRuleAndItsRowInProfiles) {
+  EXPECT_THAT(files_that_name("event_departure_hz"),
+              ElementsAre("bench/profile/outlets.cpp", "firmware/outlet/event_detector.cpp",
+                          "firmware/outlet/include/outlet/event_detector.hpp",
+                          "firmware/outlet/include/outlet/settings.hpp",
+                          "firmware/outlet/include/outlet/settings_fields.hpp"));
+}
+
+TEST(Walk, ABoardIsItsFolderAndARowOfTheTable) {
+  EXPECT_THAT(files_that_name("stm32f405", "firmware/boards/stm32f405/"),
+              ElementsAre("firmware/boards/list/include/boards/boards.hpp"));
 }
 
 }  // namespace

@@ -25,10 +25,6 @@ std::string read_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 // Blanks one literal or comment at a time.
 class Blanker {
  public:
@@ -127,6 +123,10 @@ bool is_cpp_source(std::string_view path) {
 
 bool is_cpp(std::string_view path) {
   return is_cpp_source(path) || ends_with(path, ".hpp") || ends_with(path, ".h");
+}
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 bool is_text(std::string_view path) {

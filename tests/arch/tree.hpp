@@ -19,6 +19,7 @@ bool is_text(std::string_view path);        // source, script, configuration, do
 bool is_cpp(std::string_view path);         // .cpp, .hpp, .c or .h
 bool is_cpp_source(std::string_view path);  // .cpp or .c
 
+bool is_word(char c);  // of letters, digits and '_'
 bool starts_with(std::string_view text, std::string_view prefix);
 bool ends_with(std::string_view text, std::string_view suffix);
 

@@ -1,3 +1,5 @@
+#include <grid_test/example_grids.hpp>
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -7,18 +9,11 @@
 namespace gsbench::oracle {
 namespace {
 
-grid::Grid one_plant() {
-  grid::Grid grid;
-  grid.base_mw = 1000.0;
-  grid.load_mw = 1000.0;
-  grid.damping_pu = 1.0;
-  grid.plants = {{"plant", 1000.0, 2.0, 0.05}};
-  return grid;
-}
+using grid::overdamped_grid;
 
 // All power comes promptly: M·f' = −loss − k·f, of which everyone knows the solution.
 TEST(PowerSystem, IsAnExponentialWhereNothingIsReheated) {
-  grid::Grid grid = one_plant();
+  grid::Grid grid = overdamped_grid();
   grid.reheat_fraction = 1.0;
   const long double m = 2.0L * 2.0L * 1000.0L / 50.0L;             // MW per Hz/s
   const long double k = (1.0L + 0.95L / 0.05L) * 1000.0L / 50.0L;  // MW per Hz
@@ -41,7 +36,7 @@ TEST(PowerSystem, IsAnExponentialWhereNothingIsReheated) {
 
 // H = 2 s, R = 0.05, D = 1, 10 % lost: figures known to three decimals.
 TEST(PowerSystem, TurnsWhereAnOverdampedGridIsKnownTo) {
-  const Turn turn = PowerSystem(one_plant()).turn(100.0L);
+  const Turn turn = PowerSystem(overdamped_grid()).turn(100.0L);
   ASSERT_TRUE(turn.t_s);
   EXPECT_NEAR(static_cast<double>(*turn.t_s), 1.45, 0.5e-2);
   EXPECT_NEAR(static_cast<double>(turn.deviation_hz), 49.402 - 50.0, 0.5e-3);
@@ -50,7 +45,7 @@ TEST(PowerSystem, TurnsWhereAnOverdampedGridIsKnownTo) {
 
 // A machine cut in two is the same machine.
 TEST(PowerSystem, DoesNotCareHowAPlantIsDivided) {
-  const grid::Grid whole = one_plant();
+  const grid::Grid whole = overdamped_grid();
   grid::Grid halves = whole;
   halves.plants = {{"small", 300.0, 2.0, 0.05}, {"large", 700.0, 2.0, 0.05}};
   const Turn one = PowerSystem(whole).turn(100.0L);
@@ -60,7 +55,7 @@ TEST(PowerSystem, DoesNotCareHowAPlantIsDivided) {
 }
 
 TEST(PowerSystem, PassesEachDeviationOnItsWayDown) {
-  const PowerSystem system(one_plant());
+  const PowerSystem system(overdamped_grid());
   const Turn turn = system.turn(100.0L);
   const auto rocofs = system.rocof_at_deviation(100.0L, {-1e-6L, -0.3L, turn.deviation_hz + 1e-9L});
   ASSERT_EQ(rocofs.size(), 3u);
