@@ -1,28 +1,23 @@
 // Table 2 in a short form: each of its cells at least as good as printed, by what outlets ship
 // with.
+#include <test_support/ieee24.hpp>
+
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
 #include <campaign/conditions.hpp>
-#include <profile/load.hpp>
 
+namespace gsbench::campaign {
 namespace {
 
-using gsbench::campaign::ConditionOptions;
-using gsbench::campaign::ConditionResult;
-using gsbench::campaign::Execution;
-
-const gsbench::grid::Grid& ieee24() {
-  static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
-  return grid;
-}
+using test::ieee24;
 
 ConditionOptions cell(double loss_mw, double noise_hz, std::uint64_t trajectories = 20000) {
   ConditionOptions options;
   options.loss_mw = loss_mw;
   options.noise_hz = noise_hz;
-  options.counting = gsbench::campaign::shipped_counting(ieee24());
+  options.counting = shipped_counting(ieee24());
   options.trajectories = trajectories;
   return options;
 }
@@ -81,3 +76,4 @@ TEST(ConditionCampaign, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
+}  // namespace gsbench::campaign

@@ -1,5 +1,7 @@
 // The estimators over many trajectories: the paper's Tables 3, 4 and 5 in a short form, with the
 // limits that the whole of it is held to.
+#include <test_support/ieee24.hpp>
+
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -8,24 +10,11 @@
 
 #include <campaign/estimates.hpp>
 #include <outlet/loss_estimator.hpp>
-#include <profile/load.hpp>
 
+namespace gsbench::campaign {
 namespace {
 
-using gsbench::campaign::cramer_rao_mw;
-using gsbench::campaign::estimate;
-using gsbench::campaign::EstimateOptions;
-using gsbench::campaign::EstimateResult;
-using gsbench::campaign::Execution;
-using gsbench::campaign::LossInstant;
-using gsbench::campaign::Mode;
-using gsbench::campaign::NoiseDistribution;
-using gsbench::campaign::trajectory;
-
-const gsbench::grid::Grid& ieee24() {
-  static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
-  return grid;
-}
+using test::ieee24;
 
 EstimateOptions a_short(Mode mode, NoiseDistribution distribution = NoiseDistribution::kUniform) {
   EstimateOptions options;
@@ -114,13 +103,13 @@ TEST(EstimateCampaign, IsTheSameOnAnyNumberOfThreads) {
 }
 
 // One of three processes.
-class Shard final : public gsbench::campaign::Reduction {
+class Shard final : public Reduction {
  public:
   explicit Shard(std::uint64_t number) : number_(number) {}
   Range share(std::uint64_t blocks) const override {
     return {blocks * number_ / 3, blocks * (number_ + 1) / 3};
   }
-  void add_up(std::vector<gsbench::campaign::Histogram>&, std::uint64_t&) const override {}
+  void add_up(std::vector<Histogram>&, std::uint64_t&) const override {}
 
  private:
   std::uint64_t number_;
@@ -129,7 +118,7 @@ class Shard final : public gsbench::campaign::Reduction {
 TEST(EstimateCampaign, ShardsAddUpToTheSameBitsAndWhatIsKeptForEachOutletStaysWhole) {
   const EstimateOptions options = a_short(Mode::kFirmware);
   const EstimateResult whole = play(options);
-  gsbench::campaign::Histogram sum(whole.ekf_mw.low(), 1000.0, whole.ekf_mw.bins());
+  Histogram sum(whole.ekf_mw.low(), 1000.0, whole.ekf_mw.bins());
   for (std::uint64_t number = 0; number < 3; ++number) {
     const Shard shard(number);
     Execution execution;
@@ -169,7 +158,7 @@ TEST(EstimateCampaign, EachTrajectoryIsEstimatedAsAnOutletWouldToTheLastBit) {
   estimate(ieee24(), options, execution, [&](std::uint64_t first, const float* mw, std::size_t n) {
     std::memcpy(&estimates[first], mw, n * sizeof *mw);
   });
-  const gs::outlet::Settings settings = gsbench::campaign::estimate_settings(ieee24());
+  const gs::outlet::Settings settings = estimate_settings(ieee24());
   for (std::uint64_t number = 0; number < options.trajectories; ++number) {
     gs::outlet::LossEstimator<float> outlet;
     const std::vector<float> deviations_hz = trajectory(ieee24(), options, number);
@@ -207,3 +196,4 @@ TEST(EstimateCampaign, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
+}  // namespace gsbench::campaign

@@ -7,9 +7,8 @@
 
 #include <campaign/histogram.hpp>
 
+namespace gsbench::campaign {
 namespace {
-
-using gsbench::campaign::Histogram;
 
 Histogram of(const std::vector<double>& values) {
   Histogram histogram(0.0, 100.0, 1000);
@@ -100,3 +99,4 @@ TEST(Histogram, OfDifferentBinsDoNotAddUp) {
 }
 
 }  // namespace
+}  // namespace gsbench::campaign

@@ -5,13 +5,8 @@
 
 #include <campaign/work.hpp>
 
+namespace gsbench::campaign {
 namespace {
-
-using gsbench::campaign::Execution;
-using gsbench::campaign::Histogram;
-using gsbench::campaign::Histograms;
-using gsbench::campaign::Reduction;
-using gsbench::campaign::run_blocks;
 
 Histograms one() {
   return {Histogram(0.0, 1000.0, 1000)};
@@ -99,3 +94,4 @@ TEST(Work, IsSharedOutAndAddedUpByTheReduction) {
 }
 
 }  // namespace
+}  // namespace gsbench::campaign

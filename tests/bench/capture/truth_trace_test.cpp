@@ -1,3 +1,5 @@
+#include "example_truths.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,6 +11,8 @@
 
 namespace gsbench::capture {
 namespace {
+
+using waveform::loss_of_500_mw;
 
 constexpr std::int64_t kRateHz = 8000;
 // As promised, and what the test's own interpolation rounds.
@@ -66,15 +70,6 @@ Worst worst(const record::TruthTrace& trace, const waveform::Truth& truth,
     worst.hz_s = std::max(worst.hz_s, std::fabs(hz_s - truth.rocof_hz_s(t_s)));
   }
   return worst;
-}
-
-std::unique_ptr<waveform::Truth> loss_of_500_mw(double at_s) {
-  grid::Grid grid;
-  grid.base_mw = 2745.0;
-  grid.load_mw = 2745.0;
-  grid.damping_pu = 2.5;
-  grid.plants = {{"all", 2745.0, 9.2161, 1.0 / 21.8601}};
-  return waveform::truth_from_losses(grid::SfrModel(grid), {{at_s, 500.0}});
 }
 
 TEST(TruthTrace, StaysWithinWhatItPromisesAtEverySixteenMilliseconds) {

@@ -37,37 +37,32 @@ TEST(Conditions, EndWithExactlyZeroAtTheThreshold) {
   }
 }
 
-struct Rows {
-  double threshold_hz;
-  double row_hz;
-  std::size_t count;
-  double last_height_hz;
-};
-
-class ConditionRows : public ::testing::TestWithParam<Rows> {};
-
-TEST_P(ConditionRows, CoverTheRangeFromNominalToThresholdWithoutAGap) {
-  const auto [threshold_hz, row_hz, count, last_height_hz] = GetParam();
-  for (const grid::Grid& grid :
-       {grid::ieee24(), grid::overdamped_grid(), grid::first_order_grid()}) {
-    const std::vector<Condition> rows = conditions(grid::SfrModel(grid), threshold_hz, row_hz);
-    ASSERT_EQ(rows.size(), count);
-    EXPECT_EQ(rows.front().to_hz, 50.0);
-    EXPECT_EQ(rows.back().from_hz, threshold_hz);
-    EXPECT_NEAR(rows.back().to_hz - rows.back().from_hz, last_height_hz, 1e-12);
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-      EXPECT_EQ(rows[i].to_hz, rows[i - 1].from_hz);
-      EXPECT_GT(rows[i].rocof_below_hz_s, rows[i - 1].rocof_below_hz_s);
+TEST(Conditions, CoverTheRangeFromNominalToThresholdWithoutAGap) {
+  struct Rows {
+    double threshold_hz;
+    double row_hz;
+    std::size_t count;
+    double last_height_hz;
+  };
+  // 50 − 49.8 is not four rows of 0.05 to the last bit, and must be all the same.
+  const Rows all[] = {{49.5, 0.05, 10, 0.05},   {49.8, 0.05, 4, 0.05}, {49.5, 0.1, 5, 0.1},
+                      {49.5, 0.07, 8, 0.01},    {49.5, 0.3, 2, 0.2},   {49.5, 2.0, 1, 0.5},
+                      {49.5, 0.001, 500, 0.001}};
+  for (const auto& [threshold_hz, row_hz, count, last_height_hz] : all) {
+    for (const grid::Grid& grid :
+         {grid::ieee24(), grid::overdamped_grid(), grid::first_order_grid()}) {
+      const std::vector<Condition> rows = conditions(grid::SfrModel(grid), threshold_hz, row_hz);
+      ASSERT_EQ(rows.size(), count);
+      EXPECT_EQ(rows.front().to_hz, 50.0);
+      EXPECT_EQ(rows.back().from_hz, threshold_hz);
+      EXPECT_NEAR(rows.back().to_hz - rows.back().from_hz, last_height_hz, 1e-12);
+      for (std::size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i].to_hz, rows[i - 1].from_hz);
+        EXPECT_GT(rows[i].rocof_below_hz_s, rows[i - 1].rocof_below_hz_s);
+      }
     }
   }
 }
-
-// 50 − 49.8 is not four rows of 0.05 to the last bit, and must be all the same.
-INSTANTIATE_TEST_SUITE_P(Heights, ConditionRows,
-                         ::testing::Values(Rows{49.5, 0.05, 10, 0.05}, Rows{49.8, 0.05, 4, 0.05},
-                                           Rows{49.5, 0.1, 5, 0.1}, Rows{49.5, 0.07, 8, 0.01},
-                                           Rows{49.5, 0.001, 500, 0.001}, Rows{49.5, 0.3, 2, 0.2},
-                                           Rows{49.5, 2.0, 1, 0.5}));
 
 TEST(Conditions, HoldTheRocofWithWhichTheThresholdLossPassesTheLowerEdge) {
   for (const grid::Grid& grid : {grid::ieee24(), grid::overdamped_grid(), grid::grid_of_zeta(1.0),

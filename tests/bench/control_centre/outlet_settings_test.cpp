@@ -2,6 +2,7 @@
 #include <control_centre/conditions.hpp>
 #include <control_centre/outlet_settings.hpp>
 #include <grid_test/example_grids.hpp>
+#include <test_support/refusal.hpp>
 
 #include <gmock/gmock.h>
 
@@ -104,12 +105,7 @@ TEST(OutletSettings, EstimatesSpreadIsThatOfTheGridNotOfTheWishedThreshold) {
 }
 
 std::string refusal(const Wishes& wishes, const grid::Grid& grid = grid::ieee24()) {
-  try {
-    outlet_settings(grid, wishes, 1);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<std::invalid_argument>([&] { (void)outlet_settings(grid, wishes, 1); });
 }
 
 TEST(OutletSettings, NameTheSettingAndItsRangeWhereItIsOutside) {

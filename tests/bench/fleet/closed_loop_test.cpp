@@ -1,18 +1,16 @@
 // The whole firmware from the voltage on, with what it sheds fed back.
+#include <test_support/ieee24.hpp>
+
 #include <gtest/gtest.h>
 
 #include <fleet/closed_loop.hpp>
-#include <profile/load.hpp>
 
+namespace gsbench::fleet {
 namespace {
 
-using gsbench::campaign::Execution;
-using gsbench::fleet::ClosedLoopOptions;
-using gsbench::fleet::ClosedLoopResult;
-using gsbench::fleet::FleetOptions;
+using campaign::Execution;
 
 ClosedLoopResult play_loop(double loss_mw, double told_mw, std::size_t threads = 2) {
-  static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
   FleetOptions few;
   few.groups = 100;
   few.per_group = 1;
@@ -24,7 +22,7 @@ ClosedLoopResult play_loop(double loss_mw, double told_mw, std::size_t threads =
   options.duration_s = 2.0;
   Execution execution;
   execution.threads = threads;
-  return play_closed_loop(grid, make_fleet(few), options, execution).value();
+  return play_closed_loop(test::ieee24(), make_fleet(few), options, execution).value();
 }
 
 // Of a hundred blocks of up to 18 MW: the amount is right to half of one.
@@ -63,3 +61,4 @@ TEST(ClosedLoop, IsTheSameOnAnyNumberOfThreads) {
 }
 
 }  // namespace
+}  // namespace gsbench::fleet

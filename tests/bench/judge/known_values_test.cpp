@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <judge/reading.hpp>
+
 namespace gsbench::judge::test {
 namespace {
 
@@ -110,6 +112,17 @@ TEST(KnownValues, AreTestedForEveryMeasureOfTheCatalogue) {
   std::set<std::string> all;
   for (const measures::Measure& measure : measures::catalogue()) all.insert(measure.name);
   EXPECT_EQ(tested, all);
+}
+
+TEST(Readings, AreThoseOfTheCatalogue) {
+  std::set<std::string> readings;
+  for (const auto& [name, read] : all_readings()) {
+    EXPECT_EQ(reading_of(name), read) << name;
+    EXPECT_NE(measures::find(name), nullptr) << name;
+    EXPECT_TRUE(readings.insert(name).second) << name;
+  }
+  EXPECT_EQ(readings.size(), measures::catalogue().size());
+  EXPECT_THROW((void)reading_of("event.dela"), std::logic_error);
 }
 
 }  // namespace

@@ -8,98 +8,92 @@ namespace {
 using record::Verdict;
 
 // Two outlets of which at most one event is expected; the second has two, so that it fails.
-struct TwoOutlets {
-  profile::Plan plan;
-  record::RunRecord run;
-
-  TwoOutlets() {
+class RunVerdict : public testing::Test {
+ protected:
+  RunVerdict() {
     SyntheticCase c = loss_of_500_mw();
-    plan = c.plan;
-    plan.stimulus.kind = profile::TruthKind::kPoints;
-    plan.stimulus.points = {{0.0, 50.0}, {6.0, 50.0}};
+    plan_ = c.plan;
+    plan_.stimulus.kind = profile::TruthKind::kPoints;
+    plan_.stimulus.points = {{0.0, 50.0}, {6.0, 50.0}};
     expect_events(1.0);
-    run.outlets.push_back(c.outlet);
+    run_.outlets.push_back(c.outlet);
     c.add_mark(3200, "event", 50.0);
     c.outlet.id = "outlet-2";
-    run.outlets.push_back(c.outlet);
+    run_.outlets.push_back(c.outlet);
   }
 
-  void expect_events(double max) { plan.expectations = {limits("event.count", {}, max)}; }
+  void expect_events(double max) { plan_.expectations = {limits("event.count", {}, max)}; }
 
   void expect_error(const std::string& reason) {
-    judge(plan, run);
-    EXPECT_EQ(run.verdict, Verdict::kError);
-    EXPECT_EQ(run.verdict_reason, reason);
-    for (const record::OutletRecord& outlet : run.outlets) {
+    judge(plan_, run_);
+    EXPECT_EQ(run_.verdict, Verdict::kError);
+    EXPECT_EQ(run_.verdict_reason, reason);
+    for (const record::OutletRecord& outlet : run_.outlets) {
       EXPECT_EQ(outlet.verdict, Verdict::kError);
       EXPECT_TRUE(outlet.measurements.empty());
     }
   }
+
+  profile::Plan plan_;
+  record::RunRecord run_;
 };
 
-TEST(RunVerdict, IsThatOfTheWorstOutlet) {
-  TwoOutlets two;
-  judge(two.plan, two.run);
-  EXPECT_EQ(two.run.outlets[0].verdict, Verdict::kPass);
-  EXPECT_EQ(two.run.outlets[1].verdict, Verdict::kFail);
-  EXPECT_EQ(two.run.verdict, Verdict::kFail);
-  EXPECT_EQ(two.run.verdict_reason, "1 of 2 outlets did not pass");
+TEST_F(RunVerdict, IsThatOfTheWorstOutlet) {
+  judge(plan_, run_);
+  EXPECT_EQ(run_.outlets[0].verdict, Verdict::kPass);
+  EXPECT_EQ(run_.outlets[1].verdict, Verdict::kFail);
+  EXPECT_EQ(run_.verdict, Verdict::kFail);
+  EXPECT_EQ(run_.verdict_reason, "1 of 2 outlets did not pass");
 }
 
-TEST(RunVerdict, DoesNotDependOnAnEarlierOne) {
-  TwoOutlets two;
-  two.run.verdict = Verdict::kError;
-  two.run.verdict_reason = "of before";
-  two.run.outlets[0].verdict = Verdict::kError;
-  two.expect_events(2.0);
-  judge(two.plan, two.run);
-  EXPECT_EQ(two.run.outlets[0].verdict, Verdict::kPass);
-  EXPECT_EQ(two.run.verdict, Verdict::kPass);
-  EXPECT_EQ(two.run.verdict_reason, "");
-  two.expect_events(0.0);
-  judge(two.plan, two.run);
-  EXPECT_EQ(two.run.verdict, Verdict::kFail);
-  EXPECT_EQ(two.run.verdict_reason, "2 of 2 outlets did not pass");
+TEST_F(RunVerdict, DoesNotDependOnAnEarlierOne) {
+  run_.verdict = Verdict::kError;
+  run_.verdict_reason = "of before";
+  run_.outlets[0].verdict = Verdict::kError;
+  expect_events(2.0);
+  judge(plan_, run_);
+  EXPECT_EQ(run_.outlets[0].verdict, Verdict::kPass);
+  EXPECT_EQ(run_.verdict, Verdict::kPass);
+  EXPECT_EQ(run_.verdict_reason, "");
+  expect_events(0.0);
+  judge(plan_, run_);
+  EXPECT_EQ(run_.verdict, Verdict::kFail);
+  EXPECT_EQ(run_.verdict_reason, "2 of 2 outlets did not pass");
 }
 
-TEST(RunVerdict, OfAFaultyOutletIsErrorThoughItIsMeasured) {
-  TwoOutlets two;
-  two.run.outlets[0].fault = "fell silent";
-  judge(two.plan, two.run);
-  EXPECT_EQ(two.run.outlets[0].verdict, Verdict::kError);
-  EXPECT_EQ(two.run.outlets[0].measurements.front().verdict, Verdict::kPass);
-  EXPECT_EQ(two.run.outlets[1].verdict, Verdict::kFail);
-  EXPECT_EQ(two.run.verdict, Verdict::kError);
-  EXPECT_EQ(two.run.verdict_reason, "2 of 2 outlets did not pass: outlet outlet-1 fell silent");
+TEST_F(RunVerdict, OfAFaultyOutletIsErrorThoughItIsMeasured) {
+  run_.outlets[0].fault = "fell silent";
+  judge(plan_, run_);
+  EXPECT_EQ(run_.outlets[0].verdict, Verdict::kError);
+  EXPECT_EQ(run_.outlets[0].measurements.front().verdict, Verdict::kPass);
+  EXPECT_EQ(run_.outlets[1].verdict, Verdict::kFail);
+  EXPECT_EQ(run_.verdict, Verdict::kError);
+  EXPECT_EQ(run_.verdict_reason, "2 of 2 outlets did not pass: outlet outlet-1 fell silent");
 }
 
-TEST(RunVerdict, OfAnOutletThatTookNoPartIsErrorAndNothingOfItIsMeasured) {
-  TwoOutlets two;
-  two.run.outlets[0].took_part = false;
-  judge(two.plan, two.run);
-  EXPECT_EQ(two.run.outlets[0].verdict, Verdict::kError);
-  EXPECT_TRUE(two.run.outlets[0].measurements.empty());
-  EXPECT_EQ(two.run.verdict, Verdict::kError);
+TEST_F(RunVerdict, OfAnOutletThatTookNoPartIsErrorAndNothingOfItIsMeasured) {
+  run_.outlets[0].took_part = false;
+  judge(plan_, run_);
+  EXPECT_EQ(run_.outlets[0].verdict, Verdict::kError);
+  EXPECT_TRUE(run_.outlets[0].measurements.empty());
+  EXPECT_EQ(run_.verdict, Verdict::kError);
 }
 
-TEST(RunVerdict, OfAFaultOfTheBenchIsErrorForAll) {
-  TwoOutlets two;
-  judge(two.plan, two.run);
-  two.run.fault = "the source is gone";
-  two.expect_error("the source is gone");
+TEST_F(RunVerdict, OfAFaultOfTheBenchIsErrorForAll) {
+  judge(plan_, run_);
+  run_.fault = "the source is gone";
+  expect_error("the source is gone");
 }
 
-TEST(RunVerdict, OfAnInterruptedRunIsErrorForAll) {
-  TwoOutlets two;
-  judge(two.plan, two.run);
-  two.run.interrupted = true;
-  two.expect_error("interrupted before its end");
+TEST_F(RunVerdict, OfAnInterruptedRunIsErrorForAll) {
+  judge(plan_, run_);
+  run_.interrupted = true;
+  expect_error("interrupted before its end");
 }
 
-TEST(RunVerdict, WithoutOutletsIsError) {
-  TwoOutlets two;
-  two.run.outlets.clear();
-  two.expect_error("the run has no outlets");
+TEST_F(RunVerdict, WithoutOutletsIsError) {
+  run_.outlets.clear();
+  expect_error("the run has no outlets");
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include <seed_sweep/seed_sweep.hpp>
 
 #include <algorithm>
-#include <cstdio>
+#include <map>
 #include <set>
 #include <stdexcept>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
 #include <measures/catalogue.hpp>
@@ -17,6 +19,9 @@ namespace {
 using record::Verdict;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
+
+using Counts = std::map<Verdict, std::size_t>;
+using Words = std::map<std::string, std::size_t>;
 
 // Two outlets in noise for 1.5 s, the second of which expects what cannot be.
 profile::Plan parse(const std::string& expectations) {
@@ -55,28 +60,20 @@ const Row& row(const StudyResult& result, const std::string& measure) {
 
 // All that can be read of a study, bit for bit.
 std::string told(const StudyResult& result) {
-  std::string text = std::to_string(result.seeds_done) + " " + std::to_string(result.hours) + " " +
-                     to_string(result.verdict) + " " + result.first_reason + "\n";
-  for (const auto& [verdict, count] : result.verdicts) {
-    text += std::string(to_string(verdict)) + " " + std::to_string(count) + "\n";
-  }
-  char figure[64];
-  for (const Row& r : result.rows) {
-    text += r.measure + " [" + r.unit + "] " + std::to_string(r.values.count()) + " " +
-            std::to_string(r.values.missing());
-    for (const double value :
-         {r.values.mean(), r.values.standard_deviation(), r.values.quantile(0.0),
-          r.values.quantile(0.5), r.values.quantile(1.0)}) {
-      std::snprintf(figure, sizeof figure, " %a", value);
-      text += figure;
+  std::string text = fmt::format("{} {:a} {} {}", result.seeds_done, result.hours,
+                                 to_string(result.verdict), result.first_reason);
+  const auto add_verdicts = [&text](const Counts& verdicts) {
+    for (const auto& [verdict, count] : verdicts) {
+      text += fmt::format(" {} {}", to_string(verdict), count);
     }
-    for (const auto& [word, count] : r.values.words()) {
-      text += " " + word + " " + std::to_string(count);
-    }
-    for (const auto& [verdict, count] : r.verdicts) {
-      text += std::string(" ") + to_string(verdict) + " " + std::to_string(count);
-    }
-    text += "\n";
+  };
+  add_verdicts(result.verdicts);
+  for (const auto& [measure, unit, values, verdicts] : result.rows) {
+    text += fmt::format("\n{} [{}] {} {} {:a} {:a} {:a} {:a} {:a} {}", measure, unit,
+                        values.count(), values.missing(), values.mean(),
+                        values.standard_deviation(), values.quantile(0.0), values.quantile(0.5),
+                        values.quantile(1.0), values.words());
+    add_verdicts(verdicts);
   }
   return text;
 }
@@ -87,13 +84,11 @@ TEST(Study, HasAValueOfEachOutletAndSeed) {
   EXPECT_DOUBLE_EQ(result.hours, 3 * 2 * 1.5 / 3600.0);
   EXPECT_EQ(result.verdict, Verdict::kPass);
   EXPECT_EQ(result.first_reason, "");
-  EXPECT_EQ(result.verdicts, (std::map<Verdict, std::size_t>{{Verdict::kPass, 6}}));
+  EXPECT_EQ(result.verdicts, (Counts{{Verdict::kPass, 6}}));
   EXPECT_EQ(row(result, "tracker.error.rms").values.count(), 6U);
   EXPECT_EQ(row(result, "event.delay").values.missing(), 6U);
-  EXPECT_EQ(row(result, "relay.end").values.words(),
-            (std::map<std::string, std::size_t>{{"closed", 6}}));
-  EXPECT_EQ(row(result, "event.count").verdicts,
-            (std::map<Verdict, std::size_t>{{Verdict::kPass, 6}}));
+  EXPECT_EQ(row(result, "relay.end").values.words(), (Words{{"closed", 6}}));
+  EXPECT_EQ(row(result, "event.count").verdicts, (Counts{{Verdict::kPass, 6}}));
   EXPECT_TRUE(row(result, "relay.edges").verdicts.empty()) << "for information";
 }
 
@@ -113,10 +108,8 @@ TEST(Study, CountsAnOutletOnceWhateverTheNumberAndUnitsOfItsLimits) {
   // A factor of 1000 and back rounds twice.
   EXPECT_NEAR(rms.values.quantile(1.0), row(plain, "tracker.error.rms").values.quantile(1.0),
               1e-12);
-  EXPECT_EQ(rms.verdicts,
-            (std::map<Verdict, std::size_t>{{Verdict::kPass, 4}, {Verdict::kFail, 4}}));
-  EXPECT_EQ(row(limited, "relay.end").values.words(),
-            (std::map<std::string, std::size_t>{{"closed", 4}}));
+  EXPECT_EQ(rms.verdicts, (Counts{{Verdict::kPass, 4}, {Verdict::kFail, 4}}));
+  EXPECT_EQ(row(limited, "relay.end").values.words(), (Words{{"closed", 4}}));
 }
 
 TEST(Study, HasItsRowsInTheOrderOfTheCatalogue) {
@@ -162,10 +155,8 @@ TEST(Study, TellsTheFirstFailureBySeedNotByTheClock) {
     const StudyResult result = study_of(half_failing(), 5, threads, 20);
     EXPECT_EQ(result.verdict, Verdict::kFail);
     EXPECT_THAT(result.first_reason, StartsWith("seed 20, b, relay.end: "));
-    EXPECT_EQ(result.verdicts,
-              (std::map<Verdict, std::size_t>{{Verdict::kPass, 5}, {Verdict::kFail, 5}}));
-    EXPECT_EQ(row(result, "relay.end").verdicts,
-              (std::map<Verdict, std::size_t>{{Verdict::kFail, 5}}));
+    EXPECT_EQ(result.verdicts, (Counts{{Verdict::kPass, 5}, {Verdict::kFail, 5}}));
+    EXPECT_EQ(row(result, "relay.end").verdicts, (Counts{{Verdict::kFail, 5}}));
   }
 }
 

@@ -1,8 +1,8 @@
 #include "example_truths.hpp"
 
-#include <functional>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -15,88 +15,40 @@ using testing::ThrowsMessage;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-struct Refusal {
-  const char* name;
-  std::function<void(SignalSpec&)> change;
-  const char* message;
-};
-
-class RefusedSignal : public testing::TestWithParam<Refusal> {};
-
-TEST_P(RefusedSignal, IsNamedWithItsValue) {
+// A signal of which a single thing is said.
+template <class Field>
+SignalSpec with(Field SignalSpec::*field, Field value) {
   SignalSpec spec;
-  GetParam().change(spec);
-  EXPECT_THAT([&spec] { const Synthesizer synthesizer(constant(50.0, 50.0), spec, 4000); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr(GetParam().message)));
+  spec.*field = std::move(value);
+  return spec;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Signal, RefusedSignal,
-    testing::Values(
-        Refusal{"OrderOne",
-                [](auto& s) {
-                  s.harmonics = {{1, 1, 0}};
-                },
-                "harmonic order 1: must be"},
-        Refusal{"OrderTooHigh",
-                [](auto& s) {
-                  s.harmonics = {{51, 1, 0}};
-                },
-                "harmonic order 51"},
-        Refusal{"OrderTwice",
-                [](auto& s) {
-                  s.harmonics = {{3, 1, 0}, {5, 1, 0}, {3, 2, 0}};
-                },
-                "harmonic 3 is given twice"},
-        Refusal{"OrderAliases",
-                [](auto& s) {
-                  s.harmonics = {{40, 1, 0}};
-                },
-                "harmonic 40 of 50 Hz is 2000 Hz: must lie below half of the sample rate of 4000"},
-        Refusal{"AmplitudeNegative",
-                [](auto& s) {
-                  s.harmonics = {{3, -1, 0}};
-                },
-                "harmonic 3: amplitude in % -1"},
-        Refusal{"PhaseNan",
-                [](auto& s) {
-                  s.harmonics = {{3, 1, kNan}};
-                },
-                "harmonic 3: phase"},
-        Refusal{"StepBeforeStart",
-                [](auto& s) {
-                  s.amplitude_steps = {{-1, 1, 50}};
-                },
-                "amplitude step: time in s -1"},
-        Refusal{"StepWithoutLength",
-                [](auto& s) {
-                  s.amplitude_steps = {{1, 0, 50}};
-                },
-                "duration in s 0: must be above 0"},
-        Refusal{"StepLengthNan",
-                [](auto& s) {
-                  s.amplitude_steps = {{1, kNan, 50}};
-                },
-                "duration in s nan"},
-        Refusal{"StepNegative",
-                [](auto& s) {
-                  s.amplitude_steps = {{1, 1, -5}};
-                },
-                "amplitude step: level in % -5"},
-        Refusal{"JumpNever",
-                [](auto& s) {
-                  s.phase_jumps = {{kInfinity, 5}};
-                },
-                "phase jump: time in s inf"},
-        Refusal{"JumpNan",
-                [](auto& s) {
-                  s.phase_jumps = {{1, kNan}};
-                },
-                "phase jump: degrees nan"},
-        Refusal{"DcTooMuch", [](auto& s) { s.dc_offset_pct = 101; }, "DC offset in % 101"},
-        Refusal{"InitialPhase", [](auto& s) { s.initial_phase_deg = kInfinity; },
-                "initial phase in degrees inf"}),
-    [](const auto& param_info) { return std::string(param_info.param.name); });
+TEST(RefusedSignal, IsNamedWithItsValue) {
+  const std::pair<SignalSpec, const char*> refused[] = {
+      {with(&SignalSpec::harmonics, {{1, 1, 0}}), "harmonic order 1: must be"},
+      {with(&SignalSpec::harmonics, {{51, 1, 0}}), "harmonic order 51"},
+      {with(&SignalSpec::harmonics, {{3, 1, 0}, {5, 1, 0}, {3, 2, 0}}),
+       "harmonic 3 is given twice"},
+      {with(&SignalSpec::harmonics, {{40, 1, 0}}),
+       "harmonic 40 of 50 Hz is 2000 Hz: must lie below half of the sample rate of 4000"},
+      {with(&SignalSpec::harmonics, {{3, -1, 0}}), "harmonic 3: amplitude in % -1"},
+      {with(&SignalSpec::harmonics, {{3, 1, kNan}}), "harmonic 3: phase"},
+      {with(&SignalSpec::amplitude_steps, {{-1, 1, 50}}), "amplitude step: time in s -1"},
+      {with(&SignalSpec::amplitude_steps, {{1, 0, 50}}), "duration in s 0: must be above 0"},
+      {with(&SignalSpec::amplitude_steps, {{1, kNan, 50}}), "duration in s nan"},
+      {with(&SignalSpec::amplitude_steps, {{1, 1, -5}}), "amplitude step: level in % -5"},
+      {with(&SignalSpec::phase_jumps, {{kInfinity, 5}}), "phase jump: time in s inf"},
+      {with(&SignalSpec::phase_jumps, {{1, kNan}}), "phase jump: degrees nan"},
+      {with(&SignalSpec::dc_offset_pct, 101.0), "DC offset in % 101"},
+      {with(&SignalSpec::initial_phase_deg, kInfinity), "initial phase in degrees inf"},
+  };
+  for (const auto& [spec, message] : refused) {
+    const auto synthesizer = [&spec = spec] {
+      return Synthesizer(constant(50.0, 50.0), spec, 4000);
+    };
+    EXPECT_THAT(synthesizer, ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
+  }
+}
 
 TEST(SampleRate, MustMakeSixteenMillisecondsAWholeNumberOfSamples) {
   for (const std::int64_t rate_hz : {-8000, 0, 999, 1500, 44100, 8001, 1'001'000}) {

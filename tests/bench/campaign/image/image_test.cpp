@@ -2,6 +2,7 @@
 #include "calls.hpp"
 #include <cortex_m4/debugger.hpp>
 #include <cortex_m4/emulated_outlet.hpp>
+#include <test_support/ieee24.hpp>
 
 #include <cstring>
 #include <fstream>
@@ -12,7 +13,6 @@
 
 #include <campaign/estimates.hpp>
 #include <outlet/estimator.hpp>
-#include <profile/load.hpp>
 
 namespace gs::test {
 namespace {
@@ -20,6 +20,7 @@ namespace {
 using gsbench::campaign::EstimateOptions;
 using gsbench::campaign::LossInstant;
 using gsbench::campaign::NoiseDistribution;
+using gsbench::test::ieee24;
 using outlet::EstimatorState;
 
 constexpr std::uint32_t kTrajectories = 1000;
@@ -33,11 +34,6 @@ Bytes bytes_of(const T* values, std::size_t count = 1) {
   Bytes bytes(count * sizeof *values);
   std::memcpy(bytes.data(), values, bytes.size());
   return bytes;
-}
-
-const gsbench::grid::Grid& ieee24() {
-  static const gsbench::grid::Grid grid = gsbench::profile::load_grid("ieee24");
-  return grid;
 }
 
 EstimateOptions options(NoiseDistribution distribution) {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
 
 #include <grid/grid.hpp>
 
@@ -51,6 +54,19 @@ inline Grid first_order_grid() {
   Grid grid = overdamped_grid();
   grid.reheat_fraction = 1.0;
   return grid;
+}
+
+template <class Call>
+void expect_refused(const Call& call, const std::string& field, int index,
+                    const std::string& message) {
+  try {
+    call();
+    ADD_FAILURE() << field << " was accepted";
+  } catch (const GridError& error) {
+    EXPECT_EQ(error.field, field);
+    EXPECT_EQ(error.index, index) << field;
+    EXPECT_THAT(error.what(), testing::HasSubstr(message));
+  }
 }
 
 }  // namespace gsbench::grid

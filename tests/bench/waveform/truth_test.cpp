@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -136,35 +137,53 @@ TEST(PointTruth, InterpolatesTheVoltageOfATraceLinearly) {
   EXPECT_EQ(truth->voltage_pu(9.0), 0.2);
 }
 
-struct Refusal {
-  const char* name;
-  double nominal_hz;
-  std::vector<recording::TracePoint> points;
-  const char* message;
-};
-
-class RefusedPoints : public testing::TestWithParam<Refusal> {};
-
-TEST_P(RefusedPoints, AreNamedWithTheirValue) {
-  EXPECT_THAT([] { return truth_from_trace(GetParam().nominal_hz, GetParam().points); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr(GetParam().message)));
+TEST(PointTruth, RefusesPointsThatMakeNoSenseWithTheirValue) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::pair<std::vector<recording::TracePoint>, const char*> refused[] = {
+      {{}, "at least one"},
+      {{{0, 50, 1}, {1, 50, 1}, {1, 49, 1}}, "point 3: time 1 s"},
+      {{{0, 50, 1}, {-1, 50, 1}}, "point 2: time -1 s"},
+      {{{kNan, 50, 1}}, "point 1: time nan s"},
+      {{{0, 0, 1}}, "point 1: frequency 0 Hz"},
+      {{{0, kInfinity, 1}}, "point 1: frequency inf Hz"},
+      {{{0, 50, -0.1}}, "point 1: voltage -0.1 pu"}};
+  for (const auto& [points, message] : refused) {
+    EXPECT_THAT([points = points] { return truth_from_trace(50.0, points); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
+  }
+  EXPECT_THAT(
+      [] {
+        return truth_from_trace(0.0, {{0, 50, 1}});
+      },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("nominal frequency 0 Hz")));
 }
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+TEST(LossTruth, IsTheFrequencyResponseOfTheGrid) {
+  const grid::FrequencyResponse response(ieee24(), {{3.0, 500.0}, {4.0, -120.0}});
+  const auto truth = truth_from_losses(ieee24(), {{3.0, 500.0}, {4.0, -120.0}});
+  EXPECT_EQ(truth->nominal_hz(), 50.0);
+  for (const double t_s : {0.0, 2.999, 3.0, 3.7, 4.0, 5.0, 60.0}) {
+    EXPECT_EQ(truth->frequency_hz(t_s), response.frequency_hz(t_s));
+    EXPECT_EQ(truth->rocof_hz_s(t_s), response.rocof_hz_s(t_s));
+    EXPECT_EQ(truth->excess_cycles(t_s), response.excess_cycles(t_s));
+    EXPECT_EQ(truth->voltage_pu(t_s), 1.0);
+  }
+}
 
-INSTANTIATE_TEST_SUITE_P(
-    PointTruth, RefusedPoints,
-    testing::Values(
-        Refusal{"None", 50.0, {}, "at least one"},
-        Refusal{"Nominal", 0.0, {{0, 50, 1}}, "nominal frequency 0 Hz"},
-        Refusal{"SameTime", 50.0, {{0, 50, 1}, {1, 50, 1}, {1, 49, 1}}, "point 3: time 1 s"},
-        Refusal{"BackInTime", 50.0, {{0, 50, 1}, {-1, 50, 1}}, "point 2: time -1 s"},
-        Refusal{"TimeNan", 50.0, {{kNan, 50, 1}}, "point 1: time nan s"},
-        Refusal{"FrequencyZero", 50.0, {{0, 0, 1}}, "point 1: frequency 0 Hz"},
-        Refusal{"FrequencyInfinite", 50.0, {{0, kInfinity, 1}}, "point 1: frequency inf Hz"},
-        Refusal{"VoltageNegative", 50.0, {{0, 50, -0.1}}, "point 1: voltage -0.1 pu"}),
-    [](const auto& param_info) { return std::string(param_info.param.name); });
+TEST(LossTruth, HasACornerAtEachLossInOrderOfTime) {
+  const auto truth = truth_from_losses(ieee24(), {{4.0, -120.0}, {3.0, 500.0}});
+  EXPECT_THAT(truth->corners_s(), ElementsAre(3.0, 4.0));
+}
+
+TEST(LossTruth, CountsPhaseFromZeroEvenAfterALossBeforeTheStart) {
+  const auto truth = truth_from_losses(ieee24(), {{-2.0, 500.0}});
+  EXPECT_EQ(truth->excess_cycles(0.0), 0.0);
+  // Some 0.6 Hz below nominal by then; the trapezoid's error is 0.01²/12·|df/dt| < 2·10⁻⁶.
+  EXPECT_NEAR(truth->excess_cycles(0.01),
+              0.005 * (truth->frequency_hz(0.0) + truth->frequency_hz(0.01) - 100.0), 2e-6);
+  EXPECT_LT(truth->frequency_hz(0.0), 49.5);
+}
 
 }  // namespace
 }  // namespace gsbench::waveform

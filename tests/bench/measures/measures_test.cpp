@@ -3,7 +3,7 @@
 #include <iterator>
 #include <set>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <measures/catalogue.hpp>
 #include <measures/units.hpp>
@@ -32,7 +32,7 @@ TEST(Catalogue, GivesEachMeasureAUnitThatConvertsOrItsWords) {
       EXPECT_EQ(measure.unit, "") << measure.name;
       EXPECT_GE(measure.words.size(), 2U) << measure.name;
     } else {
-      EXPECT_EQ(measures::unit_scale(measure.unit, measure.unit), 1.0) << measure.name;
+      EXPECT_EQ(unit_scale(measure.unit, measure.unit), 1.0) << measure.name;
     }
   }
 }
@@ -55,6 +55,32 @@ TEST(Catalogue, HasWhatTheDocumentationOfProfilesExpects) {
     ++found;
   }
   EXPECT_GE(found, 1U);
+}
+
+TEST(Units, ConvertWithinADimension) {
+  EXPECT_DOUBLE_EQ(unit_scale("s", "ms").value(), 1000.0);
+  EXPECT_DOUBLE_EQ(unit_scale("ms", "s").value(), 0.001);
+  EXPECT_DOUBLE_EQ(unit_scale("Hz", "mHz").value(), 1000.0);
+  EXPECT_DOUBLE_EQ(unit_scale("GW", "MW").value(), 1000.0);
+  EXPECT_DOUBLE_EQ(unit_scale("", "").value(), 1.0);
+}
+
+TEST(Units, DoNotConvertAcrossDimensions) {
+  EXPECT_FALSE(unit_scale("s", "Hz"));
+  EXPECT_FALSE(unit_scale("Hz", "Hz/s"));
+  EXPECT_FALSE(unit_scale("", "%"));
+  EXPECT_FALSE(unit_scale("pu", "V"));  // hangs on the nominal voltage
+}
+
+TEST(Units, UnknownOnesConvertIntoNothing) {
+  EXPECT_FALSE(unit_scale("fortnight", "s"));
+  EXPECT_FALSE(unit_scale("s", "S"));
+  EXPECT_FALSE(unit_scale("fortnight", "fortnight"));
+}
+
+TEST(Units, ListThoseOfTheSameDimension) {
+  EXPECT_THAT(units_like("Hz"), testing::ElementsAre("Hz", "mHz"));
+  EXPECT_THAT(units_like("fortnight"), testing::IsEmpty());
 }
 
 }  // namespace

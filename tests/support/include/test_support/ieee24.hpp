@@ -1,0 +1,13 @@
+// The shipped grid of the paper.
+#pragma once
+
+#include <profile/load.hpp>
+
+namespace gsbench::test {
+
+inline const grid::Grid& ieee24() {
+  static const grid::Grid grid = profile::load_grid("ieee24");
+  return grid;
+}
+
+}  // namespace gsbench::test
