@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """clang_tidy.py BUILD_FOLDER < list of source files: clang-tidy over those in the compile database.
 
-A file that passed is not looked at again until it, one of our headers it includes, its compile
-command or a .clang-tidy changes: a stamp named by the digest of all these stands in
-BUILD_FOLDER/clang-tidy.
+Files that are compiled together (a unity build) are checked together. What passed is not looked at
+again until one of the files, one of our headers they include, the compile command or a .clang-tidy
+changes: a stamp named by the digest of all these stands in BUILD_FOLDER/clang-tidy.
 """
 
 import concurrent.futures
@@ -11,7 +11,9 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shlex
+import shutil
 import subprocess
 import sys
 
@@ -35,8 +37,15 @@ def object_file(entry):
     return words[words.index("-o") + 1]
 
 
-def settings(source, root):
-    folders = [folder for folder in source.parents if folder == root or root in folder.parents]
+def sources_of(unit):
+    """The files that a translation unit compiles: itself or, of a unity build, those it includes."""
+    if "/Unity/unity_" not in str(unit):
+        return [unit]
+    return [pathlib.Path(path) for path in re.findall(r'^#include "(.*)"$', unit.read_text(), re.MULTILINE)]
+
+
+def settings(sources, root):
+    folders = {folder for source in sources for folder in source.parents if folder == root or root in folder.parents}
     return [folder / ".clang-tidy" for folder in folders if (folder / ".clang-tidy").exists()]
 
 
@@ -57,8 +66,8 @@ def without_precompiled(entry):
     return {**entry, "command": shlex.join(words)}
 
 
-def tidy(database, source):
-    return subprocess.run(["clang-tidy", "--quiet", "-p", database, source], capture_output=True, text=True)
+def tidy(database, unit):
+    return subprocess.run(["clang-tidy", "--quiet", "-p", database, unit], capture_output=True, text=True)
 
 
 def main():
@@ -72,25 +81,28 @@ def main():
     entries = json.loads((build / "compile_commands.json").read_text())
     (stamps / "compile_commands.json").write_text(json.dumps([without_precompiled(entry) for entry in entries]))
 
-    todo = {}  # one entry a source: a file built twice is still one file
+    todo = {}  # one entry a unit: a file built twice is still one file
     for entry in entries:
-        source = pathlib.Path(entry["file"])
-        if str(source) not in listed:
+        unit = pathlib.Path(entry["file"])
+        sources = sources_of(unit)
+        if not listed.intersection(map(str, sources)):
             continue
-        files = made_from.get(object_file(entry), []) + settings(source, root) + [source]
+        for own in settings(sources, root):  # clang-tidy looks for them above the unit
+            shutil.copy(own, build / own.relative_to(root))
+        files = made_from.get(object_file(entry), []) + settings(sources, root) + sources
         stamp = stamps / digest(entry, files)
         if not stamp.exists():
-            todo[source] = stamp
+            todo[unit] = stamp
 
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        running = {pool.submit(tidy, stamps, source): source for source in todo}
+        running = {pool.submit(tidy, stamps, unit): unit for unit in todo}
         for done, future in enumerate(concurrent.futures.as_completed(running), 1):
-            source, result = running[future], future.result()
-            name = os.path.relpath(source, root)
-            print(f"[{done}/{len(todo)}] clang-tidy {name}", file=sys.stderr, flush=True)
+            unit, result = running[future], future.result()
+            names = " ".join(os.path.relpath(source, root) for source in sources_of(unit))
+            print(f"[{done}/{len(todo)}] clang-tidy {names}", file=sys.stderr, flush=True)
             if result.returncode == 0:
-                todo[source].touch()
+                todo[unit].touch()
             else:
                 failed += 1
                 print(result.stdout or result.stderr, file=sys.stderr, flush=True)

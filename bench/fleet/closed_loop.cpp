@@ -20,7 +20,7 @@
 namespace gsbench::fleet {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 constexpr double kBeforeLossS = 1.0;
 constexpr double kRelayS = 1e-3 * models::RelayParameters{}.operate_ms;
 constexpr double kTwoPi = 6.283185307179586;
@@ -31,8 +31,8 @@ struct Outlet {
   gs::outlet::Config config;
   gs::outlet::State state;
   std::size_t skipped = 0;  // samples before its first: outlets report at instants of their own
-  double event_s = kNone;
-  double loss_mw = kNone;
+  double event_s = kNever;
+  double loss_mw = kNever;
 };
 
 class Loop {
@@ -97,7 +97,7 @@ class Loop {
   }
 
   ClosedLoopResult result() const {
-    ClosedLoopResult result{balance_.result(grid_, options_.duration_s), 0, 0, kNone,
+    ClosedLoopResult result{balance_.result(grid_, options_.duration_s), 0, 0, kNever,
                             campaign::Histogram(0.0, 2.0 * options_.loss_mw, 2000)};
     const double power_mw = result.scenario.shed.power_mw;
     result.scenario.shed = count_shed(fleet_, off_);

@@ -27,8 +27,8 @@ using gs::outlet::LossEstimator;
 using gs::outlet::Settings;
 
 constexpr double kMeasuringS = gs::outlet::kFrontEndDelayMs / 1000.0;
-constexpr double kRelayS = 1e-3 * models::RelayParameters{}.operate_ms;
-constexpr double kLookS = 0.002;  // of relays
+constexpr double kOperateS = 1e-3 * models::RelayParameters{}.operate_ms;
+constexpr double kRelayLookS = 0.002;  // of relays
 
 // Outlets measure at so many instants of a report in turn, a batch of kLanes each.
 constexpr std::size_t kInstants = 64;
@@ -96,7 +96,7 @@ class Outlets {
       for (std::size_t chunk = 0; chunk < chunks_; ++chunk) {
         sum_mw += shed_mw_[chunk * kInstants + i];
       }
-      balance.shed(at_s(report, i) + kRelayS + options_.further_delay_s, sum_mw);
+      balance.shed(at_s(report, i) + kOperateS + options_.further_delay_s, sum_mw);
     }
   }
 
@@ -204,9 +204,9 @@ void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance
       (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
       grid.nominal_hz;
   int stage = 0;
-  const auto looks = static_cast<int>(options.duration_s / kLookS);
+  const auto looks = static_cast<int>(options.duration_s / kRelayLookS);
   for (int look = 0; look < looks && stage < 5; ++look) {
-    const double t_s = kLookS * look;
+    const double t_s = kRelayLookS * look;
     while (stage < 5 && balance.deviation_hz(t_s) < first_hz - options.ufls_step_hz * stage) {
       balance.shed(t_s + options.ufls_delay_s, options.ufls_part * grid.load_mw);
       ++stage;

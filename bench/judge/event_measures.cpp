@@ -38,7 +38,7 @@ Reading false_events(const Case& c) {
       })));
 }
 
-Reading delay(const Case& c) {
+Reading event_delay(const Case& c) {
   const auto loss = c.first_loss_tick();
   if (!loss) {
     return not_known("the profile plays no loss");
@@ -61,7 +61,7 @@ Readings event_readings() {
   return {
       {"event.count", count},
       {"event.false", false_events},
-      {"event.delay", delay},
+      {"event.delay", event_delay},
       {"condition.hits", hits},
   };
 }

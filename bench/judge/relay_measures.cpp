@@ -24,7 +24,7 @@ std::optional<std::int64_t> first_opening(const Case& c, std::int64_t from_tick 
   return std::nullopt;
 }
 
-Reading delay(const Case& c) {
+Reading relay_delay(const Case& c) {
   const auto loss = c.first_loss_tick();
   if (!loss) {
     return not_known("the profile plays no loss");
@@ -122,7 +122,7 @@ Reading seen(const Case& c) {
 
 Readings contact_readings() {
   return {
-      {"relay.delay", seen<delay>},           {"relay.end", seen<end>},
+      {"relay.delay", seen<relay_delay>},     {"relay.end", seen<end>},
       {"relay.edges", seen<edges>},           {"relay.chatter", seen<chatter>},
       {"command.delay", seen<command_delay>}, {"trip.time", seen<trip_time>},
   };

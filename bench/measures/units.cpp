@@ -31,7 +31,7 @@ constexpr std::array<Unit, 16> kUnits = {{
     {"deg", "angle", 1.0},
 }};
 
-const Unit* find(const std::string& name) {
+const Unit* find_unit(const std::string& name) {
   const auto* found = std::find_if(kUnits.begin(), kUnits.end(),
                                    [&](const Unit& unit) { return name == unit.name; });
   return found == kUnits.end() ? nullptr : found;
@@ -44,8 +44,8 @@ bool same_dimension(const Unit& a, const Unit& b) {
 }  // namespace
 
 std::optional<double> unit_scale(const std::string& from, const std::string& to) {
-  const Unit* source = find(from);
-  const Unit* target = find(to);
+  const Unit* source = find_unit(from);
+  const Unit* target = find_unit(to);
   if (source == nullptr || target == nullptr || !same_dimension(*source, *target)) {
     return std::nullopt;
   }
@@ -54,7 +54,7 @@ std::optional<double> unit_scale(const std::string& from, const std::string& to)
 
 std::vector<std::string> units_like(const std::string& unit) {
   std::vector<std::string> names;
-  if (const Unit* known = find(unit)) {
+  if (const Unit* known = find_unit(unit)) {
     for (const Unit& other : kUnits) {
       if (same_dimension(other, *known)) names.emplace_back(other.name);
     }

@@ -14,14 +14,14 @@
 namespace gs::host {
 namespace {
 
-constexpr std::size_t kMostWaiting = 8192;
-constexpr auto kBetweenAttempts = std::chrono::milliseconds(250);
+constexpr std::size_t kMostWaitingBytes = 8192;
+constexpr auto kBetweenConnections = std::chrono::milliseconds(250);
 
 }  // namespace
 
 bool TcpLine::open(std::string& why) {
   close();
-  next_attempt_ = std::chrono::steady_clock::now() + kBetweenAttempts;
+  next_attempt_ = std::chrono::steady_clock::now() + kBetweenConnections;
   sockaddr_in to{};
   to.sin_family = AF_INET;
   const std::size_t colon = address_.find(':');
@@ -55,7 +55,7 @@ void TcpLine::close() {
 }
 
 bool TcpLine::send(const std::uint8_t* bytes, std::size_t count) {
-  if (descriptor_ < 0 || to_send_.size() + count > kMostWaiting) {
+  if (descriptor_ < 0 || to_send_.size() + count > kMostWaitingBytes) {
     return false;
   }
   to_send_.insert(to_send_.end(), bytes, bytes + count);

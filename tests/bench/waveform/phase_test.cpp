@@ -11,7 +11,6 @@
 namespace gsbench::waveform {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kTolerableCycles = 1e-9;
 
 double fraction(double cycles) {
@@ -25,12 +24,12 @@ double phase_error(const std::vector<float>& samples, std::int64_t first_tick,
   double largest = 0.0;
   int crossings = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double exact_rad = 2.0 * kPi * exact_cycles(first_tick + static_cast<std::int64_t>(i));
+    const double exact_rad = 2.0 * M_PI * exact_cycles(first_tick + static_cast<std::int64_t>(i));
     const double expected = std::sin(exact_rad);
     if (std::fabs(expected) > 0.02) continue;
     ++crossings;
     const double error = (static_cast<double>(samples[i]) - expected) / std::cos(exact_rad);
-    largest = std::max(largest, std::fabs(error) / (2.0 * kPi));
+    largest = std::max(largest, std::fabs(error) / (2.0 * M_PI));
   }
   EXPECT_GT(crossings, 0);
   return largest;

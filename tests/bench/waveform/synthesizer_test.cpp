@@ -13,7 +13,6 @@
 namespace gsbench::waveform {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kForever = std::numeric_limits<double>::infinity();
 // A float near 1 is rounded by 6·10⁻⁸; the sine polynomial's 1.4·10⁻¹¹ does not show beside it.
 constexpr double kFloat = 1.2e-7;
@@ -81,7 +80,7 @@ std::complex<double> sine_at(const std::vector<float>& samples, double frequency
                              double rate_hz) {
   std::complex<double> sum = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double angle = 2.0 * kPi * frequency_hz * static_cast<double>(i) / rate_hz;
+    const double angle = 2.0 * M_PI * frequency_hz * static_cast<double>(i) / rate_hz;
     sum += static_cast<double>(samples[i]) * std::polar(1.0, -angle);
   }
   return sum * std::complex<double>(0.0, 2.0 / static_cast<double>(samples.size()));
@@ -102,7 +101,7 @@ TEST(Synthesizer, PutsEachHarmonicAtItsMultipleOfTheTrueFrequency) {
       const std::complex<double> expected =
           given == spec.harmonics.end()
               ? 0.0
-              : std::polar(given->amplitude_pct / 100.0, given->phase_deg / 180.0 * kPi);
+              : std::polar(given->amplitude_pct / 100.0, given->phase_deg / 180.0 * M_PI);
       EXPECT_LT(std::abs(sine_at(samples, order * frequency_hz, 8000.0) - expected), kFloat)
           << "order " << order << " of " << frequency_hz << " Hz";
     }

@@ -7,7 +7,7 @@
 namespace gsbench::test {
 namespace {
 
-constexpr double kFullScalePu = 1.3;
+constexpr double kSteppedFullScalePu = 1.3;
 constexpr std::int64_t kStepTicks = 160;  // 20 ms
 constexpr double kResolutionHz = 0.001;
 constexpr double kResolutionPu = 0.0005;
@@ -22,7 +22,7 @@ class SteppedSource final : public source::Source {
   explicit SteppedSource(ListeningOutlet& outlet) : outlet_(outlet) {}
 
   source::Limits limits() const override {
-    return {"AC source", source::Kind::kStepped, kFullScalePu, 60.0, {8000}, {50}, false};
+    return {"AC source", source::Kind::kStepped, kSteppedFullScalePu, 60.0, {8000}, {50}, false};
   }
 
  protected:

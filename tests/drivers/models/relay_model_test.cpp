@@ -14,9 +14,9 @@ constexpr std::int64_t kCoilTick = 1000;
 constexpr std::uint64_t kChanges = 2000;
 constexpr double kTicksPerMs = 8.0;
 
-const Stream kStream{7, kTest, 0};
+const Stream kRelayStream{7, kTest, 0};
 
-std::vector<ContactEdge> edges(std::uint64_t n, bool closes, const Stream& stream = kStream,
+std::vector<ContactEdge> edges(std::uint64_t n, bool closes, const Stream& stream = kRelayStream,
                                const RelayParameters& parameters = {}) {
   return contact_edges(parameters, stream, n, kCoilTick, closes, kRateHz);
 }
@@ -78,7 +78,7 @@ TEST(RelayModel, BouncesAreOverBeforeTheNextChangeCanBegin) {
   const RelayParameters p;
   for (const std::int64_t rate_hz : {1000, 8000, 32000}) {
     for (std::uint64_t n = 0; n < kChanges; ++n) {
-      const auto closing = contact_edges(p, kStream, n, 0, true, rate_hz);
+      const auto closing = contact_edges(p, kRelayStream, n, 0, true, rate_hz);
       const double bouncing_ms = 1e3 *
                                  static_cast<double>(closing.back().tick - closing.front().tick) /
                                  static_cast<double>(rate_hz);
@@ -96,7 +96,7 @@ TEST(RelayModel, IsAPureFunctionOfItsArguments) {
 }
 
 TEST(RelayModel, DiffersFromChangeToChangeAndFromRelayToRelay) {
-  const Stream other{kStream.seed, kStream.purpose, 1};
+  const Stream other{kRelayStream.seed, kRelayStream.purpose, 1};
   int same_as_next = 0;
   int same_as_other = 0;
   for (std::uint64_t n = 0; n < 100; ++n) {
@@ -114,7 +114,7 @@ TEST(RelayModel, FollowsItsParameters) {
   slow.operate_spread_ms = 0.0;
   slow.largest_bounces = 0;
   for (std::uint64_t n = 0; n < 10; ++n) {
-    EXPECT_TRUE(same(edges(n, true, kStream, slow), {{kCoilTick + 160, true}}));
+    EXPECT_TRUE(same(edges(n, true, kRelayStream, slow), {{kCoilTick + 160, true}}));
   }
 }
 

@@ -53,10 +53,10 @@ TEST(Conditions, BelowTheLowestRowAnyFallCounts) {
 }
 
 TEST(Conditions, ALineThatIsNoNumberMeetsNone) {
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_FALSE(met(kNaN, -1.0F));
-  EXPECT_FALSE(met(49.95F, kNaN));
-  EXPECT_FALSE(met(49.5F, kNaN));
+  constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(met(kUnknown, -1.0F));
+  EXPECT_FALSE(met(49.95F, kUnknown));
+  EXPECT_FALSE(met(49.5F, kUnknown));
 }
 
 }  // namespace

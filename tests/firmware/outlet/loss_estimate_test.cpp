@@ -61,21 +61,22 @@ EkfSettings ekf_settings(float measurement_sigma_hz) {
 
 TEST(LossEkf, ExactMeasurementsGiveTheLossAndItsInstantForEveryDamping) {
   constexpr double kLossMw = 500.0;
-  constexpr double kLossS = -0.07;
+  constexpr double kLateLossS = -0.07;
   for (const Grid& grid : {test::ieee24(), critically_damped(), low_inertia()}) {
     const SfrModel model(grid);
     // Started one standard deviation off in both; 40 samples and as many again, of 0.1 mHz.
     const EkfSettings settings = ekf_settings(1e-4F);
     EkfState<float> ekf;
-    start(settings, ekf, static_cast<float>(kLossMw) - 80.0F, static_cast<float>(kLossS) + 0.02F);
+    start(settings, ekf, static_cast<float>(kLossMw) - 80.0F,
+          static_cast<float>(kLateLossS) + 0.02F);
     for (int k = 0; k < 2 * kSamples; ++k) {
       const double t_s = kPeriodS * (k + 1);
-      const double deviation_hz = kLossMw * model.unit_deviation_hz(t_s - kLossS);
+      const double deviation_hz = kLossMw * model.unit_deviation_hz(t_s - kLateLossS);
       update(settings, test::response_of(model), ekf, static_cast<float>(deviation_hz),
              static_cast<float>(t_s));
     }
     EXPECT_NEAR(static_cast<double>(ekf.loss_mw), kLossMw, 0.005 * kLossMw) << model.zeta();
-    EXPECT_NEAR(static_cast<double>(ekf.t_x_s), kLossS, 2e-3) << model.zeta();
+    EXPECT_NEAR(static_cast<double>(ekf.t_x_s), kLateLossS, 2e-3) << model.zeta();
   }
 }
 

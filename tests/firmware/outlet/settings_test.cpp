@@ -16,7 +16,7 @@
 namespace gs::outlet {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct Spoiling {
@@ -29,11 +29,13 @@ std::vector<Spoiling> spoilings() {
   using S = Settings&;
   using E = SettingsError;
   return {
-      {"gain NaN", E::kResponse, [](S s) { s.response.gain_hz_per_mw = kNaN; }},
+      {"gain NaN", E::kResponse, [](S s) { s.response.gain_hz_per_mw = kNotANumber; }},
       {"threshold infinite", E::kThreshold, [](S s) { s.threshold_mw = kInfinity; }},
       {"largest loss beyond any grid", E::kThreshold, [](S s) { s.largest_loss_mw = 2e9F; }},
-      {"a condition NaN", E::kConditions, [](S s) { s.conditions[3].rocof_below_hz_s = kNaN; }},
-      {"innovation gate NaN", E::kTracker, [](S s) { s.tracker.innovation_gate_rad = kNaN; }},
+      {"a condition NaN", E::kConditions,
+       [](S s) { s.conditions[3].rocof_below_hz_s = kNotANumber; }},
+      {"innovation gate NaN", E::kTracker,
+       [](S s) { s.tracker.innovation_gate_rad = kNotANumber; }},
       {"no gain", E::kResponse, [](S s) { s.response.gain_hz_per_mw = 0.0F; }},
       {"gain of the wrong sign", E::kResponse, [](S s) { s.response.gain_hz_per_mw *= -1.0F; }},
       {"no slope", E::kResponse, [](S s) { s.response.initial_slope_per_s = 0.0F; }},
@@ -104,7 +106,7 @@ TEST(Settings, AreAcceptedOnlyWithinTheRangesOfTheList) {
     EXPECT_NE(within(field.range, field.range.least * scale, 50.0F), field.range.without_least);
     EXPECT_NE(within(field.range, field.range.most * scale, 50.0F), field.range.without_most);
     const float beyond[] = {std::nextafter(field.range.least * scale, -kInfinity),
-                            std::nextafter(field.range.most * scale, kInfinity), kNaN};
+                            std::nextafter(field.range.most * scale, kInfinity), kNotANumber};
     for (const float value : beyond) {
       EXPECT_FALSE(within(field.range, value, 50.0F)) << field.name;
       if (field.type != FieldType::kFloat) continue;

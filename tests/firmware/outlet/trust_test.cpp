@@ -15,9 +15,9 @@
 namespace gs::outlet {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kNominalHz = 50.0F;
-constexpr Line kNoLine = {kNaN, kNaN};
+constexpr Line kNoLine = {kNoNumber, kNoNumber};
 
 // Deviation in Hz, so long after the event.
 using Deviation = std::function<double(double)>;
@@ -68,7 +68,7 @@ TEST(Trust, NothingIsTrustedBeforeHalfOfTheReportsAreIn) {
 TEST(Trust, AFrequencyThatMovedBeforeTheEventIsNotTrusted) {
   EXPECT_EQ(trust_of(play(loss_of(500.0), -0.2F)), Trust::kUnsteadyStart);
   EXPECT_EQ(trust_of(play(loss_of(500.0), 0.2F)), Trust::kUnsteadyStart);
-  EXPECT_EQ(trust_of(play(loss_of(500.0), kNaN)), Trust::kUnsteadyStart);
+  EXPECT_EQ(trust_of(play(loss_of(500.0), kNoNumber)), Trust::kUnsteadyStart);
   EXPECT_EQ(trust_of(play(loss_of(500.0), 0.05F)), Trust::kTrusted);
 }
 
@@ -82,7 +82,7 @@ TEST(Trust, MeasurementsThatDoNotFollowTheModelAreNotTrusted) {
 }
 
 TEST(Trust, AnInfiniteMeasurementIsNotTrusted) {
-  for (const float odd : {kNaN, std::numeric_limits<float>::infinity()}) {
+  for (const float odd : {kNoNumber, std::numeric_limits<float>::infinity()}) {
     Played played = play(loss_of(500.0), 0.0F, 40);
     observe(played.settings, kNominalHz, played.state, true, odd, kNoLine);
     EXPECT_NE(trust_of(played), Trust::kTrusted);
@@ -104,7 +104,7 @@ TEST(Trust, ALossLostInTheNoiseIsTooUncertain) {
 TEST(Estimator, AGapBeforeTheLseIsDoneStartsItAfresh) {
   Played played = play(loss_of(500.0), 0.0F, 9);
   EXPECT_EQ(played.state.lse.count, 9);
-  observe(played.settings, kNominalHz, played.state, false, kNaN, kNoLine);
+  observe(played.settings, kNominalHz, played.state, false, kNoNumber, kNoLine);
   EXPECT_EQ(played.state.lse.count, 0);
   EXPECT_FALSE(played.state.started);
 }
@@ -114,7 +114,7 @@ TEST(Estimator, AGapWhileTheEkfRunsIsPassedOverWithItsTime) {
   Played played = play(deviation, 0.0F, 20);
   for (int k = 20; k < 50; ++k) {
     const bool valid = k < 25 || k >= 30;
-    const auto frequency_hz = valid ? static_cast<float>(50.0 + deviation(0.016 * k)) : kNaN;
+    const auto frequency_hz = valid ? static_cast<float>(50.0 + deviation(0.016 * k)) : kNoNumber;
     observe(played.settings, kNominalHz, played.state, valid, frequency_hz, kNoLine);
   }
   EXPECT_EQ(played.state.ekf.count, 35);

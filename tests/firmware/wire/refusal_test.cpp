@@ -9,7 +9,7 @@
 namespace gs::wire::test {
 namespace {
 
-constexpr std::uint32_t kSequence = 1000;
+constexpr std::uint32_t kAnySequence = 1000;
 
 Decoded decode_uplink(const Bytes& bytes) {
   Uplink message;
@@ -39,10 +39,10 @@ std::vector<Case> cases() {
   std::mt19937 random(7);
   for (const Fill fill : {Fill::kLongest, Fill::kLowest, Fill::kAnything}) {
     for (const UplinkKind kind : uplink_kinds()) {
-      all.push_back({encoded(uplink(kind, fill, random), kSequence), decode_uplink});
+      all.push_back({encoded(uplink(kind, fill, random), kAnySequence), decode_uplink});
     }
     for (const DownlinkKind kind : downlink_kinds()) {
-      all.push_back({encoded(downlink(kind, fill, random), kSequence), decode_downlink});
+      all.push_back({encoded(downlink(kind, fill, random), kAnySequence), decode_downlink});
     }
   }
   return all;
@@ -217,7 +217,7 @@ TEST(Refusal, AMessageOfAnUnknownKindIsToldFromAMalformedOne) {
 
 // Replaces the last field of a message by an integer.
 Decoded with_field(const Uplink& message, std::size_t field, std::uint64_t value) {
-  std::vector<Bytes> items = items_of(encoded(message, kSequence));
+  std::vector<Bytes> items = items_of(encoded(message, kAnySequence));
   Bytes number(9);
   cbor::Writer writer(number.data(), number.size());
   writer.unsigned_integer(value);

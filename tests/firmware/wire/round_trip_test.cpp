@@ -13,7 +13,7 @@
 namespace gs::wire::test {
 namespace {
 
-constexpr int kTimes = 300;
+constexpr int kRoundTrips = 300;
 
 template <class Message>
 void expect_round_trips(const std::vector<Message>& messages) {
@@ -34,8 +34,8 @@ void expect_round_trips(const std::vector<Message>& messages) {
 }
 
 TEST(RoundTrip, EveryKindIsTheSameBitForBit) {
-  expect_round_trips(many_uplinks(kTimes));
-  expect_round_trips(many_downlinks(kTimes));
+  expect_round_trips(many_uplinks(kRoundTrips));
+  expect_round_trips(many_downlinks(kRoundTrips));
 }
 
 TEST(RoundTrip, SampleCountKeepsAllSixtyFourBits) {
@@ -137,8 +137,8 @@ TEST(Length, SettingsWithAllRowsAreTheLongestMessage) {
   std::mt19937 random(3);
   const Downlink longest = downlink(DownlinkKind::kSettings, Fill::kLongest, random);
   EXPECT_EQ(encoded(longest, 0xFFFFFFFFU).size(), kLongestOfThisVersion);
-  EXPECT_LE(longest_of(many_uplinks(kTimes)), kLongestOfThisVersion);
-  EXPECT_EQ(longest_of(many_downlinks(kTimes)), kLongestOfThisVersion);
+  EXPECT_LE(longest_of(many_uplinks(kRoundTrips)), kLongestOfThisVersion);
+  EXPECT_EQ(longest_of(many_downlinks(kRoundTrips)), kLongestOfThisVersion);
 }
 
 TEST(Length, ABufferTooShortIsRefusedWhateverItsLength) {
