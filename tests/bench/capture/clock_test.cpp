@@ -19,7 +19,7 @@ using test::Crystal;
 using test::play;
 using test::Played;
 
-constexpr double kRateHz = 8000.0;
+constexpr double kTicksHz = 8000.0;
 
 profile::Plan plan_of(double duration_s, const std::string& grid = "ieee24",
                       const std::string& signal = "noise_pct = 1.0\n",
@@ -40,7 +40,7 @@ double error_ms(const Played& played, const OutletClock& clock) {
     const double sample = std::floor(played.sample_at(tick));
     const double truly = tick + (sample - played.sample_at(tick)) / played.samples_per_tick;
     const auto told = static_cast<double>(clock.tick_of(static_cast<std::uint64_t>(sample)));
-    largest_ms = std::max(largest_ms, 1e3 / kRateHz * std::fabs(told - truly));
+    largest_ms = std::max(largest_ms, 1e3 / kTicksHz * std::fabs(told - truly));
   }
   return largest_ms;
 }
@@ -82,7 +82,7 @@ Totals random_cases(int cases, double duration_s, const std::string& grid) {
   for (int i = 0; i < cases; ++i) {
     const Crystal crystal = random_crystal(random, 200.0);
     const Played played = play(plan, crystal);
-    const auto found = align(played.trace, played.markers, kRateHz);
+    const auto found = align(played.trace, played.markers, kTicksHz);
     if (!found) {
       ADD_FAILURE() << "case " << i << ": markers not found";
       continue;
@@ -126,7 +126,7 @@ class AlignmentTest : public testing::Test {
   const profile::Plan plan_ = plan_of(4.0);
   Played played_ = play(plan_, {kPpm, 123, 1000000, 5});
 
-  std::optional<Alignment> found() const { return align(played_.trace, played_.markers, kRateHz); }
+  std::optional<Alignment> found() const { return align(played_.trace, played_.markers, kTicksHz); }
 
   void expect_within(const Alignment& alignment) const {
     EXPECT_LE(error_ms(played_, alignment.clock), alignment.told.uncertainty_ms);
@@ -157,7 +157,7 @@ TEST_F(AlignmentTest, TellsTheCheckWhereADelayIsTakenTheWrongWay) {
   for (std::uint64_t& sample : wrong.sample) {
     sample -= static_cast<std::uint64_t>(wrong.window_samples);
   }
-  const auto mutant = align(wrong, played_.markers, kRateHz);
+  const auto mutant = align(wrong, played_.markers, kTicksHz);
   ASSERT_TRUE(mutant);
   EXPECT_GT(error_ms(played_, mutant->clock), 40.0);
   expect_within(*right);
@@ -231,7 +231,7 @@ TEST(DisturbedRun, IsAlignedAsWell) {
     SCOPED_TRACE(signal);
     const Crystal crystal = {80.0, 77, 0, 9};
     const Played played = play(plan_of(duration_s, "ieee24", signal, ""), crystal);
-    const auto alignment = align(played.trace, played.markers, kRateHz);
+    const auto alignment = align(played.trace, played.markers, kTicksHz);
     ASSERT_TRUE(alignment);
     EXPECT_LE(error_ms(played, alignment->clock), alignment->told.uncertainty_ms);
     EXPECT_LE(std::fabs(alignment->told.drift_ppm - crystal.ppm),

@@ -14,7 +14,7 @@ namespace {
 
 using waveform::loss_of_500_mw;
 
-constexpr std::int64_t kRateHz = 8000;
+constexpr std::int64_t kTraceRateHz = 8000;
 // As promised, and what the test's own interpolation rounds.
 constexpr double kPromisedHz = 5e-5 + 1e-12;
 constexpr double kPromisedHzS = 5e-3 + 1e-9;
@@ -63,7 +63,7 @@ Worst worst(const record::TruthTrace& trace, const waveform::Truth& truth,
             std::int64_t duration_ticks) {
   Worst worst;
   for (std::int64_t tick = 0; tick <= duration_ticks; tick += 128) {
-    const double t_s = static_cast<double>(tick) / static_cast<double>(kRateHz);
+    const double t_s = static_cast<double>(tick) / static_cast<double>(kTraceRateHz);
     const double hz = interpolated(trace, trace.frequency_hz, tick);
     const double hz_s = interpolated(trace, trace.rocof_hz_s, tick);
     worst.hz = std::max(worst.hz, std::fabs(hz - truth.frequency_hz(t_s)));
@@ -74,8 +74,8 @@ Worst worst(const record::TruthTrace& trace, const waveform::Truth& truth,
 
 TEST(TruthTrace, StaysWithinWhatItPromisesAtEverySixteenMilliseconds) {
   const auto truth = loss_of_500_mw(3.0);
-  const record::TruthTrace trace = truth_trace(*truth, 60 * kRateHz, kRateHz);
-  const Worst errors = worst(trace, *truth, 60 * kRateHz);
+  const record::TruthTrace trace = truth_trace(*truth, 60 * kTraceRateHz, kTraceRateHz);
+  const Worst errors = worst(trace, *truth, 60 * kTraceRateHz);
   EXPECT_LE(errors.hz, kPromisedHz);
   EXPECT_LE(errors.hz_s, kPromisedHzS);
   // Of 3752 before thinning. A curvature of 0.1 Hz/s² lets a chord of 63 ms pass.
@@ -85,14 +85,14 @@ TEST(TruthTrace, StaysWithinWhatItPromisesAtEverySixteenMilliseconds) {
 TEST(TruthTrace, SpendsItsToleranceWhereTheTruthBends) {
   const auto truth = loss_of_500_mw(3.0);
   // Far below, the thinning would do nothing.
-  const record::TruthTrace trace = truth_trace(*truth, 60 * kRateHz, kRateHz);
-  EXPECT_GT(worst(trace, *truth, 60 * kRateHz).hz, 1e-5);
+  const record::TruthTrace trace = truth_trace(*truth, 60 * kTraceRateHz, kTraceRateHz);
+  EXPECT_GT(worst(trace, *truth, 60 * kTraceRateHz).hz, 1e-5);
 }
 
 TEST(TruthTrace, KeepsTheCornersWhereverTheyLie) {
   // Off the 16 ms, and at a tick's fraction.
   const auto truth = waveform::truth_from_points(50.0, {{1.0003, 50.0}, {2.00505, 49.0}});
-  const record::TruthTrace trace = truth_trace(*truth, 4 * kRateHz, kRateHz);
+  const record::TruthTrace trace = truth_trace(*truth, 4 * kTraceRateHz, kTraceRateHz);
   for (const std::int64_t corner : {8003, 16041}) {
     EXPECT_EQ(std::count(trace.tick.begin(), trace.tick.end(), corner), 1) << corner;
   }
@@ -101,7 +101,7 @@ TEST(TruthTrace, KeepsTheCornersWhereverTheyLie) {
 // At 3.00005 s, which is tick 24000.4.
 TEST(TruthTrace, TurnsTheRocofWithinTheTickOfALoss) {
   const auto truth = loss_of_500_mw(3.00005);
-  const record::TruthTrace trace = truth_trace(*truth, 6 * kRateHz, kRateHz);
+  const record::TruthTrace trace = truth_trace(*truth, 6 * kTraceRateHz, kTraceRateHz);
   EXPECT_EQ(interpolated(trace, trace.rocof_hz_s, 24000), 0.0);
   // −ΔP·f_n/(2·H·S_B) = −500·50/(2·9.2161·2745); 75 µs of its bend come to 1e-5 Hz/s.
   EXPECT_NEAR(interpolated(trace, trace.rocof_hz_s, 24001), -0.49411, 1e-4);
@@ -109,8 +109,8 @@ TEST(TruthTrace, TurnsTheRocofWithinTheTickOfALoss) {
 
 TEST(TruthTrace, BeginsAndEndsWithTheRunAndAscends) {
   const auto truth = loss_of_500_mw(3.0);
-  for (const std::int64_t duration : {1L, 127L, 128L, 129L, 6L * kRateHz + 1}) {
-    const record::TruthTrace trace = truth_trace(*truth, duration, kRateHz);
+  for (const std::int64_t duration : {1L, 127L, 128L, 129L, 6L * kTraceRateHz + 1}) {
+    const record::TruthTrace trace = truth_trace(*truth, duration, kTraceRateHz);
     EXPECT_EQ(trace.tick.front(), 0);
     EXPECT_EQ(trace.tick.back(), duration);
     EXPECT_TRUE(std::is_sorted(trace.tick.begin(), trace.tick.end()));
@@ -122,15 +122,15 @@ TEST(TruthTrace, BeginsAndEndsWithTheRunAndAscends) {
 
 TEST(TruthTrace, HasNoCornersOfBeforeOrAfterTheRun) {
   const auto ends_later = waveform::truth_from_points(50.0, {{1.0, 50.0}, {9.0, 49.0}});
-  EXPECT_EQ(truth_trace(*ends_later, 4 * kRateHz, kRateHz).tick.back(), 4 * kRateHz);
+  EXPECT_EQ(truth_trace(*ends_later, 4 * kTraceRateHz, kTraceRateHz).tick.back(), 4 * kTraceRateHz);
   const auto lost_before = loss_of_500_mw(-1.0);
-  EXPECT_EQ(truth_trace(*lost_before, 4 * kRateHz, kRateHz).tick.front(), 0);
+  EXPECT_EQ(truth_trace(*lost_before, 4 * kTraceRateHz, kTraceRateHz).tick.front(), 0);
 }
 
 // The truth is asked for frequency and ROCOF once for each of the 225 001 instants; the looking
 // back takes no truth, and a quadratic one would run into the time limit of the program.
 TEST(TruthTrace, TakesWorkInProportionOverAnHourWhateverTheCourse) {
-  constexpr std::int64_t kHour = 3600 * kRateHz;
+  constexpr std::int64_t kHour = 3600 * kTraceRateHz;
   constexpr std::size_t kInstants = 225001;
   const std::vector<std::function<double(double)>> courses = {
       [](double) { return 50.0; },
@@ -142,7 +142,7 @@ TEST(TruthTrace, TakesWorkInProportionOverAnHourWhateverTheCourse) {
   };
   for (const auto& course : courses) {
     const FormulaTruth truth(course);
-    const record::TruthTrace trace = truth_trace(truth, kHour, kRateHz);
+    const record::TruthTrace trace = truth_trace(truth, kHour, kTraceRateHz);
     EXPECT_LE(truth.asked, 2 * kInstants);
     const Worst errors = worst(trace, truth, kHour);
     EXPECT_LE(errors.hz, kPromisedHz);
@@ -153,7 +153,7 @@ TEST(TruthTrace, TakesWorkInProportionOverAnHourWhateverTheCourse) {
 TEST(TruthTrace, OfAnHourWithoutAnEventIsShort) {
   const FormulaTruth truth([](double) { return 50.0; });
   // 2000 entries of 16 ms at a time at most: 113 lines.
-  EXPECT_LE(truth_trace(truth, 3600 * kRateHz, kRateHz).tick.size(), 230U);
+  EXPECT_LE(truth_trace(truth, 3600 * kTraceRateHz, kTraceRateHz).tick.size(), 230U);
 }
 
 }  // namespace

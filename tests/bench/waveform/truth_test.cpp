@@ -138,15 +138,13 @@ TEST(PointTruth, InterpolatesTheVoltageOfATraceLinearly) {
 }
 
 TEST(PointTruth, RefusesPointsThatMakeNoSenseWithTheirValue) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::pair<std::vector<recording::TracePoint>, const char*> refused[] = {
       {{}, "at least one"},
       {{{0, 50, 1}, {1, 50, 1}, {1, 49, 1}}, "point 3: time 1 s"},
       {{{0, 50, 1}, {-1, 50, 1}}, "point 2: time -1 s"},
-      {{{kNan, 50, 1}}, "point 1: time nan s"},
+      {{{std::nan(""), 50, 1}}, "point 1: time nan s"},
       {{{0, 0, 1}}, "point 1: frequency 0 Hz"},
-      {{{0, kInfinity, 1}}, "point 1: frequency inf Hz"},
+      {{{0, HUGE_VAL, 1}}, "point 1: frequency inf Hz"},
       {{{0, 50, -0.1}}, "point 1: voltage -0.1 pu"}};
   for (const auto& [points, message] : refused) {
     EXPECT_THAT([points = points] { return truth_from_trace(50.0, points); },
