@@ -1,7 +1,6 @@
 #include "example_truths.hpp"
 
 #include <cmath>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <utility>
