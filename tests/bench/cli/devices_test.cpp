@@ -1,6 +1,6 @@
 // What finds outlets and listens to them, on an emulated line or behind a broker.
 #include "gsbench_process.hpp"
-#include "waiting.hpp"
+#include <test_support/waiting.hpp>
 #include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
 

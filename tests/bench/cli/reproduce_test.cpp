@@ -1,6 +1,6 @@
 // The paper's tables and fleets as users and scripts meet them.
 #include "gsbench_process.hpp"
-#include "waiting.hpp"
+#include <test_support/waiting.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <csignal>

@@ -1,5 +1,5 @@
 #include "rigs.hpp"
-#include <link_mqtt/mqtt_link.hpp>
+#include <link_test/bench_options.hpp>
 
 namespace gsbench::test {
 namespace {
@@ -9,14 +9,7 @@ class MqttRig final : public ProcessRig {
   MqttRig() : ProcessRig(emulation::Connection::kMqtt) {}
 
   std::shared_ptr<link::Link> make_link() override {
-    const emulation::PrivateBroker& broker = *outlets.hardware().broker();
-    link::MqttOptions options;
-    options.url = broker.url();
-    options.ca_file = broker.ca_file();
-    options.user = broker.bench().user;
-    options.password = broker.bench().password;
-    options.outlets = {kA, kB};
-    return std::make_shared<link::MqttLink>(options);
+    return std::make_shared<link::MqttLink>(bench_options(*outlets.hardware().broker(), {kA, kB}));
   }
   void unplug() override { outlets.kill(kA); }
   void plug_in() override { outlets.start(kA); }

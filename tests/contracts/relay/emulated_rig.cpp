@@ -1,8 +1,8 @@
 #include "rigs.hpp"
 #include "taking_outlet.hpp"
-#include "waiting.hpp"
 #include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 namespace gsbench::test {
 namespace {

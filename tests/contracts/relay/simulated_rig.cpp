@@ -1,5 +1,6 @@
 #include "rigs.hpp"
 #include <test_support/mains.hpp>
+#include <wire_test/downlinks.hpp>
 
 #include <simulated/bench.hpp>
 
@@ -17,9 +18,7 @@ class SimulatedRig final : public RelayRig {
   }
   relay::RelaySense& sense() override { return bench_->relay_sense(); }
   void turn(std::size_t channel, bool closed) override {
-    gs::wire::Downlink command;
-    command.kind = gs::wire::DownlinkKind::kCommand;
-    command.close_relay = closed;
+    const auto command = gs::wire::test::command(closed);
     EXPECT_TRUE(bench_->link().send(channel == 0 ? "a" : "b", command).ok());
   }
   void advance(std::int64_t until_tick) override { test::advance(bench_->source(), until_tick); }

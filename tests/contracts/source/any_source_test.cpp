@@ -182,21 +182,14 @@ TEST_P(AnySource, RefusesAStimulusThatIsTooShortOrTooLong) {
 }
 
 // A nominal voltage with one sample that is not.
-struct Spike final : source::Stimulus {
-  Spike(const Mains& around, float voltage_pu) : mains(around), spike_pu(voltage_pu) {}
-  std::int64_t sample_rate_hz() const override { return mains.sample_rate_hz(); }
-  std::int64_t total_ticks() const override { return mains.total_ticks(); }
-  int nominal_hz() const override { return mains.nominal_hz(); }
-  source::Noise noise() const override { return mains.noise(); }
-  double frequency_hz(std::int64_t tick) const override { return mains.frequency_hz(tick); }
-  double amplitude_pu(std::int64_t tick) const override { return mains.amplitude_pu(tick); }
+struct Spike final : Mains {
+  Spike(const Mains& around, float voltage_pu) : Mains(around), spike_pu(voltage_pu) {}
   void render(std::int64_t first_tick, std::size_t count, float* out) const override {
-    mains.render(first_tick, count, out);
+    Mains::render(first_tick, count, out);
     if (first_tick <= 5000 && 5000 < first_tick + static_cast<std::int64_t>(count)) {
       out[5000 - first_tick] = spike_pu;
     }
   }
-  const Mains& mains;
   float spike_pu;
 };
 

@@ -1,7 +1,7 @@
 #include "listening_outlet.hpp"
 #include "taking_outlet.hpp"
-#include "waiting.hpp"
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 #include <mutex>
 

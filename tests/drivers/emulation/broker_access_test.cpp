@@ -1,33 +1,25 @@
 // Who may do what on the private broker, tried from outside with Mosquitto's own clients. Each
 // refusal stands beside the same attempt with the right credentials.
 #include "outsider.hpp"
+#include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
-
-#include <memory>
 
 #include <gtest/gtest.h>
 
+namespace gsbench::test {
 namespace {
 
-using gsbench::emulation::PrivateBroker;
-using gsbench::test::Outsider;
-using gsbench::test::TemporaryFolder;
+using emulation::PrivateBroker;
 
 class BrokerAccess : public testing::Test {
  protected:
-  void SetUp() override {
-    auto started = PrivateBroker::start({folder_.file("broker"), {"a", "b"}});
-    ASSERT_TRUE(started.ok()) << started.error();
-    broker_ = std::make_unique<PrivateBroker>(started.take());
-  }
-
-  Outsider bench() const { return {*broker_, broker_->ca_file(), broker_->bench()}; }
+  Outsider bench() const { return {broker_, broker_.ca_file(), broker_.bench()}; }
   Outsider outlet(const std::string& id) const {
-    return {*broker_, broker_->ca_file(), broker_->outlet(id)};
+    return {broker_, broker_.ca_file(), broker_.outlet(id)};
   }
 
   TemporaryFolder folder_;
-  std::unique_ptr<PrivateBroker> broker_;
+  PrivateBroker broker_ = demand(PrivateBroker::start({folder_.file("broker"), {"a", "b"}}));
 };
 
 TEST_F(BrokerAccess, AnOutletIsHeardByTheBenchAndByNoOtherOutlet) {
@@ -55,8 +47,8 @@ TEST_F(BrokerAccess, AnOutletSpeaksInNoOtherOutletsName) {
 
 TEST_F(BrokerAccess, WithoutAPasswordNobodyReadsOrCommands) {
   outlet("a").write("gs/a/hello", "I am a");
-  const Outsider without{*broker_, broker_->ca_file(), {}};
-  const Outsider wrong{*broker_, broker_->ca_file(), {"bench", "guessed"}};
+  const Outsider without{broker_, broker_.ca_file(), {}};
+  const Outsider wrong{broker_, broker_.ca_file(), {"bench", "guessed"}};
   for (const Outsider& outsider : {without, wrong}) {
     EXPECT_EQ(outsider.read("gs/a/hello"), "");
     outsider.write("gs/a/down", "open");
@@ -67,14 +59,13 @@ TEST_F(BrokerAccess, WithoutAPasswordNobodyReadsOrCommands) {
 
 TEST_F(BrokerAccess, WithoutItsCertificateAuthorityNobodyTrustsTheBroker) {
   outlet("a").write("gs/a/hello", "I am a");
-  TemporaryFolder other_folder;
-  auto other = PrivateBroker::start({other_folder.file("broker"), {}});
-  ASSERT_TRUE(other.ok()) << other.error();
-  const Outsider no_tls{*broker_, "", broker_->bench()};
-  const Outsider wrong_ca{*broker_, other.value().ca_file(), broker_->bench()};
+  const PrivateBroker other = demand(PrivateBroker::start({folder_.file("other"), {}}));
+  const Outsider no_tls{broker_, "", broker_.bench()};
+  const Outsider wrong_ca{broker_, other.ca_file(), broker_.bench()};
   EXPECT_EQ(no_tls.read("gs/a/hello"), "");
   EXPECT_EQ(wrong_ca.read("gs/a/hello"), "");
   EXPECT_EQ(bench().read("gs/a/hello"), "I am a");
 }
 
 }  // namespace
+}  // namespace gsbench::test

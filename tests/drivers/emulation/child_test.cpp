@@ -1,6 +1,7 @@
 // Programs that run beside the bench end with it.
-#include "waiting.hpp"
+#include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 #include <fstream>
 
@@ -9,20 +10,14 @@
 
 #include <emulation/child.hpp>
 
+namespace gsbench::test {
 namespace {
 
-using gsbench::emulation::Child;
-using gsbench::test::runs;
-using gsbench::test::TemporaryFolder;
-using gsbench::test::until;
+using emulation::Child;
 using testing::HasSubstr;
 
 Child started(const std::vector<std::string>& words, const std::string& output = {}) {
-  auto child = Child::start({words, output});
-  if (!child.ok()) {
-    throw std::runtime_error(child.error());
-  }
-  return child.take();
+  return demand(Child::start({words, output}));
 }
 
 TEST(Child, EndsWithTheObjectThatOwnsIt) {
@@ -73,29 +68,21 @@ TEST(Child, ThatEndsByItselfIsNoLongerRunning) {
 }
 
 TEST(Child, ThatCannotBeStartedIsToldWithItsReason) {
-  const auto child = Child::start({{"/nowhere/no-such-program"}, ""});
-  ASSERT_FALSE(child.ok());
-  EXPECT_EQ(child.error(),
+  EXPECT_EQ(Child::start({{"/nowhere/no-such-program"}, ""}).error(),
             "/nowhere/no-such-program: cannot be started: No such file or directory");
 }
 
 TEST(Child, WhoseOutputCannotBeWrittenIsToldWithItsReason) {
-  const auto child = Child::start({{"true"}, "/nowhere/output"});
-  ASSERT_FALSE(child.ok());
-  EXPECT_THAT(child.error(), HasSubstr("No such file or directory"));
+  EXPECT_THAT(Child::start({{"true"}, "/nowhere/output"}).error(),
+              HasSubstr("No such file or directory"));
 }
 
 TEST(Child, WritesIntoItsFile) {
   const TemporaryFolder folder;
   Child child = started({"sh", "-c", "echo out; echo err >&2"}, folder.file("log"));
   ASSERT_TRUE(until([&] { return !child.running(); }));
-  std::ifstream log(folder.file("log"));
-  std::string first;
-  std::string second;
-  std::getline(log, first);
-  std::getline(log, second);
-  EXPECT_EQ(first, "out");
-  EXPECT_EQ(second, "err");
+  EXPECT_EQ(folder.read("log"), "out\nerr\n");
 }
 
 }  // namespace
+}  // namespace gsbench::test

@@ -1,11 +1,10 @@
 // gs-outlet as its users meet it: what it says of bad usage, and its exit codes.
 #include "shared_memory_file.hpp"
-#include "waiting.hpp"
-#include <sys/wait.h>
+#include <test_support/demand.hpp>
+#include <test_support/output_of.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
-#include <array>
-#include <cstdio>
 #include <optional>
 
 #include <gmock/gmock.h>
@@ -14,83 +13,59 @@
 #include <emulation/child.hpp>
 #include <emulation/null_modem.hpp>
 
+namespace gsbench::test {
 namespace {
 
-using gsbench::emulation::Child;
-using gsbench::emulation::NullModem;
-using gsbench::emulation::SharedMemoryFile;
-using gsbench::test::TemporaryFolder;
-using gsbench::test::until;
+using emulation::Child;
+using emulation::NullModem;
+using emulation::SharedMemoryFile;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-struct Outcome {
-  int exit_code = -1;
-  std::string said;  // on both outputs
-};
-
-Outcome run(const std::string& arguments) {
-  const std::string command = std::string(GS_OUTLET_PROGRAM) + " " + arguments + " 2>&1";
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  Outcome outcome;
-  std::array<char, 512> part{};
-  while (std::fgets(part.data(), part.size(), pipe) != nullptr) {
-    outcome.said += part.data();
-  }
-  const int status = pclose(pipe);
-  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return outcome;
+// With what it says on both outputs.
+Output run(const std::string& arguments) {
+  return output_of(std::string(GS_OUTLET_PROGRAM) + " " + arguments + " 2>&1");
 }
 
 class GsOutlet : public testing::Test {
  protected:
-  void SetUp() override {
-    gsbench::emulation::SharedMemorySettings settings;
-    settings.id = "a";
-    settings.counts_per_pu = 20000.0F;
-    auto made = SharedMemoryFile::create(folder_.path().string(), settings);
-    ASSERT_TRUE(made.ok()) << made.error();
-    file_.emplace(made.take());
-    auto cable = NullModem::create();
-    ASSERT_TRUE(cable.ok()) << cable.error();
-    cable_.emplace(cable.take());
-  }
-
   // Bad usage has an exit code of its own, its reason in one line, and a way to more.
   static void expect_refused(const std::string& arguments, const std::string& why) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.said, StartsWith("gs-outlet: " + why)) << arguments;
-    EXPECT_THAT(outcome.said, testing::EndsWith("; `gs-outlet --help` says more\n")) << arguments;
+    const Output output = run(arguments);
+    EXPECT_EQ(output.exit_code, 2) << arguments;
+    EXPECT_THAT(output.text, StartsWith("gs-outlet: " + why)) << arguments;
+    EXPECT_THAT(output.text, testing::EndsWith("; `gs-outlet --help` says more\n")) << arguments;
   }
 
   std::string at_terminals() const {
     return " --terminals " + file_->path() + " --doorbell " + file_->doorbell();
   }
 
-  std::string line_address() const { return "127.0.0.1:" + std::to_string(cable_->outlet_end()); }
+  std::string line_address() const { return "127.0.0.1:" + std::to_string(cable_.outlet_end()); }
   std::string line() const { return "--tcp " + line_address(); }
 
   TemporaryFolder folder_;
-  std::optional<SharedMemoryFile> file_;
-  std::optional<NullModem> cable_;
+  std::optional<SharedMemoryFile> file_ =
+      demand(SharedMemoryFile::create(folder_.path().string(), {"a", 0, 8000, 50, 20000.0F}));
+  NullModem cable_ = demand(NullModem::create());
 };
 
 TEST_F(GsOutlet, SaysHowItIsUsed) {
-  const Outcome outcome = run("--help");
-  EXPECT_EQ(outcome.exit_code, 0);
+  const Output output = run("--help");
+  EXPECT_EQ(output.exit_code, 0);
   for (const char* option : {"--tcp", "--mqtt", "--ca", "--user", "--password-file", "--terminals",
                              "--doorbell", "Example:"}) {
-    EXPECT_THAT(outcome.said, HasSubstr(option));
+    EXPECT_THAT(output.text, HasSubstr(option));
   }
 }
 
 TEST_F(GsOutlet, RefusesWhatItDoesNotUnderstand) {
   for (const std::string wrong : {"--nonsense", "--tcp", "something"}) {
-    const Outcome outcome = run(wrong);
-    EXPECT_EQ(outcome.exit_code, 2) << wrong;
-    EXPECT_THAT(outcome.said, HasSubstr("gs-outlet: ")) << wrong;
-    EXPECT_THAT(outcome.said, HasSubstr("`gs-outlet --help` says more")) << wrong;
+    const Output output = run(wrong);
+    EXPECT_EQ(output.exit_code, 2) << wrong;
+    EXPECT_THAT(
+        output.text,
+        testing::EndsWith("gs-outlet: that is not understood; `gs-outlet --help` says more\n"));
   }
 }
 
@@ -101,7 +76,7 @@ TEST_F(GsOutlet, WantsOneLine) {
 }
 
 TEST_F(GsOutlet, RefusesALineThatIsNone) {
-  cable_->unplug();
+  cable_.unplug();
   expect_refused(line() + at_terminals(), line_address() + ": Connection refused");
   for (const std::string wrong : {"127.0.0.1", "127.0.0.1:", "127.0.0.1:70000", "localhost:5000"}) {
     expect_refused("--tcp " + wrong + at_terminals(), "\"" + wrong + "\" is no address:port");
@@ -139,17 +114,14 @@ TEST_F(GsOutlet, RefusesHardwareThatTheFirmwareDoesNotServe) {
 }
 
 TEST_F(GsOutlet, EndsWhenItIsToldTo) {
-  const Outcome outcome =
-      run(line() + at_terminals() + " & pid=$!; sleep 0.3; kill $pid; wait $pid");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.said;
+  const Output output = run(line() + at_terminals() + " & pid=$!; sleep 0.3; kill $pid; wait $pid");
+  EXPECT_EQ(output.exit_code, 0) << output.text;
 }
 
 TEST_F(GsOutlet, EndsWhenTheBenchIsGone) {
-  auto child = Child::start({{GS_OUTLET_PROGRAM, "--tcp", line_address(), "--terminals",
-                              file_->path(), "--doorbell", file_->doorbell()},
-                             ""});
-  ASSERT_TRUE(child.ok()) << child.error();
-  Child outlet = child.take();
+  Child outlet = demand(Child::start({{GS_OUTLET_PROGRAM, "--tcp", line_address(), "--terminals",
+                                       file_->path(), "--doorbell", file_->doorbell()},
+                                      ""}));
   ASSERT_TRUE(until([&] {
     file_->ring();  // accepts its connection
     return file_->terminals().starts == 1;
@@ -160,3 +132,4 @@ TEST_F(GsOutlet, EndsWhenTheBenchIsGone) {
 }
 
 }  // namespace
+}  // namespace gsbench::test

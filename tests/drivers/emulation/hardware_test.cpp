@@ -1,7 +1,8 @@
 // An emulated station's hardware, and its folder: in use, left behind, removed.
 #include "scratch_folder.hpp"
-#include "waiting.hpp"
 #include <sys/wait.h>
+#include <test_support/demand.hpp>
+#include <test_support/waiting.hpp>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,21 +16,20 @@
 
 #include <emulation/hardware.hpp>
 
+namespace gsbench::test {
 namespace {
 
 namespace fs = std::filesystem;
-using gsbench::emulation::Connection;
-using gsbench::emulation::Hardware;
-using gsbench::emulation::HardwareOptions;
-using gsbench::emulation::ScratchFolder;
+using emulation::Connection;
+using emulation::Hardware;
+using emulation::HardwareOptions;
+using emulation::ScratchFolder;
 using testing::HasSubstr;
 
 TEST(ScratchFolder, GoesWithItsOwnerAndAllThatIsInIt) {
   std::string path;
   {
-    auto made = ScratchFolder::create();
-    ASSERT_TRUE(made.ok()) << made.error();
-    const ScratchFolder folder = made.take();
+    const ScratchFolder folder = demand(ScratchFolder::create());
     path = folder.path();
     std::ofstream(path + "/a.terminals") << "samples";
     ASSERT_TRUE(fs::exists(path + "/a.terminals"));
@@ -38,18 +38,15 @@ TEST(ScratchFolder, GoesWithItsOwnerAndAllThatIsInIt) {
 }
 
 TEST(ScratchFolder, CanBeReadByNobodyElse) {
-  const auto made = ScratchFolder::create();
-  ASSERT_TRUE(made.ok()) << made.error();
-  EXPECT_EQ(fs::status(made.value().path()).permissions(), fs::perms::owner_all);
+  const ScratchFolder folder = demand(ScratchFolder::create());
+  EXPECT_EQ(fs::status(folder.path()).permissions(), fs::perms::owner_all);
 }
 
 TEST(ScratchFolder, InUseIsLeftAlone) {
-  const auto first = ScratchFolder::create();
-  ASSERT_TRUE(first.ok());
-  const auto second = ScratchFolder::create();
-  ASSERT_TRUE(second.ok());
-  EXPECT_NE(first.value().path(), second.value().path());
-  EXPECT_TRUE(fs::exists(first.value().path()));
+  const ScratchFolder first = demand(ScratchFolder::create());
+  const ScratchFolder second = demand(ScratchFolder::create());
+  EXPECT_NE(first.path(), second.path());
+  EXPECT_TRUE(fs::exists(first.path()));
 }
 
 TEST(ScratchFolder, OfAKilledOwnerIsRemovedByTheNext) {
@@ -82,62 +79,50 @@ TEST(ScratchFolder, OfAKilledOwnerIsRemovedByTheNext) {
   EXPECT_FALSE(fs::exists(path));
 }
 
-HardwareOptions options() {
+HardwareOptions with(std::vector<emulation::HardwareOutlet> outlets) {
   HardwareOptions options;
   options.host_program = GS_OUTLET_PROGRAM;
+  options.outlets = std::move(outlets);
   return options;
 }
 
 TEST(Hardware, EndsItsOutletsBrokerAndFilesWithItself) {
-  HardwareOptions two = options();
-  two.outlets = {{"s", "host", Connection::kSerial, 0.0}, {"m", "host", Connection::kMqtt, 0.0}};
   std::vector<pid_t> pids;
   std::string folder;
   {
-    auto made = Hardware::set_up(two);
-    ASSERT_TRUE(made.ok()) << made.error();
-    const auto hardware = made.take();
+    const auto hardware = demand(Hardware::set_up(with({{"s"}, {"m", "host", Connection::kMqtt}})));
     pids = {hardware->outlet_process(0).pid(), hardware->outlet_process(1).pid(),
             hardware->broker()->pid()};
     folder = hardware->folder();
     for (const pid_t pid : pids) {
-      EXPECT_TRUE(gsbench::test::runs(pid));
+      EXPECT_TRUE(runs(pid));
     }
     EXPECT_EQ(hardware->serial_ports().size(), 1U);
     EXPECT_EQ(hardware->mqtt_ids(), std::vector<std::string>{"m"});
   }
   for (const pid_t pid : pids) {
-    EXPECT_FALSE(gsbench::test::runs(pid));
+    EXPECT_FALSE(runs(pid));
   }
   EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST(Hardware, WithoutOutletsOnMqttHasNoBroker) {
-  HardwareOptions one = options();
-  one.outlets = {{"s", "host", Connection::kSerial, 0.0}};
-  auto made = Hardware::set_up(one);
-  ASSERT_TRUE(made.ok()) << made.error();
-  EXPECT_EQ(made.value()->broker(), nullptr);
+  EXPECT_EQ(demand(Hardware::set_up(with({{"s"}})))->broker(), nullptr);
 }
 
 TEST(Hardware, TellsWhatItCannotSetUp) {
-  HardwareOptions radio = options();
-  radio.outlets = {{"m4", "mps2-an386", Connection::kMqtt, 0.0}};
-  EXPECT_THAT(Hardware::set_up(radio).error(),
+  const auto refusal = [](const HardwareOptions& options) {
+    return Hardware::set_up(options).error();
+  };
+  EXPECT_THAT(refusal(with({{"m4", "mps2-an386", Connection::kMqtt}})),
               HasSubstr("outlet m4: the board mps2-an386 has no radio"));
-  HardwareOptions unknown = options();
-  unknown.outlets = {{"f4", "stm32f405", Connection::kSerial, 0.0}};
-  EXPECT_THAT(Hardware::set_up(unknown).error(),
+  EXPECT_THAT(refusal(with({{"f4", "stm32f405"}})),
               HasSubstr("outlet f4: no board \"stm32f405\" can be emulated"));
-  HardwareOptions missing = options();
+  EXPECT_THAT(refusal(with({{"s"}, {"s"}})), HasSubstr("s.terminals: File exists"));
+  HardwareOptions missing = with({{"s"}});
   missing.host_program = "/nowhere/gs-outlet";
-  missing.outlets = {{"s", "host", Connection::kSerial, 0.0}};
-  EXPECT_THAT(Hardware::set_up(missing).error(),
-              HasSubstr("/nowhere/gs-outlet: cannot be started"));
-  HardwareOptions twice = options();
-  twice.outlets = {{"s", "host", Connection::kSerial, 0.0},
-                   {"s", "host", Connection::kSerial, 0.0}};
-  EXPECT_THAT(Hardware::set_up(twice).error(), HasSubstr("s.terminals: File exists"));
+  EXPECT_THAT(refusal(missing), HasSubstr("/nowhere/gs-outlet: cannot be started"));
 }
 
 }  // namespace
+}  // namespace gsbench::test

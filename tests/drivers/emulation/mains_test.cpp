@@ -2,9 +2,10 @@
 // files, who is waited for, what the relay sense makes of a coil.
 #include "shared_memory_file.hpp"
 #include "taking_outlet.hpp"
-#include "waiting.hpp"
+#include <test_support/demand.hpp>
 #include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -20,6 +21,7 @@ using gs::shared_memory_io::SharedPort;
 using gsbench::emulation::Mains;
 using gsbench::emulation::MainsOptions;
 using gsbench::emulation::SharedMemoryFile;
+using gsbench::test::demand;
 using gsbench::test::TakingOutlet;
 using gsbench::test::TemporaryFolder;
 using gsbench::test::until;
@@ -33,9 +35,7 @@ class MainsAtTerminals : public testing::Test {
     options.folder = folder_.path().string();
     options.outlets = std::move(outlets);
     options.real_time = false;
-    auto made = Mains::create(options);
-    ASSERT_TRUE(made.ok()) << made.error();
-    mains_ = made.take();
+    mains_ = demand(Mains::create(options));
   }
 
   std::unique_ptr<TakingOutlet> plug_in(std::size_t outlet) const {
@@ -129,11 +129,7 @@ TEST_F(MainsAtTerminals, OutletsHaveNominalVoltageInPhaseBeforeTheStimulus) {
 
 TEST(SharedMemoryFile, CountsWhatAnOutletHasStillToTake) {
   const TemporaryFolder folder;
-  gsbench::emulation::SharedMemorySettings settings;
-  settings.id = "a";
-  auto made = SharedMemoryFile::create(folder.path().string(), settings);
-  ASSERT_TRUE(made.ok()) << made.error();
-  SharedMemoryFile file = made.take();
+  SharedMemoryFile file = demand(SharedMemoryFile::create(folder.path().string(), {"a"}));
   const std::vector<std::int16_t> samples(100);
   file.write(samples.data(), samples.size());
   EXPECT_EQ(file.behind(), 100U);
@@ -146,14 +142,11 @@ TEST(SharedMemoryFile, CountsWhatAnOutletHasStillToTake) {
 
 TEST(SharedMemoryFile, IsMadeOnceForAnIdAndGoesWithItsOwner) {
   const TemporaryFolder folder;
-  gsbench::emulation::SharedMemorySettings settings;
-  settings.id = "a";
   {
-    const auto first = SharedMemoryFile::create(folder.path().string(), settings);
+    const auto first = SharedMemoryFile::create(folder.path().string(), {"a"});
     ASSERT_TRUE(first.ok());
-    const auto second = SharedMemoryFile::create(folder.path().string(), settings);
-    ASSERT_FALSE(second.ok());
-    EXPECT_THAT(second.error(), HasSubstr("a.terminals: File exists"));
+    EXPECT_THAT(SharedMemoryFile::create(folder.path().string(), {"a"}).error(),
+                HasSubstr("a.terminals: File exists"));
   }
   EXPECT_THAT(folder.entries(), testing::IsEmpty());
 }

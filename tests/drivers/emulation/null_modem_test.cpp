@@ -1,5 +1,5 @@
 // Serial cables without hardware, with raw bytes at both ends.
-#include "waiting.hpp"
+#include <test_support/waiting.hpp>
 
 #include <memory>
 #include <numeric>
@@ -11,15 +11,15 @@
 #include <emulation/null_modem.hpp>
 #include <transport/transport.hpp>
 
+namespace gsbench::test {
 namespace {
 
 using namespace std::chrono_literals;
-using gsbench::emulation::NullModem;
-using gsbench::emulation::Way;
-using gsbench::test::until;
-using gsbench::transport::Clock;
-using gsbench::transport::make_transport;
-using gsbench::transport::Transport;
+using emulation::NullModem;
+using emulation::Way;
+using transport::Clock;
+using transport::make_transport;
+using transport::Transport;
 using Bytes = std::vector<std::uint8_t>;
 
 class Cable : public testing::Test {
@@ -114,3 +114,4 @@ TEST(NullModem, KeepsItsPortsWhileItIsUnplugged) {
 }
 
 }  // namespace
+}  // namespace gsbench::test

@@ -1,12 +1,9 @@
 // Somebody with Mosquitto's own command-line clients and whatever credentials are in hand.
 #pragma once
 
-#include <sys/wait.h>
+#include <test_support/output_of.hpp>
 
-#include <array>
-#include <cstdio>
 #include <string>
-#include <vector>
 
 #include <emulation/private_broker.hpp>
 
@@ -40,16 +37,7 @@ struct Outsider {
   }
 
   static std::string run(const std::string& command) {
-    std::string text;
-    std::FILE* const pipe = popen((command + " 2>/dev/null").c_str(), "r");
-    if (pipe == nullptr) {
-      return "popen failed";
-    }
-    std::array<char, 256> buffer{};
-    while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) {
-      text += buffer.data();
-    }
-    pclose(pipe);
+    const std::string text = output_of(command + " 2>/dev/null").text;
     return text.substr(0, text.find('\n'));
   }
 };

@@ -1,37 +1,29 @@
 #include "outsider.hpp"
 #include <sys/stat.h>
+#include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace gsbench::test {
 namespace {
 
-using gsbench::emulation::PrivateBroker;
-using gsbench::test::Outsider;
-using gsbench::test::TemporaryFolder;
+using emulation::PrivateBroker;
 using testing::HasSubstr;
-
-std::string content(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 TEST(PrivateBroker, KeepsItsFolderToItself) {
   const TemporaryFolder folder;
-  auto started = PrivateBroker::start({folder.file("broker"), {"a"}});
-  ASSERT_TRUE(started.ok()) << started.error();
+  const PrivateBroker broker = demand(PrivateBroker::start({folder.file("broker"), {"a"}}));
   struct stat status {};
   ASSERT_EQ(stat(folder.file("broker").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0700U);
   // Neither a password in clear nor what could sign another certificate is left in it.
-  const std::string passwords = content(folder.file("broker/passwords"));
+  const std::string passwords = folder.read("broker/passwords");
   EXPECT_THAT(passwords, HasSubstr("bench:$7$"));
-  EXPECT_EQ(passwords.find(started.value().bench().password), std::string::npos);
+  EXPECT_EQ(passwords.find(broker.bench().password), std::string::npos);
   const auto entries = folder.entries();
   EXPECT_EQ(std::count(entries.begin(), entries.end(), "broker/ca.key"), 0);
   EXPECT_EQ(std::count(entries.begin(), entries.end(), "broker/ca.pem"), 1);
@@ -39,17 +31,14 @@ TEST(PrivateBroker, KeepsItsFolderToItself) {
 
 TEST(PrivateBroker, ComesBackOnItsPortAfterAKill) {
   const TemporaryFolder folder;
-  auto started = PrivateBroker::start({folder.file("broker"), {"a"}});
-  ASSERT_TRUE(started.ok()) << started.error();
-  PrivateBroker broker = started.take();
+  PrivateBroker broker = demand(PrivateBroker::start({folder.file("broker"), {"a"}}));
   const auto port = broker.port();
   const auto first = broker.pid();
   const Outsider a{broker, broker.ca_file(), broker.outlet("a")};
   const Outsider bench{broker, broker.ca_file(), broker.bench()};
   broker.kill();
   EXPECT_FALSE(broker.running());
-  const auto restarted = broker.restart();
-  ASSERT_TRUE(restarted.ok()) << restarted.error();
+  demand(broker.restart());
   EXPECT_TRUE(broker.running());
   EXPECT_EQ(broker.port(), port);
   EXPECT_NE(broker.pid(), first);
@@ -59,12 +48,10 @@ TEST(PrivateBroker, ComesBackOnItsPortAfterAKill) {
 
 TEST(PrivateBroker, ManyStandBesideEachOther) {
   const TemporaryFolder folder;
-  auto one = PrivateBroker::start({folder.file("one"), {}});
-  auto two = PrivateBroker::start({folder.file("two"), {}});
-  ASSERT_TRUE(one.ok()) << one.error();
-  ASSERT_TRUE(two.ok()) << two.error();
-  EXPECT_NE(one.value().port(), two.value().port());
-  EXPECT_NE(one.value().bench().password, two.value().bench().password);
+  const PrivateBroker one = demand(PrivateBroker::start({folder.file("one"), {}}));
+  const PrivateBroker two = demand(PrivateBroker::start({folder.file("two"), {}}));
+  EXPECT_NE(one.port(), two.port());
+  EXPECT_NE(one.bench().password, two.bench().password);
 }
 
 TEST(PrivateBroker, RefusesIdsThatItsAccessListWouldMisread) {
@@ -85,3 +72,4 @@ TEST(PrivateBroker, SaysWhyItCannotStart) {
 }
 
 }  // namespace
+}  // namespace gsbench::test

@@ -2,42 +2,34 @@
 // left out or repeated message by message.
 #pragma once
 
-#include <cstdint>
+#include <wire_test/messages.hpp>
+
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include <emulation/null_modem.hpp>
-#include <wire/codec.hpp>
-#include <wire/frame.hpp>
 
 namespace gsbench::test {
 
-using Bytes = std::vector<std::uint8_t>;
-
-inline Bytes framed(const Bytes& message) {
-  Bytes bytes(gs::wire::kLongestFrame);
-  bytes.resize(gs::wire::frame(message.data(), message.size(), bytes.data(), bytes.size()));
-  return bytes;
-}
+using gs::wire::test::Bytes;
 
 // `change` gets each whole message and returns those that are to pass in its place.
 inline emulation::Spoiler each_message(std::function<std::vector<Bytes>(const Bytes&)> change) {
   auto reader = std::make_shared<gs::wire::FrameReader>();
   return [reader, change = std::move(change)](Bytes& bytes) {
-    Bytes out;
-    for (const std::uint8_t byte : bytes) {
-      if (reader->take(byte) != gs::wire::FrameReader::Taken::kMessage) {
-        continue;
+    const Bytes came = std::exchange(bytes, {});
+    for (const Bytes& message : gs::wire::test::frames_in(*reader, came)) {
+      if (message.empty()) {
+        continue;  // of a bad frame
       }
-      for (const Bytes& message :
-           change(Bytes(reader->message(), reader->message() + reader->size()))) {
-        const Bytes frame = framed(message);
-        out.insert(out.end(), frame.begin(), frame.end());
+      for (const Bytes& changed : change(message)) {
+        const Bytes frame = gs::wire::test::framed(changed);
+        bytes.insert(bytes.end(), frame.begin(), frame.end());
       }
     }
-    bytes = out;
   };
 }
 
@@ -52,9 +44,7 @@ inline emulation::Spoiler change_hello(std::function<void(gs::wire::Hello&)> cha
       return {message};
     }
     change(uplink.hello);
-    Bytes other(gs::wire::kLongestMessage);
-    other.resize(gs::wire::encode(uplink, sequence, other.data(), other.size()));
-    return {other};
+    return {gs::wire::test::encoded(uplink, sequence)};
   });
 }
 

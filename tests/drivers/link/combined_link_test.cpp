@@ -1,22 +1,16 @@
 // Several links as one, and waiting for outlets on it.
-#include <cstdio>
 #include <memory>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <link/combined_link.hpp>
 #include <link/wait_for_outlets.hpp>
 
+namespace gsbench::link {
 namespace {
 
 using namespace std::chrono_literals;
 using gs::wire::Downlink;
-using gsbench::link::CombinedLink;
-using gsbench::link::Fault;
-using gsbench::link::Happenings;
-using gsbench::link::Link;
-using gsbench::link::OutletPresence;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -27,17 +21,17 @@ class Scripted final : public Link {
   Scripted(std::vector<OutletPresence> outlets, std::vector<std::string>& sent, bool refused)
       : outlets_(std::move(outlets)), sent_(sent), refused_(refused) {}
   std::string name() const override { return "scripted"; }
-  gsbench::drivers::Status open() override {
+  drivers::Status open() override {
     if (refused_) {
-      return gsbench::drivers::Error{"not now"};
+      return drivers::Error{"not now"};
     }
-    return gsbench::drivers::Done{};
+    return drivers::Done{};
   }
-  gsbench::drivers::Status send(const std::string& id, const Downlink&) override {
+  drivers::Status send(const std::string& id, const Downlink&) override {
     sent_.push_back(id);
-    return gsbench::drivers::Done{};
+    return drivers::Done{};
   }
-  gsbench::drivers::Status poll(Happenings& happenings) override {
+  drivers::Status poll(Happenings& happenings) override {
     for (const OutletPresence& outlet : outlets_) {
       if (!joined_) {
         happenings.joined.push_back(outlet);
@@ -47,7 +41,7 @@ class Scripted final : public Link {
       }
     }
     joined_ = true;
-    return gsbench::drivers::Done{};
+    return drivers::Done{};
   }
   std::vector<Fault> missing() override { return {{"nobody", "is not on " + name()}}; }
   void close() noexcept override {}
@@ -141,3 +135,4 @@ TEST_F(TwoLinks, GiveAllThatThereAreWhereOthersAreWanted) {
 }
 
 }  // namespace
+}  // namespace gsbench::link

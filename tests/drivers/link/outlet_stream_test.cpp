@@ -1,6 +1,7 @@
 // What one outlet's messages are taken for as they come: in order, twice, or from a new beginning.
+#include <wire_test/messages.hpp>
+
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <link/outlet_stream.hpp>
 
@@ -12,45 +13,50 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-using Bytes = std::vector<std::uint8_t>;
+// What comes, and whether it is taken.
+struct Coming {
+  UplinkKind kind;
+  std::uint64_t sample;
+  std::uint32_t sequence;
+  bool taken = true;
+};
 
-Bytes message(UplinkKind kind, std::uint64_t sample, std::uint32_t sequence) {
-  gs::wire::Uplink uplink;
-  uplink.kind = kind;
-  uplink.sample = sample;
-  Bytes bytes(gs::wire::kLongestMessage);
-  bytes.resize(gs::wire::encode(uplink, sequence, bytes.data(), bytes.size()));
-  return bytes;
+constexpr Coming kHello = {UplinkKind::kHello, 0, 0};
+
+Coming measurement(std::uint32_t sequence, bool taken = true) {
+  return {UplinkKind::kMeasurement, 128 * sequence, sequence, taken};
 }
 
-bool takes(OutletStream& stream, const Bytes& bytes) {
+bool takes(OutletStream& stream, const std::vector<std::uint8_t>& bytes) {
   return stream.take(bytes.data(), bytes.size()).has_value();
 }
 
+// The faults that are told in the end.
+std::vector<std::string> faults_of(Delivery delivery, const std::vector<Coming>& all) {
+  OutletStream stream(delivery);
+  for (const Coming& coming : all) {
+    gs::wire::Uplink uplink;
+    uplink.kind = coming.kind;
+    uplink.sample = coming.sample;
+    EXPECT_EQ(takes(stream, gs::wire::test::encoded(uplink, coming.sequence)), coming.taken)
+        << "message " << coming.sequence;
+  }
+  return stream.take_faults();
+}
+
 TEST(OutletStream, TakesAFirstHelloThatComesTwiceOnce) {
-  OutletStream stream(Delivery::kByBroker);
-  const Bytes hello = message(UplinkKind::kHello, 0, 0);
-  EXPECT_TRUE(takes(stream, hello));
-  EXPECT_FALSE(takes(stream, hello));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
-  EXPECT_THAT(stream.take_faults(), IsEmpty());
+  const Coming again = {UplinkKind::kHello, 0, 0, false};
+  EXPECT_THAT(faults_of(Delivery::kByBroker, {kHello, again, measurement(1)}), IsEmpty());
 }
 
 TEST(OutletStream, TellsOfAnOutletThatSaysTheSameHelloAfterMore) {
-  OutletStream stream(Delivery::kByBroker);
-  const Bytes hello = message(UplinkKind::kHello, 0, 0);
-  EXPECT_TRUE(takes(stream, hello));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
-  EXPECT_TRUE(takes(stream, hello));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
-  EXPECT_THAT(stream.take_faults(), ElementsAre("restarted after its sample 128"));
+  EXPECT_THAT(faults_of(Delivery::kByBroker, {kHello, measurement(1), kHello, measurement(1)}),
+              ElementsAre("restarted after its sample 128"));
 }
 
 TEST(OutletStream, TellsOfMessagesThatWereLost) {
-  OutletStream stream(Delivery::kByBroker);
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 384, 3)));
-  EXPECT_THAT(stream.take_faults(), ElementsAre(HasSubstr("2 of its messages were lost")));
+  EXPECT_THAT(faults_of(Delivery::kByBroker, {kHello, measurement(3)}),
+              ElementsAre(HasSubstr("2 of its messages were lost")));
 }
 
 TEST(OutletStream, TellsOfWhatCannotBeRead) {
@@ -61,40 +67,27 @@ TEST(OutletStream, TellsOfWhatCannotBeRead) {
 
 // What has a number from long ago is new, and the hello that should have come before it was lost.
 TEST(OutletStream, TellsOfANewBeginningWhoseHelloWasLost) {
-  OutletStream stream(Delivery::kByCable);
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 12800, 100)));
-  stream.take_faults();
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 384, 3)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 512, 4)));
-  EXPECT_THAT(stream.take_faults(), ElementsAre("restarted after its sample 12800"));
+  EXPECT_THAT(
+      faults_of(Delivery::kByCable, {kHello, measurement(100), measurement(3), measurement(4)}),
+      ElementsAre(HasSubstr("99 of its messages were lost"), "restarted after its sample 12800"));
 }
 
 TEST(OutletStream, TellsOfANewBeginningWhoseNumbersFit) {
-  OutletStream stream(Delivery::kByCable);
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128000, 1)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
-  EXPECT_THAT(stream.take_faults(), ElementsAre("restarted after its sample 128000"));
+  const Coming late = {UplinkKind::kMeasurement, 128000, 1};
+  EXPECT_THAT(faults_of(Delivery::kByCable, {kHello, late, measurement(2)}),
+              ElementsAre("restarted after its sample 128000"));
 }
 
 TEST(OutletStream, DropsWhatACableRepeatsOrSwaps) {
-  OutletStream stream(Delivery::kByCable);
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
-  EXPECT_FALSE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
-  EXPECT_FALSE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
-  EXPECT_THAT(stream.take_faults(), IsEmpty());
+  EXPECT_THAT(faults_of(Delivery::kByCable, {kHello, measurement(1), measurement(2),
+                                             measurement(2, false), measurement(1, false)}),
+              IsEmpty());
 }
 
 TEST(OutletStream, DropsWhatABrokerBringsAgain) {
-  OutletStream stream(Delivery::kByBroker);
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kHello, 0, 0)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
-  EXPECT_TRUE(takes(stream, message(UplinkKind::kMeasurement, 256, 2)));
-  EXPECT_FALSE(takes(stream, message(UplinkKind::kMeasurement, 128, 1)));
-  EXPECT_THAT(stream.take_faults(), IsEmpty());
+  EXPECT_THAT(faults_of(Delivery::kByBroker,
+                        {kHello, measurement(1), measurement(2), measurement(1, false)}),
+              IsEmpty());
 }
 
 }  // namespace

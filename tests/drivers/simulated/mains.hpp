@@ -1,7 +1,10 @@
 // A mains voltage to play, and everything a simulated bench says while it is played.
 #pragma once
 
+#include <firmware_test/settings.hpp>
 #include <test_support/mains.hpp>
+#include <wire_test/downlinks.hpp>
+#include <wire_test/messages.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,14 +14,15 @@
 #include <gtest/gtest.h>
 
 #include <simulated/bench.hpp>
-#include <wire/codec.hpp>
 
 namespace gsbench::simulated::test {
+
+using gs::wire::test::command;
 
 constexpr std::int64_t kRateHz = 8000;
 
 // Nominal for a second, then falling by 0.5 Hz/s: an event, an estimate, a decision, and after
-// 0.4 s of it the switching-off frequency of settings().
+// 0.4 s of it the switching-off frequency of the outlets that play() plays to.
 inline gsbench::test::Mains falling_mains(double duration_s, float noise_rms_pu = 0.0F,
                                           std::uint64_t seed = 1) {
   gsbench::test::Mains mains;
@@ -28,52 +32,16 @@ inline gsbench::test::Mains falling_mains(double duration_s, float noise_rms_pu 
   return mains;
 }
 
-// Of a system like the modified IEEE 24-bus one.
-inline gs::outlet::Settings settings() {
-  gs::outlet::Settings s;
-  s.version = 1;
-  s.response = {7.8e-4F, 0.35F, 0.25F, 3.0F};
-  s.threshold_mw = 350.0F;
-  s.largest_loss_mw = 2745.0F;
-  s.accumulated_mw = 2000.0F;
-  s.switch_off_hz = 49.8F;
-  s.conditions[0] = {49.5F, -0.1F};
-  s.condition_rows = 1;
-  s.loss_sigma_mw = 80.0F;
-  return s;
-}
-
-inline gs::wire::Downlink settings_message() {
-  gs::wire::Downlink message;
-  message.kind = gs::wire::DownlinkKind::kSettings;
-  message.settings = settings();
-  return message;
-}
-
-inline gs::wire::Downlink command(bool close) {
-  gs::wire::Downlink message;
-  message.kind = gs::wire::DownlinkKind::kCommand;
-  message.close_relay = close;
-  return message;
-}
-
-// A message as bytes that compare bit for bit, NaN with NaN among them.
-inline std::vector<std::uint8_t> bytes(const gs::wire::Uplink& message) {
-  std::vector<std::uint8_t> all(gs::wire::kLongestMessage);
-  all.resize(gs::wire::encode(message, 0, all.data(), all.size()));
-  return all;
-}
-
 // All that one outlet said and its contact did, in order.
 struct Heard {
   std::vector<gs::wire::Uplink> messages;
   std::vector<relay::Edge> edges;
 
-  // The same for all of it, the contact's edges as text.
+  // As bytes that compare bit for bit, NaN with NaN among them; the contact's edges as text.
   std::vector<std::string> as_bytes() const {
     std::vector<std::string> all;
     for (const gs::wire::Uplink& message : messages) {
-      const std::vector<std::uint8_t> one = bytes(message);
+      const gs::wire::test::Bytes one = gs::wire::test::encoded(message, 0);
       all.emplace_back(one.begin(), one.end());
     }
     for (const relay::Edge& edge : edges) {
@@ -83,11 +51,7 @@ struct Heard {
   }
 
   std::vector<gs::wire::Uplink> of(gs::wire::UplinkKind kind) const {
-    std::vector<gs::wire::Uplink> some;
-    for (const gs::wire::Uplink& message : messages) {
-      if (message.kind == kind) some.push_back(message);
-    }
-    return some;
+    return gs::wire::test::of_kind(messages, kind);
   }
 };
 
@@ -126,8 +90,11 @@ inline std::vector<Heard> play(Bench& bench, std::size_t outlets, const source::
   std::vector<Heard> heard(outlets);
   gsbench::test::start(bench.source(), stimulus);
   EXPECT_TRUE(bench.link().open().ok());
+  gs::outlet::Settings settings = gs::test::ieee24_settings();
+  settings.switch_off_hz = 49.8F;
   for (std::size_t i = 0; i < outlets; ++i) {
-    EXPECT_TRUE(bench.link().send(id_of(i), settings_message()).ok());
+    const auto sent = bench.link().send(id_of(i), gs::wire::test::settings_message(settings));
+    EXPECT_TRUE(sent.ok());
   }
   std::size_t turn = 0;
   for (std::int64_t tick = 0; tick < stimulus.total_ticks();) {

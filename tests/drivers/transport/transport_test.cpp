@@ -16,17 +16,14 @@
 
 #include <transport/transport.hpp>
 
+namespace gsbench::transport {
 namespace {
 
 using namespace std::chrono_literals;
-using gsbench::drivers::Descriptor;
-using gsbench::emulation::LoopbackPort;
-using gsbench::test::Pty;
-using gsbench::test::TemporaryFolder;
-using gsbench::transport::check_port;
-using gsbench::transport::Clock;
-using gsbench::transport::make_transport;
-using gsbench::transport::Transport;
+using drivers::Descriptor;
+using emulation::LoopbackPort;
+using test::Pty;
+using test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -232,3 +229,4 @@ TEST(Tcp, RefusesWhatIsNoAddress) {
 }
 
 }  // namespace
+}  // namespace gsbench::transport

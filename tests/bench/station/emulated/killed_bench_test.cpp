@@ -1,6 +1,6 @@
 // gsbench, killed in the middle of a run, leaves no process behind, and no file that the next one
 // does not remove.
-#include "waiting.hpp"
+#include <test_support/waiting.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>

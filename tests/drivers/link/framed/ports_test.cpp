@@ -5,16 +5,12 @@
 #include <cstring>
 #include <utility>
 
+namespace gsbench::test {
 namespace {
 
-using gsbench::emulation::NullModem;
-using gsbench::link::FramedLink;
-using gsbench::link::FramedOptions;
-using gsbench::test::change_hello;
-using gsbench::test::kA;
-using gsbench::test::kB;
-using gsbench::test::OutletsOnCables;
-using gsbench::test::ping;
+using emulation::NullModem;
+using link::FramedLink;
+using link::FramedOptions;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -42,7 +38,7 @@ TEST_F(Ports, TwoWithOutletsThatSayTheyAreTheSameAreBothAtFaultAndNotSpokenTo) {
 }
 
 TEST_F(Ports, OneWithoutAnAnswerIsAtFaultByItsNameUntilItAnswers) {
-  cable(kA).spoil([](gsbench::test::Bytes& bytes) { bytes.clear(); });
+  cable(kA).spoil([](Bytes& bytes) { bytes.clear(); });
   open();
   ASSERT_THAT(present_, SizeIs(2));
   EXPECT_EQ(present(port(kA)).fault, "does not answer");
@@ -71,3 +67,4 @@ TEST_F(Ports, OneThatCannotBeOpenedIsRefused) {
 }
 
 }  // namespace
+}  // namespace gsbench::test

@@ -5,20 +5,12 @@
 #include <ostream>
 #include <utility>
 
+namespace gsbench::test {
 namespace {
 
+using emulation::Way;
 using gs::wire::DownlinkKind;
 using gs::wire::UplinkKind;
-using gsbench::emulation::Way;
-using gsbench::test::Bytes;
-using gsbench::test::downlink;
-using gsbench::test::each_message;
-using gsbench::test::every_nth_byte;
-using gsbench::test::kA;
-using gsbench::test::kB;
-using gsbench::test::OutletsOnCables;
-using gsbench::test::ping;
-using gsbench::test::Spoiling;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -78,7 +70,7 @@ TEST_P(SpoiledLine, IsReportedAndNothingWrongIsTakenForRight) {
   EXPECT_THAT(faults(kB), IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledLine, testing::ValuesIn(gsbench::test::kSpoilings),
+INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledLine, testing::ValuesIn(kSpoilings),
                          [](const auto& kind) { return kind.param.name; });
 
 using RepeatingLine = OutletsOnCables;
@@ -138,3 +130,4 @@ TEST_F(OutletsOnCables, SettingsThatAreCutOffAreReportedByTheOutletAndChangeNoth
 }
 
 }  // namespace
+}  // namespace gsbench::test

@@ -1,5 +1,8 @@
 #include "mqtt_outlet.hpp"
 
+#include <test_support/waiting.hpp>
+#include <wire_test/downlinks.hpp>
+
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -23,14 +26,13 @@ MqttOutlet::MqttOutlet(const emulation::PrivateBroker& broker, const std::string
   if (!carrier_.start(options_of(broker, id, instance), why)) {
     throw std::runtime_error(why);
   }
-  start_node();
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (!carrier_.connected()) {
-    if (std::chrono::steady_clock::now() > until) {
-      throw std::runtime_error("outlet " + id + ": " + carrier_.trouble());
-    }
-    carrier_.wait(std::chrono::milliseconds(1));
+  app_.start({}, identity_, nullptr, *endpoint_);
+  const bool connected = until([this] {
     carrier_.serve();
+    return carrier_.connected();
+  });
+  if (!connected) {
+    throw std::runtime_error("outlet " + id + ": " + carrier_.trouble());
   }
   thread_ = std::thread([this] { run(); });
 }
@@ -52,9 +54,7 @@ void MqttOutlet::run() {
 void MqttOutlet::serve() {
   carrier_.serve();
   if (carrier_.take_reconnected()) {
-    gs::wire::Downlink who;
-    who.kind = gs::wire::DownlinkKind::kIdentify;
-    app_.receive(who, *endpoint_);
+    app_.receive(gs::wire::test::downlink(gs::wire::DownlinkKind::kIdentify), *endpoint_);
   }
   std::vector<std::uint8_t> message;
   while (carrier_.take(message)) {
@@ -62,35 +62,21 @@ void MqttOutlet::serve() {
   }
 }
 
-void MqttOutlet::start_node() {
-  app_.start({}, identity_, nullptr, *endpoint_);
-}
-
-void MqttOutlet::with_node(
-    const std::function<void(gs::app::Application&, gs::app::Outbox&)>& act) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  act(app_, *endpoint_);
-}
-
 void MqttOutlet::take_samples(std::size_t count) {
-  with_node([&](gs::app::Application& node, gs::app::Outbox& outbox) {
-    constexpr double kRadiansPerSample = 2.0 * 3.14159265358979 * 50.0 / 8000.0;
-    std::vector<std::int16_t> samples(count);
-    for (std::int16_t& sample : samples) {
-      sample = static_cast<std::int16_t>(
-          21845.0 * std::cos(kRadiansPerSample * static_cast<double>(taken_++ % 160)));
-    }
-    node.feed(samples.data(), samples.size(), outbox);
-  });
+  constexpr double kRadiansPerSample = 2.0 * 3.14159265358979 * 50.0 / 8000.0;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<std::int16_t> samples(count);
+  for (std::int16_t& sample : samples) {
+    sample = static_cast<std::int16_t>(
+        21845.0 * std::cos(kRadiansPerSample * static_cast<double>(taken_++ % 160)));
+  }
+  app_.feed(samples.data(), samples.size(), *endpoint_);
 }
 
 void MqttOutlet::report_status() {
   take_samples(1);
-  with_node([](gs::app::Application& node, gs::app::Outbox& outbox) {
-    gs::wire::Downlink ask;
-    ask.kind = gs::wire::DownlinkKind::kAskStatus;
-    node.receive(ask, outbox);
-  });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  app_.receive(gs::wire::test::downlink(gs::wire::DownlinkKind::kAskStatus), *endpoint_);
 }
 
 void MqttOutlet::stop_answering() {
@@ -101,7 +87,7 @@ void MqttOutlet::stop_answering() {
 void MqttOutlet::restart() {
   const std::lock_guard<std::mutex> lock(mutex_);
   endpoint_.emplace(app_, carrier_);
-  start_node();
+  app_.start({}, identity_, nullptr, *endpoint_);
 }
 
 bool MqttOutlet::relay_closed() {

@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -26,9 +25,6 @@ class MqttOutlet {
              std::uint32_t instance = 1);
   ~MqttOutlet();  // leaves, as one that is switched off by hand
 
-  // In the outlet's thread, between two of its turns.
-  void with_node(const std::function<void(gs::app::Application&, gs::app::Outbox&)>& act);
-
   void take_samples(std::size_t count);  // of steady 50 Hz; 128 make a measurement
   void report_status();                  // takes one sample before, so that statuses differ
   void stop_answering();                 // stays connected and says nothing more
@@ -39,7 +35,6 @@ class MqttOutlet {
  private:
   void run();
   void serve();
-  void start_node();
 
   gs::app::Identity identity_;
   gs::host::MqttCarrier carrier_;

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "mqtt_outlet.hpp"
-#include <link_mqtt/mqtt_link.hpp>
+#include <link_test/bench_options.hpp>
 #include <link_test/hears_a_link.hpp>
+#include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <memory>
@@ -11,26 +12,13 @@
 #include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace gsbench::test {
 
 class OutletsOnABroker : public HearsALink {
  protected:
-  void SetUp() override {
-    auto started = emulation::PrivateBroker::start({folder_.file("broker"), {"a", "b", "c"}});
-    ASSERT_TRUE(started.ok()) << started.error();
-    broker_ = std::make_unique<emulation::PrivateBroker>(started.take());
-  }
-
-  link::MqttOptions options(std::vector<std::string> outlets) const {
-    link::MqttOptions all;
-    all.url = broker_->url();
-    all.ca_file = broker_->ca_file();
-    all.user = broker_->bench().user;
-    all.password = broker_->bench().password;
-    all.outlets = std::move(outlets);
-    return all;
+  link::MqttOptions options(const std::vector<std::string>& outlets) const {
+    return bench_options(broker_, outlets);
   }
 
   void open(const std::vector<std::string>& outlets) {
@@ -42,7 +30,8 @@ class OutletsOnABroker : public HearsALink {
   }
 
   TemporaryFolder folder_;
-  std::unique_ptr<emulation::PrivateBroker> broker_;
+  emulation::PrivateBroker broker_ =
+      demand(emulation::PrivateBroker::start({folder_.file("broker"), {"a", "b", "c"}}));
 };
 
 }  // namespace gsbench::test

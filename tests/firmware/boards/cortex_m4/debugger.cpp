@@ -1,5 +1,7 @@
 #include "debugger.hpp"
 
+#include <test_support/output_of.hpp>
+
 #include <array>
 #include <cstdio>
 
@@ -128,15 +130,7 @@ void Debugger::call(std::uint32_t function, std::uint32_t argument, std::uint32_
 }
 
 std::uint32_t address_of_symbol(const std::string& image, const std::string& symbol) {
-  const std::string command = "nm --demangle '" + image + "'";
-  FILE* pipe = ::popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error(command);
-  std::string all;
-  std::array<char, 1024> part = {};
-  while (std::fgets(part.data(), static_cast<int>(part.size()), pipe) != nullptr) {
-    all += part.data();
-  }
-  ::pclose(pipe);
+  const std::string all = gsbench::test::output_of("nm --demangle '" + image + "'").text;
   // "20004000 B gs_stack_top"
   const std::size_t found = all.find(" " + symbol + "\n");
   if (found == std::string::npos) throw std::runtime_error("no " + symbol + " in " + image);

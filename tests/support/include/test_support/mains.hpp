@@ -10,7 +10,7 @@
 
 namespace gsbench::test {
 
-struct Mains final : source::Stimulus {
+struct Mains : source::Stimulus {
   double duration_s = 60.0;
   double level_pu = 1.0;
   double falls_hz_s = 0.0;  // from 1 s on

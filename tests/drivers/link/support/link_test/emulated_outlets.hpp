@@ -1,12 +1,12 @@
 // Outlets' processes on mains without a voltage, as an emulated station has them.
 #pragma once
 
+#include <test_support/demand.hpp>
 #include <test_support/mains.hpp>
 
 #include <algorithm>
 #include <csignal>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -23,13 +23,9 @@ class EmulatedOutlets {
     options.host_program = GS_OUTLET_PROGRAM;
     options.real_time = false;
     for (const std::string& id : ids_) {
-      options.outlets.push_back({id, "host", connection, 0.0});
+      options.outlets.push_back({id, "host", connection});
     }
-    auto made = emulation::Hardware::set_up(options);
-    if (!made.ok()) {
-      throw std::runtime_error(made.error());
-    }
-    hardware_ = made.take();
+    hardware_ = demand(emulation::Hardware::set_up(options));
     mains_.level_pu = 0.0;
   }
   // Stopped, it would not be ended either.
@@ -71,13 +67,6 @@ class EmulatedOutlets {
   }
 
  private:
-  template <class T>
-  static void demand(const drivers::Result<T>& result) {
-    if (!result.ok()) {
-      throw std::runtime_error(result.error());
-    }
-  }
-
   std::vector<std::string> ids_;
   Mains mains_;
   std::unique_ptr<emulation::Hardware> hardware_;

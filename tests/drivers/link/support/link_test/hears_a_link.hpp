@@ -1,6 +1,9 @@
 // A link in a test, and what came over it, kept until it is asked for.
 #pragma once
 
+#include <test_support/waiting.hpp>
+#include <wire_test/downlinks.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -22,24 +25,9 @@ namespace gsbench::test {
 constexpr const char* kA = "a";
 constexpr const char* kB = "b";
 
-inline gs::wire::Downlink downlink(gs::wire::DownlinkKind kind) {
-  gs::wire::Downlink message;
-  message.kind = kind;
-  return message;
-}
-
-inline gs::wire::Downlink ping(std::uint32_t token) {
-  gs::wire::Downlink message = downlink(gs::wire::DownlinkKind::kPing);
-  message.token = token;
-  return message;
-}
-
-inline gs::wire::Downlink command(bool close, std::uint32_t request = 0) {
-  gs::wire::Downlink message = downlink(gs::wire::DownlinkKind::kCommand);
-  message.close_relay = close;
-  message.request = request;
-  return message;
-}
+using gs::wire::test::command;
+using gs::wire::test::downlink;
+using gs::wire::test::ping;
 
 class HearsALink : public testing::Test {
  protected:
@@ -90,17 +78,10 @@ class HearsALink : public testing::Test {
 
   // Polls until it holds; false after ten seconds.
   bool until(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (true) {
+    return test::until([&] {
       poll();
-      if (condition()) {
-        return true;
-      }
-      if (std::chrono::steady_clock::now() > end) {
-        return false;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+      return condition();
+    });
   }
 
   bool comes(const std::string& id, gs::wire::UplinkKind kind, std::size_t count = 1) {
