@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -25,55 +26,18 @@ std::vector<std::string> corpus() {
   return texts;
 }
 
-const std::vector<std::string> kWords = {"nan",
-                                         "inf",
-                                         "-inf",
-                                         "0",
-                                         "-0.0",
-                                         "-1",
-                                         "1",
-                                         "1e-300",
-                                         "1e300",
-                                         "9223372036854775807",
-                                         "-9223372036854775808",
-                                         "99999999999999999999",
-                                         "0x7f",
-                                         "true",
-                                         "\"\"",
-                                         "\"x\"",
-                                         "'''",
-                                         "[]",
-                                         "[[]]",
-                                         "[[1, 2]]",
-                                         "[[0, 50], [0, 50]]",
-                                         "{}",
-                                         "{ x = 1 }",
-                                         "1979-05-27",
-                                         "07:32:00",
-                                         "1000",
-                                         "32000",
-                                         "50.0",
-                                         "\"ieee24\"",
-                                         "\"island-60hz\"",
-                                         "\"en50160\"",
-                                         "\"off\"",
-                                         "\"ms\"",
-                                         "\"event.delay\"",
-                                         "\n[grid]\n",
-                                         "\n[[outlet]]\n",
-                                         "\n[[expect]]\n",
-                                         "\n[signal.trace]\n",
-                                         "\n[[grid.loss]]\nat_s = 1\npower_mw = 1\n",
-                                         "\nseed = 1\n",
-                                         "= ",
-                                         "#",
-                                         "\r\n",
-                                         "\t",
-                                         ".",
-                                         std::string("\0", 1),
-                                         "\xff",
-                                         "\xc3\xa4",
-                                         "[[[[[[[[[[[[[[[["};
+std::vector<std::string> words() {
+  std::istringstream values(R"(
+    nan inf -inf 0 -0.0 -1 1 1e-300 1e300 9223372036854775807 -9223372036854775808
+    99999999999999999999 0x7f true "" "x" ''' [] [[]] [[1,2]] [[0,50],[0,50]] {} {x=1} 1979-05-27
+    07:32:00 1000 32000 50.0 "ieee24" "island-60hz" "en50160" "off" "ms" "event.delay" # .
+    [[[[[[[[[[[[[[[[ )");
+  std::vector<std::string> all{std::istream_iterator<std::string>(values), {}};
+  all.insert(all.end(), {"\n[grid]\n", "\n[[outlet]]\n", "\n[[expect]]\n", "\n[signal.trace]\n",
+                         "\n[[grid.loss]]\nat_s = 1\npower_mw = 1\n", "\nseed = 1\n", "= ", "\r\n",
+                         "\t", std::string("\0", 1), "\xff", "\xc3\xa4"});
+  return all;
+}
 
 TEST(ProfileFuzz, CorpusIsTakenOrRefusedWithAPlace) {
   const auto texts = corpus();
@@ -82,7 +46,7 @@ TEST(ProfileFuzz, CorpusIsTakenOrRefusedWithAPlace) {
 }
 
 TEST(ProfileFuzz, MutationsAreTakenOrRefusedWithAPlace) {
-  Mutator mutator(corpus(), kWords, 1);
+  Mutator mutator(corpus(), words(), 1);
   int taken = 0;
   for (int i = 0; i < kMutations; ++i) {
     const std::string text = mutator.next();

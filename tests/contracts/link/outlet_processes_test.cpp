@@ -3,7 +3,6 @@
 #include <link_test/hears_a_link.hpp>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace gsbench::test {
 namespace {

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace gsbench::test {
 namespace {

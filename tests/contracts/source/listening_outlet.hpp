@@ -3,7 +3,6 @@
 
 #include "rigs.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include <app/application.hpp>

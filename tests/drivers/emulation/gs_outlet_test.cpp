@@ -8,7 +8,6 @@
 #include <optional>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <emulation/child.hpp>
 #include <emulation/null_modem.hpp>

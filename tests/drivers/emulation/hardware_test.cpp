@@ -5,14 +5,11 @@
 #include <test_support/waiting.hpp>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <emulation/hardware.hpp>
 

@@ -11,7 +11,6 @@
 #include <chrono>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <emulation/mains.hpp>
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <emulation/null_modem.hpp>
 #include <transport/transport.hpp>

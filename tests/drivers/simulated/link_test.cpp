@@ -1,8 +1,6 @@
 // What the simulated bench's link and relay sense add to what all do (tests/contracts).
 #include "mains.hpp"
 
-#include <gtest/gtest.h>
-
 namespace gsbench::simulated::test {
 namespace {
 

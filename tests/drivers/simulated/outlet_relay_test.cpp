@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include <gtest/gtest.h>
-
 #include <simulated/outlet.hpp>
 
 namespace gsbench::simulated::test {

@@ -2,8 +2,6 @@
 
 #include <chrono>
 
-#include <gtest/gtest.h>
-
 #include <simulated/pacer.hpp>
 
 namespace gsbench::simulated::test {

@@ -2,8 +2,6 @@
 
 #include <numeric>
 
-#include <gtest/gtest.h>
-
 namespace gsbench::simulated::test {
 namespace {
 

@@ -6,13 +6,11 @@
 #include <test_support/temporary_folder.hpp>
 #include <unistd.h>
 
-#include <filesystem>
 #include <memory>
 #include <numeric>
 #include <optional>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <transport/transport.hpp>
 

@@ -31,50 +31,38 @@ void expect_tight(double largest, double declared) {
   EXPECT_GT(largest, 0.1 * declared);
 }
 
-TEST(Arithmetic, SineIsWithinItsDeclaredErrorOverAWholeTurn) {
-  expect_tight(largest_error(-kPi, kPi,
-                             [](float x) {
-                               return std::abs(static_cast<double>(sine(x)) -
-                                               std::sin(static_cast<double>(x)));
-                             }),
-               2e-7);
+double error_of(float ours, double exact) {
+  return std::abs(static_cast<double>(ours) - exact);
 }
 
-TEST(Arithmetic, CosineIsWithinItsDeclaredErrorOverAWholeTurn) {
-  expect_tight(largest_error(-kPi, kPi,
-                             [](float x) {
-                               return std::abs(static_cast<double>(cosine(x)) -
-                                               std::cos(static_cast<double>(x)));
-                             }),
-               2e-7);
-}
-
-double exponential_error(float x) {
-  return std::abs(static_cast<double>(exponential(x)) - std::exp(static_cast<double>(x)));
-}
-
-double exponential_relative_error(float x) {
-  return exponential_error(x) / std::exp(static_cast<double>(x));
+TEST(Arithmetic, SineAndCosineAreWithinTheirDeclaredErrorOverAWholeTurn) {
+  const auto of_sine = [](float x) { return error_of(sine(x), std::sin(static_cast<double>(x))); };
+  const auto of_cosine = [](float x) {
+    return error_of(cosine(x), std::cos(static_cast<double>(x)));
+  };
+  expect_tight(largest_error(-kPi, kPi, of_sine), 2e-7);
+  expect_tight(largest_error(-kPi, kPi, of_cosine), 2e-7);
 }
 
 TEST(Arithmetic, ExponentialIsWithinItsDeclaredErrors) {
-  expect_tight(largest_error(-24.0F, 0.0F, exponential_error), 1e-6);
-  expect_tight(largest_error(-6.0F, 0.0F, exponential_relative_error), 2e-6);
+  const auto absolute = [](float x) {
+    return error_of(exponential(x), std::exp(static_cast<double>(x)));
+  };
+  const auto relative = [&](float x) { return absolute(x) / std::exp(static_cast<double>(x)); };
+  expect_tight(largest_error(-24.0F, 0.0F, absolute), 1e-6);
+  expect_tight(largest_error(-6.0F, 0.0F, relative), 2e-6);
 }
 
 TEST(Arithmetic, AngleOfAVectorIsWithinItsDeclaredErrorInEveryDirection) {
   for (const float length : {1e-6F, 1.0F, 1e6F}) {
-    expect_tight(
-        largest_error(-kPi, kPi,
-                      [length](float x) {
-                        const auto angle = static_cast<double>(x);
-                        const auto across = length * static_cast<float>(std::sin(angle));
-                        const auto along = length * static_cast<float>(std::cos(angle));
-                        const double exact =
-                            std::atan2(static_cast<double>(across), static_cast<double>(along));
-                        return std::abs(static_cast<double>(angle_of(across, along)) - exact);
-                      }),
-        5e-7);
+    const auto error = [length](float x) {
+      const auto angle = static_cast<double>(x);
+      const auto across = length * static_cast<float>(std::sin(angle));
+      const auto along = length * static_cast<float>(std::cos(angle));
+      return error_of(angle_of(across, along),
+                      std::atan2(static_cast<double>(across), static_cast<double>(along)));
+    };
+    expect_tight(largest_error(-kPi, kPi, error), 5e-7);
   }
 }
 

@@ -6,13 +6,11 @@
 #include <cstdio>
 #include <limits>
 #include <random>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <grid/sfr_model.hpp>
-#include <outlet/loss_ekf.hpp>
-#include <outlet/loss_lse.hpp>
+#include <outlet/loss_estimator.hpp>
 #include <outlet/settings.hpp>
 
 namespace gs::outlet {
@@ -264,11 +262,7 @@ TEST(LossEkf, NoSettingsThatAreAcceptedMakeItDiverge) {
     s.t_x_sigma_s = hostile.decades(-4.0F, -0.31F);
     if (validate(s, 50.0F) != SettingsError::kNone) continue;
     ++accepted;
-    EkfSettings settings;
-    settings.measurement_sigma_hz = s.measurement_sigma_hz;
-    settings.loss_sigma_mw = s.loss_sigma_mw;
-    settings.t_x_sigma_s = s.t_x_sigma_s;
-    settings.largest_loss_mw = s.largest_loss_mw;
+    const EkfSettings settings = outlet::ekf_settings(s);
     EkfState<float> ekf;
     start(settings, ekf, s.largest_loss_mw * hostile.unit(), -0.08F);
     for (int k = 0; k < kSamples; ++k) {

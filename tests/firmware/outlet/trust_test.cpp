@@ -1,7 +1,6 @@
 // When an estimate may be acted on, and when it says that it may not.
 #include <firmware_test/settings.hpp>
 
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>

@@ -6,7 +6,6 @@
 #include <link_test/hears_a_link.hpp>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <emulation/null_modem.hpp>
 

@@ -2,7 +2,6 @@
 #include "outlets_on_cables.hpp"
 #include "spoilers.hpp"
 
-#include <ostream>
 #include <utility>
 
 namespace gsbench::test {

@@ -10,7 +10,6 @@
 #include <set>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <app/endpoint.hpp>
 #include <app/self_test.hpp>
@@ -79,27 +78,25 @@ Outcome in_process(const wire::Hello& as) {
   return collector.outcome;
 }
 
-Outcome emulated(EmulatedOutlet& outlet, const std::string& program) {
-  outlet.start(program);
-  Line& line = outlet.line();
-  line.wait_for(UplinkKind::kHello);
-  line.send(settings_message(ieee24_settings()));
-  line.wait_for(UplinkKind::kSettingsAnswer);
-  const auto begin = std::chrono::steady_clock::now();
-  outlet.play(stream());
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  std::cout << kDurationS / wall.count() << " x real time\n";
-  line.send(downlink(wire::DownlinkKind::kAskStatus));
-  line.send(downlink(wire::DownlinkKind::kAskSelfTest));
-  line.wait_for(UplinkKind::kSelfTest);
-  Outcome outcome;
-  for (const Letter& letter : line.letters()) add(outcome, letter.uplink, letter.bytes);
-  return outcome;
-}
-
 class BitIdentity : public testing::Test {
  protected:
-  Outcome emulated(const std::string& image) { return test::emulated(outlet_, image); }
+  Outcome emulated(const std::string& program) {
+    outlet_.start(program);
+    Line& line = outlet_.line();
+    line.wait_for(UplinkKind::kHello);
+    line.send(settings_message(ieee24_settings()));
+    line.wait_for(UplinkKind::kSettingsAnswer);
+    const auto begin = std::chrono::steady_clock::now();
+    outlet_.play(stream());
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+    std::cout << kDurationS / wall.count() << " x real time\n";
+    line.send(downlink(wire::DownlinkKind::kAskStatus));
+    line.send(downlink(wire::DownlinkKind::kAskSelfTest));
+    line.wait_for(UplinkKind::kSelfTest);
+    Outcome outcome;
+    for (const Letter& letter : line.letters()) add(outcome, letter.uplink, letter.bytes);
+    return outcome;
+  }
   Outcome in_process() {
     return test::in_process(outlet_.line().of(UplinkKind::kHello).at(0).uplink.hello);
   }

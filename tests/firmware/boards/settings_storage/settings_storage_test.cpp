@@ -66,25 +66,29 @@ int steps_that_leave_neither(const Load& load_after) {
   }
 }
 
+class StoredSettings : public testing::Test {
+ protected:
+  SimulatedFlash flash_;
+  FlashSettingsStorage area_{flash_};
+};
+
 TEST(SettingsStorage, IsEmptyAndUsableWhenNew) {
   SimulatedFlash flash;
   EXPECT_FALSE(load(flash));
   EXPECT_TRUE(FlashSettingsStorage(flash).usable());
 }
 
-TEST(SettingsStorage, GivesBackTheNewestSet) {
-  SimulatedFlash flash;
-  FlashSettingsStorage area(flash);
+TEST_F(StoredSettings, GivesBackTheNewestSet) {
   for (std::uint32_t version = 1; version <= 5; ++version) {
-    ASSERT_TRUE(area.keep(settings(version)));
-    const auto found = load(flash);
+    ASSERT_TRUE(area_.keep(settings(version)));
+    const auto found = load(flash_);
     ASSERT_TRUE(found);
     EXPECT_EQ(outlet::digest(*found), outlet::digest(settings(version)));
-    EXPECT_TRUE(area.usable());
+    EXPECT_TRUE(area_.usable());
   }
   // Both slots share the wear.
-  EXPECT_EQ(flash.erases(0), 3);
-  EXPECT_EQ(flash.erases(1), 2);
+  EXPECT_EQ(flash_.erases(0), 3);
+  EXPECT_EQ(flash_.erases(1), 2);
 }
 
 TEST(SettingsStorage, ALossOfPowerAtAnyStepLeavesTheOldOrTheNewSet) {
@@ -173,28 +177,24 @@ TEST(SettingsStorage, GoesBackToTheOldSetWhereABitOfTheNewOneRots) {
   }
 }
 
-TEST(SettingsStorage, IsNotUsableWhereTheOnlySetRots) {
-  SimulatedFlash flash;
-  FlashSettingsStorage area(flash);
-  ASSERT_TRUE(area.keep(settings(1)));
-  flash.word(0, 40) ^= 4U;
-  EXPECT_FALSE(load(flash));
-  EXPECT_FALSE(area.usable());
-  EXPECT_TRUE(area.keep(settings(2)));
-  EXPECT_TRUE(area.usable());
+TEST_F(StoredSettings, IsNotUsableWhereTheOnlySetRots) {
+  ASSERT_TRUE(area_.keep(settings(1)));
+  flash_.word(0, 40) ^= 4U;
+  EXPECT_FALSE(load(flash_));
+  EXPECT_FALSE(area_.usable());
+  EXPECT_TRUE(area_.keep(settings(2)));
+  EXPECT_TRUE(area_.usable());
 }
 
-TEST(SettingsStorage, FlashThatRefusesToProgramKeepsTheOldSetAndSaysSo) {
-  SimulatedFlash flash;
-  FlashSettingsStorage area(flash);
-  ASSERT_TRUE(area.keep(settings(1)));
-  flash.refuse_to_program(true);
-  EXPECT_FALSE(area.keep(settings(2)));
-  EXPECT_FALSE(area.keep(settings(3)));
-  EXPECT_EQ(version_in(flash), 1U);
-  flash.refuse_to_program(false);
-  EXPECT_TRUE(area.keep(settings(4)));
-  EXPECT_EQ(version_in(flash), 4U);
+TEST_F(StoredSettings, FlashThatRefusesToProgramKeepsTheOldSetAndSaysSo) {
+  ASSERT_TRUE(area_.keep(settings(1)));
+  flash_.refuse_to_program(true);
+  EXPECT_FALSE(area_.keep(settings(2)));
+  EXPECT_FALSE(area_.keep(settings(3)));
+  EXPECT_EQ(version_in(flash_), 1U);
+  flash_.refuse_to_program(false);
+  EXPECT_TRUE(area_.keep(settings(4)));
+  EXPECT_EQ(version_in(flash_), 4U);
 }
 
 // A cell that reads 0 whatever is written: of the magic's lowest bit, which is 1.
@@ -228,27 +228,23 @@ void rewrite(SimulatedFlash& flash, int slot, std::size_t changed_at, std::uint3
   flash.word(slot, at) = crc.value();
 }
 
-TEST(SettingsStorage, TheOlderSetIsTakenWhereTheNewestIsWholeButNotReadable) {
-  SimulatedFlash flash;
-  FlashSettingsStorage area(flash);
-  ASSERT_TRUE(area.keep(settings(1)));
-  ASSERT_TRUE(area.keep(settings(2)));
-  rewrite(flash, 1, kSettingsAt, 0);  // as another firmware's, of another form
-  EXPECT_EQ(version_in(flash), 1U);
+TEST_F(StoredSettings, TheOlderSetIsTakenWhereTheNewestIsWholeButNotReadable) {
+  ASSERT_TRUE(area_.keep(settings(1)));
+  ASSERT_TRUE(area_.keep(settings(2)));
+  rewrite(flash_, 1, kSettingsAt, 0);  // as another firmware's, of another form
+  EXPECT_EQ(version_in(flash_), 1U);
 }
 
-TEST(SettingsStorage, TheNewestIsFoundWhereSequenceNumbersWrap) {
-  SimulatedFlash flash;
-  FlashSettingsStorage area(flash);
-  ASSERT_TRUE(area.keep(settings(1)));
+TEST_F(StoredSettings, TheNewestIsFoundWhereSequenceNumbersWrap) {
+  ASSERT_TRUE(area_.keep(settings(1)));
   // As after 2^32 − 1 sets: the slot anew with the last number and its CRC.
-  rewrite(flash, 0, kSequenceAt, 0xFFFFFFFFU);
-  ASSERT_EQ(version_in(flash), 1U);
-  ASSERT_TRUE(area.keep(settings(2)));
-  EXPECT_EQ(flash.read(1, kSequenceAt), 0U);
-  EXPECT_EQ(version_in(flash), 2U);
-  ASSERT_TRUE(area.keep(settings(3)));
-  EXPECT_EQ(version_in(flash), 3U);
+  rewrite(flash_, 0, kSequenceAt, 0xFFFFFFFFU);
+  ASSERT_EQ(version_in(flash_), 1U);
+  ASSERT_TRUE(area_.keep(settings(2)));
+  EXPECT_EQ(flash_.read(1, kSequenceAt), 0U);
+  EXPECT_EQ(version_in(flash_), 2U);
+  ASSERT_TRUE(area_.keep(settings(3)));
+  EXPECT_EQ(version_in(flash_), 3U);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <control_centre/threshold.hpp>
 
 #include <memory>
-#include <vector>
 
 #include <grid/sfr_model.hpp>
 #include <outlet/settings.hpp>

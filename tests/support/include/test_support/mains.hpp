@@ -1,10 +1,10 @@
 // A mains voltage for tests to play: nominal for a second, then as told.
 #pragma once
 
+#include <test_support/demand.hpp>
+
 #include <cmath>
 #include <cstdint>
-
-#include <gtest/gtest.h>
 
 #include <source/source.hpp>
 
@@ -45,16 +45,13 @@ struct Mains : source::Stimulus {
 
 // From off to the stimulus's tick 0.
 inline void start(source::Source& source, const source::Stimulus& stimulus) {
-  const auto prepared = source.prepare(stimulus);
-  ASSERT_TRUE(prepared.ok()) << prepared.error();
-  const auto energised = source.energise();
-  ASSERT_TRUE(energised.ok()) << energised.error();
-  ASSERT_TRUE(source.start().ok());
+  demand(source.prepare(stimulus));
+  demand(source.energise());
+  demand(source.start());
 }
 
 inline void advance(source::Source& source, std::int64_t until_tick) {
-  const auto played = source.advance(until_tick);
-  ASSERT_TRUE(played.ok()) << played.error();
+  demand(source.advance(until_tick));
 }
 
 }  // namespace gsbench::test
