@@ -1,7 +1,6 @@
 #include "commands.hpp"
 
 #include <cstdio>
-#include <memory>
 
 #include <profile/load.hpp>
 
@@ -32,12 +31,10 @@ int check_all(const std::vector<std::string>& profiles) {
 }  // namespace
 
 void add_check(CommandLine& line) {
-  auto profiles = std::make_shared<std::vector<std::string>>();
-  const Command command =
-      line.command("check", "Say whether profiles make sense, and play nothing");
-  command.option("profile", *profiles, "Shipped profiles, or .toml files").required();
+  const auto [command, arguments] =
+      line.command("check", "Say whether profiles make sense, and play nothing", check_all);
+  command.add_option("profile", arguments, "Shipped profiles, or .toml files")->required();
   command.footer("Example:\n  gsbench check my-profile.toml regression/backup");
-  command.callback([profiles] { return check_all(*profiles); });
 }
 
 }  // namespace gsbench::cli

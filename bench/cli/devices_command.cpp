@@ -1,5 +1,4 @@
 #include "commands.hpp"
-#include "json_text.hpp"
 #include "link_arguments.hpp"
 
 #include <algorithm>
@@ -46,7 +45,7 @@ int devices(const DevicesArguments& arguments) {
     for (const link::OutletPresence& outlet : present) {
       all.push_back(as_json(outlet));
     }
-    std::fputs(json_text(all).c_str(), stdout);
+    print_json(all);
     return exit_code;
   }
   if (present.empty()) {
@@ -75,10 +74,10 @@ int devices(const DevicesArguments& arguments) {
 }  // namespace
 
 void add_devices(CommandLine& line) {
-  auto arguments = std::make_shared<DevicesArguments>();
-  const Command command = line.command("devices", "Finds outlets on ports and brokers");
-  add_link_options(command, arguments->link);
-  command.flag("--json", arguments->json, "Print as JSON");
+  const auto [command, arguments] =
+      line.command("devices", "Finds outlets on ports and brokers", devices);
+  add_link_options(command, arguments.link);
+  command.add_flag("--json", arguments.json, "Print as JSON");
   command.footer(
       "Exit code 4 where an outlet does not answer, is there twice, or speaks another protocol.\n"
       "\n"
@@ -86,7 +85,6 @@ void add_devices(CommandLine& line) {
       "  gsbench devices                          on every serial port of this machine\n"
       "  gsbench devices --port /dev/ttyUSB0\n"
       "  gsbench devices --station my-station.toml");
-  command.callback([arguments] { return devices(*arguments); });
 }
 
 }  // namespace gsbench::cli

@@ -48,13 +48,13 @@ station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
 
 }  // namespace
 
-void add_link_options(const Command& command, LinkArguments& arguments) {
-  const Option station = command.option("--station", arguments.station,
-                                        "A station file, or the name of a shipped one");
+void add_link_options(CLI::App& command, LinkArguments& arguments) {
+  CLI::Option* station = command.add_option("--station", arguments.station,
+                                            "A station file, or the name of a shipped one");
   command
-      .option("--port", arguments.ports,
-              "A serial port, or tcp://host:port; may be given more than once")
-      .excludes(station);
+      .add_option("--port", arguments.ports,
+                  "A serial port, or tcp://host:port; may be given more than once")
+      ->excludes(station);
 }
 
 FoundOutlets find_outlets(const LinkArguments& arguments) {

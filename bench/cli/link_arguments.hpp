@@ -1,7 +1,7 @@
 // Where to look for outlets, for commands that only talk to them.
 #pragma once
 
-#include "arguments.hpp"
+#include "commands.hpp"
 
 #include <memory>
 #include <string>
@@ -16,7 +16,7 @@ struct LinkArguments {
   std::vector<std::string> ports;
 };
 
-void add_link_options(const Command& command, LinkArguments& arguments);
+void add_link_options(CLI::App& command, LinkArguments& arguments);
 
 struct FoundOutlets {
   std::unique_ptr<link::Link> link;  // open

@@ -1,8 +1,6 @@
 #include "commands.hpp"
-#include "json_text.hpp"
 
 #include <cstdio>
-#include <memory>
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +25,7 @@ void print(const char* heading, const std::vector<profile::ProfileSummary>& summ
   }
 }
 
-void list(bool json) {
+int list(const bool& json) {
   const std::vector<profile::ProfileSummary> profiles = profile::list_profiles();
   const std::vector<std::string> grids = profile::list_grids();
   const std::vector<profile::ProfileSummary> stations = station::list_stations();
@@ -36,8 +34,8 @@ void list(bool json) {
     out["profiles"] = as_json(profiles);
     out["grids"] = grids;
     out["stations"] = as_json(stations);
-    std::fputs(json_text(out).c_str(), stdout);
-    return;
+    print_json(out);
+    return kPassed;
   }
   print("Profiles", profiles);
   std::puts("Grids");
@@ -45,19 +43,16 @@ void list(bool json) {
     std::printf("  %s\n", grid.c_str());
   }
   print("Stations", stations);
+  return kPassed;
 }
 
 }  // namespace
 
 void add_list(CommandLine& line) {
-  auto json = std::make_shared<bool>(false);
-  const Command command = line.command("list", "The shipped profiles, grids and stations");
-  command.flag("--json", *json, "Print as JSON");
+  const auto [command, arguments] =
+      line.command("list", "The shipped profiles, grids and stations", list);
+  command.add_flag("--json", arguments, "Print as JSON");
   command.footer("Example:\n  gsbench list");
-  command.callback([json] {
-    list(*json);
-    return kPassed;
-  });
 }
 
 }  // namespace gsbench::cli

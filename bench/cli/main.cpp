@@ -10,6 +10,8 @@
 
 namespace {
 
+namespace cli = gsbench::cli;
+
 constexpr const char* kAbout =
     "gsbench plays the frequency response of a power system into Grid Sense outlets, captures "
     "what\n"
@@ -23,6 +25,13 @@ constexpr const char* kExitCodes =
     "Exit codes: 0 PASS; 1 FAIL; 2 bad usage, profile, settings or output folder;\n"
     "3 INCONCLUSIVE; 4 ERROR; 130 interrupted.";
 
+std::string usage_mistake(const CLI::App* app, const CLI::Error& error) {
+  const std::vector<std::string> unknown = app->remaining();
+  const bool no_command = app->get_subcommands().empty() && !unknown.empty();
+  return "gsbench: " + (no_command ? unknown.front() + " is no command" : error.what()) +
+         "; `gsbench --help` and `gsbench COMMAND --help` say more\n";
+}
+
 int complain(const char* what, int exit_code) {
   std::fprintf(stderr, "gsbench: %s\n", what);
   return exit_code;
@@ -31,25 +40,21 @@ int complain(const char* what, int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  namespace cli = gsbench::cli;
-  cli::CommandLine line(kAbout, kExitCodes, GSBENCH_VERSION);
-  cli::add_run(line);
-  cli::add_list(line);
-  cli::add_check(line);
-  cli::add_params(line);
-  cli::add_waveform(line);
-  cli::add_report(line);
-  cli::add_runs(line);
-  cli::add_study(line);
-  cli::add_reproduce(line);
-  cli::add_fleet(line);
-  cli::add_measures(line);
-  cli::add_schema(line);
-  cli::add_devices(line);
-  cli::add_monitor(line);
-  int exit_code = cli::kPassed;
+  cli::CommandLine line{CLI::App(kAbout, "gsbench")};
+  line.app.footer(kExitCodes);
+  line.app.set_version_flag("--version", GSBENCH_VERSION);
+  line.app.require_subcommand(1);
+  line.app.failure_message(usage_mistake);
+  for (const auto add :
+       {cli::add_run, cli::add_list, cli::add_check, cli::add_params, cli::add_waveform,
+        cli::add_report, cli::add_runs, cli::add_study, cli::add_reproduce, cli::add_fleet,
+        cli::add_measures, cli::add_schema, cli::add_devices, cli::add_monitor}) {
+    add(line);
+  }
   try {
-    exit_code = line.run(argc, argv);
+    line.app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    line.exit_code = line.app.exit(error) == 0 ? cli::kPassed : cli::kBadInput;
   } catch (const gsbench::profile::ConfigurationError& error) {
     return complain(error.what(), cli::kBadInput);
   } catch (const gsbench::record::StoreError& error) {
@@ -67,5 +72,5 @@ int main(int argc, char** argv) {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     return complain("standard output cannot be written", cli::kBadInput);
   }
-  return exit_code;
+  return line.exit_code;
 }

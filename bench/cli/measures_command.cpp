@@ -1,8 +1,6 @@
 #include "commands.hpp"
-#include "json_text.hpp"
 
 #include <cstdio>
-#include <memory>
 
 #include <nlohmann/json.hpp>
 
@@ -22,7 +20,7 @@ std::string unit_or_words(const measures::Measure& measure) {
   return words;
 }
 
-void measures(bool json) {
+int measures(const bool& json) {
   if (json) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
     for (const measures::Measure& measure : measures::catalogue()) {
@@ -32,27 +30,23 @@ void measures(bool json) {
                      {"definition", measure.definition},
                      {"needs", measure.needs}});
     }
-    std::fputs(json_text(out).c_str(), stdout);
-    return;
+    print_json(out);
+    return kPassed;
   }
   for (const measures::Measure& measure : measures::catalogue()) {
     std::printf("%s [%s]\n    %s\n    Needs: %s.\n", measure.name.c_str(),
                 unit_or_words(measure).c_str(), measure.definition.c_str(), measure.needs.c_str());
   }
+  return kPassed;
 }
 
 }  // namespace
 
 void add_measures(CommandLine& line) {
-  auto json = std::make_shared<bool>(false);
-  const Command command =
-      line.command("measures", "What a profile can set limits to: names, units, definitions");
-  command.flag("--json", *json, "Print as JSON");
+  const auto [command, arguments] = line.command(
+      "measures", "What a profile can set limits to: names, units, definitions", measures);
+  command.add_flag("--json", arguments, "Print as JSON");
   command.footer("Example:\n  gsbench measures");
-  command.callback([json] {
-    measures(*json);
-    return kPassed;
-  });
 }
 
 }  // namespace gsbench::cli

@@ -1,7 +1,5 @@
 #include "page_output.hpp"
 
-#include "commands.hpp"
-#include "interrupt.hpp"
 #include "output_file.hpp"
 #include "progress.hpp"
 
@@ -29,13 +27,13 @@ void write(const record::Page& page, const PageOutput& output) {
 
 }  // namespace
 
-void add_page_options(const Command& command, PageOutput& output) {
+void add_page_options(CLI::App& command, PageOutput& output) {
   output.threads = default_threads();
-  command.option("--threads", output.threads, "The result is the same for any")
-      .range(1, 256)
-      .show_default();
-  command.option("-o,--output", output.report, "Write an HTML report there; - is standard output");
-  command.flag("--json", output.json, "Print as JSON");
+  add_with_default(command, "--threads", output.threads, "The result is the same for any")
+      ->check(kThreads);
+  command.add_option("-o,--output", output.report,
+                     "Write an HTML report there; - is standard output");
+  command.add_flag("--json", output.json, "Print as JSON");
 }
 
 int print_page(const char* what, const PageOutput& output,

@@ -1,7 +1,7 @@
 // Where a page of figures goes: a table on the terminal or JSON, and with -o an HTML report.
 #pragma once
 
-#include "arguments.hpp"
+#include "commands.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -19,7 +19,7 @@ struct PageOutput {
 };
 
 // -o, --json and --threads.
-void add_page_options(const Command& command, PageOutput& output);
+void add_page_options(CLI::App& command, PageOutput& output);
 
 // The page that `make` works out, with progress on a terminal and an end at an interrupt, which it
 // is told of by the execution's `stop`. Returns the exit code. Throws profile::ConfigurationError

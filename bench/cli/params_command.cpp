@@ -1,13 +1,10 @@
-#include "choices.hpp"
 #include "commands.hpp"
-#include "json_text.hpp"
 #include <control_centre/blocks.hpp>
 #include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 
 #include <cmath>
 #include <cstdio>
-#include <memory>
 
 #include <nlohmann/json.hpp>
 
@@ -19,10 +16,6 @@ namespace {
 
 using control_centre::Accumulation;
 using nlohmann::ordered_json;
-
-ordered_json finite_or_null(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
 
 ordered_json as_json(const grid::Grid& grid, double row_hz, Accumulation accumulation) {
   const grid::SfrModel model(grid);
@@ -43,7 +36,7 @@ ordered_json as_json(const grid::Grid& grid, double row_hz, Accumulation accumul
   out["omega_r"] = closed ? ordered_json(closed->omega_r) : ordered_json(nullptr);
   out["phi"] = closed ? ordered_json(closed->phi) : ordered_json(nullptr);
   out["phi1"] = closed ? ordered_json(closed->phi1) : ordered_json(nullptr);
-  out["t_nadir_s"] = finite_or_null(grid::nadir(model, threshold_mw).t_s);
+  out["t_nadir_s"] = grid::nadir(model, threshold_mw).t_s;
   out["threshold_mw"] = threshold_mw;
   out["k_lse_mw_per_hz_s"] = control_centre::k_lse_mw_per_hz_s(model);
   out["conditions"] = ordered_json::array();
@@ -122,35 +115,32 @@ struct ParamsArguments {
   bool json = false;
 };
 
-void params(const ParamsArguments& arguments) {
+int params(const ParamsArguments& arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
   if (std::isnan(arguments.row_hz)) {
     throw profile::ConfigurationError("--row: not a number");
   }
   const double row_hz = arguments.row_hz > 0.0 ? arguments.row_hz : grid.condition_row_hz;
   if (arguments.json) {
-    std::fputs(json_text(as_json(grid, row_hz, arguments.accumulation)).c_str(), stdout);
+    print_json(as_json(grid, row_hz, arguments.accumulation));
   } else {
     print(grid, row_hz, arguments.accumulation);
   }
+  return kPassed;
 }
 
 }  // namespace
 
 void add_params(CommandLine& line) {
-  auto arguments = std::make_shared<ParamsArguments>();
-  const Command command = line.command(
-      "params", "What the control centre works out for a grid: threshold, conditions, blocks");
-  command.option("grid", arguments->grid, "A shipped grid, or a .toml file").required();
-  command.option("--row", arguments->row_hz, "Height of a row of the conditions, Hz")
-      .range(0.001, 5.0);
-  add_accumulation(command, arguments->accumulation);
-  command.flag("--json", arguments->json, "Print as JSON");
+  const auto [command, arguments] = line.command(
+      "params", "What the control centre works out for a grid: threshold, conditions, blocks",
+      params);
+  command.add_option("grid", arguments.grid, "A shipped grid, or a .toml file")->required();
+  command.add_option("--row", arguments.row_hz, "Height of a row of the conditions, Hz")
+      ->check(CLI::Range(0.001, 5.0));
+  add_accumulation(command, arguments.accumulation);
+  command.add_flag("--json", arguments.json, "Print as JSON");
   command.footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");
-  command.callback([arguments] {
-    params(*arguments);
-    return kPassed;
-  });
 }
 
 }  // namespace gsbench::cli

@@ -3,7 +3,6 @@
 #include "run_folder.hpp"
 #include <unistd.h>
 
-#include <memory>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,7 +22,7 @@ struct ReportArguments {
   std::string output = "-";
 };
 
-void report(const ReportArguments& arguments) {
+int report(const ReportArguments& arguments) {
   const std::string record_path = find_record(arguments.run, arguments.output_folder);
   const record::RunRecord run = record::read_run(record_path);
   OutputFile file(arguments.output, {record_path});
@@ -32,6 +31,7 @@ void report(const ReportArguments& arguments) {
       file.is_standard_output() && isatty(STDOUT_FILENO) == 1 && format.render == kTerminal.render;
   file.append(colour ? render::coloured_terminal(run) : format.render(run));
   file.commit();
+  return kPassed;
 }
 
 std::vector<std::string> format_names() {
@@ -53,22 +53,15 @@ std::string described_formats() {
 }  // namespace
 
 void add_report(CommandLine& line) {
-  auto arguments = std::make_shared<ReportArguments>();
-  const Command command = line.command("report", "Render a kept run again");
-  command.option("run", arguments->run, "A run's folder, record file or id").required();
-  command.option("--out", arguments->output_folder, "Folder that keeps the runs").show_default();
-  command.option("--format", arguments->format, "What to render")
-      .one_of(format_names())
-      .show_default();
-  command.option("-o,--output", arguments->output, "File to write; -: standard output")
-      .show_default();
+  const auto [command, arguments] = line.command("report", "Render a kept run again", report);
+  command.add_option("run", arguments.run, "A run's folder, record file or id")->required();
+  add_with_default(command, "--out", arguments.output_folder, "Folder that keeps the runs");
+  add_with_default(command, "--format", arguments.format, "What to render")
+      ->check(CLI::IsMember(format_names()));
+  add_with_default(command, "-o,--output", arguments.output, "File to write; -: standard output");
   command.footer(described_formats() +
                  "Examples:\n  gsbench report 20260101T120000Z-0123abcd\n"
                  "  gsbench report runs/20260101T120000Z-0123abcd --format csv -o traces.csv");
-  command.callback([arguments] {
-    report(*arguments);
-    return kPassed;
-  });
 }
 
 }  // namespace gsbench::cli

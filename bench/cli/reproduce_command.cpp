@@ -1,8 +1,5 @@
-#include "choices.hpp"
 #include "commands.hpp"
 #include "page_output.hpp"
-
-#include <memory>
 
 #include <campaign/estimates.hpp>
 #include <paper/reproduction.hpp>
@@ -34,9 +31,9 @@ record::RunRecord play_experiment(std::uint64_t seed, const campaign::Execution&
   return station::run(plan, *station, options);
 }
 
-int run_reproduce(ReproduceArguments arguments) {
+int run_reproduce(const ReproduceArguments& arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
-  paper::Options& options = arguments.options;
+  paper::Options options = arguments.options;
   options.play_experiment = [seed = options.seed](const campaign::Execution& execution) {
     return play_experiment(seed, execution);
   };
@@ -46,24 +43,26 @@ int run_reproduce(ReproduceArguments arguments) {
 }
 
 // What the paper leaves open.
-void add_choices(const Command& command, paper::Choices& choices) {
+void add_choices(CLI::App& command, paper::Choices& choices) {
   add_noise_distribution(command, choices.noise_distribution);
   add_loss_instant(command, choices.loss_instant);
   campaign::Counting& counting = choices.counting;
-  const auto add = [&command](const char* name, auto& value, const char* text) {
-    return command.option(name, value, text).show_default();
-  };
-  add("--rocof-window", counting.window, "Table 2, the paper's way: samples in a slope")
-      .range(2, 64);
-  add("--count-from", counting.first, "The same: sample from which on conditions are counted")
-      .range(0, 1000);
-  add("--count-lines", counting.count, "The same: how many samples are counted").range(1, 1000);
-  add("--hits-above", counting.more_than, "The same: hits above which load shedding is needed")
-      .range(0, 1000);
-  add("--ekf-loss-sigma", choices.ekf_loss_sigma_mw,
-      "The paper's EKF starts with this standard deviation of LSE, MW");
-  add("--ekf-instant-sigma", choices.ekf_t_x_sigma_s,
-      "And with this standard deviation of the loss's instant, s");
+  add_with_default(command, "--rocof-window", counting.window,
+                   "Table 2, the paper's way: samples in a slope")
+      ->check(CLI::Range(2, 64));
+  add_with_default(command, "--count-from", counting.first,
+                   "The same: sample from which on conditions are counted")
+      ->check(CLI::Range(0, 1000));
+  add_with_default(command, "--count-lines", counting.count,
+                   "The same: how many samples are counted")
+      ->check(CLI::Range(1, 1000));
+  add_with_default(command, "--hits-above", counting.more_than,
+                   "The same: hits above which load shedding is needed")
+      ->check(CLI::Range(0, 1000));
+  add_with_default(command, "--ekf-loss-sigma", choices.ekf_loss_sigma_mw,
+                   "The paper's EKF starts with this standard deviation of LSE, MW");
+  add_with_default(command, "--ekf-instant-sigma", choices.ekf_t_x_sigma_s,
+                   "And with this standard deviation of the loss's instant, s");
 }
 
 std::string list_of_items() {
@@ -83,23 +82,20 @@ std::string list_of_items() {
 }  // namespace
 
 void add_reproduce(CommandLine& line) {
-  auto arguments = std::make_shared<ReproduceArguments>();
-  const Command command = line.command(
-      "reproduce", "The paper's tables and figures, computed again and set beside what it prints");
-  command.option("--only", arguments->options.only, "Comma-separated sections, instead of all")
-      .comma_separated();
-  command.option("--n", arguments->options.trajectories, "Trajectories of each campaign")
-      .range(std::uint64_t{1}, campaign::kMostTrajectories)
-      .show_default();
-  command.option("--seed", arguments->options.seed, "Of all random numbers")
-      .range(std::uint64_t{0}, profile::kLargestSeed)
-      .show_default();
-  command.option("--grid", arguments->grid, "A shipped grid, or a .toml file").show_default();
-  add_choices(command, arguments->options.choices);
-  add_accumulation(command, arguments->options.accumulation);
-  add_page_options(command, arguments->output);
+  const auto [command, arguments] = line.command(
+      "reproduce", "The paper's tables and figures, computed again and set beside what it prints",
+      run_reproduce);
+  command.add_option("--only", arguments.options.only, "Comma-separated sections, instead of all")
+      ->delimiter(',');
+  add_with_default(command, "--n", arguments.options.trajectories, "Trajectories of each campaign")
+      ->check(CLI::Range(std::uint64_t{1}, campaign::kMostTrajectories));
+  add_with_default(command, "--seed", arguments.options.seed, "Of all random numbers")
+      ->check(kSeeds);
+  add_with_default(command, "--grid", arguments.grid, "A shipped grid, or a .toml file");
+  add_choices(command, arguments.options.choices);
+  add_accumulation(command, arguments.options.accumulation);
+  add_page_options(command, arguments.output);
   command.footer(list_of_items());
-  command.callback([arguments] { return run_reproduce(*arguments); });
 }
 
 }  // namespace gsbench::cli

@@ -1,11 +1,9 @@
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include <unistd.h>
 
 #include <cstdio>
-#include <memory>
 #include <optional>
 
 #include <profile/load.hpp>
@@ -64,46 +62,43 @@ int run(const RunArguments& arguments) {
 }  // namespace
 
 void add_run(CommandLine& line) {
-  auto arguments = std::make_shared<RunArguments>();
-  const Command command =
-      line.command("run", "Play a profile into outlets, judge what they did, keep and report it");
-  command.option("profile", arguments->profile, "A shipped profile, or a .toml file").required();
-  command.option("--out", arguments->output_folder, "Folder that keeps the runs").show_default();
+  const auto [command, arguments] = line.command(
+      "run", "Play a profile into outlets, judge what they did, keep and report it", run);
+  command.add_option("profile", arguments.profile, "A shipped profile, or a .toml file")
+      ->required();
+  add_with_default(command, "--out", arguments.output_folder, "Folder that keeps the runs");
   command
-      .option("--seed", arguments->overrides.seed, "Seed of the noise, in place of the profile's")
-      .range(std::uint64_t{0}, profile::kLargestSeed);
+      .add_option("--seed", arguments.overrides.seed,
+                  "Seed of the noise, in place of the profile's")
+      ->check(kSeeds);
+  add_with_default(command, "--station", arguments.station,
+                   "Where the outlets are: a shipped station, or a .toml file");
+  command.add_flag("--real-time", arguments.real_time,
+                   "Pace by the wall clock, not as fast as possible");
+  add_with_default(command, "--threads", arguments.threads,
+                   "For simulated outlets; the result is the same for any")
+      ->check(kThreads);
+  recording::TraceColumns& columns = arguments.overrides.trace_columns;
+  CLI::Option* trace =
+      command.add_option("--trace", arguments.overrides.trace_path,
+                         "Play this CSV recording in place of the profile's frequency");
+  command.add_option("--trace-time", columns.time, "Its column of times")->needs(trace);
+  command.add_option("--trace-frequency", columns.frequency, "Its column of frequencies, Hz")
+      ->needs(trace);
   command
-      .option("--station", arguments->station,
-              "Where the outlets are: a shipped station, or a .toml file")
-      .show_default();
-  command.flag("--real-time", arguments->real_time,
-               "Pace by the wall clock, not as fast as possible");
+      .add_option("--trace-voltage", columns.voltage, "Its column of RMS voltages; none: nominal")
+      ->needs(trace);
   command
-      .option("--threads", arguments->threads,
-              "For simulated outlets; the result is the same for any")
-      .range(1, 256)
-      .show_default();
-  recording::TraceColumns& columns = arguments->overrides.trace_columns;
-  const Option trace =
-      command.option("--trace", arguments->overrides.trace_path,
-                     "Play this CSV recording in place of the profile's frequency");
-  command.option("--trace-time", columns.time, "Its column of times").needs(trace);
-  command.option("--trace-frequency", columns.frequency, "Its column of frequencies, Hz")
-      .needs(trace);
-  command.option("--trace-voltage", columns.voltage, "Its column of RMS voltages; none: nominal")
-      .needs(trace);
-  command
-      .option("--trace-nominal-voltage", columns.nominal_voltage,
-              "Nominal voltage in that column's unit; none: the column's median")
-      .needs(trace);
-  command.flag("--json", arguments->json, "Print the result as JSON");
+      .add_option("--trace-nominal-voltage", columns.nominal_voltage,
+                  "Nominal voltage in that column's unit; none: the column's median")
+      ->needs(trace);
+  command.add_flag("--json", arguments.json, "Print the result as JSON");
   command.footer(
       "Examples:\n"
       "  gsbench run paper/loss-500mw\n"
       "  gsbench run my-profile.toml --seed 7 --out my-runs --json\n"
       "  gsbench run my-profile.toml --trace grid.csv --trace-time time --trace-frequency f\n"
       "With --trace the profile's limits still hold: take one without a loss to detect.");
-  command.callback([arguments] { return run(*arguments); });
 }
 
 }  // namespace gsbench::cli

@@ -1,10 +1,8 @@
 #include "commands.hpp"
-#include "json_text.hpp"
 #include "run_folder.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -36,7 +34,7 @@ std::vector<record::RunRecord> heads_by_age(const std::string& output_folder) {
   return heads;
 }
 
-void runs(const RunsArguments& arguments) {
+int runs(const RunsArguments& arguments) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (const record::RunRecord& run : heads_by_age(arguments.output_folder)) {
     if (arguments.json) {
@@ -52,31 +50,26 @@ void runs(const RunsArguments& arguments) {
     }
   }
   for (const std::string& folder : list_unfinished(arguments.output_folder)) {
-    std::fprintf(
-        stderr,
-        "gsbench: %s: a run that has not ended, or was killed; `gsbench report` shows what "
-        "it kept\n",
-        folder.c_str());
+    std::fprintf(stderr,
+                 "gsbench: %s: a run that has not ended, or was killed; `gsbench report` shows "
+                 "what it kept\n",
+                 folder.c_str());
   }
   if (arguments.json) {
-    std::fputs(json_text(out).c_str(), stdout);
+    print_json(out);
   }
+  return kPassed;
 }
 
 }  // namespace
 
 void add_runs(CommandLine& line) {
-  auto arguments = std::make_shared<RunsArguments>();
-  const Command command = line.command("runs", "The runs that are kept, oldest first");
-  command.option("--out", arguments->output_folder, "Folder that keeps the runs")
-      .existing_folder()
-      .show_default();
-  command.flag("--json", arguments->json, "Print as JSON");
+  const auto [command, arguments] =
+      line.command("runs", "The runs that are kept, oldest first", runs);
+  add_with_default(command, "--out", arguments.output_folder, "Folder that keeps the runs")
+      ->check(CLI::ExistingDirectory);
+  command.add_flag("--json", arguments.json, "Print as JSON");
   command.footer("Example:\n  gsbench runs");
-  command.callback([arguments] {
-    runs(*arguments);
-    return kPassed;
-  });
 }
 
 }  // namespace gsbench::cli

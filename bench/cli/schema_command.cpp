@@ -1,9 +1,10 @@
 #include "commands.hpp"
-#include "json_schema.hpp"
 
+#include <cmath>
 #include <cstdio>
-#include <memory>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 #include <keys/markdown.hpp>
 #include <profile/keys.hpp>
@@ -12,7 +13,99 @@
 namespace gsbench::cli {
 namespace {
 
-struct Arguments {
+using nlohmann::ordered_json;
+
+ordered_json schema_of(const keys::Key& key);
+
+void add_range(const keys::Range& range, ordered_json& schema) {
+  if (std::isfinite(range.low)) schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
+  if (std::isfinite(range.high)) {
+    schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
+  }
+}
+
+ordered_json object(const keys::Key& table) {
+  ordered_json schema = {{"type", "object"},
+                         {"properties", ordered_json::object()},
+                         {"required", ordered_json::array()},
+                         {"additionalProperties", false}};
+  for (const keys::Key& key : table.inner) {
+    schema["properties"][key.name] = schema_of(key);
+    if (key.required) schema["required"].push_back(key.name);
+  }
+  return schema;
+}
+
+ordered_json array_of(ordered_json items) {
+  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}};
+}
+
+ordered_json row_of(const keys::Key& row) {
+  ordered_json columns = ordered_json::array();
+  for (const keys::Key& column : row.inner) columns.push_back(schema_of(column));
+  const std::size_t count = columns.size();
+  return {
+      {"type", "array"}, {"items", std::move(columns)}, {"minItems", count}, {"maxItems", count}};
+}
+
+ordered_json shape_of(const keys::Key& key) {
+  switch (key.type) {
+    case keys::Type::kNumber:
+      return {{"type", "number"}};
+    case keys::Type::kWhole:
+      return {{"type", "integer"}};
+    case keys::Type::kText:
+      return {{"type", "string"}, {"minLength", 1}};
+    case keys::Type::kId:
+      return {{"type", "string"},
+              {"minLength", 1},
+              {"maxLength", key.longest},
+              {"pattern", "^[A-Za-z0-9_.-]+$"}};
+    case keys::Type::kWord:
+      return {{"type", "string"}, {"enum", key.words}};
+    case keys::Type::kArray:
+      return array_of(schema_of(key.inner.front()));
+    case keys::Type::kRow:
+      return row_of(key);
+    case keys::Type::kTable:
+      return object(key);
+    case keys::Type::kTables:
+      return array_of(object(key));
+    case keys::Type::kTextOrTable:
+      return {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, object(key)}}};
+  }
+  return {};
+}
+
+std::string description_of(const keys::Key& key) {
+  std::string text = key.meaning;
+  const auto add = [&](const char* what, const std::string& value) {
+    if (!value.empty()) text += (text.empty() ? "" : "; ") + (what + value);
+  };
+  add("unit: ", key.unit);
+  add("range: ", key.permitted);
+  add("default: ", key.otherwise);
+  return text;
+}
+
+ordered_json schema_of(const keys::Key& key) {
+  ordered_json schema = shape_of(key);
+  add_range(key.range, schema);
+  if (const auto* number = std::get_if<double>(&key.fallback)) schema["default"] = *number;
+  if (const auto* text = std::get_if<std::string>(&key.fallback)) schema["default"] = *text;
+  const std::string description = description_of(key);
+  if (!description.empty()) schema["description"] = description;
+  return schema;
+}
+
+ordered_json json_schema(const keys::Key& format) {
+  ordered_json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                         {"title", format.name}};
+  schema.update(object(format));
+  return schema;
+}
+
+struct SchemaArguments {
   std::string format;
   bool markdown = false;
 };
@@ -23,26 +116,26 @@ const keys::Key& keys_of(const std::string& format) {
                              : station::station_keys();
 }
 
-void schema(const Arguments& arguments) {
+int schema(const SchemaArguments& arguments) {
   const keys::Key& keys = keys_of(arguments.format);
-  std::fputs((arguments.markdown ? keys::markdown(keys) : json_schema(keys)).c_str(), stdout);
+  if (arguments.markdown) {
+    std::fputs(keys::markdown(keys).c_str(), stdout);
+  } else {
+    print_json(json_schema(keys));
+  }
+  return kPassed;
 }
 
 }  // namespace
 
 void add_schema(CommandLine& line) {
-  auto arguments = std::make_shared<Arguments>();
-  const Command command =
-      line.command("schema", "What a file may say, as a JSON Schema for editors");
-  command.option("FORMAT", arguments->format, "profile, grid or station")
-      .required()
-      .one_of({"profile", "grid", "station"});
-  command.flag("--markdown", arguments->markdown, "Print as the tables of profiles/README.md");
+  const auto [command, arguments] =
+      line.command("schema", "What a file may say, as a JSON Schema for editors", schema);
+  command.add_option("FORMAT", arguments.format, "profile, grid or station")
+      ->required()
+      ->check(CLI::IsMember({"profile", "grid", "station"}));
+  command.add_flag("--markdown", arguments.markdown, "Print as the tables of profiles/README.md");
   command.footer("Example:\n  gsbench schema profile > profile.schema.json");
-  command.callback([arguments] {
-    schema(*arguments);
-    return kPassed;
-  });
 }
 
 }  // namespace gsbench::cli

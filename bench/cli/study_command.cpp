@@ -1,19 +1,145 @@
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "progress.hpp"
-#include "study_output.hpp"
 #include <seed_sweep/seed_sweep.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <measures/catalogue.hpp>
-#include <profile/load.hpp>
 
 namespace gsbench::cli {
 namespace {
+
+using nlohmann::ordered_json;
+using seed_sweep::Row;
+using seed_sweep::StudyResult;
+
+// Shares asked for: of the values of a measure with a magnitude up to a limit, in the catalogue's
+// unit.
+using Shares = std::vector<std::pair<std::string, double>>;
+
+constexpr std::pair<const char*, double> kQuantiles[] = {
+    {"min", 0.0}, {"p1", 0.01}, {"p50", 0.5}, {"p99", 0.99}, {"p99.9", 0.999}, {"max", 1.0}};
+
+std::string figure(double value) {
+  return std::isnan(value) ? "–" : fmt::format("{:.4g}", value);
+}
+
+std::string verdicts_of(const std::map<record::Verdict, std::size_t>& verdicts) {
+  std::string text;
+  for (const auto& [verdict, count] : verdicts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, record::to_string(verdict));
+  }
+  return text;
+}
+
+std::string words_of(const Row& row) {
+  std::string text;
+  for (const auto& [word, count] : row.values.words()) {
+    text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", count, word);
+  }
+  return text;
+}
+
+ordered_json counts(const std::map<record::Verdict, std::size_t>& verdicts) {
+  ordered_json out = ordered_json::object();
+  for (const auto& [verdict, count] : verdicts) {
+    out[record::to_string(verdict)] = count;
+  }
+  return out;
+}
+
+// nullptr where the study has no such measure.
+const Row* find_row(const StudyResult& study, const std::string& measure) {
+  const auto row = std::find_if(study.rows.begin(), study.rows.end(),
+                                [&](const Row& each) { return each.measure == measure; });
+  return row != study.rows.end() ? &*row : nullptr;
+}
+
+std::string study_table(const StudyResult& study, const Shares& shares) {
+  std::string text = fmt::format("{:<26}{:>7}{:>9}", "measure", "unit", "n");
+  for (const auto& [name, p] : kQuantiles) {
+    text += fmt::format("{:>11}", name);
+  }
+  text += fmt::format("{:>11}{:>11}  {}\n", "mean", "σ", "judged");
+  for (const Row& row : study.rows) {
+    text += fmt::format("{:<26}{:>7}", row.measure, row.unit);
+    if (!row.values.words().empty()) {
+      text += fmt::format("  {}  {}\n", words_of(row), verdicts_of(row.verdicts));
+      continue;
+    }
+    text += fmt::format("{:>9}", row.values.count());
+    for (const auto& [name, p] : kQuantiles) {
+      text += fmt::format("{:>11}", figure(row.values.quantile(p)));
+    }
+    text += fmt::format("{:>11}{:>11}  {}\n", figure(row.values.mean()),
+                        figure(row.values.standard_deviation()), verdicts_of(row.verdicts));
+  }
+  text += "\n";
+  for (const auto& [measure, limit] : shares) {
+    const Row* row = find_row(study, measure);
+    if (row == nullptr || row->values.count() == 0) {
+      text += fmt::format("|{}| ≤ {:g}: no outlet has a value\n", measure, limit);
+    } else {
+      text += fmt::format("|{}| ≤ {:g} {}: {:.3f} % of {}\n", measure, limit, row->unit,
+                          100.0 * row->values.share_within(limit),
+                          row->values.count() + row->values.missing());
+    }
+  }
+  text += fmt::format("{} seeds, {:.2f} hours of outlets: {}\n", study.seeds_done, study.hours,
+                      verdicts_of(study.verdicts));
+  if (!study.first_reason.empty()) {
+    text += "first that did not pass: " + study.first_reason + "\n";
+  }
+  return text;
+}
+
+ordered_json study_json(const profile::Plan& plan, std::uint64_t first_seed,
+                        const StudyResult& study, const Shares& shares) {
+  ordered_json out;
+  out["profile"] = plan.name;
+  out["profile_sha256"] = plan.sha256;
+  out["first_seed"] = first_seed;
+  out["seeds"] = study.seeds_done;
+  out["hours"] = study.hours;
+  out["verdict"] = record::to_string(study.verdict);
+  out["first_reason"] =
+      study.first_reason.empty() ? ordered_json(nullptr) : ordered_json(study.first_reason);
+  out["outlets"] = counts(study.verdicts);
+  out["measures"] = ordered_json::array();
+  for (const Row& row : study.rows) {
+    ordered_json entry = {{"name", row.measure}, {"unit", row.unit}};
+    if (!row.values.words().empty()) {
+      entry["words"] = row.values.words();
+    } else {
+      entry["count"] = row.values.count();
+      entry["missing"] = row.values.missing();
+      for (const auto& [name, p] : kQuantiles) {
+        entry[name] = row.values.quantile(p);
+      }
+      entry["mean"] = row.values.mean();
+      entry["standard_deviation"] = row.values.standard_deviation();
+    }
+    entry["verdicts"] = counts(row.verdicts);
+    out["measures"].push_back(entry);
+  }
+  out["shares"] = ordered_json::array();
+  for (const auto& [measure, limit] : shares) {
+    if (const Row* row = find_row(study, measure)) {
+      out["shares"].push_back({{"name", measure},
+                               {"unit", row->unit},
+                               {"within", limit},
+                               {"count", row->values.count()},
+                               {"share", row->values.share_within(limit)}});
+    }
+  }
+  return out;
+}
 
 struct StudyArguments {
   std::string profile;
@@ -52,10 +178,10 @@ Shares parse_shares(const std::vector<std::string>& texts) {
   return shares;
 }
 
-Shares usual_shares(const seed_sweep::StudyResult& study) {
+Shares usual_shares(const StudyResult& study) {
   Shares shares;
   for (const auto& share : kUsualShares) {
-    const seed_sweep::Row* row = find_row(study, share.first);
+    const Row* row = find_row(study, share.first);
     if (row != nullptr && row->values.count() > 0) {
       shares.push_back(share);
     }
@@ -86,42 +212,42 @@ int run_study(const StudyArguments& arguments) {
   if (shares.empty()) {
     shares = usual_shares(result);
   }
-  const std::string text = arguments.json ? study_json(plan, options.first_seed, result, shares)
-                                          : study_table(result, shares);
-  std::fputs(text.c_str(), stdout);
+  if (arguments.json) {
+    print_json(study_json(plan, options.first_seed, result, shares));
+  } else {
+    std::fputs(study_table(result, shares).c_str(), stdout);
+  }
   return interrupted ? kInterrupted : exit_code_of(result.verdict);
 }
 
 }  // namespace
 
 void add_study(CommandLine& line) {
-  auto arguments = std::make_shared<StudyArguments>();
-  arguments->options.seeds = 20;
-  arguments->options.threads = default_threads();
-  const Command command = line.command(
-      "study", "Run a profile over many seeds on simulated outlets: how its measurements spread");
-  command.option("profile", arguments->profile, "A shipped profile, or a .toml file").required();
-  command.option("--seeds", arguments->options.seeds, "How many")
-      .range(std::uint64_t{1}, std::uint64_t{10000000})
-      .show_default();
-  command.option("--first-seed", arguments->options.first_seed, "The first of them")
-      .range(std::uint64_t{0}, profile::kLargestSeed)
-      .show_default();
-  command.option("--threads", arguments->options.threads, "The result is the same for any")
-      .range(1, 256)
-      .show_default();
+  const auto [command, arguments] = line.command(
+      "study", "Run a profile over many seeds on simulated outlets: how its measurements spread",
+      run_study);
+  arguments.options.seeds = 20;
+  arguments.options.threads = default_threads();
+  command.add_option("profile", arguments.profile, "A shipped profile, or a .toml file")
+      ->required();
+  add_with_default(command, "--seeds", arguments.options.seeds, "How many")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10000000}));
+  add_with_default(command, "--first-seed", arguments.options.first_seed, "The first of them")
+      ->check(kSeeds);
+  add_with_default(command, "--threads", arguments.options.threads,
+                   "The result is the same for any")
+      ->check(kThreads);
   command
-      .option("--within", arguments->within,
-              "MEASURE=LIMIT: print the share of a measure within ± a limit, in the unit that "
-              "`gsbench measures` lists; may be given several times; without: ekf.error=1 and "
-              "ekf.error=4")
-      .one_value_each_time();
-  command.flag("--json", arguments->json, "Print as JSON");
+      .add_option(
+          "--within", arguments.within,
+          "MEASURE=LIMIT: print the share of a measure within ± a limit, in the unit that `gsbench "
+          "measures` lists; may be given several times; without: ekf.error=1 and ekf.error=4")
+      ->allow_extra_args(false);
+  command.add_flag("--json", arguments.json, "Print as JSON");
   command.footer(
       "Examples:\n"
       "  gsbench study paper/loss-500mw --seeds 200 --within event.delay=140\n"
       "  gsbench study regression/steady --seeds 1000     1000 times the profile's hour");
-  command.callback([arguments] { return run_study(*arguments); });
 }
 
 }  // namespace gsbench::cli
