@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <new>
+#include <type_traits>
 
 namespace gsbench::record::columns {
 namespace {
@@ -59,62 +60,55 @@ void ungroup(const Bytes& raw, std::vector<Value>& values) {
   }
 }
 
-template <class Value>
-void unpack_values(const Bytes& blob, std::int64_t entries, std::vector<Value>& values) {
-  ungroup(inflated(blob, entries, sizeof(Value)), values);
-}
-
-}  // namespace
-
 // Differences are taken without sign, so that ticks however hostile wrap and come back.
-Bytes pack(const std::vector<std::int64_t>& ticks) {
-  std::vector<std::uint64_t> second_differences;
-  second_differences.reserve(ticks.size());
+std::vector<std::uint64_t> second_differences(const std::vector<std::int64_t>& ticks) {
+  std::vector<std::uint64_t> differences;
+  differences.reserve(ticks.size());
   std::uint64_t previous = 0;
   std::uint64_t previous_step = 0;
   for (const std::int64_t tick : ticks) {
     const std::uint64_t step = static_cast<std::uint64_t>(tick) - previous;
-    second_differences.push_back(step - previous_step);
+    differences.push_back(step - previous_step);
     previous = static_cast<std::uint64_t>(tick);
     previous_step = step;
   }
-  return deflated(grouped(second_differences));
+  return differences;
 }
 
-Bytes pack(const std::vector<float>& values) {
-  return deflated(grouped(values));
-}
-Bytes pack(const std::vector<double>& values) {
-  return deflated(grouped(values));
-}
-Bytes pack(const std::vector<std::uint8_t>& values) {
-  return deflated(values);
-}
-
-void unpack(const Bytes& blob, std::int64_t entries, std::vector<std::int64_t>& ticks) {
-  std::vector<std::uint64_t> second_differences;
-  unpack_values(blob, entries, second_differences);
-  ticks.clear();
-  ticks.reserve(second_differences.size());
+// In place: ticks where their second differences were.
+void sum_twice(std::vector<std::int64_t>& ticks) {
   std::uint64_t tick = 0;
   std::uint64_t step = 0;
-  for (const std::uint64_t difference : second_differences) {
-    step += difference;
+  for (std::int64_t& value : ticks) {
+    step += static_cast<std::uint64_t>(value);
     tick += step;
-    ticks.push_back(static_cast<std::int64_t>(tick));
+    value = static_cast<std::int64_t>(tick);
   }
 }
 
-void unpack(const Bytes& blob, std::int64_t entries, std::vector<float>& values) {
-  unpack_values(blob, entries, values);
+}  // namespace
+
+template <class Value>
+Bytes pack(const std::vector<Value>& values) {
+  if constexpr (std::is_same_v<Value, std::int64_t>) {
+    return deflated(grouped(second_differences(values)));
+  }
+  return deflated(grouped(values));
 }
 
-void unpack(const Bytes& blob, std::int64_t entries, std::vector<double>& values) {
-  unpack_values(blob, entries, values);
+template <class Value>
+void unpack(const Bytes& blob, std::int64_t entries, std::vector<Value>& values) {
+  ungroup(inflated(blob, entries, sizeof(Value)), values);
+  if constexpr (std::is_same_v<Value, std::int64_t>) sum_twice(values);
 }
 
-void unpack(const Bytes& blob, std::int64_t entries, std::vector<std::uint8_t>& values) {
-  values = inflated(blob, entries, 1);
-}
+template Bytes pack(const std::vector<std::int64_t>&);
+template Bytes pack(const std::vector<float>&);
+template Bytes pack(const std::vector<double>&);
+template Bytes pack(const std::vector<std::uint8_t>&);
+template void unpack(const Bytes&, std::int64_t, std::vector<std::int64_t>&);
+template void unpack(const Bytes&, std::int64_t, std::vector<float>&);
+template void unpack(const Bytes&, std::int64_t, std::vector<double>&);
+template void unpack(const Bytes&, std::int64_t, std::vector<std::uint8_t>&);
 
 }  // namespace gsbench::record::columns

@@ -17,15 +17,12 @@ class DamagedColumn : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-Bytes pack(const std::vector<std::int64_t>& ticks);
-Bytes pack(const std::vector<float>& values);
-Bytes pack(const std::vector<double>& values);
-Bytes pack(const std::vector<std::uint8_t>& values);
+// Value: std::int64_t, which are ticks, float, double or std::uint8_t.
+template <class Value>
+Bytes pack(const std::vector<Value>& values);
 
-// Throw DamagedColumn unless the blob holds exactly `entries` entries.
-void unpack(const Bytes& blob, std::int64_t entries, std::vector<std::int64_t>& ticks);
-void unpack(const Bytes& blob, std::int64_t entries, std::vector<float>& values);
-void unpack(const Bytes& blob, std::int64_t entries, std::vector<double>& values);
-void unpack(const Bytes& blob, std::int64_t entries, std::vector<std::uint8_t>& values);
+// Throws DamagedColumn unless the blob holds exactly `entries` entries.
+template <class Value>
+void unpack(const Bytes& blob, std::int64_t entries, std::vector<Value>& values);
 
 }  // namespace gsbench::record::columns

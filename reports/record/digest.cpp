@@ -1,125 +1,99 @@
-#include "digest.hpp"
-
+// SHA-256 over the fields of a record, in their order. Numbers count by value: every NaN is the
+// same, and so are 0 and -0, since SQLite keeps neither apart.
 #include "fields.hpp"
 
+#include <QCryptographicHash>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <record/store.hpp>
 
 namespace gsbench::record {
 namespace {
 
-template <class Float>
-Float canonical(Float value) {
-  if (std::isnan(value)) return std::numeric_limits<Float>::quiet_NaN();
-  return value + Float{0};  // -0 becomes 0
+template <class Number>
+Number canonical(Number value) {
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (std::isnan(value)) return std::numeric_limits<Number>::quiet_NaN();
+    return value + Number{0};  // -0 becomes 0
+  }
+  return value;
 }
 
-template <class Float>
-std::vector<Float> canonical(std::vector<Float> values) {
-  for (Float& value : values) value = canonical(value);
-  return values;
-}
+class Digest {
+ public:
+  template <class Field>
+  void add(const Field& field) {
+    if constexpr (std::is_same_v<Field, std::string>) {
+      add(field.size());
+      add_bytes(field.data(), field.size());
+    } else if constexpr (std::is_same_v<Field, double>) {
+      const double plain = canonical(field);
+      add_bytes(&plain, sizeof plain);
+    } else if constexpr (std::is_integral_v<Field> || std::is_enum_v<Field>) {
+      const auto whole = static_cast<std::uint64_t>(field);
+      add_bytes(&whole, sizeof whole);
+    } else {
+      Field plain = field;
+      for (auto& value : plain) value = canonical(value);
+      add(plain.size());
+      add_bytes(plain.data(), plain.size() * sizeof plain[0]);
+    }
+  }
+
+  template <class Part>
+  void add_fields(const Part& part) {
+    Fields<Part>::visit(part, [&](const char*, const auto& field) { add(field); });
+  }
+
+  template <class Part>
+  void add_parts(const std::vector<Part>& parts) {
+    add(parts.size());
+    for (const Part& part : parts) add_fields(part);
+  }
+
+  // No outlets, no run id, no wall-clock stamps.
+  void add_content(const RunRecord& head) {
+    Fields<RunRecord>::visit_content(head, [&](const char*, const auto& field) { add(field); });
+    add_parts(head.comparisons);
+    add_fields(head.truth);
+    add_parts(head.stimulus);
+  }
+
+  void add_outlet(const OutletRecord& outlet) {
+    add_fields(outlet);
+    add(outlet.settings.size());
+    for (const auto& [name, value] : outlet.settings) {
+      add(name);
+      add(value);
+    }
+    add_parts(outlet.measurements);
+    add_parts(outlet.marks);
+    add_fields(outlet.trace);
+    add_fields(outlet.estimates);
+  }
+
+  std::string hexadecimal() const { return hash_.result().toHex().toStdString(); }
+
+ private:
+  void add_bytes(const void* data, std::size_t size) {
+    // QCryptographicHash counts in int.
+    constexpr std::size_t kPiece = std::size_t{1} << 30U;
+    const char* bytes = static_cast<const char*>(data);
+    while (size > 0) {
+      const std::size_t piece = std::min(size, kPiece);
+      hash_.addData(bytes, static_cast<int>(piece));
+      bytes += piece;
+      size -= piece;
+    }
+  }
+
+  QCryptographicHash hash_{QCryptographicHash::Sha256};
+};
 
 }  // namespace
-
-void Digest::add_bytes(const void* data, std::size_t size) {
-  // QCryptographicHash counts in int.
-  constexpr std::size_t kPiece = std::size_t{1} << 30U;
-  const char* bytes = static_cast<const char*>(data);
-  while (size > 0) {
-    const std::size_t piece = std::min(size, kPiece);
-    hash_.addData(bytes, static_cast<int>(piece));
-    bytes += piece;
-    size -= piece;
-  }
-}
-
-void Digest::add(std::uint64_t value) {
-  add_bytes(&value, sizeof(value));
-}
-void Digest::add(std::int64_t value) {
-  add(static_cast<std::uint64_t>(value));
-}
-void Digest::add(bool value) {
-  add(static_cast<std::uint64_t>(value));
-}
-void Digest::add(Verdict verdict) {
-  add(static_cast<std::uint64_t>(verdict));
-}
-
-void Digest::add(double value) {
-  const double plain = canonical(value);
-  add_bytes(&plain, sizeof(plain));
-}
-
-void Digest::add(const std::string& text) {
-  add(static_cast<std::uint64_t>(text.size()));
-  add_bytes(text.data(), text.size());
-}
-
-void Digest::add(const std::vector<std::int64_t>& ticks) {
-  add(static_cast<std::uint64_t>(ticks.size()));
-  add_bytes(ticks.data(), ticks.size() * sizeof(std::int64_t));
-}
-
-void Digest::add(const std::vector<float>& values) {
-  add(static_cast<std::uint64_t>(values.size()));
-  const std::vector<float> plain = canonical(values);
-  add_bytes(plain.data(), plain.size() * sizeof(float));
-}
-
-void Digest::add(const std::vector<double>& values) {
-  add(static_cast<std::uint64_t>(values.size()));
-  const std::vector<double> plain = canonical(values);
-  add_bytes(plain.data(), plain.size() * sizeof(double));
-}
-
-void Digest::add(const std::vector<std::uint8_t>& values) {
-  add(static_cast<std::uint64_t>(values.size()));
-  add_bytes(values.data(), values.size());
-}
-
-namespace {
-
-template <class Part>
-void add_fields(Digest& digest, const Part& part) {
-  Fields<Part>::visit(part, [&](const char*, const auto& field) { digest.add(field); });
-}
-
-template <class Part>
-void add_parts(Digest& digest, const std::vector<Part>& parts) {
-  digest.add(static_cast<std::uint64_t>(parts.size()));
-  for (const Part& part : parts) add_fields(digest, part);
-}
-
-}  // namespace
-
-void Digest::add_content(const RunRecord& head) {
-  Fields<RunRecord>::visit_content(head, [&](const char*, const auto& field) { add(field); });
-  add_parts(*this, head.comparisons);
-  add_fields(*this, head.truth);
-  add_parts(*this, head.stimulus);
-}
-
-void Digest::add(const OutletRecord& outlet) {
-  add_fields(*this, outlet);
-  add(static_cast<std::uint64_t>(outlet.settings.size()));
-  for (const auto& [name, value] : outlet.settings) {
-    add(name);
-    add(value);
-  }
-  add_parts(*this, outlet.measurements);
-  add_parts(*this, outlet.marks);
-  add_fields(*this, outlet.trace);
-  add_fields(*this, outlet.estimates);
-}
-
-std::string Digest::hexadecimal() const {
-  return hash_.result().toHex().toStdString();
-}
 
 std::string seal_of_run(const RunRecord& head, bool complete) {
   Digest digest;
@@ -133,15 +107,15 @@ std::string seal_of_run(const RunRecord& head, bool complete) {
 
 std::string seal_of_outlet(const OutletRecord& outlet) {
   Digest digest;
-  digest.add(outlet);
+  digest.add_outlet(outlet);
   return digest.hexadecimal();
 }
 
 std::string content_digest(const RunRecord& run) {
   Digest digest;
   digest.add_content(run);
-  digest.add(static_cast<std::uint64_t>(run.outlets.size()));
-  for (const OutletRecord& outlet : run.outlets) digest.add(outlet);
+  digest.add(run.outlets.size());
+  for (const OutletRecord& outlet : run.outlets) digest.add_outlet(outlet);
   return digest.hexadecimal();
 }
 

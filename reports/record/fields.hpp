@@ -30,6 +30,9 @@ struct Seal {
   std::string sha256;
 };
 
+std::string seal_of_run(const RunRecord& head, bool complete);
+std::string seal_of_outlet(const OutletRecord& outlet);
+
 // Fields<T>::visit(object, visitor) calls visitor(name, member) for each field in a fixed order.
 template <class T>
 struct Fields;

@@ -129,20 +129,8 @@ void Statement::reset() {
   check(sqlite3_reset(handle_));
 }
 
-void Statement::bind(int parameter, std::int64_t value) {
+void Statement::bind_integer(int parameter, std::int64_t value) {
   check(sqlite3_bind_int64(handle_, parameter, value));
-}
-
-void Statement::bind(int parameter, std::uint64_t value) {
-  bind(parameter, static_cast<std::int64_t>(value));
-}
-
-void Statement::bind(int parameter, bool value) {
-  bind(parameter, std::int64_t{value});
-}
-
-void Statement::bind(int parameter, Verdict value) {
-  bind(parameter, static_cast<std::int64_t>(value));
 }
 
 void Statement::bind(int parameter, double value) {

@@ -51,13 +51,13 @@ class Statement {
   void reset();
 
   // Parameters count from 1. A NaN is stored as NULL.
-  void bind(int parameter, std::int64_t value);
-  void bind(int parameter, std::uint64_t value);  // as the signed integer of the same bits
-  void bind(int parameter, bool value);
-  void bind(int parameter, Verdict value);
   void bind(int parameter, double value);
   void bind(int parameter, const std::string& value);
   void bind(int parameter, const std::vector<std::uint8_t>& value);
+  template <class Whole>
+  void bind(int parameter, Whole value) {
+    bind_integer(parameter, static_cast<std::int64_t>(value));  // unsigned: of the same bits
+  }
 
   // Columns count from 0. A value out of its range is StoreError.
   void get(int column, std::int64_t& value) const;
@@ -70,6 +70,7 @@ class Statement {
 
  private:
   void check(int code) const;
+  void bind_integer(int parameter, std::int64_t value);
 
   const Database& database_;
   sqlite3_stmt* handle_;

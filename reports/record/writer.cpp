@@ -1,5 +1,4 @@
 #include "columns.hpp"
-#include "digest.hpp"
 #include "schema.hpp"
 #include <fcntl.h>
 #include <unistd.h>

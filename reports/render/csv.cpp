@@ -1,5 +1,4 @@
 #include "format.hpp"
-#include "truth_line.hpp"
 
 #include <array>
 #include <cmath>
@@ -54,7 +53,6 @@ void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outle
   const std::string id = quoted(outlet.id);
   const record::MeasurementTrace& trace = outlet.trace;
   const record::EstimateTrace& estimates = outlet.estimates;
-  TruthLine truth(run.truth);
   std::size_t report = 0;
   std::size_t estimate = 0;
   while (report < trace.tick.size() || estimate < estimates.tick.size()) {
@@ -69,7 +67,7 @@ void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outle
     out.append(id);
     Row row(out);
     row.cell(seconds(run, tick));
-    row.cell(truth.frequency_hz(tick));
+    row.cell(record::frequency_hz(run.truth, tick));
     if (has_report) {
       row.cell(trace.frequency_hz[report]);
       row.cell(trace.rocof_hz_s[report]);
@@ -97,8 +95,8 @@ void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outle
 std::string csv(const record::RunRecord& run) {
   fmt::memory_buffer out;
   out.append(
-      std::string("outlet,t_s,true_frequency_hz,frequency_hz,rocof_hz_s,voltage_pu,validity,"
-                  "loss_mw,loss_sigma_mw,trusted,t_x_s\n"));
+      std::string("outlet,t_s,true_frequency_hz,frequency_hz,rocof_hz_s,voltage_pu,validity,loss_"
+                  "mw,loss_sigma_mw,trusted,t_x_s\n"));
   for (const record::OutletRecord& outlet : run.outlets) outlet_rows(run, outlet, out);
   return fmt::to_string(out);
 }

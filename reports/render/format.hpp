@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <record/run_record.hpp>
 
@@ -28,5 +29,12 @@ double seconds(const record::RunRecord& run, std::int64_t tick);
 // What may stand in XML, HTML and on a terminal: bytes that are no UTF-8 and control characters but
 // tab and line end become U+FFFD.
 std::string valid_text(const std::string& text);
+
+// Columns on a terminal. A code point is one: nothing wider is printed.
+std::size_t columns_of(const std::string& text);
+
+// A line for each row: the first cell aligned left, the others right, two spaces between. Rows may
+// differ in length.
+std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace gsbench::render

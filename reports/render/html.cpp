@@ -1,6 +1,5 @@
 #include "format.hpp"
 #include "html_elements.hpp"
-#include "html_outlet.hpp"
 #include "plot_data.hpp"
 #include "summary.hpp"
 #include "templates.hpp"
@@ -16,8 +15,8 @@
 namespace gsbench::render {
 namespace {
 
-constexpr std::size_t kMostColumns = 9;      // beside name and verdict: fits 1280 pixels and A4
-constexpr std::size_t kMostShortfalls = 20;  // the tables below have all
+constexpr std::size_t kMostHtmlColumns = 9;      // beside name and verdict: fits 1280 pixels and A4
+constexpr std::size_t kMostHtmlShortfalls = 20;  // the tables below have all
 
 List facts(const record::RunRecord& run) {
   List list;
@@ -51,7 +50,7 @@ List facts(const record::RunRecord& run) {
 
 List fault_rows(const std::vector<const record::OutletRecord*>& faulty) {
   List list;
-  for (std::size_t i = 0; i < std::min(faulty.size(), kMostShortfalls); ++i) {
+  for (std::size_t i = 0; i < std::min(faulty.size(), kMostHtmlShortfalls); ++i) {
     object row{{"outlet", valid_text(faulty[i]->id)}, {"text", outlet_sentence(*faulty[i])}};
     set_verdict(row, faulty[i]->verdict);
     list.push_back(row);
@@ -61,7 +60,7 @@ List fault_rows(const std::vector<const record::OutletRecord*>& faulty) {
 
 List shortfall_rows(const std::vector<Shortfall>& all) {
   List list;
-  for (std::size_t i = 0; i < std::min(all.size(), kMostShortfalls); ++i) {
+  for (std::size_t i = 0; i < std::min(all.size(), kMostHtmlShortfalls); ++i) {
     object row{{"outlet", valid_text(all[i].outlet->id)},
                {"name", valid_text(all[i].result->name)},
                {"text", typographic(valid_text(shortfall_text(*all[i].result)))}};
@@ -112,7 +111,7 @@ std::size_t outlet_drawn_first(const record::RunRecord& run) {
 }
 
 object page(const record::RunRecord& run) {
-  const std::vector<KeyFigure> keys = key_figures(run, kMostColumns);
+  const std::vector<KeyFigure> keys = key_figures(run, kMostHtmlColumns);
   const std::vector<Shortfall> missed = shortfalls(run);
   const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
   List headings;
@@ -136,7 +135,7 @@ object page(const record::RunRecord& run) {
       {"has_missed", flag(!missed.empty() || !faulty.empty())},
       {"faults", fault_rows(faulty)},
       {"missed", shortfall_rows(missed)},
-      {"more_missed", flag(missed.size() > kMostShortfalls)},
+      {"more_missed", flag(missed.size() > kMostHtmlShortfalls)},
       {"missed_in_all", std::to_string(missed.size())},
       {"headings", headings},
       {"doubt_note", doubt.empty() ? "" : ". " + doubt},

@@ -1,6 +1,5 @@
-#include "html_outlet.hpp"
-
 #include "format.hpp"
+#include "html_elements.hpp"
 #include "plot_data.hpp"
 
 #include <algorithm>

@@ -11,11 +11,11 @@ Json text_or_null(const std::string& text) {
 
 Json measurement(const record::MeasurementResult& result) {
   return {{"name", result.name},
-          {"value", result.word.empty() ? number(result.value) : Json(result.word)},
+          {"value", result.word.empty() ? Json(result.value) : Json(result.word)},
           {"unit", result.unit},
-          {"low", number(result.low)},
-          {"high", number(result.high)},
-          {"uncertainty", number(result.uncertainty)},
+          {"low", result.low},
+          {"high", result.high},
+          {"uncertainty", result.uncertainty},
           {"judged", result.judged},
           {"expected_word", text_or_null(result.expected_word)},
           {"verdict", result.judged ? Json(record::to_string(result.verdict)) : Json(nullptr)},
@@ -23,20 +23,16 @@ Json measurement(const record::MeasurementResult& result) {
 }
 
 Json outlet(const record::OutletRecord& outlet) {
-  Json measurements = Json::array();
-  for (const record::MeasurementResult& result : outlet.measurements) {
-    measurements.push_back(measurement(result));
-  }
   return {{"id", outlet.id},
           {"group", outlet.group},
           {"link", outlet.link},
           {"verdict", record::to_string(outlet.verdict)},
           {"fault", text_or_null(outlet.fault)},
           {"clock",
-           {{"drift_ppm", number(outlet.clock.drift_ppm)},
-            {"drift_uncertainty_ppm", number(outlet.clock.drift_uncertainty_ppm)},
-            {"uncertainty_ms", number(outlet.clock.uncertainty_ms)}}},
-          {"measurements", std::move(measurements)}};
+           {{"drift_ppm", outlet.clock.drift_ppm},
+            {"drift_uncertainty_ppm", outlet.clock.drift_uncertainty_ppm},
+            {"uncertainty_ms", outlet.clock.uncertainty_ms}}},
+          {"measurements", array_of(outlet.measurements, measurement)}};
 }
 
 Json recording(const record::Recording& recording) {
@@ -54,22 +50,19 @@ Json recording(const record::Recording& recording) {
 }  // namespace
 
 std::string json(const record::RunRecord& run) {
-  Json outlets = Json::array();
-  for (const record::OutletRecord& one : run.outlets) outlets.push_back(outlet(one));
-  const Json whole = {{"run_id", run.run_id},
-                      {"profile", run.profile},
-                      {"profile_sha256", run.profile_sha256},
-                      {"grid", run.grid},
-                      {"grid_sha256", text_or_null(run.grid_sha256)},
-                      {"recording", recording(run.recording)},
-                      {"firmware_sha256", run.firmware_sha256},
-                      {"seed", run.seed},
-                      {"interrupted", run.interrupted},
-                      {"fault", text_or_null(run.fault)},
-                      {"verdict", record::to_string(run.verdict)},
-                      {"verdict_reason", run.verdict_reason},
-                      {"outlets", std::move(outlets)}};
-  return indented(whole);
+  return indented({{"run_id", run.run_id},
+                   {"profile", run.profile},
+                   {"profile_sha256", run.profile_sha256},
+                   {"grid", run.grid},
+                   {"grid_sha256", text_or_null(run.grid_sha256)},
+                   {"recording", recording(run.recording)},
+                   {"firmware_sha256", run.firmware_sha256},
+                   {"seed", run.seed},
+                   {"interrupted", run.interrupted},
+                   {"fault", text_or_null(run.fault)},
+                   {"verdict", record::to_string(run.verdict)},
+                   {"verdict_reason", run.verdict_reason},
+                   {"outlets", array_of(run.outlets, outlet)}});
 }
 
 }  // namespace gsbench::render

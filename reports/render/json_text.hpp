@@ -1,8 +1,8 @@
 // What all JSON texts of reports have in common.
 #pragma once
 
-#include <cmath>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -10,12 +10,16 @@ namespace gsbench::render {
 
 using Json = nlohmann::ordered_json;
 
-// null for what is no finite number.
-inline Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+// What `each` makes of every part.
+template <class Part, class Each>
+Json array_of(const std::vector<Part>& parts, const Each& each) {
+  Json all = Json::array();
+  for (const Part& part : parts) all.push_back(each(part));
+  return all;
 }
 
-// Indented by two, with a newline at its end. Bytes that are no UTF-8 become U+FFFD here as below.
+// Indented by two, with a newline at its end. Here as below, a number that is not finite becomes
+// null, and bytes that are no UTF-8 U+FFFD.
 std::string indented(const Json& json);
 
 // JSON that may stand inside <script>, where an HTML parser knows no entities: no "<", ">" or "&"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
 namespace gsbench::render {
 namespace {
@@ -34,10 +33,6 @@ bool has_value(const record::OutletRecord& outlet, const KeyFigure& key) {
   return result != nullptr && (!result->word.empty() || !std::isnan(result->value));
 }
 
-bool is_estimate(const KeyFigure& key) {
-  return std::string_view(key.measurement).substr(0, 4) == "ekf.";
-}
-
 bool is_unreliable(const record::OutletRecord& outlet) {
   const auto trust =
       std::find_if(outlet.marks.begin(), outlet.marks.end(),
@@ -46,14 +41,6 @@ bool is_unreliable(const record::OutletRecord& outlet) {
 }
 
 }  // namespace
-
-const record::MeasurementResult* find_measurement(const record::OutletRecord& outlet,
-                                                  const std::string& name) {
-  for (const record::MeasurementResult& result : outlet.measurements) {
-    if (result.name == name) return &result;
-  }
-  return nullptr;
-}
 
 std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t most) {
   std::vector<KeyFigure> keys;
@@ -75,8 +62,9 @@ std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key) {
   const int significant = std::abs(result->value) < 1.0    ? 2
                           : std::abs(result->value) < 10.0 ? 3
                                                            : 4;
-  const std::string text = with_unit(figure(result->value, significant), result->unit);
-  return is_estimate(key) && is_unreliable(outlet) ? text + " ?" : text;
+  const bool is_estimate = result->name.rfind("ekf.", 0) == 0;
+  return with_unit(figure(result->value, significant), result->unit) +
+         (is_estimate && is_unreliable(outlet) ? " ?" : "");
 }
 
 std::string doubt_note(const record::RunRecord& run) {

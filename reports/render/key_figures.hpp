@@ -16,10 +16,6 @@ struct KeyFigure {
 // Those any outlet of the run has a value for, most important first, at most `most`.
 std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t most);
 
-// nullptr where the outlet has no such measurement.
-const record::MeasurementResult* find_measurement(const record::OutletRecord& outlet,
-                                                  const std::string& name);
-
 // An outlet's key figure in few digits; "–" where there is none, and "?" behind an estimate that
 // the outlet flagged as unreliable when it decided.
 std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key);

@@ -1,4 +1,3 @@
-#include "columns.hpp"
 #include "format.hpp"
 #include "html_elements.hpp"
 #include "json_text.hpp"
@@ -14,7 +13,6 @@
 namespace gsbench::render {
 namespace {
 
-using kainjow::mustache::data;
 using record::FigureRow;
 using record::FigureTable;
 
@@ -31,29 +29,33 @@ std::string text_of(const FigureTable& table, const FigureRow& row, std::size_t 
   return in_hz && std::isfinite(value) ? fmt::format("{:.3f}", value) : figure(value, 6);
 }
 
-Json numbers(const std::vector<double>& figures) {
-  Json all = Json::array();
-  for (const double figure : figures) {
-    all.push_back(number(figure));
-  }
-  return all;
+Json table_json(const FigureTable& table) {
+  const auto row_json = [](const FigureRow& row) {
+    return Json{{"name", row.name}, {"figures", row.figures}};
+  };
+  return {{"caption", table.caption},
+          {"columns", table.columns},
+          {"rows", array_of(table.rows, row_json)}};
 }
 
-Json as_json(const FigureTable& table) {
-  Json rows = Json::array();
-  for (const FigureRow& row : table.rows) {
-    rows.push_back({{"name", row.name}, {"figures", numbers(row.figures)}});
-  }
-  return {{"caption", table.caption}, {"columns", table.columns}, {"rows", rows}};
+Json plot_json(const record::CurvePlot& plot) {
+  const auto curve_json = [](const record::Curve& curve) {
+    return Json{{"name", curve.name}, {"y", curve.y}};
+  };
+  return {{"caption", plot.caption},
+          {"x_axis", plot.x_axis},
+          {"y_axis", plot.y_axis},
+          {"steps", plot.steps},
+          {"x", plot.x},
+          {"curves", array_of(plot.curves, curve_json)}};
 }
 
-Json as_json(const record::CurvePlot& plot) {
-  Json curves = Json::array();
-  for (const record::Curve& curve : plot.curves) {
-    curves.push_back({{"name", curve.name}, {"y", numbers(curve.y)}});
-  }
-  return {{"caption", plot.caption}, {"x_axis", plot.x_axis}, {"y_axis", plot.y_axis},
-          {"steps", plot.steps},     {"x", numbers(plot.x)},  {"curves", curves}};
+Json section_json(const record::PageSection& section) {
+  return {{"id", section.id},
+          {"title", section.title},
+          {"paragraphs", section.paragraphs},
+          {"tables", array_of(section.tables, table_json)},
+          {"plots", array_of(section.plots, plot_json)}};
 }
 
 // The lowest of a heat map is blue, the highest red.
@@ -85,12 +87,12 @@ object table_data(const FigureTable& table) {
       cells.push_back(
           object{{"figure", text_of(table, row, i)}, {"style", heat_of(table, row.figures[i])}});
     }
-    rows.push_back(object{{"name", row.name}, {"cells", data(cells)}});
+    rows.push_back(object{{"name", row.name}, {"cells", cells}});
   }
   return {{"caption", table.caption},
           {"first", table.first_column},
-          {"columns", data(columns)},
-          {"rows", data(rows)}};
+          {"columns", columns},
+          {"rows", rows}};
 }
 
 void append_table(const FigureTable& table, std::string& text) {
@@ -115,33 +117,15 @@ std::string json(const record::Page& page) {
   for (const auto& [name, value] : page.facts) {
     facts[name] = value;
   }
-  Json sections = Json::array();
-  for (const record::PageSection& section : page.sections) {
-    Json tables = Json::array();
-    for (const FigureTable& table : section.tables) {
-      tables.push_back(as_json(table));
-    }
-    Json plots = Json::array();
-    for (const record::CurvePlot& plot : section.plots) {
-      plots.push_back(as_json(plot));
-    }
-    sections.push_back({{"id", section.id},
-                        {"title", section.title},
-                        {"paragraphs", section.paragraphs},
-                        {"tables", tables},
-                        {"plots", plots}});
-  }
-  return indented({{"title", page.title}, {"facts", facts}, {"sections", sections}});
+  return indented({{"title", page.title},
+                   {"facts", facts},
+                   {"sections", array_of(page.sections, section_json)}});
 }
 
 std::string terminal(const record::Page& page) {
   std::string text = page.title + "\n";
   for (const auto& [name, value] : page.facts) {
-    text += "  ";
-    text += name;
-    text += ": ";
-    text += value;
-    text += '\n';
+    text += fmt::format("  {}: {}\n", name, value);
   }
   for (const record::PageSection& section : page.sections) {
     text += "\n" + section.title + "\n";
@@ -175,18 +159,18 @@ std::string html(const record::Page& page) {
     for (const record::CurvePlot& plot : section.plots) {
       plot_places.push_back(
           object{{"number", std::to_string(plots.size())}, {"caption", plot.caption}});
-      plots.push_back(as_json(plot));
+      plots.push_back(plot_json(plot));
     }
     sections.push_back(object{{"id", section.id},
                               {"heading", section.title},
-                              {"paragraphs", data(paragraphs)},
-                              {"tables", data(tables)},
-                              {"plots", data(plot_places)}});
+                              {"paragraphs", paragraphs},
+                              {"tables", tables},
+                              {"plots", plot_places}});
   }
   const object all = {{"title", page.title},
                       {"subtitle", page.subtitle},
-                      {"facts", data(facts)},
-                      {"sections", data(sections)},
+                      {"facts", facts},
+                      {"sections", sections},
                       {"plots_json", in_script(plots)},
                       {"dygraphs_js", std::string(templates::dygraphs_js)},
                       {"dygraphs_css", std::string(templates::dygraphs_css)},

@@ -20,7 +20,7 @@ constexpr double kPerHz_s = 1e3;
 constexpr double kPerMw = 1e2;
 
 Json rounded(double value, double per_unit) {
-  return number(std::round(value * per_unit) / per_unit);
+  return std::round(value * per_unit) / per_unit;
 }
 
 // Around each mark all reports are drawn: that is where one zooms in.
@@ -56,16 +56,23 @@ Json marks_json(const record::RunRecord& run, const std::vector<record::Mark>& m
   return list;
 }
 
-Json truth_json(const record::RunRecord& run) {
+// Of an outlet's trace or the reference. What the outlet did not claim is a gap.
+template <class Value>
+Json frequency_json(const record::RunRecord& run, const std::vector<std::int64_t>& tick,
+                    const std::vector<Value>& frequency_hz, const std::vector<Value>& rocof_hz_s,
+                    const std::vector<record::Mark>& marks,
+                    const std::vector<std::uint8_t>& validity) {
   Json t = Json::array();
   Json f = Json::array();
   Json r = Json::array();
-  const record::TruthTrace& truth = run.truth;
-  for (const std::size_t i : thinned(truth.tick, truth.frequency_hz, truth.rocof_hz_s,
-                                     around_marks(run, run.stimulus), kMostPoints)) {
-    t.push_back(seconds(run, truth.tick[i]));
-    f.push_back(rounded(truth.frequency_hz[i], kPerHz));
-    r.push_back(rounded(truth.rocof_hz_s[i], kPerHz_s));
+  const std::vector<double> frequency(frequency_hz.begin(), frequency_hz.end());
+  const std::vector<double> rocof(rocof_hz_s.begin(), rocof_hz_s.end());
+  for (const std::size_t i :
+       thinned(tick, frequency, rocof, around_marks(run, marks), kMostPoints)) {
+    const bool claimed = validity.empty() || validity[i] != 0;
+    t.push_back(seconds(run, tick[i]));
+    f.push_back(claimed ? rounded(frequency[i], kPerHz) : nullptr);
+    r.push_back(claimed ? rounded(rocof[i], kPerHz_s) : nullptr);
   }
   return {{"t", std::move(t)}, {"f", std::move(f)}, {"r", std::move(r)}};
 }
@@ -75,33 +82,26 @@ Json estimates_json(const record::RunRecord& run, const record::OutletRecord& ou
   Json p = Json::array();
   Json trusted = Json::array();
   const record::EstimateTrace& estimates = outlet.estimates;
-  for (const std::size_t i : thinned(estimates.tick, estimates.loss_mw, estimates.loss_sigma_mw,
-                                     around_marks(run, outlet.marks), kMostPoints)) {
+  const std::vector<double> loss_mw(estimates.loss_mw.begin(), estimates.loss_mw.end());
+  const std::vector<double> sigma_mw(estimates.loss_sigma_mw.begin(),
+                                     estimates.loss_sigma_mw.end());
+  for (const std::size_t i :
+       thinned(estimates.tick, loss_mw, sigma_mw, around_marks(run, outlet.marks), kMostPoints)) {
     t.push_back(seconds(run, estimates.tick[i]));
-    p.push_back(rounded(static_cast<double>(estimates.loss_mw[i]), kPerMw));
+    p.push_back(rounded(loss_mw[i], kPerMw));
     trusted.push_back(estimates.trusted[i]);
   }
   return {{"t", std::move(t)}, {"p", std::move(p)}, {"trusted", std::move(trusted)}};
 }
 
 Json outlet_json(const record::RunRecord& run, const record::OutletRecord& outlet) {
-  Json t = Json::array();
-  Json f = Json::array();
-  Json r = Json::array();
   const record::MeasurementTrace& trace = outlet.trace;
-  for (const std::size_t i : thinned(trace.tick, trace.frequency_hz, trace.rocof_hz_s,
-                                     around_marks(run, outlet.marks), kMostPoints)) {
-    const bool claimed = trace.validity[i] != 0;
-    t.push_back(seconds(run, trace.tick[i]));
-    f.push_back(claimed ? rounded(static_cast<double>(trace.frequency_hz[i]), kPerHz) : nullptr);
-    r.push_back(claimed ? rounded(static_cast<double>(trace.rocof_hz_s[i]), kPerHz_s) : nullptr);
-  }
-  return {{"id", valid_text(outlet.id)},
-          {"t", std::move(t)},
-          {"f", std::move(f)},
-          {"r", std::move(r)},
-          {"e", estimates_json(run, outlet)},
-          {"marks", marks_json(run, outlet.marks)}};
+  Json json = {{"id", valid_text(outlet.id)}};
+  json.update(frequency_json(run, trace.tick, trace.frequency_hz, trace.rocof_hz_s, outlet.marks,
+                             trace.validity));
+  json["e"] = estimates_json(run, outlet);
+  json["marks"] = marks_json(run, outlet.marks);
+  return json;
 }
 
 }  // namespace
@@ -135,16 +135,13 @@ std::string mark_value(const record::Mark& mark) {
 }
 
 std::string plot_data(const record::RunRecord& run) {
-  Json outlets = Json::array();
-  for (const record::OutletRecord& outlet : run.outlets) {
-    outlets.push_back(outlet_json(run, outlet));
-  }
-  const Json data = {{"nominal_hz", run.nominal_hz},
-                     {"duration_s", seconds(run, run.duration_ticks)},
-                     {"truth", truth_json(run)},
-                     {"stimulus", marks_json(run, run.stimulus)},
-                     {"outlets", std::move(outlets)}};
-  return in_script(data);
+  const auto each = [&](const record::OutletRecord& outlet) { return outlet_json(run, outlet); };
+  return in_script({{"nominal_hz", run.nominal_hz},
+                    {"duration_s", seconds(run, run.duration_ticks)},
+                    {"truth", frequency_json(run, run.truth.tick, run.truth.frequency_hz,
+                                             run.truth.rocof_hz_s, run.stimulus, {})},
+                    {"stimulus", marks_json(run, run.stimulus)},
+                    {"outlets", array_of(run.outlets, each)}});
 }
 
 std::string thinning_note(const record::RunRecord& run) {
@@ -155,8 +152,7 @@ std::string thinning_note(const record::RunRecord& run) {
   if (longest <= kMostPoints) return "";
   return fmt::format(
       "At most {} of up to {} reports per outlet are drawn: all of them around marks, elsewhere "
-      "the "
-      "extremes of each stretch. The record and the CSV hold them all.",
+      "the extremes of each stretch. The record and the CSV hold them all.",
       kMostPoints, longest);
 }
 

@@ -1,4 +1,3 @@
-#include "columns.hpp"
 #include "format.hpp"
 #include "key_figures.hpp"
 #include "summary.hpp"
@@ -14,8 +13,8 @@ namespace {
 
 using record::Verdict;
 
-constexpr std::size_t kMostColumns = 7;      // beside name and verdict: fits 120 characters
-constexpr std::size_t kMostShortfalls = 10;  // the report has all
+constexpr std::size_t kMostTerminalColumns = 7;      // beside name and verdict: fits 120 characters
+constexpr std::size_t kMostTerminalShortfalls = 10;  // the report has all
 
 std::string word_of(Verdict verdict, bool colour) {
   const char* word = record::to_string(verdict);
@@ -36,7 +35,7 @@ std::string one_line(const std::string& text) {
 }
 
 std::string outlet_table(const record::RunRecord& run, bool colour) {
-  const std::vector<KeyFigure> keys = key_figures(run, kMostColumns);
+  const std::vector<KeyFigure> keys = key_figures(run, kMostTerminalColumns);
   std::vector<std::vector<std::string>> rows = {{"outlet"}};
   for (const KeyFigure& key : keys) rows[0].emplace_back(key.heading);
   for (const record::OutletRecord& outlet : run.outlets) {
@@ -59,21 +58,21 @@ std::string text_of(const record::RunRecord& run, bool colour) {
   if (!doubt.empty()) out += doubt + '\n';
   if (run.recording.replaces_profile) out += one_line(played_sentence(run)) + '\n';
   const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
-  for (std::size_t i = 0; i < std::min(faulty.size(), kMostShortfalls); ++i) {
+  for (std::size_t i = 0; i < std::min(faulty.size(), kMostTerminalShortfalls); ++i) {
     out += fmt::format("{} {}: {}\n", word_of(faulty[i]->verdict, colour), one_line(faulty[i]->id),
                        one_line(outlet_sentence(*faulty[i])));
   }
-  if (faulty.size() > kMostShortfalls) {
-    out += fmt::format("… and {} more outlets\n", faulty.size() - kMostShortfalls);
+  if (faulty.size() > kMostTerminalShortfalls) {
+    out += fmt::format("… and {} more outlets\n", faulty.size() - kMostTerminalShortfalls);
   }
   const std::vector<Shortfall> missed = shortfalls(run);
-  for (std::size_t i = 0; i < std::min(missed.size(), kMostShortfalls); ++i) {
+  for (std::size_t i = 0; i < std::min(missed.size(), kMostTerminalShortfalls); ++i) {
     const auto& [outlet, result] = missed[i];
     out += fmt::format("{} {} {}: {}\n", word_of(result->verdict, colour), one_line(outlet->id),
                        result->name, one_line(shortfall_text(*result)));
   }
-  if (missed.size() > kMostShortfalls) {
-    out += fmt::format("… and {} more\n", missed.size() - kMostShortfalls);
+  if (missed.size() > kMostTerminalShortfalls) {
+    out += fmt::format("… and {} more\n", missed.size() - kMostTerminalShortfalls);
   }
   out += fmt::format("{}: {}\n", word_of(run.verdict, colour), one_line(verdict_sentence(run)));
   return out;

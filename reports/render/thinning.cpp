@@ -9,8 +9,7 @@ namespace {
 
 constexpr std::size_t kKeptAPart = 5;  // two extremes of two columns, and a NaN
 
-template <class Value>
-void keep_extremes(const std::vector<Value>& values, std::size_t from, std::size_t to,
+void keep_extremes(const std::vector<double>& values, std::size_t from, std::size_t to,
                    std::vector<std::size_t>& kept) {
   std::size_t least = to;
   std::size_t greatest = to;
@@ -37,9 +36,9 @@ void keep_stretches(const std::vector<std::int64_t>& tick, const std::vector<Str
 
 }  // namespace
 
-template <class Value>
 std::vector<std::size_t> thinned(const std::vector<std::int64_t>& tick,
-                                 const std::vector<Value>& first, const std::vector<Value>& second,
+                                 const std::vector<double>& first,
+                                 const std::vector<double>& second,
                                  const std::vector<Stretch>& whole, std::size_t most) {
   const std::size_t count = tick.size();
   std::vector<std::size_t> kept;
@@ -66,12 +65,5 @@ std::vector<std::size_t> thinned(const std::vector<std::int64_t>& tick,
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
   return kept;
 }
-
-template std::vector<std::size_t> thinned(const std::vector<std::int64_t>&,
-                                          const std::vector<float>&, const std::vector<float>&,
-                                          const std::vector<Stretch>&, std::size_t);
-template std::vector<std::size_t> thinned(const std::vector<std::int64_t>&,
-                                          const std::vector<double>&, const std::vector<double>&,
-                                          const std::vector<Stretch>&, std::size_t);
 
 }  // namespace gsbench::render

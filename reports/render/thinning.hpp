@@ -16,18 +16,9 @@ struct Stretch {
 // where they are not more. Otherwise: the first and the last; every entry within `whole` stretches,
 // in their order while half of `most` lasts; and in equal parts of the rest least and greatest of
 // both columns and the first NaN (a gap stays a gap).
-template <class Value>
 std::vector<std::size_t> thinned(const std::vector<std::int64_t>& tick,
-                                 const std::vector<Value>& first, const std::vector<Value>& second,
+                                 const std::vector<double>& first,
+                                 const std::vector<double>& second,
                                  const std::vector<Stretch>& whole, std::size_t most);
-
-extern template std::vector<std::size_t> thinned(const std::vector<std::int64_t>&,
-                                                 const std::vector<float>&,
-                                                 const std::vector<float>&,
-                                                 const std::vector<Stretch>&, std::size_t);
-extern template std::vector<std::size_t> thinned(const std::vector<std::int64_t>&,
-                                                 const std::vector<double>&,
-                                                 const std::vector<double>&,
-                                                 const std::vector<Stretch>&, std::size_t);
 
 }  // namespace gsbench::render

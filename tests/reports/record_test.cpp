@@ -20,14 +20,6 @@ TEST(Verdict, OnlyWorsensWhenCombinedWithMax) {
   EXPECT_EQ(std::max(Verdict::kFail, Verdict::kError), Verdict::kError);
 }
 
-TEST(Verdict, IsReadBackFromItsWord) {
-  for (const Verdict verdict :
-       {Verdict::kPass, Verdict::kInconclusive, Verdict::kFail, Verdict::kError}) {
-    EXPECT_EQ(verdict_from_string(to_string(verdict)), verdict);
-  }
-  EXPECT_THROW(verdict_from_string("pass"), std::invalid_argument);
-}
-
 // Another value of any type that a field has.
 template <class Value>
 void change(Value& value) {

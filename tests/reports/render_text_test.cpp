@@ -1,6 +1,5 @@
 // Numbers as people read them, the terminal's table, thinning, and files written whole or not at
 // all.
-#include "columns.hpp"
 #include "format.hpp"
 #include "sample_run.hpp"
 #include "thinning.hpp"
@@ -190,20 +189,20 @@ class Thinning : public ::testing::Test {
   }
 
   std::vector<std::int64_t> tick_ = std::vector<std::int64_t>(100000);
-  std::vector<float> frequency_ = std::vector<float>(100000, 50.0F);
-  std::vector<float> rocof_ = std::vector<float>(100000);
+  std::vector<double> frequency_ = std::vector<double>(100000, 50.0);
+  std::vector<double> rocof_ = std::vector<double>(100000);
 };
 
 TEST_F(Thinning, KeepsAllOfAShortSeries) {
-  EXPECT_EQ(thinned<float>({1, 2, 3}, {1, 1, 1}, {1, 1, 1}, {}, 20).size(), 3U);
+  EXPECT_EQ(thinned({1, 2, 3}, {1, 1, 1}, {1, 1, 1}, {}, 20).size(), 3U);
 }
 
 TEST_F(Thinning, KeepsSpikesOfBothColumnsEndsAndGaps) {
-  frequency_[12345] = 50.5F;
-  frequency_[54321] = 49.5F;
-  rocof_[777] = 3.0F;
-  rocof_[99000] = -3.0F;
-  frequency_[40000] = std::numeric_limits<float>::quiet_NaN();
+  frequency_[12345] = 50.5;
+  frequency_[54321] = 49.5;
+  rocof_[777] = 3.0;
+  rocof_[99000] = -3.0;
+  frequency_[40000] = std::numeric_limits<double>::quiet_NaN();
   const auto kept = thinned(tick_, frequency_, rocof_, {}, 4000);
   EXPECT_LE(kept.size(), 4000U);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
@@ -222,7 +221,7 @@ TEST_F(Thinning, KeepsEveryEntryOfTheStretchesAskedFor) {
 }
 
 TEST_F(Thinning, CoversTheRestEvenWhenStretchesAskForEverything) {
-  frequency_[99500] = 51.0F;
+  frequency_[99500] = 51.0;
   const auto kept = thinned(tick_, frequency_, rocof_, {{0, tick_.back()}}, 4000);
   EXPECT_LE(kept.size(), 4000U);
   EXPECT_THAT(kept, Contains(99500U));

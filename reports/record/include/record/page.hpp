@@ -39,11 +39,11 @@ struct CurvePlot {
 };
 
 struct PageSection {
-  std::string id;  // by which it is asked for: "table4"
-  std::string title;
-  std::vector<std::string> paragraphs;
   std::vector<FigureTable> tables;
   std::vector<CurvePlot> plots;
+  std::vector<std::string> paragraphs;
+  std::string title = {};
+  std::string id = {};  // by which it is asked for: "table4"
 };
 
 struct Page {

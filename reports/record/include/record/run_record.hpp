@@ -12,8 +12,7 @@ namespace gsbench::record {
 // A verdict only worsens: combine with std::max.
 enum class Verdict : std::uint8_t { kPass = 0, kInconclusive = 1, kFail = 2, kError = 3 };
 
-const char* to_string(Verdict verdict);                // "PASS", "INCONCLUSIVE", "FAIL", "ERROR"
-Verdict verdict_from_string(const std::string& text);  // throws std::invalid_argument
+const char* to_string(Verdict verdict);  // "PASS", "INCONCLUSIVE", "FAIL", "ERROR"
 
 // One judged measurement of one outlet. NaN in value: not measured. NaN in low or high: no limit.
 struct MeasurementResult {
@@ -145,5 +144,11 @@ struct RunRecord {
   std::vector<Mark> stimulus;  // losses, phase jumps, dips … as played
   std::vector<OutletRecord> outlets;
 };
+
+// nullptr where the outlet has no such measurement.
+const MeasurementResult* find_measurement(const OutletRecord& outlet, const std::string& name);
+
+// On the straight lines between entries; NaN before the first and after the last.
+double frequency_hz(const TruthTrace& truth, std::int64_t tick);
 
 }  // namespace gsbench::record
