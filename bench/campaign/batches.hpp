@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include <campaign/estimates.hpp>
 #include <campaign/lanes.hpp>
@@ -10,21 +11,7 @@
 
 namespace gsbench::campaign {
 
-constexpr std::size_t kBatchesInBlock = 64;
-constexpr std::size_t kTrajectoriesInBlock = kBatchesInBlock * kLanes;
-
-inline std::uint64_t blocks_of(std::uint64_t trajectories) {
-  return (trajectories + kTrajectoriesInBlock - 1) / kTrajectoriesInBlock;
-}
-
-// Calls each(batch, first, count): trajectories first … first + count − 1 are the batch's.
-template <class Each>
-void each_batch(std::uint64_t block, std::uint64_t trajectories, const Each& each) {
-  const std::uint64_t end = std::min((block + 1) * kTrajectoriesInBlock, trajectories);
-  for (std::uint64_t first = block * kTrajectoriesInBlock; first < end; first += kLanes) {
-    each(first / kLanes, first, std::min<std::uint64_t>(kLanes, end - first));
-  }
-}
+constexpr std::size_t kTrajectoriesInBlock = 64 * kLanes;
 
 // The same clean samples in each lane, in the kernel's order (kernel.hpp).
 inline void spread(const float* clean, std::size_t samples, float* values) {
@@ -34,7 +21,7 @@ inline void spread(const float* clean, std::size_t samples, float* values) {
 }
 
 // What trajectories first … first + kLanes − 1 measure: the clean samples with each one's own
-// noise. `Options`: seed, distribution and noise_hz.
+// noise. `Options`: seed, distribution, noise_hz and trajectories.
 template <class Options>
 void measure(const Options& options, const float* clean, std::size_t samples, std::uint64_t first,
              float* values) {
@@ -44,6 +31,24 @@ void measure(const Options& options, const float* clean, std::size_t samples, st
                          : models::add_gaussian_to_each;
   noise({options.seed, models::kTrajectory, static_cast<std::uint32_t>(first)}, kLanes, samples,
         static_cast<float>(options.noise_hz), values);
+}
+
+// All trajectories. `clean` has the samples of a batch; `each` is given what a batch measured, the
+// number of its first trajectory and how many they are, and histograms to add to.
+template <class Options, class Clean, class Each>
+void run_batches(const Options& options, std::size_t samples, const Clean& clean, const Each& each,
+                 const Execution& execution, Histograms& histograms) {
+  const auto work = [&](std::uint64_t block, Histograms& own) {
+    std::vector<float> deviations_hz(samples * kLanes);
+    const std::uint64_t end = std::min((block + 1) * kTrajectoriesInBlock, options.trajectories);
+    for (std::uint64_t first = block * kTrajectoriesInBlock; first < end; first += kLanes) {
+      measure(options, clean(first / kLanes), samples, first, deviations_hz.data());
+      each(deviations_hz.data(), first, std::min<std::uint64_t>(kLanes, end - first), own);
+    }
+  };
+  const std::uint64_t blocks =
+      (options.trajectories + kTrajectoriesInBlock - 1) / kTrajectoriesInBlock;
+  run_blocks(blocks, execution, work, histograms);
 }
 
 }  // namespace gsbench::campaign

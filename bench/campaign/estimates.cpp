@@ -14,30 +14,21 @@
 namespace gsbench::campaign {
 namespace {
 
-constexpr int kSamples = kLseSamples + kEkfSamples;
 // A loss anywhere in a report: so many instants in turn, which no sum over them feels.
 constexpr std::size_t kInstants = 64;
 
 enum : std::size_t { kLse, kEkf };
 
 void check(const EstimateOptions& options) {
-  if (!(options.loss_mw > 0.0 && std::isfinite(options.loss_mw))) {
-    throw std::invalid_argument("the loss must be above 0 MW");
-  }
-  if (!(options.noise_hz >= 0.0 && options.noise_hz <= 1.0)) {
-    throw std::invalid_argument("the noise must be within 0 … 1 Hz");
-  }
-  if (!(options.parameter_error >= 0.0 && options.parameter_error <= 0.5)) {
-    throw std::invalid_argument("the parameters' error must be within 0 … 0.5");
-  }
-  if (!(options.paper_loss_sigma_mw > 0.0 && options.paper_loss_sigma_mw <= 1.0e5 &&
-        options.paper_t_x_sigma_s > 0.0 && options.paper_t_x_sigma_s <= 0.5)) {
-    throw std::invalid_argument(
-        "the paper's EKF starts with deviations above 0, of 100 000 MW and 0.5 s at most");
-  }
-  if (options.trajectories == 0 || options.trajectories > kMostTrajectories) {
-    throw std::invalid_argument("there must be 1 … 2^32 trajectories");
-  }
+  demand(options.loss_mw > 0.0 && std::isfinite(options.loss_mw), "the loss must be above 0 MW");
+  demand(options.noise_hz >= 0.0 && options.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
+  demand(options.parameter_error >= 0.0 && options.parameter_error <= 0.5,
+         "the parameters' error must be within 0 … 0.5");
+  demand(options.paper_loss_sigma_mw > 0.0 && options.paper_loss_sigma_mw <= 1.0e5 &&
+             options.paper_t_x_sigma_s > 0.0 && options.paper_t_x_sigma_s <= 0.5,
+         "the paper's EKF starts with deviations above 0, of 100 000 MW and 0.5 s at most");
+  demand(options.trajectories > 0 && options.trajectories <= kMostTrajectories,
+         "there must be 1 … 2^32 trajectories");
 }
 
 // The frequency's deviation at each sample, for each instant of the loss.
@@ -49,7 +40,7 @@ class CleanSignal {
       const double early =
           instants_ == 1 ? 0.0
                          : (static_cast<double>(instant) + 0.5) / static_cast<double>(instants_);
-      for (int k = 1; k <= kSamples; ++k) {
+      for (std::size_t k = 1; k <= kSamples; ++k) {
         deviations_hz_.push_back(static_cast<float>(
             options.loss_mw *
             model.unit_deviation_hz(kReportS * (static_cast<double>(k) - early))));
@@ -58,7 +49,7 @@ class CleanSignal {
   }
 
   const float* of_batch(std::uint64_t batch) const {
-    return deviations_hz_.data() + (batch % instants_) * static_cast<std::size_t>(kSamples);
+    return deviations_hz_.data() + batch % instants_ * kSamples;
   }
 
  private:
@@ -104,7 +95,6 @@ class Estimators {
       throw std::invalid_argument("grid " + grid.name +
                                   " is overdamped: the paper's parameters do not exist for it");
     }
-    start_.lse_samples = kLseSamples;
     start_.ekf.measurement_sigma_hz = static_cast<float>(std::max(noise_sigma_hz(options), 1e-4));
     start_.ekf.loss_sigma_mw = static_cast<float>(options.paper_loss_sigma_mw);
     start_.ekf.t_x_sigma_s = static_cast<float>(options.paper_t_x_sigma_s);
@@ -121,23 +111,16 @@ class Estimators {
   }
 
   Estimates estimate(std::uint64_t batch, const float* deviations_hz) const {
-    Estimates estimates;
-    const bool errors = options_.parameter_error > 0.0;
-    const float k_lse = gs::outlet::k_lse_mw_per_hz_s(settings_.response);
-    if (options_.mode == Mode::kPaper) {
-      if (errors) {
-        estimate_as_paper(start_, k_lse, paper_with(make_errors(options_, batch)), deviations_hz,
-                          kSamples, estimates);
-      } else {
-        estimate_as_paper(start_, k_lse, paper_, deviations_hz, kSamples, estimates);
-      }
-    } else if (errors) {
-      estimate_as_outlet(settings_, response_with(make_errors(options_, batch)), deviations_hz,
-                         kSamples, estimates);
-    } else {
-      estimate_as_outlet(settings_, deviations_hz, kSamples, estimates);
+    const bool exact = options_.parameter_error == 0.0;
+    if (options_.mode == Mode::kFirmware) {
+      return exact ? estimate_as_outlet(settings_, settings_.response, deviations_hz)
+                   : estimate_as_outlet(settings_, response_with(make_errors(options_, batch)),
+                                        deviations_hz);
     }
-    return estimates;
+    const float k_lse = gs::outlet::k_lse_mw_per_hz_s(settings_.response);
+    return exact ? estimate_as_paper(start_, k_lse, paper_, deviations_hz)
+                 : estimate_as_paper(start_, k_lse, paper_with(make_errors(options_, batch)),
+                                     deviations_hz);
   }
 
  private:
@@ -184,10 +167,9 @@ class Estimators {
       alone[i][i] = static_cast<float>(options_.parameter_error);
       errors.of[i] = load(alone[i]);
     }
-    float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
+    float deviations_hz[kSamples * kLanes];
     spread(clean.of_batch(0), kSamples, deviations_hz);
-    Estimates estimates;
-    estimate_as_outlet(settings_, response_with(errors), deviations_hz, kSamples, estimates);
+    const Estimates estimates = estimate_as_outlet(settings_, response_with(errors), deviations_hz);
     const float exact_mw = estimates.ekf_mw[5];  // a lane without an error
     float squares = 0.0F;
     for (std::size_t i = 0; i < 5; ++i) {
@@ -210,14 +192,6 @@ Histogram histogram_of(double loss_mw) {
 
 }  // namespace
 
-const char* to_string(Mode mode) {
-  return mode == Mode::kPaper ? "paper" : "firmware";
-}
-
-const char* to_string(NoiseDistribution distribution) {
-  return distribution == NoiseDistribution::kUniform ? "uniform" : "gaussian";
-}
-
 gs::outlet::Settings estimate_settings(const grid::Grid& grid) {
   gs::outlet::Settings settings = control_centre::grid_settings(grid);
   settings.event_drops = 1;
@@ -232,26 +206,24 @@ EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
   const CleanSignal clean(model, options);
   const Estimators estimators(grid, model, options, clean);
   Histograms histograms = {histogram_of(options.loss_mw), histogram_of(options.loss_mw)};
-  const auto work = [&](std::uint64_t block, Histograms& own) {
-    float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
-    each_batch(block, options.trajectories,
-               [&](std::uint64_t batch, std::uint64_t first, std::uint64_t count) {
-                 measure(options, clean.of_batch(batch), kSamples, first, deviations_hz);
-                 const Estimates estimates = estimators.estimate(batch, deviations_hz);
-                 for (std::uint64_t i = 0; i < count; ++i) {
-                   own[kLse].add(static_cast<double>(estimates.lse_mw[i]));
-                   own[kEkf].add(static_cast<double>(estimates.ekf_mw[i]));
-                 }
-                 if (sink) {
-                   sink(first, estimates.ekf_mw, count);
-                 }
-               });
+  const auto each = [&](const float* deviations_hz, std::uint64_t first, std::uint64_t count,
+                        Histograms& own) {
+    const Estimates estimates = estimators.estimate(first / kLanes, deviations_hz);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      own[kLse].add(static_cast<double>(estimates.lse_mw[i]));
+      own[kEkf].add(static_cast<double>(estimates.ekf_mw[i]));
+    }
+    if (sink) {
+      sink(first, estimates.ekf_mw, count);
+    }
   };
   Execution own = execution;
   if (sink) {
     own.reduction = &one_process();
   }
-  run_blocks(blocks_of(options.trajectories), own, work, histograms);
+  run_batches(
+      options, kSamples, [&](std::uint64_t batch) { return clean.of_batch(batch); }, each, own,
+      histograms);
   const double sigma_hz = Estimators::noise_sigma_hz(options);
   const std::int64_t done = histograms[kEkf].count() + histograms[kEkf].missing();
   return {static_cast<std::uint64_t>(done), histograms[kLse], histograms[kEkf], sigma_hz,
@@ -262,11 +234,11 @@ std::vector<float> trajectory(const grid::Grid& grid, const EstimateOptions& opt
                               std::uint64_t number) {
   check(options);
   const CleanSignal clean(grid::SfrModel(grid), options);
-  float deviations_hz[static_cast<std::size_t>(kSamples) * kLanes];
+  float deviations_hz[kSamples * kLanes];
   measure(options, clean.of_batch(number / kLanes), kSamples, number - number % kLanes,
           deviations_hz);
   std::vector<float> one;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(kSamples); ++k) {
+  for (std::size_t k = 0; k < kSamples; ++k) {
     one.push_back(deviations_hz[k * kLanes + number % kLanes]);
   }
   return one;

@@ -1,20 +1,13 @@
 #include "balance.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gsbench::fleet {
 namespace {
 
-constexpr double kNotYet = std::numeric_limits<double>::quiet_NaN();
 constexpr double kCourseS = 0.02;
-constexpr double kLookS = 0.002;  // for the nadir
 
 }  // namespace
-
-Balance::Balance(const grid::SfrModel& model, double loss_mw)
-    : model_(model), changes_({{0.0, loss_mw}}), first_s_(kNotYet), last_s_(kNotYet) {}
 
 void Balance::shed(double at_s, double power_mw) {
   if (power_mw > 0.0) {

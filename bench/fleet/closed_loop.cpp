@@ -5,24 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include <drivers/workers.hpp>
 #include <fleet/closed_loop.hpp>
 #include <grid/sfr_model.hpp>
 #include <models/adc.hpp>
 #include <models/noise.hpp>
-#include <models/relay_model.hpp>
 #include <outlet/outlet.hpp>
 
 namespace gsbench::fleet {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 constexpr double kBeforeLossS = 1.0;
-constexpr double kRelayS = 1e-3 * models::RelayParameters{}.operate_ms;
 constexpr double kTwoPi = 6.283185307179586;
 constexpr std::size_t kOutletsInBlock = 50;
 
@@ -31,8 +29,8 @@ struct Outlet {
   gs::outlet::Config config;
   gs::outlet::State state;
   std::size_t skipped = 0;  // samples before its first: outlets report at instants of their own
-  double event_s = kNever;
-  double loss_mw = kNever;
+  double event_s = kNone;
+  double loss_mw = kNone;
 };
 
 class Loop {
@@ -67,8 +65,8 @@ class Loop {
       if (!gs::outlet::configure(hardware_, outlets_[i]->config) ||
           apply(outlets_[i]->config, outlets_[i]->state, settings) !=
               gs::outlet::SettingsError::kNone) {
-        throw std::invalid_argument("the firmware refuses the settings of group " +
-                                    std::to_string(group + 1));
+        throw std::invalid_argument(
+            fmt::format("the firmware refuses the settings of group {}", group + 1));
       }
     }
   }
@@ -97,7 +95,7 @@ class Loop {
   }
 
   ClosedLoopResult result() const {
-    ClosedLoopResult result{balance_.result(grid_, options_.duration_s), 0, 0, kNever,
+    ClosedLoopResult result{balance_.result(grid_, options_.duration_s), 0, 0, kNone,
                             campaign::Histogram(0.0, 2.0 * options_.loss_mw, 2000)};
     const double power_mw = result.scenario.shed.power_mw;
     result.scenario.shed = count_shed(fleet_, off_);
@@ -199,19 +197,14 @@ class Loop {
 std::optional<ClosedLoopResult> play_closed_loop(const grid::Grid& grid, const Fleet& fleet,
                                                  const ClosedLoopOptions& options,
                                                  const campaign::Execution& execution) {
-  if (fleet.outlets() > kMostInClosedLoop) {
-    throw std::invalid_argument("a closed loop takes up to " + std::to_string(kMostInClosedLoop) +
-                                " outlets; these are " + std::to_string(fleet.outlets()));
-  }
-  if (!(options.loss_mw > 0.0 && options.loss_mw <= grid.base_mw)) {
-    throw std::invalid_argument("the loss must be above 0 and no more than the generation left");
-  }
-  if (!(options.noise_pct >= 0.0 && options.noise_pct <= 20.0)) {
-    throw std::invalid_argument("the noise on the voltage must be within 0 … 20 %");
-  }
-  if (!(options.duration_s >= 1.0 && options.duration_s <= 300.0)) {
-    throw std::invalid_argument("it lasts 1 … 300 s");
-  }
+  campaign::demand(fleet.outlets() <= kMostInClosedLoop,
+                   fmt::format("a closed loop takes up to {} outlets; these are {}",
+                               kMostInClosedLoop, fleet.outlets()));
+  campaign::demand(options.loss_mw > 0.0 && options.loss_mw <= grid.base_mw,
+                   "the loss must be above 0 and no more than the generation left");
+  campaign::demand(options.noise_pct >= 0.0 && options.noise_pct <= 20.0,
+                   "the noise on the voltage must be within 0 … 20 %");
+  campaign::demand(options.duration_s >= 1.0 && options.duration_s <= 300.0, "it lasts 1 … 300 s");
   Loop loop(grid, fleet, options, execution);
   return loop.play() ? std::optional(loop.result()) : std::nullopt;
 }

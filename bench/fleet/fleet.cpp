@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
+#include <campaign/work.hpp>
 #include <fleet/fleet.hpp>
 #include <models/noise.hpp>
 #include <outlet/decision.hpp>
@@ -9,15 +9,12 @@
 namespace gsbench::fleet {
 
 Fleet make_fleet(const FleetOptions& options) {
-  if (options.groups == 0 || options.per_group == 0 ||
-      options.groups > kMostOutlets / options.per_group) {
-    throw std::invalid_argument("a fleet has 1 … 100 000 000 outlets");
-  }
-  if (!(options.least_w >= 0.0 && options.most_w > 0.0 && options.most_w >= options.least_w &&
-        options.most_w <= 1e9)) {
-    throw std::invalid_argument(
-        "appliances take 0 … 1 000 000 000 W, the least no more than the most");
-  }
+  campaign::demand(options.groups > 0 && options.per_group > 0 &&
+                       options.groups <= kMostOutlets / options.per_group,
+                   "a fleet has 1 … 100 000 000 outlets");
+  campaign::demand(options.least_w >= 0.0 && options.most_w > 0.0 &&
+                       options.most_w >= options.least_w && options.most_w <= 1e9,
+                   "appliances take 0 … 1 000 000 000 W, the least no more than the most");
   Fleet fleet;
   fleet.per_group = options.per_group;
   fleet.power_w.reserve(options.groups * options.per_group);

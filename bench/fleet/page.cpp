@@ -24,21 +24,12 @@ constexpr std::size_t kClosedLoopOutlets = 1000;
 constexpr double kToDecideS = 0.8;  // from an event to an open relay
 constexpr double kLossParts[] = {0.9, 1.0, 1.1, 1.2, 1.42, 1.7, 2.0};  // of the threshold
 
-const char* title_of(Control control) {
-  switch (control) {
-    case Control::kNone:
-      return "no control";
-    case Control::kGridSense:
-      return "Grid Sense, by each outlet's estimate";
-    case Control::kSwitchOff:
-      return "switching-off frequencies alone";
-    case Control::kCentral:
-      return "central control";
-    case Control::kUfls:
-      return "under-frequency load shedding";
-  }
-  return "";
-}
+constexpr std::pair<Control, const char*> kControls[] = {
+    {Control::kNone, "no control"},
+    {Control::kGridSense, "Grid Sense, by each outlet's estimate"},
+    {Control::kSwitchOff, "switching-off frequencies alone"},
+    {Control::kCentral, "central control"},
+    {Control::kUfls, "under-frequency load shedding"}};
 
 record::FigureRow row_of(const std::string& name, const ScenarioResult& result) {
   const bool outlets = !result.shed.off_in_group.empty();
@@ -60,9 +51,6 @@ double delay_aware_threshold_mw(const grid::Grid& grid, const ScenarioOptions& o
 
 record::PageSection controls(const grid::Grid& grid, const Study& study, const Fleet& fleet,
                              const Execution& execution) {
-  record::PageSection section;
-  section.id = "controls";
-  section.title = fmt::format("After a loss of {:g} MW", study.scenario.loss_mw);
   record::FigureTable table = {
       "The shed load fed back into the grid, each outlet at its own instant",
       "",
@@ -84,9 +72,9 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
     }
     return result;
   };
-  for (const Control control : all_controls()) {
+  for (const auto& [control, title] : kControls) {
     options.control = control;
-    const auto result = add(title_of(control));
+    const auto result = add(title);
     if (control == Control::kGridSense && result) {
       last_action_s = result->last_action_s;
       record::Curve curve{"off", {}};
@@ -102,15 +90,14 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
     options.threshold_mw = delay_aware_threshold_mw(grid, options, last_action_s);
     add(fmt::format("Grid Sense, threshold {:.2f} MW for the delay", options.threshold_mw));
   }
-  section.tables = {table};
-  section.plots = {plot, groups};
-  section.paragraphs = {fmt::format(
-      "Wanted are {:.2f} MW, the loss above the threshold by eq. (15), which takes shedding to be "
-      "instant. The load-shedding conditions and an outlet's own flag on its estimate are not "
-      "played "
-      "here.",
-      wanted_mw)};
-  return section;
+  return {{table},
+          {plot, groups},
+          {fmt::format("Wanted are {:.2f} MW, the loss above the threshold by eq. (15), which "
+                       "takes shedding to be instant. The load-shedding conditions and an outlet's "
+                       "own flag on its estimate are not played here.",
+                       wanted_mw)},
+          fmt::format("After a loss of {:g} MW", study.scenario.loss_mw),
+          "controls"};
 }
 
 // Over losses and something else. `figure` may have none.
@@ -150,9 +137,7 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
                           const Execution& execution) {
   const Sweep& over = *study.sweep;
   const std::vector<double> losses_mw = losses_of(grid, over);
-  record::PageSection section;
-  section.id = "sweep";
-  section.title = "Loss, noise and delay";
+  std::vector<record::FigureTable> tables;
   const auto all = static_cast<double>(losses_mw.size() * over.noises_hz.size()) *
                    static_cast<double>(over.delays_s.size());
   double done = 0.0;
@@ -174,30 +159,28 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
       beyond_mw.try_emplace({loss_mw, noise_hz}, result->shed.power_mw - result->wanted_mw);
       return result->nadir_hz;
     };
-    section.tables.push_back(heat_map(
+    tables.push_back(heat_map(
         fmt::format("Nadir, Hz, over noise (± or σ, Hz); every outlet {:g} s later", delay_s), "Hz",
         losses_mw, over.noises_hz, nadir_hz));
   }
   // Who sheds hardly depends on when.
-  section.tables.push_back(heat_map("Shed beyond what is wanted, MW, over noise (± or σ, Hz)", "MW",
-                                    losses_mw, over.noises_hz,
-                                    [&](double loss_mw, double noise_hz) {
-                                      const auto cell = beyond_mw.find({loss_mw, noise_hz});
-                                      return cell != beyond_mw.end() ? cell->second : kNoFigure;
-                                    }));
+  tables.push_back(heat_map("Shed beyond what is wanted, MW, over noise (± or σ, Hz)", "MW",
+                            losses_mw, over.noises_hz, [&](double loss_mw, double noise_hz) {
+                              const auto cell = beyond_mw.find({loss_mw, noise_hz});
+                              return cell != beyond_mw.end() ? cell->second : kNoFigure;
+                            }));
   ScenarioOptions central = study.scenario;
   central.control = Control::kCentral;
-  section.tables.push_back(
-      heat_map(fmt::format("Central control in its place, which knows the loss after {:g} s: "
-                           "nadir, Hz, over its communication delay, s",
-                           central.central_decision_s),
-               "Hz", losses_mw, over.delays_s, [&](double loss_mw, double delay_s) {
-                 central.loss_mw = loss_mw;
-                 central.central_delay_s = delay_s;
-                 const auto result = play(grid, fleet, central, quiet(execution));
-                 return result ? result->nadir_hz : kNoFigure;
-               }));
-  return section;
+  tables.push_back(heat_map(fmt::format("Central control in its place, which knows the loss after "
+                                        "{:g} s: nadir, Hz, over its communication delay, s",
+                                        central.central_decision_s),
+                            "Hz", losses_mw, over.delays_s, [&](double loss_mw, double delay_s) {
+                              central.loss_mw = loss_mw;
+                              central.central_delay_s = delay_s;
+                              const auto result = play(grid, fleet, central, quiet(execution));
+                              return result ? result->nadir_hz : kNoFigure;
+                            }));
+  return {tables, {}, {}, "Loss, noise and delay", "sweep"};
 }
 
 record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
@@ -214,10 +197,6 @@ record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
   options.loss_mw = study.scenario.loss_mw;
   options.duration_s = study.scenario.duration_s;
   options.seed = study.fleet.seed;
-  record::PageSection section;
-  section.id = "closed-loop";
-  section.title =
-      fmt::format("{} outlets with the whole firmware, from the voltage on", fleet.outlets());
   record::FigureTable table = {"1 % white noise on each outlet's voltage",
                                "",
                                {"threshold by eq. (15)", "threshold for the delay"}};
@@ -253,29 +232,28 @@ record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
     options.threshold_mw =
         delay_aware_threshold_mw(grid, study.scenario, result->latest_event_s + kToDecideS);
   }
-  section.tables = {table};
-  section.plots = {plot};
-  section.paragraphs = {
-      "By eq. (15) the nadir comes to lie below f_s, and with it below switching-off frequencies: "
-      "outlets that had decided to stay on go off after all. A threshold that reckons with the "
-      "delay spares most of them."};
-  return section;
+  return {{table},
+          {plot},
+          {"By eq. (15) the nadir comes to lie below f_s, and with it below switching-off "
+           "frequencies: outlets that had decided to stay on go off after all. A threshold that "
+           "reckons with the delay spares most of them."},
+          fmt::format("{} outlets with the whole firmware, from the voltage on", fleet.outlets()),
+          "closed-loop"};
 }
 
 // Before anything is played: a sweep may take minutes.
 void check(const grid::Grid& grid, const Study& study) {
-  const auto demand = [](const std::vector<double>& values, double least, double most,
-                         const char* what) {
+  const auto demand_within = [](const std::vector<double>& values, double least, double most,
+                                const char* what) {
     for (const double value : values) {
-      if (!(value >= least && value <= most)) {
-        throw std::invalid_argument(fmt::format("the sweep's {}: {:g} is not within {:g} … {:g}",
-                                                what, value, least, most));
-      }
+      campaign::demand(
+          value >= least && value <= most,
+          fmt::format("the sweep's {}: {:g} is not within {:g} … {:g}", what, value, least, most));
     }
   };
-  demand(study.sweep->losses_mw, 0.001, grid.base_mw, "losses, MW");
-  demand(study.sweep->noises_hz, 0.0, 1.0, "noises, Hz");
-  demand(study.sweep->delays_s, 0.0, study.scenario.duration_s, "delays, s");
+  demand_within(study.sweep->losses_mw, 0.001, grid.base_mw, "losses, MW");
+  demand_within(study.sweep->noises_hz, 0.0, 1.0, "noises, Hz");
+  demand_within(study.sweep->delays_s, 0.0, study.scenario.duration_s, "delays, s");
 }
 
 }  // namespace

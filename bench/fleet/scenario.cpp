@@ -4,19 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <campaign/kernel.hpp>
 #include <drivers/workers.hpp>
 #include <fleet/scenario.hpp>
 #include <grid/sfr_model.hpp>
 #include <models/noise.hpp>
-#include <models/relay_model.hpp>
 #include <outlet/decision.hpp>
 
 namespace gsbench::fleet {
 namespace {
 
+using campaign::demand;
 using campaign::Execution;
 using campaign::kLanes;
 using campaign::kReportS;
@@ -27,8 +26,6 @@ using gs::outlet::LossEstimator;
 using gs::outlet::Settings;
 
 constexpr double kMeasuringS = gs::outlet::kFrontEndDelayMs / 1000.0;
-constexpr double kOperateS = 1e-3 * models::RelayParameters{}.operate_ms;
-constexpr double kRelayLookS = 0.002;  // of relays
 
 // Outlets measure at so many instants of a report in turn, a batch of kLanes each.
 constexpr std::size_t kInstants = 64;
@@ -39,11 +36,6 @@ double instant_s(std::size_t instant) {
 }
 
 void check(const grid::Grid& grid, const ScenarioOptions& o) {
-  const auto demand = [](bool holds, const char* otherwise) {
-    if (!holds) {
-      throw std::invalid_argument(otherwise);
-    }
-  };
   demand(o.loss_mw > 0.0 && o.loss_mw <= grid.base_mw,
          "the loss must be above 0 and no more than the generation left");
   demand(o.noise_hz >= 0.0 && o.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
@@ -96,7 +88,7 @@ class Outlets {
       for (std::size_t chunk = 0; chunk < chunks_; ++chunk) {
         sum_mw += shed_mw_[chunk * kInstants + i];
       }
-      balance.shed(at_s(report, i) + kOperateS + options_.further_delay_s, sum_mw);
+      balance.shed(at_s(report, i) + kRelayS + options_.further_delay_s, sum_mw);
     }
   }
 
@@ -204,9 +196,9 @@ void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance
       (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
       grid.nominal_hz;
   int stage = 0;
-  const auto looks = static_cast<int>(options.duration_s / kRelayLookS);
+  const auto looks = static_cast<int>(options.duration_s / kLookS);
   for (int look = 0; look < looks && stage < 5; ++look) {
-    const double t_s = kRelayLookS * look;
+    const double t_s = kLookS * look;
     while (stage < 5 && balance.deviation_hz(t_s) < first_hz - options.ufls_step_hz * stage) {
       balance.shed(t_s + options.ufls_delay_s, options.ufls_part * grid.load_mw);
       ++stage;
@@ -215,11 +207,6 @@ void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance
 }
 
 }  // namespace
-
-std::vector<Control> all_controls() {
-  return {Control::kNone, Control::kGridSense, Control::kSwitchOff, Control::kCentral,
-          Control::kUfls};
-}
 
 std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
                                    const ScenarioOptions& options, const Execution& execution) {

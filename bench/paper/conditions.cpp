@@ -2,7 +2,7 @@
 #include "sections.hpp"
 #include <control_centre/threshold.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include <grid/sfr_model.hpp>
 
@@ -72,29 +72,24 @@ PageSection table2(Study& study, const Execution& execution) {
   const Execution half = nth_of(execution, 0, 2);
   int n = 0;
   for (const Cell& cell : kCells) {
-    char name[48];
-    std::snprintf(name, sizeof name, "%g MW, %s%g Hz", cell.loss_mw, sign, cell.noise_hz);
-    record::FigureRow row = {name, {cell.printed}};
+    record::FigureRow row = {fmt::format("{:g} MW, {}{:g} Hz", cell.loss_mw, sign, cell.noise_hz),
+                             {cell.printed}};
     for (const Counting& counting : {choices.counting, shipped}) {
       row.figures.push_back(
           probability(study, cell, counting, choices.noise_distribution, nth_of(half, n++, 12)));
     }
     table.rows.push_back(row);
   }
-  PageSection section;
-  section.tables = {table, over_choices(study, nth_of(execution, 1, 2))};
   const double threshold_mw =
       control_centre::threshold_mw(grid::SfrModel(study.grid()), study.grid().threshold_hz);
-  char threshold[32];
-  std::snprintf(threshold, sizeof threshold, "%.1f", threshold_mw);
-  section.paragraphs = {
-      std::string("Above the threshold of ") + threshold +
-      " MW the probability should be 1, below it 0. The firmware holds "
-      "the slope of eight measurements against the condition of their mean, counts the forty "
-      "reports of the EKF and needs more than 20 hits, as outlets ship: one setting for all six. "
-      "Its event is the first report after the loss, where an outlet detects it some 120 ms "
-      "later."};
-  return section;
+  return {{table, over_choices(study, nth_of(execution, 1, 2))},
+          {},
+          {fmt::format("Above the threshold of {:.1f} MW the probability should be 1, below it 0. "
+                       "The firmware holds the slope of eight measurements against the condition "
+                       "of their mean, counts the forty reports of the EKF and needs more than 20 "
+                       "hits, as outlets ship: one setting for all six. Its event is the first "
+                       "report after the loss, where an outlet detects it some 120 ms later.",
+                       threshold_mw)}};
 }
 
 }  // namespace gsbench::paper

@@ -3,8 +3,7 @@
 #include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 
-#include <cstdio>
-#include <optional>
+#include <fmt/format.h>
 
 #include <grid/falling_limb.hpp>
 #include <grid/sfr_model.hpp>
@@ -17,10 +16,6 @@ using record::kNoFigure;
 constexpr double kStepS = 0.02;
 constexpr int kSteps = 1000;
 
-double figure_or_none(const std::optional<double>& figure) {
-  return figure.value_or(kNoFigure);
-}
-
 }  // namespace
 
 PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
@@ -28,17 +23,13 @@ PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
   const grid::SfrModel model(grid);
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   const grid::Nadir lowest = grid::nadir(model, threshold_mw);
-  PageSection section;
-  section.tables = {
-      {"The loss that the frequency just bears",
-       "",
-       {"paper", "gsbench"},
-       {{"threshold loss, MW", {figure_or_none(grid.reference.threshold_mw), threshold_mw}},
-        {"its nadir, s", {figure_or_none(grid.reference.t_nadir_s), lowest.t_s}},
-        {"its nadir, Hz", {kNoFigure, lowest.frequency_hz}}}}};
-  if (!grid.reference.note.empty()) {
-    section.paragraphs.push_back(grid.reference.note);
-  }
+  const record::FigureTable table = {
+      "The loss that the frequency just bears",
+      "",
+      {"paper", "gsbench"},
+      {{"threshold loss, MW", {grid.reference.threshold_mw.value_or(kNoFigure), threshold_mw}},
+       {"its nadir, s", {grid.reference.t_nadir_s.value_or(kNoFigure), lowest.t_s}},
+       {"its nadir, Hz", {kNoFigure, lowest.frequency_hz}}}};
   record::CurvePlot plot = {"The frequency after the threshold loss and after 500 MW.", "s", "Hz"};
   record::Curve at_threshold{"threshold loss", {}};
   record::Curve at_500{"500 MW", {}};
@@ -49,14 +40,16 @@ PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
     at_500.y.push_back(grid.nominal_hz + 500.0 * model.unit_deviation_hz(t_s));
   }
   plot.curves = {at_threshold, at_500};
-  section.plots = {plot};
-  return section;
+  std::vector<std::string> notes;
+  if (!grid.reference.note.empty()) {
+    notes.push_back(grid.reference.note);
+  }
+  return {{table}, {plot}, notes};
 }
 
 PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
   const grid::Grid& grid = study.grid();
   const grid::SfrModel model(grid);
-  PageSection section;
   record::FigureTable table = {"ROCOF below which the condition is met, Hz/s",
                                "from … to, Hz",
                                {"paper", "gsbench", "difference"},
@@ -68,27 +61,21 @@ PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
   record::Curve limits{"ROCOF limit", {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double paper = i < printed.size() ? printed[i] : kNoFigure;
-    char name[32];
-    std::snprintf(name, sizeof name, "%.2f … %.2f", rows[i].from_hz, rows[i].to_hz);
-    table.rows.push_back(
-        {name, {paper, rows[i].rocof_below_hz_s, rows[i].rocof_below_hz_s - paper}});
+    table.rows.push_back({fmt::format("{:.2f} … {:.2f}", rows[i].from_hz, rows[i].to_hz),
+                          {paper, rows[i].rocof_below_hz_s, rows[i].rocof_below_hz_s - paper}});
   }
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
     plot.x.push_back(row->from_hz);
     limits.y.push_back(row->rocof_below_hz_s);
   }
   plot.curves = {limits};
-  section.tables = {table};
-  section.plots = {plot};
-  section.paragraphs = {"A row holds the ROCOF of its lower edge, as Table 1 does."};
-  return section;
+  return {{table}, {plot}, {"A row holds the ROCOF of its lower edge, as Table 1 does."}};
 }
 
 PageSection fig14(Study& study, const Execution& /*execution*/) {
   const grid::Grid& grid = study.grid();
   const grid::SfrModel model(grid);
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
-  PageSection section;
   record::CurvePlot plot = {
       "ROCOF over the deviation of the frequency, until the nadir; the higher the loss, the lower "
       "the ROCOF at any frequency.",
@@ -99,9 +86,7 @@ PageSection fig14(Study& study, const Execution& /*execution*/) {
     plot.x.push_back(kStepHz * step);
   }
   for (const double loss_mw : {100.0, 200.0, 300.0, threshold_mw, 400.0, 500.0, 600.0}) {
-    char name[32];
-    std::snprintf(name, sizeof name, "%.1f MW", loss_mw);
-    record::Curve curve{name, {}};
+    record::Curve curve{fmt::format("{:.1f} MW", loss_mw), {}};
     const double nadir_s = grid::nadir(model, loss_mw).t_s;
     double t_s = 0.0;
     for (const double below_hz : plot.x) {
@@ -112,8 +97,7 @@ PageSection fig14(Study& study, const Execution& /*execution*/) {
     }
     plot.curves.push_back(curve);
   }
-  section.plots = {plot};
-  return section;
+  return {{}, {plot}, {}};
 }
 
 }  // namespace gsbench::paper

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include <campaign/estimates.hpp>
 #include <outlet/loss_estimator.hpp>
@@ -38,11 +39,9 @@ FigureTable ranges(const std::vector<PrintedRange>& printed, const std::string& 
   FigureTable table = {
       "Share of the estimates, %", "range, p.u.", {"paper", first_name, second_name}, {}};
   for (const PrintedRange& range : printed) {
-    char name[32];
-    std::snprintf(name, sizeof name, "%g … %g", range.from_pu, range.to_pu);
     const double from_mw = kPuMw * range.from_pu;
     const double to_mw = kPuMw * range.to_pu;
-    table.rows.push_back({name,
+    table.rows.push_back({fmt::format("{:g} … {:g}", range.from_pu, range.to_pu),
                           {range.percent, 100.0 * first.share_between(from_mw, to_mw),
                            100.0 * second.share_between(from_mw, to_mw)}});
   }
@@ -117,7 +116,6 @@ FigureTable over_choices(Study& study, const Execution& execution, double parame
 }  // namespace
 
 PageSection table3(Study& study, const Execution& execution) {
-  PageSection section;
   EstimateOptions choice = study.campaign(Mode::kPaper);
   choice.distribution = NoiseDistribution::kUniform;
   const EstimateResult& uniform = study.result(choice, nth_of(execution, 0, 2));
@@ -131,34 +129,32 @@ PageSection table3(Study& study, const Execution& execution) {
                               {2, 3, 0.4463}},
                              text_of(NoiseDistribution::kUniform), uniform.lse_mw,
                              text_of(NoiseDistribution::kGaussian), gaussian.lse_mw);
-  section.tables = {
-      table,
-      {"LSE over ten measurements",
-       "",
-       table.columns,
-       {{"mean, p.u.", {kNoFigure, uniform.lse_mw.mean() / kPuMw, gaussian.lse_mw.mean() / kPuMw}},
-        {"σ, p.u.",
-         {kNoFigure, uniform.lse_mw.standard_deviation() / kPuMw,
-          gaussian.lse_mw.standard_deviation() / kPuMw}}}}};
-  section.plots = {plot_of("Estimates of 500 MW by LSE.", 200.0, 800.0, 5.0,
-                           {{"uniform", uniform.lse_mw}, {"Gaussian", gaussian.lse_mw}})};
-  section.paragraphs = {
-      "LSE is the same in both ways. The paper's table has a standard deviation of about 0.80 p.u. "
-      "and a mean of 4.91: no reading of \"a random noise within ±0.01 Hz\" that was tried gives "
-      "exactly it. On average LSE finds less than 5 p.u., since eq. (18) takes the slope of the "
-      "first instant and LSE that of the first 160 ms."};
-  return section;
+  const FigureTable figures = {
+      "LSE over ten measurements",
+      "",
+      table.columns,
+      {{"mean, p.u.", {kNoFigure, uniform.lse_mw.mean() / kPuMw, gaussian.lse_mw.mean() / kPuMw}},
+       {"σ, p.u.",
+        {kNoFigure, uniform.lse_mw.standard_deviation() / kPuMw,
+         gaussian.lse_mw.standard_deviation() / kPuMw}}}};
+  const record::CurvePlot plot =
+      plot_of("Estimates of 500 MW by LSE.", 200.0, 800.0, 5.0,
+              {{"uniform", uniform.lse_mw}, {"Gaussian", gaussian.lse_mw}});
+  return {{table, figures},
+          {plot},
+          {"LSE is the same in both ways. The paper's table has a standard deviation of about 0.80 "
+           "p.u. and a mean of 4.91: no reading of \"a random noise within ±0.01 Hz\" that was "
+           "tried gives exactly it. On average LSE finds less than 5 p.u., since eq. (18) takes "
+           "the slope of the first instant and LSE that of the first 160 ms."}};
 }
 
 PageSection fig16(Study& study, const Execution& /*execution*/) {
   const grid::Grid& grid = study.grid();
-  PageSection section;
   record::CurvePlot plot = {"Estimates of three losses of 500 MW as measurements come in.",
                             "s after the loss", "MW"};
   const gs::outlet::Settings settings = campaign::estimate_settings(grid);
-  constexpr int kSamples = campaign::kLseSamples + campaign::kEkfSamples;
-  for (int k = 1; k <= kSamples; ++k) {
-    plot.x.push_back(campaign::kReportS * k);
+  for (std::size_t k = 1; k <= campaign::kSamples; ++k) {
+    plot.x.push_back(campaign::kReportS * static_cast<double>(k));
   }
   for (std::uint64_t number = 0; number < 3; ++number) {
     gs::outlet::LossEstimator<float> outlet;
@@ -170,12 +166,10 @@ PageSection fig16(Study& study, const Execution& /*execution*/) {
     }
     plot.curves.push_back(curve);
   }
-  section.plots = {plot};
-  return section;
+  return {{}, {plot}, {}};
 }
 
 PageSection table4(Study& study, const Execution& execution) {
-  PageSection section;
   const FigureTable choices = over_choices(study, execution, 0.0);
   const EstimateResult& paper_way = study.result(study.campaign(Mode::kPaper), quiet(execution));
   const EstimateResult& firmware = study.result(study.campaign(Mode::kFirmware), quiet(execution));
@@ -186,29 +180,28 @@ PageSection table4(Study& study, const Execution& execution) {
                 figures_row(kFirmware, firmware),
                 {"Cramér–Rao bound, instant unknown",
                  {kNoFigure, kNoFigure, kNoFigure, firmware.bound_mw / kPuMw, 1.0, kNoFigure}}};
-  section.tables = {ranges({{5.2, 5.4, 3.6692},
-                            {5.0, 5.2, 50.3811},
-                            {4.8, 5.0, 41.9954},
-                            {4.6, 4.8, 3.9086},
-                            {4.4, 4.6, 0.0457}},
-                           kPaperWay, paper_way.ekf_mw, kFirmware, firmware.ekf_mw),
-                    table, choices};
-  section.plots = {plot_of("Estimates of 500 MW by EKF.", 460.0, 540.0, 0.5,
-                           {{kPaperWay, paper_way.ekf_mw}, {kFirmware, firmware.ekf_mw}})};
-  section.paragraphs = {
-      "The innovation is that of the full model, f − h(X), where eq. (28) as printed has its "
-      "linearisation. The firmware is given the report after the loss as its event and the exact "
-      "frequency before it, where an outlet detects its event some 120 ms later and measures that "
-      "frequency; what outlets find from the voltage on is Fig. 19 and `gsbench study`. The "
-      "firmware's EKF is given the last four of LSE's measurements, too, and a spread of the "
-      "instant: the bound is that of all fifty measurements where nothing is known of the instant, "
-      "and may be passed."};
-  return section;
+  const FigureTable shares = ranges({{5.2, 5.4, 3.6692},
+                                     {5.0, 5.2, 50.3811},
+                                     {4.8, 5.0, 41.9954},
+                                     {4.6, 4.8, 3.9086},
+                                     {4.4, 4.6, 0.0457}},
+                                    kPaperWay, paper_way.ekf_mw, kFirmware, firmware.ekf_mw);
+  const record::CurvePlot plot =
+      plot_of("Estimates of 500 MW by EKF.", 460.0, 540.0, 0.5,
+              {{kPaperWay, paper_way.ekf_mw}, {kFirmware, firmware.ekf_mw}});
+  return {{shares, table, choices},
+          {plot},
+          {"The innovation is that of the full model, f − h(X), where eq. (28) as printed has its "
+           "linearisation. The firmware is given the report after the loss as its event and the "
+           "exact frequency before it, where an outlet detects its event some 120 ms later and "
+           "measures that frequency; what outlets find from the voltage on is Fig. 19 and `gsbench "
+           "study`. The firmware's EKF is given the last four of LSE's measurements, too, and a "
+           "spread of the instant: the bound is that of all fifty measurements where nothing is "
+           "known of the instant, and may be passed."}};
 }
 
 PageSection table5(Study& study, const Execution& execution) {
   constexpr double kError = 0.05;
-  PageSection section;
   const FigureTable choices = over_choices(study, execution, kError);
   EstimateOptions choice = study.campaign(Mode::kPaper);
   choice.parameter_error = kError;
@@ -220,28 +213,25 @@ PageSection table5(Study& study, const Execution& execution) {
   table.rows = {{"paper", {72.33, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
                 figures_row(kPaperWay, paper_way),
                 figures_row(kReconciled, firmware)};
-  section.tables = {ranges({{5.6, 6.0, 0.0364},
-                            {5.4, 5.6, 1.4662},
-                            {5.2, 5.4, 13.5019},
-                            {5.0, 5.2, 37.6247},
-                            {4.8, 5.0, 35.7036},
-                            {4.6, 4.8, 10.7807},
-                            {4.4, 4.6, 0.8698},
-                            {4.0, 4.4, 0.0167}},
-                           kPaperWay, paper_way.ekf_mw, kReconciled, firmware.ekf_mw),
-                    table, choices};
-  section.paragraphs = {
-      "G_1, G_2, ω_n, ω_r and ∅ are each off by a part of themselves, uniform within ±5 % and "
-      "independent. The paper's way uses the five as they are, although they then contradict one "
-      "another. The other column is an experiment that nothing ships: an outlet is sent four "
-      "numbers "
-      "that cannot contradict, and here they are reconciled from the five by what must hold "
-      "between "
-      "them (f begins at f_0; ω_r = ω_n·√(1 − ζ²)), which halves some of the errors, less what the "
-      "mean of a reciprocal is too high by. No control centre does that: it sends what follows "
-      "from "
-      "the grid's file. The bound is that of exact parameters."};
-  return section;
+  const FigureTable shares = ranges({{5.6, 6.0, 0.0364},
+                                     {5.4, 5.6, 1.4662},
+                                     {5.2, 5.4, 13.5019},
+                                     {5.0, 5.2, 37.6247},
+                                     {4.8, 5.0, 35.7036},
+                                     {4.6, 4.8, 10.7807},
+                                     {4.4, 4.6, 0.8698},
+                                     {4.0, 4.4, 0.0167}},
+                                    kPaperWay, paper_way.ekf_mw, kReconciled, firmware.ekf_mw);
+  return {
+      {shares, table, choices},
+      {},
+      {"G_1, G_2, ω_n, ω_r and ∅ are each off by a part of themselves, uniform within ±5 % and "
+       "independent. The paper's way uses the five as they are, although they then contradict one "
+       "another. The other column is an experiment that nothing ships: an outlet is sent four "
+       "numbers that cannot contradict, and here they are reconciled from the five by what must "
+       "hold between them (f begins at f_0; ω_r = ω_n·√(1 − ζ²)), which halves some of the errors, "
+       "less what the mean of a reciprocal is too high by. No control centre does that: it sends "
+       "what follows from the grid's file. The bound is that of exact parameters."}};
 }
 
 }  // namespace gsbench::paper

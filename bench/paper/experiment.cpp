@@ -15,12 +15,8 @@ constexpr double kBeforeS = 0.5;  // of the loss, on the plots
 constexpr double kAfterS = 1.5;
 
 double measured(const OutletRecord& outlet, const char* name) {
-  for (const record::MeasurementResult& result : outlet.measurements) {
-    if (result.name == name) {
-      return result.value;
-    }
-  }
-  return kNoFigure;
+  const record::MeasurementResult* result = record::find_measurement(outlet, name);
+  return result != nullptr ? result->value : kNoFigure;
 }
 
 std::int64_t loss_tick(const RunRecord& run) {
@@ -30,18 +26,6 @@ std::int64_t loss_tick(const RunRecord& run) {
     }
   }
   return 0;
-}
-
-// The reference is kept so that straight lines between its entries are right.
-double reference_hz(const record::TruthTrace& truth, std::int64_t tick) {
-  const auto after = std::upper_bound(truth.tick.begin(), truth.tick.end(), tick);
-  if (after == truth.tick.begin() || after == truth.tick.end()) {
-    return truth.tick.empty() || tick != truth.tick.back() ? kNoFigure : truth.frequency_hz.back();
-  }
-  const auto i = static_cast<std::size_t>(after - truth.tick.begin());
-  const double part = static_cast<double>(tick - truth.tick[i - 1]) /
-                      static_cast<double>(truth.tick[i] - truth.tick[i - 1]);
-  return truth.frequency_hz[i - 1] + part * (truth.frequency_hz[i] - truth.frequency_hz[i - 1]);
 }
 
 record::FigureTable outlets_of(const RunRecord& run) {
@@ -82,7 +66,7 @@ std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecor
       continue;
     }
     frequency.x.push_back(t_s);
-    reference.y.push_back(reference_hz(run.truth, tick));
+    reference.y.push_back(record::frequency_hz(run.truth, tick));
     seen.y.push_back(static_cast<double>(outlet.trace.frequency_hz[i]));
     estimated.y.push_back(estimate_mw);
   }
@@ -95,13 +79,11 @@ std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecor
 }  // namespace
 
 PageSection fig19(Study& study, const Execution& execution) {
-  PageSection section;
   if (!study.options().play_experiment) {
-    section.paragraphs = {"Not played."};
-    return section;
+    return {{}, {}, {"Not played."}};
   }
   const RunRecord run = study.options().play_experiment(execution);
-  section.paragraphs = {
+  std::vector<std::string> paragraphs = {
       "Profile " + run.profile + ", on grid " + run.grid +
           " and with its own noise whatever is chosen for other sections, on station " +
           run.station + ": " + to_string(run.verdict) +
@@ -109,11 +91,11 @@ PageSection fig19(Study& study, const Execution& execution) {
       "By 1 % noise the slope that LSE sees is bent by the tracker's memory: the paper's outlet "
       "found 310 MW, ours finds more than 500, since it learns a slope by passing it. The EKF "
       "forgets that start."};
-  section.tables = {outlets_of(run)};
+  std::vector<record::CurvePlot> plots;
   if (!run.outlets.empty()) {
-    section.plots = curves_of(run, run.outlets.front());
+    plots = curves_of(run, run.outlets.front());
   }
-  return section;
+  return {{outlets_of(run)}, plots, paragraphs};
 }
 
 }  // namespace gsbench::paper

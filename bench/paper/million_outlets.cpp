@@ -54,7 +54,6 @@ record::FigureRow shed_row(const std::string& name, const Shed& shed, double wan
 
 PageSection fig20_and_21(Study& study, const Execution& execution) {
   const grid::Grid& grid = study.grid();
-  PageSection section;
   int n = 0;
   const double threshold_mw = control_centre::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
   const double wanted_mw = kLossMw - threshold_mw;
@@ -96,19 +95,16 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
     }
   }
   groups.steps = true;
-  section.tables = {table};
-  section.plots = {power, groups};
-  section.paragraphs = {
-      "P^A, the power that an outlet compares with, is by eq. (11) in the paper's way: all up to "
-      "and with its own group, so that on average half a group too little is shed, 0.45 MW here. "
-      "Outlets are sent half of the own group in its place, which goes off where the requirement "
-      "passes its middle; --accumulated whole plays these, too, by eq. (11)."};
-  return section;
+  return {{table},
+          {power, groups},
+          {"P^A, the power that an outlet compares with, is by eq. (11) in the paper's way: all up "
+           "to and with its own group, so that on average half a group too little is shed, 0.45 MW "
+           "here. Outlets are sent half of the own group in its place, which goes off where the "
+           "requirement passes its middle; --accumulated whole plays these, too, by eq. (11)."}};
 }
 
 PageSection fig22(Study& study, const Execution& execution) {
   const grid::Grid& grid = study.grid();
-  PageSection section;
   const Fleet fleet = fleet_of(study, study.options().accumulation);
   record::FigureTable table = {
       "After 500 MW, the shed load fed back into the grid",
@@ -141,12 +137,10 @@ PageSection fig22(Study& study, const Execution& execution) {
         grid::SfrModel(grid), grid.threshold_hz, kLossMw, plain->last_action_s);
     add("with a threshold for the delay");
   }
-  section.tables = {table};
-  section.plots = {plot};
-  section.paragraphs = {
-      "Eq. (15) takes shedding to be instant: with the outlets' delay the nadir comes to lie a "
-      "little below f_s. A threshold for the delay and this loss keeps it."};
-  return section;
+  return {{table},
+          {plot},
+          {"Eq. (15) takes shedding to be instant: with the outlets' delay the nadir comes to lie "
+           "a little below f_s. A threshold for the delay and this loss keeps it."}};
 }
 
 }  // namespace gsbench::paper

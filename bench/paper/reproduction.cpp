@@ -1,34 +1,33 @@
 #include "sections.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <stdexcept>
+#include <iterator>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace gsbench::paper {
 namespace {
 
 struct Chapter {
-  Item item;
+  const char* id;
+  const char* title;
   PageSection (*make)(Study&, const Execution&);
 };
 
-const std::vector<Chapter>& chapters() {
-  static const std::vector<Chapter> all = {
-      {{"fig13", "Fig. 8 and 13: the frequency after a loss (§4.2, §6.1)"}, fig8_and_13},
-      {{"table1", "Fig. 9 and Table 1: load-shedding conditions (§4.3, §6.2)"}, fig9_and_table1},
-      {{"fig14", "Fig. 14: ROCOF and frequency for several losses (§6.2)"}, fig14},
-      {{"table2", "Table 2: is load shedding needed? (§6.2)"}, table2},
-      {{"table3", "Fig. 15 and Table 3: LSE (§6.3.1)"}, table3},
-      {{"fig16", "Fig. 16: one estimate as it goes (§6.3.2)"}, fig16},
-      {{"table4", "Fig. 17 and Table 4: EKF (§6.3.2)"}, table4},
-      {{"table5", "Table 5: EKF with wrong parameters (§6.3.3)"}, table5},
-      {{"fig19", "Fig. 19: the 500 MW experiment, from the voltage on (§6.4)"}, fig19},
-      {{"fig21", "Fig. 20 and 21: a million outlets (§6.5.1, §6.5.2)"}, fig20_and_21},
-      {{"fig22", "Fig. 22: the frequency with and without Grid Sense (§6.5.1)"}, fig22},
-  };
-  return all;
-}
+constexpr Chapter kChapters[] = {
+    {"fig13", "Fig. 8 and 13: the frequency after a loss (§4.2, §6.1)", fig8_and_13},
+    {"table1", "Fig. 9 and Table 1: load-shedding conditions (§4.3, §6.2)", fig9_and_table1},
+    {"fig14", "Fig. 14: ROCOF and frequency for several losses (§6.2)", fig14},
+    {"table2", "Table 2: is load shedding needed? (§6.2)", table2},
+    {"table3", "Fig. 15 and Table 3: LSE (§6.3.1)", table3},
+    {"fig16", "Fig. 16: one estimate as it goes (§6.3.2)", fig16},
+    {"table4", "Fig. 17 and Table 4: EKF (§6.3.2)", table4},
+    {"table5", "Table 5: EKF with wrong parameters (§6.3.3)", table5},
+    {"fig19", "Fig. 19: the 500 MW experiment, from the voltage on (§6.4)", fig19},
+    {"fig21", "Fig. 20 and 21: a million outlets (§6.5.1, §6.5.2)", fig20_and_21},
+    {"fig22", "Fig. 22: the frequency with and without Grid Sense (§6.5.1)", fig22},
+};
 
 bool wanted(const Options& options, const std::string& id) {
   return options.only.empty() ||
@@ -36,45 +35,39 @@ bool wanted(const Options& options, const std::string& id) {
 }
 
 void check(const Options& options) {
+  std::vector<std::string> ids;
+  for (const Chapter& chapter : kChapters) {
+    ids.emplace_back(chapter.id);
+  }
   for (const std::string& id : options.only) {
-    const auto& all = items();
-    if (std::none_of(all.begin(), all.end(), [&](const Item& item) { return item.id == id; })) {
-      std::string message = "\"" + id + "\" cannot be reproduced; there are ";
-      for (const Item& item : all) {
-        message += &item == &all.front() ? "" : ", ";
-        message += item.id;
-      }
-      throw std::invalid_argument(message);
-    }
+    campaign::demand(
+        std::find(ids.begin(), ids.end(), id) != ids.end(),
+        fmt::format("\"{}\" cannot be reproduced; there are {}", id, fmt::join(ids, ", ")));
   }
 }
 
 std::vector<std::pair<std::string, std::string>> facts(const grid::Grid& grid,
                                                        const Options& options) {
   const Choices& choices = options.choices;
-  char start[64];
-  std::snprintf(start, sizeof start, "%g MW for LSE, %g ms for the instant",
-                choices.ekf_loss_sigma_mw, 1000.0 * choices.ekf_t_x_sigma_s);
   return {{"grid", grid.name + ": " + grid.title},
           {"trajectories", std::to_string(options.trajectories)},
           {"seed", std::to_string(options.seed)},
           {"noise", text_of(choices.noise_distribution)},
           {"instant", text_of(choices.loss_instant)},
           {"the paper's conditions", text_of(choices.counting)},
-          {"the paper's EKF starts with", start}};
+          {"the paper's EKF starts with",
+           fmt::format("{:g} MW for LSE, {:g} ms for the instant", choices.ekf_loss_sigma_mw,
+                       1000.0 * choices.ekf_t_x_sigma_s)}};
 }
 
 }  // namespace
 
-const std::vector<Item>& items() {
-  static const std::vector<Item> all = [] {
-    std::vector<Item> items;
-    for (const Chapter& chapter : chapters()) {
-      items.push_back(chapter.item);
-    }
-    return items;
-  }();
-  return all;
+std::vector<Item> items() {
+  std::vector<Item> items;
+  for (const Chapter& chapter : kChapters) {
+    items.push_back({chapter.id, chapter.title});
+  }
+  return items;
 }
 
 record::Page reproduce(const grid::Grid& grid, const Options& options, const Execution& execution) {
@@ -85,25 +78,21 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
       "Xiang et al., Distributed Frequency Emergency Control with Coordinated Edge Intelligence. "
       "\"Paper\" is what it prints; \"paper's way\" are its equations and its course of things; "
       "\"firmware at a known event\" is the code that outlets run, given the report after the loss "
-      "as "
-      "its event and the frequency before it, which outlets detect and measure: event_drops 1 and "
-      "event_lag_s 0, where they ship with 5 and 0.008. \"Experiment\" is what nothing ships.";
+      "as its event and the frequency before it, which outlets detect and measure: event_drops 1 "
+      "and event_lag_s 0, where they ship with 5 and 0.008. \"Experiment\" is what nothing ships.";
   page.facts = facts(grid, options);
   Study study(grid, options);
-  std::vector<const Chapter*> chosen;
-  for (const Chapter& chapter : chapters()) {
-    if (wanted(options, chapter.item.id)) {
-      chosen.push_back(&chapter);
-    }
-  }
+  std::vector<Chapter> chosen;
+  std::copy_if(std::begin(kChapters), std::end(kChapters), std::back_inserter(chosen),
+               [&](const Chapter& chapter) { return wanted(options, chapter.id); });
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    PageSection section = chosen[i]->make(
+    PageSection section = chosen[i].make(
         study, nth_of(execution, static_cast<int>(i), static_cast<int>(chosen.size())));
-    section.id = chosen[i]->item.id;
-    section.title = chosen[i]->item.title;
-    page.sections.push_back(std::move(section));
+    section.id = chosen[i].id;
+    section.title = chosen[i].title;
+    page.sections.push_back(section);
     if (stopped(execution)) {
-      page.facts.emplace_back("stopped", "in " + chosen[i]->item.id + ", which is not whole");
+      page.facts.emplace_back("stopped", "in " + section.id + ", which is not whole");
       break;
     }
   }

@@ -1,12 +1,63 @@
-// The sections, one function each or a few that share their figures.
+// The sections of one reproduction, and what they share: grid, options, and the campaigns played so
+// far.
 #pragma once
 
-#include "study.hpp"
+#include <map>
+#include <string>
+#include <tuple>
+
+#include <paper/reproduction.hpp>
+#include <record/page.hpp>
 
 namespace gsbench::paper {
 
+using campaign::Execution;
 using record::PageSection;
 
+constexpr double kLossMw = 500.0;
+constexpr double kPuMw = 100.0;  // the paper's unit
+constexpr double kNoiseHz = 0.01;
+
+// How columns and rows are named. The firmware's estimators and conditions are the shipped code,
+// but no outlet runs with an event that is known to the report.
+constexpr const char* kPaperWay = "paper's way";
+constexpr const char* kFirmware = "firmware at a known event";
+constexpr const char* kReconciled = "experiment: firmware, parameters reconciled";
+
+class Study {
+ public:
+  Study(const grid::Grid& grid, const Options& options) : grid_(grid), options_(options) {}
+
+  const grid::Grid& grid() const { return grid_; }
+  const Options& options() const { return options_; }
+
+  // A campaign of 500 MW and ±0.01 Hz by the options' choices.
+  campaign::EstimateOptions campaign(campaign::Mode mode) const;
+
+  // Each campaign is played once, whichever tables want it. `campaign` is as the above but for
+  // mode, distribution, instant, errors and start.
+  const campaign::EstimateResult& result(const campaign::EstimateOptions& campaign,
+                                         const Execution& execution);
+
+ private:
+  using Key = std::tuple<campaign::Mode, campaign::NoiseDistribution, campaign::LossInstant, double,
+                         double, double>;
+
+  const grid::Grid& grid_;
+  const Options& options_;
+  std::map<Key, campaign::EstimateResult> results_;
+};
+
+// A row's or column's name by what it was computed with.
+std::string name_of(campaign::Mode mode, double parameter_error = 0.0);
+std::string text_of(campaign::NoiseDistribution distribution);  // "uniform ±0.01 Hz"
+std::string text_of(campaign::LossInstant instant);             // "loss on a report"
+std::string text_of(const campaign::Counting& counting);
+
+// The n-th of so many parts of the work: its progress is a part of the whole's.
+Execution nth_of(const Execution& execution, int n, int all);
+
+// One function a section, or a few that share their figures.
 PageSection fig8_and_13(Study& study, const Execution& execution);
 PageSection fig9_and_table1(Study& study, const Execution& execution);
 PageSection fig14(Study& study, const Execution& execution);

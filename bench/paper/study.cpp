@@ -1,4 +1,4 @@
-#include "study.hpp"
+#include "sections.hpp"
 
 namespace gsbench::paper {
 

@@ -1,11 +1,11 @@
 #include <seed_sweep/seed_sweep.hpp>
 
 #include <algorithm>
-#include <exception>
 #include <mutex>
 #include <set>
-#include <thread>
+#include <utility>
 
+#include <drivers/workers.hpp>
 #include <measures/catalogue.hpp>
 #include <measures/units.hpp>
 #include <station/run.hpp>
@@ -115,19 +115,18 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
   std::map<std::uint64_t, SeedResult> waiting;
   std::mutex mutex;
   std::uint64_t merged = 0;
-  std::uint64_t next = 0;
   std::uint64_t finished = 0;
-  std::exception_ptr failure;
+  std::atomic<std::uint64_t> next{0};
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
-
-  const auto play_seeds = [&](std::unique_lock<std::mutex>& lock) {
-    while (next < options.seeds && failure == nullptr && !stopped()) {
-      const std::uint64_t index = next++;
-      lock.unlock();
-      SeedResult result = run_seed(plan, options.first_seed + index, options.stop);
-      lock.lock();
-      // A seed that was stopped half way says nothing.
-      if (!stopped()) {
+  // Of one thread: it takes seeds until none are left.
+  const auto shift = [&](std::size_t) {
+    try {
+      for (std::uint64_t index = next++; index < options.seeds && !stopped(); index = next++) {
+        SeedResult result = run_seed(plan, options.first_seed + index, options.stop);
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (stopped()) {
+          return;  // a seed that was stopped half way says nothing
+        }
         waiting.emplace(index, std::move(result));
         for (; waiting.count(merged) > 0; ++merged) {
           merge(waiting.at(merged), study);
@@ -138,36 +137,12 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
           options.progress(finished, options.seeds);
         }
       }
-    }
-  };
-  const auto work = [&] {
-    std::unique_lock<std::mutex> lock(mutex);
-    try {
-      play_seeds(lock);
     } catch (...) {
-      if (!lock.owns_lock()) {
-        lock.lock();
-      }
-      failure = failure == nullptr ? std::current_exception() : failure;
+      next = options.seeds;  // the other threads begin no more
+      throw;
     }
   };
-  std::vector<std::thread> helpers;
-  helpers.reserve(options.threads);
-  try {
-    while (helpers.size() + 1 < options.threads) {
-      helpers.emplace_back(work);
-    }
-  } catch (const std::exception&) {
-    // No room for so many: those that are there do it all.
-  }
-  work();
-  for (std::thread& helper : helpers) {
-    helper.join();
-  }
-  if (failure != nullptr) {
-    std::rethrow_exception(failure);
-  }
-
+  drivers::Workers(options.threads).run(options.threads, shift);
   for (const auto& [index, result] : waiting) {
     merge(result, study);  // behind one that was stopped
   }

@@ -65,7 +65,6 @@ double campaign_seconds(const grid::Grid& grid, std::size_t threads,
 
 // One thread, the noise made before.
 double step_ns(const grid::Grid& grid) {
-  constexpr int kSamples = campaign::kLseSamples + campaign::kEkfSamples;
   constexpr int kBatches = 4000;
   const auto settings = campaign::estimate_settings(grid);
   std::vector<float> deviations_hz;
@@ -73,18 +72,18 @@ double step_ns(const grid::Grid& grid) {
   for (const float deviation_hz : one) {
     deviations_hz.insert(deviations_hz.end(), kLanes, deviation_hz);
   }
-  campaign::Estimates estimates;
   float sum_mw = 0.0F;
   const auto begin = steady_clock::now();
   for (int batch = 0; batch < kBatches; ++batch) {
-    campaign::estimate_as_outlet(settings, deviations_hz.data(), kSamples, estimates);
-    sum_mw += estimates.ekf_mw[0];
+    sum_mw +=
+        campaign::estimate_as_outlet(settings, settings.response, deviations_hz.data()).ekf_mw[0];
   }
   const double seconds = seconds_since(begin);
   if (sum_mw <= 0.0F) {
     die("the kernel does not estimate");
   }
-  return 1e9 * seconds / (kBatches * static_cast<double>(kLanes) * (campaign::kEkfSamples + 4));
+  return 1e9 * seconds /
+         (kBatches * static_cast<double>(kLanes) * static_cast<double>(campaign::kEkfSamples + 4));
 }
 
 // Multiplications and additions that wait for nothing, on as many lanes as the kernel's.

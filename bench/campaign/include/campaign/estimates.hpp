@@ -21,9 +21,6 @@ enum class NoiseDistribution : std::uint8_t { kUniform, kGaussian };
 // When the loss is: a whole report before the first sample, as in the paper, or anywhere in it.
 enum class LossInstant : std::uint8_t { kOnReport, kBetweenReports };
 
-const char* to_string(Mode mode);
-const char* to_string(NoiseDistribution distribution);
-
 constexpr std::uint64_t kMostTrajectories = std::uint64_t{1} << 32;  // streams are so many
 
 struct EstimateOptions {
@@ -51,9 +48,10 @@ struct EstimateResult {
   double bound_mw = 0.0;  // Cramér–Rao, of ΔP with t_x unknown, over all samples
 };
 
-// As outlets ship, and as in the paper.
-constexpr int kLseSamples = gs::outlet::Settings{}.lse_samples;
-constexpr int kEkfSamples = gs::outlet::Settings{}.ekf_samples;
+// As outlets ship, and as in the paper: LSE takes the first samples, EKF the others.
+constexpr std::size_t kLseSamples = gs::outlet::Settings{}.lse_samples;
+constexpr std::size_t kEkfSamples = gs::outlet::Settings{}.ekf_samples;
+constexpr std::size_t kSamples = kLseSamples + kEkfSamples;
 constexpr double kReportS = gs::outlet::kReportMs / 1000.0;
 
 // Throws std::invalid_argument for options or a grid that make no sense, or an overdamped grid
@@ -66,7 +64,7 @@ using EstimateSink =
 EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
                         const Execution& execution, const EstimateSink& sink = {});
 
-// One trajectory of those, for whoever wants to follow it: kLseSamples + kEkfSamples deviations.
+// One trajectory of those, for whoever wants to follow it: kSamples deviations.
 std::vector<float> trajectory(const grid::Grid& grid, const EstimateOptions& options,
                               std::uint64_t number);
 

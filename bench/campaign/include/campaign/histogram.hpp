@@ -31,7 +31,6 @@ class Histogram {
   double quantile(double p) const;
 
   double low() const { return low_; }
-  double width() const { return width_; }  // of a bin
   std::size_t bins() const { return bins_; }
   std::int64_t in_bin(std::size_t bin) const { return counts_[kFirstBin + bin]; }
 

@@ -2,6 +2,8 @@
 // sample: that of sample k and lane i at [k·kLanes + i].
 #pragma once
 
+#include <campaign/conditions.hpp>
+#include <campaign/estimates.hpp>
 #include <campaign/lanes.hpp>
 #include <campaign/paper_model.hpp>
 #include <outlet/loss_estimator.hpp>
@@ -9,7 +11,6 @@
 namespace gsbench::campaign {
 
 struct PaperStart {
-  int lse_samples = 10;
   gs::outlet::EkfSettings ekf;
   float t_x_s = 0.0f;  // against the first sample
 };
@@ -19,33 +20,22 @@ struct Estimates {
   float ekf_mw[kLanes];
 };
 
-// As an outlet does from its event on, the first sample being the event's own.
-void estimate_as_outlet(const gs::outlet::Settings& settings, const float* deviations_hz,
-                        int samples, Estimates& estimates);
-// The same, each lane with parameters of its own.
-void estimate_as_outlet(const gs::outlet::Settings& settings,
-                        const gs::outlet::ResponseOf<Lanes>& response, const float* deviations_hz,
-                        int samples, Estimates& estimates);
+// As an outlet does from its event on, the first of kSamples being the event's own. `Parameter`:
+// float, or Lanes where each has its own.
+template <class Parameter>
+Estimates estimate_as_outlet(const gs::outlet::Settings& settings,
+                             const gs::outlet::ResponseOf<Parameter>& response,
+                             const float* deviations_hz);
 
 // As the paper has it: LSE, and from its result EKF over the samples that follow.
-void estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
-                       const PaperModel<float>& model, const float* deviations_hz, int samples,
-                       Estimates& estimates);
-void estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
-                       const PaperModel<Lanes>& model, const float* deviations_hz, int samples,
-                       Estimates& estimates);
+template <class Parameter>
+Estimates estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
+                            const PaperModel<Parameter>& model, const float* deviations_hz);
 
-struct CountedConditions {
-  int window = 8;  // samples in a line
-  int first = 0;   // sample whose line counts first; its line lies within the samples
-  int count = 40;
-};
-
-// How often the load-shedding conditions are met. `frequencies_hz` hold first + count samples, of
-// which the line of sample k is that of k − window + 1 … k.
+// How often the load-shedding conditions are met. There are counted.first + counted.count samples,
+// of which the line of sample k is that of k − window + 1 … k; the first line lies within them.
 void count_conditions(const gs::outlet::Settings& settings, float nominal_hz,
-                      const CountedConditions& counted, const float* deviations_hz,
-                      float hits[kLanes]);
+                      const Counting& counted, const float* deviations_hz, float hits[kLanes]);
 
 // One measurement of each, as many reports after the event's own, which is report 0.
 void take_report(const gs::outlet::Settings& settings, gs::outlet::LossEstimator<Lanes>& estimator,

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace gsbench::campaign {
 
@@ -35,61 +36,49 @@ inline Result each_vector(const Each& each) {
   return result;
 }
 
-inline Lanes operator+(const Lanes& a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] + b.v[i]; });
+inline const Floats& vector_of(const Lanes& lanes, std::size_t i) {
+  return lanes.v[i];
 }
-inline Lanes operator-(const Lanes& a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] - b.v[i]; });
+// The same number in each lane.
+inline float vector_of(float number, std::size_t /*i*/) {
+  return number;
 }
-inline Lanes operator*(const Lanes& a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] * b.v[i]; });
+
+// Either operand may be a float.
+template <class A, class B>
+using IfLanes = std::enable_if_t<std::is_same_v<A, Lanes> || std::is_same_v<B, Lanes>>;
+
+template <class A, class B, class = IfLanes<A, B>>
+Lanes operator+(const A& a, const B& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return vector_of(a, i) + vector_of(b, i); });
 }
-inline Lanes operator/(const Lanes& a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] / b.v[i]; });
+template <class A, class B, class = IfLanes<A, B>>
+Lanes operator-(const A& a, const B& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return vector_of(a, i) - vector_of(b, i); });
+}
+template <class A, class B, class = IfLanes<A, B>>
+Lanes operator*(const A& a, const B& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return vector_of(a, i) * vector_of(b, i); });
+}
+template <class A, class B, class = IfLanes<A, B>>
+Lanes operator/(const A& a, const B& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return vector_of(a, i) / vector_of(b, i); });
 }
 inline Lanes operator-(const Lanes& a) {
   return each_vector<Lanes>([&](std::size_t i) { return -a.v[i]; });
 }
 
-inline Lanes operator+(const Lanes& a, float b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] + b; });
+template <class B>
+Mask operator<(const Lanes& a, const B& b) {
+  return each_vector<Mask>([&](std::size_t i) { return a.v[i] < vector_of(b, i); });
 }
-inline Lanes operator-(const Lanes& a, float b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] - b; });
+template <class B>
+Mask operator>(const Lanes& a, const B& b) {
+  return each_vector<Mask>([&](std::size_t i) { return a.v[i] > vector_of(b, i); });
 }
-inline Lanes operator*(const Lanes& a, float b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] * b; });
-}
-inline Lanes operator/(const Lanes& a, float b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a.v[i] / b; });
-}
-inline Lanes operator+(float a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a + b.v[i]; });
-}
-inline Lanes operator-(float a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a - b.v[i]; });
-}
-inline Lanes operator*(float a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a * b.v[i]; });
-}
-inline Lanes operator/(float a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return a / b.v[i]; });
-}
-
-inline Mask operator<(const Lanes& a, const Lanes& b) {
-  return each_vector<Mask>([&](std::size_t i) { return a.v[i] < b.v[i]; });
-}
-inline Mask operator>(const Lanes& a, const Lanes& b) {
-  return each_vector<Mask>([&](std::size_t i) { return a.v[i] > b.v[i]; });
-}
-inline Mask operator<(const Lanes& a, float b) {
-  return each_vector<Mask>([&](std::size_t i) { return a.v[i] < b; });
-}
-inline Mask operator>(const Lanes& a, float b) {
-  return each_vector<Mask>([&](std::size_t i) { return a.v[i] > b; });
-}
-inline Mask operator>=(const Lanes& a, float b) {
-  return each_vector<Mask>([&](std::size_t i) { return a.v[i] >= b; });
+template <class B>
+Mask operator>=(const Lanes& a, const B& b) {
+  return each_vector<Mask>([&](std::size_t i) { return a.v[i] >= vector_of(b, i); });
 }
 
 // The firmware's templates find these beside their own for floats.

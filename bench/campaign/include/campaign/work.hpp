@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <campaign/histogram.hpp>
@@ -29,6 +31,13 @@ class Reduction {
 };
 
 const Reduction& one_process();
+
+// Throws std::invalid_argument with that message unless it holds.
+inline void demand(bool holds, const std::string& otherwise) {
+  if (!holds) {
+    throw std::invalid_argument(otherwise);
+  }
+}
 
 struct Execution {
   std::size_t threads = 1;

@@ -24,7 +24,6 @@ enum class Control : std::uint8_t {
   kCentral,    // a controller that knows the loss sheds what is wanted, after its delay
   kUfls,       // under-frequency load shedding by relays
 };
-std::vector<Control> all_controls();
 
 struct ScenarioOptions {
   Control control = Control::kGridSense;

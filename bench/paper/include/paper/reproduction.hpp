@@ -23,7 +23,7 @@ struct Item {
 };
 
 // In the paper's order.
-const std::vector<Item>& items();
+std::vector<Item> items();
 
 // What the paper leaves open, and how it is read here where nobody says otherwise. Tables tell how
 // much they move over it.

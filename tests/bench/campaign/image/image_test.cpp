@@ -24,7 +24,7 @@ using gsbench::test::ieee24;
 using outlet::EstimatorState;
 
 constexpr std::uint32_t kTrajectories = 1000;
-constexpr std::uint32_t kSamples = gsbench::campaign::kLseSamples + gsbench::campaign::kEkfSamples;
+constexpr std::uint32_t kSamples = gsbench::campaign::kSamples;
 
 using Bytes = std::vector<std::uint8_t>;
 
