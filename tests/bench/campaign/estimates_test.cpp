@@ -49,10 +49,11 @@ TEST(EstimateCampaign, TheLseSpreadsAsItsFormulaSays) {
 
 TEST(EstimateCampaign, UniformNoiseIsBornAsInTable4AndBetter) {
   for (const Mode mode : {Mode::kPaper, Mode::kFirmware}) {
+    SCOPED_TRACE(mode == Mode::kPaper ? "paper" : "firmware");
     const EstimateResult result = play(a_short(mode));
-    EXPECT_GE(within(result, 0.04), 0.999) << to_string(mode);
-    EXPECT_EQ(within(result, 0.10), 1.0) << to_string(mode);
-    EXPECT_NEAR(result.ekf_mw.mean(), 500.0, 0.5) << to_string(mode);
+    EXPECT_GE(within(result, 0.04), 0.999);
+    EXPECT_EQ(within(result, 0.10), 1.0);
+    EXPECT_NEAR(result.ekf_mw.mean(), 500.0, 0.5);
   }
 }
 
@@ -69,10 +70,10 @@ TEST(EstimateCampaign, GaussianNoiseOfTheSameFigureIsBornToo) {
 TEST(EstimateCampaign, ItsSpreadIsNearTheBoundForAllSamples) {
   for (const NoiseDistribution distribution :
        {NoiseDistribution::kUniform, NoiseDistribution::kGaussian}) {
+    SCOPED_TRACE(distribution == NoiseDistribution::kUniform ? "uniform" : "Gaussian");
     const EstimateResult result = play(a_short(Mode::kFirmware, distribution));
-    EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * result.bound_mw) << to_string(distribution);
-    EXPECT_GE(result.ekf_mw.standard_deviation(), 0.95 * result.bound_mw)
-        << to_string(distribution);
+    EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * result.bound_mw);
+    EXPECT_GE(result.ekf_mw.standard_deviation(), 0.95 * result.bound_mw);
   }
 }
 
