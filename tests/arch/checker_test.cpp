@@ -211,26 +211,23 @@ Tree well_laid() {
           {"tests/bench/grid/grid_test.cpp", ""}};
 }
 
+Findings check_layout_with(const std::string& path, const std::string& text) {
+  Tree tree = well_laid();
+  tree[path] = text;
+  return check_layout(tree);
+}
+
 TEST(LayoutCheck, AcceptsAWellLaidTree) {
   EXPECT_THAT(check_layout(well_laid()), IsEmpty());
 }
 
-TEST(LayoutCheck, ReportsAStrangerAtTheTopLevel) {
-  Tree tree = well_laid();
-  tree["misc/notes.md"] = "";
-  EXPECT_THAT(check_layout(tree), ElementsAre(At("misc", 0, "top level")));
-}
-
-TEST(LayoutCheck, ReportsAFolderThatIsNotInTheTable) {
-  Tree tree = well_laid();
-  tree["bench/helpers/a.cpp"] = "";
-  EXPECT_THAT(check_layout(tree), ElementsAre(At("bench/helpers/a.cpp", 0, "not in the table")));
-}
-
-TEST(LayoutCheck, ReportsAFolderWithoutItsTarget) {
-  Tree tree = well_laid();
-  tree["bench/grid/CMakeLists.txt"] = "gs_library(bench_grid2 SOURCES src/grid.cpp)";
-  EXPECT_THAT(check_layout(tree), ElementsAre(At("bench/grid", 0, "no target bench_grid")));
+TEST(LayoutCheck, ReportsStrangeFoldersAndThoseWithoutTheirTarget) {
+  EXPECT_THAT(check_layout_with("misc/notes.md", ""), ElementsAre(At("misc", 0, "top level")));
+  EXPECT_THAT(check_layout_with("bench/helpers/a.cpp", ""),
+              ElementsAre(At("bench/helpers/a.cpp", 0, "not in the table")));
+  EXPECT_THAT(check_layout_with("bench/grid/CMakeLists.txt",
+                                "gs_library(bench_grid2 SOURCES src/grid.cpp)"),
+              ElementsAre(At("bench/grid", 0, "no target bench_grid")));
 }
 
 TEST(LayoutCheck, ReportsASourceThatNoTargetNames) {

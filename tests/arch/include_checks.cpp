@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include <fmt/ranges.h>
+
 namespace gsbench::arch {
 namespace {
 
@@ -83,12 +85,7 @@ bool may_include(const FolderRule& from, const FolderRule& to, std::string_view 
 }
 
 std::string joined(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (const std::string_view word : words) {
-    if (!text.empty()) text += ", ";
-    text += word;
-  }
-  return text.empty() ? "nothing" : text;
+  return words.empty() ? "nothing" : fmt::format("{}", fmt::join(words, ", "));
 }
 
 // "" where the include is allowed.

@@ -2,7 +2,6 @@
 #include "rules.hpp"
 
 #include <array>
-#include <cctype>
 #include <ostream>
 
 namespace gsbench::arch {

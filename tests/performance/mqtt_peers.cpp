@@ -55,21 +55,9 @@ namespace {
 
 std::vector<std::string> words(const char* program, const PrivateBroker& broker, const Login& login,
                                const std::string& topic) {
-  return {program,
-          "-V",
-          "mqttv5",
-          "-h",
-          "127.0.0.1",
-          "-p",
-          std::to_string(broker.port()),
-          "-u",
-          login.user,
-          "-P",
-          login.password,
-          "--cafile",
-          broker.ca_file(),
-          "-t",
-          topic};
+  const std::string port = std::to_string(broker.port());
+  return {program,    "-V", "mqttv5",       "-h",       "127.0.0.1",      "-p", port, "-u",
+          login.user, "-P", login.password, "--cafile", broker.ca_file(), "-t", topic};
 }
 
 }  // namespace

@@ -49,11 +49,11 @@ class Noise {
   std::mt19937 engine_;
 };
 
-record::MeasurementResult number(const char* name, const char* definition, double value,
-                                 const char* unit, double low, double high, double uncertainty) {
+record::MeasurementResult number(const char* name, double value, const char* unit, double low,
+                                 double high, double uncertainty) {
   record::MeasurementResult result;
   result.name = name;
-  result.definition = definition;
+  result.definition = result.name + ", in a sentence as long as those of the catalogue, or nearly.";
   result.value = value;
   result.unit = unit;
   result.low = low;
@@ -63,11 +63,10 @@ record::MeasurementResult number(const char* name, const char* definition, doubl
   return result;
 }
 
-record::MeasurementResult word(const char* name, const char* definition, const char* value,
-                               const char* expected) {
-  record::MeasurementResult result = number(name, definition, kNone, "", kNone, kNone, 0.0);
+record::MeasurementResult word(const char* name, const char* value) {
+  record::MeasurementResult result = number(name, kNone, "", kNone, kNone, 0.0);
   result.word = value;
-  result.expected_word = expected;
+  result.expected_word = value;
   result.judged = true;
   return result;
 }
@@ -75,33 +74,20 @@ record::MeasurementResult word(const char* name, const char* definition, const c
 void measure(record::OutletRecord& outlet, bool sheds, double loss_mw, double event_delay_ms) {
   constexpr double kTick_ms = 0.125;
   outlet.measurements = {
-      number("tracker.error.max",
-             "Greatest difference of the reported from the true frequency over the run.", 18.42,
-             "mHz", kNone, 60.0, 0.1),
-      number("tracker.error.rms",
-             "Root mean square difference of the reported from the true frequency.", 3.107, "mHz",
-             kNone, 10.0, 0.05),
-      number("event.false", "Events before the first change of power.", 0.0, "", kNone, 0.0, 0.0),
-      number("event.delay", "From the loss to the report in which the outlet sees an event.",
-             event_delay_ms, "ms", kNone, 160.0, kTick_ms),
-      number("condition.hits", "Reports after the event that met a load-shedding condition.", 33.0,
-             "", 15.0, kNone, 0.0),
-      number("lse.loss", "Estimate of the loss by least squares.", 310.4, "MW", kNone, kNone, 0.0),
-      number("ekf.loss", "Estimate of the loss when the outlet decides.", loss_mw, "MW", kNone,
-             kNone, 0.0),
-      number("ekf.error", "Error of that estimate.", (loss_mw - 500.0) / 5.0, "%", -4.0, 4.0, 0.0),
-      number("decision.delay", "From the loss to the decision.", 920.0, "ms", kNone, 960.0,
-             kTick_ms),
-      word("decision.cause", "Which criterion switched the outlet off.", sheds ? "loss" : "none",
-           sheds ? "loss" : "none"),
-      number("relay.delay", "From the loss to the opening of the relay, by the bench's own sense.",
-             sheds ? 926.375 : kNone, "ms", kNone, sheds ? 980.0 : kNone, kTick_ms),
-      number("relay.delay_by_word", "The same by what the outlet reports.", sheds ? 920.0 : kNone,
-             "ms", kNone, kNone, kTick_ms),
-      number("relay.word_difference", "The outlet's word less the sense.", sheds ? -6.375 : kNone,
-             "ms", kNone, kNone, 0.18),
-      word("relay.end", "State of the relay at the end, by the sense.", sheds ? "open" : "closed",
-           sheds ? "open" : "closed"),
+      number("tracker.error.max", 18.42, "mHz", kNone, 60.0, 0.1),
+      number("tracker.error.rms", 3.107, "mHz", kNone, 10.0, 0.05),
+      number("event.false", 0.0, "", kNone, 0.0, 0.0),
+      number("event.delay", event_delay_ms, "ms", kNone, 160.0, kTick_ms),
+      number("condition.hits", 33.0, "", 15.0, kNone, 0.0),
+      number("lse.loss", 310.4, "MW", kNone, kNone, 0.0),
+      number("ekf.loss", loss_mw, "MW", kNone, kNone, 0.0),
+      number("ekf.error", (loss_mw - 500.0) / 5.0, "%", -4.0, 4.0, 0.0),
+      number("decision.delay", 920.0, "ms", kNone, 960.0, kTick_ms),
+      word("decision.cause", sheds ? "loss" : "none"),
+      number("relay.delay", sheds ? 926.375 : kNone, "ms", kNone, sheds ? 980.0 : kNone, kTick_ms),
+      number("relay.delay_by_word", sheds ? 920.0 : kNone, "ms", kNone, kNone, kTick_ms),
+      number("relay.word_difference", sheds ? -6.375 : kNone, "ms", kNone, kNone, 0.18),
+      word("relay.end", sheds ? "open" : "closed"),
   };
 }
 

@@ -66,9 +66,9 @@ struct Totals {
   }
 };
 
-Crystal random_crystal(std::mt19937& random, double most_ppm) {
+Crystal random_crystal(std::mt19937& random) {
   Crystal crystal;
-  crystal.ppm = std::uniform_real_distribution<double>(-most_ppm, most_ppm)(random);
+  crystal.ppm = std::uniform_real_distribution<double>(-200.0, 200.0)(random);
   crystal.lead_in = std::uniform_int_distribution<std::int64_t>(0, 4000)(random);
   crystal.started = std::uniform_int_distribution<std::uint64_t>(0, 1ULL << 40U)(random);
   crystal.noise_index = static_cast<std::uint32_t>(random());
@@ -80,7 +80,7 @@ Totals random_cases(int cases, double duration_s, const std::string& grid) {
   std::mt19937 random(20);
   Totals totals;
   for (int i = 0; i < cases; ++i) {
-    const Crystal crystal = random_crystal(random, 200.0);
+    const Crystal crystal = random_crystal(random);
     const Played played = play(plan, crystal);
     const auto found = align(played.trace, played.markers, kTicksHz);
     if (!found) {

@@ -53,12 +53,5 @@ TEST(Repeatability, AReportRenderedAgainIsTheSame) {
   }
 }
 
-TEST(Repeatability, AStudyIsTheSameForAnyNumberOfThreads) {
-  const auto with_threads = [](const char* threads) {
-    return run_gsbench({"study", "paper/loss-500mw", "--seeds", "6", "--threads", threads}).out;
-  };
-  EXPECT_EQ(with_threads("3"), with_threads("1"));
-}
-
 }  // namespace
 }  // namespace gsbench::test

@@ -12,12 +12,11 @@
 namespace gsbench::control_centre {
 namespace {
 
-// Half a unit of the last digit that the expected figure is given with.
-constexpr double kHundredths = 0.5e-2;
+using grid::kTwoDecimals;
 
 TEST(Threshold, IsThatOfTheCalibratedIeee24BusSystem) {
   const double threshold = threshold_mw(grid::SfrModel(grid::ieee24()), 49.5);
-  EXPECT_NEAR(threshold, 351.92, kHundredths);
+  EXPECT_NEAR(threshold, 351.92, kTwoDecimals);
   EXPECT_NEAR(threshold, 351.90, 0.1) << "the paper's, to the accuracy of the calibration";
 }
 
@@ -40,7 +39,7 @@ TEST(Threshold, RefusesAFrequencyThatIsNotBelowNominal) {
 }
 
 TEST(KLse, IsThatOfTheIeee24BusSystem) {
-  EXPECT_NEAR(k_lse_mw_per_hz_s(grid::SfrModel(grid::ieee24())), -1011.92, kHundredths);
+  EXPECT_NEAR(k_lse_mw_per_hz_s(grid::SfrModel(grid::ieee24())), -1011.92, kTwoDecimals);
 }
 
 TEST(KLse, TurnsTheFirstSlopeIntoTheLoss) {

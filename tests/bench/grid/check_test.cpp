@@ -22,7 +22,7 @@ Grid grid_with_blocks() {
 struct Refusal {
   void (*spoil)(Grid&);
   const char* field;
-  const char* message;  // names the field first
+  const char* message;  // of what belongs to the grid itself what follows the field's name
   int index = -1;
 };
 
@@ -82,8 +82,9 @@ TEST(Check, RefusesNamingFieldValueAndWhatIsRight) {
     ASSERT_NO_THROW(check(grid));
     spoil(grid);
     const std::string name = std::string(field).substr(std::string(field).find('.') + 1);
-    expect_refused([&grid = grid] { check(grid); }, field, index, name + " is ");
-    expect_refused([&grid = grid] { check(grid); }, field, index, message);
+    const auto checked = [&grid] { check(grid); };
+    expect_refused(checked, field, index, name + " is ");
+    expect_refused(checked, field, index, message);
     EXPECT_THROW(SfrModel{grid}, GridError) << "the model must not be made of such a grid";
   }
 }

@@ -10,19 +10,14 @@
 namespace gsbench::grid {
 namespace {
 
-// Half a unit of the last digit that the expected figure is given with.
-constexpr double kLimbFiveDecimals = 0.5e-5;
-constexpr double kLimbThreeDecimals = 0.5e-3;
-constexpr double kTwoDecimals = 0.5e-2;
-
 TEST(ClosedForm, HasThePaperParametersOfTheIeee24BusSystem) {
   const SfrModel model(ieee24());
   const auto parameters = underdamped_parameters(model, 8.0);
   ASSERT_TRUE(parameters);
-  EXPECT_NEAR(parameters->alpha, 3.82075, kLimbFiveDecimals);
-  EXPECT_NEAR(parameters->omega_r, 0.26115, kLimbFiveDecimals);
-  EXPECT_NEAR(parameters->phi1, 2.15938, kLimbFiveDecimals);
-  EXPECT_NEAR(parameters->phi, -0.26481, kLimbFiveDecimals);
+  EXPECT_NEAR(parameters->alpha, 3.82075, kFiveDecimals);
+  EXPECT_NEAR(parameters->omega_r, 0.26115, kFiveDecimals);
+  EXPECT_NEAR(parameters->phi1, 2.15938, kFiveDecimals);
+  EXPECT_NEAR(parameters->phi, -0.26481, kFiveDecimals);
 }
 
 // α·sin(∅) = −1 makes eq. (6) start from zero; α·ω_n·sin(∅1) is the slope of eq. (16).
@@ -45,14 +40,14 @@ TEST(ClosedForm, HasNoPaperParametersForAnOverdampedGrid) {
 
 TEST(Nadir, IsThatOfTheIeee24BusSystem) {
   const Nadir lowest = nadir(SfrModel(ieee24()), 500.0);
-  EXPECT_NEAR(lowest.t_s, 3.761, kLimbThreeDecimals);
-  EXPECT_NEAR(lowest.frequency_hz, 49.290, kLimbThreeDecimals);
+  EXPECT_NEAR(lowest.t_s, 3.761, kThreeDecimals);
+  EXPECT_NEAR(lowest.frequency_hz, 49.290, kThreeDecimals);
 }
 
 TEST(Nadir, IsThatOfAnOverdampedGrid) {
   const Nadir lowest = nadir(SfrModel(overdamped_grid()), 100.0);
   EXPECT_NEAR(lowest.t_s, 1.45, kTwoDecimals);
-  EXPECT_NEAR(lowest.frequency_hz, 49.402, kLimbThreeDecimals);
+  EXPECT_NEAR(lowest.frequency_hz, 49.402, kThreeDecimals);
 }
 
 TEST(Nadir, ChangesSmoothlyThroughCriticalDamping) {

@@ -9,11 +9,6 @@
 namespace gsbench::grid {
 namespace {
 
-// Half a unit of the last digit that the expected figure is given with.
-constexpr double kFiveDecimals = 0.5e-5;
-constexpr double kFourDecimals = 0.5e-4;
-constexpr double kThreeDecimals = 0.5e-3;
-
 TEST(SfrModel, HasTheParametersOfTheCalibratedIeee24BusSystem) {
   const SfrModel model(ieee24());
   EXPECT_NEAR(model.inertia_s(), 9.2161, kFourDecimals);

@@ -22,8 +22,8 @@ profile::Plan eventful() {
               "[[outlet]]\ncount = 3\naccumulated_mw = 100.0\n");
 }
 
-record::RunRecord record_of(const profile::Plan& plan, std::size_t threads, double block_s,
-                            bool real_time = false) {
+record::RunRecord simulated_record(const profile::Plan& plan, std::size_t threads, double block_s,
+                                   bool real_time = false) {
   SimulatedOptions options;
   options.threads = threads;
   options.block_s = block_s;
@@ -33,11 +33,11 @@ record::RunRecord record_of(const profile::Plan& plan, std::size_t threads, doub
 }
 
 std::string digest(const profile::Plan& plan, std::size_t threads, double block_s) {
-  return record::content_digest(record_of(plan, threads, block_s));
+  return record::content_digest(simulated_record(plan, threads, block_s));
 }
 
 TEST(Determinism, TheRecordHasAllThatCouldDiffer) {
-  const record::RunRecord record = record_of(eventful(), 1, 0.512);
+  const record::RunRecord record = simulated_record(eventful(), 1, 0.512);
   EXPECT_NE(record.verdict, record::Verdict::kError) << record.verdict_reason;
   for (const record::OutletRecord& outlet : record.outlets) {
     // Off and on by command, off by the decision.
@@ -67,9 +67,9 @@ TEST(Determinism, ABlockMayBeShorterThanASampleAndLongerThanTheRun) {
 
 TEST(Determinism, AnotherSeedIsAnotherRecord) {
   profile::Plan plan = eventful();
-  const record::RunRecord one = record_of(plan, 1, 0.512);
+  const record::RunRecord one = simulated_record(plan, 1, 0.512);
   plan.seed = 2;
-  const record::RunRecord other = record_of(plan, 1, 0.512);
+  const record::RunRecord other = simulated_record(plan, 1, 0.512);
   EXPECT_NE(record::content_digest(one), record::content_digest(other));
   EXPECT_NE(one.outlets[0].trace.frequency_hz, other.outlets[0].trace.frequency_hz)
       << "it is the noise that differs, not the seed's number alone";
@@ -77,15 +77,15 @@ TEST(Determinism, AnotherSeedIsAnotherRecord) {
 
 TEST(Determinism, TwoRunsDifferInTheirNameOnly) {
   const profile::Plan plan = test::plan(0.2, "noise_pct = 1.0\n");
-  const record::RunRecord one = record_of(plan, 1, 0.512);
-  const record::RunRecord other = record_of(plan, 1, 0.512);
+  const record::RunRecord one = simulated_record(plan, 1, 0.512);
+  const record::RunRecord other = simulated_record(plan, 1, 0.512);
   EXPECT_NE(one.run_id, other.run_id);
   EXPECT_EQ(record::content_digest(one), record::content_digest(other));
 }
 
 TEST(Determinism, RealTimeBringsTheRecordOfVirtualTime) {
   const profile::Plan plan = test::plan(0.3, "noise_pct = 1.0\n");
-  EXPECT_EQ(record::content_digest(record_of(plan, 2, 0.0, true)), digest(plan, 1, 0.0));
+  EXPECT_EQ(record::content_digest(simulated_record(plan, 2, 0.0, true)), digest(plan, 1, 0.0));
 }
 
 // One station can run a plan again.

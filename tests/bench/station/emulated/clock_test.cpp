@@ -1,8 +1,6 @@
 // Outlets count their own samples on their own crystals; what they say stands at the right time in
 // the record nevertheless. The crystals and the relay sense know better than the alignment does.
-#include "plans.hpp"
 #include "station_of_four.hpp"
-
 
 namespace gsbench::station::test {
 namespace {

@@ -1,6 +1,5 @@
 // Outlets and their cables that fail in a run, with the real parts. What is asked of each run is in
 // station_of_four.cpp.
-#include "plans.hpp"
 #include "station_of_four.hpp"
 #include <shared_memory_io/shared_memory.hpp>
 #include <test_support/temporary_folder.hpp>

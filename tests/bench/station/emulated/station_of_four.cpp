@@ -1,7 +1,5 @@
 #include "station_of_four.hpp"
 
-#include "plans.hpp"
-
 #include <chrono>
 #include <utility>
 
@@ -27,10 +25,6 @@ Outlets station_of_four() {
           {"host", "host", Connection::kSerial, -25.0},
           {"radio-a", "host", Connection::kMqtt, 12.0},
           {"radio-b", "host", Connection::kMqtt, -60.0}};
-}
-
-profile::Plan calm_plan(double duration_s) {
-  return plan(duration_s, "noise_pct = 1.0\n", "[[outlet]]\ncount = 4\n");
 }
 
 void FaultyStation::set_up(const Outlets& outlets) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "emulated_station.hpp"
+#include "plans.hpp"
 #include "spoilers.hpp"
 
 #include <functional>
@@ -13,7 +14,6 @@
 
 #include <gmock/gmock.h>
 
-#include <profile/plan.hpp>
 #include <station/run.hpp>
 
 namespace gsbench::station::test {
@@ -23,8 +23,6 @@ enum Place : std::size_t { kM4 = 0, kHost = 1, kRadioA = 2, kRadioB = 3 };
 
 using Outlets = std::vector<emulation::HardwareOutlet>;
 Outlets station_of_four();
-// Mains without a disturbance, for so long between the clock's markers.
-profile::Plan calm_plan(double duration_s = 1.5);
 
 class FaultyStation : public testing::Test {
  protected:
@@ -50,7 +48,8 @@ class FaultyStation : public testing::Test {
   // No sample reaches an outlet any more, no message the bench.
   void expect_safe_state();
 
-  profile::Plan plan_ = calm_plan();
+  // Mains without a disturbance, for so long between the clock's markers.
+  profile::Plan plan_ = plan(1.5, "noise_pct = 1.0\n", "[[outlet]]\ncount = 4\n");
   std::unique_ptr<EmulatedStation> station_;
   record::RunRecord record_;
   double wall_s_ = 0.0;

@@ -10,6 +10,12 @@
 
 namespace gsbench::grid {
 
+// Half a unit of the last digit that an expected figure is given with.
+inline constexpr double kFiveDecimals = 0.5e-5;
+inline constexpr double kFourDecimals = 0.5e-4;
+inline constexpr double kThreeDecimals = 0.5e-3;
+inline constexpr double kTwoDecimals = 0.5e-2;
+
 // The modified IEEE 24-bus system of Xiang et al., each bus one plant, calibrated to its threshold
 // and Table 1: bus 1 in the class of 8.1 s and 1/20, the others in that of 9.3 s and 1/22.
 inline Grid ieee24() {
