@@ -2,15 +2,14 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <capture/capture.hpp>
 
 namespace gsbench::capture {
-namespace {
 
 using gs::outlet::Trust;
 using gs::wire::UplinkKind;
-
-}  // namespace
 
 void Capture::add(const std::vector<link::Received>& messages) {
   for (const link::Received& received : messages) {
@@ -33,15 +32,9 @@ void Capture::add(Track& track, const gs::wire::Uplink& message) {
       break;
     case UplinkKind::kSettingsAnswer: {
       const gs::wire::SettingsAnswer& answer = message.settings_answer;
-      track.settings_answer.came = true;
-      track.settings_answer.accepted = answer.error == gs::outlet::SettingsError::kNone;
-      track.settings_answer.reason = gs::outlet::to_string(answer.error);
-      static const char* const kHex = "0123456789abcdef";
-      std::string digest;
-      for (int shift = 28; shift >= 0; shift -= 4) {
-        digest += kHex[(answer.digest >> shift) & 0xFU];
-      }
-      track.record.settings_digest = digest;
+      track.settings_answer = {true, answer.error == gs::outlet::SettingsError::kNone,
+                               gs::outlet::to_string(answer.error)};
+      track.record.settings_digest = fmt::format("{:08x}", answer.digest);
       break;
     }
     case UplinkKind::kMeasurement: {

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <keys/markdown.hpp>
+#include <keys/key.hpp>
 #include <profile/keys.hpp>
 #include <station/station_file.hpp>
 

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include <grid/sfr_model.hpp>
-#include <outlet/settings_fields.hpp>
+#include <outlet/settings.hpp>
 
 namespace gsbench::control_centre {
 namespace {

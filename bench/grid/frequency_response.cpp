@@ -17,28 +17,12 @@ FrequencyResponse::FrequencyResponse(SfrModel model, std::vector<PowerChange> ch
   }
 }
 
-double FrequencyResponse::frequency_hz(double t_s) const {
-  double deviation_hz = 0.0;
+double FrequencyResponse::sum(double (SfrModel::*of_one_mw)(double t_s) const, double t_s) const {
+  double sum = 0.0;
   for (const PowerChange& change : changes_) {
-    deviation_hz += change.power_mw * model_.unit_deviation_hz(t_s - change.at_s);
+    sum += change.power_mw * (model_.*of_one_mw)(t_s - change.at_s);
   }
-  return model_.nominal_hz() + deviation_hz;
-}
-
-double FrequencyResponse::rocof_hz_s(double t_s) const {
-  double sum_hz_s = 0.0;
-  for (const PowerChange& change : changes_) {
-    sum_hz_s += change.power_mw * model_.unit_rocof_hz_s(t_s - change.at_s);
-  }
-  return sum_hz_s;
-}
-
-double FrequencyResponse::excess_cycles(double t_s) const {
-  double sum_cycles = 0.0;
-  for (const PowerChange& change : changes_) {
-    sum_cycles += change.power_mw * model_.unit_phase_cycles(t_s - change.at_s);
-  }
-  return sum_cycles;
+  return sum;
 }
 
 }  // namespace gsbench::grid

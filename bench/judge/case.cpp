@@ -9,6 +9,15 @@ namespace {
 // Edges nearer to one another than this are one change and its bounces.
 constexpr double kBounceWindowMs = 10.0;
 
+template <class Predicate>
+const record::Mark* find_mark(const record::OutletRecord& outlet, std::int64_t from_tick,
+                              Predicate is_it) {
+  const auto found =
+      std::find_if(outlet.marks.begin(), outlet.marks.end(),
+                   [&](const record::Mark& mark) { return mark.tick >= from_tick && is_it(mark); });
+  return found == outlet.marks.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 double Case::seconds(std::int64_t tick) const {
@@ -59,10 +68,13 @@ double Case::true_voltage_pu(double t_s) const {
 }
 
 const record::Mark* Case::first_mark(const std::string& kind, std::int64_t from_tick) const {
-  const auto found = std::find_if(
-      outlet.marks.begin(), outlet.marks.end(),
-      [&](const record::Mark& mark) { return mark.tick >= from_tick && mark.kind == kind; });
-  return found == outlet.marks.end() ? nullptr : &*found;
+  return find_mark(outlet, from_tick, [&](const record::Mark& mark) { return mark.kind == kind; });
+}
+
+const record::Mark* Case::first_word_open(std::int64_t from_tick) const {
+  return find_mark(outlet, from_tick, [](const record::Mark& mark) {
+    return mark.kind == "relay.word" && mark.value < 0.5;
+  });
 }
 
 Contact contact(const Case& c) {

@@ -34,44 +34,32 @@ Reading ekf_error(const Case& c) {
   return relative_error(c, "decision.loss", "no decision");
 }
 
-Reading t_x_error(const Case& c) {
+Reading t_x_error(const Case& c, std::int64_t loss_tick) {
   const record::Mark* decision = c.first_mark("decision");
-  const auto loss = c.first_loss_tick();
-  if (!loss) {
-    return not_known("the profile plays no loss");
-  }
   if (decision == nullptr) {
     return not_done("no decision");
   }
   const record::EstimateTrace& estimates = c.outlet.estimates;
   for (std::size_t i = estimates.tick.size(); i-- > 0;) {
     if (estimates.tick[i] <= decision->tick) {
-      const double error_s = static_cast<double>(estimates.t_x_s[i]) - c.seconds(*loss);
+      const double error_s = static_cast<double>(estimates.t_x_s[i]) - c.seconds(loss_tick);
       return number(1e3 * error_s, c.outlet.clock.uncertainty_ms);
     }
   }
   return not_done("no estimate");
 }
 
-Reading decision_delay(const Case& c) {
-  const auto loss = c.first_loss_tick();
-  if (!loss) {
-    return not_known("the profile plays no loss");
-  }
-  const record::Mark* decision = c.first_mark("decision", *loss);
+Reading decision_delay(const Case& c, std::int64_t loss_tick) {
+  const record::Mark* decision = c.first_mark("decision", loss_tick);
   if (decision == nullptr) {
     return not_done("no decision after the loss");
   }
-  return number(c.milliseconds_between(*loss, decision->tick), c.outlet.clock.uncertainty_ms);
+  return number(c.milliseconds_between(loss_tick, decision->tick), c.outlet.clock.uncertainty_ms);
 }
 
 Reading decision_cause(const Case& c) {
-  for (const record::Mark& mark : c.outlet.marks) {
-    if (mark.kind == "relay.word" && mark.value < 0.5) {
-      return word(mark.text);
-    }
-  }
-  return word("none");
+  const record::Mark* opened = c.first_word_open();
+  return word(opened == nullptr ? "none" : opened->text);
 }
 
 }  // namespace
@@ -82,8 +70,8 @@ Readings estimate_readings() {
       {"lse.error", lse_error},
       {"ekf.loss", ekf_loss},
       {"ekf.error", ekf_error},
-      {"ekf.t_x_error", t_x_error},
-      {"decision.delay", decision_delay},
+      {"ekf.t_x_error", after_loss<t_x_error>},
+      {"decision.delay", after_loss<decision_delay>},
       {"decision.cause", decision_cause},
   };
 }

@@ -38,16 +38,12 @@ Reading false_events(const Case& c) {
       })));
 }
 
-Reading event_delay(const Case& c) {
-  const auto loss = c.first_loss_tick();
-  if (!loss) {
-    return not_known("the profile plays no loss");
-  }
-  const record::Mark* event = c.first_mark("event", *loss);
+Reading event_delay(const Case& c, std::int64_t loss_tick) {
+  const record::Mark* event = c.first_mark("event", loss_tick);
   if (event == nullptr) {
     return not_done("no event after the loss");
   }
-  return number(c.milliseconds_between(*loss, event->tick), c.outlet.clock.uncertainty_ms);
+  return number(c.milliseconds_between(loss_tick, event->tick), c.outlet.clock.uncertainty_ms);
 }
 
 Reading hits(const Case& c) {
@@ -61,7 +57,7 @@ Readings event_readings() {
   return {
       {"event.count", count},
       {"event.false", false_events},
-      {"event.delay", event_delay},
+      {"event.delay", after_loss<event_delay>},
       {"condition.hits", hits},
   };
 }

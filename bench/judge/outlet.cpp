@@ -3,7 +3,6 @@
 
 #include <judge/judge.hpp>
 #include <measures/catalogue.hpp>
-#include <measures/units.hpp>
 
 namespace gsbench::judge {
 
@@ -11,8 +10,6 @@ using record::MeasurementResult;
 using record::Verdict;
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 MeasurementResult result_of(const measures::Measure& measure, const Reading& reading) {
   MeasurementResult result;

@@ -31,29 +31,19 @@ bool is_seen(const std::string& measure) {
 }
 
 Reading number(double value, double uncertainty) {
-  Reading reading;
-  reading.value = value;
-  reading.uncertainty = uncertainty;
-  return reading;
+  return {value, "", uncertainty};
 }
 
 Reading word(std::string text) {
-  Reading reading;
-  reading.word = std::move(text);
-  return reading;
+  return {kNone, std::move(text)};
 }
 
 Reading not_done(std::string why) {
-  Reading reading;
-  reading.missing = std::move(why);
-  return reading;
+  return {kNone, "", 0.0, std::move(why)};
 }
 
 Reading not_known(std::string why) {
-  Reading reading;
-  reading.missing = std::move(why);
-  reading.outlets_fault = false;
-  return reading;
+  return {kNone, "", 0.0, std::move(why), false};
 }
 
 }  // namespace gsbench::judge

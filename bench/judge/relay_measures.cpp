@@ -6,15 +6,6 @@
 namespace gsbench::judge {
 namespace {
 
-const record::Mark* first_word_open(const Case& c, std::int64_t from_tick = 0) {
-  for (const record::Mark& mark : c.outlet.marks) {
-    if (mark.kind == "relay.word" && mark.value < 0.5 && mark.tick >= from_tick) {
-      return &mark;
-    }
-  }
-  return nullptr;
-}
-
 std::optional<std::int64_t> first_opening(const Case& c, std::int64_t from_tick = 0) {
   for (const ContactChange& change : contact(c).changes) {
     if (!change.closed && change.first_tick >= from_tick) {
@@ -24,45 +15,42 @@ std::optional<std::int64_t> first_opening(const Case& c, std::int64_t from_tick 
   return std::nullopt;
 }
 
-Reading relay_delay(const Case& c) {
-  const auto loss = c.first_loss_tick();
-  if (!loss) {
-    return not_known("the profile plays no loss");
-  }
-  const auto opening = first_opening(c, *loss);
+Reading relay_delay(const Case& c, std::int64_t loss_tick) {
+  const auto opening = first_opening(c, loss_tick);
   if (!opening) {
     return not_done("the contact did not open after the loss");
   }
-  return number(c.milliseconds_between(*loss, *opening), c.uncertainty.relay_sense_ms);
+  return number(c.milliseconds_between(loss_tick, *opening), c.uncertainty.relay_sense_ms);
 }
 
-Reading delay_by_word(const Case& c) {
-  const auto loss = c.first_loss_tick();
-  if (!loss) {
-    return not_known("the profile plays no loss");
-  }
-  const record::Mark* said = first_word_open(c, *loss);
+Reading delay_by_word(const Case& c, std::int64_t loss_tick) {
+  const record::Mark* said = c.first_word_open(loss_tick);
   if (said == nullptr) {
     return not_done("the outlet did not say that it opened after the loss");
   }
-  return number(c.milliseconds_between(*loss, said->tick), c.outlet.clock.uncertainty_ms);
+  return number(c.milliseconds_between(loss_tick, said->tick), c.outlet.clock.uncertainty_ms);
+}
+
+// From what the outlet stamps to what the bench sees.
+Reading between(const Case& c, const record::Mark& said, std::int64_t seen_tick) {
+  return number(c.milliseconds_between(said.tick, seen_tick),
+                std::hypot(c.uncertainty.relay_sense_ms, c.outlet.clock.uncertainty_ms));
 }
 
 // From the decision, which the outlet stamps, to the contact, which the bench sees.
 Reading operate_time(const Case& c) {
-  const record::Mark* said = first_word_open(c);
+  const record::Mark* said = c.first_word_open();
   const auto opening = first_opening(c);
   if (said == nullptr || !opening) {
     return not_done("the relay was not opened");
   }
-  return number(c.milliseconds_between(said->tick, *opening),
-                std::hypot(c.uncertainty.relay_sense_ms, c.outlet.clock.uncertainty_ms));
+  return between(c, *said, *opening);
 }
 
 Reading word_difference(const Case& c) {
-  const auto loss = c.first_loss_tick();
-  const record::Mark* said = first_word_open(c, loss.value_or(0));
-  const auto opening = first_opening(c, loss.value_or(0));
+  const std::int64_t from_tick = c.first_loss_tick().value_or(0);
+  const record::Mark* said = c.first_word_open(from_tick);
+  const auto opening = first_opening(c, from_tick);
   if (said == nullptr && !opening) {
     return not_done("neither the outlet nor the relay sense reports an opening");
   }
@@ -70,8 +58,7 @@ Reading word_difference(const Case& c) {
     return not_done(said == nullptr ? "the contact opened and the outlet did not say so"
                                     : "the outlet said that it opened and the contact did not");
   }
-  return number(c.milliseconds_between(said->tick, *opening),
-                std::hypot(c.uncertainty.relay_sense_ms, c.outlet.clock.uncertainty_ms));
+  return between(c, *said, *opening);
 }
 
 Reading end(const Case& c) {
@@ -122,15 +109,18 @@ Reading seen(const Case& c) {
 
 Readings contact_readings() {
   return {
-      {"relay.delay", seen<relay_delay>},     {"relay.end", seen<end>},
-      {"relay.edges", seen<edges>},           {"relay.chatter", seen<chatter>},
-      {"command.delay", seen<command_delay>}, {"trip.time", seen<trip_time>},
+      {"relay.delay", seen<after_loss<relay_delay>>},
+      {"relay.end", seen<end>},
+      {"relay.edges", seen<edges>},
+      {"relay.chatter", seen<chatter>},
+      {"command.delay", seen<command_delay>},
+      {"trip.time", seen<trip_time>},
   };
 }
 
 Readings relay_readings() {
   return {
-      {"relay.delay_by_word", delay_by_word},
+      {"relay.delay_by_word", after_loss<delay_by_word>},
       {"relay.word_difference", seen<word_difference>},
       {"relay.operate_time", seen<operate_time>},
   };

@@ -16,9 +16,9 @@ constexpr double kSettleS = 1.0;
 
 // Below this a bus is dead; a claim counts once it has been so for longer than a tracker's memory.
 constexpr double kDeadBusPu = 0.10;
-constexpr double kLookStepS = 0.002;
-constexpr int kLookSteps = 30;
-constexpr double kTrackerMemoryS = kLookSteps * kLookStepS;
+constexpr double kDeadBusStepS = 0.002;
+constexpr int kDeadBusSteps = 30;
+constexpr double kTrackerMemoryS = kDeadBusSteps * kDeadBusStepS;
 
 struct Sample {
   double t_s;
@@ -44,13 +44,16 @@ struct ErrorSums {
   double rms = 0.0;
 };
 
-// Errors of `measured(sample)` against `truth_at(time)`, in their unit.
-template <class Measured, class TruthAt>
-ErrorSums errors(const std::vector<Sample>& samples, double delay_s, Measured measured,
-                 TruthAt truth_at) {
+using OfSample = double Sample::*;
+using OfTruth = double (waveform::Truth::*)(double t_s) const;
+
+// Errors of `measured` against the truth so much before, in their unit.
+ErrorSums errors(const waveform::Truth& truth, const std::vector<Sample>& samples, double delay_s,
+                 OfSample measured, OfTruth true_value) {
   ErrorSums sums;
   for (const Sample& sample : samples) {
-    const double error = measured(sample) - truth_at(std::max(sample.t_s - delay_s, 0.0));
+    const double error =
+        sample.*measured - (truth.*true_value)(std::max(sample.t_s - delay_s, 0.0));
     sums.largest = std::max(sums.largest, std::fabs(error));
     sums.mean += error;
     sums.rms += error * error;
@@ -61,45 +64,38 @@ ErrorSums errors(const std::vector<Sample>& samples, double delay_s, Measured me
   return sums;
 }
 
-template <class Pick>
-Reading frequency_error(const Case& c, Pick pick) {
+Reading error(const Case& c, OfSample measured, OfTruth true_value, double ErrorSums::*sum,
+              double scale, double uncertainty) {
   const std::vector<Sample> samples = valid_samples(c);
   if (samples.size() < kFewestReports) {
     return not_done("fewer than 10 valid frequency measurements");
   }
-  const ErrorSums sums = errors(
-      samples, c.tracker_delay_s(), [](const Sample& s) { return s.frequency_hz; },
-      [&](double t_s) { return c.truth.frequency_hz(t_s); });
-  if (!std::isfinite(sums.rms)) {
-    return not_done(kValidNaN);
-  }
-  return number(1e3 * pick(sums), c.uncertainty.frequency_mhz);
+  const ErrorSums sums = errors(c.truth, samples, c.tracker_delay_s(), measured, true_value);
+  return std::isfinite(sums.rms) ? number(scale * sums.*sum, uncertainty) : not_done(kValidNaN);
+}
+
+Reading frequency_error(const Case& c, double ErrorSums::*sum) {
+  return error(c, &Sample::frequency_hz, &waveform::Truth::frequency_hz, sum, 1e3,
+               c.uncertainty.frequency_mhz);
 }
 
 Reading error_max(const Case& c) {
-  return frequency_error(c, [](const ErrorSums& sums) { return sums.largest; });
+  return frequency_error(c, &ErrorSums::largest);
 }
 
 Reading error_rms(const Case& c) {
-  return frequency_error(c, [](const ErrorSums& sums) { return sums.rms; });
+  return frequency_error(c, &ErrorSums::rms);
 }
 
 Reading bias(const Case& c) {
-  return frequency_error(c, [](const ErrorSums& sums) { return sums.mean; });
+  return frequency_error(c, &ErrorSums::mean);
 }
 
 Reading rocof_error_rms(const Case& c) {
-  const std::vector<Sample> samples = valid_samples(c);
-  if (samples.size() < kFewestReports) {
-    return not_done("fewer than 10 valid frequency measurements");
-  }
-  const ErrorSums sums = errors(
-      samples, c.tracker_delay_s(), [](const Sample& s) { return s.rocof_hz_s; },
-      [&](double t_s) { return c.truth.rocof_hz_s(t_s); });
-  return std::isfinite(sums.rms) ? number(sums.rms) : not_done(kValidNaN);
+  return error(c, &Sample::rocof_hz_s, &waveform::Truth::rocof_hz_s, &ErrorSums::rms, 1.0, 0.0);
 }
 
-Reading delay(const Case& c) {
+Reading tracker_delay(const Case& c) {
   constexpr double kLongestDelayS = 0.2;
   constexpr double kMovingHzS = 0.05;
   constexpr std::size_t kMostSamples = 2000;
@@ -114,9 +110,7 @@ Reading delay(const Case& c) {
     return not_known("the true frequency moves too little to tell a delay");
   }
   const auto rms_at = [&](double delay_s) {
-    return errors(
-               moving, delay_s, [](const Sample& s) { return s.frequency_hz; },
-               [&](double t_s) { return c.truth.frequency_hz(t_s); })
+    return errors(c.truth, moving, delay_s, &Sample::frequency_hz, &waveform::Truth::frequency_hz)
         .rms;
   };
   if (!std::isfinite(rms_at(0.0))) {
@@ -160,8 +154,8 @@ Reading dead_bus_claims(const Case& c) {
   for (std::size_t i = 0; i < trace.tick.size(); ++i) {
     const double t_s = c.seconds(trace.tick[i]);
     bool dead = trace.validity[i] == kValid && t_s > kTrackerMemoryS;
-    for (int step = 0; dead && step <= kLookSteps; ++step) {
-      dead = c.true_voltage_pu(t_s - step * kLookStepS) < kDeadBusPu;
+    for (int step = 0; dead && step <= kDeadBusSteps; ++step) {
+      dead = c.true_voltage_pu(t_s - step * kDeadBusStepS) < kDeadBusPu;
     }
     claims += dead ? 1.0 : 0.0;
   }
@@ -172,7 +166,7 @@ Reading dead_bus_claims(const Case& c) {
 
 Readings tracker_readings() {
   return {
-      {"tracker.delay", delay},
+      {"tracker.delay", tracker_delay},
       {"tracker.error.max", error_max},
       {"tracker.error.rms", error_rms},
       {"tracker.bias", bias},

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <keys/error.hpp>
-#include <keys/suggestion.hpp>
 #include <keys/table.hpp>
 
 namespace gsbench::keys {
@@ -55,13 +54,12 @@ void Table::check() const {
   std::vector<std::string> known;
   for (const Key& key : declared_->inner) known.push_back(key.name);
   const auto* entries = std::get_if<Entries>(&value_->data);
-  const std::string label = path_.empty() ? declared_->name : header_of(*declared_, path_);
   if (entries == nullptr) {
-    refuse(value_->at, fmt::format("{} must be a table, not {}", label, describe(*value_)));
+    refuse(value_->at, fmt::format("{} must be a table, not {}", label(), describe(*value_)));
   }
   for (const Entry& entry : *entries) {
     if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-      refuse(entry.at, fmt::format("unknown key \"{}\" in {}{}", entry.key, label,
+      refuse(entry.at, fmt::format("unknown key \"{}\" in {}{}", entry.key, label(),
                                    suggestion(entry.key, known, "its keys")));
     }
   }
@@ -93,6 +91,10 @@ void Table::check(const Key& key, const Value& value) const {
   }
 }
 
+void Table::refuse_type(const Key& key, const Value& value) const {
+  refuse(value.at, fmt::format("{} is {}; it must be {}", key.name, describe(value), wanted(key)));
+}
+
 void Table::check_number(const Key& key, const Value& value) const {
   const auto* whole = std::get_if<std::int64_t>(&value.data);
   const auto* real = std::get_if<double>(&value.data);
@@ -111,15 +113,12 @@ void Table::check_number(const Key& key, const Value& value) const {
                                  "says",
                                  key.name, describe(value)));
   }
-  refuse(value.at, fmt::format("{} is {}; it must be {}", key.name, describe(value), wanted(key)));
+  refuse_type(key, value);
 }
 
 void Table::check_text(const Key& key, const Value& value) const {
   const auto* text = std::get_if<std::string>(&value.data);
-  if (text == nullptr) {
-    refuse(value.at,
-           fmt::format("{} is {}; it must be {}", key.name, describe(value), wanted(key)));
-  }
+  if (text == nullptr) refuse_type(key, value);
   if (text->empty()) refuse(value.at, fmt::format("{} is an empty text", key.name));
   if (key.type == Type::kId && !is_identifier(*text, key.longest)) {
     refuse(value.at, fmt::format("{} is \"{}\"; it must be of letters, digits, '-', '_' and '.', "
@@ -135,10 +134,10 @@ void Table::check_text(const Key& key, const Value& value) const {
 
 void Table::check_items(const Key& key, const Value& value) const {
   const auto* items = std::get_if<Array>(&value.data);
-  if (items == nullptr || (key.type == Type::kRow && items->size() != key.inner.size())) {
-    const std::string found =
-        items == nullptr ? describe(value) : fmt::format("an array of {} values", items->size());
-    refuse(value.at, fmt::format("{} is {}; it must be {}", key.name, found, wanted(key)));
+  if (items == nullptr) refuse_type(key, value);
+  if (key.type == Type::kRow && items->size() != key.inner.size()) {
+    refuse(value.at, fmt::format("{} is an array of {} values; it must be {}", key.name,
+                                 items->size(), wanted(key)));
   }
   if (items->empty()) {
     refuse(value.at, fmt::format("{} is empty; leave it out, or give {}", key.name, wanted(key)));

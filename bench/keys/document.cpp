@@ -39,23 +39,17 @@ Entries convert_table(const toml::table& table) {
 }
 
 Value convert(const toml::node& node) {
-  Value value;
-  value.at = position_of(node.source());
-  if (const auto* table = node.as_table()) {
-    value.data = convert_table(*table);
-  } else if (const auto* array = node.as_array()) {
-    value.data = convert_array(*array);
-  } else if (const auto* text = node.as_string()) {
-    value.data = text->get();
-  } else if (const auto* integer = node.as_integer()) {
-    value.data = integer->get();
-  } else if (const auto* real = node.as_floating_point()) {
-    value.data = real->get();
-  } else if (const auto* boolean = node.as_boolean()) {
-    value.data = boolean->get();
-  } else {
-    value.data = DateOrTime{};
-  }
+  Value value{DateOrTime{}, position_of(node.source())};
+  node.visit([&](const auto& content) {
+    using Content = decltype(content);
+    if constexpr (toml::is_table<Content>) {
+      value.data = convert_table(content);
+    } else if constexpr (toml::is_array<Content>) {
+      value.data = convert_array(content);
+    } else if constexpr (!toml::is_chronological<Content>) {
+      value.data = content.get();
+    }
+  });
   return value;
 }
 

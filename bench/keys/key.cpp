@@ -9,39 +9,24 @@
 namespace gsbench::keys {
 namespace {
 
-Key declare(Type type, std::string name, std::string meaning) {
-  Key key;
-  key.type = type;
-  key.name = std::move(name);
-  key.meaning = std::move(meaning);
-  return key;
-}
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Key with_inner(Key key, std::vector<Key> inner) {
-  key.inner = std::move(inner);
-  return key;
+Key holder(Type type, std::string name, std::string meaning, std::vector<Key> inner) {
+  return Key{type, std::move(name), std::move(meaning)}.with(&Key::inner, std::move(inner));
 }
 
 }  // namespace
 
 Range above(double low) {
-  Range range;
-  range.low = low;
-  range.low_open = true;
-  return range;
+  return {low, kInfinity, true};
 }
 
 Range at_least(double low) {
-  Range range;
-  range.low = low;
-  return range;
+  return {low};
 }
 
 Range between(double low, double high) {
-  Range range;
-  range.low = low;
-  range.high = high;
-  return range;
+  return {low, high};
 }
 
 bool Range::holds(double value) const {
@@ -68,94 +53,47 @@ bool is_identifier(const std::string& text, std::size_t longest) {
          });
 }
 
-Key Key::require(std::string what) const {
-  Key key = *this;
-  key.required = true;
-  key.remedy = std::move(what);
-  return key;
-}
-
-Key Key::by_default(double value) const {
-  Key key = *this;
-  key.fallback = value;
-  return key;
-}
-
-Key Key::by_default(std::string value) const {
-  Key key = *this;
-  key.fallback = std::move(value);
-  return key;
-}
-
-Key Key::or_else(std::string words_for_documents) const {
-  Key key = *this;
-  key.otherwise = std::move(words_for_documents);
-  return key;
-}
-
-Key Key::permits(std::string words_for_documents) const {
-  Key key = *this;
-  key.permitted = std::move(words_for_documents);
-  return key;
-}
-
-Key Key::described_in(std::string section) const {
-  Key key = *this;
-  key.described_at = std::move(section);
-  return key;
-}
-
 Key number(std::string name, std::string unit, Range range, std::string meaning) {
-  Key key = declare(Type::kNumber, std::move(name), std::move(meaning));
-  key.unit = std::move(unit);
-  key.range = std::move(range);
-  return key;
+  return {Type::kNumber, std::move(name), std::move(meaning), std::move(unit), std::move(range)};
 }
 
 Key whole(std::string name, std::string unit, double low, double high, std::string meaning) {
-  Key key = number(std::move(name), std::move(unit), between(low, high), std::move(meaning));
-  key.type = Type::kWhole;
-  return key;
+  return {Type::kWhole, std::move(name), std::move(meaning), std::move(unit), between(low, high)};
 }
 
 Key text(std::string name, std::string meaning) {
-  return declare(Type::kText, std::move(name), std::move(meaning));
+  return {Type::kText, std::move(name), std::move(meaning)};
 }
 
 Key id(std::string name, std::size_t longest, std::string meaning) {
-  Key key = declare(Type::kId, std::move(name), std::move(meaning));
-  key.longest = longest;
-  return key;
+  return Key{Type::kId, std::move(name), std::move(meaning)}.with(&Key::longest, longest);
 }
 
 Key word(std::string name, std::vector<std::string> words, std::string meaning) {
-  Key key = declare(Type::kWord, std::move(name), std::move(meaning));
-  key.words = std::move(words);
-  return key;
+  return Key{Type::kWord, std::move(name), std::move(meaning)}.with(&Key::words, std::move(words));
 }
 
 Key array(std::string name, Key item, std::string meaning) {
-  Key key = declare(Type::kArray, std::move(name), std::move(meaning));
-  key.unit = item.unit;
-  item.name = "an item of " + key.name;
-  return with_inner(std::move(key), {std::move(item)});
+  item.name = "an item of " + name;
+  const std::string unit = item.unit;
+  return holder(Type::kArray, std::move(name), std::move(meaning), {std::move(item)})
+      .with(&Key::unit, unit);
 }
 
 Key row(std::vector<Key> columns) {
-  return with_inner(declare(Type::kRow, "", ""), std::move(columns));
+  return holder(Type::kRow, "", "", std::move(columns));
 }
 
 Key table(std::string name, std::string meaning, std::vector<Key> inner) {
-  return with_inner(declare(Type::kTable, std::move(name), std::move(meaning)), std::move(inner));
+  return holder(Type::kTable, std::move(name), std::move(meaning), std::move(inner));
 }
 
 Key tables(std::string name, std::string meaning, std::vector<Key> inner) {
-  return with_inner(declare(Type::kTables, std::move(name), std::move(meaning)), std::move(inner));
+  return holder(Type::kTables, std::move(name), std::move(meaning), std::move(inner));
 }
 
 Key text_or_table(std::string name, std::string meaning, std::vector<Key> inner) {
-  return with_inner(declare(Type::kTextOrTable, std::move(name), std::move(meaning)),
-                    std::move(inner));
+  return holder(Type::kTextOrTable, std::move(name), std::move(meaning), std::move(inner));
 }
 
 bool is_number(const Key& key) {

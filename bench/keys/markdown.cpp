@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <keys/markdown.hpp>
+#include <keys/key.hpp>
 
 namespace gsbench::keys {
 namespace {

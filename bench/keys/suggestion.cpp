@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <keys/suggestion.hpp>
+#include <keys/error.hpp>
 
 namespace gsbench::keys {
 namespace {

@@ -41,6 +41,12 @@ const Value* Table::find(const std::string& key) const {
   return found == entries.end() ? nullptr : &found->value;
 }
 
+const Array& Table::items(const std::string& key) const {
+  static const Array kNone;
+  const Value* value = find(key);
+  return value == nullptr ? kNone : std::get<Array>(value->data);
+}
+
 Position Table::at(const std::string& key) const {
   const Value* value = find(key);
   return value == nullptr ? value_->at : value->at;
@@ -48,6 +54,10 @@ Position Table::at(const std::string& key) const {
 
 std::string Table::path_of(const std::string& key) const {
   return path_.empty() ? key : path_ + "." + key;
+}
+
+std::string Table::label() const {
+  return path_.empty() ? declared_->name : header_of(*declared_, path_);
 }
 
 void Table::refuse(Position at, const std::string& message) const {
@@ -59,8 +69,7 @@ void Table::refuse(const std::string& key, const std::string& message) const {
 }
 
 void Table::refuse_missing(const std::string& key, const std::string& what) const {
-  const std::string label = path_.empty() ? declared_->name : header_of(*declared_, path_);
-  refuse(value_->at, fmt::format("{} lacks \"{}\": {}", label, key, what));
+  refuse(value_->at, fmt::format("{} lacks \"{}\": {}", label(), key, what));
 }
 
 std::optional<double> Table::find_number(const std::string& key, const Range& narrower) const {
@@ -88,45 +97,27 @@ std::optional<std::string> Table::find_text(const std::string& key) const {
   return fallback == nullptr ? std::nullopt : std::optional<std::string>(*fallback);
 }
 
-double Table::number(const std::string& key, const Range& narrower) const {
-  return find_number(key, narrower).value();
-}
-
-std::int64_t Table::whole(const std::string& key) const {
-  return find_whole(key).value();
-}
-
-std::string Table::text(const std::string& key) const {
-  return find_text(key).value();
-}
-
 std::vector<double> Table::numbers(const std::string& key) const {
   std::vector<double> found;
-  if (const Value* value = find(key)) {
-    for (const Value& item : std::get<Array>(value->data)) found.push_back(as_number(item));
-  }
+  for (const Value& item : items(key)) found.push_back(as_number(item));
   return found;
 }
 
 std::vector<Word> Table::words(const std::string& key) const {
   std::vector<Word> found;
-  if (const Value* value = find(key)) {
-    for (const Value& item : std::get<Array>(value->data)) {
-      found.push_back({std::get<std::string>(item.data), item.at});
-    }
+  for (const Value& item : items(key)) {
+    found.push_back({std::get<std::string>(item.data), item.at});
   }
   return found;
 }
 
 std::vector<Row> Table::rows(const std::string& key) const {
   std::vector<Row> found;
-  if (const Value* value = find(key)) {
-    for (const Value& item : std::get<Array>(value->data)) {
-      Row& row = found.emplace_back();
-      for (const Value& cell : std::get<Array>(item.data)) {
-        row.values.push_back(as_number(cell));
-        row.at.push_back(cell.at);
-      }
+  for (const Value& item : items(key)) {
+    Row& row = found.emplace_back();
+    for (const Value& cell : std::get<Array>(item.data)) {
+      row.values.push_back(as_number(cell));
+      row.at.push_back(cell.at);
     }
   }
   return found;
@@ -143,10 +134,8 @@ Table Table::table(const std::string& key) const {
 
 std::vector<Table> Table::tables(const std::string& key) const {
   std::vector<Table> found;
-  if (const Value* value = find(key)) {
-    for (const Value& item : std::get<Array>(value->data)) {
-      found.push_back({*document_, item, declared(key), path_of(key)});
-    }
+  for (const Value& item : items(key)) {
+    found.push_back({*document_, item, declared(key), path_of(key)});
   }
   return found;
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include <measures/units.hpp>
+#include <measures/catalogue.hpp>
 
 namespace gsbench::measures {
 namespace {

@@ -1,13 +1,8 @@
-#include "commands.hpp"
-
-#include "outlets.hpp"
-#include "times.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
-
-#include <keys/suggestion.hpp>
 
 namespace gsbench::profile {
 namespace {

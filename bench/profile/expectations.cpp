@@ -1,14 +1,10 @@
-#include "expectations.hpp"
-
-#include "outlets.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include <keys/suggestion.hpp>
 #include <measures/catalogue.hpp>
-#include <measures/units.hpp>
 
 namespace gsbench::profile {
 namespace {

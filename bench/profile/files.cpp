@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <keys/suggestion.hpp>
 #include <profile/files.hpp>
 #include <profile/load.hpp>
 
@@ -66,6 +65,30 @@ std::vector<std::string> names_of(const std::vector<NamedFile>& files) {
   return names;
 }
 
+// Of a name that is none of `known`.
+std::string not_found(const std::string& kind, const std::string& name, const std::string& where,
+                      const std::vector<NamedFile>& known, const std::string& known_kind) {
+  return fmt::format("no {} \"{}\"{}{} (a file of your own is given by its path, ending in .toml)",
+                     kind, name, where, keys::suggestion(name, names_of(known), known_kind));
+}
+
+NamedFile find_file(const std::string& name_or_path, const std::string& kind,
+                    const std::string& where, std::vector<NamedFile> (*all)()) {
+  if (is_toml_path(name_or_path)) {
+    if (!is_regular_file(name_or_path)) {
+      throw ConfigurationError(fmt::format("{}: no such {} file", name_or_path, kind));
+    }
+    return {fs::path(name_or_path).stem().string(), name_or_path};
+  }
+  const std::vector<NamedFile> known = all();
+  const auto found = std::find_if(known.begin(), known.end(),
+                                  [&](const NamedFile& file) { return file.name == name_or_path; });
+  if (found == known.end()) {
+    throw ConfigurationError(not_found(kind, name_or_path, where, known, kind + 's'));
+  }
+  return *found;
+}
+
 }  // namespace
 
 std::string profiles_folder() {
@@ -73,25 +96,12 @@ std::string profiles_folder() {
   return chosen != nullptr && *chosen != '\0' ? chosen : GSBENCH_SHIPPED_PROFILES;
 }
 
-NamedFile find_profile(const std::string& name_or_path) {
-  if (is_toml_path(name_or_path)) {
-    if (!is_regular_file(name_or_path)) {
-      throw ConfigurationError(fmt::format("{}: no such profile file", name_or_path));
-    }
-    return {profile_name(name_or_path), name_or_path};
-  }
-  const auto known = all_profiles();
-  const auto found = std::find_if(known.begin(), known.end(), [&](const NamedFile& profile) {
-    return profile.name == name_or_path;
-  });
-  if (found == known.end()) {
-    throw ConfigurationError(
-        fmt::format("no profile \"{}\" in {}{} (a file of your own is given by its path, ending "
-                    "in .toml)",
-                    name_or_path, profiles_folder(),
-                    keys::suggestion(name_or_path, names_of(known), "profiles")));
-  }
-  return *found;
+std::string find_profile(const std::string& name_or_path) {
+  return find_file(name_or_path, "profile", " in " + profiles_folder(), all_profiles).path;
+}
+
+NamedFile find_station(const std::string& name_or_path) {
+  return find_file(name_or_path, "station", "", all_stations);
 }
 
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder) {
@@ -102,8 +112,7 @@ std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::s
 }
 
 std::string no_such_grid(const std::string& name_or_path) {
-  return fmt::format("no grid \"{}\"{} (a file of your own is given by its path, ending in .toml)",
-                     name_or_path, keys::suggestion(name_or_path, list_grids(), "shipped grids"));
+  return not_found("grid", name_or_path, "", all_grids(), "shipped grids");
 }
 
 std::string profile_name(const std::string& path) {
@@ -170,6 +179,10 @@ std::vector<NamedFile> all_profiles() {
 std::vector<NamedFile> all_grids() {
   require_profiles_folder();
   return files_below(grids_folder());
+}
+
+std::vector<NamedFile> all_stations() {
+  return files_below(fs::path(profiles_folder()) / kStationsFolder);
 }
 
 std::vector<std::string> list_grids() {

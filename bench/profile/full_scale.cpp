@@ -1,11 +1,9 @@
-#include "full_scale.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
-
-#include <keys/error.hpp>
 
 namespace gsbench::profile {
 namespace {
@@ -33,7 +31,7 @@ struct Peak {
 // stand still between steps, so that it is at one of those instants.
 Peak greatest_amplitude(const Stimulus& stimulus, const waveform::Truth& truth) {
   std::vector<double> instants = {0.0};
-  for (const recording::TracePoint& point : stimulus.trace) instants.push_back(point.t_s);
+  for (const recording::TracePoint& point : stimulus.points) instants.push_back(point.t_s);
   for (const waveform::AmplitudeStep& step : stimulus.signal.amplitude_steps) {
     instants.push_back(step.at_s);
     instants.push_back(step.at_s + step.duration_s);
@@ -103,8 +101,7 @@ void check_full_scale(const Table& signal, const Stimulus& stimulus, const wavef
   if (highest_pu <= kFullScale_pu) return;
   const std::string message = fmt::format(
       "the voltage reaches {:.4g} pu (at {:.6g} s, with harmonics and offset); a source plays {} "
-      "pu "
-      "at most",
+      "pu at most",
       highest_pu, peak.t_s, kFullScale_pu);
   if (stimulus.recording.replaces_profile && amplitude_pu > 1.0) {
     throw keys::ConfigurationError(fmt::format("{}: {}", stimulus.recording.path, message));

@@ -1,6 +1,4 @@
-#include "grid_section.hpp"
-
-#include "times.hpp"
+#include "sections.hpp"
 #include <control_centre/blocks.hpp>
 #include <control_centre/conditions.hpp>
 

@@ -1,16 +1,9 @@
-#include "commands.hpp"
-#include "expectations.hpp"
-#include "full_scale.hpp"
-#include "grid_section.hpp"
-#include "outlets.hpp"
-#include "signal_section.hpp"
-#include "trace_section.hpp"
+#include "sections.hpp"
 
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include <profile/files.hpp>
 #include <profile/keys.hpp>
 #include <profile/load.hpp>
 
@@ -27,6 +20,16 @@ void check_playable(const Plan& plan) {
 }
 
 }  // namespace
+
+keys::Key time_in_run(const char* meaning) {
+  return keys::number("at_s", "s", keys::at_least(0.0), meaning)
+      .permits("0 … before the end")
+      .require();
+}
+
+keys::Range within_run(double duration_s) {
+  return {0.0, duration_s, false, true, "the run's duration"};
+}
 
 const keys::Key& profile_keys() {
   static const keys::Key keys = keys::table(
@@ -72,8 +75,8 @@ Plan parse_profile(const std::string& text, const std::string& path, const Overr
 }
 
 Plan load_profile(const std::string& name, const Overrides& overrides) {
-  const NamedFile file = find_profile(name);
-  return parse_profile(read_file(file.path), file.path, overrides);
+  const std::string path = find_profile(name);
+  return parse_profile(read_file(path), path, overrides);
 }
 
 grid::Grid load_grid(const std::string& name) {
@@ -83,11 +86,19 @@ grid::Grid load_grid(const std::string& name) {
 }
 
 std::vector<ProfileSummary> list_profiles() {
+  return summaries_of(all_profiles(), [](const NamedFile& file) {
+    const keys::Document document = keys::parse_toml(read_file(file.path), file.path);
+    return keys::Table(document, profile_keys()).text("title");
+  });
+}
+
+std::vector<ProfileSummary> summaries_of(
+    const std::vector<NamedFile>& files,
+    const std::function<std::string(const NamedFile&)>& read_title) {
   std::vector<ProfileSummary> summaries;
-  for (const NamedFile& file : all_profiles()) {
+  for (const NamedFile& file : files) {
     try {
-      const keys::Document document = keys::parse_toml(read_file(file.path), file.path);
-      summaries.push_back({file.name, keys::Table(document, profile_keys()).text("title")});
+      summaries.push_back({file.name, read_title(file)});
     } catch (const ConfigurationError& error) {
       summaries.push_back({file.name, fmt::format("unreadable: {}", error.what())});
     }

@@ -1,14 +1,12 @@
-#include "outlets.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <stdexcept>
-#include <string_view>
 
 #include <fmt/format.h>
 
-#include <outlet/settings_fields.hpp>
+#include <outlet/settings.hpp>
 
 namespace gsbench::profile {
 namespace {
@@ -23,32 +21,6 @@ using keys::Table;
 constexpr std::int64_t kMostOutlets = 1000;  // of one run; studies of more have no profile
 constexpr std::size_t kLongestId = 64;
 
-// Settings of the firmware that a profile may set: name, type, unit and range are the firmware's.
-struct Setting {
-  const char* name;
-  const char* meaning;
-  const char* otherwise;
-};
-constexpr Setting kSettings[] = {
-    {"threshold_mw", "ΔP_s", "eq. (15)"},
-    {"switch_off_hz", "f^B", "eq. (17)"},
-    {"event_drop_hz", "least sum of the successive drops that make an event", nullptr},
-    {"event_departure_hz", "least fall below the course before, for the same", nullptr},
-    {"condition_hits", "n_max: more hits than this are needed to shed", nullptr},
-    {"lse_samples", "measurements in the least squares, eq. (19)", nullptr},
-    {"ekf_samples", "measurements in the Kalman filter before the decision", nullptr},
-};
-
-const Field& field_of(const Setting& setting) {
-  const auto* const found = std::find_if(
-      std::begin(kSettingsFields), std::end(kSettingsFields),
-      [&](const Field& field) { return std::string_view(field.name) == setting.name; });
-  if (found == std::end(kSettingsFields)) {
-    throw std::logic_error(std::string(setting.name) + " is no setting of an outlet");
-  }
-  return *found;
-}
-
 // As it is written: 0.1f is 0.1.
 double decimal(float value) {
   return std::stod(fmt::format("{}", value));
@@ -61,35 +33,29 @@ Range range_of(const Field& field, double nominal_hz) {
           field.range.of_nominal ? "the grid's nominal_hz" : ""};
 }
 
-Key key_of(const Setting& setting) {
-  const Field& field = field_of(setting);
+Key key_of(const Field& field) {
   const Range range = range_of(field, 1.0);
   const Key key =
       field.type != FieldType::kFloat
-          ? keys::whole(field.name, field.unit, range.low, range.high, setting.meaning)
+          ? keys::whole(field.name, field.unit, range.low, range.high, field.meaning)
       : field.range.of_nominal
-          ? keys::number(field.name, field.unit, keys::above(0.0), setting.meaning)
+          ? keys::number(field.name, field.unit, keys::above(0.0), field.meaning)
                 .permits(fmt::format("{} of nominal … below nominal, in single precision too",
                                      range.low))
-          : keys::number(field.name, field.unit, range, setting.meaning);
-  const auto firmwares = control_centre::described({});
-  return key.or_else(setting.otherwise != nullptr
-                         ? setting.otherwise
-                         : fmt::format("firmware's, {:g}", firmwares.at(field.name)));
+          : keys::number(field.name, field.unit, range, field.meaning);
+  return key.or_else(
+      field.otherwise != nullptr
+          ? field.otherwise
+          : fmt::format("firmware's, {:g}", control_centre::described({}).at(field.name)));
 }
 
-void read_setting(const Table& table, const Setting& setting, double nominal_hz,
+// In the outlets' single precision, too.
+void read_setting(const Table& table, const Field& field, double nominal_hz,
                   std::map<std::string, double>& settings) {
-  const Field& field = field_of(setting);
-  std::optional<double> value;
-  if (field.type == FieldType::kFloat) {
-    value = table.find_number(field.name, range_of(field, nominal_hz));
-  } else if (const auto whole = table.find_whole(field.name)) {
-    value = static_cast<double>(*whole);
-  }
-  if (!value) {
-    return;
-  }
+  const auto value = field.type == FieldType::kFloat
+                         ? table.find_number(field.name, range_of(field, nominal_hz))
+                         : std::optional<double>(table.find_whole(field.name));
+  if (!value) return;
   const auto single = static_cast<float>(*value);
   if (!gs::outlet::within(field.range, single, static_cast<float>(nominal_hz))) {
     table.refuse(field.name, fmt::format("{} is {}; in the outlets' single precision that is {}, "
@@ -101,15 +67,13 @@ void read_setting(const Table& table, const Setting& setting, double nominal_hz,
 
 control_centre::Wishes read_wishes(const Table& table, const grid::Grid& grid) {
   control_centre::Wishes wishes;
-  Range load = keys::between(0.0, grid.load_mw);
-  load.note = "the grid's load";
+  const Range load = {0.0, grid.load_mw, false, false, "the grid's load"};
   wishes.accumulated_mw = table.number("accumulated_mw", load);
-  Range block = keys::above(0.0);
-  block.high = 2.0 * wishes.accumulated_mw;
-  block.note = "twice accumulated_mw, which counts half of the outlet's own block";
+  const Range block = {0.0, 2.0 * wishes.accumulated_mw, true, false,
+                       "twice accumulated_mw, which counts half of the outlet's own block"};
   wishes.power_mw = table.find_number("power_mw", block);
-  for (const Setting& setting : kSettings) {
-    read_setting(table, setting, grid.nominal_hz, wishes.settings);
+  for (const Field& field : kSettingsFields) {
+    if (field.meaning != nullptr) read_setting(table, field, grid.nominal_hz, wishes.settings);
   }
   return wishes;
 }
@@ -139,8 +103,8 @@ Key outlet_keys() {
                     "`accumulated_mw`")
            .permits("above 0, at most twice `accumulated_mw`")
            .or_else("`accumulated_mw`")});
-  for (const Setting& setting : kSettings) {
-    outlets.inner.push_back(key_of(setting));
+  for (const Field& field : kSettingsFields) {
+    if (field.meaning != nullptr) outlets.inner.push_back(key_of(field));
   }
   return outlets.require("at least one [[outlet]]");
 }

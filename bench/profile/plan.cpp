@@ -15,9 +15,8 @@ std::shared_ptr<const waveform::Truth> Plan::truth() const {
     case TruthKind::kLosses:
       return waveform::truth_from_losses(grid::SfrModel(grid), stimulus.losses);
     case TruthKind::kPoints:
-      return waveform::truth_from_points(grid.nominal_hz, stimulus.points);
     case TruthKind::kTrace:
-      return waveform::truth_from_trace(grid.nominal_hz, stimulus.trace);
+      return waveform::truth_from_points(grid.nominal_hz, stimulus.points);
   }
   throw std::logic_error("unknown kind of truth");
 }

@@ -1,9 +1,4 @@
-#include "signal_section.hpp"
-
-#include "full_scale.hpp"
-#include "harmonic_sets.hpp"
-#include "times.hpp"
-#include "trace_section.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +20,9 @@ constexpr double kLevelMax_pct = 100.0 * kFullScale_pu;
 
 const char* const kWhereFrom =
     "Where the frequency comes from: `[[grid.loss]]`, `frequency` or `[signal.trace]`, and only "
-    "one "
-    "of them. A source plays 1.5 p.u. of the nominal amplitude (peak) at most: a signal whose "
+    "one of them. A source plays 1.5 p.u. of the nominal amplitude (peak) at most: a signal whose "
     "amplitude, with steps, a recording's voltage, harmonics and offset, would go beyond is "
-    "refused; "
-    "noise is not counted, as an outlet's input clips it.";
+    "refused; noise is not counted, as an outlet's input clips it.";
 
 Key harmonics_key() {
   return keys::array("harmonics",
@@ -96,8 +89,8 @@ std::vector<waveform::Harmonic> read_harmonics(const Table& signal, double nomin
     }
     harmonics.push_back(harmonic);
   };
-  if (const auto set = signal.find_text("harmonic_set")) {
-    for (const waveform::Harmonic& harmonic : harmonic_set(*set)) {
+  if (signal.has("harmonic_set")) {
+    for (const waveform::Harmonic& harmonic : en50160_harmonics()) {
       add(harmonic, signal.at("harmonic_set"));
     }
   }
@@ -107,13 +100,12 @@ std::vector<waveform::Harmonic> read_harmonics(const Table& signal, double nomin
   return harmonics;
 }
 
-std::vector<waveform::FrequencyPoint> read_points(const Table& signal, double nominal_hz,
-                                                  double duration_s) {
+std::vector<recording::TracePoint> read_points(const Table& signal, double nominal_hz,
+                                               double duration_s) {
   // Far beyond what any system survives; what lies outside is a slip of the pen.
   const Range plausible = keys::between(0.5 * nominal_hz, 1.5 * nominal_hz);
-  Range run = keys::between(0.0, duration_s);
-  run.note = "the run's duration";
-  std::vector<waveform::FrequencyPoint> points;
+  const Range run = {0.0, duration_s, false, false, "the run's duration"};
+  std::vector<recording::TracePoint> points;
   for (const keys::Row& row : signal.rows("frequency")) {
     const double t_s = row.values[0];
     if (!run.holds(t_s)) {
@@ -163,8 +155,7 @@ std::vector<grid::PowerChange> read_losses(const Table& grid_section, const grid
   std::vector<grid::PowerChange> losses;
   for (const Table& table : grid_section.tables("loss")) {
     const double at_s = table.number("at_s", within_run(duration_s));
-    Range up_to_load = keys::between(-grid.load_mw, grid.load_mw);
-    up_to_load.note = "the grid's load";
+    const Range up_to_load = {-grid.load_mw, grid.load_mw, false, false, "the grid's load"};
     const double power_mw = table.number("power_mw", up_to_load);
     if (power_mw == 0.0) table.refuse("power_mw", "power_mw is 0: no loss at all; leave it out");
     losses.push_back({at_s, power_mw});
@@ -212,7 +203,7 @@ Key signal_keys() {
                   .by_default(0.0),
               harmonics_key(),
               keys::word(
-                  "harmonic_set", harmonic_set_names(),
+                  "harmonic_set", {"en50160"},
                   "orders 2 … 25, each at its own limit after EN 50160, all at once: 11.3 % "
                   "in all, where the standard allows 8 %. Phases are multiples of the golden "
                   "angle. Adds to `harmonics`"),
@@ -247,8 +238,10 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
     }
     stimulus.duration_s = duration_s.value_or(stimulus.duration_s);
   }
-  stimulus.points = read_points(signal, grid.nominal_hz, stimulus.duration_s);
-  if (!stimulus.points.empty()) stimulus.kind = TruthKind::kPoints;
+  if (signal.has("frequency")) {
+    stimulus.kind = TruthKind::kPoints;
+    stimulus.points = read_points(signal, grid.nominal_hz, stimulus.duration_s);
+  }
   stimulus.losses = read_losses(grid_section, grid, stimulus.duration_s);
   stimulus.signal.harmonics =
       read_harmonics(signal, grid.nominal_hz, static_cast<double>(stimulus.sample_rate_hz));

@@ -1,15 +1,10 @@
-#include "trace_section.hpp"
-
-#include "times.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include <keys/error.hpp>
-#include <profile/files.hpp>
 
 namespace gsbench::profile {
 namespace {
@@ -49,7 +44,7 @@ void check(const std::vector<recording::TracePoint>& points, const std::string& 
 void use(std::vector<recording::TracePoint> points, Recording recording, Stimulus& stimulus) {
   stimulus.kind = TruthKind::kTrace;
   stimulus.duration_s = points.back().t_s;
-  stimulus.trace = std::move(points);
+  stimulus.points = std::move(points);
   recording.sha256 = sha256_of_file(recording.path);
   stimulus.recording = std::move(recording);
 }
@@ -61,11 +56,9 @@ keys::Key trace_keys() {
       "trace",
       "A recording as CSV with a header line. `--trace` on the command line plays another in place "
       "of all frequency, amplitude steps and phase jumps of the profile, and to its end. A row "
-      "with "
-      "`NaN` in a column in use is a gap: it is left out, and the curve runs on through its "
+      "with `NaN` in a column in use is a gap: it is left out, and the curve runs on through its "
       "neighbours. A recording lasts 0.1 … 10⁵ s and stays within 0.5 … 1.5 of nominal. Records "
-      "and "
-      "reports keep its name, its columns and the SHA-256 of its content.",
+      "and reports keep its name, its columns and the SHA-256 of its content.",
       {keys::text("file", "path relative to the profile").require(),
        keys::text("time", "column with seconds, or date and time of day").require(),
        keys::text("frequency", "column with Hz").require(),
@@ -127,7 +120,6 @@ void replace_by_recording(const std::string& path, const recording::TraceColumns
   }
   check(points, path, nominal_hz);
   stimulus.losses.clear();
-  stimulus.points.clear();
   stimulus.signal.amplitude_steps.clear();
   stimulus.signal.phase_jumps.clear();
   use(std::move(points), {path, path, "", columns, true}, stimulus);

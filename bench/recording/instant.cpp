@@ -1,10 +1,9 @@
 #include "instant.hpp"
 
-#include "number.hpp"
-
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <ctime>
 #include <string>
 
 namespace gsbench::recording {
@@ -78,51 +77,30 @@ class Scanner {
   bool good_ = true;
 };
 
-struct Date {
-  int year = 0;
-  int month = 0;
-  int day = 0;
-};
-
-bool exists(const Date& date) {
-  constexpr std::array<int, 12> kDays = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  if (date.month < 1 || date.month > 12 || date.day < 1) return false;
-  const bool leap = (date.year % 4 == 0 && date.year % 100 != 0) || date.year % 400 == 0;
-  const int days = kDays[static_cast<std::size_t>(date.month - 1)];
-  return date.day <= (date.month == 2 && leap ? 29 : days);
-}
-
-// Days since 1 March of the year 0 in the Gregorian calendar: years that begin in March have the
-// leap day at their end.
-std::int64_t day_number(const Date& date) {
-  const std::int64_t year = date.month > 2 ? date.year : date.year - 1;
-  const std::int64_t month = (date.month + 9) % 12;
-  return 365 * year + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + date.day - 1;
-}
-
 std::optional<Instant> parse_date_and_time(std::string_view text) {
   Scanner scanner(text);
-  Date date;
+  std::tm time{};
   const bool day_first = text.size() > 2 && text[2] == '-';
   if (day_first) {
-    date.day = scanner.digits(2);
+    time.tm_mday = scanner.digits(2);
     scanner.expect('-');
-    date.month = scanner.month_name();
+    time.tm_mon = scanner.month_name() - 1;
     scanner.expect('-');
-    date.year = scanner.digits(4);
+    time.tm_year = scanner.digits(4) - 1900;
   } else {
-    date.year = scanner.digits(4);
+    time.tm_year = scanner.digits(4) - 1900;
     scanner.expect('-');
-    date.month = scanner.digits(2);
+    time.tm_mon = scanner.digits(2) - 1;
     scanner.expect('-');
-    date.day = scanner.digits(2);
+    time.tm_mday = scanner.digits(2);
   }
   if (!scanner.accept('T')) scanner.expect(' ');
-  const int hour = scanner.digits(2);
+  time.tm_hour = scanner.digits(2);
   scanner.expect(':');
-  const int minute = scanner.digits(2);
+  time.tm_min = scanner.digits(2);
   scanner.expect(':');
-  const int second = scanner.digits(2);
+  time.tm_sec = scanner.digits(2);
+
   Instant instant;
   instant.fraction_s = scanner.fraction();
 
@@ -137,10 +115,14 @@ std::optional<Instant> parse_date_and_time(std::string_view text) {
     instant.kind = Instant::Kind::kLocal;
   }
 
-  if (!scanner.good_and_done() || !exists(date) || hour > 23 || minute > 59 || second > 59) {
-    return std::nullopt;
-  }
-  instant.whole_s = ((day_number(date) * 24 + hour) * 60 + minute - offset_minutes) * 60 + second;
+  if (!scanner.good_and_done()) return std::nullopt;
+  // Brings what there is not, such as 30 February, to what there is.
+  std::tm real = time;
+  instant.whole_s = timegm(&real) - 60 * offset_minutes;
+  const bool exists = real.tm_mon == time.tm_mon && real.tm_mday == time.tm_mday &&
+                      real.tm_hour == time.tm_hour && real.tm_min == time.tm_min &&
+                      real.tm_sec == time.tm_sec;
+  if (!exists) return std::nullopt;
   return instant;
 }
 

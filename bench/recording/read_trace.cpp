@@ -1,6 +1,5 @@
 #include "csv.hpp"
 #include "instant.hpp"
-#include "number.hpp"
 
 #include <algorithm>
 #include <cerrno>

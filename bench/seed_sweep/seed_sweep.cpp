@@ -7,7 +7,6 @@
 
 #include <drivers/workers.hpp>
 #include <measures/catalogue.hpp>
-#include <measures/units.hpp>
 #include <station/run.hpp>
 
 namespace gsbench::seed_sweep {

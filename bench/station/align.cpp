@@ -1,6 +1,5 @@
-#include "align.hpp"
-
 #include "faults.hpp"
+#include "run_steps.hpp"
 
 namespace gsbench::station {
 namespace {

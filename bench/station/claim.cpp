@@ -1,6 +1,5 @@
-#include "claim.hpp"
-
 #include "faults.hpp"
+#include "run_steps.hpp"
 #include <control_centre/outlet_settings.hpp>
 
 #include <cmath>

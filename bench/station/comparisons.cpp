@@ -1,9 +1,8 @@
-#include "comparisons.hpp"
-
+#include "run_steps.hpp"
 #include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include <grid/falling_limb.hpp>
 
@@ -25,11 +24,9 @@ std::vector<record::Comparison> comparisons(const grid::Grid& grid) {
       control_centre::conditions(model, grid.threshold_hz, grid.condition_row_hz);
   for (std::size_t row = 0; row < rows.size() && row < reference.condition_rocof_hz_s.size();
        ++row) {
-    char name[64];
-    std::snprintf(name, sizeof name, "condition %.2f … %.2f Hz, ROCOF below", rows[row].from_hz,
-                  rows[row].to_hz);
-    all.push_back(
-        {name, "Hz/s", rows[row].rocof_below_hz_s, reference.condition_rocof_hz_s[row], ""});
+    all.push_back({fmt::format("condition {:.2f} … {:.2f} Hz, ROCOF below", rows[row].from_hz,
+                               rows[row].to_hz),
+                   "Hz/s", rows[row].rocof_below_hz_s, reference.condition_rocof_hz_s[row], ""});
   }
   return all;
 }

@@ -1,4 +1,3 @@
-#include "emulated_file.hpp"
 
 #include "emulated_station.hpp"
 #include "station_kind.hpp"

@@ -1,15 +1,11 @@
 #include "emulated_station.hpp"
 
-#include <link_framed/framed_link.hpp>
-#include <link_mqtt/mqtt_link.hpp>
-
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
 #include <emulation/hardware.hpp>
-#include <link/combined_link.hpp>
 
 namespace gsbench::station {
 namespace {
@@ -56,22 +52,13 @@ EmulatedStation::EmulatedStation(std::string name,
         by_broker ? hardware_->broker()->url() : hardware_->serial_ports()[on_cable++];
     slots_.push_back({place, outlet.id, by_broker ? outlet.id : place, slots_.size()});
   }
-  std::vector<std::unique_ptr<link::Link>> links;
-  if (!hardware_->serial_ports().empty()) {
-    link::FramedOptions options;
-    options.ports = hardware_->serial_ports();
-    links.push_back(std::make_unique<link::FramedLink>(options));
-  }
+  PhysicalOutlets reached;
+  reached.serial_ports = hardware_->serial_ports();
   if (const emulation::PrivateBroker* const broker = hardware_->broker(); broker != nullptr) {
-    link::MqttOptions options;
-    options.url = broker->url();
-    options.ca_file = broker->ca_file();
-    options.user = broker->bench().user;
-    options.password = broker->bench().password;
-    options.outlets = hardware_->mqtt_ids();
-    links.push_back(std::make_unique<link::MqttLink>(options));
+    reached.broker = {broker->url(),         broker->ca_file(),       broker->bench().user, "",
+                      hardware_->mqtt_ids(), broker->bench().password};
   }
-  link_ = std::make_unique<link::CombinedLink>(std::move(links));
+  link_ = make_link(reached, false);
 }
 
 std::chrono::milliseconds EmulatedStation::answers_within() const {

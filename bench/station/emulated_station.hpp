@@ -9,6 +9,7 @@
 #include <link/link.hpp>
 #include <profile/plan.hpp>
 #include <station/station.hpp>
+#include <station/station_file.hpp>
 
 namespace gsbench::station {
 
@@ -39,6 +40,17 @@ class EmulatedStation final : public Station {
   std::unique_ptr<emulation::Hardware> hardware_;
   std::vector<Slot> slots_;
   std::unique_ptr<link::Link> link_;
+};
+
+// A file that describes one.
+class EmulatedFile final : public StationFile {
+ public:
+  std::optional<std::size_t> outlets() const override { return hardware.size(); }
+  std::unique_ptr<Station> make_station(const profile::Plan& plan,
+                                        const SimulatedOptions& simulated) const override;
+
+  std::vector<emulation::HardwareOutlet> hardware;
+  std::string image;  // of the boards in qemu; empty: those that were built
 };
 
 }  // namespace gsbench::station

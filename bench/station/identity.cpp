@@ -1,8 +1,10 @@
-#include "identity.hpp"
+#include "run_steps.hpp"
 
 #include <array>
 #include <ctime>
 #include <random>
+
+#include <fmt/format.h>
 
 namespace gsbench::station {
 namespace {
@@ -23,20 +25,7 @@ std::string utc_now() {
 }
 
 std::string new_run_id() {
-  std::random_device device;
-  static const char* const kHex = "0123456789abcdef";
-  std::string id = formatted_utc("%Y%m%dT%H%M%SZ-");
-  for (int digit = 0; digit < 8; ++digit) {
-    id += kHex[device() % 16];
-  }
-  return id;
-}
-
-std::string version() {
-  return GSBENCH_VERSION;
-}
-std::string firmware_sha256() {
-  return GSBENCH_FIRMWARE_SHA256;
+  return formatted_utc("%Y%m%dT%H%M%SZ-") + fmt::format("{:08x}", std::random_device()());
 }
 
 }  // namespace gsbench::station

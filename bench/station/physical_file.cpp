@@ -2,7 +2,6 @@
 #include "station_kind.hpp"
 
 #include <algorithm>
-#include <regex>
 
 #include <fmt/format.h>
 
@@ -10,6 +9,8 @@
 
 namespace gsbench::station {
 namespace {
+
+constexpr std::size_t kLongestUrl = 300;
 
 class PhysicalFile final : public StationFile {
  public:
@@ -25,21 +26,23 @@ class PhysicalFile final : public StationFile {
   PhysicalOutlets outlets_there;
 };
 
-std::vector<std::string> texts(const std::vector<keys::Word>& words) {
-  std::vector<std::string> all;
-  all.reserve(words.size());
-  for (const keys::Word& word : words) {
-    all.push_back(word.text);
-  }
-  return all;
+bool begins_with(const std::string& text, const char* beginning) {
+  return text.rfind(beginning, 0) == 0;
 }
 
 bool is_broker_url(const std::string& url) {
-  std::smatch parts;
-  static const std::regex kForm("mqtts?://[^/:]+:([0-9]{1,5})");
-  // std::regex recurses by the character.
-  return url.size() <= 300 && std::regex_match(url, parts, kForm) && std::stoi(parts[1]) >= 1 &&
-         std::stoi(parts[1]) <= 65535;
+  if (url.size() > kLongestUrl || !(begins_with(url, "mqtt://") || begins_with(url, "mqtts://"))) {
+    return false;
+  }
+  const std::size_t host = url.find("://") + 3;
+  const std::size_t colon = url.find_first_of("/:", host);
+  if (colon == std::string::npos || colon == host || url[colon] != ':') {
+    return false;
+  }
+  const std::string port = url.substr(colon + 1);
+  return !port.empty() && port.size() <= 5 &&
+         port.find_first_not_of("0123456789") == std::string::npos && std::stoi(port) >= 1 &&
+         std::stoi(port) <= 65535;
 }
 
 std::vector<std::string> outlet_ids(const keys::Table& table) {
@@ -56,7 +59,6 @@ std::vector<std::string> outlet_ids(const keys::Table& table) {
 Broker read_mqtt(const keys::Table& table, const std::string& file_path) {
   Broker broker;
   broker.url = table.text("url");
-  const bool tls = broker.url.rfind("mqtts://", 0) == 0;
   if (!is_broker_url(broker.url)) {
     table.refuse("url", fmt::format("url is \"{}\"; it must be mqtts://host:port, or "
                                     "mqtt://host:port where TLS is not wanted",
@@ -66,7 +68,7 @@ Broker read_mqtt(const keys::Table& table, const std::string& file_path) {
     return path ? profile::resolve(*path, file_path) : std::string();
   };
   broker.ca_file = beside(table.find_text("ca_file"));
-  if (tls && broker.ca_file.empty()) {
+  if (begins_with(broker.url, "mqtts://") && broker.ca_file.empty()) {
     table.refuse_missing("ca_file", "the certificate that vouches for the broker: ca_file = …");
   }
   broker.user = table.find_text("user").value_or("");
@@ -80,7 +82,9 @@ std::unique_ptr<StationFile> read(const keys::Table& top, const std::string& pat
   PhysicalOutlets& outlets = file->outlets_there;
   if (top.has("serial")) {
     const keys::Table serial = top.table("serial");
-    outlets.serial_ports = texts(serial.words("ports"));
+    for (const keys::Word& port : serial.words("ports")) {
+      outlets.serial_ports.push_back(port.text);
+    }
     outlets.baud = static_cast<int>(serial.whole("baud"));
   }
   if (top.has("mqtt")) {

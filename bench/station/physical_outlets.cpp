@@ -12,7 +12,7 @@ namespace {
 
 std::string first_line(const std::string& path) {
   std::string line;
-  if (!path.empty() && !std::getline(std::ifstream(path), line)) {
+  if (!std::getline(std::ifstream(path), line)) {
     throw keys::ConfigurationError(path + ": no password can be read");
   }
   return line;
@@ -34,7 +34,9 @@ std::unique_ptr<link::Link> make_link(const PhysicalOutlets& outlets, bool looki
     options.url = outlets.broker.url;
     options.ca_file = outlets.broker.ca_file;
     options.user = outlets.broker.user;
-    options.password = first_line(outlets.broker.password_file);
+    options.password = outlets.broker.password_file.empty()
+                           ? outlets.broker.password
+                           : first_line(outlets.broker.password_file);
     options.outlets = outlets.broker.outlets;
     links.push_back(std::make_unique<link::MqttLink>(options));
   }

@@ -1,8 +1,4 @@
-#include "prepare.hpp"
-
-#include "comparisons.hpp"
-#include "identity.hpp"
-#include "stimulus_marks.hpp"
+#include "run_steps.hpp"
 #include <control_centre/outlet_settings.hpp>
 
 #include <stdexcept>
@@ -39,8 +35,8 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
   record::RunRecord run;
   run.run_id = new_run_id();
   run.started_utc = utc_now();
-  run.gsbench_version = version();
-  run.firmware_sha256 = firmware_sha256();
+  run.gsbench_version = GSBENCH_VERSION;
+  run.firmware_sha256 = GSBENCH_FIRMWARE_SHA256;
   run.profile = plan.name;
   run.profile_title = plan.title;
   run.profile_source = plan.source;

@@ -1,16 +1,8 @@
-#include "align.hpp"
-#include "claim.hpp"
 #include "faults.hpp"
-#include "finish.hpp"
-#include "play.hpp"
-#include "prepare.hpp"
+#include "run_steps.hpp"
 
-#include <capture/capture.hpp>
 #include <judge/judge.hpp>
-#include <station/played_signal.hpp>
-#include <station/run.hpp>
 #include <station/safe_state.hpp>
-#include <station/slot.hpp>
 
 namespace gsbench::station {
 
@@ -35,7 +27,13 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
   }
   align(station, signal.markers(), capture, run);
   judge::judge(plan, run);
-  finish(run, options.writer);
+  run.finished_utc = utc_now();
+  if (options.writer != nullptr) {
+    for (const record::OutletRecord& outlet : run.outlets) {
+      options.writer->add_outlet(outlet);
+    }
+    options.writer->finish(run);
+  }
   return run;
 }
 

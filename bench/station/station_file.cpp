@@ -1,54 +1,13 @@
 #include "station_kind.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 
-#include <keys/suggestion.hpp>
 #include <profile/files.hpp>
 
 namespace gsbench::station {
 namespace {
-
-namespace fs = std::filesystem;
-
-fs::path stations_folder() {
-  return fs::path(profile::profiles_folder()) / "stations";
-}
-
-std::vector<profile::NamedFile> all_stations() {
-  std::vector<profile::NamedFile> found;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(stations_folder(), ignored)) {
-    if (entry.path().extension() == ".toml") {
-      found.push_back({entry.path().stem().string(), entry.path().string()});
-    }
-  }
-  std::sort(
-      found.begin(), found.end(),
-      [](const profile::NamedFile& a, const profile::NamedFile& b) { return a.name < b.name; });
-  return found;
-}
-
-profile::NamedFile find_station(const std::string& name) {
-  if (fs::path(name).extension() == ".toml") {
-    if (!profile::is_regular_file(name)) {
-      throw profile::ConfigurationError(fmt::format("{}: no such station file", name));
-    }
-    return {fs::path(name).stem().string(), name};
-  }
-  std::vector<std::string> names;
-  for (const profile::NamedFile& station : all_stations()) {
-    if (station.name == name) {
-      return station;
-    }
-    names.push_back(station.name);
-  }
-  throw profile::ConfigurationError(
-      fmt::format("no station \"{}\"{} (a file of your own is given by its path, ending in .toml)",
-                  name, keys::suggestion(name, names, "stations")));
-}
 
 const StationKind& kind_of(const std::string& name) {
   return *std::find_if(station_kinds().begin(), station_kinds().end(),
@@ -107,19 +66,13 @@ const keys::Key& station_keys() {
 }
 
 std::unique_ptr<StationFile> load_station(const std::string& name) {
-  return parse_station(find_station(name));
+  return parse_station(profile::find_station(name));
 }
 
 std::vector<profile::ProfileSummary> list_stations() {
-  std::vector<profile::ProfileSummary> summaries;
-  for (const profile::NamedFile& file : all_stations()) {
-    try {
-      summaries.push_back({file.name, parse_station(file)->title});
-    } catch (const profile::ConfigurationError& error) {
-      summaries.push_back({file.name, fmt::format("unreadable: {}", error.what())});
-    }
-  }
-  return summaries;
+  return profile::summaries_of(profile::all_stations(), [](const profile::NamedFile& file) {
+    return parse_station(file)->title;
+  });
 }
 
 }  // namespace gsbench::station

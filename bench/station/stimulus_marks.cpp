@@ -1,9 +1,9 @@
-#include "stimulus_marks.hpp"
+#include "run_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <string>
+
+#include <fmt/format.h>
 
 #include <waveform/tick.hpp>
 
@@ -12,9 +12,7 @@ namespace {
 
 // "500 MW", "-20°", "40 %": at most four digits.
 std::string figure(double value, const char* unit) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.4g%s", value, unit);
-  return text;
+  return fmt::format("{:.4g}{}", value, unit);
 }
 
 }  // namespace

@@ -93,15 +93,7 @@ class PointTruth final : public Truth {
 }  // namespace
 
 std::unique_ptr<Truth> truth_from_points(double nominal_hz,
-                                         const std::vector<FrequencyPoint>& points) {
-  std::vector<recording::TracePoint> trace;
-  trace.reserve(points.size());
-  for (const FrequencyPoint& point : points) trace.push_back({point.t_s, point.frequency_hz, 1.0});
-  return truth_from_trace(nominal_hz, std::move(trace));
-}
-
-std::unique_ptr<Truth> truth_from_trace(double nominal_hz,
-                                        std::vector<recording::TracePoint> points) {
+                                         std::vector<recording::TracePoint> points) {
   check(nominal_hz, points);
   return std::make_unique<PointTruth>(nominal_hz, std::move(points));
 }

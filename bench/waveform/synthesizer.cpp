@@ -26,8 +26,7 @@ std::shared_ptr<const Truth> checked(std::shared_ptr<const Truth> truth, const S
 }
 
 std::vector<Phasor> harmonic_series(const std::vector<Harmonic>& harmonics) {
-  std::vector<Phasor> series(2);
-  series[1] = {1.0, 0.0};
+  std::vector<Phasor> series = {{0.0, 0.0}, {1.0, 0.0}};
   for (const Harmonic& harmonic : harmonics) {
     const auto order = static_cast<std::size_t>(harmonic.order);
     if (series.size() <= order) series.resize(order + 1);
@@ -119,11 +118,7 @@ void Synthesizer::Impl::render_block(const Block& block, std::int64_t from, std:
 
 Synthesizer::Synthesizer(std::shared_ptr<const Truth> truth, const SignalSpec& spec,
                          std::int64_t sample_rate_hz)
-    : impl_(std::make_unique<const Impl>(std::move(truth), spec, sample_rate_hz)) {}
-
-Synthesizer::~Synthesizer() = default;
-Synthesizer::Synthesizer(Synthesizer&&) noexcept = default;
-Synthesizer& Synthesizer::operator=(Synthesizer&&) noexcept = default;
+    : impl_(std::make_shared<const Impl>(std::move(truth), spec, sample_rate_hz)) {}
 
 void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out) const {
   if (first_tick < 0) {

@@ -1,24 +1,20 @@
 #include <outlet/conditions.hpp>
 #include <outlet/decision.hpp>
 #include <outlet/estimator.hpp>
+#include <outlet/name_table.hpp>
+#include <outlet/settings.hpp>
 
 namespace gs::outlet {
 const char* to_string(Trust trust) {
-  switch (trust) {
-    case Trust::kTrusted:
-      return "trusted";
-    case Trust::kNotYet:
-      return "not yet estimated";
-    case Trust::kUnsteadyStart:
-      return "frequency not steady before the event";
-    case Trust::kResidual:
-      return "measurements do not follow the model";
-    case Trust::kAtBound:
-      return "at the bound of what is physical";
-    case Trust::kUncertain:
-      return "too uncertain";
-  }
-  return "unknown";
+  static constexpr const char* kNames[] = {
+      "trusted",
+      "not yet estimated",
+      "frequency not steady before the event",
+      "measurements do not follow the model",
+      "at the bound of what is physical",
+      "too uncertain",
+  };
+  return name_of<kLastTrust>(trust, kNames);
 }
 
 void begin(EstimatorState& state, const Baseline& baseline) {

@@ -1,4 +1,5 @@
 #include <outlet/event_detector.hpp>
+#include <outlet/settings.hpp>
 
 namespace gs::outlet {
 

@@ -1,4 +1,5 @@
 #include <outlet/decision.hpp>
+#include <outlet/name_table.hpp>
 #include <outlet/outlet.hpp>
 
 namespace gs::outlet {
@@ -120,17 +121,8 @@ void act(const Config& config, State& state, Report& report) {
 }  // namespace
 
 const char* to_string(Cause cause) {
-  switch (cause) {
-    case Cause::kNone:
-      return "none";
-    case Cause::kLoss:
-      return "loss";
-    case Cause::kFrequency:
-      return "frequency";
-    case Cause::kCommand:
-      return "command";
-  }
-  return "unknown";
+  static constexpr const char* kNames[] = {"none", "loss", "frequency", "command"};
+  return name_of<Cause::kCommand>(cause, kNames);
 }
 
 bool configure(const Hardware& hardware, Config& config) {

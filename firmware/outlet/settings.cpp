@@ -1,9 +1,7 @@
 #include <outlet/crc32.hpp>
-#include <outlet/event_detector.hpp>
 #include <outlet/loss_ekf.hpp>
-#include <outlet/loss_lse.hpp>
+#include <outlet/name_table.hpp>
 #include <outlet/settings.hpp>
-#include <outlet/settings_fields.hpp>
 
 namespace gs::outlet {
 namespace {
@@ -36,27 +34,19 @@ struct Digest {
 
   template <class T>
   void operator()(const Field&, const T& value) {
-    add(value);
+    if constexpr (std::is_floating_point_v<T>) {
+      crc.add_word(value);
+    } else {
+      crc.add_word(std::uint32_t{value});
+    }
   }
   void rows(const Field&, const ConditionRow* conditions, std::uint8_t count) {
-    add(std::uint32_t{count});
+    crc.add_word(std::uint32_t{count});
     for (int row = 0; row < count && row < kMaxConditions; ++row) {
-      add(conditions[row].from_hz);
-      add(conditions[row].rocof_below_hz_s);
+      crc.add_word(conditions[row].from_hz);
+      crc.add_word(conditions[row].rocof_below_hz_s);
     }
   }
-  void add(float x) {
-    std::uint32_t bits = 0;
-    __builtin_memcpy(&bits, &x, sizeof bits);
-    add(bits);
-  }
-  void add(std::uint32_t word) {
-    for (int byte = 0; byte < 4; ++byte) {
-      crc.add(static_cast<std::uint8_t>(word >> (8 * byte)));
-    }
-  }
-  void add(std::uint16_t x) { add(std::uint32_t{x}); }
-  void add(std::uint8_t x) { add(std::uint32_t{x}); }
 };
 
 // Of a plant that settles, by a series that carries it as far as the estimator goes.
@@ -82,33 +72,21 @@ bool descending(const Settings& s) {
 }  // namespace
 
 const char* to_string(SettingsError error) {
-  switch (error) {
-    case SettingsError::kNone:
-      return "accepted";
-    case SettingsError::kUnknownField:
-      return "a setting that this firmware does not know";
-    case SettingsError::kResponse:
-      return "frequency response out of range";
-    case SettingsError::kThreshold:
-      return "threshold or largest loss out of range";
-    case SettingsError::kAccumulated:
-      return "accumulated power negative";
-    case SettingsError::kSwitchOff:
-      return "switching-off frequency not from 80 % of nominal to below nominal";
-    case SettingsError::kConditions:
-      return "load-shedding conditions missing, too many or not descending";
-    case SettingsError::kCounts:
-      return "a number of samples out of range";
-    case SettingsError::kEvent:
-      return "event drop or departure out of range";
-    case SettingsError::kEstimator:
-      return "estimator settings out of range";
-    case SettingsError::kTracker:
-      return "tracker settings out of range";
-    case SettingsError::kStale:
-      return "not newer than the settings in force";
-  }
-  return "unknown";
+  static constexpr const char* kNames[] = {
+      "accepted",
+      "a setting that this firmware does not know",
+      "frequency response out of range",
+      "threshold or largest loss out of range",
+      "accumulated power negative",
+      "switching-off frequency not from 80 % of nominal to below nominal",
+      "load-shedding conditions missing, too many or not descending",
+      "a number of samples out of range",
+      "event drop or departure out of range",
+      "estimator settings out of range",
+      "tracker settings out of range",
+      "not newer than the settings in force",
+  };
+  return name_of<SettingsError::kStale>(error, kNames);
 }
 
 SettingsError validate(const Settings& s, float nominal_hz) {

@@ -79,46 +79,45 @@ void Writer::text(const char* text, std::size_t length) {
   }
 }
 
-bool Reader::head(std::uint8_t& major, std::uint8_t& info, std::uint64_t& value) {
+Reader::Head Reader::peek() const {
   if (at_ == end_) {
-    return false;
+    return {};
   }
-  major = static_cast<std::uint8_t>(*at_ >> 5);
-  info = *at_ & 0x1Fu;
-  value = info;
-  const std::uint8_t* next = at_ + 1;
-  if (info >= 24) {
-    if (info > 27) {
-      return false;  // indefinite lengths, and what is reserved
+  Head head{static_cast<std::uint8_t>(*at_ >> 5), static_cast<std::uint8_t>(*at_ & 0x1Fu), 0,
+            at_ + 1};
+  head.value = head.info;
+  if (head.info >= 24) {
+    if (head.info > 27) {
+      return {};  // indefinite lengths, and what is reserved
     }
-    const std::size_t bytes = std::size_t{1} << (info - 24);
-    if (static_cast<std::size_t>(end_ - next) < bytes) {
-      return false;
+    const std::size_t bytes = std::size_t{1} << (head.info - 24);
+    if (static_cast<std::size_t>(end_ - head.end) < bytes) {
+      return {};
     }
-    value = 0;
+    head.value = 0;
     for (std::size_t i = 0; i < bytes; ++i) {
-      value = (value << 8) | *next++;
+      head.value = (head.value << 8) | *head.end++;
     }
-    if (major == kSimple && info == kSimpleByte && value < kFirstLongSimple) {
-      return false;  // has a form of one byte, the only one RFC 8949, §3.3 allows
+    if (head.major == kSimple && head.info == kSimpleByte && head.value < kFirstLongSimple) {
+      return {};  // has a form of one byte, the only one RFC 8949, §3.3 allows
     }
   }
-  at_ = next;
+  return head;
+}
+
+bool Reader::pass(const Head& head) {
+  at_ = head.end;
   return true;
 }
 
 bool Reader::container(std::uint8_t wanted, std::size_t items_each, std::size_t& count) {
-  Reader next = *this;
-  std::uint8_t major = 0;
-  std::uint8_t info = 0;
-  std::uint64_t value = 0;
+  const Head head = peek();
   // Each item takes a byte at least.
-  if (!next.head(major, info, value) || major != wanted || value > next.left() / items_each) {
+  if (head.major != wanted || head.value > static_cast<std::size_t>(end_ - head.end) / items_each) {
     return false;
   }
-  count = static_cast<std::size_t>(value);
-  *this = next;
-  return true;
+  count = static_cast<std::size_t>(head.value);
+  return pass(head);
 }
 
 bool Reader::array(std::size_t& items) {
@@ -130,76 +129,58 @@ bool Reader::map(std::size_t& pairs) {
 }
 
 bool Reader::unsigned_integer(std::uint64_t& value) {
-  Reader next = *this;
-  std::uint8_t major = 0;
-  std::uint8_t info = 0;
-  if (!next.head(major, info, value) || major != kUnsigned) {
+  const Head head = peek();
+  if (head.major != kUnsigned) {
     return false;
   }
-  *this = next;
-  return true;
+  value = head.value;
+  return pass(head);
 }
 
 bool Reader::integer(std::int64_t& value) {
-  Reader next = *this;
-  std::uint8_t major = 0;
-  std::uint8_t info = 0;
-  std::uint64_t magnitude = 0;
-  if (!next.head(major, info, magnitude) || major > kNegative || (magnitude >> 63) != 0) {
+  const Head head = peek();
+  if (head.major > kNegative || (head.value >> 63) != 0) {
     return false;
   }
-  value = static_cast<std::int64_t>(magnitude);
-  if (major == kNegative) {
-    value = -value - 1;
-  }
-  *this = next;
-  return true;
+  const auto magnitude = static_cast<std::int64_t>(head.value);
+  value = head.major == kNegative ? -magnitude - 1 : magnitude;
+  return pass(head);
 }
 
 bool Reader::single(float& value) {
-  Reader next = *this;
-  std::uint8_t major = 0;
-  std::uint8_t info = 0;
-  std::uint64_t wide = 0;
-  if (!next.head(major, info, wide) || major != kSimple || info != kSingle) {
+  const Head head = peek();
+  if (head.major != kSimple || head.info != kSingle) {
     return false;
   }
-  const auto bits = static_cast<std::uint32_t>(wide);
+  const auto bits = static_cast<std::uint32_t>(head.value);
   __builtin_memcpy(&value, &bits, sizeof value);
-  *this = next;
-  return true;
+  return pass(head);
 }
 
 bool Reader::boolean(bool& value) {
-  Reader next = *this;
-  std::uint8_t major = 0;
-  std::uint8_t info = 0;
-  std::uint64_t wide = 0;
-  if (!next.head(major, info, wide) || major != kSimple || (info != kFalse && info != kTrue)) {
+  const Head head = peek();
+  if (head.major != kSimple || (head.info != kFalse && head.info != kTrue)) {
     return false;
   }
-  value = info == kTrue;
-  *this = next;
-  return true;
+  value = head.info == kTrue;
+  return pass(head);
 }
 
 bool Reader::text(char* out, std::size_t most) {
-  Reader next = *this;
-  std::uint8_t major = 0;
-  std::uint8_t info = 0;
-  std::uint64_t length = 0;
-  if (!next.head(major, info, length) || major != kText || length > most || length > next.left()) {
+  const Head head = peek();
+  if (head.major != kText || head.value > most ||
+      head.value > static_cast<std::size_t>(end_ - head.end)) {
     return false;
   }
-  for (std::size_t i = 0; i < length; ++i) {
-    const std::uint8_t character = *next.at_++;
+  for (std::size_t i = 0; i < head.value; ++i) {
+    const std::uint8_t character = head.end[i];
     if (character < ' ' || character > '~') {
       return false;
     }
     out[i] = static_cast<char>(character);
   }
-  out[length] = '\0';
-  *this = next;
+  out[head.value] = '\0';
+  at_ = head.end + head.value;
   return true;
 }
 
@@ -208,24 +189,22 @@ bool Reader::skip() {
   // Items still to be passed over; what an item holds is added to them, so that nothing nests.
   std::uint64_t items = 1;
   while (items > 0) {
-    std::uint8_t major = 0;
-    std::uint8_t info = 0;
-    std::uint64_t value = 0;
-    if (!next.head(major, info, value)) {
+    const Head head = next.peek();
+    if (head.major == kNone) {
       return false;
     }
+    next.pass(head);
     --items;
-    if (major == kBytes || major == kText) {
-      if (value > next.left()) {
-        return false;
-      }
-      next.at_ += value;
-    } else if (major == kArray || major == kMap) {
-      if (value > next.left()) {
-        return false;
-      }
-      items += major == kMap ? 2 * value : value;
-    } else if (major == kTag) {
+    const bool is_string = head.major == kBytes || head.major == kText;
+    const bool is_container = head.major == kArray || head.major == kMap;
+    if ((is_string || is_container) && head.value > next.left()) {
+      return false;
+    }
+    if (is_string) {
+      next.at_ += head.value;
+    } else if (is_container) {
+      items += head.major == kMap ? 2 * head.value : head.value;
+    } else if (head.major == kTag) {
       ++items;
     }
     if (items > next.left()) {

@@ -1,4 +1,6 @@
-#include <outlet/settings_fields.hpp>
+#include <type_traits>
+
+#include <outlet/settings.hpp>
 #include <wire/cbor.hpp>
 #include <wire/codec.hpp>
 #include <wire/fields.hpp>
@@ -125,6 +127,7 @@ struct Encoder {
   void operator()(std::uint8_t value) { writer.unsigned_integer(value); }
   void operator()(std::uint16_t value) { writer.unsigned_integer(value); }
   void operator()(std::uint32_t value) { writer.unsigned_integer(value); }
+  void operator()(std::uint64_t value) { writer.unsigned_integer(value); }
   void operator()(std::int32_t value) { writer.integer(value); }
   template <std::size_t N>
   void operator()(const char (&text)[N]) {
@@ -162,6 +165,7 @@ struct Decoder {
   void operator()(std::uint8_t& value) { number(value); }
   void operator()(std::uint16_t& value) { number(value); }
   void operator()(std::uint32_t& value) { number(value); }
+  void operator()(std::uint64_t& value) { number(value); }
   void operator()(std::int32_t& value) {
     std::int64_t wide = 0;
     ok = next() && reader.integer(wide) && wide >= INT32_MIN && wide <= INT32_MAX;
@@ -206,51 +210,62 @@ std::size_t finished(const cbor::Writer& writer) {
   return writer.ok() ? writer.size() : 0;
 }
 
-// Takes the head that both directions have: [kind, sequence, …
-Decoded open(cbor::Reader& reader, std::size_t& items, std::uint8_t last_kind, std::uint8_t& kind,
-             std::uint32_t& sequence) {
-  std::uint64_t wide_kind = 0;
-  std::uint64_t wide_sequence = 0;
-  if (!reader.array(items) || items < 2 || !reader.unsigned_integer(wide_kind) ||
-      !reader.unsigned_integer(wide_sequence) || wide_sequence > 0xFFFFFFFFu) {
+// All that stands behind kind and sequence. Each `M` is the message or its const form.
+template <class M, class V>
+void fields(M& message, V& visit) {
+  if constexpr (std::is_same_v<std::remove_const_t<M>, Uplink>) {
+    visit(message.sample);
+    uplink_fields(message, visit);
+  } else {
+    downlink_fields(message, visit);
+  }
+}
+
+template <class M>
+std::size_t encode_message(const M& message, std::uint32_t sequence, std::uint8_t* out,
+                           std::size_t capacity) {
+  Counter counter;
+  fields(message, counter);
+  cbor::Writer writer(out, capacity);
+  writer.array(2 + counter.items);
+  writer.unsigned_integer(static_cast<std::uint8_t>(message.kind));
+  writer.unsigned_integer(sequence);
+  Encoder encoder{writer};
+  fields(message, encoder);
+  return finished(writer);
+}
+
+template <class M>
+Decoded decode_message(const std::uint8_t* bytes, std::size_t size, decltype(M::kind) last_kind,
+                       M& message, std::uint32_t& sequence) {
+  cbor::Reader reader(bytes, size);
+  std::size_t items = 0;
+  std::uint64_t kind = 0;
+  if (!reader.array(items) || items < 2 || !reader.unsigned_integer(kind) ||
+      !read_number(reader, sequence)) {
     return Decoded::kMalformed;
   }
   items -= 2;
-  sequence = static_cast<std::uint32_t>(wide_sequence);
-  if (wide_kind == 0 || wide_kind > last_kind) {
+  if (kind == 0 || kind > static_cast<std::uint64_t>(last_kind)) {
     return pass_over(reader, items) ? Decoded::kUnknownKind : Decoded::kMalformed;
   }
-  kind = static_cast<std::uint8_t>(wide_kind);
-  return Decoded::kOk;
+  message = M{};
+  message.kind = static_cast<decltype(M::kind)>(kind);
+  Decoder decoder{reader, items};
+  fields(message, decoder);
+  return decoder.finish() ? Decoded::kOk : Decoded::kMalformed;
 }
 
 }  // namespace
 
 std::size_t encode(const Uplink& message, std::uint32_t sequence, std::uint8_t* out,
                    std::size_t capacity) {
-  Counter counter;
-  uplink_fields(message, counter);
-  cbor::Writer writer(out, capacity);
-  writer.array(3 + counter.items);
-  writer.unsigned_integer(static_cast<std::uint8_t>(message.kind));
-  writer.unsigned_integer(sequence);
-  writer.unsigned_integer(message.sample);
-  Encoder encoder{writer};
-  uplink_fields(message, encoder);
-  return finished(writer);
+  return encode_message(message, sequence, out, capacity);
 }
 
 std::size_t encode(const Downlink& message, std::uint32_t sequence, std::uint8_t* out,
                    std::size_t capacity) {
-  Counter counter;
-  downlink_fields(message, counter);
-  cbor::Writer writer(out, capacity);
-  writer.array(2 + counter.items);
-  writer.unsigned_integer(static_cast<std::uint8_t>(message.kind));
-  writer.unsigned_integer(sequence);
-  Encoder encoder{writer};
-  downlink_fields(message, encoder);
-  return finished(writer);
+  return encode_message(message, sequence, out, capacity);
 }
 
 std::size_t encode(const outlet::Settings& settings, std::uint8_t* out, std::size_t capacity) {
@@ -261,41 +276,12 @@ std::size_t encode(const outlet::Settings& settings, std::uint8_t* out, std::siz
 
 Decoded decode(const std::uint8_t* bytes, std::size_t size, Uplink& message,
                std::uint32_t& sequence) {
-  cbor::Reader reader(bytes, size);
-  std::size_t items = 0;
-  std::uint8_t kind = 0;
-  const Decoded opened =
-      open(reader, items, static_cast<std::uint8_t>(kLastUplink), kind, sequence);
-  if (opened != Decoded::kOk) {
-    return opened;
-  }
-  std::uint64_t sample = 0;
-  if (items == 0 || !reader.unsigned_integer(sample)) {
-    return Decoded::kMalformed;
-  }
-  message = Uplink{};
-  message.kind = static_cast<UplinkKind>(kind);
-  message.sample = sample;
-  Decoder decoder{reader, items - 1};
-  uplink_fields(message, decoder);
-  return decoder.finish() ? Decoded::kOk : Decoded::kMalformed;
+  return decode_message(bytes, size, kLastUplink, message, sequence);
 }
 
 Decoded decode(const std::uint8_t* bytes, std::size_t size, Downlink& message,
                std::uint32_t& sequence) {
-  cbor::Reader reader(bytes, size);
-  std::size_t items = 0;
-  std::uint8_t kind = 0;
-  const Decoded opened =
-      open(reader, items, static_cast<std::uint8_t>(kLastDownlink), kind, sequence);
-  if (opened != Decoded::kOk) {
-    return opened;
-  }
-  message = Downlink{};
-  message.kind = static_cast<DownlinkKind>(kind);
-  Decoder decoder{reader, items};
-  downlink_fields(message, decoder);
-  return decoder.finish() ? Decoded::kOk : Decoded::kMalformed;
+  return decode_message(bytes, size, kLastDownlink, message, sequence);
 }
 
 Decoded decode(const std::uint8_t* bytes, std::size_t size, outlet::Settings& settings) {

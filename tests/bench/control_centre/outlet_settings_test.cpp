@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include <grid/sfr_model.hpp>
-#include <outlet/settings_fields.hpp>
+#include <outlet/settings.hpp>
 
 namespace gsbench::control_centre {
 namespace {

@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 
 #include <measures/catalogue.hpp>
-#include <measures/units.hpp>
 
 namespace gsbench::measures {
 namespace {

@@ -18,7 +18,7 @@
 #include <gmock/gmock.h>
 
 #include <keys/document.hpp>
-#include <keys/markdown.hpp>
+#include <keys/key.hpp>
 #include <profile/keys.hpp>
 #include <station/station_file.hpp>
 

@@ -54,11 +54,11 @@ TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
   const Plan plan = parse_here(kRecording);
   EXPECT_EQ(plan.stimulus.kind, TruthKind::kTrace);
   EXPECT_EQ(plan.stimulus.recording.path, path("recording.csv"));
-  ASSERT_THAT(plan.stimulus.trace, SizeIs(4));  // of 1 s … 4 s
-  EXPECT_EQ(plan.stimulus.trace[0].t_s, 0.0);
-  EXPECT_EQ(plan.stimulus.trace[0].frequency_hz, 49.9);
-  EXPECT_EQ(plan.stimulus.trace[1].voltage_pu, 0.5);
-  EXPECT_EQ(plan.stimulus.trace[3].t_s, 3.0);
+  ASSERT_THAT(plan.stimulus.points, SizeIs(4));  // of 1 s … 4 s
+  EXPECT_EQ(plan.stimulus.points[0].t_s, 0.0);
+  EXPECT_EQ(plan.stimulus.points[0].frequency_hz, 49.9);
+  EXPECT_EQ(plan.stimulus.points[1].voltage_pu, 0.5);
+  EXPECT_EQ(plan.stimulus.points[3].t_s, 3.0);
   EXPECT_EQ(plan.stimulus.duration_s, 2.0);
   EXPECT_NEAR(plan.truth()->frequency_hz(2.0), 49.7, 1e-12);  // rounding of a cubic
 }

@@ -1,6 +1,6 @@
 // Station files: what they say, what is refused, with the place; which station a file makes, and
 // what of a plan is played on it.
-#include "emulated_file.hpp"
+#include "emulated_station.hpp"
 #include "plans.hpp"
 #include <test_support/refusal.hpp>
 #include <test_support/temporary_folder.hpp>

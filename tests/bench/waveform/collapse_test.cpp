@@ -24,7 +24,7 @@ TEST(RecordedCollapse, IsReadAsItIsWritten) {
     SCOPED_TRACE(collapse.path);
     const auto points = read(collapse.path);
     EXPECT_EQ(points.size(), collapse.points);
-    const std::shared_ptr<const Truth> truth = truth_from_trace(50.0, points);
+    const std::shared_ptr<const Truth> truth = truth_from_points(50.0, points);
     EXPECT_EQ(truth->frequency_hz(collapse.last_ordinary_s), 49.942);
     EXPECT_EQ(truth->frequency_hz(collapse.last_ordinary_s + 4), 48.556);
     EXPECT_EQ(truth->frequency_hz(collapse.last_ordinary_s + 6), 47.476);
@@ -36,7 +36,7 @@ TEST(RecordedCollapse, IsPlayedWithADeadBusAsOne) {
   const test::TemporaryFolder folder;
   for (const test::CollapseRecording& collapse : test::collapse_recordings(folder)) {
     SCOPED_TRACE(collapse.path);
-    const Synthesizer synthesizer(truth_from_trace(50.0, read(collapse.path)), {}, 8000);
+    const Synthesizer synthesizer(truth_from_points(50.0, read(collapse.path)), {}, 8000);
     const auto dead_tick = static_cast<std::int64_t>((collapse.last_ordinary_s + 8) * 8000.0);
     float before = 0.0f;
     for (const float sample : render(synthesizer, dead_tick - 10 * 8000, 160)) {

@@ -141,7 +141,7 @@ TEST(Phase, FollowsRampsOf10HertzASecondAtEverySampleRate) {
 }
 
 TEST(Phase, FollowsPointsCloserThanABlockAndThanASample) {
-  std::vector<FrequencyPoint> points;
+  std::vector<recording::TracePoint> points;
   points.reserve(402);
   for (int i = 0; i < 400; ++i)
     points.push_back({0.1 + 0.00131 * i, 50.0 + 0.3 * std::sin(i * 0.7)});

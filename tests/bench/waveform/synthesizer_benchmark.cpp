@@ -36,7 +36,7 @@ void RecordingEvery2Seconds(benchmark::State& state) {
   std::vector<recording::TracePoint> points;
   points.reserve(3600);
   for (int i = 0; i < 3600; ++i) points.push_back({2.0 * i, 50.0 + 0.02 * (i % 5), 1.0});
-  play(state, {truth_from_trace(50.0, points), {}, 8000});
+  play(state, {truth_from_points(50.0, points), {}, 8000});
 }
 BENCHMARK(RecordingEvery2Seconds);
 

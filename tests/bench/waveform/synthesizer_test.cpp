@@ -34,7 +34,7 @@ std::shared_ptr<const Truth> busy_truth() {
   for (int i = 0; i < 60; ++i) {
     points.push_back({0.0137 * i, 50.0 + 0.5 * std::sin(i), 1.0 - 0.01 * (i % 7)});
   }
-  return truth_from_trace(50.0, points);
+  return truth_from_points(50.0, points);
 }
 
 bool same_bits(const std::vector<float>& a, const float* b) {
@@ -165,7 +165,7 @@ TEST(Synthesizer, AddsDcUnscaledByDips) {
 }
 
 TEST(Synthesizer, FollowsTheVoltageOfARecordingBetweenItsPoints) {
-  const std::shared_ptr<const Truth> truth = truth_from_trace(
+  const std::shared_ptr<const Truth> truth = truth_from_points(
       50.0, {{0.0, 50.0, 1.0}, {0.1, 50.0, 0.8}, {0.13333, 50.0, 0.0}, {0.5, 50.0, 0.02}});
   const std::vector<float> plain = render({constant(50, 50), {}, 8000}, 0, 8000);
   const std::vector<float> samples = render({truth, {}, 8000}, 0, 8000);

@@ -14,11 +14,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-std::vector<FrequencyPoint> random_points(unsigned seed) {
+std::vector<recording::TracePoint> random_points(unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> step_s(0.001, 5.0);
   std::uniform_real_distribution<double> frequency_hz(45.0, 55.0);
-  std::vector<FrequencyPoint> points;
+  std::vector<recording::TracePoint> points;
   double t_s = -10.0;
   for (int i = 0; i < 20; ++i) {
     // Some points repeat the frequency before: a plateau must stay one.
@@ -111,7 +111,7 @@ TEST(PointTruth, IntegratesItsFrequencyExactlyFromZero) {
 
 // A sum of a million terms in plain double arithmetic would be off by some 10⁻⁷ here.
 TEST(PointTruth, DoesNotDriftOverAMillionPoints) {
-  std::vector<FrequencyPoint> points;
+  std::vector<recording::TracePoint> points;
   for (int i = 0; i <= 1'000'000; ++i)
     points.push_back({static_cast<double>(i), i % 2 == 0 ? 50.1 : 50.7});
   const auto truth = truth_from_points(50.0, points);
@@ -128,7 +128,7 @@ TEST(PointTruth, HasACornerAtEachPoint) {
 }
 
 TEST(PointTruth, InterpolatesTheVoltageOfATraceLinearly) {
-  const auto truth = truth_from_trace(50.0, {{0.0, 50.0, 1.0}, {2.0, 49.0, 0.0}, {4.0, 48.0, 0.2}});
+  const auto truth = truth_from_points(50.0, {{0.0, 50.0, 1.0}, {2.0, 49.0, 0.0}, {4.0, 48.0, 0.2}});
   EXPECT_EQ(truth->voltage_pu(-1.0), 1.0);
   EXPECT_EQ(truth->voltage_pu(0.5), 0.75);
   EXPECT_EQ(truth->voltage_pu(2.0), 0.0);
@@ -146,12 +146,12 @@ TEST(PointTruth, RefusesPointsThatMakeNoSenseWithTheirValue) {
       {{{0, HUGE_VAL, 1}}, "point 1: frequency inf Hz"},
       {{{0, 50, -0.1}}, "point 1: voltage -0.1 pu"}};
   for (const auto& [points, message] : refused) {
-    EXPECT_THAT([points = points] { return truth_from_trace(50.0, points); },
+    EXPECT_THAT([points = points] { return truth_from_points(50.0, points); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
   }
   EXPECT_THAT(
       [] {
-        return truth_from_trace(0.0, {{0, 50, 1}});
+        return truth_from_points(0.0, {{0, 50, 1}});
       },
       ThrowsMessage<std::invalid_argument>(HasSubstr("nominal frequency 0 Hz")));
 }

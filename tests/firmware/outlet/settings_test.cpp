@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <outlet/outlet.hpp>
-#include <outlet/settings_fields.hpp>
+#include <outlet/settings.hpp>
 
 namespace gs::outlet {
 namespace {

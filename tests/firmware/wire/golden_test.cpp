@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include <outlet/settings_fields.hpp>
+#include <outlet/settings.hpp>
 
 namespace gs::wire::test {
 namespace {

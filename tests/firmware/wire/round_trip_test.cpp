@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <outlet/settings_fields.hpp>
+#include <outlet/settings.hpp>
 #include <wire/frame.hpp>
 
 namespace gs::wire::test {

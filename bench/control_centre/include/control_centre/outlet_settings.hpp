@@ -16,7 +16,7 @@ namespace gsbench::control_centre {
 struct Wishes {
   double accumulated_mw = 0.0;             // P^A as sent, >= 0
   std::optional<double> power_mw;          // of its own block, half of which P^A counts
-  std::map<std::string, double> settings;  // by the names of outlet/settings_fields.hpp
+  std::map<std::string, double> settings;  // by the names of outlet/settings.hpp
 };
 
 // The grid's part, which is the same for all outlets: response, threshold, largest loss, conditions

@@ -56,15 +56,19 @@ class FrequencyResponse {
  public:
   FrequencyResponse(SfrModel model, std::vector<PowerChange> changes);
 
-  double frequency_hz(double t_s) const;
-  double rocof_hz_s(double t_s) const;
+  double frequency_hz(double t_s) const {
+    return model_.nominal_hz() + sum(&SfrModel::unit_deviation_hz, t_s);
+  }
+  double rocof_hz_s(double t_s) const { return sum(&SfrModel::unit_rocof_hz_s, t_s); }
   // Phase beyond nominal·t, in cycles: ∫ (f − f_n), exact, 0 before the first change.
-  double excess_cycles(double t_s) const;
+  double excess_cycles(double t_s) const { return sum(&SfrModel::unit_phase_cycles, t_s); }
 
   const SfrModel& model() const { return model_; }
   const std::vector<PowerChange>& changes() const { return changes_; }
 
  private:
+  double sum(double (SfrModel::*of_one_mw)(double t_s) const, double t_s) const;
+
   SfrModel model_;
   std::vector<PowerChange> changes_;
 };

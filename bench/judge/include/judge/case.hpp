@@ -29,6 +29,8 @@ struct Case {
   // Amplitude at the outlet's terminals, per unit of nominal, noise and harmonics aside.
   double true_voltage_pu(double t_s) const;
   const record::Mark* first_mark(const std::string& kind, std::int64_t from_tick = 0) const;
+  // Where the outlet reports that its relay opened.
+  const record::Mark* first_word_open(std::int64_t from_tick = 0) const;
 };
 
 // A contact's change as the relay sense saw it: a burst of edges, its bounces, taken as one.

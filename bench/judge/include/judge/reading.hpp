@@ -10,14 +10,16 @@
 
 namespace gsbench::judge {
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 // What came of one measurement.
 struct Reading {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  std::string word;          // for measurements that are words
+  double value = kNone;
+  std::string word = {};     // for measurements that are words
   double uncertainty = 0.0;  // expanded (k = 2), in the measure's unit
-  std::string missing;       // why there is no value; empty where there is one
-  bool outlets_fault =
-      true;  // where it is missing: the outlet did not do it, or the bench lacks it
+  std::string missing = {};  // why there is no value; empty where there is one
+  // Where it is missing: the outlet did not do it, or the bench lacks it.
+  bool outlets_fault = true;
 };
 
 using Read = Reading (*)(const Case&);
@@ -34,6 +36,13 @@ Reading number(double value, double uncertainty = 0.0);
 Reading word(std::string text);
 Reading not_done(std::string why);   // the outlet did not do it: FAIL where it was expected
 Reading not_known(std::string why);  // the bench cannot tell: INCONCLUSIVE
+
+// What is read of the first loss that the profile plays.
+template <Reading (*kRead)(const Case&, std::int64_t loss_tick)>
+Reading after_loss(const Case& c) {
+  const auto loss_tick = c.first_loss_tick();
+  return loss_tick ? kRead(c, *loss_tick) : not_known("the profile plays no loss");
+}
 
 // A row a measure: its name and how it is read, in one file a subject.
 using Readings = std::vector<std::pair<std::string, Read>>;

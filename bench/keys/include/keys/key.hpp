@@ -1,11 +1,12 @@
 // What a file may say: each key is declared once, with its name, type, unit, range, default and
 // meaning. From the declarations come what is read and refused (keys/table.hpp), the tables of
-// profiles/README.md (keys/markdown.hpp) and the JSON Schema for editors (`gsbench schema`).
+// profiles/README.md (markdown()) and the JSON Schema for editors (`gsbench schema`).
 #pragma once
 
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -43,6 +44,8 @@ enum class Type {
   kTextOrTable,  // a name, or the thing itself in place
 };
 
+using Default = std::variant<std::monostate, double, std::string>;
+
 struct Key {
   Type type = Type::kText;
   std::string name;
@@ -55,19 +58,35 @@ struct Key {
 
   bool required = false;
   std::string remedy = {};  // of a required key: what to write, for messages
-  std::variant<std::monostate, double, std::string> fallback =
-      {};  // the default, where it is fixed
+  Default fallback = {};    // where it is fixed
   // For documents, where type, range and fallback do not say it all.
   std::string permitted = {};
   std::string otherwise = {};     // what stands where the key is left out
   std::string described_at = {};  // the section of a table's keys, where it is another's
 
-  Key require(std::string what = {}) const;
-  Key by_default(double value) const;
-  Key by_default(std::string value) const;
-  Key or_else(std::string words_for_documents) const;
-  Key permits(std::string words_for_documents) const;
-  Key described_in(std::string section) const;
+  // The same key with another value of that field.
+  template <class T>
+  Key with(T Key::*field, T value) const {
+    Key key = *this;
+    key.*field = std::move(value);
+    return key;
+  }
+  Key require(std::string what = {}) const {
+    return with(&Key::required, true).with(&Key::remedy, std::move(what));
+  }
+  Key by_default(double value) const { return with(&Key::fallback, Default(value)); }
+  Key by_default(std::string value) const {
+    return with(&Key::fallback, Default(std::move(value)));
+  }
+  Key or_else(std::string for_documents) const {
+    return with(&Key::otherwise, std::move(for_documents));
+  }
+  Key permits(std::string for_documents) const {
+    return with(&Key::permitted, std::move(for_documents));
+  }
+  Key described_in(std::string section) const {
+    return with(&Key::described_at, std::move(section));
+  }
 };
 
 Key number(std::string name, std::string unit, Range range, std::string meaning);
@@ -87,5 +106,9 @@ bool is_table(const Key& key);  // or an array of them, or a table in place of a
 
 // "[signal]", "[[outlet]]"; `path`: of the tables around it and its own name, joined by dots.
 std::string header_of(const Key& table, const std::string& path);
+
+// For profiles/README.md: a table of the keys, then a section for each table within, in the order
+// of declaration.
+std::string markdown(const Key& format);
 
 }  // namespace gsbench::keys

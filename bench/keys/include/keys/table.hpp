@@ -44,9 +44,11 @@ class Table {
   std::optional<std::int64_t> find_whole(const std::string& key) const;
   std::optional<std::string> find_text(const std::string& key) const;  // an id or a word, too
   // The same of keys that are required or have a default.
-  double number(const std::string& key, const Range& narrower = {}) const;
-  std::int64_t whole(const std::string& key) const;
-  std::string text(const std::string& key) const;
+  double number(const std::string& key, const Range& narrower = {}) const {
+    return find_number(key, narrower).value();
+  }
+  std::int64_t whole(const std::string& key) const { return find_whole(key).value(); }
+  std::string text(const std::string& key) const { return find_text(key).value(); }
 
   // Of arrays; empty where the table lacks the key.
   std::vector<double> numbers(const std::string& key) const;
@@ -68,9 +70,12 @@ class Table {
 
   const Key& declared(const std::string& key) const;
   const Value* find(const std::string& key) const;
+  const Array& items(const std::string& key) const;
   std::string path_of(const std::string& key) const;
+  std::string label() const;  // for messages
   void check() const;
   void check(const Key& key, const Value& value) const;
+  [[noreturn]] void refuse_type(const Key& key, const Value& value) const;
   void check_number(const Key& key, const Value& value) const;
   void check_text(const Key& key, const Value& value) const;
   void check_items(const Key& key, const Value& value) const;

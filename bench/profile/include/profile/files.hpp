@@ -1,4 +1,4 @@
-// Where profiles and grids are on disk.
+// Where profiles, grids and stations are on disk.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,9 @@ struct NamedFile {
   std::string path;
 };
 
-// Throws ConfigurationError where there is no such profile.
-NamedFile find_profile(const std::string& name_or_path);
+// Throw ConfigurationError where there is no such file.
+std::string find_profile(const std::string& name_or_path);  // its path
+NamedFile find_station(const std::string& name_or_path);
 
 // `folder`: what a relative path is relative to.
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder);
@@ -34,7 +35,9 @@ std::string read_file(const std::string& path);
 std::string sha256(const std::string& text);
 std::string sha256_of_file(const std::string& path);
 
-std::vector<NamedFile> all_profiles();  // by name
-std::vector<NamedFile> all_grids();     // by name
+// By name.
+std::vector<NamedFile> all_profiles();
+std::vector<NamedFile> all_grids();
+std::vector<NamedFile> all_stations();
 
 }  // namespace gsbench::profile

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <keys/error.hpp>
+#include <profile/files.hpp>
 #include <profile/plan.hpp>
 
 namespace gsbench::profile {
@@ -48,6 +50,9 @@ struct ProfileSummary {
 
 // In alphabetical order. A profile that cannot be read is listed with the reason for its title.
 std::vector<ProfileSummary> list_profiles();
+std::vector<ProfileSummary> summaries_of(
+    const std::vector<NamedFile>& files,
+    const std::function<std::string(const NamedFile&)>& read_title);
 std::vector<std::string> list_grids();
 
 }  // namespace gsbench::profile

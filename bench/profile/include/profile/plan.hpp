@@ -31,10 +31,10 @@ struct Recording {
 
 struct Stimulus {
   TruthKind kind = TruthKind::kLosses;
-  std::vector<grid::PowerChange> losses;         // [[grid.loss]]
-  std::vector<waveform::FrequencyPoint> points;  // [signal] frequency = [[t, hz], …]
-  std::vector<recording::TracePoint> trace;      // [signal.trace], already read
-  Recording recording;                           // where `trace` came from
+  std::vector<grid::PowerChange> losses;  // [[grid.loss]]
+  // Of [signal] frequency = [[t, hz], …], or of [signal.trace], already read.
+  std::vector<recording::TracePoint> points;
+  Recording recording;  // of kTrace
   waveform::SignalSpec signal;
   double duration_s = 0.0;             // > 0
   std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000

@@ -9,7 +9,7 @@ namespace gsbench::recording {
 struct TracePoint {
   double t_s;  // from the start of the recording
   double frequency_hz;
-  double voltage_pu;  // 1 where the recording has none
+  double voltage_pu = 1.0;  // where the recording has none
 };
 
 // Which columns of a CSV recording to read. `time` may hold seconds, or a date and time of day.

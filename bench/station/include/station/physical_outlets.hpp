@@ -16,6 +16,7 @@ struct Broker {
   std::string user;
   std::string password_file;         // holds it in the first line
   std::vector<std::string> outlets;  // ids; empty: all that are found
+  std::string password = {};         // in place of such a file
 };
 
 struct PhysicalOutlets {

@@ -13,7 +13,13 @@ class SafeState {
   // `fault` gets why the source is not in its safe state, where it is not.
   SafeState(source::Source& source, link::Link& link, std::string& fault)
       : source_(source), link_(link), fault_(fault) {}
-  ~SafeState();
+  ~SafeState() {
+    const drivers::Status safe = source_.make_safe();
+    link_.close();
+    if (!safe.ok()) {
+      fault_ += (fault_.empty() ? "" : "; ") + ("the source may still be live: " + safe.error());
+    }
+  }
   SafeState(const SafeState&) = delete;
   SafeState& operator=(const SafeState&) = delete;
 

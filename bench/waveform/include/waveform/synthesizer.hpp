@@ -48,9 +48,6 @@ class Synthesizer {
   // range or not finite.
   Synthesizer(std::shared_ptr<const Truth> truth, const SignalSpec& spec,
               std::int64_t sample_rate_hz);
-  ~Synthesizer();
-  Synthesizer(Synthesizer&&) noexcept;
-  Synthesizer& operator=(Synthesizer&&) noexcept;
 
   // Samples first_tick … first_tick+count−1 into out, per unit of the nominal amplitude (peak).
   // first_tick >= 0, or std::invalid_argument. Cheapest in whole blocks of 16 ms.
@@ -66,7 +63,7 @@ class Synthesizer {
 
  private:
   struct Impl;
-  std::unique_ptr<const Impl> impl_;
+  std::shared_ptr<const Impl> impl_;
 };
 
 }  // namespace gsbench::waveform

@@ -26,11 +26,6 @@ class Truth {
   virtual std::vector<double> corners_s() const = 0;
 };
 
-struct FrequencyPoint {
-  double t_s;
-  double frequency_hz;
-};
-
 // A negative time in a loss list is a loss before the start: phase still counts from t = 0.
 std::unique_ptr<Truth> truth_from_losses(grid::SfrModel model,
                                          std::vector<grid::PowerChange> losses);
@@ -41,8 +36,6 @@ std::unique_ptr<Truth> truth_from_losses(grid::SfrModel model,
 // do not ascend, or a value is not finite and positive; a voltage may be zero, and is interpolated
 // linearly.
 std::unique_ptr<Truth> truth_from_points(double nominal_hz,
-                                         const std::vector<FrequencyPoint>& points);
-std::unique_ptr<Truth> truth_from_trace(double nominal_hz,
-                                        std::vector<recording::TracePoint> points);
+                                         std::vector<recording::TracePoint> points);
 
 }  // namespace gsbench::waveform

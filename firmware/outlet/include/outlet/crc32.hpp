@@ -20,6 +20,17 @@ class Crc32 {
       add(bytes[i]);
     }
   }
+  // Least significant byte first.
+  void add_word(std::uint32_t word) {
+    for (int shift = 0; shift < 32; shift += 8) {
+      add(static_cast<std::uint8_t>(word >> shift));
+    }
+  }
+  void add_word(float value) {
+    std::uint32_t bits = 0;
+    __builtin_memcpy(&bits, &value, sizeof bits);
+    add_word(bits);
+  }
   std::uint32_t value() const { return ~state_; }
 
  private:

@@ -11,9 +11,10 @@
 #pragma once
 
 #include <outlet/history.hpp>
-#include <outlet/settings.hpp>
 
 namespace gs::outlet {
+
+struct Settings;
 
 // The course before the event is read where the event cannot have begun yet: detection takes up to
 // ten reports.

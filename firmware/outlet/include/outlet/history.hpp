@@ -16,10 +16,21 @@ struct History {
   std::uint8_t unbroken = 0;  // newest entries that follow one another without a gap
 };
 
-void push(History& history, float frequency_hz);
+inline void push(History& history, float frequency_hz) {
+  history.frequency_hz[history.head] = frequency_hz;
+  history.head = static_cast<std::uint8_t>((history.head + 1) & (kHistoryLength - 1));
+  if (history.filled < kHistoryLength) {
+    ++history.filled;
+  }
+  if (history.unbroken < kHistoryLength) {
+    ++history.unbroken;
+  }
+}
 
 // A gap in the measurements: slopes must not reach across it.
-void note_gap(History& history);
+inline void note_gap(History& history) {
+  history.unbroken = 0;
+}
 
 // Entry `age` reports back; 0 is the newest.
 inline float at(const History& history, int age) {
@@ -50,6 +61,8 @@ LineOf<Real> fit_line(const Back& back, int count) {
 }
 
 // The same through entries of which the newest is `age` reports back.
-Line fit_line(const History& history, int age, int count);
+inline Line fit_line(const History& history, int age, int count) {
+  return fit_line<float>([&](int n) { return at(history, age + n); }, count);
+}
 
 }  // namespace gs::outlet

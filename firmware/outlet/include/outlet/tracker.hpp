@@ -29,8 +29,8 @@ struct TrackerSettings {
   // bandwidth. The phase noise is that of 1 % white noise at 8 kHz.
   float phase_noise_rad = 8.0e-4f;
   float jerk_rad_s3_per_sqrt_hz = 0.8f;
-  float innovation_gate_rad =
-      0.015f;  // innovation's change from report to report that grids do not cause
+  // The innovation's change from report to report that grids do not cause.
+  float innovation_gate_rad = 0.015f;
   float innovation_gate_amplitude = 0.06f;  // the same for the amplitude, relative
   float dead_bus_pu = 0.10f;                // below: no frequency; above 1.5 × this: again
 };

@@ -54,7 +54,16 @@ class Reader {
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
 
  private:
-  bool head(std::uint8_t& major, std::uint8_t& info, std::uint64_t& value);
+  struct Head {
+    std::uint8_t major = kNone;
+    std::uint8_t info = 0;
+    std::uint64_t value = 0;
+    const std::uint8_t* end = nullptr;
+  };
+  static constexpr std::uint8_t kNone = 0xFF;  // the major type of what is cut short, or is no item
+
+  Head peek() const;
+  bool pass(const Head& head);  // returns true
   bool container(std::uint8_t wanted, std::size_t items_each, std::size_t& count);
 
   const std::uint8_t* at_;

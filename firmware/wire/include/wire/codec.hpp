@@ -3,7 +3,7 @@
 //   to the outlet    [kind, sequence, field, …]
 // with the fields of fields.hpp. A reader passes over what stands behind the fields it knows, so
 // that later versions can add some; what is missing or of another type makes a message malformed.
-// Settings are one field, a map by the keys of outlet/settings_fields.hpp.
+// Settings are one field, a map by the keys of outlet/settings.hpp.
 #pragma once
 
 #include <cstddef>

@@ -10,69 +10,54 @@
 
 namespace gs::wire {
 
+template <class V, class... Fields>
+void visit_all(V& visit, Fields&... fields) {
+  (visit(fields), ...);
+}
+
 // Each `M` is the message or its const form.
 template <class M, class V>
 void hello_fields(M& m, V& visit) {
-  visit(m.protocol_version);
-  visit(m.id);
+  visit_all(visit, m.protocol_version, m.id);
   // What another version says after these two is not for us to read.
   if (m.protocol_version != kProtocolVersion) {
     return;
   }
-  visit(m.board);
-  visit(m.instance);
-  visit(m.firmware_version);
-  visit(m.build);
-  visit(m.capabilities);
-  visit(m.sample_rate_hz);
-  visit(m.nominal_hz);
-  visit(m.tracker_delay_s);
-  visit(m.voltage_delay_s);
-  visit(m.settings_version);
-  visit(m.settings_digest);
+  visit_all(visit, m.board, m.instance, m.firmware_version, m.build, m.capabilities,
+            m.sample_rate_hz, m.nominal_hz, m.tracker_delay_s, m.voltage_delay_s,
+            m.settings_version, m.settings_digest);
 }
 
 template <class M, class V>
 void status_fields(M& m, V& visit) {
-  visit(m.reports);
-  visit(m.relay_closed);
+  visit_all(visit, m.reports, m.relay_closed);
   visit.choice(m.cause, outlet::Cause::kCommand);
   visit.choice(m.phase, outlet::Phase::kCooling);
-  visit(m.samples_lost);
-  visit(m.messages_bad);
-  visit(m.messages_unsent);
+  visit_all(visit, m.samples_lost, m.messages_bad, m.messages_unsent);
 }
 
 template <class U, class V>
 void uplink_fields(U& m, V& visit) {
-  using outlet::Trust;
   switch (m.kind) {
     case UplinkKind::kHello:
       return hello_fields(m.hello, visit);
     case UplinkKind::kSettingsAnswer:
       visit.choice(m.settings_answer.error, outlet::SettingsError::kStale);
-      visit(m.settings_answer.version);
-      visit(m.settings_answer.digest);
-      return visit(m.settings_answer.kept);
+      return visit_all(visit, m.settings_answer.version, m.settings_answer.digest,
+                       m.settings_answer.kept);
     case UplinkKind::kMeasurement:
-      visit(m.measurement.frequency_hz);
-      visit(m.measurement.rocof_hz_s);
-      visit(m.measurement.voltage_pu);
+      visit_all(visit, m.measurement.frequency_hz, m.measurement.rocof_hz_s,
+                m.measurement.voltage_pu);
       return visit.choice(m.measurement.validity, outlet::Validity::kHeld);
     case UplinkKind::kEvent:
-      visit(m.event.baseline_hz);
-      return visit(m.event.baseline_rocof_hz_s);
+      return visit_all(visit, m.event.baseline_hz, m.event.baseline_rocof_hz_s);
     case UplinkKind::kLse:
       return visit(m.lse.loss_mw);
     case UplinkKind::kEstimate:
-      visit(m.estimate.loss_mw);
-      visit(m.estimate.loss_sigma_mw);
-      visit(m.estimate.loss_instant_s);
+      visit_all(visit, m.estimate.loss_mw, m.estimate.loss_sigma_mw, m.estimate.loss_instant_s);
       return visit.choice(m.estimate.trust, outlet::kLastTrust);
     case UplinkKind::kDecision:
-      visit(m.decision.loss_mw);
-      visit(m.decision.required_mw);
-      visit(m.decision.hits);
+      visit_all(visit, m.decision.loss_mw, m.decision.required_mw, m.decision.hits);
       visit.choice(m.decision.trust, outlet::kLastTrust);
       return visit(m.decision.shed);
     case UplinkKind::kRelay:
@@ -81,13 +66,11 @@ void uplink_fields(U& m, V& visit) {
     case UplinkKind::kAborted:
       return;
     case UplinkKind::kCommandAnswer:
-      visit(m.command_answer.request);
-      return visit(m.command_answer.closed);
+      return visit_all(visit, m.command_answer.request, m.command_answer.closed);
     case UplinkKind::kStatus:
       return status_fields(m.status, visit);
     case UplinkKind::kSelfTest:
-      visit(m.self_test.failed);
-      return visit(m.self_test.fingerprint);
+      return visit_all(visit, m.self_test.failed, m.self_test.fingerprint);
     case UplinkKind::kEcho:
       return visit(m.echo.token);
     case UplinkKind::kError:
@@ -102,8 +85,7 @@ void downlink_fields(D& m, V& visit) {
     case DownlinkKind::kSettings:
       return visit.settings(m);
     case DownlinkKind::kCommand:
-      visit(m.request);
-      return visit(m.close_relay);
+      return visit_all(visit, m.request, m.close_relay);
     case DownlinkKind::kIdentify:
     case DownlinkKind::kAskStatus:
     case DownlinkKind::kAskSelfTest:

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include <outlet/settings_fields.hpp>
+#include <outlet/settings.hpp>
 #include <wire/fields.hpp>
 
 namespace gs::wire::test {

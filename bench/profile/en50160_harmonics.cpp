@@ -1,8 +1,7 @@
-#include "harmonic_sets.hpp"
+#include "sections.hpp"
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace gsbench::profile {
 namespace {
@@ -27,12 +26,7 @@ constexpr double kGoldenAngleDeg = 137.50776405003785;
 
 }  // namespace
 
-std::vector<std::string> harmonic_set_names() {
-  return {"en50160"};
-}
-
-std::vector<waveform::Harmonic> harmonic_set(const std::string& name) {
-  if (name != "en50160") throw std::logic_error("not a harmonic set: " + name);
+std::vector<waveform::Harmonic> en50160_harmonics() {
   std::vector<waveform::Harmonic> harmonics;
   harmonics.reserve(kEn50160.size());
   for (const Limit& limit : kEn50160) {
