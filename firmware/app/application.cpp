@@ -97,14 +97,9 @@ void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
 
 void Application::introduce(Outbox& outbox) const {
   wire::Uplink told = message(UplinkKind::kHello);
+  told.hello = identity_;
   wire::Hello& hello = told.hello;
-  hello = wire::Hello{};
-  set_text(hello.id, identity_.id);
-  set_text(hello.board, identity_.board);
-  hello.instance = identity_.instance;
   hello.firmware_version = kFirmwareVersion;
-  hello.build = identity_.build;
-  hello.capabilities = identity_.capabilities;
   hello.sample_rate_hz = config_.hardware.sample_rate_hz;
   hello.nominal_hz = config_.hardware.nominal_hz;
   hello.tracker_delay_s = outlet::kFrontEndDelayS;

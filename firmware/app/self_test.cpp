@@ -8,14 +8,6 @@ namespace {
 
 constexpr float kNominalHz = 50.0f;
 
-void add_bits(outlet::Crc32& crc, float value) {
-  std::uint32_t bits = 0;
-  __builtin_memcpy(&bits, &value, sizeof bits);
-  for (int shift = 0; shift < 32; shift += 8) {
-    crc.add(static_cast<std::uint8_t>(bits >> shift));
-  }
-}
-
 }  // namespace
 
 std::uint32_t arithmetic_fingerprint() {
@@ -36,10 +28,10 @@ std::uint32_t arithmetic_fingerprint() {
     frequency_hz -= 0.0075f - 0.00008f * static_cast<float>(report);
     outlet::observe(settings, kNominalHz, state, true, frequency_hz + noise_hz,
                     {frequency_hz, -0.45f});
-    add_bits(crc, state.lse_loss_mw);
-    add_bits(crc, state.ekf.loss_mw);
-    add_bits(crc, outlet::loss_sigma_mw(state));
-    add_bits(crc, outlet::loss_instant_s(state));
+    crc.add_word(state.lse_loss_mw);
+    crc.add_word(state.ekf.loss_mw);
+    crc.add_word(outlet::loss_sigma_mw(state));
+    crc.add_word(outlet::loss_instant_s(state));
   }
   return crc.value();
 }

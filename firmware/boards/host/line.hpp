@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 
 #include <app/endpoint.hpp>
 
@@ -11,13 +12,23 @@ class Line : public app::Carrier {
  public:
   virtual ~Line() = default;
   // The next byte of a frame to the outlet.
-  virtual bool take_byte(std::uint8_t& byte) = 0;
+  bool take_byte(std::uint8_t& byte) {
+    if (received_.empty()) {
+      return false;
+    }
+    byte = received_.front();
+    received_.pop_front();
+    return true;
+  }
   // Sees to what came and what waits to be sent.
   virtual void serve() = 0;
   virtual int descriptor() const = 0;  // -1: none now
   virtual bool wants_to_write() const = 0;
   // True once where the other end may have lost sight of the outlet: it then says hello again.
   virtual bool take_reconnected() { return false; }
+
+ protected:
+  std::deque<std::uint8_t> received_;  // bytes of frames, by serve()
 };
 
 }  // namespace gs::host

@@ -57,27 +57,22 @@ int refuse(const std::string& why) {
 }
 
 bool parse(int argc, char** argv, Arguments& arguments) {
-  const option options[] = {{"tcp", required_argument, nullptr, 'l'},
-                            {"mqtt", required_argument, nullptr, 'm'},
-                            {"ca", required_argument, nullptr, 'c'},
-                            {"user", required_argument, nullptr, 'u'},
-                            {"password-file", required_argument, nullptr, 'p'},
-                            {"terminals", required_argument, nullptr, 't'},
-                            {"doorbell", required_argument, nullptr, 'd'},
+  std::string* const places[] = {
+      &arguments.tcp,           &arguments.mqtt.url,  &arguments.mqtt.ca_file, &arguments.mqtt.user,
+      &arguments.password_file, &arguments.terminals, &arguments.doorbell};
+  const option options[] = {{"tcp", required_argument, nullptr, 0},
+                            {"mqtt", required_argument, nullptr, 1},
+                            {"ca", required_argument, nullptr, 2},
+                            {"user", required_argument, nullptr, 3},
+                            {"password-file", required_argument, nullptr, 4},
+                            {"terminals", required_argument, nullptr, 5},
+                            {"doorbell", required_argument, nullptr, 6},
                             {nullptr, 0, nullptr, 0}};
   for (int given = 0; (given = getopt_long(argc, argv, "", options, nullptr)) != -1;) {
-    std::string* place = given == 'l'   ? &arguments.tcp
-                         : given == 'm' ? &arguments.mqtt.url
-                         : given == 'c' ? &arguments.mqtt.ca_file
-                         : given == 'u' ? &arguments.mqtt.user
-                         : given == 'p' ? &arguments.password_file
-                         : given == 't' ? &arguments.terminals
-                         : given == 'd' ? &arguments.doorbell
-                                        : nullptr;
-    if (place == nullptr) {
+    if (given == '?') {
       return false;
     }
-    *place = optarg;
+    *places[given] = optarg;
   }
   return optind == argc;
 }

@@ -12,9 +12,10 @@ bool MqttLine::send(const std::uint8_t* bytes, std::size_t count) {
   return sent;
 }
 
-bool MqttLine::take_byte(std::uint8_t& byte) {
+void MqttLine::serve() {
+  carrier_.serve();
   std::vector<std::uint8_t> message;
-  while (received_.empty() && carrier_.take(message)) {
+  while (carrier_.take(message)) {
     std::uint8_t framed[wire::kLongestFrame];
     // A message too long for a frame is none of this protocol's: a damaged frame in its place shows
     // the outlet that something came.
@@ -25,12 +26,6 @@ bool MqttLine::take_byte(std::uint8_t& byte) {
       received_.insert(received_.end(), {0, 1, 0});
     }
   }
-  if (received_.empty()) {
-    return false;
-  }
-  byte = received_.front();
-  received_.pop_front();
-  return true;
 }
 
 }  // namespace gs::host

@@ -5,8 +5,6 @@
 #include "line.hpp"
 #include "mqtt_carrier.hpp"
 
-#include <deque>
-
 #include <wire/frame.hpp>
 
 namespace gs::host {
@@ -16,8 +14,7 @@ class MqttLine final : public Line {
   bool start(const MqttOptions& options, std::string& why) { return carrier_.start(options, why); }
 
   bool send(const std::uint8_t* bytes, std::size_t count) override;
-  bool take_byte(std::uint8_t& byte) override;
-  void serve() override { carrier_.serve(); }
+  void serve() override;
   int descriptor() const override { return carrier_.descriptor(); }
   bool wants_to_write() const override { return carrier_.wants_to_write(); }
   bool take_reconnected() override { return carrier_.take_reconnected(); }
@@ -25,7 +22,6 @@ class MqttLine final : public Line {
  private:
   MqttCarrier carrier_;
   wire::FrameReader reader_;
-  std::deque<std::uint8_t> received_;
 };
 
 }  // namespace gs::host

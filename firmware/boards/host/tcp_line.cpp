@@ -63,15 +63,6 @@ bool TcpLine::send(const std::uint8_t* bytes, std::size_t count) {
   return true;
 }
 
-bool TcpLine::take_byte(std::uint8_t& byte) {
-  if (received_.empty()) {
-    return false;
-  }
-  byte = received_.front();
-  received_.pop_front();
-  return true;
-}
-
 void TcpLine::serve() {
   if (descriptor_ < 0) {
     std::string why;
@@ -101,12 +92,7 @@ void TcpLine::receive() {
 
 void TcpLine::transmit() {
   while (descriptor_ >= 0 && !to_send_.empty()) {
-    std::uint8_t bytes[1024];
-    std::size_t count = 0;
-    for (; count < sizeof bytes && count < to_send_.size(); ++count) {
-      bytes[count] = to_send_[count];
-    }
-    const ssize_t put = ::send(descriptor_, bytes, count, MSG_NOSIGNAL);
+    const ssize_t put = ::send(descriptor_, to_send_.data(), to_send_.size(), MSG_NOSIGNAL);
     if (put <= 0) {
       if (put < 0 && errno != EAGAIN && errno != EINTR) {
         close();

@@ -4,8 +4,8 @@
 #include "line.hpp"
 
 #include <chrono>
-#include <deque>
 #include <string>
+#include <vector>
 
 namespace gs::host {
 
@@ -19,7 +19,6 @@ class TcpLine final : public Line {
 
   // False where so much waits already that it would only grow: the message is lost.
   bool send(const std::uint8_t* bytes, std::size_t count) override;
-  bool take_byte(std::uint8_t& byte) override;
   void serve() override;
   int descriptor() const override { return descriptor_; }
   bool wants_to_write() const override { return !to_send_.empty(); }
@@ -31,8 +30,7 @@ class TcpLine final : public Line {
 
   std::string address_;
   int descriptor_ = -1;
-  std::deque<std::uint8_t> received_;
-  std::deque<std::uint8_t> to_send_;
+  std::vector<std::uint8_t> to_send_;
   std::chrono::steady_clock::time_point next_attempt_;
 };
 

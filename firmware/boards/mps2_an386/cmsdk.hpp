@@ -1,6 +1,8 @@
 // Peripherals of ARM's Cortex-M System Design Kit as AN386 maps them, with its registers' names.
 #pragma once
 
+#include <cortex_m4/core.hpp>
+
 #include <cstdint>
 
 namespace gs::mps2_an386 {
@@ -15,12 +17,8 @@ constexpr std::uint32_t kCtrlTxEnable = 1u << 0, kCtrlRxEnable = 1u << 1;
 constexpr std::uint32_t kCtrlTxInterrupt = 1u << 2, kCtrlRxInterrupt = 1u << 3;
 constexpr std::uint32_t kIntTx = 1u << 0, kIntRx = 1u << 1;
 
-inline Uart& uart0() {
-  return *reinterpret_cast<Uart*>(0x40004000u);
-}
-inline Uart& uart1() {
-  return *reinterpret_cast<Uart*>(0x40005000u);
-}
+constexpr cortex_m4::At<Uart, 0x40004000u> uart0;
+constexpr cortex_m4::At<Uart, 0x40005000u> uart1;
 constexpr unsigned kUart0RxIrq = 0, kUart0TxIrq = 1, kUart1RxIrq = 2;
 
 struct Watchdog {
@@ -28,8 +26,6 @@ struct Watchdog {
 };
 constexpr std::uint32_t kWatchdogInterrupt = 1u << 0, kWatchdogReset = 1u << 1;
 
-inline Watchdog& watchdog() {
-  return *reinterpret_cast<Watchdog*>(0x40008000u);
-}
+constexpr cortex_m4::At<Watchdog, 0x40008000u> watchdog;
 
 }  // namespace gs::mps2_an386

@@ -46,9 +46,9 @@ void on_link_transmit() {
 
 // The bench rings after each block of samples; the byte itself says nothing.
 void on_doorbell() {
-  uart1().INTSTATUS = kIntRx;
-  while ((uart1().STATE & kStateRxFull) != 0) {
-    static_cast<void>(uart1().DATA);
+  uart1->INTSTATUS = kIntRx;
+  while ((uart1->STATE & kStateRxFull) != 0) {
+    static_cast<void>(uart1->DATA);
   }
 }
 

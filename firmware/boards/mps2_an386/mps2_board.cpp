@@ -38,15 +38,15 @@ void note_watchdog() {
 
 void Mps2Board::start() {
   port_.start();
-  uart0().BAUDDIV = kClockHz / kBaud;
-  uart0().CTRL = kCtrlTxEnable | kCtrlRxEnable | kCtrlTxInterrupt | kCtrlRxInterrupt;
-  uart1().BAUDDIV = kClockHz / kBaud;
-  uart1().CTRL = kCtrlRxEnable | kCtrlRxInterrupt;
+  uart0->BAUDDIV = kClockHz / kBaud;
+  uart0->CTRL = kCtrlTxEnable | kCtrlRxEnable | kCtrlTxInterrupt | kCtrlRxInterrupt;
+  uart1->BAUDDIV = kClockHz / kBaud;
+  uart1->CTRL = kCtrlRxEnable | kCtrlRxInterrupt;
   for (const unsigned irq : {kUart0RxIrq, kUart0TxIrq, kUart1RxIrq}) {
     cortex_m4::enable_interrupt(irq);
   }
-  watchdog().LOAD = kWatchdogTicks;
-  watchdog().CONTROL = kWatchdogInterrupt | kWatchdogReset;
+  watchdog->LOAD = kWatchdogTicks;
+  watchdog->CONTROL = kWatchdogInterrupt | kWatchdogReset;
   cortex_m4::start_systick(kTurnTicks);
 }
 
@@ -79,28 +79,28 @@ bool Mps2Board::take_byte(std::uint8_t& byte) {
 }
 
 void Mps2Board::feed_watchdog() {
-  watchdog().INTCLR = 1;  // and restarts
+  watchdog->INTCLR = 1;  // and restarts
   barked = 0;
 }
 
 void Mps2Board::on_receive() {
   // First: for a byte that comes while these are read, the interrupt is to come again.
-  uart0().INTSTATUS = kIntRx;
-  while ((uart0().STATE & kStateRxFull) != 0) {
+  uart0->INTSTATUS = kIntRx;
+  while ((uart0->STATE & kStateRxFull) != 0) {
     // Where the loop is behind, the byte is lost and its frame is told as bad.
-    received_.put(static_cast<std::uint8_t>(uart0().DATA));
+    received_.put(static_cast<std::uint8_t>(uart0->DATA));
   }
 }
 
 void Mps2Board::on_transmit() {
-  uart0().INTSTATUS = kIntTx;
+  uart0->INTSTATUS = kIntTx;
   pump();
 }
 
 void Mps2Board::pump() {
   std::uint8_t byte = 0;
-  while ((uart0().STATE & kStateTxFull) == 0 && to_send_.take(byte)) {
-    uart0().DATA = byte;
+  while ((uart0->STATE & kStateTxFull) == 0 && to_send_.take(byte)) {
+    uart0->DATA = byte;
   }
 }
 

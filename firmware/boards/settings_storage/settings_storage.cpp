@@ -26,12 +26,6 @@ bool sensible(std::uint32_t length) {
   return length > 0 && length <= wire::kLongestMessage;
 }
 
-void add(outlet::Crc32& crc, std::uint32_t word) {
-  for (int shift = 0; shift < 32; shift += 8) {
-    crc.add(static_cast<std::uint8_t>(word >> shift));
-  }
-}
-
 std::uint32_t word_of(const std::uint8_t* bytes) {
   return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
          std::uint32_t{bytes[3]} << 24;
@@ -40,7 +34,7 @@ std::uint32_t word_of(const std::uint8_t* bytes) {
 std::uint32_t crc_of(const Flash& flash, int slot, std::size_t end) {
   outlet::Crc32 crc;
   for (std::size_t at = 0; at < end; at += kWord) {
-    add(crc, flash.read(slot, at));
+    crc.add_word(flash.read(slot, at));
   }
   return crc.value();
 }
@@ -89,7 +83,7 @@ class SlotWriter {
   SlotWriter(Flash& flash, int slot) : flash_(flash), slot_(slot) {}
 
   bool put(std::uint32_t word) {
-    add(crc_, word);
+    crc_.add_word(word);
     const std::size_t at = at_;
     at_ += kWord;
     return flash_.program(slot_, at, word) && flash_.read(slot_, at) == word;

@@ -23,30 +23,30 @@ bool comes(Register& status, std::uint32_t bits, std::uint32_t wanted) {
 
 // Input divided to 1 MHz, × 336, / 2; / 7 keeps the unused USB clock in range.
 bool start_pll(std::uint32_t input_hz, std::uint32_t source) {
-  RCC().CR = RCC().CR & ~RCC_CR_PLLON;
-  if (!comes(RCC().CR, RCC_CR_PLLRDY, 0)) {
+  RCC->CR = RCC->CR & ~RCC_CR_PLLON;
+  if (!comes(RCC->CR, RCC_CR_PLLRDY, 0)) {
     return false;
   }
-  RCC().PLLCFGR = input_hz / 1'000'000u | 336u << 6 | 7u << 24 | source;
-  RCC().CR = RCC().CR | RCC_CR_PLLON;
-  return comes(RCC().CR, RCC_CR_PLLRDY, RCC_CR_PLLRDY);
+  RCC->PLLCFGR = input_hz / 1'000'000u | 336u << 6 | 7u << 24 | source;
+  RCC->CR = RCC->CR | RCC_CR_PLLON;
+  return comes(RCC->CR, RCC_CR_PLLRDY, RCC_CR_PLLRDY);
 }
 
 bool run_on_pll() {
-  FLASH().ACR = FLASH_ACR_LATENCY_5WS | FLASH_ACR_PRFTEN | FLASH_ACR_ICEN;
-  RCC().CFGR = RCC_CFGR_PPRE1_DIV4 | RCC_CFGR_PPRE2_DIV2 | RCC_CFGR_SW_PLL;
-  if (comes(RCC().CFGR, RCC_CFGR_SWS, RCC_CFGR_SWS_PLL)) {
+  FLASH->ACR = FLASH_ACR_LATENCY_5WS | FLASH_ACR_PRFTEN | FLASH_ACR_ICEN;
+  RCC->CFGR = RCC_CFGR_PPRE1_DIV4 | RCC_CFGR_PPRE2_DIV2 | RCC_CFGR_SW_PLL;
+  if (comes(RCC->CFGR, RCC_CFGR_SWS, RCC_CFGR_SWS_PLL)) {
     return true;
   }
-  RCC().CFGR = 0;
+  RCC->CFGR = 0;
   return false;
 }
 
 }  // namespace
 
 Clocks start_clocks() {
-  RCC().CR = RCC().CR | RCC_CR_HSEON;
-  const bool crystal = comes(RCC().CR, RCC_CR_HSERDY, RCC_CR_HSERDY);
+  RCC->CR = RCC->CR | RCC_CR_HSEON;
+  const bool crystal = comes(RCC->CR, RCC_CR_HSERDY, RCC_CR_HSERDY);
   if (crystal && start_pll(kCrystalHz, RCC_PLLCFGR_PLLSRC_HSE) && run_on_pll()) {
     return {kPllHz / 2, kPllHz / 2, true};
   }

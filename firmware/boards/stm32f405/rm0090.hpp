@@ -2,6 +2,8 @@
 // uses.
 #pragma once
 
+#include <cortex_m4/core.hpp>
+
 #include <cstdint>
 
 namespace gs::stm32f405 {
@@ -54,7 +56,7 @@ constexpr std::uint32_t TIM_CR1_CEN = 1u << 0, TIM_CR2_MMS_UPDATE = 2u << 4;
 constexpr std::uint32_t TIM_SMCR_SMS_EXTERNAL1 = 7u, TIM_SMCR_TS_ITR2 = 2u << 4;
 
 struct Adc {
-  Register SR, CR1, CR2, SMPR1, SMPR2, JOFR[4], HTR, LTR, SQR1, SQR2, SQR3;
+  Register SR, CR1, CR2, SMPR1, SMPR2, JOFR[4], HTR, LTR, SQR1, SQR2, SQR3, JSQR, JDR[4], DR;
 };
 constexpr std::uint32_t ADC_CR2_ADON = 1u << 0, ADC_CR2_DMA = 1u << 8, ADC_CR2_DDS = 1u << 9;
 constexpr std::uint32_t ADC_CR2_EXTSEL_TIM3_TRGO = 8u << 24, ADC_CR2_EXTEN_RISING = 1u << 28;
@@ -83,48 +85,19 @@ struct Iwdg {
 };
 constexpr std::uint32_t IWDG_KR_START = 0xCCCCu, IWDG_KR_UNLOCK = 0x5555u, IWDG_KR_FEED = 0xAAAAu;
 
-template <class Block, std::uintptr_t kAddress>
-inline Block& block() {
-  return *reinterpret_cast<Block*>(kAddress);
-}
-inline Timer& TIM2() {
-  return block<Timer, 0x40000000u>();
-}
-inline Timer& TIM3() {
-  return block<Timer, 0x40000400u>();
-}
-inline Iwdg& IWDG() {
-  return block<Iwdg, 0x40003000u>();
-}
-inline Usart& USART1() {
-  return block<Usart, 0x40011000u>();
-}
-inline Adc& ADC1() {
-  return block<Adc, 0x40012000u>();
-}
-inline AdcCommon& ADC() {
-  return block<AdcCommon, 0x40012300u>();
-}
-inline Gpio& GPIOA() {
-  return block<Gpio, 0x40020000u>();
-}
-inline Gpio& GPIOC() {
-  return block<Gpio, 0x40020800u>();
-}
-inline Rcc& RCC() {
-  return block<Rcc, 0x40023800u>();
-}
-inline Flash& FLASH() {
-  return block<Flash, 0x40023C00u>();
-}
-inline Dma& DMA2() {
-  return block<Dma, 0x40026400u>();
-}
-
+constexpr cortex_m4::At<Timer, 0x40000000u> TIM2;
+constexpr cortex_m4::At<Timer, 0x40000400u> TIM3;
+constexpr cortex_m4::At<Iwdg, 0x40003000u> IWDG;
+constexpr cortex_m4::At<Usart, 0x40011000u> USART1;
+constexpr cortex_m4::At<Adc, 0x40012000u> ADC1;
+constexpr cortex_m4::At<AdcCommon, 0x40012300u> ADC;
+constexpr cortex_m4::At<Gpio, 0x40020000u> GPIOA;
+constexpr cortex_m4::At<Gpio, 0x40020800u> GPIOC;
+constexpr cortex_m4::At<Rcc, 0x40023800u> RCC;
+constexpr cortex_m4::At<Flash, 0x40023C00u> FLASH;
+constexpr cortex_m4::At<Dma, 0x40026400u> DMA2;
 // Which chip it is: 0x413 for the STM32F405/407 and 415/417.
-inline Register& DBGMCU_IDCODE() {
-  return block<Register, 0xE0042000u>();
-}
+constexpr cortex_m4::At<Register, 0xE0042000u> DBGMCU_IDCODE;
 constexpr std::uint32_t DBGMCU_IDCODE_DEV_ID = 0xFFFu, kF405 = 0x413u;
 
 // The 96 bits that tell this chip from every other.

@@ -18,8 +18,8 @@ volatile std::uint32_t& word_of(int slot, std::size_t offset) {
 
 bool finish() {
   for (int poll = 0; poll < kPolls; ++poll) {
-    if ((FLASH().SR & FLASH_SR_BSY) == 0) {
-      return (FLASH().SR & FLASH_SR_ERRORS) == 0;
+    if ((FLASH->SR & FLASH_SR_BSY) == 0) {
+      return (FLASH->SR & FLASH_SR_ERRORS) == 0;
     }
   }
   return false;
@@ -29,11 +29,11 @@ bool finish() {
 class Unlocked {
  public:
   Unlocked() {
-    FLASH().KEYR = 0x45670123u;
-    FLASH().KEYR = 0xCDEF89ABu;
-    FLASH().SR = FLASH_SR_ERRORS;  // of before; cleared by writing ones
+    FLASH->KEYR = 0x45670123u;
+    FLASH->KEYR = 0xCDEF89ABu;
+    FLASH->SR = FLASH_SR_ERRORS;  // of before; cleared by writing ones
   }
-  ~Unlocked() { FLASH().CR = FLASH_CR_LOCK; }
+  ~Unlocked() { FLASH->CR = FLASH_CR_LOCK; }
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
 };
@@ -43,14 +43,14 @@ class Unlocked {
 bool SectorFlash::erase(int slot) {
   const Unlocked unlocked;
   const std::uint32_t sector = kFirstSector + static_cast<std::uint32_t>(slot);
-  FLASH().CR = FLASH_CR_SER | FLASH_CR_PSIZE_X32 | sector << FLASH_CR_SNB_Pos;
-  FLASH().CR = FLASH().CR | FLASH_CR_STRT;
+  FLASH->CR = FLASH_CR_SER | FLASH_CR_PSIZE_X32 | sector << FLASH_CR_SNB_Pos;
+  FLASH->CR = FLASH->CR | FLASH_CR_STRT;
   return finish();
 }
 
 bool SectorFlash::program(int slot, std::size_t offset, std::uint32_t word) {
   const Unlocked unlocked;
-  FLASH().CR = FLASH_CR_PG | FLASH_CR_PSIZE_X32;
+  FLASH->CR = FLASH_CR_PG | FLASH_CR_PSIZE_X32;
   word_of(slot, offset) = word;
   return finish();
 }

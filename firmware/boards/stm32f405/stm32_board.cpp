@@ -30,14 +30,14 @@ void set_function(Gpio& port, unsigned pin, std::uint32_t function) {
 }  // namespace
 
 bool watchdog_barked() {
-  const bool barked = (RCC().CSR & RCC_CSR_IWDGRSTF) != 0;
-  RCC().CSR = RCC().CSR | RCC_CSR_RMVF;
+  const bool barked = (RCC->CSR & RCC_CSR_IWDGRSTF) != 0;
+  RCC->CSR = RCC->CSR | RCC_CSR_RMVF;
   return barked;
 }
 
 std::uint32_t instance() {
   // Elsewhere, as in an emulator, there may be nothing at that address but a fault.
-  if ((DBGMCU_IDCODE() & DBGMCU_IDCODE_DEV_ID) != kF405) {
+  if ((*DBGMCU_IDCODE & DBGMCU_IDCODE_DEV_ID) != kF405) {
     return 0;
   }
   outlet::Crc32 crc;
@@ -53,53 +53,53 @@ void Stm32Board::start(const Clocks& clocks) {
   start_converter(clocks.apb1_timer_hz);
   // Its oscillator's 32 kHz / 64: resets after 2 s, in between 1.4 and 3.8 s by the datasheet;
   // longer than the erase of a sector.
-  IWDG().KR = IWDG_KR_UNLOCK;
-  IWDG().PR = 4;
-  IWDG().RLR = 1000;
-  IWDG().KR = IWDG_KR_START;
+  IWDG->KR = IWDG_KR_UNLOCK;
+  IWDG->PR = 4;
+  IWDG->RLR = 1000;
+  IWDG->KR = IWDG_KR_START;
 }
 
 void Stm32Board::start_pins() {
-  RCC().AHB1ENR = RCC().AHB1ENR | RCC_AHB1ENR_GPIOAEN | RCC_AHB1ENR_GPIOCEN | RCC_AHB1ENR_DMA2EN;
-  RCC().APB1ENR = RCC().APB1ENR | RCC_APB1ENR_TIM2EN | RCC_APB1ENR_TIM3EN;
-  RCC().APB2ENR = RCC().APB2ENR | RCC_APB2ENR_USART1EN | RCC_APB2ENR_ADC1EN;
-  static_cast<void>(RCC().APB2ENR);  // a clock is there two cycles after it is enabled
-  set_mode(GPIOA(), kMainsPin, GPIO_MODER_ANALOG);
-  set_function(GPIOA(), kTxPin, kUsartFunction);
-  set_function(GPIOA(), kRxPin, kUsartFunction);
+  RCC->AHB1ENR = RCC->AHB1ENR | RCC_AHB1ENR_GPIOAEN | RCC_AHB1ENR_GPIOCEN | RCC_AHB1ENR_DMA2EN;
+  RCC->APB1ENR = RCC->APB1ENR | RCC_APB1ENR_TIM2EN | RCC_APB1ENR_TIM3EN;
+  RCC->APB2ENR = RCC->APB2ENR | RCC_APB2ENR_USART1EN | RCC_APB2ENR_ADC1EN;
+  static_cast<void>(RCC->APB2ENR);  // a clock is there two cycles after it is enabled
+  set_mode(*GPIOA, kMainsPin, GPIO_MODER_ANALOG);
+  set_function(*GPIOA, kTxPin, kUsartFunction);
+  set_function(*GPIOA, kRxPin, kUsartFunction);
   drive_relay(true);  // before the pin is an output: the load does not drop out meanwhile
-  set_mode(GPIOC(), kRelayPin, GPIO_MODER_OUTPUT);
+  set_mode(*GPIOC, kRelayPin, GPIO_MODER_OUTPUT);
 }
 
 void Stm32Board::start_link(std::uint32_t apb2_hz) {
-  USART1().BRR = (apb2_hz + kBaud / 2) / kBaud;
-  USART1().CR1 = USART_CR1_UE | USART_CR1_TE | USART_CR1_RE | USART_CR1_RXNEIE;
+  USART1->BRR = (apb2_hz + kBaud / 2) / kBaud;
+  USART1->CR1 = USART_CR1_UE | USART_CR1_TE | USART_CR1_RE | USART_CR1_RXNEIE;
   cortex_m4::enable_interrupt(kUsart1Irq);
 }
 
 // Timer 3 starts each conversion and timer 2 counts them, so that what was lost is known even where
 // the processor stood still for a while.
 void Stm32Board::start_converter(std::uint32_t timer_hz) {
-  DmaStream& stream = DMA2().S[0];
-  stream.PAR = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&ADC1()) + 0x4C);  // DR
+  DmaStream& stream = DMA2->S[0];
+  stream.PAR = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&ADC1->DR));
   stream.M0AR = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(converted_));
   stream.NDTR = 2 * kBlock;
   stream.CR = DMA_SxCR_PL_HIGH | DMA_SxCR_MSIZE_16 | DMA_SxCR_PSIZE_16 | DMA_SxCR_MINC |
               DMA_SxCR_CIRC | DMA_SxCR_HTIE | DMA_SxCR_TCIE | DMA_SxCR_EN;
   cortex_m4::enable_interrupt(kDma2Stream0Irq);
 
-  ADC().CCR = ADC_CCR_ADCPRE_DIV4;  // 21 MHz of the bus's 84; the most is 36 (datasheet, table 67)
-  ADC1().SMPR2 = 4u << (3 * kMainsPin);  // 84 cycles of it: 4 µs to settle
-  ADC1().SQR3 = kMainsPin;
-  ADC1().CR2 =
+  ADC->CCR = ADC_CCR_ADCPRE_DIV4;  // 21 MHz of the bus's 84; the most is 36 (datasheet, table 67)
+  ADC1->SMPR2 = 4u << (3 * kMainsPin);  // 84 cycles of it: 4 µs to settle
+  ADC1->SQR3 = kMainsPin;
+  ADC1->CR2 =
       ADC_CR2_ADON | ADC_CR2_DMA | ADC_CR2_DDS | ADC_CR2_EXTSEL_TIM3_TRGO | ADC_CR2_EXTEN_RISING;
 
-  TIM2().ARR = 0xFFFFFFFFu;
-  TIM2().SMCR = TIM_SMCR_SMS_EXTERNAL1 | TIM_SMCR_TS_ITR2;
-  TIM2().CR1 = TIM_CR1_CEN;
-  TIM3().ARR = timer_hz / static_cast<std::uint32_t>(kSampleRateHz) - 1;
-  TIM3().CR2 = TIM_CR2_MMS_UPDATE;
-  TIM3().CR1 = TIM_CR1_CEN;
+  TIM2->ARR = 0xFFFFFFFFu;
+  TIM2->SMCR = TIM_SMCR_SMS_EXTERNAL1 | TIM_SMCR_TS_ITR2;
+  TIM2->CR1 = TIM_CR1_CEN;
+  TIM3->ARR = timer_hz / static_cast<std::uint32_t>(kSampleRateHz) - 1;
+  TIM3->CR2 = TIM_CR2_MMS_UPDATE;
+  TIM3->CR1 = TIM_CR1_CEN;
 }
 
 void Stm32Board::sleep() {
@@ -123,25 +123,25 @@ bool Stm32Board::take_byte(std::uint8_t& byte) {
 }
 
 void Stm32Board::drive_relay(bool closed) {
-  GPIOC().BSRR = closed ? 1u << kRelayPin : 1u << (kRelayPin + 16);
+  GPIOC->BSRR = closed ? 1u << kRelayPin : 1u << (kRelayPin + 16);
 }
 
 void Stm32Board::feed_watchdog() {
-  IWDG().KR = IWDG_KR_FEED;
+  IWDG->KR = IWDG_KR_FEED;
 }
 
 void Stm32Board::on_usart() {
   // Reading DR after SR clears an overrun, too: its frame is told as bad.
-  while ((USART1().SR & (USART_SR_RXNE | USART_SR_ORE)) != 0) {
-    received_.put(static_cast<std::uint8_t>(USART1().DR));
+  while ((USART1->SR & (USART_SR_RXNE | USART_SR_ORE)) != 0) {
+    received_.put(static_cast<std::uint8_t>(USART1->DR));
   }
   pump();
 }
 
 // Each half of converted_ that is full.
 void Stm32Board::on_samples() {
-  DMA2().LIFCR = DMA_LIFCR_STREAM0;
-  const std::uint32_t end = TIM2().CNT / kBlock * kBlock;
+  DMA2->LIFCR = DMA_LIFCR_STREAM0;
+  const std::uint32_t end = TIM2->CNT / kBlock * kBlock;
   const std::uint32_t blocks = (end - blocks_end_) / kBlock;
   if (blocks == 0) {
     return;
@@ -161,11 +161,11 @@ void Stm32Board::on_samples() {
 // What the transmitter takes now; the interrupt asks for the rest.
 void Stm32Board::pump() {
   std::uint8_t byte = 0;
-  while ((USART1().SR & USART_SR_TXE) != 0 && to_send_.take(byte)) {
-    USART1().DR = byte;
+  while ((USART1->SR & USART_SR_TXE) != 0 && to_send_.take(byte)) {
+    USART1->DR = byte;
   }
-  const std::uint32_t receiving = USART1().CR1 & ~USART_CR1_TXEIE;
-  USART1().CR1 = to_send_.used() > 0 ? receiving | USART_CR1_TXEIE : receiving;
+  const std::uint32_t receiving = USART1->CR1 & ~USART_CR1_TXEIE;
+  USART1->CR1 = to_send_.used() > 0 ? receiving | USART_CR1_TXEIE : receiving;
 }
 
 }  // namespace gs::stm32f405

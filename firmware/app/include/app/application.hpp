@@ -12,14 +12,9 @@ namespace gs::app {
 
 constexpr std::uint32_t kFirmwareVersion = 1000;  // 0.1.0 as major·10⁶ + minor·10³ + patch
 
-// Which outlet this is; what it says of itself in its hello.
-struct Identity {
-  char id[wire::kLongestId + 1] = {};
-  char board[wire::kLongestBoard + 1] = {};
-  std::uint32_t instance = 0;
-  std::uint32_t build = 0;
-  std::uint32_t capabilities = 0;
-};
+// Which outlet this is, as its hello says it: id, board, instance, build and capabilities. The rest
+// of the hello the app fills in.
+using Identity = wire::Hello;
 
 // Copies zero-terminated text into one of the above, cut where it is too long.
 template <std::size_t N>

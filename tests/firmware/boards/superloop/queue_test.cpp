@@ -38,7 +38,7 @@ TEST(ByteRing, TakesAMessageWholeOrNotAtAll) {
 using Queue = SampleQueue<16>;
 
 void put(Queue& queue, std::int16_t first) {
-  std::array<volatile std::int16_t, 4> block = {};
+  std::array<std::int16_t, 4> block = {};
   for (std::size_t i = 0; i < 4; ++i)
     block[i] = static_cast<std::int16_t>(first + static_cast<int>(i));
   queue.put(block.data(), 4);

@@ -10,18 +10,24 @@ inline volatile std::uint32_t& word_at(std::uintptr_t address) {
   return *reinterpret_cast<volatile std::uint32_t*>(address);
 }
 
+// A block of registers at its address, by its manual's name: TIM2->CNT.
+template <class Block, std::uintptr_t kAddress>
+struct At {
+  Block& operator*() const { return *reinterpret_cast<Block*>(kAddress); }
+  Block* operator->() const { return &**this; }
+};
+
 struct SysTick {
   volatile std::uint32_t CSR, RVR, CVR, CALIB;
 };
-inline SysTick& systick() {
-  return *reinterpret_cast<SysTick*>(0xE000E010u);
-}
+constexpr At<SysTick, 0xE000E010u> systick;
+
 // An interrupt every `cycles` of the processor's clock, at most 2^24.
 inline void start_systick(std::uint32_t cycles) {
   constexpr std::uint32_t kEnable = 1u, kInterrupt = 2u, kProcessorClock = 4u;
-  systick().RVR = cycles - 1;
-  systick().CVR = 0;
-  systick().CSR = kEnable | kInterrupt | kProcessorClock;
+  systick->RVR = cycles - 1;
+  systick->CVR = 0;
+  systick->CSR = kEnable | kInterrupt | kProcessorClock;
 }
 
 inline void enable_interrupt(unsigned number) {

@@ -6,22 +6,18 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <superloop/byte_ring.hpp>
+
 namespace gs::superloop {
 
 template <std::size_t kSamples>
 class SampleQueue {
-  static_assert((kSamples & (kSamples - 1)) == 0, "the counters wrap at powers of two");
-
  public:
   // From the interrupt.
-  void put(const volatile std::int16_t* block, std::size_t count) {
-    if (lost_ != 0 || kSamples - (put_ - taken_) < count) {
-      return lose(static_cast<std::uint32_t>(count));
+  void put(const std::int16_t* block, std::size_t count) {
+    if (lost_ != 0 || !samples_.put(block, count)) {
+      lose(static_cast<std::uint32_t>(count));
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      samples_[(put_ + i) % kSamples] = block[i];
-    }
-    put_ = put_ + static_cast<std::uint32_t>(count);
   }
   void lose(std::uint32_t count) { lost_ = lost_ + count; }
 
@@ -33,23 +29,19 @@ class SampleQueue {
       lost_ = 0;
       return 0;
     }
-    std::size_t count = put_ - taken_;
-    count = count < most ? count : most;
-    for (std::size_t i = 0; i < count; ++i) {
-      out[i] = samples_[(taken_ + i) % kSamples];
+    std::size_t count = 0;
+    while (count < most && samples_.take(out[count])) {
+      ++count;
     }
-    taken_ = taken_ + static_cast<std::uint32_t>(count);
     return count;
   }
 
-  bool empty() const { return put_ == taken_; }
+  bool empty() const { return samples_.used() == 0; }
   bool idle() const { return empty() && lost_ == 0; }
 
  private:
-  volatile std::uint32_t put_ = 0;
-  volatile std::uint32_t taken_ = 0;
+  Ring<std::int16_t, kSamples> samples_;
   volatile std::uint32_t lost_ = 0;
-  volatile std::int16_t samples_[kSamples] = {};
 };
 
 }  // namespace gs::superloop
