@@ -78,35 +78,30 @@ const record::Mark* Case::first_word_open(std::int64_t from_tick) const {
 }
 
 Contact contact(const Case& c) {
-  Contact contact;
+  std::vector<ContactChange> bursts;
   std::int64_t last_tick = 0;
-  bool in_burst = false;
-  ContactChange burst{};
-  const auto end_burst = [&] {
-    if (in_burst && burst.closed != contact.closed) {
-      contact.changes.push_back(burst);
-      contact.closed = burst.closed;
-    } else if (in_burst) {
-      contact.idle_edges += burst.edges;
-    }
-    in_burst = false;
-  };
   for (const record::Mark& mark : c.outlet.marks) {
     if (mark.kind != "relay.sense") {
       continue;
     }
     const bool closed = mark.value > 0.5;
-    if (in_burst && c.milliseconds_between(last_tick, mark.tick) <= kBounceWindowMs) {
-      burst.closed = closed;
-      ++burst.edges;
+    if (!bursts.empty() && c.milliseconds_between(last_tick, mark.tick) <= kBounceWindowMs) {
+      bursts.back().closed = closed;
+      ++bursts.back().edges;
     } else {
-      end_burst();
-      burst = {mark.tick, closed, 1};
-      in_burst = true;
+      bursts.push_back({mark.tick, closed, 1});
     }
     last_tick = mark.tick;
   }
-  end_burst();
+  Contact contact;
+  for (const ContactChange& burst : bursts) {
+    if (burst.closed == contact.closed) {
+      contact.idle_edges += burst.edges;
+    } else {
+      contact.changes.push_back(burst);
+      contact.closed = burst.closed;
+    }
+  }
   return contact;
 }
 

@@ -73,7 +73,7 @@ class NestingCheck {
         case '[':
         case '{':
           deeper();
-          open_.push_back(0);
+          dots_.push_back(0);
           break;
         case ']':
         case '}':
@@ -84,7 +84,7 @@ class NestingCheck {
           break;
         case '.':
           deeper();
-          ++dots();
+          ++dots_.back();
           break;
         case '\n':
           end_line();
@@ -97,8 +97,6 @@ class NestingCheck {
   }
 
  private:
-  std::size_t& dots() { return open_.empty() ? top_dots_ : open_.back(); }
-
   void deeper() {
     if (++depth_ > kDeepestNesting) {
       throw error_at(
@@ -108,18 +106,18 @@ class NestingCheck {
   }
 
   void leave_key() {
-    depth_ -= dots();
-    dots() = 0;
+    depth_ -= dots_.back();
+    dots_.back() = 0;
   }
 
   void leave() {
-    if (open_.empty()) return;  // the library will say so
-    depth_ -= open_.back() + 1;
-    open_.pop_back();
+    if (dots_.size() == 1) return;  // the library will say so
+    depth_ -= dots_.back() + 1;
+    dots_.pop_back();
   }
 
   void end_line() {
-    if (open_.empty()) leave_key();
+    if (dots_.size() == 1) leave_key();
     ++line_;
     line_start_ = at_ + 1;
   }
@@ -153,9 +151,9 @@ class NestingCheck {
   std::size_t at_ = 0;
   int line_ = 1;
   std::size_t line_start_ = 0;
-  std::size_t depth_ = 0;          // of all that is open, and the dots in there
-  std::size_t top_dots_ = 0;       // of a key outside all brackets
-  std::vector<std::size_t> open_;  // dots of the key in hand within each open bracket
+  std::size_t depth_ = 0;  // of all that is open, and the dots in there
+  // Of the key in hand: outside all brackets, then within each that is open.
+  std::vector<std::size_t> dots_ = {0};
 };
 
 struct Describe {

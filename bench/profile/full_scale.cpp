@@ -50,14 +50,10 @@ Peak greatest_amplitude(const Stimulus& stimulus, const waveform::Truth& truth) 
   return peak;
 }
 
-struct Extremes {
-  double lowest_pu = 0.0;
-  double highest_pu = 0.0;
-};
-
-// Of a period with its harmonics, whose phases go with the fundamental's: at 1 MHz, less than 10⁻⁴
-// of the 50th harmonic is missed between samples.
-Extremes extremes_of_a_period(const std::vector<waveform::Harmonic>& harmonics, double nominal_hz) {
+// Lowest and highest voltage of a period with its harmonics, whose phases go with the
+// fundamental's: at 1 MHz, less than 10⁻⁴ of the 50th harmonic is missed between samples.
+std::pair<double, double> extremes_of_a_period(const std::vector<waveform::Harmonic>& harmonics,
+                                               double nominal_hz) {
   constexpr std::int64_t kFineRate_hz = 1000000;
   waveform::SignalSpec spec;
   spec.harmonics = harmonics;
@@ -92,17 +88,18 @@ keys::Position cause_of(const Table& signal, const Stimulus& stimulus, const Pea
 }  // namespace
 
 void check_full_scale(const Table& signal, const Stimulus& stimulus, const waveform::Truth& truth) {
-  const Extremes period = extremes_of_a_period(stimulus.signal.harmonics, truth.nominal_hz());
+  const auto [lowest_pu, highest_pu] =
+      extremes_of_a_period(stimulus.signal.harmonics, truth.nominal_hz());
   const double offset_pu = stimulus.signal.dc_offset_pct / 100.0;
   const Peak peak = greatest_amplitude(stimulus, truth);
   const double amplitude_pu = peak.recorded_pu * peak.level;
-  const double highest_pu = std::max(std::abs(amplitude_pu * period.highest_pu + offset_pu),
-                                     std::abs(amplitude_pu * period.lowest_pu + offset_pu));
-  if (highest_pu <= kFullScale_pu) return;
+  const double reached_pu = std::max(std::abs(amplitude_pu * highest_pu + offset_pu),
+                                     std::abs(amplitude_pu * lowest_pu + offset_pu));
+  if (reached_pu <= kFullScale_pu) return;
   const std::string message = fmt::format(
       "the voltage reaches {:.4g} pu (at {:.6g} s, with harmonics and offset); a source plays {} "
       "pu at most",
-      highest_pu, peak.t_s, kFullScale_pu);
+      reached_pu, peak.t_s, kFullScale_pu);
   if (stimulus.recording.replaces_profile && amplitude_pu > 1.0) {
     throw keys::ConfigurationError(fmt::format("{}: {}", stimulus.recording.path, message));
   }

@@ -59,7 +59,7 @@ std::vector<emulation::HardwareOutlet> read_outlets(const keys::Table& top) {
   return outlets;
 }
 
-std::unique_ptr<StationFile> read(const keys::Table& top, const std::string& path) {
+std::unique_ptr<StationFile> read_emulated(const keys::Table& top, const std::string& path) {
   auto file = std::make_unique<EmulatedFile>();
   file->hardware = read_outlets(top);
   if (const auto image = top.find_text("image")) {
@@ -100,7 +100,7 @@ StationKind emulated_kind() {
             keys::number("crystal_ppm", "ppm", keys::between(-kMostPpm, kMostPpm),
                          "by how much its sample clock is fast")
                 .by_default(0.0)})},
-      read};
+      read_emulated};
 }
 
 }  // namespace gsbench::station

@@ -1,6 +1,5 @@
 #include "emulated_station.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -11,9 +10,6 @@ namespace gsbench::station {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Outlets in a busy machine's processes take their time to come up.
-constexpr auto kAnswersWithin = std::chrono::seconds(10);
 
 // Where the program's own companions are: beside it.
 std::string companion(const std::string& name) {
@@ -59,10 +55,6 @@ EmulatedStation::EmulatedStation(std::string name,
                       hardware_->mqtt_ids(), broker->bench().password};
   }
   link_ = make_link(reached, false);
-}
-
-std::chrono::milliseconds EmulatedStation::answers_within() const {
-  return kAnswersWithin;
 }
 
 // The link lets go of its ports before they are gone.

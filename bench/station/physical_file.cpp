@@ -77,7 +77,7 @@ Broker read_mqtt(const keys::Table& table, const std::string& file_path) {
   return broker;
 }
 
-std::unique_ptr<StationFile> read(const keys::Table& top, const std::string& path) {
+std::unique_ptr<StationFile> read_physical(const keys::Table& top, const std::string& path) {
   auto file = std::make_unique<PhysicalFile>();
   PhysicalOutlets& outlets = file->outlets_there;
   if (top.has("serial")) {
@@ -122,7 +122,7 @@ StationKind physical_kind() {
                             "one that is named and not there is at fault")
                     .permits("array of ids, each once")
                     .or_else("all that are found")})},
-          read};
+          read_physical};
 }
 
 }  // namespace gsbench::station

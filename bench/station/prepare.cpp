@@ -44,14 +44,11 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
   run.profile_text = plan.text;
   run.grid = plan.grid.name;
   run.grid_sha256 = plan.grid.sha256;
-  const profile::Recording& recording = plan.stimulus.recording;
-  run.recording = {recording.file,
-                   recording.sha256,
-                   recording.columns.time,
-                   recording.columns.frequency,
-                   recording.columns.voltage,
-                   recording.columns.nominal_voltage,
-                   recording.replaces_profile};
+  const profile::Recording& source = plan.stimulus.recording;
+  const recording::TraceColumns& columns = source.columns;
+  run.recording = {
+      source.file,     source.sha256,           columns.time,           columns.frequency,
+      columns.voltage, columns.nominal_voltage, source.replaces_profile};
   run.station = station.name();
   run.bench_uncertainty = station.uncertainty();
   run.noise = noise_text(plan, station.source().limits());

@@ -5,18 +5,12 @@
 namespace gsbench::station {
 namespace {
 
-std::vector<std::string> ids_of(const profile::Plan& plan) {
-  std::vector<std::string> ids;
-  for (const profile::Outlet& outlet : plan.outlets) {
-    ids.push_back(outlet.id);
-  }
-  return ids;
-}
-
-simulated::BenchParameters parameters_of(const std::vector<std::string>& ids,
+simulated::BenchParameters parameters_of(const profile::Plan& plan,
                                          const SimulatedOptions& options) {
   simulated::BenchParameters parameters;
-  parameters.outlet_ids = ids;
+  for (const profile::Outlet& outlet : plan.outlets) {
+    parameters.outlet_ids.push_back(outlet.id);
+  }
   parameters.pace = options.real_time ? simulated::Pace::kRealTime : simulated::Pace::kVirtual;
   parameters.threads = options.threads;
   return parameters;
@@ -25,10 +19,13 @@ simulated::BenchParameters parameters_of(const std::vector<std::string>& ids,
 class SimulatedStation final : public Station {
  public:
   SimulatedStation(const profile::Plan& plan, const SimulatedOptions& options)
-      : ids_(ids_of(plan)),
-        bench_(parameters_of(ids_, options)),
+      : bench_(parameters_of(plan, options)),
         sample_rate_hz_(static_cast<double>(plan.stimulus.sample_rate_hz)),
-        block_s_(options.block_s > 0.0 ? options.block_s : (options.real_time ? 0.016 : 0.512)) {}
+        block_s_(options.block_s > 0.0 ? options.block_s : (options.real_time ? 0.016 : 0.512)) {
+    for (const profile::Outlet& outlet : plan.outlets) {
+      slots_.push_back({outlet.id, outlet.id, outlet.id, slots_.size()});
+    }
+  }
 
   std::string name() const override { return "simulated"; }
   source::Source& source() override { return bench_.source(); }
@@ -43,20 +40,13 @@ class SimulatedStation final : public Station {
     return uncertainty;
   }
 
-  std::vector<Slot> slots() const override {
-    std::vector<Slot> slots;
-    for (const std::string& id : ids_) {
-      slots.push_back({id, id, id, slots.size()});
-    }
-    return slots;
-  }
-
+  std::vector<Slot> slots() const override { return slots_; }
   bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return block_s_; }
 
  private:
-  std::vector<std::string> ids_;
   simulated::Bench bench_;
+  std::vector<Slot> slots_;
   double sample_rate_hz_;
   double block_s_;
 };

@@ -76,12 +76,11 @@ TEST(Walk, AReportFormatIsItsFileAndARowOfTheTable) {
                                                     "reports/render/junit_xml.cpp"));
 }
 
-TEST(Walk, ASettingIsItsFieldItsRowTheRuleAndItsRowInProfiles) {
+TEST(Walk, ASettingIsItsRowAndTheRule) {
   EXPECT_THAT(files_that_name("event_departure_hz"),
-              ElementsAre("bench/profile/outlets.cpp", "firmware/outlet/event_detector.cpp",
+              ElementsAre("firmware/outlet/event_detector.cpp",
                           "firmware/outlet/include/outlet/event_detector.hpp",
-                          "firmware/outlet/include/outlet/settings.hpp",
-                          "firmware/outlet/include/outlet/settings_fields.hpp"));
+                          "firmware/outlet/include/outlet/settings.hpp"));
 }
 
 TEST(Walk, ABoardIsItsFolderAndARowOfTheTable) {

@@ -36,14 +36,6 @@ superloop::StartUp start_up() {
   return start_up;
 }
 
-void on_link_receive() {
-  board().on_receive();
-}
-
-void on_link_transmit() {
-  board().on_transmit();
-}
-
 // The bench rings after each block of samples; the byte itself says nothing.
 void on_doorbell() {
   uart1->INTSTATUS = kIntRx;
@@ -52,15 +44,12 @@ void on_doorbell() {
   }
 }
 
-// Only wakes the loop.
-void on_systick() {}
-
 __attribute__((section(".vectors"), used)) const cortex_m4::VectorTable<3> vectors = [] {
   cortex_m4::VectorTable<3> table;
   table.nmi = note_watchdog;
-  table.systick = on_systick;
-  table.interrupts[kUart0RxIrq] = on_link_receive;
-  table.interrupts[kUart0TxIrq] = on_link_transmit;
+  table.systick = [] {};  // only wakes the loop
+  table.interrupts[kUart0RxIrq] = [] { board().on_receive(); };
+  table.interrupts[kUart0TxIrq] = [] { board().on_transmit(); };
   table.interrupts[kUart1RxIrq] = on_doorbell;
   return table;
 }();

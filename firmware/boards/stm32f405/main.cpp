@@ -35,18 +35,10 @@ superloop::StartUp start_up(const Clocks& clocks) {
   return start_up;
 }
 
-void on_usart() {
-  board().on_usart();
-}
-
-void on_samples() {
-  board().on_samples();
-}
-
 __attribute__((section(".vectors"), used)) const cortex_m4::VectorTable<kInterrupts> vectors = [] {
   cortex_m4::VectorTable<kInterrupts> table;
-  table.interrupts[kUsart1Irq] = on_usart;
-  table.interrupts[kDma2Stream0Irq] = on_samples;
+  table.interrupts[kUsart1Irq] = [] { board().on_usart(); };
+  table.interrupts[kDma2Stream0Irq] = [] { board().on_samples(); };
   return table;
 }();
 

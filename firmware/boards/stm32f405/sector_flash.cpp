@@ -9,7 +9,7 @@ constexpr std::uintptr_t kFirstSlot = 0x08004000u;
 constexpr std::size_t kSectorBytes = 16 * 1024;
 constexpr std::uint32_t kFirstSector = 1;
 // Beyond any erase: code in flash runs again only when the flash is done.
-constexpr int kPolls = 20'000'000;
+constexpr int kErasePolls = 20'000'000;
 
 volatile std::uint32_t& word_of(int slot, std::size_t offset) {
   return *reinterpret_cast<volatile std::uint32_t*>(
@@ -17,7 +17,7 @@ volatile std::uint32_t& word_of(int slot, std::size_t offset) {
 }
 
 bool finish() {
-  for (int poll = 0; poll < kPolls; ++poll) {
+  for (int poll = 0; poll < kErasePolls; ++poll) {
     if ((FLASH->SR & FLASH_SR_BSY) == 0) {
       return (FLASH->SR & FLASH_SR_ERRORS) == 0;
     }

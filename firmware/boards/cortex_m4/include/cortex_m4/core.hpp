@@ -34,11 +34,6 @@ inline void enable_interrupt(unsigned number) {
   word_at(0xE000E100u + 4 * (number / 32)) = 1u << (number % 32);
 }
 
-// What is written before is seen before what is written after, by whoever else looks.
-inline void memory_barrier() {
-  asm volatile("dmb" ::: "memory");
-}
-
 // No interrupt in its scope, bar the NMI and faults. Not to be nested.
 class InterruptsMasked {
  public:
