@@ -7,7 +7,7 @@
 
 #include <campaign/estimates.hpp>
 #include <campaign/lanes.hpp>
-#include <models/streams.hpp>
+#include <models/noise.hpp>
 
 namespace gsbench::campaign {
 

@@ -8,7 +8,7 @@
 #include <campaign/estimates.hpp>
 #include <campaign/kernel.hpp>
 #include <grid/sfr_model.hpp>
-#include <models/streams.hpp>
+#include <models/noise.hpp>
 #include <outlet/front_end.hpp>
 
 namespace gsbench::campaign {

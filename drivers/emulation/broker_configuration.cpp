@@ -3,8 +3,10 @@
 #include "broker_program.hpp"
 #include <unistd.h>
 
-#include <array>
+#include <filesystem>
 #include <random>
+
+#include <fmt/format.h>
 
 namespace gsbench::emulation {
 
@@ -43,19 +45,48 @@ constexpr const char* kLimits =
     "log_type notice\n"
     "connection_messages false\n";
 
+constexpr const char* kDays = "14";  // the longest run, with room for a clock that is off
+
+std::vector<std::string> request(const std::string& subject, const std::string& key,
+                                 const std::string& certificate) {
+  return {"openssl", "req",      "-x509", "-newkey", "ec",    "-pkeyopt", "ec_paramgen_curve:P-256",
+          "-noenc",  "-days",    kDays,   "-subj",   subject, "-keyout",  key,
+          "-out",    certificate};
+}
+
 }  // namespace
 
 std::string new_password() {
-  constexpr std::array<char, 17> kDigits = {"0123456789abcdef"};
   std::random_device device;
   std::string password;
   for (int word = 0; word < 4; ++word) {
-    std::uint32_t bits = device();
-    for (int digit = 0; digit < 8; ++digit, bits >>= 4) {
-      password += kDigits[bits & 0xF];
-    }
+    password += fmt::format("{:08x}", device());
   }
   return password;
+}
+
+Result<Certificates> make_certificates(const std::string& folder) {
+  const Certificates made = {folder + "/ca.pem", folder + "/server.pem", folder + "/server.key"};
+  const std::string ca_key = folder + "/ca.key";
+  const std::string log = folder + "/openssl.log";
+
+  std::vector<std::string> words = request("/CN=gsbench private broker's CA", ca_key, made.ca_file);
+  words.insert(words.end(), {"-addext", "keyUsage=critical,keyCertSign"});
+  Status done = run_to_make(made.ca_file, words, log);
+  if (!done.ok()) {
+    return Error{done.error()};
+  }
+  words = request("/CN=127.0.0.1", made.server_key_file, made.server_file);
+  words.insert(words.end(),
+               {"-CA", made.ca_file, "-CAkey", ca_key, "-addext", "subjectAltName=IP:127.0.0.1",
+                "-addext", "basicConstraints=critical,CA:FALSE"});
+  done = run_to_make(made.server_file, words, log);
+  std::error_code none;
+  std::filesystem::remove(ca_key, none);  // nobody signs another one
+  if (!done.ok()) {
+    return Error{done.error()};
+  }
+  return made;
 }
 
 Status write_logins(const std::string& folder, const std::vector<Login>& logins) {
@@ -79,8 +110,8 @@ Status write_logins(const std::string& folder, const std::vector<Login>& logins)
   return write_private(folder + "/access", kAccess);
 }
 
-Result<std::string> write_configuration(const std::string& folder, std::uint16_t port,
-                                        const std::optional<Certificates>& certificates) {
+Status write_configuration(const std::string& folder, std::uint16_t port,
+                           const std::optional<Certificates>& certificates) {
   std::string text = kLimits;
   // Started by root, it would become a user who cannot read this folder.
   if (geteuid() == 0) {
@@ -95,12 +126,7 @@ Result<std::string> write_configuration(const std::string& folder, std::uint16_t
     text += "keyfile " + certificates->server_key_file + '\n';
     text += "tls_version tlsv1.3\n";
   }
-  const std::string file = folder + "/mosquitto.conf";
-  const Status done = write_private(file, text);
-  if (!done.ok()) {
-    return Error{done.error()};
-  }
-  return file;
+  return write_private(folder + "/mosquitto.conf", text);
 }
 
 }  // namespace gsbench::emulation

@@ -1,7 +1,6 @@
 #include "broker_program.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <chrono>
@@ -46,23 +45,12 @@ std::string text_of(const std::string& file) {
 }
 
 Status write_private(const std::string& file, const std::string& text) {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (descriptor < 0) {
-    return Error{file + ": " + std::strerror(errno)};
+  std::ofstream out(file, std::ios::binary);
+  // Before anything is in it.
+  if (out && ::chmod(file.c_str(), 0600) == 0 && out << text && out.flush()) {
+    return Done{};
   }
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t written = write(descriptor, text.data() + done, text.size() - done);
-    if (written <= 0) {
-      std::string why = file + ": ";
-      why += std::strerror(errno);
-      close(descriptor);
-      return Error{why};
-    }
-    done += static_cast<std::size_t>(written);
-  }
-  close(descriptor);
-  return Done{};
+  return Error{file + ": " + std::strerror(errno)};
 }
 
 }  // namespace gsbench::emulation

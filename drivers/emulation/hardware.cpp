@@ -95,14 +95,6 @@ Status Hardware::restart_outlet(std::size_t outlet) {
 }
 
 Result<Child> Hardware::start_process(std::size_t outlet) const {
-  const auto command = command_of(outlet);
-  if (!command.ok()) {
-    return Error{command.error()};
-  }
-  return Child::start(command.value());
-}
-
-Result<Command> Hardware::command_of(std::size_t outlet) const {
   const HardwareOutlet& it = options_.outlets[outlet];
   const std::string& terminals = mains_->terminal_path(outlet);
   const std::string& doorbell = mains_->doorbell_path(outlet);
@@ -141,12 +133,12 @@ Result<Command> Hardware::command_of(std::size_t outlet) const {
                      "chardev:line",
                      "-serial",
                      "chardev:bell"};
-    return command;
+    return Child::start(command);
   }
   command.words = {options_.host_program, "--terminals", terminals, "--doorbell", doorbell};
   if (it.connection == Connection::kSerial) {
     command.words.insert(command.words.end(), {"--tcp", "127.0.0.1:" + cable_port});
-    return command;
+    return Child::start(command);
   }
   // Not on the command line, where everybody can read it.
   const std::string password_file = folder_->path() + "/" + it.id + ".password";
@@ -154,7 +146,7 @@ Result<Command> Hardware::command_of(std::size_t outlet) const {
   command.words.insert(command.words.end(),
                        {"--mqtt", broker_->url(), "--ca", broker_->ca_file(), "--user",
                         broker_->outlet(it.id).user, "--password-file", password_file});
-  return command;
+  return Child::start(command);
 }
 
 const std::string& Hardware::folder() const {
@@ -172,13 +164,9 @@ std::vector<std::string> Hardware::serial_ports() const {
 }
 
 std::vector<std::string> Hardware::mqtt_ids() const {
-  return ids_on(Connection::kMqtt);
-}
-
-std::vector<std::string> Hardware::ids_on(Connection connection) const {
   std::vector<std::string> ids;
   for (const HardwareOutlet& outlet : options_.outlets) {
-    if (outlet.connection == connection) {
+    if (outlet.connection == Connection::kMqtt) {
       ids.push_back(outlet.id);
     }
   }

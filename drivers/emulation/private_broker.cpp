@@ -1,20 +1,16 @@
-#include "broker_certificates.hpp"
 #include "broker_configuration.hpp"
 #include "broker_program.hpp"
-#include <arpa/inet.h>
-#include <netinet/in.h>
+#include "listening.hpp"
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
 #include <thread>
 
 #include <emulation/private_broker.hpp>
+#include <transport/transport.hpp>
 
 namespace gsbench::emulation {
 
@@ -27,40 +23,6 @@ using emulation::Child;
 namespace {
 
 constexpr auto kPatience = std::chrono::seconds(10);  // it takes milliseconds to start
-constexpr int kPortsTried = 5;
-
-sockaddr_in loopback(std::uint16_t port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(port);
-  return address;
-}
-
-// One that is free now; somebody else may take it before it is used. 0: none.
-std::uint16_t free_port() {
-  const int s = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address = loopback(0);
-  socklen_t length = sizeof address;
-  const bool bound = s >= 0 &&
-                     bind(s, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0 &&
-                     getsockname(s, reinterpret_cast<sockaddr*>(&address), &length) == 0;
-  if (s >= 0) {
-    close(s);
-  }
-  return bound ? ntohs(address.sin_port) : std::uint16_t{0};
-}
-
-bool accepts_connections(std::uint16_t port) {
-  const int s = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  const sockaddr_in address = loopback(port);
-  const bool accepted =
-      s >= 0 && connect(s, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  if (s >= 0) {
-    close(s);
-  }
-  return accepted;
-}
 
 // Debian keeps it where only root's PATH looks.
 std::string mosquitto_program() {
@@ -85,9 +47,10 @@ Result<Child> launch(const std::string& folder, std::uint16_t port) {
   }
   Child child = started.take();
   allow_many_connections(child.pid());
+  const auto listens = transport::make_transport("tcp://127.0.0.1:" + std::to_string(port));
   const auto until = std::chrono::steady_clock::now() + kPatience;
   while (std::chrono::steady_clock::now() < until) {
-    const bool accepts = accepts_connections(port);
+    const bool accepts = listens->open().ok();
     // What accepts is another's where ours has ended.
     if (!child.running()) {
       return Error{"mosquitto ended at its start on port " + std::to_string(port) + ": " +
@@ -157,29 +120,29 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
     certificates = made.value();
   }
 
-  std::string why = "no port of 127.0.0.1 is free";
-  for (int attempt = 0; attempt < kPortsTried; ++attempt) {
-    const std::uint16_t port = free_port();
-    const auto configured = write_configuration(folder, port, certificates);
-    if (!configured.ok()) {
-      return Error{configured.error()};
-    }
-    auto launched = launch(folder, port);
-    if (!launched.ok()) {
-      why = launched.error();
-      continue;
-    }
-    PrivateBroker broker(launched.take());
-    broker.folder_ = folder;
-    broker.port_ = port;
-    broker.ca_file_ = certificates ? certificates->ca_file : "";
-    broker.bench_ = logins.front();
-    for (auto login = logins.begin() + 1; login != logins.end(); ++login) {
-      broker.outlets_[login->user] = *login;
-    }
-    return broker;
+  // Kept until the broker listens on it, so that nobody else takes it before.
+  const auto reserved = LoopbackPort::reserve();
+  if (!reserved.ok()) {
+    return Error{reserved.error()};
   }
-  return Error{why};
+  const std::uint16_t port = reserved.value().number();
+  done = write_configuration(folder, port, certificates);
+  if (!done.ok()) {
+    return Error{done.error()};
+  }
+  auto launched = launch(folder, port);
+  if (!launched.ok()) {
+    return Error{launched.error()};
+  }
+  PrivateBroker broker(launched.take());
+  broker.folder_ = folder;
+  broker.port_ = port;
+  broker.ca_file_ = certificates ? certificates->ca_file : "";
+  broker.bench_ = logins.front();
+  for (auto login = logins.begin() + 1; login != logins.end(); ++login) {
+    broker.outlets_[login->user] = *login;
+  }
+  return broker;
 }
 
 std::string PrivateBroker::url() const {

@@ -66,9 +66,7 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
 }
 
 std::vector<std::string> OutletStream::take_faults() {
-  std::vector<std::string> faults;
-  faults.swap(faults_);
-  return faults;
+  return std::exchange(faults_, {});
 }
 
 std::vector<std::uint8_t> OutletStream::encode(const gs::wire::Downlink& message) {

@@ -6,7 +6,7 @@
 #include <immintrin.h>
 #endif
 
-#include <models/streams.hpp>
+#include <models/noise.hpp>
 #include <models/targets.hpp>
 
 namespace gsbench::models {

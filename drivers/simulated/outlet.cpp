@@ -14,10 +14,6 @@ constexpr std::size_t kChunk = 2048;
 
 }  // namespace
 
-void Outlet::Collector::put(const gs::wire::Uplink& message) {
-  messages.push_back(message);
-}
-
 Outlet::Outlet(const OutletParameters& parameters, const std::string& id, std::uint32_t index)
     : parameters_(parameters), index_(index) {
   gs::app::set_text(identity_.id, id.c_str());

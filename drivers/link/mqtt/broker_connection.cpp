@@ -1,7 +1,6 @@
 #include "broker_connection.hpp"
 
 #include "send_at_once.hpp"
-#include <mqtt/async_client.h>
 
 #include <chrono>
 #include <random>
@@ -58,60 +57,17 @@ mqtt::subscribe_options once() {
 
 }  // namespace
 
-class BrokerConnection::Client final : public mqtt::callback, public mqtt::iaction_listener {
- public:
-  Client(const MqttOptions& options, Arrivals& arrivals)
-      : options_(options),
-        arrivals_(arrivals),
-        client_(paho_url(options.url), new_client_id(),
-                mqtt::create_options(MQTTVERSION_5, kMostWaiting)) {
-    // By default, Paho words and keeps a trace of every packet that nobody reads.
-    MQTTAsync_setTraceLevel(MQTTASYNC_TRACE_ERROR);
-    client_.set_callback(*this);
-  }
+BrokerConnection::BrokerConnection(const MqttOptions& options, Arrivals& arrivals)
+    : options_(options),
+      arrivals_(arrivals),
+      client_(paho_url(options.url), new_client_id(),
+              mqtt::create_options(MQTTVERSION_5, kMostWaiting)) {
+  // By default, Paho words and keeps a trace of every packet that nobody reads.
+  MQTTAsync_setTraceLevel(MQTTASYNC_TRACE_ERROR);
+  client_.set_callback(*this);
+}
 
-  Status connect();
-  Status subscribe(std::vector<std::string> filters);
-  void publish(std::size_t outlet, const std::string& topic,
-               const std::vector<std::uint8_t>& message);
-  void close();
-
- private:
-  // What Paho calls, from threads of its own.
-  void connected(const std::string&) override;
-  void connection_lost(const std::string&) override;
-  void message_arrived(mqtt::const_message_ptr message) override;
-  void on_failure(const mqtt::token& token) override;
-  void on_success(const mqtt::token&) override {}
-
-  // The broker is back once it has answered the last subscription: what it gets before, it may
-  // have for nobody.
-  class Resubscription final : public mqtt::iaction_listener {
-   public:
-    explicit Resubscription(Client& client) : client_(client) {}
-    void begin(std::size_t filters) { left_ = filters; }
-    void on_success(const mqtt::token&) override;
-    void on_failure(const mqtt::token&) override {}  // lost again; the next connection asks again
-
-   private:
-    Client& client_;
-    std::atomic<std::size_t> left_{0};
-  };
-
-  mqtt::connect_options connect_options() const;
-  std::vector<std::string> filters();
-  std::string why_not_connected(const mqtt::exception& error);
-
-  const MqttOptions& options_;
-  Arrivals& arrivals_;
-  std::mutex mutex_;
-  std::vector<std::string> filters_;
-  std::atomic<bool> lost_{false};
-  Resubscription resubscription_{*this};
-  mqtt::async_client client_;  // last: its threads end before what they use
-};
-
-mqtt::connect_options BrokerConnection::Client::connect_options() const {
+mqtt::connect_options BrokerConnection::connect_options() const {
   mqtt::connect_options asked;
   asked.set_mqtt_version(MQTTVERSION_5);
   asked.set_clean_start(false);
@@ -134,7 +90,7 @@ mqtt::connect_options BrokerConnection::Client::connect_options() const {
   return asked;
 }
 
-Status BrokerConnection::Client::connect() {
+Status BrokerConnection::connect() {
   try {
     const mqtt::token_ptr connecting = client_.connect(connect_options());
     if (!connecting->wait_for(kToConnect)) {
@@ -146,7 +102,7 @@ Status BrokerConnection::Client::connect() {
   }
 }
 
-std::string BrokerConnection::Client::why_not_connected(const mqtt::exception& error) {
+std::string BrokerConnection::why_not_connected(const mqtt::exception& error) {
   const std::string broker = "the broker " + options_.url;
   if (refused_login(error)) {
     return broker + " refuses the user name \"" + options_.user + "\" or its password";
@@ -160,12 +116,12 @@ std::string BrokerConnection::Client::why_not_connected(const mqtt::exception& e
 }
 
 // A copy: the lock is not held over a call into Paho, which calls us with locks of its own.
-std::vector<std::string> BrokerConnection::Client::filters() {
+std::vector<std::string> BrokerConnection::filters() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return filters_;
 }
 
-Status BrokerConnection::Client::subscribe(std::vector<std::string> wanted) {
+Status BrokerConnection::subscribe(std::vector<std::string> wanted) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     filters_ = std::move(wanted);
@@ -188,8 +144,8 @@ Status BrokerConnection::Client::subscribe(std::vector<std::string> wanted) {
   }
 }
 
-void BrokerConnection::Client::publish(std::size_t outlet, const std::string& topic,
-                                       const std::vector<std::uint8_t>& message) {
+void BrokerConnection::publish(std::size_t outlet, const std::string& topic,
+                               const std::vector<std::uint8_t>& message) {
   const auto until = std::chrono::steady_clock::now() + kToFindRoom;
   const auto payload =
       mqtt::make_message(topic, static_cast<const void*>(message.data()), message.size(), 1, false);
@@ -208,19 +164,23 @@ void BrokerConnection::Client::publish(std::size_t outlet, const std::string& to
   }
 }
 
-void BrokerConnection::Client::close() {
-  client_.disable_callbacks();
-  if (client_.is_connected()) {
-    client_
-        .disconnect(mqtt::disconnect_options_builder()
-                        .properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, 0}})
-                        .timeout(kToDisconnect)
-                        .finalize())
-        ->wait_for(kToDisconnect);
+BrokerConnection::~BrokerConnection() {
+  try {
+    client_.disable_callbacks();
+    if (client_.is_connected()) {
+      client_
+          .disconnect(mqtt::disconnect_options_builder()
+                          .properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, 0}})
+                          .timeout(kToDisconnect)
+                          .finalize())
+          ->wait_for(kToDisconnect);
+    }
+  } catch (const mqtt::exception&) {
+    return;  // it was not connected
   }
 }
 
-void BrokerConnection::Client::connected(const std::string&) {
+void BrokerConnection::connected(const std::string&) {
   send_at_once(options_.url);
   if (!lost_) {
     return;  // the first time: subscribe() asks
@@ -236,63 +196,31 @@ void BrokerConnection::Client::connected(const std::string&) {
   }
 }
 
-void BrokerConnection::Client::Resubscription::on_success(const mqtt::token&) {
-  if (--left_ == 0 && client_.lost_.exchange(false)) {
-    client_.arrivals_.note_all("has its broker back");
+void BrokerConnection::Resubscription::on_success(const mqtt::token&) {
+  if (--left_ == 0 && connection_.lost_.exchange(false)) {
+    connection_.arrivals_.note_all("has its broker back");
   }
 }
 
-void BrokerConnection::Client::connection_lost(const std::string&) {
+void BrokerConnection::connection_lost(const std::string&) {
   if (!lost_.exchange(true)) {
     arrivals_.note_all("has lost its broker: the connection to " + options_.url + " broke");
   }
 }
 
-void BrokerConnection::Client::message_arrived(mqtt::const_message_ptr message) {
+void BrokerConnection::message_arrived(mqtt::const_message_ptr message) {
   const mqtt::binary& payload = message->get_payload();
   arrivals_.take(message->get_topic(), reinterpret_cast<const std::uint8_t*>(payload.data()),
                  payload.size(), message->is_retained());
 }
 
-void BrokerConnection::Client::on_failure(const mqtt::token& token) {
+void BrokerConnection::on_failure(const mqtt::token& token) {
   const int reason = token.get_reason_code();
   arrivals_.note(
       reinterpret_cast<std::uintptr_t>(token.get_user_context()),
       reason == mqtt::ReasonCode::NOT_AUTHORIZED
           ? "was not sent a message: the broker does not allow \"" + options_.user + "\" to"
           : "was not sent a message: the broker gives reason " + std::to_string(reason));
-}
-
-BrokerConnection::BrokerConnection(const MqttOptions& options, Arrivals& arrivals)
-    : client_(std::make_unique<Client>(options, arrivals)) {}
-
-BrokerConnection::~BrokerConnection() {
-  close();
-}
-
-Status BrokerConnection::connect() {
-  return client_->connect();
-}
-
-Status BrokerConnection::subscribe(std::vector<std::string> filters) {
-  return client_->subscribe(std::move(filters));
-}
-
-void BrokerConnection::publish(std::size_t outlet, const std::string& topic,
-                               const std::vector<std::uint8_t>& message) {
-  client_->publish(outlet, topic, message);
-}
-
-void BrokerConnection::close() noexcept {
-  if (!client_) {
-    return;
-  }
-  try {
-    client_->close();
-    client_.reset();
-  } catch (const mqtt::exception&) {
-    client_.reset();  // it was not connected
-  }
 }
 
 }  // namespace gsbench::link

@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <models/noise.hpp>
-#include <models/streams.hpp>
 
 namespace gsbench::models {
 namespace {

@@ -63,8 +63,6 @@ class Hardware {
   std::vector<std::string> mqtt_ids() const;
   PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
 
-  std::size_t outlets() const { return processes_.size(); }
-
   // For faults on purpose.
   Child& outlet_process(std::size_t outlet) { return processes_.at(outlet); }
   drivers::Status restart_outlet(std::size_t outlet);
@@ -76,10 +74,8 @@ class Hardware {
  private:
   explicit Hardware(const HardwareOptions& options);
   drivers::Status set_up();
-  std::vector<std::string> ids_on(Connection connection) const;
   drivers::Status plug_in(std::size_t outlet);
   drivers::Result<Child> start_process(std::size_t outlet) const;
-  drivers::Result<Command> command_of(std::size_t outlet) const;
 
   HardwareOptions options_;
   std::unique_ptr<ScratchFolder> folder_;

@@ -41,7 +41,6 @@ class PrivateBroker {
   std::string memory_file() const { return folder_ + "/mosquitto.db"; }
   bool running() { return child_.running(); }
 
-  void stop() noexcept { child_.stop(); }
   void kill() noexcept { child_.kill(); }
   // On the same port, whatever became of it. After a kill, it remembers the sessions and hellos of
   // two seconds before.

@@ -39,13 +39,13 @@ struct Happenings {
   std::vector<Received> messages;
   std::vector<Fault> faults;
 
-  void append(const Happenings& more);
-  void clear() {
-    joined.clear();
-    left.clear();
-    messages.clear();
-    faults.clear();
+  void append(const Happenings& more) {
+    joined.insert(joined.end(), more.joined.begin(), more.joined.end());
+    left.insert(left.end(), more.left.begin(), more.left.end());
+    messages.insert(messages.end(), more.messages.begin(), more.messages.end());
+    faults.insert(faults.end(), more.faults.begin(), more.faults.end());
   }
+  void clear() { *this = {}; }
 };
 
 // An error is one of the link as a whole.

@@ -33,6 +33,13 @@ void add_gaussian(const Stream& stream, std::uint64_t first, std::size_t count, 
 void add_uniform(const Stream& stream, std::uint64_t first, std::size_t count, float half_width,
                  float* out);
 
+// Many streams at once, for trajectories that are computed side by side:
+// out[sample·streams + i] += value `sample` of stream first.index + i.
+void add_uniform_to_each(const Stream& first, std::size_t streams, std::size_t samples,
+                         float half_width, float* out);
+void add_gaussian_to_each(const Stream& first, std::size_t streams, std::size_t samples,
+                          float sigma, float* out);
+
 // Value n of the stream, uniform in [0, 1).
 double uniform(const Stream& stream, std::uint64_t n);
 

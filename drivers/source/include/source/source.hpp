@@ -4,7 +4,6 @@
 // is checked here, once for all drivers; a driver implements the protected functions.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
