@@ -1,17 +1,23 @@
 #include "broker_configuration.hpp"
 
-#include "broker_program.hpp"
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <chrono>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <random>
+#include <sstream>
+#include <thread>
 
 #include <fmt/format.h>
 
 namespace gsbench::emulation {
 
+using drivers::Done;
 using drivers::Error;
-using drivers::Result;
 using drivers::Status;
 
 namespace {
@@ -45,6 +51,8 @@ constexpr const char* kLimits =
     "log_type notice\n"
     "connection_messages false\n";
 
+constexpr const char* kServerFile = "/server.pem";
+constexpr const char* kServerKeyFile = "/server.key";
 constexpr const char* kDays = "14";  // the longest run, with room for a clock that is off
 
 std::vector<std::string> request(const std::string& subject, const std::string& key,
@@ -54,7 +62,43 @@ std::vector<std::string> request(const std::string& subject, const std::string& 
           "-out",    certificate};
 }
 
+// Runs it to its end; an error says what it printed where it did not make `product`.
+Status run_to_make(const std::string& product, const std::vector<std::string>& words,
+                   const std::string& log) {
+  constexpr auto kPatience = std::chrono::seconds(20);  // a key takes milliseconds
+  auto started = Child::start({words, log});
+  if (!started.ok()) {
+    return Error{started.error()};
+  }
+  Child program = started.take();
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (program.running() && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  std::error_code none;
+  if (program.running() || !std::filesystem::exists(product, none) ||
+      std::filesystem::file_size(product, none) == 0) {
+    return Error{words.front() + " did not make " + product + ": " + text_of(log)};
+  }
+  return Done{};
+}
+
+Status write_private(const std::string& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  // Before anything is in it.
+  if (out && ::chmod(file.c_str(), 0600) == 0 && out << text && out.flush()) {
+    return Done{};
+  }
+  return Error{file + ": " + std::strerror(errno)};
+}
+
 }  // namespace
+
+std::string text_of(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
 
 std::string new_password() {
   std::random_device device;
@@ -65,28 +109,24 @@ std::string new_password() {
   return password;
 }
 
-Result<Certificates> make_certificates(const std::string& folder) {
-  const Certificates made = {folder + "/ca.pem", folder + "/server.pem", folder + "/server.key"};
+Status make_certificates(const std::string& folder) {
   const std::string ca_key = folder + "/ca.key";
   const std::string log = folder + "/openssl.log";
-
-  std::vector<std::string> words = request("/CN=gsbench private broker's CA", ca_key, made.ca_file);
+  std::vector<std::string> words =
+      request("/CN=gsbench private broker's CA", ca_key, folder + kCaFile);
   words.insert(words.end(), {"-addext", "keyUsage=critical,keyCertSign"});
-  Status done = run_to_make(made.ca_file, words, log);
+  Status done = run_to_make(folder + kCaFile, words, log);
   if (!done.ok()) {
-    return Error{done.error()};
+    return done;
   }
-  words = request("/CN=127.0.0.1", made.server_key_file, made.server_file);
+  words = request("/CN=127.0.0.1", folder + kServerKeyFile, folder + kServerFile);
   words.insert(words.end(),
-               {"-CA", made.ca_file, "-CAkey", ca_key, "-addext", "subjectAltName=IP:127.0.0.1",
+               {"-CA", folder + kCaFile, "-CAkey", ca_key, "-addext", "subjectAltName=IP:127.0.0.1",
                 "-addext", "basicConstraints=critical,CA:FALSE"});
-  done = run_to_make(made.server_file, words, log);
+  done = run_to_make(folder + kServerFile, words, log);
   std::error_code none;
   std::filesystem::remove(ca_key, none);  // nobody signs another one
-  if (!done.ok()) {
-    return Error{done.error()};
-  }
-  return made;
+  return done;
 }
 
 Status write_logins(const std::string& folder, const std::vector<Login>& logins) {
@@ -110,8 +150,7 @@ Status write_logins(const std::string& folder, const std::vector<Login>& logins)
   return write_private(folder + "/access", kAccess);
 }
 
-Status write_configuration(const std::string& folder, std::uint16_t port,
-                           const std::optional<Certificates>& certificates) {
+Status write_configuration(const std::string& folder, std::uint16_t port, bool tls) {
   std::string text = kLimits;
   // Started by root, it would become a user who cannot read this folder.
   if (geteuid() == 0) {
@@ -121,9 +160,9 @@ Status write_configuration(const std::string& folder, std::uint16_t port,
   text += "password_file " + folder + "/passwords\n";
   text += "acl_file " + folder + "/access\n";
   text += "listener " + std::to_string(port) + " 127.0.0.1\n";
-  if (certificates) {
-    text += "certfile " + certificates->server_file + '\n';
-    text += "keyfile " + certificates->server_key_file + '\n';
+  if (tls) {
+    text += "certfile " + folder + kServerFile + '\n';
+    text += "keyfile " + folder + kServerKeyFile + '\n';
     text += "tls_version tlsv1.3\n";
   }
   return write_private(folder + "/mosquitto.conf", text);

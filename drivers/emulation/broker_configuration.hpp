@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,15 +11,10 @@ namespace gsbench::emulation {
 
 constexpr const char* kBenchUser = "bench";
 
-// Of a certificate authority that signs one server certificate and is then forgotten.
-struct Certificates {
-  std::string ca_file;
-  std::string server_file;
-  std::string server_key_file;
-};
-
-// For 127.0.0.1, elliptic curve P-256, with the openssl program.
-drivers::Result<Certificates> make_certificates(const std::string& folder);
+// The files `ca.pem`, `server.pem` and `server.key` in `folder`, with the openssl program: of a
+// certificate authority that signs one certificate, for 127.0.0.1, and is then forgotten.
+constexpr const char* kCaFile = "/ca.pem";
+drivers::Status make_certificates(const std::string& folder);
 
 std::string new_password();
 
@@ -28,7 +22,8 @@ std::string new_password();
 drivers::Status write_logins(const std::string& folder, const std::vector<Login>& logins);
 
 // File `mosquitto.conf` in `folder`.
-drivers::Status write_configuration(const std::string& folder, std::uint16_t port,
-                                    const std::optional<Certificates>& certificates);
+drivers::Status write_configuration(const std::string& folder, std::uint16_t port, bool tls);
+
+std::string text_of(const std::string& file);
 
 }  // namespace gsbench::emulation

@@ -1,5 +1,4 @@
 #include "broker_configuration.hpp"
-#include "broker_program.hpp"
 #include "listening.hpp"
 #include <sys/resource.h>
 #include <unistd.h>
@@ -111,13 +110,11 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
   if (!done.ok()) {
     return Error{done.error()};
   }
-  std::optional<Certificates> certificates;
   if (options.tls) {
-    const auto made = make_certificates(folder);
-    if (!made.ok()) {
-      return Error{made.error()};
+    done = make_certificates(folder);
+    if (!done.ok()) {
+      return Error{done.error()};
     }
-    certificates = made.value();
   }
 
   // Kept until the broker listens on it, so that nobody else takes it before.
@@ -126,7 +123,7 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
     return Error{reserved.error()};
   }
   const std::uint16_t port = reserved.value().number();
-  done = write_configuration(folder, port, certificates);
+  done = write_configuration(folder, port, options.tls);
   if (!done.ok()) {
     return Error{done.error()};
   }
@@ -137,7 +134,7 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
   PrivateBroker broker(launched.take());
   broker.folder_ = folder;
   broker.port_ = port;
-  broker.ca_file_ = certificates ? certificates->ca_file : "";
+  broker.ca_file_ = options.tls ? folder + kCaFile : "";
   broker.bench_ = logins.front();
   for (auto login = logins.begin() + 1; login != logins.end(); ++login) {
     broker.outlets_[login->user] = *login;

@@ -60,7 +60,6 @@ struct FramedLink::Impl {
   void find_again(std::unique_lock<std::mutex>& lock);
 
   void listen();
-  std::vector<pollfd> waited_for();
 
   FramedOptions options;
   std::mutex mutex;
@@ -185,14 +184,6 @@ void FramedLink::Impl::find_again(std::unique_lock<std::mutex>& lock) {
   }
 }
 
-std::vector<pollfd> FramedLink::Impl::waited_for() {
-  std::vector<pollfd> all = {{wake.get(), POLLIN, 0}};
-  for (const auto& line : lines) {
-    all.push_back({line->port->descriptor(), POLLIN, 0});  // -1 is passed over
-  }
-  return all;
-}
-
 void FramedLink::Impl::listen() {
   std::unique_lock<std::mutex> lock(mutex);
   Clock::time_point next_look = Clock::now();
@@ -203,7 +194,10 @@ void FramedLink::Impl::listen() {
       ask();
       next_question = Clock::now() + kAskEvery;
     }
-    std::vector<pollfd> ready = waited_for();
+    std::vector<pollfd> ready = {{wake.get(), POLLIN, 0}};
+    for (const auto& line : lines) {
+      ready.push_back({line->port->descriptor(), POLLIN, 0});  // -1 is passed over
+    }
     lock.unlock();
     ::poll(ready.data(), ready.size(), static_cast<int>(kReopenEvery.count()));
     const std::int64_t arrival_ns =

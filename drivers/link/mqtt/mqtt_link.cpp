@@ -26,18 +26,6 @@ MqttLink::~MqttLink() {
 
 Status MqttLink::open() {
   close();
-  opened_ = std::make_unique<Opened>(options_);
-  Status done = opened_->connection.connect();
-  if (done.ok()) {
-    done = look_for_outlets();
-  }
-  if (!done.ok()) {
-    close();
-  }
-  return done;
-}
-
-Status MqttLink::look_for_outlets() {
   std::vector<std::string> filters;
   for (const std::string& id : options_.outlets) {
     filters.push_back(hello_topic(id));
@@ -46,7 +34,15 @@ Status MqttLink::look_for_outlets() {
   if (filters.empty()) {
     filters = {hello_topic("+"), up_topic("+")};
   }
-  return opened_->connection.subscribe(std::move(filters));
+  opened_ = std::make_unique<Opened>(options_);
+  Status done = opened_->connection.connect();
+  if (done.ok()) {
+    done = opened_->connection.subscribe(std::move(filters));
+  }
+  if (!done.ok()) {
+    close();
+  }
+  return done;
 }
 
 Status MqttLink::send(const std::string& id, const gs::wire::Downlink& message) {

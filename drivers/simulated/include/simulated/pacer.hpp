@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <thread>
 
 namespace gsbench::simulated {
 
@@ -13,9 +14,20 @@ class Pacer {
  public:
   explicit Pacer(Pace pace) : pace_(pace) {}
   // Tick 0 is now.
-  void start(std::int64_t sample_rate_hz);
+  void start(std::int64_t sample_rate_hz) {
+    sample_rate_hz_ = sample_rate_hz;
+    started_ = std::chrono::steady_clock::now();
+  }
   // Returns when the wall clock has reached the tick.
-  void wait_until(std::int64_t tick) const;
+  void wait_until(std::int64_t tick) const {
+    if (pace_ == Pace::kVirtual) {
+      return;
+    }
+    const std::int64_t whole_seconds = tick / sample_rate_hz_;
+    const std::int64_t rest_ns = (tick % sample_rate_hz_) * 1'000'000'000 / sample_rate_hz_;
+    std::this_thread::sleep_until(started_ + std::chrono::seconds(whole_seconds) +
+                                  std::chrono::nanoseconds(rest_ns));
+  }
 
  private:
   Pace pace_;

@@ -42,7 +42,6 @@ class MqttLink final : public Link {
  private:
   class Opened;
 
-  drivers::Status look_for_outlets();
   void send(std::size_t outlet, const gs::wire::Downlink& message);
 
   MqttOptions options_;
