@@ -101,14 +101,6 @@ const Capture::Track& Capture::track(const std::string& id) const {
   return found != tracks_.end() ? found->second : kEmpty;
 }
 
-const SettingsAnswer& Capture::settings_answer(const std::string& id) const {
-  return track(id).settings_answer;
-}
-
-std::uint32_t Capture::self_test_failed(const std::string& id) const {
-  return track(id).self_test_failed;
-}
-
 std::uint64_t Capture::last_report_sample(const std::string& id) const {
   const std::vector<std::int64_t>& samples = track(id).record.trace.tick;
   return samples.empty() ? 0 : static_cast<std::uint64_t>(samples.back());

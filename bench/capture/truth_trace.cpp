@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include <capture/truth_trace.hpp>
-#include <waveform/tick.hpp>
+#include <capture/capture.hpp>
+#include <waveform/synthesizer.hpp>
 
 namespace gsbench::capture {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <keys/key.hpp>
-#include <profile/keys.hpp>
+#include <profile/load.hpp>
 #include <station/station_file.hpp>
 
 namespace gsbench::cli {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <grid/grid.hpp>
-#include <grid/limits.hpp>
 
 namespace gsbench::grid {
 namespace {

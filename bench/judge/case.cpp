@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <judge/case.hpp>
-#include <waveform/tick.hpp>
+#include <waveform/synthesizer.hpp>
 
 namespace gsbench::judge {
 namespace {

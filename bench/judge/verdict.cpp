@@ -22,13 +22,9 @@ Judgement judge_number(const Reading& reading, double low, double high) {
     return {Verdict::kInconclusive, "the measurement gave no number"};
   }
   // How far inside the nearer limit; negative when outside.
-  double margin = std::numeric_limits<double>::infinity();
-  if (!std::isnan(low)) {
-    margin = std::min(margin, reading.value - low);
-  }
-  if (!std::isnan(high)) {
-    margin = std::min(margin, high - reading.value);
-  }
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  const double margin = std::min(std::isnan(low) ? kNoLimit : reading.value - low,
+                                 std::isnan(high) ? kNoLimit : high - reading.value);
   if (margin >= reading.uncertainty) {
     return {Verdict::kPass, ""};
   }

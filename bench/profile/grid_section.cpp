@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <grid/limits.hpp>
+#include <grid/grid.hpp>
 #include <outlet/settings.hpp>
 
 namespace gsbench::profile {

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <profile/keys.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::profile {

@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include <station/played_signal.hpp>
-#include <waveform/tick.hpp>
+#include <waveform/synthesizer.hpp>
 
 namespace gsbench::station {
 namespace {
@@ -108,10 +108,6 @@ std::vector<double> PlayedSignal::square_sum(std::int64_t first_tick, std::size_
 const PlayedSignal::Part& PlayedSignal::part_at(std::int64_t tick) const {
   return *std::find_if(parts_.rbegin(), std::prev(parts_.rend()),
                        [tick](const Part& part) { return part.first_tick <= tick; });
-}
-
-std::int64_t PlayedSignal::sample_rate_hz() const {
-  return parts_.front().synthesizer.sample_rate_hz();
 }
 
 int PlayedSignal::nominal_hz() const {

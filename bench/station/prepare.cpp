@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include <capture/truth_trace.hpp>
+#include <capture/capture.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::station {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <waveform/tick.hpp>
+#include <waveform/synthesizer.hpp>
 
 namespace gsbench::station {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <waveform/tick.hpp>
+#include <waveform/synthesizer.hpp>
 
 namespace gsbench::station {
 namespace {

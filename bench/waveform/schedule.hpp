@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <waveform/synthesizer.hpp>
-#include <waveform/tick.hpp>
 
 namespace gsbench::waveform {
 

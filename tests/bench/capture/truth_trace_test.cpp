@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <capture/truth_trace.hpp>
+#include <capture/capture.hpp>
 
 namespace gsbench::capture {
 namespace {

@@ -19,7 +19,7 @@
 
 #include <keys/document.hpp>
 #include <keys/key.hpp>
-#include <profile/keys.hpp>
+#include <profile/load.hpp>
 #include <station/station_file.hpp>
 
 namespace gsbench::profile::test {

@@ -120,6 +120,23 @@ TEST_F(StationFiles, IsRefusedWithThePlaceAndWhatWouldBeRight) {
   }
 }
 
+TEST_F(StationFiles, TakeABrokerByItsSchemeHostAndPort) {
+  const auto mqtt = [](const std::string& url) {
+    return std::string(kPhysical) + "[mqtt]\nca_file = \"ca.crt\"\nurl = \"" + url + "\"\n";
+  };
+  for (const char* url : {"mqtt://b:1", "mqtts://b:65535", "mqtt://10.0.0.1:01883"}) {
+    EXPECT_EQ(load(mqtt(url))->reachable()->broker.url, url);
+  }
+  for (const std::string& url :
+       {std::string("mqtt://:1883"), std::string("mqtt://b:"), std::string("mqtt://b:0"),
+        std::string("mqtt://b:001883"), std::string("mqtt://b:1883/"),
+        std::string("mqtt://b/c:1883"), std::string("mqtt://b:1:2"), std::string("mqtt://b:+1"),
+        std::string("mqttx://b:1883"), std::string(" mqtt://b:1883"),
+        "mqtt://" + std::string(300, 'b') + ":1883"}) {
+    EXPECT_NE(refusal_of([&] { (void)load(mqtt(url)); }), "") << url;
+  }
+}
+
 TEST(Stations, AnUnknownNameIsToldWithTheNearest) {
   EXPECT_THAT(refusal_of([] { (void)load_station("emulatd"); }), HasSubstr("\"emulated\""));
   EXPECT_NE(refusal_of([] { (void)load_station("nowhere/hardware.toml"); }), "");

@@ -9,6 +9,7 @@
 #include <capture/clock.hpp>
 #include <link/link.hpp>
 #include <record/run_record.hpp>
+#include <waveform/truth.hpp>
 
 namespace gsbench::capture {
 
@@ -31,9 +32,11 @@ class Capture {
   void add_edge(const std::string& id, std::int64_t tick, bool closed);
   void add_command(const std::string& id, std::int64_t tick, bool close);
 
-  const SettingsAnswer& settings_answer(const std::string& id) const;
+  const SettingsAnswer& settings_answer(const std::string& id) const {
+    return track(id).settings_answer;
+  }
   // Bits of gs::wire::SelfTestPart; 0 also where no result came.
-  std::uint32_t self_test_failed(const std::string& id) const;
+  std::uint32_t self_test_failed(const std::string& id) const { return track(id).self_test_failed; }
   // Stamp of the newest measurement; 0 before the first.
   std::uint64_t last_report_sample(const std::string& id) const;
   VoltageTrace voltage_trace(const std::string& id) const;  // its window is for the caller to set
@@ -59,5 +62,10 @@ class Capture {
   std::map<std::string, Track> tracks_;
   double sample_rate_hz_;
 };
+
+// One entry every 16 ms and two at each corner, just before it and at it, then thinned: straight
+// lines between those that are left are right within 0.05 mHz and 5 mHz/s at those that are not.
+record::TruthTrace truth_trace(const waveform::Truth& truth, std::int64_t duration_ticks,
+                               std::int64_t sample_rate_hz);
 
 }  // namespace gsbench::capture

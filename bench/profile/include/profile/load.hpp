@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <keys/error.hpp>
+#include <keys/key.hpp>
 #include <profile/files.hpp>
 #include <profile/plan.hpp>
 
@@ -54,5 +55,9 @@ std::vector<ProfileSummary> summaries_of(
     const std::vector<NamedFile>& files,
     const std::function<std::string(const NamedFile&)>& read_title);
 std::vector<std::string> list_grids();
+
+// What the files may say: every key, with unit, range and default.
+const keys::Key& profile_keys();
+const keys::Key& grid_keys();
 
 }  // namespace gsbench::profile

@@ -21,7 +21,9 @@ class PlayedSignal final : public source::Stimulus {
   // In ticks of the run: negative before it.
   const capture::Markers& markers() const { return markers_; }
 
-  std::int64_t sample_rate_hz() const override;
+  std::int64_t sample_rate_hz() const override {
+    return parts_.front().synthesizer.sample_rate_hz();
+  }
   std::int64_t total_ticks() const override { return lead_ticks_ + run_ticks_ + tail_ticks_; }
   int nominal_hz() const override;
   source::Noise noise() const override { return noise_; }

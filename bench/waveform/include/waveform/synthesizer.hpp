@@ -66,4 +66,8 @@ class Synthesizer {
   std::shared_ptr<const Impl> impl_;
 };
 
+// The first tick at or after t_s, an instant within a nanosecond of a sample being at that sample;
+// the largest one for times past the end of counting.
+std::int64_t tick_at(double t_s, std::int64_t sample_rate_hz);
+
 }  // namespace gsbench::waveform
