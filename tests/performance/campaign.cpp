@@ -3,10 +3,10 @@
 // run; exits with 1 where a figure falls short.
 #include "measuring.hpp"
 #include <sys/resource.h>
+#include <test_support/output_of.hpp>
 
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -34,14 +34,12 @@ double numpy_seconds(int seed) {
   const std::string command = "/usr/bin/python3 " GSBENCH_SOURCE_DIR
                               "/tests/performance/peers/estimates.py " +
                               std::to_string(kTrajectories) + ' ' + std::to_string(seed);
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  std::array<char, 128> line{};
-  const bool read = pipe != nullptr && std::fgets(line.data(), line.size(), pipe) != nullptr;
-  if (pipe == nullptr || pclose(pipe) != 0 || !read) {
+  const test::Output output = test::output_of(command);
+  if (output.exit_code != 0) {
     die("NumPy's part did not run: is python3-numpy installed?");
   }
   char* rest = nullptr;
-  const double seconds = std::strtod(line.data(), &rest);
+  const double seconds = std::strtod(output.text.c_str(), &rest);
   if (std::strtod(rest, nullptr) < 0.999) {
     die("NumPy's part does not do the same work");
   }

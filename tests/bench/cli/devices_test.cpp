@@ -1,13 +1,14 @@
 // What finds outlets and listens to them, on an emulated line or behind a broker.
 #include "gsbench_process.hpp"
-#include <test_support/waiting.hpp>
+#include <test_support/demand.hpp>
 #include <test_support/mains.hpp>
+#include <test_support/output_of.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -31,9 +32,7 @@ class OneOutlet : public testing::Test {
     emulation::HardwareOptions options;
     options.outlets = {{"kitchen-1", "host", connection_, 0.0}};
     options.host_program = GS_OUTLET_PROGRAM;
-    auto hardware = emulation::Hardware::set_up(options);
-    ASSERT_TRUE(hardware.ok()) << hardware.error();
-    hardware_ = hardware.take();
+    hardware_ = demand(emulation::Hardware::set_up(options));
     mains_ = std::thread([this] { play(); });
     if (connection_ == Connection::kSerial) {
       where_ = hardware_->serial_ports().front();
@@ -139,12 +138,8 @@ TEST_F(SerialStation, IsHeardLiveUntilInterrupted) {
 TEST_F(SerialStation, IsHeardNoLongerThanAnybodyReads) {
   const std::string command = "timeout 30 " + std::string(GSBENCH_PROGRAM) + " monitor --port " +
                               where_ + " 2>&1 | head -n 3";
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  std::string said;
-  for (char part[256]; std::fgets(part, sizeof part, pipe) != nullptr;) said += part;
   const auto began = std::chrono::steady_clock::now();
-  pclose(pipe);
-  EXPECT_EQ(lines_of(said).size(), 3U);
+  EXPECT_EQ(lines_of(output_of(command).text).size(), 3U);
   // The shell waits for both; without an end of its own the monitor would go on to the 30 s.
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(15));
 }

@@ -1,7 +1,8 @@
 // gsbench, killed in the middle of a run, leaves no process behind, and no file that the next one
 // does not remove.
-#include <test_support/waiting.hpp>
+#include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 #include <algorithm>
 #include <csignal>
@@ -68,11 +69,9 @@ TEST(KilledBench, LeavesNoEmulatorOutletOrBrokerBehindAndItsFilesToTheNext) {
                    "title = \"Calm\"\nsource = \"None\"\n[grid]\nsystem = \"ieee24\"\n[signal]\n"
                    "duration_s = 60.0\n[[outlet]]\ncount = 3\n"
                    "[[expect]]\nmeasure = \"event.count\"\nmax = 0\n");
-  auto started = Child::start(
+  Child bench = gsbench::test::demand(Child::start(
       {{GSBENCH_PROGRAM, "run", profile, "--station", station, "--out", folder.file("runs")},
-       folder.file("log")});
-  ASSERT_TRUE(started.ok()) << started.error();
-  Child bench = started.take();
+       folder.file("log")}));
   std::map<pid_t, std::string> children;
   ASSERT_TRUE(until([&] {
     children = children_of(bench.pid());
@@ -94,8 +93,7 @@ TEST(KilledBench, LeavesNoEmulatorOutletOrBrokerBehindAndItsFilesToTheNext) {
     EXPECT_TRUE(until([pid = pid] { return !runs(pid); })) << command;
   }
   EXPECT_TRUE(fs::exists(files));
-  const auto next = gsbench::emulation::Hardware::set_up({});
-  ASSERT_TRUE(next.ok()) << next.error();
+  const auto next = gsbench::test::demand(gsbench::emulation::Hardware::set_up({}));
   EXPECT_FALSE(fs::exists(files));
 }
 

@@ -2,6 +2,7 @@
 // station_of_four.cpp.
 #include "station_of_four.hpp"
 #include <shared_memory_io/shared_memory.hpp>
+#include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace {
 
 using gsbench::test::Bytes;
 using gsbench::test::change_hello;
+using gsbench::test::demand;
 using gsbench::test::every_nth_byte;
 using gsbench::test::Spoiling;
 using testing::AnyOf;
@@ -167,19 +169,16 @@ TEST_F(OutletFault, ATwinThatComesInTheMiddleIsToldOfItsIdAlone) {
                      {"spacer-3", 0.0},
                      {"spacer-4", 0.0},
                      {"radio-b", 0.0}};  // the fifth instance, which the station does not have
-  auto mains = emulation::Mains::create(options);
-  ASSERT_TRUE(mains.ok()) << mains.error();
+  const auto mains = demand(emulation::Mains::create(options));
   std::unique_ptr<emulation::Child> twin;
   at(0.5, [&] {
     const emulation::Login& login = hardware().broker()->outlet("radio-b");
-    auto started = emulation::Child::start(
+    twin = std::make_unique<emulation::Child>(demand(emulation::Child::start(
         {{GS_OUTLET_PROGRAM, "--mqtt", hardware().broker()->url(), "--ca",
           hardware().broker()->ca_file(), "--user", login.user, "--password-file",
-          folder.write("password", login.password + "\n"), "--terminals",
-          mains.value()->terminal_path(4), "--doorbell", mains.value()->doorbell_path(4)},
-         ""});
-    ASSERT_TRUE(started.ok()) << started.error();
-    twin = std::make_unique<emulation::Child>(started.take());
+          folder.write("password", login.password + "\n"), "--terminals", mains->terminal_path(4),
+          "--doorbell", mains->doorbell_path(4)},
+         ""})));
   });
   play();
   expect_fault(kRadioB, "is there twice: ");
