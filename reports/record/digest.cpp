@@ -45,7 +45,7 @@ class Digest {
 
   template <class Part>
   void add_fields(const Part& part) {
-    Fields<Part>::visit(part, [&](const char*, const auto& field) { add(field); });
+    visit_fields<Part>(part, [&](const char*, const auto& field) { add(field); });
   }
 
   template <class Part>
@@ -56,7 +56,7 @@ class Digest {
 
   // No outlets, no run id, no wall-clock stamps.
   void add_content(const RunRecord& head) {
-    Fields<RunRecord>::visit_content(head, [&](const char*, const auto& field) { add(field); });
+    visit_content(head, [&](const char*, const auto& field) { add(field); });
     add_parts(head.comparisons);
     add_fields(head.truth);
     add_parts(head.stimulus);

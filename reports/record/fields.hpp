@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include <record/run_record.hpp>
@@ -33,184 +33,155 @@ struct Seal {
 std::string seal_of_run(const RunRecord& head, bool complete);
 std::string seal_of_outlet(const OutletRecord& outlet);
 
-// Fields<T>::visit(object, visitor) calls visitor(name, member) for each field in a fixed order.
+// visit_fields<T>(object, visitor) calls visitor(name, member) for each field in a fixed order.
 template <class T>
-struct Fields;
+inline constexpr auto visit_fields = nullptr;
 
-template <>
-struct Fields<RunRecord> {
-  static constexpr const char* kTable = "run";
-  template <class Self, class Visitor>
-  static void visit(Self& run, Visitor&& visitor) {
-    visitor("run_id", run.run_id);
-    visitor("started_utc", run.started_utc);
-    visitor("finished_utc", run.finished_utc);
-    visit_content(run, std::forward<Visitor>(visitor));
-  }
-  // What is equal for equal profile, seed and build.
-  template <class Self, class Visitor>
-  static void visit_content(Self& run, Visitor&& visitor) {
-    visitor("gsbench_version", run.gsbench_version);
-    visitor("profile", run.profile);
-    visitor("profile_title", run.profile_title);
-    visitor("profile_source", run.profile_source);
-    visitor("profile_sha256", run.profile_sha256);
-    visitor("profile_text", run.profile_text);
-    visitor("grid", run.grid);
-    visitor("grid_sha256", run.grid_sha256);
-    visitor("recording_file", run.recording.file);
-    visitor("recording_sha256", run.recording.sha256);
-    visitor("recording_time", run.recording.time);
-    visitor("recording_frequency", run.recording.frequency);
-    visitor("recording_voltage", run.recording.voltage);
-    visitor("recording_nominal_voltage", run.recording.nominal_voltage);
-    visitor("recording_replaces_profile", run.recording.replaces_profile);
-    visitor("station", run.station);
-    visitor("noise", run.noise);
-    visitor("firmware_sha256", run.firmware_sha256);
-    visitor("seed", run.seed);
-    visitor("sample_rate_hz", run.sample_rate_hz);
-    visitor("duration_ticks", run.duration_ticks);
-    visitor("nominal_hz", run.nominal_hz);
-    visitor("uncertainty_relay_sense_ms", run.bench_uncertainty.relay_sense_ms);
-    visitor("uncertainty_frequency_mhz", run.bench_uncertainty.frequency_mhz);
-    visitor("interrupted", run.interrupted);
-    visitor("fault", run.fault);
-    visitor("verdict", run.verdict);
-    visitor("verdict_reason", run.verdict_reason);
-  }
+// What is equal for equal profile, seed and build.
+inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
+  visitor("gsbench_version", run.gsbench_version);
+  visitor("profile", run.profile);
+  visitor("profile_title", run.profile_title);
+  visitor("profile_source", run.profile_source);
+  visitor("profile_sha256", run.profile_sha256);
+  visitor("profile_text", run.profile_text);
+  visitor("grid", run.grid);
+  visitor("grid_sha256", run.grid_sha256);
+  visitor("recording_file", run.recording.file);
+  visitor("recording_sha256", run.recording.sha256);
+  visitor("recording_time", run.recording.time);
+  visitor("recording_frequency", run.recording.frequency);
+  visitor("recording_voltage", run.recording.voltage);
+  visitor("recording_nominal_voltage", run.recording.nominal_voltage);
+  visitor("recording_replaces_profile", run.recording.replaces_profile);
+  visitor("station", run.station);
+  visitor("noise", run.noise);
+  visitor("firmware_sha256", run.firmware_sha256);
+  visitor("seed", run.seed);
+  visitor("sample_rate_hz", run.sample_rate_hz);
+  visitor("duration_ticks", run.duration_ticks);
+  visitor("nominal_hz", run.nominal_hz);
+  visitor("uncertainty_relay_sense_ms", run.bench_uncertainty.relay_sense_ms);
+  visitor("uncertainty_frequency_mhz", run.bench_uncertainty.frequency_mhz);
+  visitor("interrupted", run.interrupted);
+  visitor("fault", run.fault);
+  visitor("verdict", run.verdict);
+  visitor("verdict_reason", run.verdict_reason);
 };
 
 template <>
-struct Fields<OutletRecord> {
-  static constexpr const char* kTable = "outlet";
-  template <class Self, class Visitor>
-  static void visit(Self& outlet, Visitor&& visitor) {
-    visitor("id", outlet.id);
-    visitor("took_part", outlet.took_part);
-    visitor("group", outlet.group);
-    visitor("link", outlet.link);
-    visitor("firmware", outlet.firmware);
-    visitor("settings_digest", outlet.settings_digest);
-    visitor("fault", outlet.fault);
-    visitor("relay_sensed", outlet.relay_sensed);
-    visitor("clock_drift_ppm", outlet.clock.drift_ppm);
-    visitor("clock_drift_uncertainty_ppm", outlet.clock.drift_uncertainty_ppm);
-    visitor("clock_uncertainty_ms", outlet.clock.uncertainty_ms);
-    visitor("verdict", outlet.verdict);
-  }
+inline constexpr auto visit_fields<RunRecord> = [](auto& run, auto&& visitor) {
+  visitor("run_id", run.run_id);
+  visitor("started_utc", run.started_utc);
+  visitor("finished_utc", run.finished_utc);
+  visit_content(run, visitor);
 };
 
 template <>
-struct Fields<Setting> {
-  static constexpr const char* kTable = "setting";
-  template <class Self, class Visitor>
-  static void visit(Self& setting, Visitor&& visitor) {
-    visitor("name", setting.name);
-    visitor("value", setting.value);
-  }
+inline constexpr auto visit_fields<OutletRecord> = [](auto& outlet, auto&& visitor) {
+  visitor("id", outlet.id);
+  visitor("took_part", outlet.took_part);
+  visitor("group", outlet.group);
+  visitor("link", outlet.link);
+  visitor("firmware", outlet.firmware);
+  visitor("settings_digest", outlet.settings_digest);
+  visitor("fault", outlet.fault);
+  visitor("relay_sensed", outlet.relay_sensed);
+  visitor("clock_drift_ppm", outlet.clock.drift_ppm);
+  visitor("clock_drift_uncertainty_ppm", outlet.clock.drift_uncertainty_ppm);
+  visitor("clock_uncertainty_ms", outlet.clock.uncertainty_ms);
+  visitor("verdict", outlet.verdict);
 };
 
 template <>
-struct Fields<MeasurementResult> {
-  static constexpr const char* kTable = "measurement";
-  template <class Self, class Visitor>
-  static void visit(Self& result, Visitor&& visitor) {
-    visitor("name", result.name);
-    visitor("definition", result.definition);
-    visitor("value", result.value);
-    visitor("word", result.word);
-    visitor("expected_word", result.expected_word);
-    visitor("unit", result.unit);
-    visitor("low", result.low);
-    visitor("high", result.high);
-    visitor("uncertainty", result.uncertainty);
-    visitor("judged", result.judged);
-    visitor("verdict", result.verdict);
-    visitor("reason", result.reason);
-  }
+inline constexpr auto visit_fields<Setting> = [](auto& setting, auto&& visitor) {
+  visitor("name", setting.name);
+  visitor("value", setting.value);
 };
 
 template <>
-struct Fields<Mark> {
-  static constexpr const char* kTable = "mark";
-  template <class Self, class Visitor>
-  static void visit(Self& mark, Visitor&& visitor) {
-    visitor("tick", mark.tick);
-    visitor("kind", mark.kind);
-    visitor("value", mark.value);
-    visitor("text", mark.text);
-  }
+inline constexpr auto visit_fields<MeasurementResult> = [](auto& result, auto&& visitor) {
+  visitor("name", result.name);
+  visitor("definition", result.definition);
+  visitor("value", result.value);
+  visitor("word", result.word);
+  visitor("expected_word", result.expected_word);
+  visitor("unit", result.unit);
+  visitor("low", result.low);
+  visitor("high", result.high);
+  visitor("uncertainty", result.uncertainty);
+  visitor("judged", result.judged);
+  visitor("verdict", result.verdict);
+  visitor("reason", result.reason);
 };
 
 template <>
-struct Fields<Comparison> {
-  static constexpr const char* kTable = "comparison";
-  template <class Self, class Visitor>
-  static void visit(Self& comparison, Visitor&& visitor) {
-    visitor("name", comparison.name);
-    visitor("unit", comparison.unit);
-    visitor("ours", comparison.ours);
-    visitor("published", comparison.published);
-    visitor("note", comparison.note);
-  }
+inline constexpr auto visit_fields<Mark> = [](auto& mark, auto&& visitor) {
+  visitor("tick", mark.tick);
+  visitor("kind", mark.kind);
+  visitor("value", mark.value);
+  visitor("text", mark.text);
 };
 
 template <>
-struct Fields<Series> {
-  static constexpr const char* kTable = "series";
-  template <class Self, class Visitor>
-  static void visit(Self& series, Visitor&& visitor) {
-    visitor("name", series.name);
-    visitor("entries", series.entries);
-    visitor("data", series.data);
-  }
+inline constexpr auto visit_fields<Comparison> = [](auto& comparison, auto&& visitor) {
+  visitor("name", comparison.name);
+  visitor("unit", comparison.unit);
+  visitor("ours", comparison.ours);
+  visitor("published", comparison.published);
+  visitor("note", comparison.note);
 };
 
 template <>
-struct Fields<Seal> {
-  static constexpr const char* kTable = "seal";
-  template <class Self, class Visitor>
-  static void visit(Self& seal, Visitor&& visitor) {
-    visitor("complete", seal.complete);
-    visitor("sha256", seal.sha256);
-  }
+inline constexpr auto visit_fields<Series> = [](auto& series, auto&& visitor) {
+  visitor("name", series.name);
+  visitor("entries", series.entries);
+  visitor("data", series.data);
+};
+
+template <>
+inline constexpr auto visit_fields<Seal> = [](auto& seal, auto&& visitor) {
+  visitor("complete", seal.complete);
+  visitor("sha256", seal.sha256);
 };
 
 // Traces: every field is a column, kept as a Series of that name.
 
 template <>
-struct Fields<MeasurementTrace> {
-  template <class Self, class Visitor>
-  static void visit(Self& trace, Visitor&& visitor) {
-    visitor("trace.tick", trace.tick);
-    visitor("trace.frequency_hz", trace.frequency_hz);
-    visitor("trace.rocof_hz_s", trace.rocof_hz_s);
-    visitor("trace.voltage_pu", trace.voltage_pu);
-    visitor("trace.validity", trace.validity);
-  }
+inline constexpr auto visit_fields<MeasurementTrace> = [](auto& trace, auto&& visitor) {
+  visitor("trace.tick", trace.tick);
+  visitor("trace.frequency_hz", trace.frequency_hz);
+  visitor("trace.rocof_hz_s", trace.rocof_hz_s);
+  visitor("trace.voltage_pu", trace.voltage_pu);
+  visitor("trace.validity", trace.validity);
 };
 
 template <>
-struct Fields<EstimateTrace> {
-  template <class Self, class Visitor>
-  static void visit(Self& trace, Visitor&& visitor) {
-    visitor("estimates.tick", trace.tick);
-    visitor("estimates.loss_mw", trace.loss_mw);
-    visitor("estimates.loss_sigma_mw", trace.loss_sigma_mw);
-    visitor("estimates.t_x_s", trace.t_x_s);
-    visitor("estimates.trusted", trace.trusted);
-  }
+inline constexpr auto visit_fields<EstimateTrace> = [](auto& trace, auto&& visitor) {
+  visitor("estimates.tick", trace.tick);
+  visitor("estimates.loss_mw", trace.loss_mw);
+  visitor("estimates.loss_sigma_mw", trace.loss_sigma_mw);
+  visitor("estimates.t_x_s", trace.t_x_s);
+  visitor("estimates.trusted", trace.trusted);
 };
 
 template <>
-struct Fields<TruthTrace> {
-  template <class Self, class Visitor>
-  static void visit(Self& trace, Visitor&& visitor) {
-    visitor("truth.tick", trace.tick);
-    visitor("truth.frequency_hz", trace.frequency_hz);
-    visitor("truth.rocof_hz_s", trace.rocof_hz_s);
-  }
+inline constexpr auto visit_fields<TruthTrace> = [](auto& trace, auto&& visitor) {
+  visitor("truth.tick", trace.tick);
+  visitor("truth.frequency_hz", trace.frequency_hz);
+  visitor("truth.rocof_hz_s", trace.rocof_hz_s);
 };
+
+template <class Part>
+constexpr const char* table_name() {
+  if constexpr (std::is_same_v<Part, RunRecord>) return "run";
+  if constexpr (std::is_same_v<Part, OutletRecord>) return "outlet";
+  if constexpr (std::is_same_v<Part, Setting>) return "setting";
+  if constexpr (std::is_same_v<Part, MeasurementResult>) return "measurement";
+  if constexpr (std::is_same_v<Part, Mark>) return "mark";
+  if constexpr (std::is_same_v<Part, Comparison>) return "comparison";
+  if constexpr (std::is_same_v<Part, Series>) return "series";
+  if constexpr (std::is_same_v<Part, Seal>) return "seal";
+}
 
 }  // namespace gsbench::record

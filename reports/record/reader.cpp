@@ -28,7 +28,7 @@ SeriesByName select_series(Database& database, std::int64_t owner) {
 
 template <class Trace>
 void unpack_trace(const SeriesByName& series, Trace& trace) {
-  Fields<Trace>::visit(trace, [&](const char* name, auto& column) {
+  visit_fields<Trace>(trace, [&](const char* name, auto& column) {
     const auto found = series.find(name);
     if (found == series.end()) throw columns::DamagedColumn("no column " + std::string(name));
     columns::unpack(found->second.data, found->second.entries, column);
@@ -42,7 +42,7 @@ template <class Part>
 Part select_one(Database& database, std::int64_t owner) {
   std::vector<Part> parts = select<Part>(database, owner);
   if (parts.size() != 1) {
-    database.fail("the record is damaged: no single " + std::string(Fields<Part>::kTable));
+    database.fail("the record is damaged: no single " + std::string(table_name<Part>()));
   }
   return std::move(parts.front());
 }
@@ -66,7 +66,7 @@ OutletRecord read_outlet(Database& database, std::int64_t owner) {
 enum class Extent { kHead, kWhole };
 
 RunRecord read_parts(Database& database, Extent extent) {
-  if (database.integer("SELECT count(*) FROM \"run\"") == 0) {
+  if (database.first<std::int64_t>("SELECT count(*) FROM \"run\"") == 0) {
     RunRecord never_begun;
     mark_unfinished(never_begun);
     return never_begun;
@@ -80,7 +80,7 @@ RunRecord read_parts(Database& database, Extent extent) {
     database.fail("the record is damaged: the run is not what was written");
   }
   if (extent == Extent::kWhole) {
-    const auto outlets = database.integer("SELECT count(*) FROM \"outlet\"");
+    const auto outlets = database.first<std::int64_t>("SELECT count(*) FROM \"outlet\"");
     for (std::int64_t owner = 1; owner <= outlets; ++owner) {
       run.outlets.push_back(read_outlet(database, owner));
     }
@@ -96,7 +96,7 @@ RunRecord read(const std::string& path, Extent extent) {
   database.execute("PRAGMA cell_size_check = ON");
   check_schema(database);
   // The whole file is looked through: what is not read need not be whole.
-  if (extent == Extent::kWhole && database.text("PRAGMA quick_check(1)") != "ok") {
+  if (extent == Extent::kWhole && database.first<std::string>("PRAGMA quick_check(1)") != "ok") {
     database.fail("the record is damaged");
   }
   // One transaction, so that a run still being written is read as it was at one instant.

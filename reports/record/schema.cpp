@@ -16,10 +16,10 @@ const char* column_type() {
 
 template <class Part>
 std::string create_table() {
-  std::string sql = "CREATE TABLE \"" + std::string(Fields<Part>::kTable) +
+  std::string sql = "CREATE TABLE \"" + std::string(table_name<Part>()) +
                     "\" (owner INTEGER NOT NULL, position INTEGER NOT NULL";
   Part part;
-  Fields<Part>::visit(part, [&](const char* name, const auto& field) {
+  visit_fields<Part>(part, [&](const char* name, const auto& field) {
     using Field = std::decay_t<decltype(field)>;
     sql += ", \"" + std::string(name) + "\" " + column_type<Field>();
   });
@@ -27,7 +27,7 @@ std::string create_table() {
 }
 
 std::string tables_of(Database& database) {
-  return database.text(
+  return database.first<std::string>(
       "SELECT group_concat(type || ' ' || name || ' ' || coalesce(sql, ''), char(10)) "
       "FROM (SELECT type, name, sql FROM sqlite_schema ORDER BY type, name)");
 }
@@ -42,10 +42,10 @@ std::string schema_sql() {
 }
 
 void check_schema(Database& database) {
-  if (database.integer("PRAGMA application_id") != kApplicationId) {
+  if (database.first<std::int64_t>("PRAGMA application_id") != kApplicationId) {
     database.fail("not a gsbench record");
   }
-  const std::int64_t version = database.integer("PRAGMA user_version");
+  const std::int64_t version = database.first<std::int64_t>("PRAGMA user_version");
   if (version != kSchemaVersion) {
     database.fail("a record of version " + std::to_string(version) + ", where this gsbench reads " +
                   std::to_string(kSchemaVersion) +

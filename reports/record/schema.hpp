@@ -27,7 +27,7 @@ template <class Part>
 std::string column_names() {
   std::string names;
   Part part;
-  Fields<Part>::visit(part, [&](const char* name, const auto&) {
+  visit_fields<Part>(part, [&](const char* name, const auto&) {
     if (!names.empty()) names += ", ";
     names += '"' + std::string(name) + '"';
   });
@@ -39,8 +39,8 @@ void insert(Database& database, std::int64_t owner, const std::vector<Part>& par
   int count = 2;
   Part empty;
   std::string places = "?, ?";
-  Fields<Part>::visit(empty, [&](const char*, const auto&) { places += ", ?"; });
-  Statement statement = database.prepare("INSERT INTO \"" + std::string(Fields<Part>::kTable) +
+  visit_fields<Part>(empty, [&](const char*, const auto&) { places += ", ?"; });
+  Statement statement = database.prepare("INSERT INTO \"" + std::string(table_name<Part>()) +
                                          "\" (owner, position, " + column_names<Part>() +
                                          ") VALUES (" + places + ")");
   std::int64_t position = 0;
@@ -48,8 +48,8 @@ void insert(Database& database, std::int64_t owner, const std::vector<Part>& par
     statement.bind(1, owner);
     statement.bind(2, position++);
     count = 2;
-    Fields<Part>::visit(part,
-                        [&](const char*, const auto& field) { statement.bind(++count, field); });
+    visit_fields<Part>(part,
+                       [&](const char*, const auto& field) { statement.bind(++count, field); });
     statement.step();
     statement.reset();
   }
@@ -58,14 +58,14 @@ void insert(Database& database, std::int64_t owner, const std::vector<Part>& par
 template <class Part>
 std::vector<Part> select(Database& database, std::int64_t owner) {
   Statement statement =
-      database.prepare("SELECT " + column_names<Part>() + " FROM \"" + Fields<Part>::kTable +
+      database.prepare("SELECT " + column_names<Part>() + " FROM \"" + table_name<Part>() +
                        "\" WHERE owner = ? ORDER BY position");
   statement.bind(1, owner);
   std::vector<Part> parts;
   while (statement.step()) {
     Part part;
     int column = 0;
-    Fields<Part>::visit(part, [&](const char*, auto& field) { statement.get(column++, field); });
+    visit_fields<Part>(part, [&](const char*, auto& field) { statement.get(column++, field); });
     parts.push_back(std::move(part));
   }
   return parts;

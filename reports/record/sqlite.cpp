@@ -94,18 +94,19 @@ Statement Database::prepare(const std::string& sql) {
   return {*this, statement};
 }
 
-std::int64_t Database::integer(const std::string& sql) {
-  Statement statement = prepare(sql);
-  std::int64_t value = 0;
-  if (statement.step()) statement.get(0, value);
-  return value;
-}
-
-std::string Database::text(const std::string& sql) {
-  Statement statement = prepare(sql);
-  std::string value;
-  if (statement.step()) statement.get(0, value);
-  return value;
+void Database::transact(const std::function<void()>& work) {
+  execute("BEGIN IMMEDIATE");
+  try {
+    work();
+    execute("COMMIT");
+  } catch (...) {
+    try {
+      execute("ROLLBACK");
+    } catch (const StoreError&) {
+      // SQLite has rolled back already (disk full, I/O error); the first error is on its way.
+    }
+    throw;
+  }
 }
 
 Statement::Statement(const Database& database, sqlite3_stmt* handle)
@@ -186,24 +187,6 @@ void Statement::get(int column, std::vector<std::uint8_t>& value) const {
   const int size = sqlite3_column_bytes(handle_, column);
   value.clear();
   if (data != nullptr) value.assign(data, data + size);
-}
-
-Transaction::Transaction(Database& database) : database_(database) {
-  database_.execute("BEGIN IMMEDIATE");
-}
-
-Transaction::~Transaction() {
-  if (!open_) return;
-  try {
-    database_.execute("ROLLBACK");
-  } catch (const StoreError&) {
-    // SQLite has rolled back already (disk full, I/O error); the first error is on its way.
-  }
-}
-
-void Transaction::commit() {
-  database_.execute("COMMIT");
-  open_ = false;
 }
 
 }  // namespace gsbench::record

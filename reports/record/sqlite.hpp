@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,10 @@ class Database {
 
   void execute(const std::string& sql);
   Statement prepare(const std::string& sql);
-  std::int64_t integer(const std::string& sql);  // first column of the first row
-  std::string text(const std::string& sql);
+  template <class Value>
+  Value first(const std::string& sql);  // column of the first row
+  // Does it in one transaction, which is rolled back where it throws.
+  void transact(const std::function<void()>& work);
 
   [[noreturn]] void fail(const std::string& cause) const;  // "path: cause"
   [[noreturn]] void fail_with(int code) const;
@@ -76,18 +79,12 @@ class Statement {
   sqlite3_stmt* handle_;
 };
 
-// Rolls back unless committed.
-class Transaction {
- public:
-  explicit Transaction(Database& database);
-  ~Transaction();
-  Transaction(const Transaction&) = delete;
-  Transaction& operator=(const Transaction&) = delete;
-  void commit();
-
- private:
-  Database& database_;
-  bool open_ = true;
-};
+template <class Value>
+Value Database::first(const std::string& sql) {
+  Statement statement = prepare(sql);
+  Value value{};
+  if (statement.step()) statement.get(0, value);
+  return value;
+}
 
 }  // namespace gsbench::record

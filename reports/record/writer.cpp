@@ -23,7 +23,7 @@ void create_empty(const std::string& path) {
 
 template <class Trace>
 void insert_trace(std::vector<Series>& all, const Trace& trace) {
-  Fields<Trace>::visit(trace, [&](const char* name, const auto& column) {
+  visit_fields<Trace>(trace, [&](const char* name, const auto& column) {
     if (column.size() != trace.tick.size()) {
       throw std::invalid_argument(std::string(name) + " has " + std::to_string(column.size()) +
                                   " entries, its ticks " + std::to_string(trace.tick.size()));
@@ -39,11 +39,11 @@ struct Writer::Impl {
     // WAL with a full sync keeps each finished transaction through a power cut; there are few.
     database.execute("PRAGMA journal_mode = WAL");
     database.execute("PRAGMA synchronous = FULL");
-    Transaction transaction(database);
-    database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
-    database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
-    database.execute(schema_sql());
-    transaction.commit();
+    database.transact([&] {
+      database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
+      database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
+      database.execute(schema_sql());
+    });
   }
 
   ~Impl() {
@@ -58,19 +58,19 @@ struct Writer::Impl {
   void write_head(const RunRecord& run, bool complete) {
     std::vector<Series> series;
     insert_trace(series, run.truth);
-    Transaction transaction(database);
-    for (const char* table : {"run", "comparison", "mark", "series", "seal"}) {
-      database.execute("DELETE FROM \"" + std::string(table) +
-                       "\" WHERE owner = " + std::to_string(kRunOwner));
-    }
-    RunRecord head = run;
-    head.outlets.clear();
-    insert(database, kRunOwner, std::vector<RunRecord>{head});
-    insert(database, kRunOwner, run.comparisons);
-    insert(database, kRunOwner, run.stimulus);
-    insert(database, kRunOwner, series);
-    insert(database, kRunOwner, std::vector<Seal>{{complete, seal_of_run(head, complete)}});
-    transaction.commit();
+    database.transact([&] {
+      for (const char* table : {"run", "comparison", "mark", "series", "seal"}) {
+        database.execute("DELETE FROM \"" + std::string(table) +
+                         "\" WHERE owner = " + std::to_string(kRunOwner));
+      }
+      RunRecord head = run;
+      head.outlets.clear();
+      insert(database, kRunOwner, std::vector<RunRecord>{head});
+      insert(database, kRunOwner, run.comparisons);
+      insert(database, kRunOwner, run.stimulus);
+      insert(database, kRunOwner, series);
+      insert(database, kRunOwner, std::vector<Seal>{{complete, seal_of_run(head, complete)}});
+    });
   }
 
   void write_outlet(const OutletRecord& outlet) {
@@ -79,15 +79,15 @@ struct Writer::Impl {
     insert_trace(series, outlet.estimates);
     std::vector<Setting> settings;
     for (const auto& [name, value] : outlet.settings) settings.push_back({name, value});
-    Transaction transaction(database);
-    const std::int64_t owner = outlets + 1;
-    insert(database, owner, std::vector<OutletRecord>{outlet});
-    insert(database, owner, settings);
-    insert(database, owner, outlet.measurements);
-    insert(database, owner, outlet.marks);
-    insert(database, owner, series);
-    insert(database, owner, std::vector<Seal>{{true, seal_of_outlet(outlet)}});
-    transaction.commit();
+    database.transact([&] {
+      const std::int64_t owner = outlets + 1;
+      insert(database, owner, std::vector<OutletRecord>{outlet});
+      insert(database, owner, settings);
+      insert(database, owner, outlet.measurements);
+      insert(database, owner, outlet.marks);
+      insert(database, owner, series);
+      insert(database, owner, std::vector<Seal>{{true, seal_of_outlet(outlet)}});
+    });
     ++outlets;
   }
 

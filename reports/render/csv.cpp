@@ -1,8 +1,11 @@
 #include "format.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -10,6 +13,8 @@
 
 namespace gsbench::render {
 namespace {
+
+constexpr std::string_view kFourEmpty = ",,,,";
 
 // RFC 4180.
 std::string quoted(const std::string& text) {
@@ -22,24 +27,12 @@ std::string quoted(const std::string& text) {
   return cell + '"';
 }
 
-class Row {
- public:
-  explicit Row(fmt::memory_buffer& out) : out_(out) {}
-
-  // Shortest digits that read back as the same number; nothing for a number there is not.
-  template <class Number>
-  void cell(Number value) {
-    out_.push_back(',');
-    if (!std::isnan(value)) fmt::format_to(std::back_inserter(out_), "{}", value);
-  }
-  void word(const char* text) { fmt::format_to(std::back_inserter(out_), ",{}", text); }
-  void empty(int cells) {
-    for (int i = 0; i < cells; ++i) out_.push_back(',');
-  }
-
- private:
-  fmt::memory_buffer& out_;
-};
+// Shortest digits that read back as the same number; nothing for a number there is not.
+template <class Number>
+void add_cell(fmt::memory_buffer& out, Number value) {
+  out.push_back(',');
+  if (!std::isnan(value)) fmt::format_to(std::back_inserter(out), "{}", value);
+}
 
 const char* validity_word(std::uint8_t validity) {
   constexpr std::array kWords = {"invalid", "valid", "held"};
@@ -53,38 +46,34 @@ void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outle
   const std::string id = quoted(outlet.id);
   const record::MeasurementTrace& trace = outlet.trace;
   const record::EstimateTrace& estimates = outlet.estimates;
+  constexpr auto kNone = std::numeric_limits<std::int64_t>::max();
   std::size_t report = 0;
   std::size_t estimate = 0;
   while (report < trace.tick.size() || estimate < estimates.tick.size()) {
-    const bool reports_left = report < trace.tick.size();
-    const bool estimates_left = estimate < estimates.tick.size();
-    const bool has_report =
-        reports_left && (!estimates_left || trace.tick[report] <= estimates.tick[estimate]);
-    const bool has_estimate =
-        estimates_left && (!reports_left || estimates.tick[estimate] <= trace.tick[report]);
-    const std::int64_t tick = has_report ? trace.tick[report] : estimates.tick[estimate];
-
+    const std::int64_t report_tick = report < trace.tick.size() ? trace.tick[report] : kNone;
+    const std::int64_t estimate_tick =
+        estimate < estimates.tick.size() ? estimates.tick[estimate] : kNone;
+    const std::int64_t tick = std::min(report_tick, estimate_tick);
     out.append(id);
-    Row row(out);
-    row.cell(seconds(run, tick));
-    row.cell(record::frequency_hz(run.truth, tick));
-    if (has_report) {
-      row.cell(trace.frequency_hz[report]);
-      row.cell(trace.rocof_hz_s[report]);
-      row.cell(trace.voltage_pu[report]);
-      row.word(validity_word(trace.validity[report]));
+    add_cell(out, seconds(run, tick));
+    add_cell(out, record::frequency_hz(run.truth, tick));
+    if (report < trace.tick.size() && report_tick == tick) {
+      add_cell(out, trace.frequency_hz[report]);
+      add_cell(out, trace.rocof_hz_s[report]);
+      add_cell(out, trace.voltage_pu[report]);
+      fmt::format_to(std::back_inserter(out), ",{}", validity_word(trace.validity[report]));
       ++report;
     } else {
-      row.empty(4);
+      out.append(kFourEmpty);
     }
-    if (has_estimate) {
-      row.cell(estimates.loss_mw[estimate]);
-      row.cell(estimates.loss_sigma_mw[estimate]);
-      row.word(estimates.trusted[estimate] != 0 ? "1" : "0");
-      row.cell(estimates.t_x_s[estimate]);
+    if (estimate < estimates.tick.size() && estimate_tick == tick) {
+      add_cell(out, estimates.loss_mw[estimate]);
+      add_cell(out, estimates.loss_sigma_mw[estimate]);
+      add_cell(out, estimates.trusted[estimate] != 0 ? 1 : 0);
+      add_cell(out, estimates.t_x_s[estimate]);
       ++estimate;
     } else {
-      row.empty(4);
+      out.append(kFourEmpty);
     }
     out.push_back('\n');
   }
@@ -95,8 +84,8 @@ void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outle
 std::string csv(const record::RunRecord& run) {
   fmt::memory_buffer out;
   out.append(
-      std::string("outlet,t_s,true_frequency_hz,frequency_hz,rocof_hz_s,voltage_pu,validity,loss_"
-                  "mw,loss_sigma_mw,trusted,t_x_s\n"));
+      std::string("outlet,t_s,true_frequency_hz,frequency_hz,rocof_hz_s,voltage_pu,validity,"
+                  "loss_mw,loss_sigma_mw,trusted,t_x_s\n"));
   for (const record::OutletRecord& outlet : run.outlets) outlet_rows(run, outlet, out);
   return fmt::to_string(out);
 }

@@ -12,11 +12,6 @@ namespace {
 
 constexpr int kMostDecimals = 9;
 
-std::string not_finite(double value) {
-  if (std::isnan(value)) return "–";
-  return value > 0.0 ? "∞" : "-∞";
-}
-
 // "-0.00" says nothing that "0.00" does not.
 std::string without_negative_zero(std::string text) {
   if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
@@ -41,7 +36,8 @@ std::string rounded_up(double uncertainty) {
 }  // namespace
 
 std::string figure(double value, int significant) {
-  if (!std::isfinite(value)) return not_finite(value);
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value > 0.0 ? "∞" : "-∞";
   if (value == 0.0) return "0";
   const int decimals = significant - 1 - magnitude(value);
   if (decimals > kMostDecimals) return fmt::format("{:.{}g}", value, significant);
@@ -69,15 +65,14 @@ std::string limits(const record::MeasurementResult& result) {
   if (!result.expected_word.empty()) return result.expected_word;
   const bool has_low = !std::isnan(result.low);
   const bool has_high = !std::isnan(result.high);
-  if (has_low && has_high && result.low == result.high) {
-    return with_unit("= " + figure(result.low, 6), result.unit);
-  }
-  if (has_low && has_high) {
-    return with_unit(figure(result.low, 6) + " … " + figure(result.high, 6), result.unit);
-  }
-  if (has_low) return with_unit("≥ " + figure(result.low, 6), result.unit);
-  if (has_high) return with_unit("≤ " + figure(result.high, 6), result.unit);
-  return "";
+  if (!has_low && !has_high) return "";
+  const std::string low = figure(result.low, 6);
+  const std::string high = figure(result.high, 6);
+  const std::string text = !has_high                   ? "≥ " + low
+                           : !has_low                  ? "≤ " + high
+                           : result.low == result.high ? "= " + low
+                                                       : low + " … " + high;
+  return with_unit(text, result.unit);
 }
 
 std::string value_of(const record::MeasurementResult& result) {

@@ -153,11 +153,8 @@ object page(const record::RunRecord& run) {
       {"played", played},
       {"profile_text", valid_text(run.profile_text)},
       {"plot_data", plot_data(run)},
-      {"report_css", std::string(templates::report_css)},
       {"report_js", std::string(templates::report_js)},
-      {"dygraphs_js", std::string(templates::dygraphs_js)},
-      {"dygraphs_css", std::string(templates::dygraphs_css)},
-      {"dygraphs_licence", std::string(templates::dygraphs_licence)}};
+  };
   set_verdict(view, run.verdict);
   return view;
 }

@@ -1,10 +1,16 @@
 #include "html_elements.hpp"
 
+#include "templates.hpp"
+
 #include <utility>
 
 namespace gsbench::render {
 
-std::string filled(std::string_view page_template, const object& values) {
+std::string filled(std::string_view page_template, object values) {
+  values["report_css"] = std::string(templates::report_css);
+  values["dygraphs_js"] = std::string(templates::dygraphs_js);
+  values["dygraphs_css"] = std::string(templates::dygraphs_css);
+  values["dygraphs_licence"] = std::string(templates::dygraphs_licence);
   return kainjow::mustache::mustache(std::string(page_template)).render(values);
 }
 

@@ -16,8 +16,8 @@ namespace gsbench::render {
 using kainjow::mustache::object;
 using List = kainjow::mustache::list;
 
-// The page of a template, with these values. Compiled once: the template's reader is a header.
-std::string filled(std::string_view page_template, const object& values);
+// The page of a template, with these values, style sheet and plotting library.
+std::string filled(std::string_view page_template, object values);
 
 // A template's section takes an empty text for true; a flag is what it says.
 kainjow::mustache::data flag(bool value);

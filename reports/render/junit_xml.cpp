@@ -31,31 +31,33 @@ Case case_of(const record::MeasurementResult& result) {
   return one;
 }
 
+// The element that says so; "" for a case that passed.
+std::string outcome_of(const Case& one) {
+  if (!one.judged) return "skipped";
+  if (one.verdict == Verdict::kPass) return "";
+  return one.verdict == Verdict::kError ? "error" : "failure";
+}
+
 void write_suite(QXmlStreamWriter& xml, const record::RunRecord& run, const std::string& name,
                  const std::vector<Case>& cases) {
-  const auto count = [&](auto&& which) {
-    return QString::number(std::count_if(cases.begin(), cases.end(), which));
+  const auto count = [&](const char* outcome) {
+    return QString::number(std::count_if(
+        cases.begin(), cases.end(), [&](const Case& one) { return outcome_of(one) == outcome; }));
   };
   xml.writeStartElement("testsuite");
   xml.writeAttribute("name", text(name));
   xml.writeAttribute("tests", QString::number(cases.size()));
-  xml.writeAttribute("failures", count([](const Case& one) {
-                       return one.judged && (one.verdict == Verdict::kFail ||
-                                             one.verdict == Verdict::kInconclusive);
-                     }));
-  xml.writeAttribute("errors", count([](const Case& one) {
-                       return one.judged && one.verdict == Verdict::kError;
-                     }));
-  xml.writeAttribute("skipped", count([](const Case& one) { return !one.judged; }));
+  xml.writeAttribute("failures", count("failure"));
+  xml.writeAttribute("errors", count("error"));
+  xml.writeAttribute("skipped", count("skipped"));
   xml.writeAttribute("timestamp", text(run.started_utc));
   for (const Case& one : cases) {
     xml.writeStartElement("testcase");
     xml.writeAttribute("classname", text(run.profile + "." + name));
     xml.writeAttribute("name", text(one.name));
-    if (!one.judged || one.verdict != Verdict::kPass) {
-      xml.writeStartElement(!one.judged                      ? "skipped"
-                            : one.verdict == Verdict::kError ? "error"
-                                                             : "failure");
+    const std::string outcome = outcome_of(one);
+    if (!outcome.empty()) {
+      xml.writeStartElement(QString::fromStdString(outcome));
       if (one.judged) xml.writeAttribute("type", record::to_string(one.verdict));
       xml.writeAttribute("message", text(one.message));
       xml.writeEndElement();

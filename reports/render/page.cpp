@@ -76,10 +76,6 @@ std::string heat_of(const FigureTable& table, double figure) {
 }
 
 object table_data(const FigureTable& table) {
-  List columns;
-  for (const std::string& column : table.columns) {
-    columns.push_back(object{{"column", column}});
-  }
   List rows;
   for (const FigureRow& row : table.rows) {
     List cells;
@@ -91,7 +87,7 @@ object table_data(const FigureTable& table) {
   }
   return {{"caption", table.caption},
           {"first", table.first_column},
-          {"columns", columns},
+          {"columns", List(table.columns.begin(), table.columns.end())},
           {"rows", rows}};
 }
 
@@ -147,10 +143,6 @@ std::string html(const record::Page& page) {
   List sections;
   Json plots = Json::array();
   for (const record::PageSection& section : page.sections) {
-    List paragraphs;
-    for (const std::string& paragraph : section.paragraphs) {
-      paragraphs.push_back(object{{"paragraph", paragraph}});
-    }
     List tables;
     for (const FigureTable& table : section.tables) {
       tables.push_back(table_data(table));
@@ -161,21 +153,18 @@ std::string html(const record::Page& page) {
           object{{"number", std::to_string(plots.size())}, {"caption", plot.caption}});
       plots.push_back(plot_json(plot));
     }
-    sections.push_back(object{{"id", section.id},
-                              {"heading", section.title},
-                              {"paragraphs", paragraphs},
-                              {"tables", tables},
-                              {"plots", plot_places}});
+    sections.push_back(
+        object{{"id", section.id},
+               {"heading", section.title},
+               {"paragraphs", List(section.paragraphs.begin(), section.paragraphs.end())},
+               {"tables", tables},
+               {"plots", plot_places}});
   }
   const object all = {{"title", page.title},
                       {"subtitle", page.subtitle},
                       {"facts", facts},
                       {"sections", sections},
                       {"plots_json", in_script(plots)},
-                      {"dygraphs_js", std::string(templates::dygraphs_js)},
-                      {"dygraphs_css", std::string(templates::dygraphs_css)},
-                      {"dygraphs_licence", std::string(templates::dygraphs_licence)},
-                      {"report_css", std::string(templates::report_css)},
                       {"page_js", std::string(templates::page_js)}};
   return filled(templates::page_html, all);
 }

@@ -2,7 +2,6 @@
 
 #include "format.hpp"
 #include "json_text.hpp"
-#include "thinning.hpp"
 
 #include <algorithm>
 #include <array>

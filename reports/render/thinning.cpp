@@ -1,4 +1,4 @@
-#include "thinning.hpp"
+#include "plot_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,11 +55,9 @@ std::vector<std::size_t> thinned(const std::vector<std::int64_t>& tick,
     const std::size_t to = count * (part + 1) / parts;
     keep_extremes(first, from, to, kept);
     keep_extremes(second, from, to, kept);
-    for (std::size_t i = from; i < to; ++i) {
-      if (!std::isnan(first[i])) continue;
-      kept.push_back(i);
-      break;
-    }
+    std::size_t gap = from;
+    while (gap < to && !std::isnan(first[gap])) ++gap;
+    if (gap < to) kept.push_back(gap);
   }
   std::sort(kept.begin(), kept.end());
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());

@@ -42,11 +42,11 @@ void expect_each_field_counts(Find&& find) {
   RunRecord original = sample::loss_500mw(2);
   using Part = std::remove_reference_t<decltype(find(original))>;
   std::size_t fields = 0;
-  Fields<Part>::visit(find(original), [&](const char*, auto&) { ++fields; });
+  visit_fields<Part>(find(original), [&](const char*, auto&) { ++fields; });
   for (std::size_t i = 0; i < fields; ++i) {
     RunRecord changed = original;
     std::string name;
-    Fields<Part>::visit(find(changed), [&, at = std::size_t{0}](const char* of, auto& it) mutable {
+    visit_fields<Part>(find(changed), [&, at = std::size_t{0}](const char* of, auto& it) mutable {
       if (at++ != i) return;
       change(it);
       name = of;

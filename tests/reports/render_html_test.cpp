@@ -114,7 +114,7 @@ TEST(Html, AsksForNoOtherFile) {
 // Each text of a part of a record.
 template <class Part>
 void attack(Part& part) {
-  record::Fields<Part>::visit(part, [](const char*, auto& value) {
+  record::visit_fields<Part>(part, [](const char*, auto& value) {
     if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, std::string>) {
       value = kAttack;
     }

@@ -1,8 +1,8 @@
 // Numbers as people read them, the terminal's table, thinning, and files written whole or not at
 // all.
 #include "format.hpp"
+#include "plot_data.hpp"
 #include "sample_run.hpp"
-#include "thinning.hpp"
 #include <test_support/refusal.hpp>
 #include <test_support/small_disk.hpp>
 #include <test_support/temporary_folder.hpp>
