@@ -2,6 +2,7 @@
 #include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -58,9 +59,7 @@ class CleanSignal {
 };
 
 // G_1, G_2, ω_n, ω_r and ∅ in turn: by which part of itself each is off.
-struct Errors {
-  Lanes of[5];
-};
+using Errors = std::array<Lanes, 5>;
 
 Errors make_errors(const EstimateOptions& options, std::uint64_t batch) {
   float values[5 * kLanes] = {};
@@ -69,7 +68,7 @@ Errors make_errors(const EstimateOptions& options, std::uint64_t batch) {
       kLanes, 5, static_cast<float>(options.parameter_error), values);
   Errors errors;
   for (std::size_t i = 0; i < 5; ++i) {
-    errors.of[i] = load(values + i * kLanes);
+    errors[i] = load(values + i * kLanes);
   }
   return errors;
 }
@@ -125,11 +124,10 @@ class Estimators {
 
  private:
   PaperModel<Lanes> paper_with(const Errors& e) const {
-    return {off_by(paper_.gain_hz_per_mw, e.of[0]),
+    return {off_by(paper_.gain_hz_per_mw, e[0]),
             // G_2 is off by itself, and G_1 with it.
-            off_by(paper_.alpha, e.of[1]) * (1.0F / (e.of[0] + 1.0F)),
-            off_by(paper_.sigma_per_s, e.of[2]), off_by(paper_.omega_r, e.of[3]),
-            off_by(paper_.phi, e.of[4])};
+            off_by(paper_.alpha, e[1]) * (1.0F / (e[0] + 1.0F)), off_by(paper_.sigma_per_s, e[2]),
+            off_by(paper_.omega_r, e[3]), off_by(paper_.phi, e[4])};
   }
 
   // An experiment: no control centre sends this. The five contradict one another once they are off:
@@ -139,13 +137,13 @@ class Estimators {
   gs::outlet::ResponseOf<Lanes> response_with(const Errors& e) const {
     constexpr float kOwn = 0.66F;  // the other comes by way of ∅ and has twice the variance
     constexpr float kOther = 1.0F - kOwn;
-    const Lanes phi = off_by(paper_.phi, e.of[4]);
+    const Lanes phi = off_by(paper_.phi, e[4]);
     const Lanes sine = gs::outlet::sine(phi);
-    const Lanes g_1 = off_by(paper_.gain_hz_per_mw, e.of[0]);
-    const Lanes g_2 = off_by(paper_.gain_hz_per_mw * paper_.alpha, e.of[1]);
+    const Lanes g_1 = off_by(paper_.gain_hz_per_mw, e[0]);
+    const Lanes g_2 = off_by(paper_.gain_hz_per_mw * paper_.alpha, e[1]);
     const Lanes gain = g_1 * kOwn - g_2 * sine * kOther;
     const Lanes oscillation = g_2 * kOwn - g_1 / sine * kOther;
-    const Lanes pace = (e.of[2] + e.of[3]) * 0.5F + 1.0F;  // of both ω
+    const Lanes pace = (e[2] + e[3]) * 0.5F + 1.0F;  // of both ω
     const Lanes omega_r = pace * paper_.omega_r;
     gs::outlet::ResponseOf<Lanes> response;
     response.gain_hz_per_mw = gain * (1.0F + excess_);
@@ -165,7 +163,7 @@ class Estimators {
     Errors errors;
     for (std::size_t i = 0; i < 5; ++i) {
       alone[i][i] = static_cast<float>(options_.parameter_error);
-      errors.of[i] = load(alone[i]);
+      errors[i] = load(alone[i]);
     }
     float deviations_hz[kSamples * kLanes];
     spread(clean.of_batch(0), kSamples, deviations_hz);
@@ -219,15 +217,14 @@ EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
   };
   Execution own = execution;
   if (sink) {
-    own.reduction = &one_process();
+    own.reduction = &kOneProcess;
   }
   run_batches(
       options, kSamples, [&](std::uint64_t batch) { return clean.of_batch(batch); }, each, own,
       histograms);
-  const double sigma_hz = Estimators::noise_sigma_hz(options);
   const std::int64_t done = histograms[kEkf].count() + histograms[kEkf].missing();
-  return {static_cast<std::uint64_t>(done), histograms[kLse], histograms[kEkf], sigma_hz,
-          cramer_rao_mw(grid, options.loss_mw, 1, kSamples, sigma_hz)};
+  return {static_cast<std::uint64_t>(done), histograms[kLse], histograms[kEkf],
+          cramer_rao_mw(grid, options.loss_mw, 1, kSamples, Estimators::noise_sigma_hz(options))};
 }
 
 std::vector<float> trajectory(const grid::Grid& grid, const EstimateOptions& options,

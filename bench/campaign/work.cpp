@@ -5,20 +5,6 @@
 #include <drivers/workers.hpp>
 
 namespace gsbench::campaign {
-namespace {
-
-class OneProcess final : public Reduction {
- public:
-  Range share(std::uint64_t blocks) const override { return {0, blocks}; }
-  void add_up(Histograms&, std::uint64_t&) const override {}
-};
-
-}  // namespace
-
-const Reduction& one_process() {
-  static const OneProcess process;
-  return process;
-}
 
 std::uint64_t run_blocks(std::uint64_t blocks, const Execution& execution, const Block& work,
                          Histograms& histograms) {
@@ -35,10 +21,8 @@ std::uint64_t run_blocks(std::uint64_t blocks, const Execution& execution, const
         work(block, own);
         const std::lock_guard<std::mutex> lock(mutex);
         ++done;
-        if (execution.progress) {
-          execution.progress(static_cast<double>(done) /
-                             static_cast<double>(range.end - range.first));
-        }
+        tell_progress(execution, static_cast<double>(done),
+                      static_cast<double>(range.end - range.first));
       }
     } catch (...) {
       next = range.end;  // the other threads begin no more

@@ -7,19 +7,15 @@
 namespace gsbench::cli {
 namespace {
 
-void check(const std::string& name) {
-  const profile::Plan plan = profile::load_profile(name);
-  std::printf("%s: outlets: %zu, %g s at %lld Hz, limits: %zu\n", plan.name.c_str(),
-              plan.outlets.size(), plan.stimulus.duration_s,
-              static_cast<long long>(plan.stimulus.sample_rate_hz), plan.expectations.size());
-}
-
 // Each of them, whatever is wrong with those before it.
 int check_all(const std::vector<std::string>& profiles) {
   int exit_code = kPassed;
   for (const std::string& name : profiles) {
     try {
-      check(name);
+      const profile::Plan plan = profile::load_profile(name);
+      std::printf("%s: outlets: %zu, %g s at %lld Hz, limits: %zu\n", plan.name.c_str(),
+                  plan.outlets.size(), plan.stimulus.duration_s,
+                  static_cast<long long>(plan.stimulus.sample_rate_hz), plan.expectations.size());
     } catch (const profile::ConfigurationError& error) {
       std::fprintf(stderr, "gsbench: %s\n", error.what());
       exit_code = kBadInput;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 
 #include <link/wait_for_outlets.hpp>
@@ -26,22 +27,22 @@ void require_ports(const std::vector<std::string>& named) {
 }
 
 station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
-  station::PhysicalOutlets outlets;
   if (!arguments.station.empty()) {
     const auto file = station::load_station(arguments.station);
-    if (!file->reachable()) {
+    const std::optional<station::PhysicalOutlets> reachable = file->reachable();
+    if (!reachable) {
       throw profile::ConfigurationError(file->path +
                                         ": its outlets are there only while a run plays to them");
     }
-    outlets = *file->reachable();
-    require_ports(outlets.serial_ports);
-  } else {
-    require_ports(arguments.ports);
-    outlets.serial_ports = arguments.ports.empty() ? transport::serial_ports() : arguments.ports;
-    if (outlets.serial_ports.empty()) {
-      throw profile::ConfigurationError(
-          "this machine has no serial port; name a station with --station");
-    }
+    require_ports(reachable->serial_ports);
+    return *reachable;
+  }
+  require_ports(arguments.ports);
+  station::PhysicalOutlets outlets;
+  outlets.serial_ports = arguments.ports.empty() ? transport::serial_ports() : arguments.ports;
+  if (outlets.serial_ports.empty()) {
+    throw profile::ConfigurationError(
+        "this machine has no serial port; name a station with --station");
   }
   return outlets;
 }

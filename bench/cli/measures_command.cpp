@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <measures/catalogue.hpp>
@@ -13,11 +14,7 @@ std::string unit_or_words(const measures::Measure& measure) {
   if (!measure.is_word()) {
     return measure.unit.empty() ? "number" : measure.unit;
   }
-  std::string words;
-  for (const std::string& word : measure.words) {
-    words += (words.empty() ? "" : "|") + word;
-  }
-  return words;
+  return fmt::format("{}", fmt::join(measure.words, "|"));
 }
 
 int measures(const bool& json) {

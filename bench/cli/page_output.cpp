@@ -42,14 +42,10 @@ int print_page(const char* what, const PageOutput& output,
     const OutputFile tried(output.report, {});  // leaves nothing
   }
   const std::atomic<bool>& interrupted = catch_interrupts();
-  campaign::Execution execution;
-  execution.threads = output.threads;
-  execution.stop = &interrupted;
   record::Page page;
   try {
     Progress progress(what);
-    execution.progress = [&](double part) { progress.show(part); };
-    page = make(execution);
+    page = make({output.threads, &interrupted, [&](double part) { progress.show(part); }});
   } catch (const std::invalid_argument& error) {
     throw profile::ConfigurationError(error.what());
   }

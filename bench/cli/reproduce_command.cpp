@@ -25,10 +25,7 @@ record::RunRecord play_experiment(std::uint64_t seed, const campaign::Execution&
   station::SimulatedOptions simulated;
   simulated.threads = execution.threads;
   const auto station = station::simulated_station(plan, simulated);
-  station::RunOptions options;
-  options.stop = execution.stop;
-  options.progress = execution.progress;
-  return station::run(plan, *station, options);
+  return station::run(plan, *station, {nullptr, execution.stop, execution.progress});
 }
 
 int run_reproduce(const ReproduceArguments& arguments) {

@@ -20,31 +20,24 @@ struct RunArguments {
   profile::Overrides overrides;
   std::string output_folder = "runs";
   std::string station = "simulated";
-  bool real_time = false;
+  station::SimulatedOptions simulated;
   bool json = false;
-  std::size_t threads = default_threads();
 };
 
 int run(const RunArguments& arguments) {
   const profile::Plan asked = profile::load_profile(arguments.profile, arguments.overrides);
   const auto file = station::load_station(arguments.station);
   const profile::Plan plan = station::fit_to_station(*file, asked);
-  station::SimulatedOptions simulated;
-  simulated.real_time = arguments.real_time;
-  simulated.threads = arguments.threads;
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const auto station = file->make_station(plan, simulated);
+  const auto station = file->make_station(plan, arguments.simulated);
 
   RunFolder folder(arguments.output_folder);
   record::RunRecord run;
   {
     record::Writer writer(folder.file(kRecordFile));
     Progress progress(plan.name);
-    station::RunOptions options;
-    options.writer = &writer;
-    options.stop = &interrupted;
-    options.progress = [&](double part) { progress.show(part); };
-    run = station::run(plan, *station, options);
+    run = station::run(plan, *station,
+                       {&writer, &interrupted, [&](double part) { progress.show(part); }});
   }
   folder.keep(run.run_id);
   write_reports(run, folder.path());
@@ -64,6 +57,7 @@ int run(const RunArguments& arguments) {
 void add_run(CommandLine& line) {
   const auto [command, arguments] = line.command(
       "run", "Play a profile into outlets, judge what they did, keep and report it", run);
+  arguments.simulated.threads = default_threads();
   command.add_option("profile", arguments.profile, "A shipped profile, or a .toml file")
       ->required();
   add_with_default(command, "--out", arguments.output_folder, "Folder that keeps the runs");
@@ -73,9 +67,9 @@ void add_run(CommandLine& line) {
       ->check(kSeeds);
   add_with_default(command, "--station", arguments.station,
                    "Where the outlets are: a shipped station, or a .toml file");
-  command.add_flag("--real-time", arguments.real_time,
+  command.add_flag("--real-time", arguments.simulated.real_time,
                    "Pace by the wall clock, not as fast as possible");
-  add_with_default(command, "--threads", arguments.threads,
+  add_with_default(command, "--threads", arguments.simulated.threads,
                    "For simulated outlets; the result is the same for any")
       ->check(kThreads);
   recording::TraceColumns& columns = arguments.overrides.trace_columns;

@@ -1,12 +1,10 @@
 #include "run_folder.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <random>
+
+#include <fmt/format.h>
 
 #include <profile/load.hpp>
 #include <record/store.hpp>
@@ -64,25 +62,15 @@ std::vector<fs::path> make_folders(const std::string& folder, std::error_code& e
 // Of a name that nobody has, with the permissions that the user gives new folders.
 std::string make_unfinished(const std::string& output_folder, std::error_code& error) {
   std::random_device random;
+  std::string path;
   do {
-    char name[32];
-    std::snprintf(name, sizeof name, "%s%08x", kUnfinished, random());
-    std::string path = output_folder + "/" + name;
-    if (mkdir(path.c_str(), 0777) == 0) {
-      error.clear();
-      return path;
-    }
-    error = std::error_code(errno, std::generic_category());
-  } while (error == std::errc::file_exists);
-  return "";
+    path = fmt::format("{}/{}{:08x}", output_folder, kUnfinished, random());
+  } while (!fs::create_directory(path, error) && !error);
+  return path;
 }
 
-bool is_hidden(const fs::path& folder) {
-  return folder.filename().string().front() == '.';
-}
-
-bool is_unfinished(const fs::path& folder) {
-  return folder.filename().string().rfind(kUnfinished, 0) == 0;
+bool begins_with(const fs::path& folder, const std::string& beginning) {
+  return folder.filename().string().rfind(beginning, 0) == 0;
 }
 
 }  // namespace
@@ -144,7 +132,7 @@ void write_reports(const record::RunRecord& run, const std::string& folder) {
 std::vector<std::string> list_records(const std::string& output_folder) {
   std::vector<std::string> records;
   for (const fs::path& folder : folders_with_records(output_folder)) {
-    if (!is_hidden(folder)) {
+    if (!begins_with(folder, ".")) {
       records.push_back((folder / kRecordFile).string());
     }
   }
@@ -154,7 +142,7 @@ std::vector<std::string> list_records(const std::string& output_folder) {
 std::vector<std::string> list_unfinished(const std::string& output_folder) {
   std::vector<std::string> unfinished;
   for (const fs::path& folder : folders_with_records(output_folder)) {
-    if (is_unfinished(folder)) {
+    if (begins_with(folder, kUnfinished)) {
       unfinished.push_back(folder.string());
     }
   }
@@ -174,7 +162,7 @@ std::string find_record(const std::string& run, const std::string& output_folder
   }
   std::vector<std::string> found;
   for (const std::string& record : list_records(output_folder)) {
-    if (fs::path(record).parent_path().filename().string().rfind(run, 0) == 0) {
+    if (begins_with(fs::path(record).parent_path(), run)) {
       found.push_back(record);
     }
   }
@@ -183,8 +171,8 @@ std::string find_record(const std::string& run, const std::string& output_folder
   }
   throw profile::ConfigurationError(
       found.empty()
-          ? run + ": no such run; `gsbench runs` lists those in " + output_folder
-          : run + ": " + std::to_string(found.size()) + " runs begin so; give more of the id");
+          ? fmt::format("{}: no such run; `gsbench runs` lists those in {}", run, output_folder)
+          : fmt::format("{}: {} runs begin so; give more of the id", run, found.size()));
 }
 
 }  // namespace gsbench::cli

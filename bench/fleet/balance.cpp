@@ -1,6 +1,10 @@
 #include "balance.hpp"
 
+#include <control_centre/threshold.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gsbench::fleet {
 namespace {
@@ -34,9 +38,13 @@ double Balance::excess_cycles(double t_s) const {
   return sum;
 }
 
-ScenarioResult Balance::result(const grid::Grid& grid, double duration_s) const {
+ScenarioResult Balance::result(const grid::Grid& grid, double duration_s, Shed shed) const {
   ScenarioResult result;
+  result.shed = std::move(shed);
   result.shed.power_mw = shed_mw_;
+  const double loss_mw = changes_.front().power_mw;
+  result.wanted_mw =
+      std::max(loss_mw - control_centre::threshold_mw(model_, grid.threshold_hz), 0.0);
   result.first_action_s = first_s_;
   result.last_action_s = last_s_;
   double lowest_hz = 0.0;

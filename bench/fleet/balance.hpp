@@ -24,8 +24,8 @@ class Balance {
   double deviation_hz(double t_s) const;
   double excess_cycles(double t_s) const;  // ∫ of that
 
-  // Course, nadir and what was done, up to duration_s.
-  ScenarioResult result(const grid::Grid& grid, double duration_s) const;
+  // Course, nadir and what was done, up to duration_s. `shed`: by whom; its power is set here.
+  ScenarioResult result(const grid::Grid& grid, double duration_s, Shed shed) const;
 
  private:
   const grid::SfrModel& model_;

@@ -1,11 +1,9 @@
 #include "balance.hpp"
 #include <control_centre/outlet_settings.hpp>
-#include <control_centre/threshold.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -57,14 +55,13 @@ class Loop {
     }
     const std::vector<double> switch_off = switch_off_hz(grid, fleet);
     for (std::size_t i = 0; i < outlets_.size(); ++i) {
-      outlets_[i] = std::make_unique<Outlet>();
+      Outlet& outlet = outlets_[i];
       const std::size_t group = i / fleet.per_group;
       settings.accumulated_mw = static_cast<float>(fleet.accumulated_mw[group]);
       settings.switch_off_hz = static_cast<float>(switch_off[group]);
-      outlets_[i]->skipped = i * 37 % samples_;
-      if (!gs::outlet::configure(hardware_, outlets_[i]->config) ||
-          apply(outlets_[i]->config, outlets_[i]->state, settings) !=
-              gs::outlet::SettingsError::kNone) {
+      outlet.skipped = i * 37 % samples_;
+      if (!gs::outlet::configure(hardware_, outlet.config) ||
+          apply(outlet.config, outlet.state, settings) != gs::outlet::SettingsError::kNone) {
         throw std::invalid_argument(
             fmt::format("the firmware refuses the settings of group {}", group + 1));
       }
@@ -87,30 +84,23 @@ class Loop {
         }
         some.clear();
       }
-      if (execution_.progress) {
-        execution_.progress(static_cast<double>(block + 1) / static_cast<double>(blocks));
-      }
+      tell_progress(execution_, static_cast<double>(block + 1), static_cast<double>(blocks));
     }
     return true;
   }
 
   ClosedLoopResult result() const {
-    ClosedLoopResult result{balance_.result(grid_, options_.duration_s), 0, 0, kNone,
-                            campaign::Histogram(0.0, 2.0 * options_.loss_mw, 2000)};
-    const double power_mw = result.scenario.shed.power_mw;
-    result.scenario.shed = count_shed(fleet_, off_);
-    result.scenario.shed.power_mw = power_mw;
-    result.scenario.wanted_mw =
-        std::max(options_.loss_mw - control_centre::threshold_mw(model_, grid_.threshold_hz), 0.0);
-    for (const auto& outlet : outlets_) {
-      if (outlet->event_s >= 0.0) {
+    ClosedLoopResult result{balance_.result(grid_, options_.duration_s, count_shed(fleet_, off_)),
+                            0, 0, kNone, campaign::Histogram(0.0, 2.0 * options_.loss_mw, 2000)};
+    for (const Outlet& outlet : outlets_) {
+      if (outlet.event_s >= 0.0) {
         ++result.events;
-        result.latest_event_s = std::fmax(result.latest_event_s, outlet->event_s);
-      } else if (outlet->event_s < 0.0) {
+        result.latest_event_s = std::fmax(result.latest_event_s, outlet.event_s);
+      } else if (outlet.event_s < 0.0) {
         ++result.false_events;
       }
-      if (std::isfinite(outlet->loss_mw)) {
-        result.loss_mw.add(outlet->loss_mw);
+      if (std::isfinite(outlet.loss_mw)) {
+        result.loss_mw.add(outlet.loss_mw);
       }
     }
     return result;
@@ -149,7 +139,7 @@ class Loop {
   }
 
   void take(std::size_t number, std::size_t block, const std::vector<std::int16_t>& counts) {
-    Outlet& outlet = *outlets_[number];
+    Outlet& outlet = outlets_[number];
     std::size_t at = block == 0 ? outlet.skipped : 0;
     while (at < counts.size()) {
       gs::outlet::Report report;
@@ -189,7 +179,7 @@ class Loop {
   std::vector<float> voltage_pu_;
   std::vector<std::uint8_t> off_;
   std::vector<std::vector<std::pair<double, double>>> shed_at_;  // s and MW, by block of outlets
-  std::vector<std::unique_ptr<Outlet>> outlets_;
+  std::vector<Outlet> outlets_;
 };
 
 }  // namespace

@@ -150,9 +150,7 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
       options.loss_mw = loss_mw;
       options.noise_hz = noise_hz;
       const auto result = play(grid, fleet, options, quiet(execution));
-      if (execution.progress) {
-        execution.progress(++done / all);
-      }
+      tell_progress(execution, ++done, all);
       if (!result) {
         return kNoFigure;
       }

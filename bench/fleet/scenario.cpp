@@ -215,8 +215,6 @@ std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
     return std::nullopt;
   }
   const grid::SfrModel model(grid);
-  const double grid_threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
-  const double threshold_mw = options.threshold_mw > 0.0 ? options.threshold_mw : grid_threshold_mw;
   Balance balance(model, options.loss_mw);
   Shed shed;
   if (options.control == Control::kGridSense || options.control == Control::kSwitchOff) {
@@ -227,22 +225,19 @@ std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
         return std::nullopt;
       }
       outlets.take(report, balance);
-      if (execution.progress) {
-        execution.progress(static_cast<double>(report + 1) / static_cast<double>(reports));
-      }
+      tell_progress(execution, report + 1, reports);
     }
     shed = count_shed(fleet, outlets.off());
   } else if (options.control == Control::kCentral) {
+    const double threshold_mw = options.threshold_mw > 0.0
+                                    ? options.threshold_mw
+                                    : control_centre::threshold_mw(model, grid.threshold_hz);
     balance.shed(options.central_decision_s + options.central_delay_s,
                  std::min(options.loss_mw - threshold_mw, fleet.power_mw));
   } else if (options.control == Control::kUfls) {
     play_relays(grid, options, balance);
   }
-  ScenarioResult result = balance.result(grid, options.duration_s);
-  shed.power_mw = result.shed.power_mw;
-  result.shed = std::move(shed);
-  result.wanted_mw = std::max(options.loss_mw - grid_threshold_mw, 0.0);
-  return result;
+  return balance.result(grid, options.duration_s, shed);
 }
 
 }  // namespace gsbench::fleet

@@ -29,9 +29,9 @@ double probability(Study& study, const Cell& cell, const Counting& counting,
   choice.noise_hz = cell.noise_hz;
   choice.counting = counting;
   choice.distribution = distribution;
-  choice.trajectories = study.options().trajectories;
-  choice.seed = study.options().seed;
-  return count_conditions(study.grid(), choice, execution).probability();
+  choice.trajectories = study.options.trajectories;
+  choice.seed = study.options.seed;
+  return count_conditions(study.grid, choice, execution).probability();
 }
 
 // Of the cells with the most noise.
@@ -62,8 +62,8 @@ FigureTable over_choices(Study& study, const Execution& execution) {
 }  // namespace
 
 PageSection table2(Study& study, const Execution& execution) {
-  const Choices& choices = study.options().choices;
-  const Counting shipped = campaign::shipped_counting(study.grid());
+  const Choices& choices = study.options.choices;
+  const Counting shipped = campaign::shipped_counting(study.grid);
   FigureTable table = {"Probability of deciding that load shedding is needed",
                        "loss, noise",
                        {"paper", kPaperWay, kFirmware},
@@ -81,7 +81,7 @@ PageSection table2(Study& study, const Execution& execution) {
     table.rows.push_back(row);
   }
   const double threshold_mw =
-      control_centre::threshold_mw(grid::SfrModel(study.grid()), study.grid().threshold_hz);
+      control_centre::threshold_mw(grid::SfrModel(study.grid), study.grid.threshold_hz);
   return {{table, over_choices(study, nth_of(execution, 1, 2))},
           {},
           {fmt::format("Above the threshold of {:.1f} MW the probability should be 1, below it 0. "

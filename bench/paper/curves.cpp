@@ -19,7 +19,7 @@ constexpr int kSteps = 1000;
 }  // namespace
 
 PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
-  const grid::Grid& grid = study.grid();
+  const grid::Grid& grid = study.grid;
   const grid::SfrModel model(grid);
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   const grid::Nadir lowest = grid::nadir(model, threshold_mw);
@@ -48,7 +48,7 @@ PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
 }
 
 PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
-  const grid::Grid& grid = study.grid();
+  const grid::Grid& grid = study.grid;
   const grid::SfrModel model(grid);
   record::FigureTable table = {"ROCOF below which the condition is met, Hz/s",
                                "from … to, Hz",
@@ -73,7 +73,7 @@ PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
 }
 
 PageSection fig14(Study& study, const Execution& /*execution*/) {
-  const grid::Grid& grid = study.grid();
+  const grid::Grid& grid = study.grid;
   const grid::SfrModel model(grid);
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   record::CurvePlot plot = {

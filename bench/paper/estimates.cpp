@@ -92,10 +92,9 @@ FigureTable over_choices(Study& study, const Execution& execution, double parame
     for (const NoiseDistribution distribution :
          {NoiseDistribution::kUniform, NoiseDistribution::kGaussian}) {
       for (const LossInstant instant : {LossInstant::kOnReport, LossInstant::kBetweenReports}) {
-        EstimateOptions choice = study.campaign(mode);
+        EstimateOptions choice = study.campaign(mode, parameter_error);
         choice.distribution = distribution;
         choice.instant = instant;
-        choice.parameter_error = parameter_error;
         const EstimateResult& result = study.result(choice, nth_of(execution, n++, 9));
         table.rows.push_back(figures_row(
             name_of(mode, parameter_error) + ", " + text_of(distribution) + ", " + text_of(instant),
@@ -103,9 +102,8 @@ FigureTable over_choices(Study& study, const Execution& execution, double parame
       }
     }
   }
-  EstimateOptions careless = study.campaign(Mode::kPaper);
-  careless.parameter_error = parameter_error;
-  careless.paper_loss_sigma_mw = 0.3 * study.grid().base_mw;
+  EstimateOptions careless = study.campaign(Mode::kPaper, parameter_error);
+  careless.paper_loss_sigma_mw = 0.3 * study.grid.base_mw;
   careless.paper_t_x_sigma_s = 0.05;
   const EstimateResult& result = study.result(careless, nth_of(execution, n, 9));
   table.rows.push_back(figures_row(
@@ -149,7 +147,7 @@ PageSection table3(Study& study, const Execution& execution) {
 }
 
 PageSection fig16(Study& study, const Execution& /*execution*/) {
-  const grid::Grid& grid = study.grid();
+  const grid::Grid& grid = study.grid;
   record::CurvePlot plot = {"Estimates of three losses of 500 MW as measurements come in.",
                             "s after the loss", "MW"};
   const gs::outlet::Settings settings = campaign::estimate_settings(grid);
@@ -174,7 +172,7 @@ PageSection table4(Study& study, const Execution& execution) {
   const EstimateResult& paper_way = study.result(study.campaign(Mode::kPaper), quiet(execution));
   const EstimateResult& firmware = study.result(study.campaign(Mode::kFirmware), quiet(execution));
   FigureTable table = figures_table("EKF over forty measurements after LSE over ten, " +
-                                    text_of(study.options().choices.noise_distribution));
+                                    text_of(study.options.choices.noise_distribution));
   table.rows = {{"paper", {92.38, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
                 figures_row(kPaperWay, paper_way),
                 figures_row(kFirmware, firmware),
@@ -203,13 +201,12 @@ PageSection table4(Study& study, const Execution& execution) {
 PageSection table5(Study& study, const Execution& execution) {
   constexpr double kError = 0.05;
   const FigureTable choices = over_choices(study, execution, kError);
-  EstimateOptions choice = study.campaign(Mode::kPaper);
-  choice.parameter_error = kError;
-  const EstimateResult& paper_way = study.result(choice, quiet(execution));
-  choice.mode = Mode::kFirmware;
-  const EstimateResult& firmware = study.result(choice, quiet(execution));
+  const EstimateResult& paper_way =
+      study.result(study.campaign(Mode::kPaper, kError), quiet(execution));
+  const EstimateResult& firmware =
+      study.result(study.campaign(Mode::kFirmware, kError), quiet(execution));
   FigureTable table = figures_table("EKF where each parameter is off by up to 5 %, " +
-                                    text_of(study.options().choices.noise_distribution));
+                                    text_of(study.options.choices.noise_distribution));
   table.rows = {{"paper", {72.33, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
                 figures_row(kPaperWay, paper_way),
                 figures_row(kReconciled, firmware)};

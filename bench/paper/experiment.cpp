@@ -79,10 +79,10 @@ std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecor
 }  // namespace
 
 PageSection fig19(Study& study, const Execution& execution) {
-  if (!study.options().play_experiment) {
+  if (!study.options.play_experiment) {
     return {{}, {}, {"Not played."}};
   }
-  const RunRecord run = study.options().play_experiment(execution);
+  const RunRecord run = study.options.play_experiment(execution);
   std::vector<std::string> paragraphs = {
       "Profile " + run.profile + ", on grid " + run.grid +
           " and with its own noise whatever is chosen for other sections, on station " +

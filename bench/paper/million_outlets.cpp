@@ -14,7 +14,6 @@
 namespace gsbench::paper {
 namespace {
 
-using campaign::EstimateOptions;
 using campaign::Mode;
 using control_centre::Accumulation;
 using fleet::Control;
@@ -25,18 +24,17 @@ using record::kNoFigure;
 Fleet fleet_of(const Study& study, Accumulation accumulation) {
   fleet::FleetOptions all;
   all.accumulation = accumulation;
-  all.seed = study.options().seed;
+  all.seed = study.options.seed;
   return make_fleet(all);
 }
 
 // As many as there are outlets, whatever was asked for elsewhere.
 std::vector<float> estimates_of(const Study& study, Mode mode, double parameter_error,
                                 std::size_t outlets, const Execution& execution) {
-  EstimateOptions all = study.campaign(mode);
-  all.parameter_error = parameter_error;
+  campaign::EstimateOptions all = study.campaign(mode, parameter_error);
   all.trajectories = outlets;
   std::vector<float> estimates(outlets, 0.0F);
-  estimate(study.grid(), all, execution,
+  estimate(study.grid, all, execution,
            [&](std::uint64_t first, const float* mw, std::size_t count) {
              std::copy_n(mw, count, estimates.begin() + static_cast<std::ptrdiff_t>(first));
            });
@@ -53,7 +51,7 @@ record::FigureRow shed_row(const std::string& name, const Shed& shed, double wan
 }  // namespace
 
 PageSection fig20_and_21(Study& study, const Execution& execution) {
-  const grid::Grid& grid = study.grid();
+  const grid::Grid& grid = study.grid;
   int n = 0;
   const double threshold_mw = control_centre::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
   const double wanted_mw = kLossMw - threshold_mw;
@@ -67,7 +65,7 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
         {148.97, 100.0 * (148.97 / 148.1 - 1.0), 165540, kNoFigure, kNoFigure}}}};
   record::CurvePlot power = {"Accumulated power of the groups (Fig. 20).", "group", "MW"};
   const Fleet by_eq_11 = fleet_of(study, Accumulation::kWholeGroup);
-  const Fleet by_choice = fleet_of(study, study.options().accumulation);
+  const Fleet by_choice = fleet_of(study, study.options.accumulation);
   for (std::size_t group = 0; group < by_choice.groups(); ++group) {
     power.x.push_back(static_cast<double>(group + 1));
   }
@@ -104,8 +102,8 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
 }
 
 PageSection fig22(Study& study, const Execution& execution) {
-  const grid::Grid& grid = study.grid();
-  const Fleet fleet = fleet_of(study, study.options().accumulation);
+  const grid::Grid& grid = study.grid;
+  const Fleet fleet = fleet_of(study, study.options.accumulation);
   record::FigureTable table = {
       "After 500 MW, the shed load fed back into the grid",
       "",
@@ -114,8 +112,8 @@ PageSection fig22(Study& study, const Execution& execution) {
   record::CurvePlot plot = {"The frequency.", "s", "Hz"};
   fleet::ScenarioOptions choice;
   choice.loss_mw = kLossMw;
-  choice.distribution = study.options().choices.noise_distribution;
-  choice.seed = study.options().seed;
+  choice.distribution = study.options.choices.noise_distribution;
+  choice.seed = study.options.seed;
   int n = 0;
   const auto add = [&](const std::string& name) {
     auto result = play(grid, fleet, choice, nth_of(execution, n++, 3));

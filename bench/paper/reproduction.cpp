@@ -81,7 +81,7 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
       "as its event and the frequency before it, which outlets detect and measure: event_drops 1 "
       "and event_lag_s 0, where they ship with 5 and 0.008. \"Experiment\" is what nothing ships.";
   page.facts = facts(grid, options);
-  Study study(grid, options);
+  Study study{grid, options};
   std::vector<Chapter> chosen;
   std::copy_if(std::begin(kChapters), std::end(kChapters), std::back_inserter(chosen),
                [&](const Chapter& chapter) { return wanted(options, chapter.id); });

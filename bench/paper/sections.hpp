@@ -24,28 +24,21 @@ constexpr const char* kPaperWay = "paper's way";
 constexpr const char* kFirmware = "firmware at a known event";
 constexpr const char* kReconciled = "experiment: firmware, parameters reconciled";
 
-class Study {
- public:
-  Study(const grid::Grid& grid, const Options& options) : grid_(grid), options_(options) {}
-
-  const grid::Grid& grid() const { return grid_; }
-  const Options& options() const { return options_; }
-
+struct Study {
   // A campaign of 500 MW and ±0.01 Hz by the options' choices.
-  campaign::EstimateOptions campaign(campaign::Mode mode) const;
+  campaign::EstimateOptions campaign(campaign::Mode mode, double parameter_error = 0.0) const;
 
   // Each campaign is played once, whichever tables want it. `campaign` is as the above but for
   // mode, distribution, instant, errors and start.
   const campaign::EstimateResult& result(const campaign::EstimateOptions& campaign,
                                          const Execution& execution);
 
- private:
-  using Key = std::tuple<campaign::Mode, campaign::NoiseDistribution, campaign::LossInstant, double,
-                         double, double>;
-
-  const grid::Grid& grid_;
-  const Options& options_;
-  std::map<Key, campaign::EstimateResult> results_;
+  const grid::Grid& grid;
+  const Options& options;
+  std::map<std::tuple<campaign::Mode, campaign::NoiseDistribution, campaign::LossInstant, double,
+                      double, double>,
+           campaign::EstimateResult>
+      results = {};
 };
 
 // A row's or column's name by what it was computed with.

@@ -8,32 +8,30 @@ using campaign::LossInstant;
 using campaign::Mode;
 using campaign::NoiseDistribution;
 
-EstimateOptions Study::campaign(Mode mode) const {
+EstimateOptions Study::campaign(Mode mode, double parameter_error) const {
   EstimateOptions all;
   all.loss_mw = kLossMw;
   all.mode = mode;
-  all.distribution = options_.choices.noise_distribution;
+  all.distribution = options.choices.noise_distribution;
   all.noise_hz = kNoiseHz;
-  all.instant = options_.choices.loss_instant;
-  all.paper_loss_sigma_mw = options_.choices.ekf_loss_sigma_mw;
-  all.paper_t_x_sigma_s = options_.choices.ekf_t_x_sigma_s;
-  all.trajectories = options_.trajectories;
-  all.seed = options_.seed;
+  all.instant = options.choices.loss_instant;
+  all.parameter_error = parameter_error;
+  all.paper_loss_sigma_mw = options.choices.ekf_loss_sigma_mw;
+  all.paper_t_x_sigma_s = options.choices.ekf_t_x_sigma_s;
+  all.trajectories = options.trajectories;
+  all.seed = options.seed;
   return all;
 }
 
 const EstimateResult& Study::result(const EstimateOptions& campaign, const Execution& execution) {
-  const Key key = {campaign.mode,
-                   campaign.distribution,
-                   campaign.instant,
-                   campaign.parameter_error,
-                   campaign.paper_loss_sigma_mw,
-                   campaign.paper_t_x_sigma_s};
-  const auto found = results_.find(key);
-  if (found != results_.end()) {
+  const auto key = std::make_tuple(campaign.mode, campaign.distribution, campaign.instant,
+                                   campaign.parameter_error, campaign.paper_loss_sigma_mw,
+                                   campaign.paper_t_x_sigma_s);
+  const auto found = results.find(key);
+  if (found != results.end()) {
     return found->second;
   }
-  return results_.emplace(key, estimate(grid_, campaign, execution)).first->second;
+  return results.emplace(key, estimate(grid, campaign, execution)).first->second;
 }
 
 std::string name_of(Mode mode, double parameter_error) {

@@ -66,9 +66,7 @@ void take(const record::OutletRecord& outlet, std::uint64_t seed, SeedResult& in
 SeedResult run_seed(profile::Plan plan, std::uint64_t seed, const std::atomic<bool>* stop) {
   plan.seed = seed;
   const std::unique_ptr<station::Station> station = station::simulated_station(plan, {});
-  station::RunOptions options;
-  options.stop = stop;
-  const record::RunRecord run = station::run(plan, *station, options);
+  const record::RunRecord run = station::run(plan, *station, {nullptr, stop, {}});
   SeedResult result;
   result.verdict = run.verdict;
   if (run.verdict == record::Verdict::kError) {

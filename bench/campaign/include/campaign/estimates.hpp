@@ -44,7 +44,6 @@ struct EstimateResult {
   std::uint64_t trajectories = 0;  // done
   Histogram lse_mw;
   Histogram ekf_mw;
-  double noise_sigma_hz = 0.0;
   double bound_mw = 0.0;  // Cramér–Rao, of ΔP with t_x unknown, over all samples
 };
 

@@ -17,7 +17,7 @@ using Histograms = std::vector<Histogram>;
 
 // How a campaign is shared out among processes: shard k of N takes a slice of the blocks. Only
 // histograms go through it, whose parts add up to the same bits in any order; what is kept for each
-// outlet stays in its process.
+// outlet stays in its process. As it stands: there is one process.
 class Reduction {
  public:
   struct Range {
@@ -25,12 +25,12 @@ class Reduction {
     std::uint64_t end;
   };
   virtual ~Reduction() = default;
-  virtual Range share(std::uint64_t blocks) const = 0;  // this process's
+  virtual Range share(std::uint64_t blocks) const { return {0, blocks}; }  // this process's
   // Of all processes, in each.
-  virtual void add_up(Histograms& histograms, std::uint64_t& blocks_done) const = 0;
+  virtual void add_up(Histograms& /*histograms*/, std::uint64_t& /*blocks_done*/) const {}
 };
 
-const Reduction& one_process();
+inline const Reduction kOneProcess{};
 
 // Throws std::invalid_argument with that message unless it holds.
 inline void demand(bool holds, const std::string& otherwise) {
@@ -43,11 +43,17 @@ struct Execution {
   std::size_t threads = 1;
   const std::atomic<bool>* stop = nullptr;    // after the blocks in hand
   std::function<void(double part)> progress;  // from any thread, one at a time
-  const Reduction* reduction = &one_process();
+  const Reduction* reduction = &kOneProcess;
 };
 
 inline bool stopped(const Execution& execution) {
   return execution.stop != nullptr && execution.stop->load();
+}
+
+inline void tell_progress(const Execution& execution, double done, double all) {
+  if (execution.progress) {
+    execution.progress(done / all);
+  }
 }
 
 // The same, for a part whose progress is told by whoever asks for it.
