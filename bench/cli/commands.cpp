@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <map>
@@ -38,17 +39,9 @@ std::size_t default_threads() {
 }
 
 ExitCode exit_code_of(record::Verdict verdict) {
-  switch (verdict) {
-    case record::Verdict::kPass:
-      return kPassed;
-    case record::Verdict::kInconclusive:
-      return kInconclusive;
-    case record::Verdict::kFail:
-      return kFailed;
-    case record::Verdict::kError:
-      return kErrored;
-  }
-  return kErrored;
+  // In the order of the verdicts.
+  static constexpr std::array kCodes = {kPassed, kInconclusive, kFailed, kErrored};
+  return kCodes.at(static_cast<std::size_t>(verdict));
 }
 
 const std::atomic<bool>& catch_interrupts() {

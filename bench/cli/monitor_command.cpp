@@ -2,6 +2,7 @@
 #include "link_arguments.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <limits>
@@ -19,15 +20,9 @@ using gs::wire::Uplink;
 using gs::wire::UplinkKind;
 
 const char* validity_text(gs::outlet::Validity validity) {
-  switch (validity) {
-    case gs::outlet::Validity::kInvalid:
-      return "invalid";
-    case gs::outlet::Validity::kValid:
-      return "valid";
-    case gs::outlet::Validity::kHeld:
-      return "held";
-  }
-  return "unknown";
+  static constexpr std::array kWords = {"invalid", "valid", "held"};
+  const auto word = static_cast<std::size_t>(validity);
+  return word < kWords.size() ? kWords[word] : "unknown";
 }
 
 const char* position(bool closed) {

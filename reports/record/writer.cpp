@@ -112,8 +112,6 @@ Writer::Writer(const std::string& path) {
 }
 
 Writer::~Writer() = default;
-Writer::Writer(Writer&&) noexcept = default;
-Writer& Writer::operator=(Writer&&) noexcept = default;
 
 void Writer::begin(const RunRecord& head) {
   impl_->require(!impl_->begun, "a record is begun once");

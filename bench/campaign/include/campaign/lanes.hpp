@@ -81,21 +81,6 @@ Mask operator>=(const Lanes& a, const B& b) {
   return each_vector<Mask>([&](std::size_t i) { return a.v[i] >= vector_of(b, i); });
 }
 
-// The firmware's templates find these beside their own for floats.
-inline Lanes select(const Mask& condition, const Lanes& a, const Lanes& b) {
-  return each_vector<Lanes>([&](std::size_t i) { return condition.v[i] ? a.v[i] : b.v[i]; });
-}
-inline Lanes root(const Lanes& x) {
-  float values[kLanes];
-  std::memcpy(values, &x, sizeof values);
-  for (float& value : values) {
-    value = __builtin_sqrtf(value);
-  }
-  Lanes roots;
-  std::memcpy(&roots, values, sizeof roots);
-  return roots;
-}
-
 inline Lanes load(const float* values) {
   Lanes lanes;
   std::memcpy(&lanes, values, sizeof lanes);
@@ -103,6 +88,19 @@ inline Lanes load(const float* values) {
 }
 inline void store(const Lanes& lanes, float* values) {
   std::memcpy(values, &lanes, sizeof lanes);
+}
+
+// The firmware's templates find these beside their own for floats.
+inline Lanes select(const Mask& condition, const Lanes& a, const Lanes& b) {
+  return each_vector<Lanes>([&](std::size_t i) { return condition.v[i] ? a.v[i] : b.v[i]; });
+}
+inline Lanes root(const Lanes& x) {
+  float values[kLanes];
+  store(x, values);
+  for (float& value : values) {
+    value = __builtin_sqrtf(value);
+  }
+  return load(values);
 }
 
 }  // namespace gsbench::campaign

@@ -28,8 +28,6 @@ class Writer {
   // Creates the file; refuses (StoreError) where it exists or cannot be written.
   explicit Writer(const std::string& path);
   ~Writer();
-  Writer(Writer&&) noexcept;
-  Writer& operator=(Writer&&) noexcept;
 
   void begin(const RunRecord& head);            // everything but outlets' results and verdict
   void add_outlet(const OutletRecord& outlet);  // with traces and results
