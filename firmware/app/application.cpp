@@ -8,13 +8,7 @@ using wire::UplinkKind;
 bool Application::start(const outlet::Hardware& hardware, const Identity& identity,
                         SettingsStorage* area, Outbox& outbox, const outlet::Settings* kept) {
   state_ = outlet::State{};
-  samples_ = 0;
-  samples_lost_ = 0;
-  messages_bad_ = 0;
-  messages_unsent_ = 0;
-  for (std::uint32_t& count : errors_) {
-    count = 0;
-  }
+  counts_ = Counts{};
   started_ = outlet::configure(hardware, config_);
   if (!started_) {
     return false;
@@ -44,7 +38,7 @@ void Application::feed(const std::int16_t* samples, std::size_t count, Outbox& o
     const std::size_t taken =
         outlet::step(config_, state_, samples + done, count - done, report, ready);
     done += taken;
-    samples_ += taken;
+    counts_.samples += taken;
     if (ready) {
       tell(report, outbox);
     }
@@ -81,16 +75,16 @@ void Application::note(wire::ErrorCode error, Outbox& outbox) {
   }
   if (error == wire::ErrorCode::kBadFrame || error == wire::ErrorCode::kMalformed ||
       error == wire::ErrorCode::kUnknownKind) {
-    ++messages_bad_;
+    ++counts_.messages_bad;
   }
   wire::Uplink told = message(UplinkKind::kError);
-  told.error = {error, ++errors_[place]};
+  told.error = {error, ++counts_.errors[place]};
   outbox.put(told);
 }
 
 void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
-  samples_lost_ += count;
-  samples_ += count;
+  counts_.samples_lost += count;
+  counts_.samples += count;
   outlet::lose_track(state_);
   note(wire::ErrorCode::kSamplesLost, outbox);
 }
@@ -143,7 +137,9 @@ void Application::test_itself(Outbox& outbox) const {
   wire::Uplink told = message(UplinkKind::kSelfTest);
   wire::SelfTest result;
   result.fingerprint = arithmetic_fingerprint();
-  const auto errors = [&](wire::ErrorCode code) { return errors_[static_cast<std::size_t>(code)]; };
+  const auto errors = [&](wire::ErrorCode code) {
+    return counts_.errors[static_cast<std::size_t>(code)];
+  };
   if (result.fingerprint != kFingerprint) {
     result.failed |= wire::kArithmetic;
   }
@@ -162,8 +158,8 @@ void Application::test_itself(Outbox& outbox) const {
 
 void Application::tell_status(Outbox& outbox) const {
   wire::Uplink told = message(UplinkKind::kStatus);
-  told.status = {state_.reports, state_.relay_closed, state_.cause,    state_.phase,
-                 samples_lost_,  messages_bad_,       messages_unsent_};
+  told.status = {state_.reports,       state_.relay_closed,  state_.cause,           state_.phase,
+                 counts_.samples_lost, counts_.messages_bad, counts_.messages_unsent};
   outbox.put(told);
 }
 
@@ -205,7 +201,7 @@ void Application::tell(const outlet::Report& report, Outbox& outbox) const {
 wire::Uplink Application::message(UplinkKind kind) const {
   wire::Uplink message;
   message.kind = kind;
-  message.sample = samples_;
+  message.sample = counts_.samples;
   return message;
 }
 

@@ -8,15 +8,11 @@ namespace {
 // After a decision the detector is armed again once f has been steady for half a second.
 constexpr std::uint16_t kSteadyReports = 31;
 
-std::uint8_t happened(std::uint8_t bits, Happened bit) {
-  return static_cast<std::uint8_t>(bits | bit);
-}
-
 void open_relay(State& state, Report& report, Cause cause) {
   if (state.relay_closed) {
     state.relay_closed = false;
     state.cause = cause;
-    report.happened = happened(report.happened, kRelay);
+    report.happened |= kRelay;
   }
 }
 
@@ -25,7 +21,7 @@ void open_relay(State& state, Report& report, Cause cause) {
 void decide(const Settings& settings, State& state, Report& report) {
   report.required_mw = required_mw(state.estimator.ekf.loss_mw, settings.threshold_mw);
   report.trust = trust(settings, state.estimator);
-  report.happened = happened(report.happened, kDecision);
+  report.happened |= kDecision;
   if (enough_hits(state.estimator.hits, settings.condition_hits) &&
       report.trust == Trust::kTrusted && must_shed(report.required_mw, settings.accumulated_mw)) {
     open_relay(state, report, Cause::kLoss);
@@ -41,10 +37,10 @@ void estimate(const Config& config, State& state, Report& report, bool valid) {
   observe(config.settings, static_cast<float>(config.hardware.nominal_hz), estimator, valid,
           report.measurement.frequency_hz, report.line);
   if (estimator.started && !had_lse) {
-    report.happened = happened(report.happened, kLse);
+    report.happened |= kLse;
   }
   if (estimator.ekf.count > had_updates) {
-    report.happened = happened(report.happened, kEstimate);
+    report.happened |= kEstimate;
   }
   if (complete(config.settings, estimator)) {
     decide(config.settings, state, report);
@@ -99,7 +95,7 @@ void act(const Config& config, State& state, Report& report) {
   const bool valid = report.measurement.validity == Validity::kValid;
   if (report.measurement.validity == Validity::kInvalid) {
     if (state.phase == Phase::kEstimating) {
-      report.happened = happened(report.happened, kAborted);
+      report.happened |= kAborted;
     }
     state.phase = Phase::kQuiet;
     state.below_switch_off = 0;
@@ -109,7 +105,7 @@ void act(const Config& config, State& state, Report& report) {
   if (state.phase == Phase::kQuiet && valid && event_detected(settings, state.history)) {
     begin(state.estimator, baseline(state.history));
     state.phase = Phase::kEstimating;
-    report.happened = happened(report.happened, kEvent);
+    report.happened |= kEvent;
   }
   if (state.phase == Phase::kEstimating) {
     estimate(config, state, report, valid);

@@ -3,15 +3,8 @@
 namespace gs::wire::cbor {
 namespace {
 
-constexpr std::uint8_t kUnsigned = 0;
-constexpr std::uint8_t kNegative = 1;
-constexpr std::uint8_t kBytes = 2;
-constexpr std::uint8_t kText = 3;
-constexpr std::uint8_t kArray = 4;
-constexpr std::uint8_t kMap = 5;
-constexpr std::uint8_t kTag = 6;
-constexpr std::uint8_t kSimple = 7;
-
+// Major types.
+enum : std::uint8_t { kUnsigned, kNegative, kBytes, kText, kArray, kMap, kTag, kSimple };
 constexpr std::uint8_t kFalse = 20;
 constexpr std::uint8_t kTrue = 21;
 constexpr std::uint8_t kSimpleByte = 24;  // the simple value is in the byte that follows

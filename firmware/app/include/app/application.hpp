@@ -63,12 +63,12 @@ class Application {
 
   // Something went wrong on the board or the link; counted, and told.
   void note(wire::ErrorCode error, Outbox& outbox);
-  void note_unsent() { ++messages_unsent_; }
+  void note_unsent() { ++counts_.messages_unsent; }
   // Samples that the ADC had and the firmware did not take: time goes on without them.
   void note_samples_lost(std::uint32_t count, Outbox& outbox);
 
   bool relay_closed() const { return state_.relay_closed; }
-  std::uint64_t samples_taken() const { return samples_; }
+  std::uint64_t samples_taken() const { return counts_.samples; }
 
  private:
   void introduce(Outbox& outbox) const;
@@ -84,11 +84,14 @@ class Application {
   SettingsStorage* area_ = nullptr;
   outlet::Config config_;
   outlet::State state_;
-  std::uint64_t samples_ = 0;
-  std::uint32_t samples_lost_ = 0;
-  std::uint32_t messages_bad_ = 0;
-  std::uint32_t messages_unsent_ = 0;
-  std::uint32_t errors_[static_cast<std::size_t>(wire::kLastErrorCode) + 1] = {};
+  struct Counts {
+    std::uint64_t samples = 0;
+    std::uint32_t samples_lost = 0;
+    std::uint32_t messages_bad = 0;
+    std::uint32_t messages_unsent = 0;
+    std::uint32_t errors[static_cast<std::size_t>(wire::kLastErrorCode) + 1] = {};
+  };
+  Counts counts_;  // since start-up
   bool started_ = false;
 };
 

@@ -54,8 +54,8 @@ enum Happened : std::uint8_t {
 struct Report {
   std::uint32_t number = 0;  // the report ends with sample (number + 1) · 16 ms
   Measurement measurement;
-  Line line;  // least squares over rocof_samples, for the conditions; else NaN
-  std::uint8_t happened = 0;
+  Line line;              // least squares over rocof_samples, for the conditions; else NaN
+  unsigned happened = 0;  // bits of Happened
   Phase phase = Phase::kQuiet;
   Baseline baseline;
   std::uint16_t hits = 0;
