@@ -12,7 +12,7 @@ namespace {
 
 class SafeStateTest : public testing::Test {
  protected:
-  const gsbench::test::Mains mains_;
+  const gsbench::test::Mains mains_{};
   FakeStation station_{with(&Script::make_safe_error, "fake source: relay welded")};
   std::string failure_;
 };

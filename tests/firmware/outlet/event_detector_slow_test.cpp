@@ -1,5 +1,7 @@
 #include "noise_events.hpp"
 
+#include <gtest/gtest.h>
+
 namespace gs::outlet {
 namespace {
 
