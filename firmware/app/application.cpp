@@ -60,11 +60,8 @@ void Application::receive(const wire::Downlink& downlink, Outbox& outbox) {
       return tell_status(outbox);
     case wire::DownlinkKind::kAskSelfTest:
       return test_itself(outbox);
-    case wire::DownlinkKind::kPing: {
-      wire::Uplink echo = message(UplinkKind::kEcho);
-      echo.echo = {downlink.token};
-      return outbox.put(echo);
-    }
+    case wire::DownlinkKind::kPing:
+      return put(outbox, UplinkKind::kEcho, &wire::Uplink::echo, {downlink.token});
   }
 }
 
@@ -77,9 +74,7 @@ void Application::note(wire::ErrorCode error, Outbox& outbox) {
       error == wire::ErrorCode::kUnknownKind) {
     ++counts_.messages_bad;
   }
-  wire::Uplink told = message(UplinkKind::kError);
-  told.error = {error, ++counts_.errors[place]};
-  outbox.put(told);
+  put(outbox, UplinkKind::kError, &wire::Uplink::error, {error, ++counts_.errors[place]});
 }
 
 void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
@@ -90,9 +85,7 @@ void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
 }
 
 void Application::introduce(Outbox& outbox) const {
-  wire::Uplink told = message(UplinkKind::kHello);
-  told.hello = identity_;
-  wire::Hello& hello = told.hello;
+  wire::Hello hello = identity_;
   hello.firmware_version = kFirmwareVersion;
   hello.sample_rate_hz = config_.hardware.sample_rate_hz;
   hello.nominal_hz = config_.hardware.nominal_hz;
@@ -102,7 +95,7 @@ void Application::introduce(Outbox& outbox) const {
     hello.settings_version = config_.settings.version;
     hello.settings_digest = outlet::digest(config_.settings);
   }
-  outbox.put(told);
+  put(outbox, UplinkKind::kHello, &wire::Uplink::hello, hello);
 }
 
 void Application::take_settings(const wire::Downlink& sent, Outbox& outbox) {
@@ -113,11 +106,10 @@ void Application::take_settings(const wire::Downlink& sent, Outbox& outbox) {
   // An outlet that cannot keep them still follows them; the answer says so.
   const bool tried = error == outlet::SettingsError::kNone && area_ != nullptr;
   const bool kept = tried && area_->keep(settings);
-  wire::Uplink answer = message(UplinkKind::kSettingsAnswer);
   // Where none are in force, 0 and 0, as in the hello.
-  answer.settings_answer = {error, config_.has_settings ? config_.settings.version : 0,
-                            config_.has_settings ? outlet::digest(config_.settings) : 0, kept};
-  outbox.put(answer);
+  put(outbox, UplinkKind::kSettingsAnswer, &wire::Uplink::settings_answer,
+      {error, config_.has_settings ? config_.settings.version : 0,
+       config_.has_settings ? outlet::digest(config_.settings) : 0, kept});
   if (tried && !kept) {
     note(wire::ErrorCode::kSettingsStorage, outbox);
   }
@@ -125,16 +117,14 @@ void Application::take_settings(const wire::Downlink& sent, Outbox& outbox) {
 
 void Application::take_command(const wire::Downlink& command, Outbox& outbox) {
   const bool changed = outlet::command(state_, command.close_relay);
-  wire::Uplink answer = message(UplinkKind::kCommandAnswer);
-  answer.command_answer = {command.request, state_.relay_closed};
-  outbox.put(answer);
+  put(outbox, UplinkKind::kCommandAnswer, &wire::Uplink::command_answer,
+      {command.request, state_.relay_closed});
   if (changed) {
-    outbox.put(relay_message());
+    tell_relay(outbox);
   }
 }
 
 void Application::test_itself(Outbox& outbox) const {
-  wire::Uplink told = message(UplinkKind::kSelfTest);
   wire::SelfTest result;
   result.fingerprint = arithmetic_fingerprint();
   const auto errors = [&](wire::ErrorCode code) {
@@ -152,46 +142,38 @@ void Application::test_itself(Outbox& outbox) const {
   if (state_.reports == 0) {
     result.failed |= wire::kConverter;
   }
-  told.self_test = result;
-  outbox.put(told);
+  put(outbox, UplinkKind::kSelfTest, &wire::Uplink::self_test, result);
 }
 
 void Application::tell_status(Outbox& outbox) const {
-  wire::Uplink told = message(UplinkKind::kStatus);
-  told.status = {state_.reports,       state_.relay_closed,  state_.cause,           state_.phase,
-                 counts_.samples_lost, counts_.messages_bad, counts_.messages_unsent};
-  outbox.put(told);
+  put(outbox, UplinkKind::kStatus, &wire::Uplink::status,
+      {state_.reports, state_.relay_closed, state_.cause, state_.phase, counts_.samples_lost,
+       counts_.messages_bad, counts_.messages_unsent});
 }
 
 void Application::tell(const outlet::Report& report, Outbox& outbox) const {
-  wire::Uplink measurement = message(UplinkKind::kMeasurement);
-  measurement.measurement = {report.measurement.frequency_hz, report.measurement.rocof_hz_s,
-                             report.measurement.voltage_pu, report.measurement.validity};
-  outbox.put(measurement);
+  put(outbox, UplinkKind::kMeasurement, &wire::Uplink::measurement,
+      {report.measurement.frequency_hz, report.measurement.rocof_hz_s,
+       report.measurement.voltage_pu, report.measurement.validity});
   if ((report.happened & outlet::kEvent) != 0) {
-    wire::Uplink event = message(UplinkKind::kEvent);
-    event.event = {report.baseline.frequency_hz, report.baseline.rocof_hz_s};
-    outbox.put(event);
+    put(outbox, UplinkKind::kEvent, &wire::Uplink::event,
+        {report.baseline.frequency_hz, report.baseline.rocof_hz_s});
   }
   if ((report.happened & outlet::kLse) != 0) {
-    wire::Uplink lse = message(UplinkKind::kLse);
-    lse.lse = {report.lse_loss_mw};
-    outbox.put(lse);
+    put(outbox, UplinkKind::kLse, &wire::Uplink::lse, {report.lse_loss_mw});
   }
   if ((report.happened & outlet::kEstimate) != 0) {
-    wire::Uplink estimate = message(UplinkKind::kEstimate);
-    estimate.estimate = {report.loss_mw, report.loss_sigma_mw, report.loss_instant_s, report.trust};
-    outbox.put(estimate);
+    put(outbox, UplinkKind::kEstimate, &wire::Uplink::estimate,
+        {report.loss_mw, report.loss_sigma_mw, report.loss_instant_s, report.trust});
   }
   if ((report.happened & outlet::kDecision) != 0) {
-    wire::Uplink decision = message(UplinkKind::kDecision);
     const bool shed =
         (report.happened & outlet::kRelay) != 0 && report.cause == outlet::Cause::kLoss;
-    decision.decision = {report.loss_mw, report.required_mw, report.hits, report.trust, shed};
-    outbox.put(decision);
+    put(outbox, UplinkKind::kDecision, &wire::Uplink::decision,
+        {report.loss_mw, report.required_mw, report.hits, report.trust, shed});
   }
   if ((report.happened & outlet::kRelay) != 0) {
-    outbox.put(relay_message());
+    tell_relay(outbox);
   }
   if ((report.happened & outlet::kAborted) != 0) {
     outbox.put(message(UplinkKind::kAborted));
@@ -205,10 +187,16 @@ wire::Uplink Application::message(UplinkKind kind) const {
   return message;
 }
 
-wire::Uplink Application::relay_message() const {
-  wire::Uplink relay = message(UplinkKind::kRelay);
-  relay.relay = {state_.relay_closed, state_.cause};
-  return relay;
+template <class Content>
+void Application::put(Outbox& outbox, UplinkKind kind, Content wire::Uplink::*part,
+                      const Content& content) const {
+  wire::Uplink told = message(kind);
+  told.*part = content;
+  outbox.put(told);
+}
+
+void Application::tell_relay(Outbox& outbox) const {
+  put(outbox, UplinkKind::kRelay, &wire::Uplink::relay, {state_.relay_closed, state_.cause});
 }
 
 }  // namespace gs::app

@@ -124,11 +124,11 @@ struct Encoder {
 
   void operator()(bool value) { writer.boolean(value); }
   void operator()(float value) { writer.single(value); }
-  void operator()(std::uint8_t value) { writer.unsigned_integer(value); }
-  void operator()(std::uint16_t value) { writer.unsigned_integer(value); }
-  void operator()(std::uint32_t value) { writer.unsigned_integer(value); }
-  void operator()(std::uint64_t value) { writer.unsigned_integer(value); }
   void operator()(std::int32_t value) { writer.integer(value); }
+  template <class T>
+  void operator()(T value) {
+    writer.unsigned_integer(value);
+  }
   template <std::size_t N>
   void operator()(const char (&text)[N]) {
     std::size_t length = 0;
@@ -162,10 +162,10 @@ struct Decoder {
 
   void operator()(bool& value) { ok = next() && reader.boolean(value); }
   void operator()(float& value) { ok = next() && reader.single(value); }
-  void operator()(std::uint8_t& value) { number(value); }
-  void operator()(std::uint16_t& value) { number(value); }
-  void operator()(std::uint32_t& value) { number(value); }
-  void operator()(std::uint64_t& value) { number(value); }
+  template <class T>
+  void operator()(T& value) {
+    ok = next() && read_number(reader, value);
+  }
   void operator()(std::int32_t& value) {
     std::int64_t wide = 0;
     ok = next() && reader.integer(wide) && wide >= INT32_MIN && wide <= INT32_MAX;
@@ -178,7 +178,7 @@ struct Decoder {
   template <class E>
   void choice(E& value, E last, E first = E{}) {
     std::uint8_t raw = 0;
-    number(raw);
+    (*this)(raw);
     ok = ok && raw >= static_cast<std::uint8_t>(first) && raw <= static_cast<std::uint8_t>(last);
     value = ok ? static_cast<E>(raw) : value;
   }
@@ -196,11 +196,6 @@ struct Decoder {
     }
     --items;
     return true;
-  }
-
-  template <class T>
-  void number(T& value) {
-    ok = next() && read_number(reader, value);
   }
 
   bool finish() { return ok && pass_over(reader, items); }

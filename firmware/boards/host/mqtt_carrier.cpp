@@ -2,7 +2,6 @@
 
 #include <mosquitto.h>
 #include <mqtt_protocol.h>
-#include <poll.h>
 
 #include <charconv>
 #include <cstdio>
@@ -171,15 +170,6 @@ int MqttCarrier::descriptor() const {
 
 bool MqttCarrier::wants_to_write() const {
   return mosquitto_want_write(client_);
-}
-
-void MqttCarrier::wait(std::chrono::milliseconds longest) const {
-  pollfd waited{descriptor(), POLLIN, 0};
-  if (waited.fd >= 0 && wants_to_write()) {
-    waited.events |= POLLOUT;
-  }
-  // poll passes over a descriptor of −1.
-  poll(&waited, 1, static_cast<int>(longest.count()));
 }
 
 bool MqttCarrier::take(std::vector<std::uint8_t>& message) {

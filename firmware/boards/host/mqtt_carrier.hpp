@@ -51,8 +51,6 @@ class MqttCarrier final : public app::Carrier {
   void serve();
   int descriptor() const;  // -1: none now
   bool wants_to_write() const;
-  // Returns when there is something to serve, or after so long.
-  void wait(std::chrono::milliseconds longest) const;
 
   // The next message to the outlet.
   bool take(std::vector<std::uint8_t>& message);

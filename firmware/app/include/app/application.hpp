@@ -77,8 +77,11 @@ class Application {
   void test_itself(Outbox& outbox) const;
   void tell_status(Outbox& outbox) const;
   void tell(const outlet::Report& report, Outbox& outbox) const;
+  void tell_relay(Outbox& outbox) const;
   wire::Uplink message(wire::UplinkKind kind) const;
-  wire::Uplink relay_message() const;
+  template <class Content>
+  void put(Outbox& outbox, wire::UplinkKind kind, Content wire::Uplink::*part,
+           const Content& content) const;
 
   Identity identity_;
   SettingsStorage* area_ = nullptr;

@@ -77,7 +77,7 @@ class Parrot {
   void run() {
     std::vector<std::uint8_t> message;
     while (!ending_) {
-      carrier_.wait(std::chrono::milliseconds(1));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
       carrier_.serve();
       while (carrier_.take(message)) {
         carrier_.send(bytes_, size_);

@@ -45,7 +45,7 @@ MqttOutlet::~MqttOutlet() {
 
 void MqttOutlet::run() {
   while (!ending_) {
-    carrier_.wait(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::lock_guard<std::mutex> lock(mutex_);
     serve();
   }
