@@ -1,5 +1,4 @@
-#include "serial.hpp"
-
+#include "kinds.hpp"
 #include <libserialport.h>
 #include <sys/file.h>
 
@@ -13,84 +12,105 @@ using drivers::Error;
 using drivers::Result;
 using drivers::Status;
 
-Error Serial::last_error(const std::string& doing) const {
-  char* said = sp_last_error_message();
-  const std::string why = said != nullptr && *said != '\0' ? said : "no such port";
-  sp_free_error_message(said);
-  return failure(doing, why);
-}
+namespace {
 
-Status Serial::open() {
-  close();
-  // libserialport knows devices by their own names only; those under /dev/serial/by-id are links.
-  std::error_code none;
-  const std::filesystem::path device = std::filesystem::canonical(port(), none);
-  if (sp_get_port_by_name(none ? port().c_str() : device.c_str(), &port_) != SP_OK) {
-    port_ = nullptr;
-    return last_error("cannot be found");
-  }
-  if (sp_open(port_, SP_MODE_READ_WRITE) != SP_OK) {
-    const Error error = last_error("cannot be opened");
-    sp_free_port(port_);
-    port_ = nullptr;
-    return error;
-  }
-  Status configured = configure();
-  if (!configured.ok()) {
+class Serial final : public Transport {
+ public:
+  Serial(const std::string& port, int baud) : Transport(port), baud_(baud) {}
+  ~Serial() override { close(); }
+
+  Status open() override {
     close();
+    // libserialport knows devices by their own names only; those under /dev/serial/by-id are links.
+    std::error_code none;
+    const std::filesystem::path device = std::filesystem::canonical(port(), none);
+    if (sp_get_port_by_name(none ? port().c_str() : device.c_str(), &port_) != SP_OK) {
+      port_ = nullptr;
+      return last_error("cannot be found");
+    }
+    if (sp_open(port_, SP_MODE_READ_WRITE) != SP_OK) {
+      const Error error = last_error("cannot be opened");
+      sp_free_port(port_);
+      port_ = nullptr;
+      return error;
+    }
+    Status configured = configure();
+    if (!configured.ok()) {
+      close();
+    }
+    return configured;
   }
-  return configured;
-}
 
-Status Serial::configure() {
-  if (sp_get_port_handle(port_, &descriptor_) != SP_OK) {
-    return last_error("has no handle");
+  void close() noexcept override {
+    if (port_ != nullptr) {
+      sp_close(port_);
+      sp_free_port(port_);
+      port_ = nullptr;
+      descriptor_ = -1;
+    }
   }
-  // Before anything is changed: it may be another's.
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    return failure("cannot be opened", "another program has it open");
-  }
-  if (sp_set_baudrate(port_, baud_) != SP_OK || sp_set_bits(port_, 8) != SP_OK ||
-      sp_set_parity(port_, SP_PARITY_NONE) != SP_OK || sp_set_stopbits(port_, 1) != SP_OK ||
-      sp_set_flowcontrol(port_, SP_FLOWCONTROL_NONE) != SP_OK) {
-    return last_error("cannot be set to " + std::to_string(baud_) + " baud, 8N1");
-  }
-  sp_flush(port_, SP_BUF_BOTH);
-  return Done{};
-}
 
-void Serial::close() noexcept {
-  if (port_ != nullptr) {
-    sp_close(port_);
-    sp_free_port(port_);
-    port_ = nullptr;
-    descriptor_ = -1;
-  }
-}
+  int descriptor() const override { return descriptor_; }
 
-Status Serial::read_some(std::vector<std::uint8_t>& bytes) {
-  // The far end's death reads as "nothing there"; only asking for the number reports it.
-  const sp_return waiting = sp_input_waiting(port_);
-  if (waiting < 0) {
-    return last_error("cannot be read");
+ private:
+  Status read_some(std::vector<std::uint8_t>& bytes) override {
+    // The far end's death reads as "nothing there"; only asking for the number reports it.
+    const sp_return waiting = sp_input_waiting(port_);
+    if (waiting < 0) {
+      return last_error("cannot be read");
+    }
+    const std::size_t before = bytes.size();
+    bytes.resize(before + static_cast<std::size_t>(waiting));
+    const sp_return taken =
+        sp_nonblocking_read(port_, bytes.data() + before, static_cast<std::size_t>(waiting));
+    bytes.resize(before + static_cast<std::size_t>(std::max<int>(taken, 0)));
+    if (taken < 0) {
+      return last_error("cannot be read");
+    }
+    return Done{};
   }
-  const std::size_t before = bytes.size();
-  bytes.resize(before + static_cast<std::size_t>(waiting));
-  const sp_return taken =
-      sp_nonblocking_read(port_, bytes.data() + before, static_cast<std::size_t>(waiting));
-  bytes.resize(before + static_cast<std::size_t>(std::max<int>(taken, 0)));
-  if (taken < 0) {
-    return last_error("cannot be read");
-  }
-  return Done{};
-}
 
-Result<std::size_t> Serial::write_some(const std::uint8_t* bytes, std::size_t count) {
-  const sp_return taken = sp_nonblocking_write(port_, bytes, count);
-  if (taken < 0) {
-    return last_error("cannot be sent to");
+  Result<std::size_t> write_some(const std::uint8_t* bytes, std::size_t count) override {
+    const sp_return taken = sp_nonblocking_write(port_, bytes, count);
+    if (taken < 0) {
+      return last_error("cannot be sent to");
+    }
+    return static_cast<std::size_t>(taken);
   }
-  return static_cast<std::size_t>(taken);
+
+  Status configure() {
+    if (sp_get_port_handle(port_, &descriptor_) != SP_OK) {
+      return last_error("has no handle");
+    }
+    // Before anything is changed: it may be another's.
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      return failure("cannot be opened", "another program has it open");
+    }
+    if (sp_set_baudrate(port_, baud_) != SP_OK || sp_set_bits(port_, 8) != SP_OK ||
+        sp_set_parity(port_, SP_PARITY_NONE) != SP_OK || sp_set_stopbits(port_, 1) != SP_OK ||
+        sp_set_flowcontrol(port_, SP_FLOWCONTROL_NONE) != SP_OK) {
+      return last_error("cannot be set to " + std::to_string(baud_) + " baud, 8N1");
+    }
+    sp_flush(port_, SP_BUF_BOTH);
+    return Done{};
+  }
+
+  Error last_error(const std::string& doing) const {
+    char* said = sp_last_error_message();
+    const std::string why = said != nullptr && *said != '\0' ? said : "no such port";
+    sp_free_error_message(said);
+    return failure(doing, why);
+  }
+
+  int baud_;
+  sp_port* port_ = nullptr;
+  int descriptor_ = -1;
+};
+
+}  // namespace
+
+std::unique_ptr<Transport> make_serial(const std::string& port, int baud) {
+  return std::make_unique<Serial>(port, baud);
 }
 
 std::vector<std::string> serial_ports() {

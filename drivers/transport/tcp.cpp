@@ -1,5 +1,4 @@
-#include "tcp.hpp"
-
+#include "kinds.hpp"
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -10,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+
+#include <drivers/descriptor.hpp>
 
 namespace gsbench::transport {
 
@@ -71,63 +72,81 @@ Status check_address(const std::string& port) {
   return Done{};
 }
 
-Status Tcp::open() {
-  close();
-  Status checked = check_address(port());
-  if (!checked.ok()) {
-    return checked;
-  }
-  const Address address = address_of(port());
-  addrinfo wanted{};
-  wanted.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  if (const int error =
-          getaddrinfo(address.host.c_str(), address.service.c_str(), &wanted, &found)) {
-    return failure("cannot be found", gai_strerror(error));
-  }
-  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
-  // A name may have an address of each family, and the host listen on one of them.
-  int error = EHOSTUNREACH;
-  for (const addrinfo* to = found; to != nullptr && error != 0; to = to->ai_next) {
-    socket_ = Descriptor(
-        ::socket(to->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, to->ai_protocol));
-    error = socket_.is_open() ? connect_within(socket_.get(), *to) : errno;
-  }
-  if (error != 0) {
+namespace {
+
+class Tcp final : public Transport {
+ public:
+  using Transport::Transport;
+
+  Status open() override {
     close();
-    return failure("cannot be connected to", std::strerror(error));
-  }
-  // Small messages leave when they are sent, not when the one before has been acknowledged.
-  const int yes = 1;
-  setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-  return Done{};
-}
-
-Result<std::size_t> Tcp::write_some(const std::uint8_t* bytes, std::size_t count) {
-  const ssize_t taken = ::send(socket_.get(), bytes, count, MSG_NOSIGNAL);
-  if (taken >= 0) {
-    return static_cast<std::size_t>(taken);
-  }
-  if (errno == EAGAIN || errno == EINTR) {
-    return std::size_t{0};
-  }
-  return failure("cannot be sent to", std::strerror(errno));
-}
-
-Status Tcp::read_some(std::vector<std::uint8_t>& bytes) {
-  std::uint8_t some[4096];
-  const ssize_t got = ::recv(socket_.get(), some, sizeof some, 0);
-  if (got > 0) {
-    bytes.insert(bytes.end(), some, some + got);
+    if (Status checked = check_address(port()); !checked.ok()) {
+      return checked;
+    }
+    const Address address = address_of(port());
+    addrinfo wanted{};
+    wanted.ai_socktype = SOCK_STREAM;
+    addrinfo* found = nullptr;
+    if (const int error =
+            getaddrinfo(address.host.c_str(), address.service.c_str(), &wanted, &found)) {
+      return failure("cannot be found", gai_strerror(error));
+    }
+    const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
+    // A name may have an address of each family, and the host listen on one of them.
+    int error = EHOSTUNREACH;
+    for (const addrinfo* to = found; to != nullptr && error != 0; to = to->ai_next) {
+      socket_ = Descriptor(
+          ::socket(to->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, to->ai_protocol));
+      error = socket_.is_open() ? connect_within(socket_.get(), *to) : errno;
+    }
+    if (error != 0) {
+      close();
+      return failure("cannot be connected to", std::strerror(error));
+    }
+    // Small messages leave when they are sent, not when the one before has been acknowledged.
+    const int yes = 1;
+    setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
     return Done{};
   }
-  if (got == 0) {
-    return failure("cannot be read", "the far end has hung up");
+
+  void close() noexcept override { socket_.close(); }
+  int descriptor() const override { return socket_.get(); }
+
+ private:
+  Result<std::size_t> write_some(const std::uint8_t* bytes, std::size_t count) override {
+    const ssize_t taken = ::send(socket_.get(), bytes, count, MSG_NOSIGNAL);
+    if (taken >= 0) {
+      return static_cast<std::size_t>(taken);
+    }
+    if (errno == EAGAIN || errno == EINTR) {
+      return std::size_t{0};
+    }
+    return failure("cannot be sent to", std::strerror(errno));
   }
-  if (errno == EAGAIN || errno == EINTR) {
-    return Done{};
+
+  Status read_some(std::vector<std::uint8_t>& bytes) override {
+    std::uint8_t some[4096];
+    const ssize_t got = ::recv(socket_.get(), some, sizeof some, 0);
+    if (got > 0) {
+      bytes.insert(bytes.end(), some, some + got);
+      return Done{};
+    }
+    if (got == 0) {
+      return failure("cannot be read", "the far end has hung up");
+    }
+    if (errno == EAGAIN || errno == EINTR) {
+      return Done{};
+    }
+    return failure("cannot be read", std::strerror(errno));
   }
-  return failure("cannot be read", std::strerror(errno));
+
+  Descriptor socket_;
+};
+
+}  // namespace
+
+std::unique_ptr<Transport> make_tcp(const std::string& port) {
+  return std::make_unique<Tcp>(port);
 }
 
 }  // namespace gsbench::transport

@@ -1,5 +1,4 @@
-#include "serial.hpp"
-#include "tcp.hpp"
+#include "kinds.hpp"
 #include <poll.h>
 #include <unistd.h>
 
@@ -58,10 +57,7 @@ Status Transport::receive(std::vector<std::uint8_t>& bytes, Clock::time_point un
 }
 
 std::unique_ptr<Transport> make_transport(const std::string& port, int baud) {
-  if (is_tcp(port)) {
-    return std::make_unique<Tcp>(port);
-  }
-  return std::make_unique<Serial>(port, baud);
+  return is_tcp(port) ? make_tcp(port) : make_serial(port, baud);
 }
 
 Status check_port(const std::string& port) {
