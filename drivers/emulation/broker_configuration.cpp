@@ -150,7 +150,7 @@ Status write_logins(const std::string& folder, const std::vector<Login>& logins)
   return write_private(folder + "/access", kAccess);
 }
 
-Status write_configuration(const std::string& folder, std::uint16_t port, bool tls) {
+Status write_configuration(const std::string& folder, std::uint16_t port) {
   std::string text = kLimits;
   // Started by root, it would become a user who cannot read this folder.
   if (geteuid() == 0) {
@@ -160,11 +160,9 @@ Status write_configuration(const std::string& folder, std::uint16_t port, bool t
   text += "password_file " + folder + "/passwords\n";
   text += "acl_file " + folder + "/access\n";
   text += "listener " + std::to_string(port) + " 127.0.0.1\n";
-  if (tls) {
-    text += "certfile " + folder + kServerFile + '\n';
-    text += "keyfile " + folder + kServerKeyFile + '\n';
-    text += "tls_version tlsv1.3\n";
-  }
+  text += "certfile " + folder + kServerFile + '\n';
+  text += "keyfile " + folder + kServerKeyFile + '\n';
+  text += "tls_version tlsv1.3\n";
   return write_private(folder + "/mosquitto.conf", text);
 }
 

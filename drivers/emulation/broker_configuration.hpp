@@ -22,7 +22,7 @@ std::string new_password();
 drivers::Status write_logins(const std::string& folder, const std::vector<Login>& logins);
 
 // File `mosquitto.conf` in `folder`.
-drivers::Status write_configuration(const std::string& folder, std::uint16_t port, bool tls);
+drivers::Status write_configuration(const std::string& folder, std::uint16_t port);
 
 std::string text_of(const std::string& file);
 

@@ -8,7 +8,6 @@
 #include <csignal>
 #include <cstring>
 #include <thread>
-#include <utility>
 
 #include <emulation/child.hpp>
 
@@ -81,20 +80,6 @@ Result<Child> Child::start(const Command& command) {
     return Error{words.front() + ": cannot be started: " + std::strerror(error)};
   }
   return Child(pid);
-}
-
-Child::Child(Child&& other) noexcept : pid_(std::exchange(other.pid_, -1)) {}
-
-Child& Child::operator=(Child&& other) noexcept {
-  if (this != &other) {
-    stop();
-    pid_ = std::exchange(other.pid_, -1);
-  }
-  return *this;
-}
-
-Child::~Child() {
-  stop();
 }
 
 bool Child::running() {

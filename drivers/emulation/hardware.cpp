@@ -16,8 +16,7 @@ Hardware::Hardware(const HardwareOptions& options) : options_(options) {}
 
 Result<std::unique_ptr<Hardware>> Hardware::set_up(const HardwareOptions& options) {
   std::unique_ptr<Hardware> hardware(new Hardware(options));
-  const Status status = hardware->set_up();
-  if (!status.ok()) {
+  if (const Status status = hardware->set_up(); !status.ok()) {
     return Error{status.error()};
   }
   return hardware;
@@ -33,34 +32,26 @@ Hardware::~Hardware() {
 }
 
 Status Hardware::set_up() {
-  auto folder = ScratchFolder::create();
-  if (!folder.ok()) {
-    return Error{folder.error()};
+  if (Status made = ScratchFolder::create().move_to(folder_); !made.ok()) {
+    return made;
   }
-  folder_ = std::make_unique<ScratchFolder>(folder.take());
-  MainsOptions mains;
-  mains.folder = folder_->path();
-  mains.sample_rate_hz = options_.sample_rate_hz;
-  mains.nominal_hz = options_.nominal_hz;
-  mains.real_time = options_.real_time;
+  MainsOptions mains{
+      folder_->path(), {}, options_.sample_rate_hz, options_.nominal_hz, options_.real_time};
   for (const HardwareOutlet& outlet : options_.outlets) {
     mains.outlets.push_back({outlet.id, outlet.crystal_ppm});
   }
-  auto made = Mains::create(mains);
-  if (!made.ok()) {
-    return Error{made.error()};
+  if (Status made = Mains::create(mains).move_to(mains_); !made.ok()) {
+    return made;
   }
-  mains_ = made.take();
   if (!mqtt_ids().empty()) {
-    auto started = PrivateBroker::start({folder_->path() + "/broker", mqtt_ids(), true});
+    auto started = PrivateBroker::start({folder_->path() + "/broker", mqtt_ids()});
     if (!started.ok()) {
       return Error{started.error()};
     }
     broker_ = std::make_unique<PrivateBroker>(started.take());
   }
   for (std::size_t i = 0; i < options_.outlets.size(); ++i) {
-    Status plugged = plug_in(i);
-    if (!plugged.ok()) {
+    if (Status plugged = plug_in(i); !plugged.ok()) {
       return plugged;
     }
   }
@@ -71,11 +62,9 @@ Status Hardware::plug_in(std::size_t outlet) {
   const HardwareOutlet& it = options_.outlets[outlet];
   cables_.emplace_back();
   if (it.connection == Connection::kSerial) {
-    auto cable = NullModem::create();
-    if (!cable.ok()) {
-      return Error{cable.error()};
+    if (Status made = NullModem::create().move_to(cables_.back()); !made.ok()) {
+      return made;
     }
-    cables_.back() = std::make_unique<NullModem>(cable.take());
   }
   auto child = start_process(outlet);
   if (!child.ok()) {
@@ -86,12 +75,7 @@ Status Hardware::plug_in(std::size_t outlet) {
 }
 
 Status Hardware::restart_outlet(std::size_t outlet) {
-  auto child = start_process(outlet);
-  if (!child.ok()) {
-    return Error{child.error()};
-  }
-  processes_.at(outlet) = child.take();
-  return Done{};
+  return start_process(outlet).move_to(processes_.at(outlet));
 }
 
 Result<Child> Hardware::start_process(std::size_t outlet) const {

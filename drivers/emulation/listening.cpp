@@ -1,5 +1,3 @@
-#include "listening.hpp"
-
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
@@ -8,9 +6,10 @@
 #include <cerrno>
 #include <cstring>
 
+#include <emulation/listening.hpp>
+
 namespace gsbench::emulation {
 
-using drivers::Done;
 using drivers::Error;
 using drivers::Result;
 using drivers::Status;
@@ -58,24 +57,16 @@ Result<Descriptor> listen_on(const std::string& path) {
 
 Result<LoopbackPort> LoopbackPort::reserve() {
   LoopbackPort port;
-  auto reservation = bound_socket(port.number_);
-  if (!reservation.ok()) {
-    return Error{reservation.error()};
-  }
-  port.reservation_ = reservation.take();
-  return port;
+  const Status bound = bound_socket(port.number_).move_to(port.reservation_);
+  return bound.ok() ? Result<LoopbackPort>(std::move(port)) : Error{bound.error()};
 }
 
 Status LoopbackPort::listen() {
-  auto listening = bound_socket(number_);
-  if (!listening.ok()) {
-    return Error{listening.error()};
-  }
-  listening_ = listening.take();
-  if (::listen(listening_.get(), kWaiting) != 0) {
+  Status bound = bound_socket(number_).move_to(listening_);
+  if (bound.ok() && ::listen(listening_.get(), kWaiting) != 0) {
     return Error{"127.0.0.1:" + std::to_string(number_) + ": " + std::strerror(errno)};
   }
-  return Done{};
+  return bound;
 }
 
 Descriptor LoopbackPort::accept() const {

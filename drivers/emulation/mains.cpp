@@ -20,6 +20,28 @@ using drivers::Status;
 using models::ContactEdge;
 using models::kCountsPerPu;
 
+// All outlets on the mains, and how far it has got.
+struct MainsState {
+  struct Outlet {
+    Outlet(SharedMemoryFile file, double ppm) : terminal(std::move(file)), crystal_ppm(ppm) {}
+
+    SharedMemoryFile terminal;
+    double crystal_ppm;
+    std::unique_ptr<models::CrystalAdc> adc;  // from power-up on
+    std::uint32_t first_sample = 0;           // the terminal's count when the source began
+    std::uint32_t edges_read = 0;
+    std::uint64_t coil_changes = 0;
+    std::vector<ContactEdge> contact;  // edges that the sense has still to tell, ascending
+    bool given_up = false;
+    std::vector<std::int16_t> samples;
+  };
+
+  MainsOptions options;
+  std::vector<Outlet> outlets;
+  std::int64_t tick = 0;
+  std::uint64_t seed = 0;
+};
+
 namespace {
 
 // Not faster than an outlet takes them: so far it may be behind. One that takes none for so long
@@ -28,63 +50,38 @@ constexpr std::uint32_t kMostBehind = 4096;
 constexpr double kPi = 3.14159265358979323846;
 constexpr auto kGivenUpAfter = std::chrono::seconds(2);
 
-// One outlet on the mains.
-struct Outlet {
-  Outlet(SharedMemoryFile file, double ppm) : terminal(std::move(file)), crystal_ppm(ppm) {}
-
-  SharedMemoryFile terminal;
-  double crystal_ppm;
-  std::unique_ptr<models::CrystalAdc> adc;  // from power-up on
-  std::uint32_t first_sample = 0;           // the terminal's count when the source began
-  std::uint32_t edges_read = 0;
-  std::uint64_t coil_changes = 0;
-  std::vector<ContactEdge> contact;  // edges that the sense has still to tell, ascending
-  bool given_up = false;
-  std::vector<std::int16_t> samples;
-};
-
-struct Shared {
-  explicit Shared(const MainsOptions& given) : options(given) {}
-
-  MainsOptions options;
-  std::vector<Outlet> outlets;
-  std::int64_t tick = 0;
-  std::uint64_t seed = 0;
-};
+using Outlet = MainsState::Outlet;
 
 class MainsSource final : public source::Source {
  public:
-  explicit MainsSource(Shared& shared)
-      : shared_(shared),
-        pacer_(shared.options.real_time ? simulated::Pace::kRealTime : simulated::Pace::kVirtual) {}
+  explicit MainsSource(std::shared_ptr<MainsState> state)
+      : state_(std::move(state)),
+        pacer_(state_->options.real_time ? simulated::Pace::kRealTime : simulated::Pace::kVirtual) {
+  }
 
   source::Limits limits() const override {
     source::Limits limits;
     limits.name = "emulated mains";
     limits.full_scale_pu = models::kFullScalePu;
-    limits.sample_rates_hz = {shared_.options.sample_rate_hz};
-    limits.nominal_hz = {shared_.options.nominal_hz};
+    limits.sample_rates_hz = {state_->options.sample_rate_hz};
+    limits.nominal_hz = {state_->options.nominal_hz};
     limits.noise_per_outlet = true;
     return limits;
   }
 
  protected:
-  Result<source::Played> deviation(const source::Stimulus&) const override {
-    return source::Played{};
-  }
-
   Status power_up() override {
     const source::Noise noise = stimulus().noise();
-    shared_.seed = noise.seed;
-    shared_.tick = 0;
-    for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
-      Outlet& outlet = shared_.outlets[i];
+    state_->seed = noise.seed;
+    state_->tick = 0;
+    for (std::size_t i = 0; i < state_->outlets.size(); ++i) {
+      Outlet& outlet = state_->outlets[i];
       const models::Stream stream{noise.seed, models::kSourceNoise, static_cast<std::uint32_t>(i)};
       outlet.adc = std::make_unique<models::CrystalAdc>(outlet.crystal_ppm, kCountsPerPu,
                                                         noise.rms_pu, stream);
       outlet.given_up = false;
-      Status fed = feed_nominal(outlet, 800 + 137 * i);  // each outlet's count is another
-      if (!fed.ok()) {
+      // Each outlet's count is another.
+      if (Status fed = feed_nominal(outlet, 800 + 137 * i); !fed.ok()) {
         return fed;
       }
       outlet.first_sample = outlet.terminal.terminals().written;
@@ -93,7 +90,7 @@ class MainsSource final : public source::Source {
   }
 
   Status begin() override {
-    pacer_.start(shared_.options.sample_rate_hz);
+    pacer_.start(state_->options.sample_rate_hz);
     return Done{};
   }
 
@@ -104,15 +101,15 @@ class MainsSource final : public source::Source {
       return Error{voltage_pu.error()};
     }
     pacer_.wait_until(until_tick);
-    for (Outlet& outlet : shared_.outlets) {
+    for (Outlet& outlet : state_->outlets) {
       outlet.samples.clear();
       outlet.adc->take(voltage_pu.value(), static_cast<std::size_t>(count), outlet.samples);
       outlet.terminal.write(outlet.samples.data(), outlet.samples.size());
       outlet.terminal.ring();
     }
-    shared_.tick = until_tick;
-    if (!shared_.options.real_time) {
-      for (Outlet& outlet : shared_.outlets) {
+    state_->tick = until_tick;
+    if (!state_->options.real_time) {
+      for (Outlet& outlet : state_->outlets) {
         wait_for(outlet);
       }
     }
@@ -130,8 +127,8 @@ class MainsSource final : public source::Source {
     }
     const auto at_0 = static_cast<double>(first.value()[0]);
     const auto at_1 = static_cast<double>(first.value()[1]);
-    const double step_rad = 2.0 * kPi * static_cast<double>(shared_.options.nominal_hz) /
-                            static_cast<double>(shared_.options.sample_rate_hz);
+    const double step_rad = 2.0 * kPi * static_cast<double>(state_->options.nominal_hz) /
+                            static_cast<double>(state_->options.sample_rate_hz);
     const double phase_rad =
         std::atan2((at_0 * std::cos(step_rad) - at_1) / std::sin(step_rad), at_0);
     outlet.samples.resize(count);
@@ -152,26 +149,25 @@ class MainsSource final : public source::Source {
     }
   }
 
-  Shared& shared_;
+  std::shared_ptr<MainsState> state_;
   simulated::Pacer pacer_;
 };
 
 class TerminalRelaySense final : public relay::RelaySense {
  public:
-  explicit TerminalRelaySense(Shared& shared) : shared_(shared) {}
+  explicit TerminalRelaySense(std::shared_ptr<MainsState> state) : state_(std::move(state)) {}
 
-  std::size_t channels() const override { return shared_.outlets.size(); }
   // It counts the source's ticks. Half a tick for the edge itself, half for the outlet's sample
   // that its coil changed with.
   relay::Alignment alignment() const override { return {0.0, 1.0, 1.0}; }
 
   Status poll(std::vector<relay::Edge>& edges) override {
-    for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
-      Outlet& outlet = shared_.outlets[i];
+    for (std::size_t i = 0; i < state_->outlets.size(); ++i) {
+      Outlet& outlet = state_->outlets[i];
       follow_coil(outlet, i);
       const auto future =
           std::find_if(outlet.contact.begin(), outlet.contact.end(),
-                       [&](const ContactEdge& edge) { return edge.tick >= shared_.tick; });
+                       [&](const ContactEdge& edge) { return edge.tick >= state_->tick; });
       for (auto edge = outlet.contact.begin(); edge != future; ++edge) {
         edges.push_back({i, edge->tick, edge->closed});
       }
@@ -193,67 +189,53 @@ class TerminalRelaySense final : public relay::RelaySense {
         continue;
       }
       const auto tick = static_cast<std::int64_t>(std::llround(outlet.adc->tick_of(since)));
-      const models::Stream stream{shared_.seed, models::kRelayModel,
+      const models::Stream stream{state_->seed, models::kRelayModel,
                                   static_cast<std::uint32_t>(index)};
       for (const ContactEdge& edge :
            contact_edges(models::RelayParameters(), stream, outlet.coil_changes, tick,
-                         pin.closed != 0, shared_.options.sample_rate_hz)) {
+                         pin.closed != 0, state_->options.sample_rate_hz)) {
         outlet.contact.push_back(edge);
       }
       ++outlet.coil_changes;
     }
   }
 
-  Shared& shared_;
+  std::shared_ptr<MainsState> state_;
 };
 
 }  // namespace
 
-struct Mains::Impl {
-  explicit Impl(const MainsOptions& options)
-      : shared(options), source(shared), relay_sense(shared) {}
-
-  Shared shared;
-  MainsSource source;
-  TerminalRelaySense relay_sense;
-};
-
-Mains::Mains(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Mains::~Mains() = default;
+Mains::Mains(std::shared_ptr<MainsState> state)
+    : state_(std::move(state)),
+      source_(std::make_unique<MainsSource>(state_)),
+      relay_sense_(std::make_unique<TerminalRelaySense>(state_)) {}
 
 Result<std::unique_ptr<Mains>> Mains::create(const MainsOptions& options) {
-  auto impl = std::make_unique<Impl>(options);
+  const auto state = std::make_shared<MainsState>();
+  state->options = options;
   for (const MainsOutlet& outlet : options.outlets) {
-    SharedMemorySettings settings;
-    settings.id = outlet.id;
-    settings.instance = static_cast<std::uint32_t>(impl->shared.outlets.size() + 1);
-    settings.sample_rate_hz = static_cast<std::int32_t>(options.sample_rate_hz);
-    settings.nominal_hz = options.nominal_hz;
-    settings.counts_per_pu = kCountsPerPu;
-    Result<SharedMemoryFile> file = SharedMemoryFile::create(options.folder, settings);
+    Result<SharedMemoryFile> file = SharedMemoryFile::create(
+        options.folder,
+        {outlet.id, static_cast<std::uint32_t>(state->outlets.size() + 1),
+         static_cast<std::int32_t>(options.sample_rate_hz), options.nominal_hz, kCountsPerPu});
     if (!file.ok()) {
       return Error{file.error()};
     }
-    impl->shared.outlets.emplace_back(file.take(), outlet.crystal_ppm);
+    state->outlets.emplace_back(file.take(), outlet.crystal_ppm);
   }
-  return std::unique_ptr<Mains>(new Mains(std::move(impl)));
+  return std::unique_ptr<Mains>(new Mains(state));
 }
 
 gs::shared_memory_io::SharedMemory& Mains::terminals(std::size_t outlet) {
-  return impl_->shared.outlets.at(outlet).terminal.terminals();
+  return state_->outlets.at(outlet).terminal.terminals();
 }
 
 const std::string& Mains::terminal_path(std::size_t outlet) const {
-  return impl_->shared.outlets.at(outlet).terminal.path();
+  return state_->outlets.at(outlet).terminal.path();
 }
+
 const std::string& Mains::doorbell_path(std::size_t outlet) const {
-  return impl_->shared.outlets.at(outlet).terminal.doorbell();
-}
-source::Source& Mains::source() {
-  return impl_->source;
-}
-relay::RelaySense& Mains::relay_sense() {
-  return impl_->relay_sense;
+  return state_->outlets.at(outlet).terminal.doorbell();
 }
 
 }  // namespace gsbench::emulation

@@ -1,12 +1,8 @@
-#include "listening.hpp"
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
 
-#include <array>
 #include <cerrno>
-#include <mutex>
-#include <thread>
 
 #include <emulation/null_modem.hpp>
 
@@ -18,13 +14,6 @@ using drivers::Result;
 using drivers::Status;
 
 namespace {
-
-struct End {
-  explicit End(LoopbackPort reserved) : port(std::move(reserved)) {}
-
-  LoopbackPort port;
-  Descriptor connection;
-};
 
 constexpr int kMostBehindMs = 100;
 
@@ -43,69 +32,63 @@ void write_all(int to, const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-struct NullModem::Impl {
-  Impl(LoopbackPort for_bench, LoopbackPort for_outlet)
-      : bench(std::move(for_bench)), outlet(std::move(for_outlet)) {}
-  ~Impl() { unplug(); }
+Result<std::unique_ptr<NullModem>> NullModem::create() {
+  auto bench = LoopbackPort::reserve();
+  auto outlet = LoopbackPort::reserve();
+  if (!bench.ok() || !outlet.ok()) {
+    return Error{bench.ok() ? outlet.error() : bench.error()};
+  }
+  std::unique_ptr<NullModem> cable(new NullModem(bench.take(), outlet.take()));
+  if (const Status plugged = cable->plug_in(); !plugged.ok()) {
+    return Error{plugged.error()};
+  }
+  return cable;
+}
 
-  Status plug_in();
-  void unplug();
-  void run();
-  void pass(End& from, End& to, Way way);
-
-  End bench;
-  End outlet;
-  Descriptor wake;
-  std::mutex mutex;
-  std::array<Spoiler, 2> spoilers;  // by the way
-  std::thread pump;
-};
-
-Status NullModem::Impl::plug_in() {
+Status NullModem::plug_in() {
   unplug();
-  for (End* const end : {&bench, &outlet}) {
-    Status listening = end->port.listen();
-    if (!listening.ok()) {
+  for (End* const end : {&bench_, &outlet_}) {
+    if (Status listening = end->port.listen(); !listening.ok()) {
       return listening;
     }
   }
-  wake = Descriptor(eventfd(0, EFD_CLOEXEC));
-  pump = std::thread([this] { run(); });
+  wake_ = Descriptor(eventfd(0, EFD_CLOEXEC));
+  pump_ = std::thread([this] { run(); });
   return Done{};
 }
 
-void NullModem::Impl::unplug() {
-  if (pump.joinable()) {
-    eventfd_write(wake.get(), 1);
-    pump.join();
+void NullModem::unplug() {
+  if (pump_.joinable()) {
+    eventfd_write(wake_.get(), 1);
+    pump_.join();
   }
-  for (End* const end : {&bench, &outlet}) {
+  for (End* const end : {&bench_, &outlet_}) {
     end->port.refuse();
     end->connection.close();
   }
 }
 
-void NullModem::Impl::run() {
+void NullModem::run() {
   while (true) {
     // Each end: the bytes that came, or who connects.
     const auto waited_of = [](const End& end) {
       return pollfd{end.connection.is_open() ? end.connection.get() : end.port.descriptor(), POLLIN,
                     0};
     };
-    pollfd waited[] = {{wake.get(), POLLIN, 0}, waited_of(bench), waited_of(outlet)};
+    pollfd waited[] = {{wake_.get(), POLLIN, 0}, waited_of(bench_), waited_of(outlet_)};
     if ((::poll(waited, 3, -1) < 0 && errno != EINTR) || waited[0].revents != 0) {
       return;
     }
     if (waited[1].revents != 0) {
-      pass(bench, outlet, Way::kToOutlet);
+      pass(bench_, outlet_, Way::kToOutlet);
     }
     if (waited[2].revents != 0) {
-      pass(outlet, bench, Way::kToBench);
+      pass(outlet_, bench_, Way::kToBench);
     }
   }
 }
 
-void NullModem::Impl::pass(End& from, End& to, Way way) {
+void NullModem::pass(End& from, End& to, Way way) {
   if (!from.connection.is_open()) {
     from.connection = from.port.accept();
     return;
@@ -120,8 +103,8 @@ void NullModem::Impl::pass(End& from, End& to, Way way) {
   }
   bytes.resize(static_cast<std::size_t>(got));
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (const Spoiler& spoiler = spoilers[static_cast<std::size_t>(way)]; spoiler) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const Spoiler& spoiler = spoilers_[static_cast<std::size_t>(way)]; spoiler) {
       spoiler(bytes);
     }
   }
@@ -134,44 +117,9 @@ void NullModem::Impl::pass(End& from, End& to, Way way) {
   }
 }
 
-NullModem::NullModem(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-NullModem::NullModem(NullModem&&) noexcept = default;
-NullModem& NullModem::operator=(NullModem&&) noexcept = default;
-NullModem::~NullModem() = default;
-
-Result<NullModem> NullModem::create() {
-  auto bench = LoopbackPort::reserve();
-  auto outlet = LoopbackPort::reserve();
-  if (!bench.ok() || !outlet.ok()) {
-    return Error{bench.ok() ? outlet.error() : bench.error()};
-  }
-  NullModem cable(std::make_unique<Impl>(bench.take(), outlet.take()));
-  const Status plugged = cable.plug_in();
-  if (!plugged.ok()) {
-    return Error{plugged.error()};
-  }
-  return cable;
-}
-
-std::string NullModem::bench_end() const {
-  return "tcp://127.0.0.1:" + std::to_string(impl_->bench.port.number());
-}
-
-std::uint16_t NullModem::outlet_end() const {
-  return impl_->outlet.port.number();
-}
-
-void NullModem::unplug() {
-  impl_->unplug();
-}
-
-Status NullModem::plug_in() {
-  return impl_->plug_in();
-}
-
 void NullModem::spoil(Spoiler spoiler, Way way) {
-  const std::lock_guard<std::mutex> lock(impl_->mutex);
-  impl_->spoilers[static_cast<std::size_t>(way)] = std::move(spoiler);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  spoilers_[static_cast<std::size_t>(way)] = std::move(spoiler);
 }
 
 }  // namespace gsbench::emulation

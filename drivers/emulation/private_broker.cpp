@@ -1,5 +1,4 @@
 #include "broker_configuration.hpp"
-#include "listening.hpp"
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -8,6 +7,7 @@
 #include <filesystem>
 #include <thread>
 
+#include <emulation/listening.hpp>
 #include <emulation/private_broker.hpp>
 #include <transport/transport.hpp>
 
@@ -17,7 +17,6 @@ using drivers::Done;
 using drivers::Error;
 using drivers::Result;
 using drivers::Status;
-using emulation::Child;
 
 namespace {
 
@@ -107,14 +106,11 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
     logins.push_back({id, new_password()});
   }
   done = write_logins(folder, logins);
+  if (done.ok()) {
+    done = make_certificates(folder);
+  }
   if (!done.ok()) {
     return Error{done.error()};
-  }
-  if (options.tls) {
-    done = make_certificates(folder);
-    if (!done.ok()) {
-      return Error{done.error()};
-    }
   }
 
   // Kept until the broker listens on it, so that nobody else takes it before.
@@ -123,7 +119,7 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
     return Error{reserved.error()};
   }
   const std::uint16_t port = reserved.value().number();
-  done = write_configuration(folder, port, options.tls);
+  done = write_configuration(folder, port);
   if (!done.ok()) {
     return Error{done.error()};
   }
@@ -134,7 +130,7 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
   PrivateBroker broker(launched.take());
   broker.folder_ = folder;
   broker.port_ = port;
-  broker.ca_file_ = options.tls ? folder + kCaFile : "";
+  broker.ca_file_ = folder + kCaFile;
   broker.bench_ = logins.front();
   for (auto login = logins.begin() + 1; login != logins.end(); ++login) {
     broker.outlets_[login->user] = *login;
@@ -142,18 +138,9 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
   return broker;
 }
 
-std::string PrivateBroker::url() const {
-  return (ca_file_.empty() ? "mqtt://127.0.0.1:" : "mqtts://127.0.0.1:") + std::to_string(port_);
-}
-
 Status PrivateBroker::restart() {
   child_.stop();
-  auto launched = launch(folder_, port_);
-  if (!launched.ok()) {
-    return Error{launched.error()};
-  }
-  child_ = launched.take();
-  return Done{};
+  return launch(folder_, port_).move_to(child_);
 }
 
 }  // namespace gsbench::emulation

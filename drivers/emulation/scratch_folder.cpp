@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <utility>
 #include <vector>
 
 namespace gsbench::emulation {
@@ -58,24 +57,21 @@ void remove_ownerless() {
 
 }  // namespace
 
-Result<ScratchFolder> ScratchFolder::create() {
+Result<std::unique_ptr<ScratchFolder>> ScratchFolder::create() {
   remove_ownerless();
   std::string made = (place() / (std::string(kNewPrefix) + "XXXXXX")).string();
-  ScratchFolder folder;
+  std::unique_ptr<ScratchFolder> folder(new ScratchFolder);
   if (mkdtemp(made.data()) != nullptr) {
-    folder.lock_ = locked(made);
+    folder->lock_ = locked(made);
     const std::string name = made.substr(made.rfind('-') + 1);
-    folder.path_ = (place() / (kPrefix + name)).string();
+    folder->path_ = (place() / (kPrefix + name)).string();
   }
-  if (!folder.lock_.is_open() || ::rename(made.c_str(), folder.path_.c_str()) != 0) {
+  if (!folder->lock_.is_open() || ::rename(made.c_str(), folder->path_.c_str()) != 0) {
     return Error{std::string("emulated outlets: no folder for their files: ") +
                  std::strerror(errno)};
   }
   return folder;
 }
-
-ScratchFolder::ScratchFolder(ScratchFolder&& other) noexcept
-    : path_(std::exchange(other.path_, {})), lock_(std::move(other.lock_)) {}
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;

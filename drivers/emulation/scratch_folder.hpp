@@ -2,6 +2,7 @@
 // bench that was killed has left behind is distinguished by that, and removed by the next.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include <drivers/descriptor.hpp>
@@ -11,9 +12,9 @@ namespace gsbench::emulation {
 
 class ScratchFolder {
  public:
-  static drivers::Result<ScratchFolder> create();
-  ScratchFolder(ScratchFolder&& other) noexcept;
-  ScratchFolder& operator=(ScratchFolder&& other) noexcept = delete;
+  static drivers::Result<std::unique_ptr<ScratchFolder>> create();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
   ~ScratchFolder();  // with all that is in it
 
   const std::string& path() const { return path_; }

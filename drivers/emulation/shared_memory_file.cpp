@@ -16,6 +16,7 @@ namespace gsbench::emulation {
 
 using drivers::Error;
 using drivers::Result;
+using drivers::Status;
 using gs::shared_memory_io::kRingSamples;
 using gs::shared_memory_io::SharedMemory;
 
@@ -41,8 +42,8 @@ Result<SharedMemoryFile> SharedMemoryFile::create(const std::string& folder,
   if (mapped == MAP_FAILED) {
     return Error{file.path_ + ": " + std::strerror(errno)};
   }
-  auto* terminals = new (mapped) SharedMemory{};
-  file.terminals_ = terminals;
+  file.terminals_.reset(new (mapped) SharedMemory{});
+  SharedMemory* const terminals = file.terminals_.get();
   std::memset(terminals->flash, 0xFF, sizeof terminals->flash);
   terminals->sample_rate_hz = settings.sample_rate_hz;
   terminals->nominal_hz = settings.nominal_hz;
@@ -50,24 +51,16 @@ Result<SharedMemoryFile> SharedMemoryFile::create(const std::string& folder,
   terminals->instance = settings.instance;
   gs::app::set_text(terminals->id, settings.id.c_str());
   terminals->magic = gs::shared_memory_io::kMagic;
-  Result<Descriptor> listening = listen_on(file.doorbell_);
-  if (!listening.ok()) {
-    return Error{listening.error()};
-  }
-  file.listening_ = listening.take();
-  return file;
+  const Status listening = listen_on(file.doorbell_).move_to(file.listening_);
+  return listening.ok() ? Result<SharedMemoryFile>(std::move(file)) : Error{listening.error()};
 }
 
-SharedMemoryFile::SharedMemoryFile(SharedMemoryFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      doorbell_(std::move(other.doorbell_)),
-      terminals_(std::exchange(other.terminals_, nullptr)),
-      listening_(std::move(other.listening_)),
-      connection_(std::move(other.connection_)) {}
+void SharedMemoryFile::Unmap::operator()(SharedMemory* mapped) const noexcept {
+  munmap(mapped, sizeof(SharedMemory));
+}
 
 SharedMemoryFile::~SharedMemoryFile() {
   if (terminals_ != nullptr) {
-    munmap(terminals_, sizeof(SharedMemory));
     unlink(path_.c_str());
     unlink(doorbell_.c_str());
   }

@@ -3,13 +3,14 @@
 // of samples.
 #pragma once
 
-#include "listening.hpp"
 #include <shared_memory_io/shared_memory.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include <drivers/result.hpp>
+#include <emulation/listening.hpp>
 
 namespace gsbench::emulation {
 
@@ -26,7 +27,7 @@ class SharedMemoryFile {
   // Makes both; what the outlet keeps in flash is as new.
   static drivers::Result<SharedMemoryFile> create(const std::string& folder,
                                                   const SharedMemorySettings& settings);
-  SharedMemoryFile(SharedMemoryFile&& other) noexcept;
+  SharedMemoryFile(SharedMemoryFile&& other) noexcept = default;
   SharedMemoryFile& operator=(SharedMemoryFile&& other) noexcept = delete;
   ~SharedMemoryFile();
 
@@ -40,11 +41,15 @@ class SharedMemoryFile {
   std::uint32_t behind() const;
 
  private:
+  struct Unmap {
+    void operator()(gs::shared_memory_io::SharedMemory* mapped) const noexcept;
+  };
+
   SharedMemoryFile() = default;
 
   std::string path_;
   std::string doorbell_;
-  gs::shared_memory_io::SharedMemory* terminals_ = nullptr;
+  std::unique_ptr<gs::shared_memory_io::SharedMemory, Unmap> terminals_;
   Descriptor listening_;
   Descriptor connection_;
 };

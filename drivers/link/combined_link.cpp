@@ -6,19 +6,10 @@ using drivers::Done;
 using drivers::Error;
 using drivers::Status;
 
-std::string CombinedLink::name() const {
-  std::string name;
-  for (const auto& link : links_) {
-    name += (name.empty() ? "" : " and ") + link->name();
-  }
-  return name;
-}
-
 Status CombinedLink::open() {
   close();
   for (const auto& link : links_) {
-    Status opened = link->open();
-    if (!opened.ok()) {
+    if (Status opened = link->open(); !opened.ok()) {
       close();
       return opened;
     }
@@ -35,8 +26,7 @@ Status CombinedLink::send(const std::string& id, const gs::wire::Downlink& messa
 Status CombinedLink::poll(Happenings& happenings) {
   for (const auto& link : links_) {
     const std::size_t joined = happenings.joined.size();
-    Status polled = link->poll(happenings);
-    if (!polled.ok()) {
+    if (Status polled = link->poll(happenings); !polled.ok()) {
       return polled;
     }
     // One that says the same id on another link later does not take its place.

@@ -106,8 +106,7 @@ drivers::Result<std::vector<OutletPresence>> wait_for_outlets(
     Link& link, const std::vector<std::string>& named, std::chrono::milliseconds patience,
     std::chrono::milliseconds others_for) {
   using Clock = std::chrono::steady_clock;
-  const drivers::Status opened = link.open();
-  if (!opened.ok()) {
+  if (const drivers::Status opened = link.open(); !opened.ok()) {
     return drivers::Error{opened.error()};
   }
   const Clock::time_point begin = Clock::now();
@@ -117,8 +116,7 @@ drivers::Result<std::vector<OutletPresence>> wait_for_outlets(
   Happenings happenings;
   while (true) {
     happenings.clear();
-    const drivers::Status polled = link.poll(happenings);
-    if (!polled.ok()) {
+    if (const drivers::Status polled = link.poll(happenings); !polled.ok()) {
       link.close();
       return drivers::Error{polled.error()};
     }

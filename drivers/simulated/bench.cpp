@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <drivers/workers.hpp>
 #include <simulated/bench.hpp>
@@ -27,10 +28,10 @@ struct Shared {
 
 class SimulatedSource final : public source::Source {
  public:
-  explicit SimulatedSource(Shared& shared)
-      : shared_(shared),
-        pacer_(shared.parameters.pace),
-        workers_(std::min(shared.parameters.threads, shared.outlets.size())) {}
+  explicit SimulatedSource(std::shared_ptr<Shared> shared)
+      : shared_(std::move(shared)),
+        pacer_(shared_->parameters.pace),
+        workers_(std::min(shared_->parameters.threads, shared_->outlets.size())) {}
 
   source::Limits limits() const override {
     source::Limits limits;
@@ -45,20 +46,16 @@ class SimulatedSource final : public source::Source {
   }
 
  protected:
-  Result<source::Played> deviation(const source::Stimulus&) const override {
-    return source::Played{};
-  }
-
   Status power_up() override {
     const source::Noise noise = stimulus().noise();
-    for (Outlet& outlet : shared_.outlets) {
+    for (Outlet& outlet : shared_->outlets) {
       if (!outlet.start(stimulus().sample_rate_hz(), stimulus().nominal_hz(), noise.rms_pu,
                         noise.seed)) {
         return Error{"simulated source: the firmware serves no " +
                      std::to_string(stimulus().sample_rate_hz()) + " Hz"};
       }
     }
-    shared_.tick = 0;
+    shared_->tick = 0;
     return Done{};
   }
 
@@ -75,48 +72,47 @@ class SimulatedSource final : public source::Source {
       return Error{voltage_pu.error()};
     }
     pacer_.wait_until(first_tick);
-    workers_.run(shared_.outlets.size(), [&](std::size_t outlet) {
-      shared_.outlets[outlet].feed(first_tick, voltage_pu.value(), static_cast<std::size_t>(count));
+    workers_.run(shared_->outlets.size(), [&](std::size_t outlet) {
+      shared_->outlets[outlet].feed(first_tick, voltage_pu.value(),
+                                    static_cast<std::size_t>(count));
     });
-    shared_.tick = until_tick;
+    shared_->tick = until_tick;
     return until_tick;
   }
 
   Status switch_off() noexcept override { return Done{}; }
 
  private:
-  Shared& shared_;
+  std::shared_ptr<Shared> shared_;
   Pacer pacer_;
   drivers::Workers workers_;
 };
 
 class SimulatedLink final : public link::Link {
  public:
-  explicit SimulatedLink(Shared& shared) : shared_(shared) {}
-
-  std::string name() const override { return "simulated"; }
+  explicit SimulatedLink(std::shared_ptr<Shared> shared) : shared_(std::move(shared)) {}
 
   Status open() override { return Done{}; }
 
   Status send(const std::string& id, const gs::wire::Downlink& message) override {
-    const std::vector<std::string>& ids = shared_.parameters.outlet_ids;
+    const std::vector<std::string>& ids = shared_->parameters.outlet_ids;
     const auto found = std::find(ids.begin(), ids.end(), id);
     if (found == ids.end()) {
       return Error{"simulated link: no outlet " + id};
     }
-    shared_.outlets[static_cast<std::size_t>(found - ids.begin())].send(shared_.tick, message);
+    shared_->outlets[static_cast<std::size_t>(found - ids.begin())].send(shared_->tick, message);
     return Done{};
   }
 
   // An outlet joins when it gets power.
   Status poll(link::Happenings& happenings) override {
-    for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
-      const std::string& id = shared_.parameters.outlet_ids[i];
+    for (std::size_t i = 0; i < shared_->outlets.size(); ++i) {
+      const std::string& id = shared_->parameters.outlet_ids[i];
       inbox_.clear();
-      shared_.outlets[i].take_messages(inbox_);
+      shared_->outlets[i].take_messages(inbox_);
       for (const gs::wire::Uplink& message : inbox_) {
         if (message.kind == gs::wire::UplinkKind::kHello) {
-          happenings.joined.push_back({id, name(), message.hello});
+          happenings.joined.push_back({id, "simulated", message.hello});
         } else {
           happenings.messages.push_back({id, message});
         }
@@ -128,22 +124,21 @@ class SimulatedLink final : public link::Link {
   void close() noexcept override {}
 
  private:
-  Shared& shared_;
+  std::shared_ptr<Shared> shared_;
   std::vector<gs::wire::Uplink> inbox_;
 };
 
 class SimulatedRelaySense final : public relay::RelaySense {
  public:
-  explicit SimulatedRelaySense(Shared& shared) : shared_(shared) {}
+  explicit SimulatedRelaySense(std::shared_ptr<Shared> shared) : shared_(std::move(shared)) {}
 
-  std::size_t channels() const override { return shared_.outlets.size(); }
   // It counts the source's ticks.
   relay::Alignment alignment() const override { return {0.0, 1.0, 0.5}; }
 
   Status poll(std::vector<relay::Edge>& edges) override {
-    for (std::size_t i = 0; i < shared_.outlets.size(); ++i) {
+    for (std::size_t i = 0; i < shared_->outlets.size(); ++i) {
       contacts_.clear();
-      shared_.outlets[i].take_edges(contacts_, shared_.tick);
+      shared_->outlets[i].take_edges(contacts_, shared_->tick);
       for (const models::ContactEdge& contact : contacts_) {
         edges.push_back({i, contact.tick, contact.closed});
       }
@@ -152,33 +147,17 @@ class SimulatedRelaySense final : public relay::RelaySense {
   }
 
  private:
-  Shared& shared_;
+  std::shared_ptr<Shared> shared_;
   std::vector<models::ContactEdge> contacts_;
 };
 
 }  // namespace
 
-struct Bench::Impl {
-  explicit Impl(const BenchParameters& parameters)
-      : shared(parameters), source(shared), link(shared), relay_sense(shared) {}
-
-  Shared shared;
-  SimulatedSource source;
-  SimulatedLink link;
-  SimulatedRelaySense relay_sense;
-};
-
-Bench::Bench(const BenchParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
-Bench::~Bench() = default;
-
-source::Source& Bench::source() {
-  return impl_->source;
-}
-link::Link& Bench::link() {
-  return impl_->link;
-}
-relay::RelaySense& Bench::relay_sense() {
-  return impl_->relay_sense;
+Bench::Bench(const BenchParameters& parameters) {
+  const auto shared = std::make_shared<Shared>(parameters);
+  source_ = std::make_unique<SimulatedSource>(shared);
+  link_ = std::make_unique<SimulatedLink>(shared);
+  relay_sense_ = std::make_unique<SimulatedRelaySense>(shared);
 }
 
 }  // namespace gsbench::simulated

@@ -23,15 +23,10 @@ Outlet::Outlet(const OutletParameters& parameters, const std::string& id, std::u
 
 bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_pu,
                    std::uint64_t seed) {
+  *this = Outlet(parameters_, identity_.id, index_);
   sample_rate_hz_ = sample_rate_hz;
   noise_rms_pu_ = noise_rms_pu;
   seed_ = seed;
-  collector_.messages.clear();
-  relay_changes_read_ = 0;
-  pending_.clear();
-  edges_.clear();
-  coil_changes_ = 0;
-  contact_moves_tick_ = 0;
   gs::outlet::Hardware hardware;
   hardware.sample_rate_hz = static_cast<std::int32_t>(sample_rate_hz);
   hardware.nominal_hz = nominal_hz;

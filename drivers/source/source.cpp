@@ -46,13 +46,12 @@ Status one_of(const Limits& limits, const char* what, Value value, const std::ve
 Status within(const Limits& limits, const Stimulus& stimulus) {
   const std::int64_t rate_hz = stimulus.sample_rate_hz();
   const std::int64_t ticks = stimulus.total_ticks();
-  Status rate = one_of(limits, "sample rate", rate_hz, limits.sample_rates_hz);
-  if (!rate.ok()) {
-    return rate;
+  Status served = one_of(limits, "sample rate", rate_hz, limits.sample_rates_hz);
+  if (served.ok()) {
+    served = one_of(limits, "nominal frequency", stimulus.nominal_hz(), limits.nominal_hz);
   }
-  Status nominal = one_of(limits, "nominal frequency", stimulus.nominal_hz(), limits.nominal_hz);
-  if (!nominal.ok()) {
-    return nominal;
+  if (!served.ok()) {
+    return served;
   }
   const double duration_s = static_cast<double>(ticks) / static_cast<double>(rate_hz);
   if (ticks < 2 || duration_s > limits.longest_s) {
@@ -77,18 +76,15 @@ Status within_full_scale(const Limits& limits, const Stimulus& stimulus) {
 
 }  // namespace
 
-const char* Source::word(State state) {
-  static const char* const kWords[] = {"off",     "prepared", "energised",
-                                       "playing", "stopped",  "failed"};
-  return kWords[static_cast<std::size_t>(state)];
-}
-
 Status Source::expect(const char* call, State needed) const {
   if (state_ == needed) {
     return Done{};
   }
+  static const char* const kWords[] = {"off",     "prepared", "energised",
+                                       "playing", "stopped",  "failed"};
   return Error{fmt::format("{}: cannot {} while {}: it must be {}", limits().name, call,
-                           word(state_), word(needed))};
+                           kWords[static_cast<std::size_t>(state_)],
+                           kWords[static_cast<std::size_t>(needed)])};
 }
 
 Status Source::enter(State next, Status answer) {
@@ -103,16 +99,14 @@ Result<Played> Source::check(const Stimulus& stimulus) const {
 }
 
 Result<Played> Source::preview(const Stimulus& stimulus) const {
-  const Status possible = within(limits(), stimulus);
-  if (!possible.ok()) {
+  if (const Status possible = within(limits(), stimulus); !possible.ok()) {
     return Error{possible.error()};
   }
   return deviation(stimulus);
 }
 
 Result<Played> Source::prepare(const Stimulus& stimulus, const Progress& progress) {
-  const Status ready = expect("prepare", State::kOff);
-  if (!ready.ok()) {
+  if (const Status ready = expect("prepare", State::kOff); !ready.ok()) {
     return Error{ready.error()};
   }
   Result<Played> played = limits().kind == Kind::kStreamed ? preview(stimulus) : check(stimulus);
@@ -122,8 +116,7 @@ Result<Played> Source::prepare(const Stimulus& stimulus, const Progress& progres
   stimulus_ = &stimulus;
   limits_ = limits();
   tick_ = 0;
-  const Status uploaded = enter(State::kPrepared, upload(progress));
-  if (!uploaded.ok()) {
+  if (const Status uploaded = enter(State::kPrepared, upload(progress)); !uploaded.ok()) {
     return Error{uploaded.error()};
   }
   return played;
@@ -140,8 +133,7 @@ Status Source::start() {
 }
 
 Result<std::int64_t> Source::advance(std::int64_t until_tick) {
-  const Status ready = expect("advance", State::kPlaying);
-  if (!ready.ok()) {
+  if (const Status ready = expect("advance", State::kPlaying); !ready.ok()) {
     return Error{ready.error()};
   }
   const std::int64_t end_tick = stimulus_->total_ticks();
@@ -174,8 +166,8 @@ Status Source::make_safe() noexcept {
 }
 
 Result<const float*> Source::samples(std::int64_t first_tick, std::int64_t count) {
-  const Status rendered = render(limits_, *stimulus_, first_tick, count, samples_);
-  if (!rendered.ok()) {
+  if (const Status rendered = render(limits_, *stimulus_, first_tick, count, samples_);
+      !rendered.ok()) {
     return Error{rendered.error()};
   }
   return static_cast<const float*>(samples_.data());

@@ -121,10 +121,10 @@ double link_round_trip_ms() {
 struct RawCable {
   RawCable() { or_die(outlet->open()); }
 
-  emulation::NullModem cable = or_die(emulation::NullModem::create());
-  std::unique_ptr<transport::Transport> bench = transport::make_transport(cable.bench_end());
+  std::unique_ptr<emulation::NullModem> cable = or_die(emulation::NullModem::create());
+  std::unique_ptr<transport::Transport> bench = transport::make_transport(cable->bench_end());
   std::unique_ptr<transport::Transport> outlet =
-      transport::make_transport("tcp://127.0.0.1:" + std::to_string(cable.outlet_end()));
+      transport::make_transport("tcp://127.0.0.1:" + std::to_string(cable->outlet_end()));
 };
 
 // Waits for some; none after a tenth of a second.
@@ -206,7 +206,7 @@ double link_seconds() {
     }
     say_measurements(*raw.outlet);
   });
-  const std::vector<std::string> ports = {raw.cable.bench_end()};
+  const std::vector<std::string> ports = {raw.cable->bench_end()};
   link::FramedLink link({ports});
   or_die(link::wait_for_outlets(link, ports, kToAnswer));
   const auto begin = steady_clock::now();

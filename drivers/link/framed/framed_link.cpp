@@ -232,8 +232,7 @@ FramedLink::~FramedLink() {
 Status FramedLink::open() {
   close();
   const std::lock_guard<std::mutex> lock(impl_->mutex);
-  Status opened = impl_->open_ports();
-  if (!opened.ok()) {
+  if (Status opened = impl_->open_ports(); !opened.ok()) {
     impl_->lines.clear();
     return opened;
   }

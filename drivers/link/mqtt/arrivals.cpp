@@ -12,7 +12,7 @@ namespace gsbench::link {
 namespace {
 
 constexpr std::string_view kPrefix = "gs/";
-constexpr std::string_view kHello = "/hello";
+constexpr std::string_view kHelloEnd = "/hello";
 
 std::string piece(std::uint32_t instance) {
   char text[16];
@@ -31,16 +31,6 @@ std::int64_t now_ns() {
 }
 
 }  // namespace
-
-std::string hello_topic(const std::string& id) {
-  return "gs/" + id + "/hello";
-}
-std::string up_topic(const std::string& id) {
-  return "gs/" + id + "/up";
-}
-std::string down_topic(const std::string& id) {
-  return "gs/" + id + "/down";
-}
 
 void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::size_t size,
                     bool retained) {
@@ -63,15 +53,15 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
 
 // Nothing that is not a hello: what else one says before it is known means nothing.
 void Arrivals::add(std::string_view hello_topic) {
-  const std::size_t around = kPrefix.size() + kHello.size();
+  const std::size_t around = kPrefix.size() + kHelloEnd.size();
   if (hello_topic.size() <= around || hello_topic.substr(0, kPrefix.size()) != kPrefix ||
-      hello_topic.substr(hello_topic.size() - kHello.size()) != kHello) {
+      hello_topic.substr(hello_topic.size() - kHelloEnd.size()) != kHelloEnd) {
     return;
   }
   Outlet& outlet = outlets_.emplace_back();
   outlet.id = hello_topic.substr(kPrefix.size(), hello_topic.size() - around);
   outlet.hello_topic = hello_topic;
-  outlet.up_topic = up_topic(outlet.id);
+  outlet.up_topic = topic(outlet.id, kUp);
   places_[outlet.hello_topic] = {outlets_.size() - 1, true};
   places_[outlet.up_topic] = {outlets_.size() - 1, false};
 }
@@ -153,7 +143,7 @@ const std::string& Arrivals::id(std::size_t outlet) {
 
 std::optional<std::size_t> Arrivals::find(const std::string& id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = places_.find(hello_topic(id));
+  const auto found = places_.find(topic(id, kHello));
   return found != places_.end() && outlets_[found->second.outlet].joined
              ? std::optional(found->second.outlet)
              : std::nullopt;
@@ -205,7 +195,7 @@ std::vector<Fault> Arrivals::missing(const std::vector<std::string>& wanted) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<Fault> all;
   for (const std::string& id : wanted) {
-    const auto found = places_.find(hello_topic(id));
+    const auto found = places_.find(topic(id, kHello));
     if (found == places_.end() || !outlets_[found->second.outlet].here) {
       all.push_back({id, "is not on the broker"});
     }

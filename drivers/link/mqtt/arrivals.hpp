@@ -15,9 +15,12 @@
 
 namespace gsbench::link {
 
-std::string hello_topic(const std::string& id);
-std::string up_topic(const std::string& id);
-std::string down_topic(const std::string& id);
+constexpr const char* kHello = "hello";
+constexpr const char* kUp = "up";
+constexpr const char* kDown = "down";
+inline std::string topic(const std::string& id, const char* what) {
+  return "gs/" + id + '/' + what;
+}
 
 class Arrivals {
  public:

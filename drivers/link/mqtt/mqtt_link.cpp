@@ -28,11 +28,11 @@ Status MqttLink::open() {
   close();
   std::vector<std::string> filters;
   for (const std::string& id : options_.outlets) {
-    filters.push_back(hello_topic(id));
-    filters.push_back(up_topic(id));
+    filters.push_back(topic(id, kHello));
+    filters.push_back(topic(id, kUp));
   }
   if (filters.empty()) {
-    filters = {hello_topic("+"), up_topic("+")};
+    filters = {topic("+", kHello), topic("+", kUp)};
   }
   opened_ = std::make_unique<Opened>(options_);
   Status done = opened_->connection.connect();
@@ -57,7 +57,7 @@ Status MqttLink::send(const std::string& id, const gs::wire::Downlink& message) 
 void MqttLink::send(std::size_t outlet, const gs::wire::Downlink& message) {
   const auto bytes = opened_->arrivals.encode(outlet, message);
   if (!bytes.empty()) {
-    opened_->connection.publish(outlet, down_topic(opened_->arrivals.id(outlet)), bytes);
+    opened_->connection.publish(outlet, topic(opened_->arrivals.id(outlet), kDown), bytes);
   }
 }
 

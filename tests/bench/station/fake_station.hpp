@@ -86,7 +86,6 @@ class FakeStation final : public Station,
   drivers::Status poll(link::Happenings& happenings) override;
   void close() noexcept override;
 
-  std::size_t channels() const override { return script_.relay_channels; }
   relay::Alignment alignment() const override { return {0.0, 1.0, 0.5}; }
   drivers::Status poll(std::vector<relay::Edge>& edges) override;
 

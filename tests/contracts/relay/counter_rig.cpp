@@ -13,7 +13,6 @@ constexpr double kCountAtTick0 = 987654321.0;
 
 class CounterSense final : public relay::RelaySense {
  public:
-  std::size_t channels() const override { return 2; }
   relay::Alignment alignment() const override { return {kCountAtTick0, kCountsPerTick, 0.5}; }
 
   drivers::Status poll(std::vector<relay::Edge>& edges) override {

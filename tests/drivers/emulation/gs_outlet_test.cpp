@@ -40,13 +40,13 @@ class GsOutlet : public testing::Test {
     return " --terminals " + file_->path() + " --doorbell " + file_->doorbell();
   }
 
-  std::string line_address() const { return "127.0.0.1:" + std::to_string(cable_.outlet_end()); }
+  std::string line_address() const { return "127.0.0.1:" + std::to_string(cable_->outlet_end()); }
   std::string line() const { return "--tcp " + line_address(); }
 
   TemporaryFolder folder_;
   std::optional<SharedMemoryFile> file_ =
       demand(SharedMemoryFile::create(folder_.path().string(), {"a", 0, 8000, 50, 20000.0F}));
-  NullModem cable_ = demand(NullModem::create());
+  std::unique_ptr<NullModem> cable_ = demand(NullModem::create());
 };
 
 TEST_F(GsOutlet, SaysHowItIsUsed) {
@@ -75,7 +75,7 @@ TEST_F(GsOutlet, WantsOneLine) {
 }
 
 TEST_F(GsOutlet, RefusesALineThatIsNone) {
-  cable_.unplug();
+  cable_->unplug();
   expect_refused(line() + at_terminals(), line_address() + ": Connection refused");
   for (const std::string wrong : {"127.0.0.1", "127.0.0.1:", "127.0.0.1:70000", "localhost:5000"}) {
     expect_refused("--tcp " + wrong + at_terminals(), "\"" + wrong + "\" is no address:port");

@@ -26,8 +26,8 @@ using testing::HasSubstr;
 TEST(ScratchFolder, GoesWithItsOwnerAndAllThatIsInIt) {
   std::string path;
   {
-    const ScratchFolder folder = demand(ScratchFolder::create());
-    path = folder.path();
+    const std::unique_ptr<ScratchFolder> folder = demand(ScratchFolder::create());
+    path = folder->path();
     std::ofstream(path + "/a.terminals") << "samples";
     ASSERT_TRUE(fs::exists(path + "/a.terminals"));
   }
@@ -35,15 +35,15 @@ TEST(ScratchFolder, GoesWithItsOwnerAndAllThatIsInIt) {
 }
 
 TEST(ScratchFolder, CanBeReadByNobodyElse) {
-  const ScratchFolder folder = demand(ScratchFolder::create());
-  EXPECT_EQ(fs::status(folder.path()).permissions(), fs::perms::owner_all);
+  const std::unique_ptr<ScratchFolder> folder = demand(ScratchFolder::create());
+  EXPECT_EQ(fs::status(folder->path()).permissions(), fs::perms::owner_all);
 }
 
 TEST(ScratchFolder, InUseIsLeftAlone) {
-  const ScratchFolder first = demand(ScratchFolder::create());
-  const ScratchFolder second = demand(ScratchFolder::create());
-  EXPECT_NE(first.path(), second.path());
-  EXPECT_TRUE(fs::exists(first.path()));
+  const std::unique_ptr<ScratchFolder> first = demand(ScratchFolder::create());
+  const std::unique_ptr<ScratchFolder> second = demand(ScratchFolder::create());
+  EXPECT_NE(first->path(), second->path());
+  EXPECT_TRUE(fs::exists(first->path()));
 }
 
 TEST(ScratchFolder, OfAKilledOwnerIsRemovedByTheNext) {
@@ -53,9 +53,9 @@ TEST(ScratchFolder, OfAKilledOwnerIsRemovedByTheNext) {
   if (owner == 0) {
     auto made = ScratchFolder::create();
     if (made.ok()) {
-      const ScratchFolder folder = made.take();
-      std::ofstream(folder.path() + "/left") << "behind";
-      const ssize_t put = ::write(told[1], folder.path().c_str(), folder.path().size());
+      const std::unique_ptr<ScratchFolder> folder = made.take();
+      std::ofstream(folder->path() + "/left") << "behind";
+      const ssize_t put = ::write(told[1], folder->path().c_str(), folder->path().size());
       pause();
       _exit(put > 0 ? 0 : 1);
     }

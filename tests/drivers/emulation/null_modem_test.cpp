@@ -44,10 +44,10 @@ class Cable : public testing::Test {
     return !end.receive(bytes, Clock::now() + 1ms).ok();
   }
 
-  NullModem cable_ = NullModem::create().take();
-  std::unique_ptr<Transport> bench_ = make_transport(cable_.bench_end());
+  std::unique_ptr<NullModem> cable_ = NullModem::create().take();
+  std::unique_ptr<Transport> bench_ = make_transport(cable_->bench_end());
   std::unique_ptr<Transport> outlet_ =
-      make_transport("tcp://127.0.0.1:" + std::to_string(cable_.outlet_end()));
+      make_transport("tcp://127.0.0.1:" + std::to_string(cable_->outlet_end()));
 };
 
 TEST_F(Cable, PassesEveryByteBothWays) {
@@ -60,13 +60,13 @@ TEST_F(Cable, PassesEveryByteBothWays) {
 }
 
 TEST_F(Cable, SpoilsTheWayThatItIsToldToAndNothingElse) {
-  cable_.spoil([](Bytes& bytes) { bytes.push_back(0x55); });
+  cable_->spoil([](Bytes& bytes) { bytes.push_back(0x55); });
   ASSERT_TRUE(outlet_->send({1, 2}).ok());
   EXPECT_EQ(received(*bench_, 3), (Bytes{1, 2, 0x55}));
   ASSERT_TRUE(bench_->send({3, 4}).ok());
   EXPECT_EQ(received(*outlet_, 2), (Bytes{3, 4}));
-  cable_.spoil({});
-  cable_.spoil([](Bytes& bytes) { bytes.push_back(0x66); }, Way::kToOutlet);
+  cable_->spoil({});
+  cable_->spoil([](Bytes& bytes) { bytes.push_back(0x66); }, Way::kToOutlet);
   ASSERT_TRUE(outlet_->send({5, 6}).ok());
   EXPECT_EQ(received(*bench_, 2), (Bytes{5, 6}));
   ASSERT_TRUE(bench_->send({7}).ok());
@@ -76,11 +76,11 @@ TEST_F(Cable, SpoilsTheWayThatItIsToldToAndNothingElse) {
 TEST_F(Cable, ThatIsUnpluggedHangsUpAtBothEndsAndTakesNobodyUntilItIsPluggedIn) {
   EXPECT_FALSE(hung_up(*bench_));
   EXPECT_FALSE(hung_up(*outlet_));
-  cable_.unplug();
+  cable_->unplug();
   EXPECT_TRUE(until([&] { return hung_up(*bench_) && hung_up(*outlet_); }));
   EXPECT_FALSE(bench_->open().ok());
   EXPECT_FALSE(outlet_->open().ok());
-  ASSERT_TRUE(cable_.plug_in().ok());
+  ASSERT_TRUE(cable_->plug_in().ok());
   connect();
   ASSERT_TRUE(bench_->send({8}).ok());
   EXPECT_EQ(received(*outlet_, 1), (Bytes{8}));
@@ -97,18 +97,18 @@ TEST_F(Cable, KeepsTheBenchsEndWhenTheOutletGoesAndComesBack) {
 
 // Ports are their own from their making on, plugged in or not: nobody else's cable gets them.
 TEST(NullModem, KeepsItsPortsWhileItIsUnplugged) {
-  std::vector<NullModem> cables;
+  std::vector<std::unique_ptr<NullModem>> cables;
   std::vector<std::string> ends;
   for (int i = 0; i < 50; ++i) {
     cables.push_back(NullModem::create().take());
-    cables.back().unplug();
-    ends.push_back(cables.back().bench_end());
-    ends.push_back("tcp://127.0.0.1:" + std::to_string(cables.back().outlet_end()));
+    cables.back()->unplug();
+    ends.push_back(cables.back()->bench_end());
+    ends.push_back("tcp://127.0.0.1:" + std::to_string(cables.back()->outlet_end()));
   }
   std::sort(ends.begin(), ends.end());
   EXPECT_EQ(std::adjacent_find(ends.begin(), ends.end()), ends.end());
-  for (NullModem& cable : cables) {
-    EXPECT_TRUE(cable.plug_in().ok());
+  for (const auto& cable : cables) {
+    EXPECT_TRUE(cable->plug_in().ok());
   }
 }
 

@@ -20,7 +20,6 @@ class Scripted final : public Link {
  public:
   Scripted(std::vector<OutletPresence> outlets, std::vector<std::string>& sent, bool refused)
       : outlets_(std::move(outlets)), sent_(sent), refused_(refused) {}
-  std::string name() const override { return "scripted"; }
   drivers::Status open() override {
     if (refused_) {
       return drivers::Error{"not now"};
@@ -43,7 +42,7 @@ class Scripted final : public Link {
     joined_ = true;
     return drivers::Done{};
   }
-  std::vector<Fault> missing() override { return {{"nobody", "is not on " + name()}}; }
+  std::vector<Fault> missing() override { return {{"nobody", "is not on scripted"}}; }
   void close() noexcept override {}
 
  private:

@@ -1,5 +1,4 @@
 // What every transport must do, then what is particular to one.
-#include "listening.hpp"
 #include "pty.hpp"
 #include <poll.h>
 #include <sys/socket.h>
@@ -12,6 +11,7 @@
 
 #include <gmock/gmock.h>
 
+#include <emulation/listening.hpp>
 #include <transport/transport.hpp>
 
 namespace gsbench::transport {

@@ -12,6 +12,11 @@ struct Error {
   std::string message;
 };
 
+struct Done {};
+template <class T>
+class Result;
+using Status = Result<Done>;
+
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -22,13 +27,23 @@ class [[nodiscard]] Result {
   const T& value() const { return std::get<T>(content_); }
   // For what can only be moved.
   T take() { return std::move(std::get<T>(content_)); }
+  // Leaves the place as it is where there is no value.
+  template <class Place>
+  Status move_to(Place& place);
   const std::string& error() const { return std::get<Error>(content_).message; }
 
  private:
   std::variant<T, Error> content_;
 };
 
-struct Done {};
-using Status = Result<Done>;
+template <class T>
+template <class Place>
+Status Result<T>::move_to(Place& place) {
+  if (!ok()) {
+    return Error{error()};
+  }
+  place = take();
+  return Done{};
+}
 
 }  // namespace gsbench::drivers

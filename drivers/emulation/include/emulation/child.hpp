@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <drivers/result.hpp>
@@ -22,9 +23,13 @@ class Child {
   // lives as long as they should.
   static drivers::Result<Child> start(const Command& command);
 
-  Child(Child&& other) noexcept;
-  Child& operator=(Child&& other) noexcept;
-  ~Child();  // stop()
+  Child(Child&& other) noexcept : pid_(std::exchange(other.pid_, -1)) {}
+  // What it was before is stopped.
+  Child& operator=(Child other) noexcept {
+    std::swap(pid_, other.pid_);
+    return *this;
+  }
+  ~Child() { stop(); }
 
   pid_t pid() const { return pid_; }
   bool running();

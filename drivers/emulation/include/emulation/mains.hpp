@@ -31,10 +31,11 @@ struct MainsOptions {
   bool real_time = true;  // false: as fast as the outlets take samples
 };
 
+struct MainsState;
+
 class Mains {
  public:
   static drivers::Result<std::unique_ptr<Mains>> create(const MainsOptions& options);
-  ~Mains();
 
   // For the outlet's process.
   const std::string& terminal_path(std::size_t outlet) const;
@@ -44,13 +45,15 @@ class Mains {
   gs::shared_memory_io::SharedMemory& terminals(std::size_t outlet);
 
   // These live as long as the mains.
-  source::Source& source();
-  relay::RelaySense& relay_sense();
+  source::Source& source() { return *source_; }
+  relay::RelaySense& relay_sense() { return *relay_sense_; }
 
  private:
-  struct Impl;
-  explicit Mains(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
+  explicit Mains(std::shared_ptr<MainsState> state);
+
+  std::shared_ptr<MainsState> state_;
+  std::unique_ptr<source::Source> source_;
+  std::unique_ptr<relay::RelaySense> relay_sense_;
 };
 
 }  // namespace gsbench::emulation

@@ -3,13 +3,17 @@
 // them. What is sent while nobody is at the other end is lost, as on a cable.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <drivers/result.hpp>
+#include <emulation/listening.hpp>
 
 namespace gsbench::emulation {
 
@@ -20,14 +24,16 @@ enum class Way : std::uint8_t { kToBench, kToOutlet };
 
 class NullModem {
  public:
-  static drivers::Result<NullModem> create();
+  static drivers::Result<std::unique_ptr<NullModem>> create();
+  ~NullModem() { unplug(); }
+  NullModem(const NullModem&) = delete;
+  NullModem& operator=(const NullModem&) = delete;
 
-  NullModem(NullModem&&) noexcept;
-  NullModem& operator=(NullModem&&) noexcept;
-  ~NullModem();  // unplug()
-
-  std::string bench_end() const;     // "tcp://127.0.0.1:40001", a transport's port
-  std::uint16_t outlet_end() const;  // 40002, on 127.0.0.1
+  // "tcp://127.0.0.1:40001", a transport's port
+  std::string bench_end() const {
+    return "tcp://127.0.0.1:" + std::to_string(bench_.port.number());
+  }
+  std::uint16_t outlet_end() const { return outlet_.port.number(); }  // 40002, on 127.0.0.1
 
   // For faults on purpose. Both ends hang up, and can be connected to again once the cable is
   // plugged in again.
@@ -38,9 +44,22 @@ class NullModem {
   void spoil(Spoiler spoiler, Way way = Way::kToBench);
 
  private:
-  struct Impl;
-  explicit NullModem(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
+  struct End {
+    LoopbackPort port;
+    Descriptor connection;
+  };
+
+  NullModem(LoopbackPort bench, LoopbackPort outlet)
+      : bench_{std::move(bench), {}}, outlet_{std::move(outlet), {}} {}
+  void run();
+  void pass(End& from, End& to, Way way);
+
+  End bench_;
+  End outlet_;
+  Descriptor wake_;
+  std::mutex mutex_;
+  std::array<Spoiler, 2> spoilers_;  // by the way
+  std::thread pump_;
 };
 
 }  // namespace gsbench::emulation

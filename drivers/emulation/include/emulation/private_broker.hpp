@@ -23,7 +23,6 @@ struct Login {
 struct Options {
   std::string folder;                // made where it is missing; nobody else may then read it
   std::vector<std::string> outlets;  // their ids: letters, digits, '-', '_', '.'
-  bool tls = true;                   // false only to measure what TLS costs
 };
 
 class PrivateBroker {
@@ -32,8 +31,8 @@ class PrivateBroker {
   static drivers::Result<PrivateBroker> start(const Options& options);
 
   std::uint16_t port() const { return port_; }
-  std::string url() const;  // "mqtts://127.0.0.1:40123", or mqtt:// without TLS
-  const std::string& ca_file() const { return ca_file_; }  // empty without TLS
+  std::string url() const { return "mqtts://127.0.0.1:" + std::to_string(port_); }
+  const std::string& ca_file() const { return ca_file_; }
   const Login& bench() const { return bench_; }
   const Login& outlet(const std::string& id) const { return outlets_.at(id); }
   pid_t pid() const { return child_.pid(); }
@@ -47,9 +46,9 @@ class PrivateBroker {
   drivers::Status restart();
 
  private:
-  explicit PrivateBroker(emulation::Child child) : child_(std::move(child)) {}
+  explicit PrivateBroker(Child child) : child_(std::move(child)) {}
 
-  emulation::Child child_;
+  Child child_;
   std::string folder_;
   std::uint16_t port_ = 0;
   std::string ca_file_;

@@ -14,7 +14,6 @@ class CombinedLink final : public Link {
  public:
   explicit CombinedLink(std::vector<std::unique_ptr<Link>> links) : links_(std::move(links)) {}
 
-  std::string name() const override;
   [[nodiscard]] drivers::Status open() override;
   [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;

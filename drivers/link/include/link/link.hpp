@@ -52,8 +52,6 @@ struct Happenings {
 class Link {
  public:
   virtual ~Link() = default;
-  virtual std::string name() const = 0;  // "simulated", "framed", "mqtt"
-
   // Starts to look for outlets, and does not wait for them: they join (wait_for_outlets.hpp).
   [[nodiscard]] virtual drivers::Status open() = 0;
   // To an outlet that joined, else an error. Does not wait for an answer. An outlet that cannot be

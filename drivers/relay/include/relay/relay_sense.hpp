@@ -32,7 +32,6 @@ struct Alignment {
 class RelaySense {
  public:
   virtual ~RelaySense() = default;
-  virtual std::size_t channels() const = 0;
   // From the source's start on; of the edges polled so far. Its uncertainty is known before.
   virtual Alignment alignment() const = 0;
   // Appends the edges since the last call, bounces included, in order for each channel.

@@ -24,16 +24,16 @@ struct BenchParameters {
 class Bench {
  public:
   explicit Bench(const BenchParameters& parameters);
-  ~Bench();
 
   // These live as long as the bench.
-  source::Source& source();
-  link::Link& link();
-  relay::RelaySense& relay_sense();
+  source::Source& source() { return *source_; }
+  link::Link& link() { return *link_; }
+  relay::RelaySense& relay_sense() { return *relay_sense_; }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<source::Source> source_;
+  std::unique_ptr<link::Link> link_;
+  std::unique_ptr<relay::RelaySense> relay_sense_;
 };
 
 }  // namespace gsbench::simulated

@@ -72,8 +72,8 @@ class Source {
   drivers::Status make_safe() noexcept;
 
  protected:
-  // For a stimulus within the limits.
-  virtual drivers::Result<Played> deviation(const Stimulus& stimulus) const = 0;
+  // For a stimulus within the limits: it is played as it is, unless a driver says otherwise.
+  virtual drivers::Result<Played> deviation(const Stimulus&) const { return Played{}; }
   virtual drivers::Status upload(const Progress&) { return drivers::Done{}; }
   virtual drivers::Status power_up() = 0;
   virtual drivers::Status begin() = 0;
@@ -93,7 +93,6 @@ class Source {
   enum class State { kOff, kPrepared, kEnergised, kPlaying, kStopped, kFailed };
 
   drivers::Result<Played> preview(const Stimulus& stimulus) const;
-  static const char* word(State state);
   drivers::Status expect(const char* call, State needed) const;
   // The driver's answer; after a failure only make_safe() is left.
   drivers::Status enter(State next, drivers::Status answer);

@@ -18,7 +18,6 @@ class ChangingLink final : public link::Link {
  public:
   ChangingLink(link::Link& real, std::string outlet, std::function<void(Downlink&)> change)
       : real_(real), outlet_(std::move(outlet)), change_(std::move(change)) {}
-  std::string name() const override { return real_.name(); }
   drivers::Status open() override { return real_.open(); }
   drivers::Status send(const std::string& id, const Downlink& message) override {
     Downlink changed = message;

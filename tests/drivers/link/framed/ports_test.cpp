@@ -17,7 +17,7 @@ using testing::SizeIs;
 
 class Ports : public OutletsOnCables {
  protected:
-  NullModem nobodys_ = NullModem::create().take();
+  std::unique_ptr<NullModem> nobodys_ = NullModem::create().take();
 };
 
 TEST_F(Ports, TwoWithOutletsThatSayTheyAreTheSameAreBothAtFaultAndNotSpokenTo) {
@@ -53,7 +53,7 @@ TEST_F(Ports, OneWithoutAnAnswerIsAtFaultByItsNameUntilItAnswers) {
 
 TEST_F(Ports, ThatCannotBeOpenedAreLeftOutWhereItIsLooking) {
   FramedOptions looking = options();
-  looking.ports.insert(looking.ports.begin(), {nobodys_.bench_end(), "/dev/no-such-port"});
+  looking.ports.insert(looking.ports.begin(), {nobodys_->bench_end(), "/dev/no-such-port"});
   looking.skip_unusable = true;
   HearsALink::open(std::make_shared<FramedLink>(looking), options().ports, kPatience);
   EXPECT_EQ(present(kA).fault, "");

@@ -6,7 +6,7 @@ using gsbench::test::demand;
 
 Machine::Machine(std::vector<std::string> words) {
   demand(line_->open());
-  const std::string port = std::to_string(cable_.outlet_end());
+  const std::string port = std::to_string(cable_->outlet_end());
   if (words.front() == "qemu-system-arm") {
     words.insert(words.begin() + 1,
                  {"-display", "none", "-monitor", "none", "-nic", "none", "-chardev",

@@ -1,7 +1,6 @@
 // The program that an outlet's firmware runs as, and the bench's end of its serial line.
 #pragma once
 
-#include "listening.hpp"
 #include <test_support/demand.hpp>
 
 #include <chrono>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include <emulation/child.hpp>
+#include <emulation/listening.hpp>
 #include <emulation/null_modem.hpp>
 #include <transport/transport.hpp>
 
@@ -34,12 +34,12 @@ class Machine {
   void kill() { child_->kill(); }
 
  private:
-  gsbench::emulation::NullModem cable_ =
+  std::unique_ptr<gsbench::emulation::NullModem> cable_ =
       gsbench::test::demand(gsbench::emulation::NullModem::create());
   gsbench::emulation::LoopbackPort debugger_ =
       gsbench::test::demand(gsbench::emulation::LoopbackPort::reserve());
   std::unique_ptr<gsbench::transport::Transport> line_ =
-      gsbench::transport::make_transport(cable_.bench_end());
+      gsbench::transport::make_transport(cable_->bench_end());
   std::optional<gsbench::emulation::Child> child_;
 };
 

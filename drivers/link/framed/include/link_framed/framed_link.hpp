@@ -24,7 +24,6 @@ class FramedLink final : public Link {
   explicit FramedLink(FramedOptions options);
   ~FramedLink() override;
 
-  std::string name() const override { return "framed"; }
   // Asks on every port who is there, again and again until an outlet says so.
   [[nodiscard]] drivers::Status open() override;
   [[nodiscard]] drivers::Status send(const std::string& id,

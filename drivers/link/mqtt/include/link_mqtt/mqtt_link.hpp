@@ -27,7 +27,6 @@ class MqttLink final : public Link {
   explicit MqttLink(MqttOptions options);
   ~MqttLink() override;
 
-  std::string name() const override { return "mqtt"; }
   // Blocks until the broker has answered, some ten seconds at most.
   [[nodiscard]] drivers::Status open() override;
   // What the broker did not take or had nobody to give to comes back as a fault. While the broker
