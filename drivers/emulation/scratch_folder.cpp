@@ -48,8 +48,7 @@ void remove_ownerless() {
     }
   }
   for (const fs::path& folder : folders) {
-    const Descriptor lock = locked(folder.string());
-    if (lock.is_open()) {
+    if (const Descriptor lock = locked(folder.string()); lock.is_open()) {
       fs::remove_all(folder, error);
     }
   }

@@ -1,5 +1,3 @@
-#include "gaussian_batch.hpp"
-
 #include "philox.hpp"
 
 #include <cmath>

@@ -1,4 +1,3 @@
-#include "gaussian_batch.hpp"
 #include "philox.hpp"
 
 #include <algorithm>

@@ -113,14 +113,6 @@ bool Reader::container(std::uint8_t wanted, std::size_t items_each, std::size_t&
   return pass(head);
 }
 
-bool Reader::array(std::size_t& items) {
-  return container(kArray, 1, items);
-}
-
-bool Reader::map(std::size_t& pairs) {
-  return container(kMap, 2, pairs);
-}
-
 bool Reader::unsigned_integer(std::uint64_t& value) {
   const Head head = peek();
   if (head.major != kUnsigned) {

@@ -74,8 +74,7 @@ struct FramedLink::Impl {
 Status FramedLink::Impl::open_ports() {
   for (const std::string& name : options.ports) {
     auto port = transport::make_transport(name, options.baud);
-    Status opened = port->open();
-    if (opened.ok()) {
+    if (Status opened = port->open(); opened.ok()) {
       lines.push_back(std::make_unique<Line>(std::move(port)));
     } else if (!options.skip_unusable) {
       return opened;

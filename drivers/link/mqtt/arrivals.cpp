@@ -101,8 +101,7 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
   }
   outlet.here = true;
   outlet.last_hello.assign(message, message + size);
-  const auto taken = outlet.stream.take(message, size);
-  if (taken && !joins) {
+  if (const auto taken = outlet.stream.take(message, size); taken && !joins) {
     happenings_.messages.push_back({outlet.id, *taken, now_ns()});
   }
 }

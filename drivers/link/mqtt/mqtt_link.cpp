@@ -55,8 +55,7 @@ Status MqttLink::send(const std::string& id, const gs::wire::Downlink& message) 
 }
 
 void MqttLink::send(std::size_t outlet, const gs::wire::Downlink& message) {
-  const auto bytes = opened_->arrivals.encode(outlet, message);
-  if (!bytes.empty()) {
+  if (const auto bytes = opened_->arrivals.encode(outlet, message); !bytes.empty()) {
     opened_->connection.publish(outlet, topic(opened_->arrivals.id(outlet), kDown), bytes);
   }
 }

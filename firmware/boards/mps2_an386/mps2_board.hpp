@@ -5,7 +5,7 @@
 #include <shared_memory_io/shared_port.hpp>
 
 #include <superloop/board.hpp>
-#include <superloop/byte_ring.hpp>
+#include <superloop/queues.hpp>
 
 namespace gs::mps2_an386 {
 

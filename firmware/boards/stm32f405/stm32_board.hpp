@@ -5,8 +5,7 @@
 #include "clocks.hpp"
 
 #include <superloop/board.hpp>
-#include <superloop/byte_ring.hpp>
-#include <superloop/sample_queue.hpp>
+#include <superloop/queues.hpp>
 
 namespace gs::stm32f405 {
 

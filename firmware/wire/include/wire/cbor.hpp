@@ -40,8 +40,8 @@ class Reader {
  public:
   Reader(const std::uint8_t* bytes, std::size_t size) : at_(bytes), end_(bytes + size) {}
 
-  [[nodiscard]] bool array(std::size_t& items);
-  [[nodiscard]] bool map(std::size_t& pairs);
+  [[nodiscard]] bool array(std::size_t& items) { return container(4, 1, items); }
+  [[nodiscard]] bool map(std::size_t& pairs) { return container(5, 2, pairs); }
   [[nodiscard]] bool unsigned_integer(std::uint64_t& value);
   [[nodiscard]] bool integer(std::int64_t& value);
   [[nodiscard]] bool single(float& value);

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <superloop/byte_ring.hpp>
-#include <superloop/sample_queue.hpp>
+#include <superloop/queues.hpp>
 
 namespace gs::superloop {
 namespace {
