@@ -22,14 +22,7 @@ Result<std::unique_ptr<Hardware>> Hardware::set_up(const HardwareOptions& option
   return hardware;
 }
 
-Hardware::~Hardware() {
-  for (Child& child : processes_) {
-    child.stop();
-  }
-  cables_.clear();
-  broker_.reset();
-  mains_.reset();
-}
+Hardware::~Hardware() = default;
 
 Status Hardware::set_up() {
   if (Status made = ScratchFolder::create().move_to(folder_); !made.ok()) {
@@ -51,26 +44,18 @@ Status Hardware::set_up() {
     broker_ = std::make_unique<PrivateBroker>(started.take());
   }
   for (std::size_t i = 0; i < options_.outlets.size(); ++i) {
-    if (Status plugged = plug_in(i); !plugged.ok()) {
-      return plugged;
+    cables_.emplace_back();
+    if (options_.outlets[i].connection == Connection::kSerial) {
+      if (Status made = NullModem::create().move_to(cables_.back()); !made.ok()) {
+        return made;
+      }
     }
-  }
-  return Done{};
-}
-
-Status Hardware::plug_in(std::size_t outlet) {
-  const HardwareOutlet& it = options_.outlets[outlet];
-  cables_.emplace_back();
-  if (it.connection == Connection::kSerial) {
-    if (Status made = NullModem::create().move_to(cables_.back()); !made.ok()) {
-      return made;
+    auto child = start_process(i);
+    if (!child.ok()) {
+      return Error{child.error()};
     }
+    processes_.push_back(child.take());
   }
-  auto child = start_process(outlet);
-  if (!child.ok()) {
-    return Error{child.error()};
-  }
-  processes_.push_back(child.take());
   return Done{};
 }
 

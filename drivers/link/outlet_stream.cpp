@@ -8,14 +8,9 @@ using gs::wire::Decoded;
 using gs::wire::Sequence;
 using gs::wire::UplinkKind;
 
-namespace {
-
-// What a cable repeats or swaps lies closer together: a second of measurements.
-constexpr std::uint32_t kMostRepeated = 64;
-
-}  // namespace
-
 std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, std::size_t size) {
+  // What a cable repeats or swaps lies closer together: a second of measurements.
+  constexpr std::uint32_t kMostRepeated = 64;
   gs::wire::Uplink message;
   std::uint32_t sequence = 0;
   const Decoded decoded = gs::wire::decode(bytes, size, message, sequence);

@@ -3,16 +3,11 @@
 #include <models/relay_model.hpp>
 
 namespace gsbench::models {
-namespace {
-
-// Numbers drawn for one change at most.
-constexpr std::uint64_t kDrawsPerChange = 64;
-
-}  // namespace
 
 std::vector<ContactEdge> contact_edges(const RelayParameters& parameters, const Stream& stream,
                                        std::uint64_t n, std::int64_t coil_tick, bool closes,
                                        std::int64_t sample_rate_hz) {
+  constexpr std::uint64_t kDrawsPerChange = 64;  // at most
   std::uint64_t draw = n * kDrawsPerChange;
   const auto next = [&] { return uniform(stream, draw++); };
   const double ticks_per_ms = static_cast<double>(sample_rate_hz) / 1000.0;

@@ -7,13 +7,6 @@ namespace gsbench::simulated {
 
 using models::ContactEdge;
 
-namespace {
-
-// Small enough for the cache, large enough that noise comes in whole batches.
-constexpr std::size_t kChunk = 2048;
-
-}  // namespace
-
 Outlet::Outlet(const OutletParameters& parameters, const std::string& id, std::uint32_t index)
     : parameters_(parameters), index_(index) {
   gs::app::set_text(identity_.id, id.c_str());
@@ -57,6 +50,8 @@ void Outlet::feed(std::int64_t first_tick, const float* voltage_pu, std::size_t 
 }
 
 void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, std::size_t count) {
+  // Small enough for the cache, large enough that noise comes in whole batches.
+  constexpr std::size_t kChunk = 2048;
   const models::Stream stream{seed_, models::kSourceNoise, index_};
   volts_.resize(kChunk);
   samples_.resize(kChunk);

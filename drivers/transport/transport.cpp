@@ -14,16 +14,11 @@ using drivers::Done;
 using drivers::Error;
 using drivers::Status;
 
-namespace {
-
-constexpr int kWriteMs = 100;
-
-}  // namespace
-
 Status Transport::send(const std::vector<std::uint8_t>& bytes) {
   if (!is_open()) {
     return failure("cannot be sent to", "is not open");
   }
+  constexpr int kWriteMs = 100;
   for (std::size_t sent = 0; sent < bytes.size();) {
     const auto taken = write_some(bytes.data() + sent, bytes.size() - sent);
     if (!taken.ok()) {

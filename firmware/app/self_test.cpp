@@ -4,11 +4,6 @@
 #include <outlet/settings.hpp>
 
 namespace gs::app {
-namespace {
-
-constexpr float kNominalHz = 50.0f;
-
-}  // namespace
 
 std::uint32_t arithmetic_fingerprint() {
   // Of a system much like the modified IEEE 24-bus one; the numbers only have to be the same
@@ -26,8 +21,7 @@ std::uint32_t arithmetic_fingerprint() {
     ripple = ripple * 1664525u + 1013904223u;
     const float noise_hz = (static_cast<float>(ripple >> 8) * 5.9604645e-8f - 0.5f) * 0.01f;
     frequency_hz -= 0.0075f - 0.00008f * static_cast<float>(report);
-    outlet::observe(settings, kNominalHz, state, true, frequency_hz + noise_hz,
-                    {frequency_hz, -0.45f});
+    outlet::observe(settings, 50.0f, state, true, frequency_hz + noise_hz, {frequency_hz, -0.45f});
     crc.add_word(state.lse_loss_mw);
     crc.add_word(state.ekf.loss_mw);
     crc.add_word(outlet::loss_sigma_mw(state));

@@ -11,11 +11,6 @@
 #include <cstring>
 
 namespace gs::host {
-namespace {
-
-constexpr int kLongestWaitMs = 100;
-
-}  // namespace
 
 HostBoard::~HostBoard() {
   if (doorbell_ >= 0) {
@@ -44,6 +39,7 @@ bool HostBoard::start(const std::string& doorbell, std::string& why) {
 bool HostBoard::wait() {
   const auto line_events = static_cast<short>(line_.wants_to_write() ? POLLIN | POLLOUT : POLLIN);
   pollfd waited[] = {{doorbell_, POLLIN, 0}, {line_.descriptor(), line_events, 0}};
+  constexpr int kLongestWaitMs = 100;
   ::poll(waited, 2, kLongestWaitMs);
   if (waited[0].revents != 0) {
     char rings[256];

@@ -15,10 +15,6 @@
 #include <emulation/null_modem.hpp>
 #include <emulation/private_broker.hpp>
 
-namespace gs::shared_memory_io {
-struct SharedMemory;
-}
-
 namespace gsbench::emulation {
 
 enum class Connection { kSerial, kMqtt };
@@ -74,9 +70,9 @@ class Hardware {
  private:
   explicit Hardware(const HardwareOptions& options);
   drivers::Status set_up();
-  drivers::Status plug_in(std::size_t outlet);
   drivers::Result<Child> start_process(std::size_t outlet) const;
 
+  // In the order in which they are set up: the last ends first.
   HardwareOptions options_;
   std::unique_ptr<ScratchFolder> folder_;
   std::unique_ptr<Mains> mains_;
