@@ -18,7 +18,7 @@ void Capture::add(const std::vector<link::Received>& messages) {
 }
 
 void Capture::add(Track& track, const gs::wire::Uplink& message) {
-  std::vector<record::Mark>& marks = track.record.marks;
+  std::vector<record::Mark>& marks = track.marks;
   const auto tick = static_cast<std::int64_t>(message.sample);
   switch (message.kind) {
     case UplinkKind::kHello:
@@ -32,20 +32,13 @@ void Capture::add(Track& track, const gs::wire::Uplink& message) {
       break;
     case UplinkKind::kSettingsAnswer: {
       const gs::wire::SettingsAnswer& answer = message.settings_answer;
-      track.settings_answer = {true, answer.error == gs::outlet::SettingsError::kNone,
-                               gs::outlet::to_string(answer.error)};
-      track.record.settings_digest = fmt::format("{:08x}", answer.digest);
+      track.settings_answer = answer.error;
+      track.settings_digest = fmt::format("{:08x}", answer.digest);
       break;
     }
-    case UplinkKind::kMeasurement: {
-      record::MeasurementTrace& trace = track.record.trace;
-      trace.tick.push_back(tick);
-      trace.frequency_hz.push_back(message.measurement.frequency_hz);
-      trace.rocof_hz_s.push_back(message.measurement.rocof_hz_s);
-      trace.voltage_pu.push_back(message.measurement.voltage_pu);
-      trace.validity.push_back(static_cast<std::uint8_t>(message.measurement.validity));
+    case UplinkKind::kMeasurement:
+      track.measurements.push_back({tick, message.measurement});
       break;
-    }
     case UplinkKind::kEvent:
       track.newest_event_sample = tick;
       marks.push_back({tick, "event", static_cast<double>(message.event.baseline_hz),
@@ -54,16 +47,9 @@ void Capture::add(Track& track, const gs::wire::Uplink& message) {
     case UplinkKind::kLse:
       marks.push_back({tick, "lse", static_cast<double>(message.lse.loss_mw), "MW"});
       break;
-    case UplinkKind::kEstimate: {
-      record::EstimateTrace& estimates = track.record.estimates;
-      estimates.tick.push_back(tick);
-      estimates.loss_mw.push_back(message.estimate.loss_mw);
-      estimates.loss_sigma_mw.push_back(message.estimate.loss_sigma_mw);
-      track.loss_instant_s.push_back(message.estimate.loss_instant_s);
-      track.event_sample.push_back(track.newest_event_sample);
-      estimates.trusted.push_back(message.estimate.trust == Trust::kTrusted ? 1 : 0);
+    case UplinkKind::kEstimate:
+      track.estimates.push_back({tick, track.newest_event_sample, message.estimate});
       break;
-    }
     case UplinkKind::kDecision: {
       const gs::wire::DecisionMessage& decision = message.decision;
       marks.push_back(
@@ -102,15 +88,16 @@ const Capture::Track& Capture::track(const std::string& id) const {
 }
 
 std::uint64_t Capture::last_report_sample(const std::string& id) const {
-  const std::vector<std::int64_t>& samples = track(id).record.trace.tick;
-  return samples.empty() ? 0 : static_cast<std::uint64_t>(samples.back());
+  const std::vector<Track::Measurement>& all = track(id).measurements;
+  return all.empty() ? 0 : static_cast<std::uint64_t>(all.back().sample);
 }
 
 VoltageTrace Capture::voltage_trace(const std::string& id) const {
-  const record::MeasurementTrace& trace = track(id).record.trace;
   VoltageTrace voltage;
-  voltage.sample.assign(trace.tick.begin(), trace.tick.end());
-  voltage.voltage_pu = trace.voltage_pu;
+  for (const Track::Measurement& measurement : track(id).measurements) {
+    voltage.sample.push_back(static_cast<std::uint64_t>(measurement.sample));
+    voltage.voltage_pu.push_back(measurement.said.voltage_pu);
+  }
   return voltage;
 }
 
@@ -118,43 +105,43 @@ void Capture::move_into(record::OutletRecord& record, const OutletClock& clock,
                         std::int64_t last_tick) {
   Track track = std::move(tracks_[record.id]);
   tracks_.erase(record.id);
-  record::OutletRecord& from = track.record;
   const auto to_tick = [&](std::int64_t sample) {
     return clock.tick_of(static_cast<std::uint64_t>(sample));
   };
   const auto in_run = [&](std::int64_t tick) { return tick >= 0 && tick <= last_tick; };
-  for (std::size_t i = 0; i < from.trace.tick.size(); ++i) {
-    const std::int64_t tick = to_tick(from.trace.tick[i]);
+  for (const auto& [sample, said] : track.measurements) {
+    const std::int64_t tick = to_tick(sample);
     if (in_run(tick)) {
       record.trace.tick.push_back(tick);
-      record.trace.frequency_hz.push_back(from.trace.frequency_hz[i]);
-      record.trace.rocof_hz_s.push_back(from.trace.rocof_hz_s[i]);
-      record.trace.voltage_pu.push_back(from.trace.voltage_pu[i]);
-      record.trace.validity.push_back(from.trace.validity[i]);
+      record.trace.frequency_hz.push_back(said.frequency_hz);
+      record.trace.rocof_hz_s.push_back(said.rocof_hz_s);
+      record.trace.voltage_pu.push_back(said.voltage_pu);
+      record.trace.validity.push_back(static_cast<std::uint8_t>(said.validity));
     }
   }
-  for (std::size_t i = 0; i < from.estimates.tick.size(); ++i) {
-    const std::int64_t tick = to_tick(from.estimates.tick[i]);
+  for (const auto& [sample, event_sample, said] : track.estimates) {
+    const std::int64_t tick = to_tick(sample);
     if (in_run(tick)) {
-      const double event_s = static_cast<double>(to_tick(track.event_sample[i])) / sample_rate_hz_;
+      const double event_s = static_cast<double>(to_tick(event_sample)) / sample_rate_hz_;
       record.estimates.tick.push_back(tick);
-      record.estimates.loss_mw.push_back(from.estimates.loss_mw[i]);
-      record.estimates.loss_sigma_mw.push_back(from.estimates.loss_sigma_mw[i]);
+      record.estimates.loss_mw.push_back(said.loss_mw);
+      record.estimates.loss_sigma_mw.push_back(said.loss_sigma_mw);
       record.estimates.t_x_s.push_back(
-          static_cast<float>(event_s + static_cast<double>(track.loss_instant_s[i])));
-      record.estimates.trusted.push_back(from.estimates.trusted[i]);
+          static_cast<float>(event_s + static_cast<double>(said.loss_instant_s)));
+      record.estimates.trusted.push_back(said.trust == Trust::kTrusted ? 1 : 0);
     }
   }
-  for (record::Mark& mark : from.marks) {
+  std::vector<record::Mark>& marks = track.marks;
+  for (record::Mark& mark : marks) {
     mark.tick = to_tick(mark.tick);
   }
-  from.marks.insert(from.marks.end(), track.bench_marks.begin(), track.bench_marks.end());
+  marks.insert(marks.end(), track.bench_marks.begin(), track.bench_marks.end());
   // Stable: what one instant brought keeps the order in which it was said, the outlet's word first.
-  std::stable_sort(from.marks.begin(), from.marks.end(),
+  std::stable_sort(marks.begin(), marks.end(),
                    [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
-  std::copy_if(from.marks.begin(), from.marks.end(), std::back_inserter(record.marks),
+  std::copy_if(marks.begin(), marks.end(), std::back_inserter(record.marks),
                [&](const record::Mark& mark) { return in_run(mark.tick); });
-  record.settings_digest = from.settings_digest;
+  record.settings_digest = track.settings_digest;
 }
 
 }  // namespace gsbench::capture

@@ -29,18 +29,17 @@ void require_ports(const std::vector<std::string>& named) {
 station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
   if (!arguments.station.empty()) {
     const auto file = station::load_station(arguments.station);
-    const std::optional<station::PhysicalOutlets> reachable = file->reachable();
-    if (!reachable) {
-      throw profile::ConfigurationError(file->path +
+    if (!file.reachable) {
+      throw profile::ConfigurationError(file.path +
                                         ": its outlets are there only while a run plays to them");
     }
-    require_ports(reachable->serial_ports);
-    return *reachable;
+    require_ports(file.reachable->serial.ports);
+    return *file.reachable;
   }
   require_ports(arguments.ports);
   station::PhysicalOutlets outlets;
-  outlets.serial_ports = arguments.ports.empty() ? transport::serial_ports() : arguments.ports;
-  if (outlets.serial_ports.empty()) {
+  outlets.serial.ports = arguments.ports.empty() ? transport::serial_ports() : arguments.ports;
+  if (outlets.serial.ports.empty()) {
     throw profile::ConfigurationError(
         "this machine has no serial port; name a station with --station");
   }
@@ -59,12 +58,13 @@ void add_link_options(CLI::App& command, LinkArguments& arguments) {
 }
 
 FoundOutlets find_outlets(const LinkArguments& arguments) {
-  const station::PhysicalOutlets there = outlets_of(arguments);
+  station::PhysicalOutlets there = outlets_of(arguments);
   const bool looking = arguments.station.empty() && arguments.ports.empty();
-  std::vector<std::string> named = there.serial_ports;
-  named.insert(named.end(), there.broker.outlets.begin(), there.broker.outlets.end());
-  const bool any_on_broker = !there.broker.url.empty() && there.broker.outlets.empty();
-  FoundOutlets found{station::make_link(there, looking), {}};
+  there.serial.skip_unusable = looking;
+  std::vector<std::string> named = there.serial.ports;
+  named.insert(named.end(), there.mqtt.outlets.begin(), there.mqtt.outlets.end());
+  const bool any_on_broker = !there.mqtt.url.empty() && there.mqtt.outlets.empty();
+  FoundOutlets found{station::make_link(there), {}};
   auto outlets = link::wait_for_outlets(*found.link, named, kPatience,
                                         any_on_broker ? kForSearching : std::chrono::seconds(0));
   if (!outlets.ok()) {
@@ -78,9 +78,9 @@ FoundOutlets find_outlets(const LinkArguments& arguments) {
   }
   for (link::OutletPresence& outlet : found.outlets) {
     if (outlet.where.empty()) {
-      const auto& ports = there.serial_ports;
+      const auto& ports = there.serial.ports;
       const bool is_port = std::find(ports.begin(), ports.end(), outlet.id) != ports.end();
-      outlet.where = is_port ? outlet.id : there.broker.url;  // where it was looked for
+      outlet.where = is_port ? outlet.id : there.mqtt.url;  // where it was looked for
     }
   }
   return found;

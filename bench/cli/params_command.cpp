@@ -1,6 +1,5 @@
 #include "commands.hpp"
 #include <control_centre/blocks.hpp>
-#include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 
 #include <cmath>

@@ -27,9 +27,9 @@ struct RunArguments {
 int run(const RunArguments& arguments) {
   const profile::Plan asked = profile::load_profile(arguments.profile, arguments.overrides);
   const auto file = station::load_station(arguments.station);
-  const profile::Plan plan = station::fit_to_station(*file, asked);
+  const profile::Plan plan = station::fit_to_station(file, asked);
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const auto station = file->make_station(plan, arguments.simulated);
+  const auto station = file.make_station(plan, arguments.simulated);
 
   RunFolder folder(arguments.output_folder);
   record::RunRecord run;

@@ -1,5 +1,4 @@
 #include <control_centre/blocks.hpp>
-#include <control_centre/conditions.hpp>
 #include <control_centre/outlet_settings.hpp>
 #include <control_centre/threshold.hpp>
 

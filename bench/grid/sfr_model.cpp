@@ -1,4 +1,7 @@
 #include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include <grid/sfr_model.hpp>
 
@@ -98,6 +101,24 @@ std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& mode
   const double phi1 = std::atan2(sine, cosine);
   const double phi2 = std::atan2(omega_r, -model.sigma_per_s());
   return UnderdampedParameters{alpha, omega_r, phi1 - phi2, phi1};
+}
+
+FrequencyResponse::FrequencyResponse(SfrModel model, std::vector<PowerChange> changes)
+    : model_(std::move(model)), changes_(std::move(changes)) {
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    if (!std::isfinite(changes_[i].at_s) || !std::isfinite(changes_[i].power_mw)) {
+      throw std::invalid_argument(fmt::format("power change {}: {} MW at {} s: both must be finite",
+                                              i + 1, changes_[i].power_mw, changes_[i].at_s));
+    }
+  }
+}
+
+double FrequencyResponse::sum(double (SfrModel::*of_one_mw)(double t_s) const, double t_s) const {
+  double sum = 0.0;
+  for (const PowerChange& change : changes_) {
+    sum += change.power_mw * (model_.*of_one_mw)(t_s - change.at_s);
+  }
+  return sum;
 }
 
 }  // namespace gsbench::grid

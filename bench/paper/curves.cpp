@@ -1,6 +1,5 @@
 // What follows from the grid alone.
 #include "sections.hpp"
-#include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "sections.hpp"
 #include <control_centre/blocks.hpp>
-#include <control_centre/conditions.hpp>
+#include <control_centre/threshold.hpp>
 
 #include <filesystem>
 #include <utility>
@@ -14,17 +14,12 @@ namespace gsbench::profile {
 namespace {
 
 using keys::Key;
-using keys::Range;
 using keys::Table;
 
 constexpr const char* kInPlaceName = "in the profile";
 
-Range within(const grid::Limits& limits) {
-  return keys::between(limits.low, limits.high);
-}
-
 Key number(const char* name, const char* unit, const grid::Limits& limits, const char* meaning) {
-  return keys::number(name, unit, within(limits), meaning);
+  return keys::number(name, unit, keys::between(limits.low, limits.high), meaning);
 }
 
 std::vector<Key> system_keys() {
@@ -49,8 +44,6 @@ std::vector<Key> system_keys() {
           .by_default(defaults.condition_row_hz),
   };
 }
-
-const char* const kSystem = "The parameters of the model.";
 
 // [[plant]], [[block]] and [reference]: of a grid file, and of a grid in place.
 std::vector<Key> part_keys() {
@@ -157,11 +150,11 @@ grid::Grid read_parts(const Table& holder, std::string name, std::string title,
 
 const Key& grid_keys() {
   static const Key keys = [] {
-    Key file = keys::table(
-        "a grid file", "",
-        {keys::text("title", "one line for lists and reports").require(),
-         keys::text("source", "where the figures come from").require(),
-         keys::table("system", kSystem, system_keys()).require("the grid's parameters")});
+    Key file = keys::table("a grid file", "",
+                           {keys::text("title", "one line for lists and reports").require(),
+                            keys::text("source", "where the figures come from").require(),
+                            keys::table("system", "The parameters of the model.", system_keys())
+                                .require("the grid's parameters")});
     for (Key& part : part_keys()) file.inner.push_back(std::move(part));
     return file;
   }();

@@ -2,6 +2,7 @@
 #include "run_steps.hpp"
 #include <control_centre/outlet_settings.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <link/version_text.hpp>
@@ -51,6 +52,29 @@ std::vector<link::OutletPresence> call(const std::vector<Slot>& slots, Station& 
 }
 
 }  // namespace
+
+std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
+                         const std::vector<Slot>& slots) {
+  const auto is_named = [&](const Slot& slot) {
+    return std::any_of(outlets.begin(), outlets.end(), [&](const profile::Outlet& outlet) {
+      return outlet.id == slot.serial_number;
+    });
+  };
+  std::vector<Slot> assigned;
+  auto free = slots.begin();
+  for (const profile::Outlet& outlet : outlets) {
+    const auto own = std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) {
+      return slot.serial_number == outlet.id;
+    });
+    free = std::find_if_not(free, slots.end(), is_named);
+    if (own != slots.end()) {
+      assigned.push_back(*own);
+    } else if (free != slots.end()) {
+      assigned.push_back(*free++);
+    }
+  }
+  return assigned;
+}
 
 std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::vector<Slot>& slots,
                                         Station& station) {

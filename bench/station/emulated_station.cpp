@@ -1,47 +1,135 @@
 #include "emulated_station.hpp"
 
+#include "station_kind.hpp"
+
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
-#include <emulation/hardware.hpp>
+#include <fmt/format.h>
+
+#include <boards/boards.hpp>
+#include <profile/files.hpp>
+#include <station/physical_outlets.hpp>
 
 namespace gsbench::station {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr double kMostPpm = 1000.0;
+constexpr std::size_t kMostEmulated = 64;  // processes of one station
+constexpr const char* kBenchUser = "bench";
+
+std::vector<std::string> emulated_boards() {
+  std::vector<std::string> names;
+  for (const gs::boards::Board& board : gs::boards::kBoards) {
+    if (gs::boards::is_emulated(board)) {
+      names.emplace_back(board.name);
+    }
+  }
+  return names;
+}
+
+std::vector<emulation::HardwareOutlet> read_outlets(const keys::Table& top) {
+  std::vector<emulation::HardwareOutlet> outlets;
+  std::set<std::string> ids;
+  for (const keys::Table& table : top.tables("outlet")) {
+    emulation::HardwareOutlet outlet;
+    outlet.id = table.text("id");
+    if (outlet.id == kBenchUser) {
+      table.refuse("id",
+                   fmt::format("\"{}\" is what the bench is called on its broker", outlet.id));
+    }
+    outlet.board = table.text("board");
+    const bool by_radio = table.text("link") == "mqtt";
+    outlet.connection = by_radio ? emulation::Connection::kMqtt : emulation::Connection::kSerial;
+    outlet.crystal_ppm = table.number("crystal_ppm");
+    if (by_radio && !gs::boards::find(outlet.board.c_str())->has_radio) {
+      table.refuse("link",
+                   fmt::format("link is \"mqtt\"; the board {} has no radio, only \"serial\"",
+                               outlet.board));
+    }
+    if (!ids.insert(outlet.id).second) {
+      table.refuse("id", fmt::format("there is an outlet \"{}\" already", outlet.id));
+    }
+    outlets.push_back(outlet);
+  }
+  if (outlets.empty()) {
+    top.refuse_missing("outlet", "at least one [[outlet]] to emulate");
+  }
+  if (outlets.size() > kMostEmulated) {
+    top.refuse("outlet", fmt::format("more than {} emulated outlets", kMostEmulated));
+  }
+  return outlets;
+}
 
 // Where the program's own companions are: beside it.
 std::string companion(const std::string& name) {
+  namespace fs = std::filesystem;
   std::error_code error;
   return (fs::read_symlink("/proc/self/exe", error).parent_path() / name).string();
 }
 
-emulation::HardwareOptions options_of(const std::string& image, const profile::Plan& plan) {
+}  // namespace
+
+emulation::HardwareOptions read_emulated(const keys::Table& top, const std::string& file_path) {
   emulation::HardwareOptions options;
-  options.sample_rate_hz = plan.stimulus.sample_rate_hz;
-  options.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
-  options.image = image;
-  options.image_folder = GSBENCH_M4_IMAGE_FOLDER;
-  options.host_program = companion("gs-outlet");
+  options.outlets = read_outlets(top);
+  if (const auto image = top.find_text("image")) {
+    options.image = profile::resolve(*image, file_path);
+    if (!profile::is_regular_file(options.image)) {
+      top.refuse("image", fmt::format("image is \"{}\", and there is no such file", *image));
+    }
+  }
   return options;
 }
 
-}  // namespace
+StationKind emulated_kind() {
+  return {
+      "emulated",
+      "processes that the bench starts and ends",
+      {keys::text("image", "emulated: the firmware image of the boards in qemu")
+           .permits("path")
+           .or_else("the one that was built"),
+       keys::tables(
+           "outlet",
+           "1 … 64, emulated stations only. A profile with more outlets is cut to what is there, "
+           "some of each group; one with more groups than there are outlets is refused.",
+           {keys::id("id", kLongestId, "its name: each once, and not `bench`")
+                .require("what the outlet is called: id = \"m4-1\""),
+            keys::word("board", emulated_boards(),
+                       "a Cortex-M4F in qemu, or the firmware as a process")
+                .by_default("host"),
+            keys::word("link", {"serial", "mqtt"},
+                       "how it is reached; boards in qemu have no radio")
+                .by_default("serial"),
+            keys::number("crystal_ppm", "ppm", keys::between(-kMostPpm, kMostPpm),
+                         "by how much its sample clock is fast")
+                .by_default(0.0)})},
+      [](const keys::Table& top, StationFile& file) {
+        const emulation::HardwareOptions options = read_emulated(top, file.path);
+        file.outlets = options.outlets.size();
+        file.make_station = [name = file.name, options](const profile::Plan& plan,
+                                                        const SimulatedOptions&) {
+          return std::make_unique<EmulatedStation>(name, options, plan);
+        };
+      }};
+}
 
-EmulatedStation::EmulatedStation(std::string name,
-                                 const std::vector<emulation::HardwareOutlet>& outlets,
-                                 const std::string& image, const profile::Plan& plan)
-    : name_(std::move(name)), sample_rate_hz_(static_cast<double>(plan.stimulus.sample_rate_hz)) {
-  emulation::HardwareOptions hardware_options = options_of(image, plan);
-  hardware_options.outlets = outlets;
-  auto hardware = emulation::Hardware::set_up(hardware_options);
+EmulatedStation::EmulatedStation(std::string name, emulation::HardwareOptions options,
+                                 const profile::Plan& plan)
+    : name_(std::move(name)) {
+  options.sample_rate_hz = plan.stimulus.sample_rate_hz;
+  options.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
+  options.image_folder = GSBENCH_M4_IMAGE_FOLDER;
+  options.host_program = companion("gs-outlet");
+  auto hardware = emulation::Hardware::set_up(options);
   if (!hardware.ok()) {
     throw std::runtime_error("station " + name_ + ": " + hardware.error());
   }
   hardware_ = hardware.take();
   std::size_t on_cable = 0;
-  for (const emulation::HardwareOutlet& outlet : outlets) {
+  for (const emulation::HardwareOutlet& outlet : options.outlets) {
     // On a cable it is known by its port: only what it says there shows who it is.
     const bool by_broker = outlet.connection == emulation::Connection::kMqtt;
     const std::string place =
@@ -49,24 +137,17 @@ EmulatedStation::EmulatedStation(std::string name,
     slots_.push_back({place, outlet.id, by_broker ? outlet.id : place, slots_.size()});
   }
   PhysicalOutlets reached;
-  reached.serial_ports = hardware_->serial_ports();
+  reached.serial.ports = hardware_->serial_ports();
   if (const emulation::PrivateBroker* const broker = hardware_->broker(); broker != nullptr) {
-    reached.broker = {broker->url(),         broker->ca_file(),       broker->bench().user, "",
-                      hardware_->mqtt_ids(), broker->bench().password};
+    reached.mqtt = {broker->url(), broker->ca_file(), broker->bench().user,
+                    broker->bench().password, hardware_->mqtt_ids()};
   }
-  link_ = make_link(reached, false);
+  link_ = make_link(reached);
 }
 
 // The link lets go of its ports before they are gone.
 EmulatedStation::~EmulatedStation() {
   link_->close();
-}
-
-record::BenchUncertainty EmulatedStation::uncertainty() {
-  record::BenchUncertainty uncertainty;
-  uncertainty.relay_sense_ms =
-      1e3 * hardware_->relay_sense().alignment().uncertainty_ticks / sample_rate_hz_;
-  return uncertainty;
 }
 
 }  // namespace gsbench::station

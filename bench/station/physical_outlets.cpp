@@ -1,14 +1,93 @@
-#include <link_framed/framed_link.hpp>
-#include <link_mqtt/mqtt_link.hpp>
+#include "station_kind.hpp"
 
+#include <algorithm>
 #include <fstream>
 
-#include <keys/error.hpp>
+#include <fmt/format.h>
+
 #include <link/combined_link.hpp>
+#include <profile/files.hpp>
 #include <station/physical_outlets.hpp>
 
 namespace gsbench::station {
 namespace {
+
+constexpr std::size_t kLongestUrl = 300;
+
+bool begins_with(const std::string& text, const char* beginning) {
+  return text.rfind(beginning, 0) == 0;
+}
+
+bool is_broker_url(const std::string& url) {
+  if (url.size() > kLongestUrl || !(begins_with(url, "mqtt://") || begins_with(url, "mqtts://"))) {
+    return false;
+  }
+  const std::size_t host = url.find("://") + 3;
+  const std::size_t colon = url.find_first_of("/:", host);
+  if (colon == std::string::npos || colon == host || url[colon] != ':') {
+    return false;
+  }
+  const std::string port = url.substr(colon + 1);
+  return !port.empty() && port.size() <= 5 &&
+         port.find_first_not_of("0123456789") == std::string::npos && std::stoi(port) >= 1 &&
+         std::stoi(port) <= 65535;
+}
+
+std::vector<std::string> outlet_ids(const keys::Table& table) {
+  std::vector<std::string> ids;
+  for (const keys::Word& word : table.words("outlets")) {
+    if (std::count(ids.begin(), ids.end(), word.text) > 0) {
+      table.refuse(word.at, fmt::format("outlet \"{}\" is named already", word.text));
+    }
+    ids.push_back(word.text);
+  }
+  return ids;
+}
+
+void read_mqtt(const keys::Table& table, const std::string& file_path, PhysicalOutlets& outlets) {
+  link::MqttOptions& mqtt = outlets.mqtt;
+  mqtt.url = table.text("url");
+  if (!is_broker_url(mqtt.url)) {
+    table.refuse("url", fmt::format("url is \"{}\"; it must be mqtts://host:port, or "
+                                    "mqtt://host:port where TLS is not wanted",
+                                    mqtt.url));
+  }
+  const auto beside = [&](const std::optional<std::string>& path) {
+    return path ? profile::resolve(*path, file_path) : std::string();
+  };
+  mqtt.ca_file = beside(table.find_text("ca_file"));
+  if (begins_with(mqtt.url, "mqtts://") && mqtt.ca_file.empty()) {
+    table.refuse_missing("ca_file", "the certificate that vouches for the broker: ca_file = …");
+  }
+  mqtt.user = table.find_text("user").value_or("");
+  mqtt.outlets = outlet_ids(table);
+  outlets.password_file = beside(table.find_text("password_file"));
+}
+
+void read_physical(const keys::Table& top, StationFile& file) {
+  PhysicalOutlets outlets;
+  if (top.has("serial")) {
+    const keys::Table serial = top.table("serial");
+    for (const keys::Word& port : serial.words("ports")) {
+      outlets.serial.ports.push_back(port.text);
+    }
+    outlets.serial.baud = static_cast<int>(serial.whole("baud"));
+  }
+  if (top.has("mqtt")) {
+    read_mqtt(top.table("mqtt"), file.path, outlets);
+  }
+  if (outlets.serial.ports.empty() && outlets.mqtt.url.empty()) {
+    top.refuse_missing("serial", "where the outlets are: [serial] or [mqtt]");
+  }
+  file.reachable = std::move(outlets);
+  file.make_station = [path = file.path](const profile::Plan&,
+                                         const SimulatedOptions&) -> std::unique_ptr<Station> {
+    throw profile::ConfigurationError(
+        path +
+        ": this station has outlets and no source to play to them; `gsbench devices` and `gsbench "
+        "monitor` work on it");
+  };
+}
 
 std::string first_line(const std::string& path) {
   std::string line;
@@ -20,25 +99,43 @@ std::string first_line(const std::string& path) {
 
 }  // namespace
 
-std::unique_ptr<link::Link> make_link(const PhysicalOutlets& outlets, bool looking) {
+StationKind physical_kind() {
+  return {"physical",
+          "outlets that are there",
+          {keys::table("serial", "Physical stations only, which need this or the next.",
+                       {keys::array("ports", keys::text("", ""),
+                                    "one outlet on each; one that does not answer is at fault")
+                            .permits("array of device paths or `tcp://host:port`, at least one")
+                            .require("the ports: ports = [\"/dev/ttyUSB0\"]"),
+                        keys::whole("baud", "bit/s", 9600, 4000000, "of serial ports")
+                            .by_default(transport::kBaud)}),
+           keys::table(
+               "mqtt", "Physical stations only.",
+               {keys::text("url", "the broker")
+                    .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
+                    .require(),
+                keys::text("ca_file", "the certificate that vouches for it")
+                    .permits("path")
+                    .or_else("required with `mqtts`"),
+                keys::text("user", "the bench's name there"),
+                keys::text("password_file", "holds its password in the first line").permits("path"),
+                keys::array("outlets", keys::id("", kLongestId, ""),
+                            "one that is named and not there is at fault")
+                    .permits("array of ids, each once")
+                    .or_else("all that are found")})},
+          read_physical};
+}
+
+std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets) {
   std::vector<std::unique_ptr<link::Link>> links;
-  if (!outlets.serial_ports.empty()) {
-    link::FramedOptions options;
-    options.ports = outlets.serial_ports;
-    options.baud = outlets.baud;
-    options.skip_unusable = looking;
-    links.push_back(std::make_unique<link::FramedLink>(options));
+  if (!outlets.serial.ports.empty()) {
+    links.push_back(std::make_unique<link::FramedLink>(outlets.serial));
   }
-  if (!outlets.broker.url.empty()) {
-    link::MqttOptions options;
-    options.url = outlets.broker.url;
-    options.ca_file = outlets.broker.ca_file;
-    options.user = outlets.broker.user;
-    options.password = outlets.broker.password_file.empty()
-                           ? outlets.broker.password
-                           : first_line(outlets.broker.password_file);
-    options.outlets = outlets.broker.outlets;
-    links.push_back(std::make_unique<link::MqttLink>(options));
+  if (!outlets.mqtt.url.empty()) {
+    if (!outlets.password_file.empty()) {
+      outlets.mqtt.password = first_line(outlets.password_file);
+    }
+    links.push_back(std::make_unique<link::MqttLink>(outlets.mqtt));
   }
   return std::make_unique<link::CombinedLink>(std::move(links));
 }

@@ -12,6 +12,14 @@ namespace {
 // An outlet must have answered to its settings so soon after the start.
 constexpr double kSettingsAnswerS = 0.096;
 
+void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
+  if (std::all_of(outlets.begin(), outlets.end(),
+                  [](const record::OutletRecord& outlet) { return !outlet.fault.empty(); })) {
+    const record::OutletRecord& first = outlets.front();
+    throw BenchFault("outlet " + first.id + " " + first.fault + "; no outlet is left");
+  }
+}
+
 struct Player {
   const profile::Plan& plan;
   const std::vector<Slot>& slots;
@@ -110,11 +118,6 @@ struct Player {
 };
 
 }  // namespace
-
-void power_up(const PlayedSignal& signal, source::Source& source) {
-  require(source.prepare(signal));
-  require(source.energise());
-}
 
 bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const PlayedSignal& signal,
           Station& station, const RunOptions& options, std::vector<record::OutletRecord>& outlets,

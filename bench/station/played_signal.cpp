@@ -26,39 +26,30 @@ struct Span {
   double to_s;
 };
 
-// Calm mains of one frequency, with dips from zero crossing to zero crossing: the voltage does not
-// leap in between an outlet's samples.
-class Calm {
- public:
-  Calm(double frequency_hz, double phase_turns, const double (&about_s)[3])
-      : frequency_hz_(frequency_hz), phase_turns_(phase_turns) {
-    for (const double at_s : about_s) {
-      dips_.push_back({zero_crossing(at_s), zero_crossing(at_s + kDipS)});
-    }
-  }
-
-  const std::vector<Span>& dips() const { return dips_; }
-
-  waveform::Synthesizer synthesizer(double level, std::int64_t sample_rate_hz) const {
-    waveform::SignalSpec spec;
-    spec.initial_phase_deg = 360.0 * phase_turns_;
-    for (const Span& dip : dips_) {
-      spec.amplitude_steps.push_back({dip.from_s, dip.to_s - dip.from_s, 100.0 * level});
-    }
-    return {waveform::truth_from_points(frequency_hz_, {{0.0, frequency_hz_}}), spec,
-            sample_rate_hz};
-  }
-
- private:
-  double zero_crossing(double t_s) const {
-    const double half_turns = std::ceil(2.0 * (frequency_hz_ * t_s + phase_turns_));
-    return (0.5 * half_turns - phase_turns_) / frequency_hz_;
-  }
-
-  double frequency_hz_;
-  double phase_turns_;
-  std::vector<Span> dips_;
+struct CalmMains {
+  std::vector<Span> dips;
+  waveform::Synthesizer synthesizer;
 };
+
+// Of one frequency, with dips from zero crossing to zero crossing: the voltage does not leap in
+// between an outlet's samples.
+CalmMains calm_mains(double frequency_hz, double phase_turns, const double (&about_s)[3],
+                     double level, std::int64_t sample_rate_hz) {
+  const auto zero_crossing = [&](double t_s) {
+    const double half_turns = std::ceil(2.0 * (frequency_hz * t_s + phase_turns));
+    return (0.5 * half_turns - phase_turns) / frequency_hz;
+  };
+  std::vector<Span> dips;
+  waveform::SignalSpec spec;
+  spec.initial_phase_deg = 360.0 * phase_turns;
+  for (const double at_s : about_s) {
+    const Span dip = {zero_crossing(at_s), zero_crossing(at_s + kDipS)};
+    dips.push_back(dip);
+    spec.amplitude_steps.push_back({dip.from_s, dip.to_s - dip.from_s, 100.0 * level});
+  }
+  return {dips,
+          {waveform::truth_from_points(frequency_hz, {{0.0, frequency_hz}}), spec, sample_rate_hz}};
+}
 
 }  // namespace
 
@@ -74,16 +65,17 @@ PlayedSignal::PlayedSignal(const profile::Plan& plan, bool with_markers)
   // In phase with the run's first sample, and at its frequency: nothing happens at tick 0.
   const double first_hz = plan.truth()->frequency_hz(0.0);
   const double run_turns = plan.stimulus.signal.initial_phase_deg / 360.0;
-  const Calm before(first_hz, turns(run_turns - first_hz * kLeadS), kBeforeS);
-  const Calm after(plan.grid.nominal_hz, 0.0, kAfterS);
-  parts_.push_back({0, before.synthesizer(markers_.level, rate_hz)});
+  const CalmMains before =
+      calm_mains(first_hz, turns(run_turns - first_hz * kLeadS), kBeforeS, markers_.level, rate_hz);
+  const CalmMains after = calm_mains(plan.grid.nominal_hz, 0.0, kAfterS, markers_.level, rate_hz);
+  parts_.push_back({0, before.synthesizer});
   parts_.push_back({lead_ticks_, plan.synthesizer()});
-  parts_.push_back({lead_ticks_ + run_ticks_, after.synthesizer(markers_.level, rate_hz)});
+  parts_.push_back({lead_ticks_ + run_ticks_, after.synthesizer});
 
-  const auto mark = [&](const Calm& calm, std::int64_t first_tick, std::int64_t count) {
+  const auto mark = [&](const CalmMains& calm, std::int64_t first_tick, std::int64_t count) {
     capture::MarkedStretch stretch;
     stretch.first_tick = first_tick - lead_ticks_;
-    for (const Span& dip : calm.dips()) {
+    for (const Span& dip : calm.dips) {
       stretch.dips.push_back({stretch.first_tick + waveform::tick_at(dip.from_s, rate_hz),
                               stretch.first_tick + waveform::tick_at(dip.to_s, rate_hz)});
     }

@@ -1,13 +1,37 @@
 #include "run_steps.hpp"
 #include <control_centre/outlet_settings.hpp>
+#include <control_centre/threshold.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <random>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include <capture/capture.hpp>
+#include <grid/falling_limb.hpp>
 #include <profile/load.hpp>
+#include <waveform/synthesizer.hpp>
 
 namespace gsbench::station {
 namespace {
+
+std::string formatted_utc(const char* format) {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  const std::size_t length = std::strftime(text.data(), text.size(), format, &utc);
+  return {text.data(), length};
+}
+
+// Time and a random part: sorts by time, unique on one machine and off it.
+std::string new_run_id() {
+  return formatted_utc("%Y%m%dT%H%M%SZ-") + fmt::format("{:08x}", std::random_device()());
+}
 
 std::string noise_text(const profile::Plan& plan, const source::Limits& source) {
   if (!(plan.stimulus.noise_pct > 0.0)) {
@@ -22,7 +46,67 @@ std::string noise_text(const profile::Plan& plan, const source::Limits& source) 
          (source.noise_per_outlet ? "each outlet its own" : "the same at all outlets");
 }
 
+// "500 MW", "-20°", "40 %": at most four digits.
+std::string figure(double value, const char* unit) {
+  return fmt::format("{:.4g}{}", value, unit);
+}
+
+// What the plan plays, instant by instant.
+std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
+  const auto tick = [&plan](double at_s) {
+    return waveform::tick_at(at_s, plan.stimulus.sample_rate_hz);
+  };
+  std::vector<record::Mark> marks;
+  for (const grid::PowerChange& loss : plan.stimulus.losses) {
+    const bool lost = loss.power_mw > 0.0;
+    marks.push_back({tick(loss.at_s), lost ? "loss" : "shed", loss.power_mw,
+                     figure(std::fabs(loss.power_mw), " MW") + (lost ? " lost" : " shed")});
+  }
+  for (const waveform::PhaseJump& jump : plan.stimulus.signal.phase_jumps) {
+    marks.push_back(
+        {tick(jump.at_s), "phase jump", jump.degrees, figure(jump.degrees, "° phase jump")});
+  }
+  for (const waveform::AmplitudeStep& step : plan.stimulus.signal.amplitude_steps) {
+    marks.push_back(
+        {tick(step.at_s), "amplitude", step.level_pct, "voltage " + figure(step.level_pct, " %")});
+    if (std::isfinite(step.duration_s)) {
+      marks.push_back({tick(step.at_s + step.duration_s), "amplitude", 100.0, "voltage restored"});
+    }
+  }
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
+  return marks;
+}
+
+// What a publication prints for the plan's grid, beside what we work out.
+std::vector<record::Comparison> comparisons(const grid::Grid& grid) {
+  const grid::Reference& reference = grid.reference;
+  const grid::SfrModel model(grid);
+  const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
+  std::vector<record::Comparison> all;
+  if (reference.threshold_mw) {
+    all.push_back({"threshold power loss", "MW", threshold_mw, *reference.threshold_mw, ""});
+  }
+  if (reference.t_nadir_s) {
+    all.push_back({"time of the nadir", "s", grid::nadir(model, threshold_mw).t_s,
+                   *reference.t_nadir_s, reference.note});
+  }
+  const std::vector<control_centre::Condition> rows =
+      control_centre::conditions(model, grid.threshold_hz, grid.condition_row_hz);
+  for (std::size_t row = 0; row < rows.size() && row < reference.condition_rocof_hz_s.size();
+       ++row) {
+    all.push_back({fmt::format("condition {:.2f} … {:.2f} Hz, ROCOF below", rows[row].from_hz,
+                               rows[row].to_hz),
+                   "Hz/s", rows[row].rocof_below_hz_s, reference.condition_rocof_hz_s[row], ""});
+  }
+  return all;
+}
+
 }  // namespace
+
+std::string utc_now() {
+  return formatted_utc("%Y-%m-%dT%H:%M:%SZ");
+}
 
 record::RunRecord prepare(const profile::Plan& plan, Station& station) {
   for (const profile::Outlet& outlet : plan.outlets) {
@@ -50,7 +134,9 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
       source.file,     source.sha256,           columns.time,           columns.frequency,
       columns.voltage, columns.nominal_voltage, source.replaces_profile};
   run.station = station.name();
-  run.bench_uncertainty = station.uncertainty();
+  // Without the outlets' clocks: those are measured in each run.
+  run.bench_uncertainty.relay_sense_ms = 1e3 * station.relay_sense().alignment().uncertainty_ticks /
+                                         static_cast<double>(plan.stimulus.sample_rate_hz);
   run.noise = noise_text(plan, station.source().limits());
   run.seed = plan.seed;
   run.sample_rate_hz = plan.stimulus.sample_rate_hz;

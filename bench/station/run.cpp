@@ -18,7 +18,8 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
       options.writer->begin(run);
     }
     try {
-      power_up(signal, station.source());
+      require(station.source().prepare(signal));
+      require(station.source().energise());
       run.outlets = claim(plan, slots, station);
       run.interrupted = !play(plan, slots, signal, station, options, run.outlets, capture);
     } catch (const BenchFault& fault) {

@@ -9,7 +9,6 @@
 #include <record/run_record.hpp>
 #include <station/played_signal.hpp>
 #include <station/run.hpp>
-#include <station/slot.hpp>
 #include <station/station.hpp>
 
 namespace gsbench::station {
@@ -19,17 +18,13 @@ namespace gsbench::station {
 // anything is touched: that is the profile's mistake.
 record::RunRecord prepare(const profile::Plan& plan, Station& station);
 
-// What the plan plays, instant by instant.
-std::vector<record::Mark> stimulus_marks(const profile::Plan& plan);
-// What a publication prints for the plan's grid, beside what we work out.
-std::vector<record::Comparison> comparisons(const grid::Grid& grid);
-
 std::string utc_now();  // ISO 8601, to the second
-// Time and a random part: sorts by time, unique on one machine and off it.
-std::string new_run_id();
 
-// Throws BenchFault, where the source cannot play the signal too. `signal` outlives the playing.
-void power_up(const PlayedSignal& signal, source::Source& source);
+// One for each outlet of a plan, in the plan's order: the slot with the outlet's id for its serial
+// number, else the next that no outlet of the plan names. Fewer than outlets where there are no
+// more.
+std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
+                         const std::vector<Slot>& slots);
 
 // Each outlet of the plan gets one of the station's, with its settings: in the plan's order, each
 // in its slot. One that does not answer, was found at fault, or samples otherwise than the plan

@@ -1,7 +1,5 @@
 #include "station_kind.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include <profile/files.hpp>
@@ -9,27 +7,33 @@
 namespace gsbench::station {
 namespace {
 
-const StationKind& kind_of(const std::string& name) {
-  return *std::find_if(station_kinds().begin(), station_kinds().end(),
-                       [&](const StationKind& kind) { return kind.name == name; });
+const std::vector<StationKind>& station_kinds() {
+  static const std::vector<StationKind> kinds = {simulated_kind(), emulated_kind(),
+                                                 physical_kind()};
+  return kinds;
 }
 
-std::unique_ptr<StationFile> parse_station(const profile::NamedFile& file) {
+StationFile parse_station(const profile::NamedFile& file) {
   const keys::Document document = keys::parse_toml(profile::read_file(file.path), file.path);
   const keys::Table top(document, station_keys());
-  const StationKind& kind = kind_of(top.text("kind"));
-  for (const StationKind& other : station_kinds()) {
-    for (const keys::Key& key : other.keys) {
-      if (other.name != kind.name && top.has(key.name)) {
-        top.refuse(top.at(key.name), fmt::format("{} means nothing to a station of kind \"{}\"",
-                                                 key.name, kind.name));
+  StationFile station = {file.name, top.text("title"), file.path};
+  const std::string of_kind = top.text("kind");
+  for (const StationKind& kind : station_kinds()) {
+    if (kind.name == of_kind) {
+      continue;
+    }
+    for (const keys::Key& key : kind.keys) {
+      if (top.has(key.name)) {
+        top.refuse(key.name,
+                   fmt::format("{} means nothing to a station of kind \"{}\"", key.name, of_kind));
       }
     }
   }
-  std::unique_ptr<StationFile> station = kind.read(top, file.path);
-  station->name = file.name;
-  station->path = file.path;
-  station->title = top.text("title");
+  for (const StationKind& kind : station_kinds()) {
+    if (kind.name == of_kind) {
+      kind.read(top, station);
+    }
+  }
   return station;
 }
 
@@ -65,14 +69,48 @@ const keys::Key& station_keys() {
   return keys;
 }
 
-std::unique_ptr<StationFile> load_station(const std::string& name) {
+StationFile load_station(const std::string& name) {
   return parse_station(profile::find_station(name));
 }
 
 std::vector<profile::ProfileSummary> list_stations() {
   return profile::summaries_of(profile::all_stations(), [](const profile::NamedFile& file) {
-    return parse_station(file)->title;
+    return parse_station(file).title;
   });
+}
+
+profile::Plan fit_to_station(const StationFile& station, const profile::Plan& plan) {
+  const std::size_t there = station.outlets.value_or(plan.outlets.size());
+  if (there >= plan.outlets.size()) {
+    return plan;
+  }
+  const std::vector<std::string> groups = profile::groups_of(plan.outlets);
+  if (groups.size() > there) {
+    throw profile::ConfigurationError(plan.path + ": has " + std::to_string(groups.size()) +
+                                      " groups of outlets, and the station " + station.name +
+                                      " only " + std::to_string(there) + " outlets");
+  }
+  // One of each group in turn.
+  std::vector<bool> taken(plan.outlets.size(), false);
+  for (std::size_t chosen = 0; chosen < there;) {
+    for (const std::string& group : groups) {
+      for (std::size_t i = 0; i < plan.outlets.size() && chosen < there; ++i) {
+        if (!taken[i] && plan.outlets[i].group == group) {
+          taken[i] = true;
+          ++chosen;
+          break;
+        }
+      }
+    }
+  }
+  profile::Plan fitted = plan;
+  fitted.outlets.clear();
+  for (std::size_t i = 0; i < plan.outlets.size(); ++i) {
+    if (taken[i]) {
+      fitted.outlets.push_back(plan.outlets[i]);
+    }
+  }
+  return fitted;
 }
 
 }  // namespace gsbench::station

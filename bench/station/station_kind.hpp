@@ -1,8 +1,7 @@
 // The kinds of stations that a station file can describe. A new one is its own files and a line in
-// station_kinds.cpp.
+// station_file.cpp.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,9 @@ struct StationKind {
   std::string name;             // as `kind` in a station file
   std::string meaning;          // what its outlets are, for documents
   std::vector<keys::Key> keys;  // that only this kind has
-  // `path`: of the file, which relative paths in it are beside.
-  std::unique_ptr<StationFile> (*read)(const keys::Table& top, const std::string& path);
+  // Fills in what follows `file`'s name, title and path; relative paths in it are beside it.
+  void (*read)(const keys::Table& top, StationFile& file);
 };
-
-const std::vector<StationKind>& station_kinds();
 
 // One file each.
 StationKind simulated_kind();

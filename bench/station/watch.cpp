@@ -3,6 +3,7 @@
 #include "faults.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <waveform/synthesizer.hpp>
 
@@ -12,6 +13,26 @@ namespace {
 // An outlet reports every 16 ms. A longer silence than a source's buffer and a link's delay explain
 // would pass for good behaviour: an outlet that says nothing has no event either.
 constexpr double kLongestSilenceS = 1.0;
+
+// Bits of gs::wire::SelfTestPart as words, all but the ADC, which may have had no input yet.
+std::string failed_parts(std::uint32_t failed) {
+  std::string names;
+  for (const auto& [part, name] : {std::pair(gs::wire::kArithmetic, "arithmetic"),
+                                   {gs::wire::kSettingsStorage, "settings storage"},
+                                   {gs::wire::kClock, "crystal"}}) {
+    if ((failed & part) != 0) {
+      names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+  }
+  return names;
+}
+
+// Errors an outlet reports of itself that make its run worthless. That it did not understand the
+// bench shows in what it then does not do.
+bool spoils_a_run(gs::wire::ErrorCode error) {
+  return error == gs::wire::ErrorCode::kSamplesLost || error == gs::wire::ErrorCode::kWatchdog ||
+         error == gs::wire::ErrorCode::kSettingsStorage || error == gs::wire::ErrorCode::kClock;
+}
 
 }  // namespace
 
@@ -51,25 +72,22 @@ void Watch::hear(link::Happenings& happenings, std::int64_t now) {
   std::vector<link::Received>& messages = happenings.messages;
   messages.erase(std::remove_if(messages.begin(), messages.end(), is_not_for_the_record),
                  messages.end());
-  note_faults(happenings.left);
-  note_faults(happenings.faults);
-}
-
-void Watch::note_faults(const std::vector<link::Fault>& faults) {
-  for (const link::Fault& fault : faults) {
-    if (const auto found = lives_.find(fault.id); found != lives_.end()) {
-      note(*found->second.outlet, fault.what);
+  for (const auto* faults : {&happenings.left, &happenings.faults}) {
+    for (const link::Fault& fault : *faults) {
+      if (const auto found = lives_.find(fault.id); found != lives_.end()) {
+        note(*found->second.outlet, fault.what);
+      }
     }
   }
 }
 
 void Watch::check_answers(const capture::Capture& capture) {
   for (const auto& [id, life] : lives_) {
-    const capture::SettingsAnswer& answer = capture.settings_answer(id);
-    if (!answer.came) {
+    const std::optional<gs::outlet::SettingsError> answer = capture.settings_answer(id);
+    if (!answer) {
       note(*life.outlet, "did not answer to its settings");
-    } else if (!answer.accepted) {
-      note(*life.outlet, "refused its settings: " + answer.reason);
+    } else if (*answer != gs::outlet::SettingsError::kNone) {
+      note(*life.outlet, "refused its settings: " + std::string(gs::outlet::to_string(*answer)));
     }
     const std::string failed = failed_parts(capture.self_test_failed(id));
     if (!failed.empty()) {

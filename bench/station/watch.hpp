@@ -35,8 +35,6 @@ class Watch {
     bool over = false;
   };
 
-  void note_faults(const std::vector<link::Fault>& faults);
-
   std::map<std::string, Life> lives_;
   std::int64_t longest_silence_ticks_;
 };

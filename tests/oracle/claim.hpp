@@ -1,7 +1,6 @@
 // What bench/grid claims of a grid, and how far the simulated power system disagrees.
 #pragma once
 
-#include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 
 #include <vector>

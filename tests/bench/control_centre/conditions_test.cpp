@@ -1,4 +1,3 @@
-#include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 #include <grid_test/example_grids.hpp>
 

@@ -1,6 +1,6 @@
 #include <control_centre/blocks.hpp>
-#include <control_centre/conditions.hpp>
 #include <control_centre/outlet_settings.hpp>
+#include <control_centre/threshold.hpp>
 #include <grid_test/example_grids.hpp>
 #include <test_support/refusal.hpp>
 

@@ -1,5 +1,4 @@
 #include <control_centre/blocks.hpp>
-#include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 #include <grid_test/example_grids.hpp>
 

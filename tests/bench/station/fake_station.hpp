@@ -58,7 +58,6 @@ class FakeStation final : public Station,
   link::Link& link() override { return *this; }
   relay::RelaySense& relay_sense() override { return *this; }
   std::vector<Slot> slots() const override;
-  record::BenchUncertainty uncertainty() override { return {}; }
   bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return script_.block_s; }
 
@@ -86,7 +85,7 @@ class FakeStation final : public Station,
   drivers::Status poll(link::Happenings& happenings) override;
   void close() noexcept override;
 
-  relay::Alignment alignment() const override { return {0.0, 1.0, 0.5}; }
+  relay::Alignment alignment() const override { return {0.0, 1.0, 0.0}; }
   drivers::Status poll(std::vector<relay::Edge>& edges) override;
 
   bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }

@@ -22,7 +22,7 @@ using testing::StartsWith;
 
 class StationFiles : public testing::Test {
  protected:
-  std::unique_ptr<StationFile> load(const std::string& text) const {
+  StationFile load(const std::string& text) const {
     return load_station(folder_.write("hardware.toml", text));
   }
 
@@ -39,23 +39,25 @@ constexpr const char* kPhysical = "title = \"A station\"\nkind = \"physical\"\n"
 
 TEST_F(StationFiles, OfEmulatedOutletsTakesThemWithDefaults) {
   const std::string image = folder_.write("my.elf", "code");
-  const auto file = load(std::string(kEmulated) +
-                         "image = \"my.elf\"\n[[outlet]]\nid = \"a\"\n[[outlet]]\n"
-                         "id = \"b\"\nboard = \"mps2-an386\"\nlink = \"serial\"\n"
-                         "crystal_ppm = -40.0\n");
-  EXPECT_EQ(file->name, "hardware");
-  EXPECT_EQ(file->title, "A station");
-  EXPECT_EQ(file->outlets(), 2U);
-  EXPECT_FALSE(file->reachable());
-  const auto& station = dynamic_cast<const EmulatedFile&>(*file);
+  const std::string text = std::string(kEmulated) +
+                           "image = \"my.elf\"\n[[outlet]]\nid = \"a\"\n[[outlet]]\n"
+                           "id = \"b\"\nboard = \"mps2-an386\"\nlink = \"serial\"\n"
+                           "crystal_ppm = -40.0\n";
+  const StationFile file = load(text);
+  EXPECT_EQ(file.name, "hardware");
+  EXPECT_EQ(file.title, "A station");
+  EXPECT_EQ(file.outlets, 2U);
+  EXPECT_FALSE(file.reachable);
+  const keys::Document document = keys::parse_toml(text, file.path);
+  const auto station = read_emulated(keys::Table(document, station_keys()), file.path);
   EXPECT_EQ(station.image, image);
-  ASSERT_EQ(station.hardware.size(), 2U);
-  EXPECT_EQ(station.hardware[0].board, "host");
-  EXPECT_EQ(station.hardware[0].connection, emulation::Connection::kSerial);
-  EXPECT_EQ(station.hardware[0].crystal_ppm, 0.0);
-  EXPECT_EQ(station.hardware[1].id, "b");
-  EXPECT_EQ(station.hardware[1].board, "mps2-an386");
-  EXPECT_EQ(station.hardware[1].crystal_ppm, -40.0);
+  ASSERT_EQ(station.outlets.size(), 2U);
+  EXPECT_EQ(station.outlets[0].board, "host");
+  EXPECT_EQ(station.outlets[0].connection, emulation::Connection::kSerial);
+  EXPECT_EQ(station.outlets[0].crystal_ppm, 0.0);
+  EXPECT_EQ(station.outlets[1].id, "b");
+  EXPECT_EQ(station.outlets[1].board, "mps2-an386");
+  EXPECT_EQ(station.outlets[1].crystal_ppm, -40.0);
 }
 
 TEST_F(StationFiles, OfPhysicalOutletsSaysWhereTheyAre) {
@@ -64,21 +66,21 @@ TEST_F(StationFiles, OfPhysicalOutletsSaysWhereTheyAre) {
                          "baud = 115200\n[mqtt]\nurl = \"mqtts://b:8883\"\n"
                          "ca_file = \"ca.crt\"\nuser = \"u\"\n"
                          "password_file = \"pw\"\noutlets = [\"k-1\"]\n");
-  ASSERT_TRUE(file->reachable());
-  const PhysicalOutlets station = *file->reachable();
-  EXPECT_THAT(station.serial_ports, ElementsAre("/dev/ttyUSB0", "/dev/ttyUSB1"));
-  EXPECT_EQ(station.baud, 115200);
-  EXPECT_EQ(station.broker.url, "mqtts://b:8883");
-  EXPECT_EQ(station.broker.ca_file, folder_.file("ca.crt"));
-  EXPECT_EQ(station.broker.password_file, folder_.file("pw"));
-  EXPECT_THAT(station.broker.outlets, ElementsAre("k-1"));
+  ASSERT_TRUE(file.reachable);
+  const PhysicalOutlets station = *file.reachable;
+  EXPECT_THAT(station.serial.ports, ElementsAre("/dev/ttyUSB0", "/dev/ttyUSB1"));
+  EXPECT_EQ(station.serial.baud, 115200);
+  EXPECT_EQ(station.mqtt.url, "mqtts://b:8883");
+  EXPECT_EQ(station.mqtt.ca_file, folder_.file("ca.crt"));
+  EXPECT_EQ(station.password_file, folder_.file("pw"));
+  EXPECT_THAT(station.mqtt.outlets, ElementsAre("k-1"));
 }
 
 TEST_F(StationFiles, NeedsNoCertificateWithoutTls) {
   const PhysicalOutlets station =
-      *load(std::string(kPhysical) + "[mqtt]\nurl = \"mqtt://b:1883\"\n")->reachable();
-  EXPECT_EQ(station.broker.ca_file, "");
-  EXPECT_EQ(station.baud, 921600);
+      *load(std::string(kPhysical) + "[mqtt]\nurl = \"mqtt://b:1883\"\n").reachable;
+  EXPECT_EQ(station.mqtt.ca_file, "");
+  EXPECT_EQ(station.serial.baud, 921600);
 }
 
 TEST_F(StationFiles, IsRefusedWithThePlaceAndWhatWouldBeRight) {
@@ -125,7 +127,7 @@ TEST_F(StationFiles, TakeABrokerByItsSchemeHostAndPort) {
     return std::string(kPhysical) + "[mqtt]\nca_file = \"ca.crt\"\nurl = \"" + url + "\"\n";
   };
   for (const char* url : {"mqtt://b:1", "mqtts://b:65535", "mqtt://10.0.0.1:01883"}) {
-    EXPECT_EQ(load(mqtt(url))->reachable()->broker.url, url);
+    EXPECT_EQ(load(mqtt(url)).reachable->mqtt.url, url);
   }
   for (const std::string& url :
        {std::string("mqtt://:1883"), std::string("mqtt://b:"), std::string("mqtt://b:0"),
@@ -159,18 +161,9 @@ constexpr const char* kTwoGroups =
     "[[outlet]]\ncount = 3\nid = \"a\"\n[[outlet]]\ncount = 2\nid = \"b\"\n";
 
 // With so many outlets.
-class StationOf final : public StationFile {
- public:
-  explicit StationOf(std::optional<std::size_t> outlets) : outlets_(outlets) { name = "station"; }
-  std::optional<std::size_t> outlets() const override { return outlets_; }
-  std::unique_ptr<Station> make_station(const profile::Plan&,
-                                        const SimulatedOptions&) const override {
-    return nullptr;
-  }
-
- private:
-  std::optional<std::size_t> outlets_;
-};
+StationFile station_of(std::optional<std::size_t> outlets) {
+  return {"station", "", "", outlets};
+}
 
 std::vector<std::string> ids(const profile::Plan& plan) {
   std::vector<std::string> all;
@@ -180,33 +173,33 @@ std::vector<std::string> ids(const profile::Plan& plan) {
 
 TEST(FitToStation, LeavesAPlanWhereThereAreOutletsEnough) {
   const profile::Plan asked = plan(1.0, "", kTwoGroups);
-  EXPECT_EQ(ids(fit_to_station(StationOf(5), asked)), ids(asked));
-  EXPECT_EQ(ids(fit_to_station(StationOf(9), asked)), ids(asked));
-  EXPECT_EQ(ids(fit_to_station(StationOf(std::nullopt), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(station_of(5), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(station_of(9), asked)), ids(asked));
+  EXPECT_EQ(ids(fit_to_station(station_of(std::nullopt), asked)), ids(asked));
 }
 
 TEST(FitToStation, TakesOneOfEachGroupInTurnInThePlansOrder) {
   const profile::Plan asked = plan(1.0, "", kTwoGroups);
   const std::vector<std::string> all = ids(asked);
   ASSERT_EQ(all.size(), 5U);
-  EXPECT_THAT(ids(fit_to_station(StationOf(2), asked)), ElementsAre(all[0], all[3]));
-  EXPECT_THAT(ids(fit_to_station(StationOf(3), asked)), ElementsAre(all[0], all[1], all[3]));
-  EXPECT_THAT(ids(fit_to_station(StationOf(4), asked)),
+  EXPECT_THAT(ids(fit_to_station(station_of(2), asked)), ElementsAre(all[0], all[3]));
+  EXPECT_THAT(ids(fit_to_station(station_of(3), asked)), ElementsAre(all[0], all[1], all[3]));
+  EXPECT_THAT(ids(fit_to_station(station_of(4), asked)),
               ElementsAre(all[0], all[1], all[3], all[4]));
 }
 
 TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
-  EXPECT_THAT(refusal_of([] { fit_to_station(StationOf(1), plan(1.0, "", kTwoGroups)); }),
+  EXPECT_THAT(refusal_of([] { fit_to_station(station_of(1), plan(1.0, "", kTwoGroups)); }),
               HasSubstr("2 groups of outlets, and the station station only 1"));
 }
 
 TEST(Stations, APhysicalOneIsRefusedForARunWithWhatItIsGoodFor) {
-  EXPECT_THAT(refusal_of([] { (void)load_station("serial")->make_station(plan(1.0), {}); }),
+  EXPECT_THAT(refusal_of([] { (void)load_station("serial").make_station(plan(1.0), {}); }),
               AllOf(HasSubstr("serial.toml: "), HasSubstr("gsbench monitor")));
 }
 
 TEST(Stations, ASimulatedOneCountsTheSourcesTicks) {
-  EXPECT_TRUE(load_station("simulated")->make_station(plan(1.0), {})->outlets_count_ticks());
+  EXPECT_TRUE(load_station("simulated").make_station(plan(1.0), {})->outlets_count_ticks());
 }
 
 }  // namespace

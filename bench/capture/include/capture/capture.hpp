@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,6 @@
 #include <waveform/truth.hpp>
 
 namespace gsbench::capture {
-
-// What an outlet answered to its settings.
-struct SettingsAnswer {
-  bool came = false;
-  bool accepted = false;
-  std::string reason;  // where it refused
-};
 
 // What outlets say is kept by their own sample counts and comes onto the run's time base when it is
 // moved into the record; edges and commands are given in ticks of the run. Outlets are known by
@@ -32,7 +26,8 @@ class Capture {
   void add_edge(const std::string& id, std::int64_t tick, bool closed);
   void add_command(const std::string& id, std::int64_t tick, bool close);
 
-  const SettingsAnswer& settings_answer(const std::string& id) const {
+  // What the outlet answered to its settings; none: no answer came.
+  std::optional<gs::outlet::SettingsError> settings_answer(const std::string& id) const {
     return track(id).settings_answer;
   }
   // Bits of gs::wire::SelfTestPart; 0 also where no result came.
@@ -47,11 +42,21 @@ class Capture {
 
  private:
   struct Track {
-    record::OutletRecord record;  // ticks in it are still samples of the outlet
+    struct Measurement {
+      std::int64_t sample;
+      gs::wire::MeasurementMessage said;
+    };
+    struct Estimate {
+      std::int64_t sample;
+      std::int64_t event_sample;  // of the event it is of
+      gs::wire::EstimateMessage said;
+    };
+    std::vector<Measurement> measurements;
+    std::vector<Estimate> estimates;
+    std::vector<record::Mark> marks;  // ticks in it are still samples of the outlet
     std::vector<record::Mark> bench_marks;
-    std::vector<float> loss_instant_s;  // of each estimate, against its event
-    std::vector<std::int64_t> event_sample;
-    SettingsAnswer settings_answer;
+    std::string settings_digest;
+    std::optional<gs::outlet::SettingsError> settings_answer;
     std::uint32_t self_test_failed = 0;
     std::int64_t newest_event_sample = 0;
   };

@@ -1,32 +1,23 @@
 // Outlets that are there: on serial ports and on a broker.
 #pragma once
 
+#include <link_framed/framed_link.hpp>
+#include <link_mqtt/mqtt_link.hpp>
+
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <link/link.hpp>
-#include <transport/transport.hpp>
 
 namespace gsbench::station {
 
-struct Broker {
-  std::string url;  // mqtts://host:port, mqtt://host:port without TLS; empty: none
-  std::string ca_file;
-  std::string user;
-  std::string password_file;         // holds it in the first line
-  std::vector<std::string> outlets;  // ids; empty: all that are found
-  std::string password = {};         // in place of such a file
-};
-
 struct PhysicalOutlets {
-  std::vector<std::string> serial_ports;
-  int baud = transport::kBaud;
-  Broker broker;
+  link::FramedOptions serial;      // without ports: none
+  link::MqttOptions mqtt;          // without a URL: none
+  std::string password_file = {};  // holds the broker's password in the first line; empty: as above
 };
 
-// `looking`: ports that cannot be opened are left out, not an error. Throws
-// keys::ConfigurationError where the password cannot be read.
-std::unique_ptr<link::Link> make_link(const PhysicalOutlets& outlets, bool looking);
+// Throws keys::ConfigurationError where the password cannot be read.
+std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets);
 
 }  // namespace gsbench::station

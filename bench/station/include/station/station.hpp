@@ -4,17 +4,24 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <link/link.hpp>
 #include <profile/plan.hpp>
-#include <record/run_record.hpp>
 #include <relay/relay_sense.hpp>
 #include <source/source.hpp>
-#include <station/slot.hpp>
 
 namespace gsbench::station {
+
+// Where an outlet is, and what the bench can reach of it.
+struct Slot {
+  std::string place;                         // for people
+  std::string serial_number;                 // of the outlet in it
+  std::optional<std::string> link_id;        // none: it offers nothing but its contact
+  std::optional<std::size_t> relay_channel;  // of the station's relay sense; none: not watched
+};
 
 class Station {
  public:
@@ -26,8 +33,6 @@ class Station {
   virtual std::vector<Slot> slots() const = 0;
   // For so long an outlet that was named is waited for; 0: outlets join at once or not at all.
   virtual std::chrono::milliseconds answers_within() const { return {}; }
-  // Without the outlets' clocks: those are measured in each run.
-  virtual record::BenchUncertainty uncertainty() = 0;
   // Does an outlet's sample count begin at 0 with the source's first tick, and keep step with it?
   // If not, markers are played around the run.
   virtual bool outlets_count_ticks() const = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,29 +17,26 @@
 
 namespace gsbench::station {
 
-// One that was read: of one of the kinds in station_kinds.cpp.
-class StationFile {
- public:
-  virtual ~StationFile() = default;
-  // How many outlets it has; none: as many as a plan asks for.
-  virtual std::optional<std::size_t> outlets() const { return std::nullopt; }
-  // Outlets that can be reached without a run; none: they are there only while one plays to them.
-  virtual std::optional<PhysicalOutlets> reachable() const { return std::nullopt; }
-  // Throws profile::ConfigurationError where nothing plays to its outlets, std::runtime_error where
-  // it cannot be set up.
-  virtual std::unique_ptr<Station> make_station(const profile::Plan& plan,
-                                                const SimulatedOptions& simulated) const = 0;
-
+// One that was read: of one of the kinds in station_file.cpp.
+struct StationFile {
   std::string name;
   std::string title;
   std::string path;
+  // How many outlets it has; none: as many as a plan asks for.
+  std::optional<std::size_t> outlets = {};
+  // Outlets that can be reached without a run; none: they are there only while one plays to them.
+  std::optional<PhysicalOutlets> reachable = {};
+  // Throws profile::ConfigurationError where nothing plays to its outlets, std::runtime_error where
+  // it cannot be set up.
+  std::function<std::unique_ptr<Station>(const profile::Plan&, const SimulatedOptions&)>
+      make_station = {};
 };
 
 const keys::Key& station_keys();
 
 // `name`: a shipped station ("emulated") or a path to a .toml file. Throws
 // profile::ConfigurationError.
-std::unique_ptr<StationFile> load_station(const std::string& name);
+StationFile load_station(const std::string& name);
 
 // In alphabetical order; one that cannot be read is listed with the reason for its title.
 std::vector<profile::ProfileSummary> list_stations();

@@ -79,7 +79,7 @@ TEST_F(OutletClocks, PutDecisionsBeforeWhatTheRelaySenseSees) {
     ASSERT_NE(sensed, nullptr) << outlet.id;
     EXPECT_EQ(word->tick, decision->tick) << outlet.id;
     const double uncertainty_ms =
-        outlet.clock.uncertainty_ms + station_->uncertainty().relay_sense_ms;
+        outlet.clock.uncertainty_ms + record_.bench_uncertainty.relay_sense_ms;
     const double operate_ms = static_cast<double>(sensed->tick - decision->tick) / 8.0;
     EXPECT_GT(operate_ms, 1.0 - uncertainty_ms) << outlet.id;
     EXPECT_LT(operate_ms, 20.0 + uncertainty_ms) << outlet.id;

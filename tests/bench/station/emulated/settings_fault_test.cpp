@@ -45,7 +45,6 @@ class ChangedStation final : public Station {
   relay::RelaySense& relay_sense() override { return real_.relay_sense(); }
   std::vector<Slot> slots() const override { return real_.slots(); }
   std::chrono::milliseconds answers_within() const override { return real_.answers_within(); }
-  record::BenchUncertainty uncertainty() override { return real_.uncertainty(); }
   bool outlets_count_ticks() const override { return real_.outlets_count_ticks(); }
   double block_s() const override { return real_.block_s(); }
 

@@ -29,7 +29,9 @@ Outlets station_of_four() {
 
 void FaultyStation::set_up(const Outlets& outlets) {
   station_.reset();
-  station_ = std::make_unique<EmulatedStation>("four", outlets, "", plan_);
+  emulation::HardwareOptions options;
+  options.outlets = outlets;
+  station_ = std::make_unique<EmulatedStation>("four", options, plan_);
 }
 
 void FaultyStation::at(double part, std::function<void()> fault) {

@@ -1,7 +1,6 @@
 // Settings of an outlet in the modified IEEE 24-bus system of Xiang et al., and that system.
 #pragma once
 
-#include <control_centre/conditions.hpp>
 #include <control_centre/threshold.hpp>
 
 #include <memory>
