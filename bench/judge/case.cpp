@@ -35,9 +35,6 @@ double Case::tracker_delay_s() const {
 
 std::optional<std::int64_t> Case::first_loss_tick() const {
   std::optional<std::int64_t> first;
-  if (plan.stimulus.kind != profile::TruthKind::kLosses) {
-    return first;
-  }
   for (const grid::PowerChange& loss : plan.stimulus.losses) {
     const std::int64_t tick = waveform::tick_at(loss.at_s, plan.stimulus.sample_rate_hz);
     if (loss.power_mw > 0.0 && (!first || tick < *first)) {

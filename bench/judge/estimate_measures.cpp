@@ -3,16 +3,12 @@
 namespace gsbench::judge {
 namespace {
 
+constexpr const char* kDecisionLoss = "decision.loss";
+constexpr const char* kNoDecision = "no decision";
+
 Reading marked(const Case& c, const char* kind, const char* missing) {
   const record::Mark* mark = c.first_mark(kind);
   return mark == nullptr ? not_done(missing) : number(mark->value);
-}
-
-Reading lse_loss(const Case& c) {
-  return marked(c, "lse", "no LSE");
-}
-Reading ekf_loss(const Case& c) {
-  return marked(c, "decision.loss", "no decision");
 }
 
 Reading relative_error(const Case& c, const char* kind, const char* missing) {
@@ -27,17 +23,10 @@ Reading relative_error(const Case& c, const char* kind, const char* missing) {
   return number(100.0 * (mark->value / lost_mw - 1.0));
 }
 
-Reading lse_error(const Case& c) {
-  return relative_error(c, "lse", "no LSE");
-}
-Reading ekf_error(const Case& c) {
-  return relative_error(c, "decision.loss", "no decision");
-}
-
 Reading t_x_error(const Case& c, std::int64_t loss_tick) {
   const record::Mark* decision = c.first_mark("decision");
   if (decision == nullptr) {
-    return not_done("no decision");
+    return not_done(kNoDecision);
   }
   const record::EstimateTrace& estimates = c.outlet.estimates;
   for (std::size_t i = estimates.tick.size(); i-- > 0;) {
@@ -50,11 +39,8 @@ Reading t_x_error(const Case& c, std::int64_t loss_tick) {
 }
 
 Reading decision_delay(const Case& c, std::int64_t loss_tick) {
-  const record::Mark* decision = c.first_mark("decision", loss_tick);
-  if (decision == nullptr) {
-    return not_done("no decision after the loss");
-  }
-  return number(c.milliseconds_between(loss_tick, decision->tick), c.outlet.clock.uncertainty_ms);
+  return stamped_after(c, loss_tick, c.first_mark("decision", loss_tick),
+                       "no decision after the loss");
 }
 
 Reading decision_cause(const Case& c) {
@@ -66,10 +52,10 @@ Reading decision_cause(const Case& c) {
 
 Readings estimate_readings() {
   return {
-      {"lse.loss", lse_loss},
-      {"lse.error", lse_error},
-      {"ekf.loss", ekf_loss},
-      {"ekf.error", ekf_error},
+      {"lse.loss", [](const Case& c) { return marked(c, "lse", "no LSE"); }},
+      {"lse.error", [](const Case& c) { return relative_error(c, "lse", "no LSE"); }},
+      {"ekf.loss", [](const Case& c) { return marked(c, kDecisionLoss, kNoDecision); }},
+      {"ekf.error", [](const Case& c) { return relative_error(c, kDecisionLoss, kNoDecision); }},
       {"ekf.t_x_error", after_loss<t_x_error>},
       {"decision.delay", after_loss<decision_delay>},
       {"decision.cause", decision_cause},

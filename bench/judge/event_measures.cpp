@@ -39,11 +39,7 @@ Reading false_events(const Case& c) {
 }
 
 Reading event_delay(const Case& c, std::int64_t loss_tick) {
-  const record::Mark* event = c.first_mark("event", loss_tick);
-  if (event == nullptr) {
-    return not_done("no event after the loss");
-  }
-  return number(c.milliseconds_between(loss_tick, event->tick), c.outlet.clock.uncertainty_ms);
+  return stamped_after(c, loss_tick, c.first_mark("event", loss_tick), "no event after the loss");
 }
 
 Reading hits(const Case& c) {

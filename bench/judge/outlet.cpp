@@ -33,41 +33,20 @@ bool concerns(const profile::Expectation& expectation, const record::OutletRecor
 
 // In the unit that the profile sets its limits in, so that a reader finds his own figures again.
 MeasurementResult judged(const profile::Expectation& expectation, const measures::Measure& measure,
-                         const Reading& reading) {
+                         Reading reading) {
+  const double scale = measures::unit_scale(measure.unit, expectation.unit).value_or(kNone);
+  reading.value *= scale;
+  reading.uncertainty *= scale;
   MeasurementResult result = result_of(measure, reading);
   result.judged = true;
-  Judgement judgement;
-  if (measure.is_word()) {
-    result.expected_word = expectation.equals.value_or("");
-    judgement = judge_word(reading, result.expected_word);
-  } else {
-    const double scale = measures::unit_scale(measure.unit, expectation.unit).value_or(kNone);
-    Reading scaled = reading;
-    scaled.value *= scale;
-    scaled.uncertainty *= scale;
-    result.unit = expectation.unit;
-    result.value = reading.missing.empty() ? scaled.value : kNone;
-    result.uncertainty = scaled.uncertainty;
-    result.low = expectation.min.value_or(kNone);
-    result.high = expectation.max.value_or(kNone);
-    judgement = judge_number(scaled, result.low, result.high);
-  }
-  result.verdict = judgement.verdict;
-  result.reason = judgement.reason;
-  return result;
-}
-
-// A limit that cannot be checked is not dropped: the outlet could pass without it.
-MeasurementResult unknown(const profile::Expectation& expectation) {
-  MeasurementResult result;
-  result.name = expectation.measure;
-  result.value = kNone;
   result.unit = expectation.unit;
   result.low = expectation.min.value_or(kNone);
   result.high = expectation.max.value_or(kNone);
-  result.judged = true;
-  result.verdict = Verdict::kInconclusive;
-  result.reason = "there is no such measure";
+  result.expected_word = expectation.equals.value_or("");
+  const Judgement judgement = measure.is_word() ? judge_word(reading, result.expected_word)
+                                                : judge_number(reading, result.low, result.high);
+  result.verdict = judgement.verdict;
+  result.reason = judgement.reason;
   return result;
 }
 
@@ -83,16 +62,17 @@ std::vector<MeasurementResult> measure(const Case& c) {
   std::vector<MeasurementResult> results;
   std::set<std::string> named;
   for (const profile::Expectation& expectation : c.plan.expectations) {
-    const measures::Measure* measure = measures::find(expectation.measure);
     if (!concerns(expectation, c.outlet)) {
       continue;
     }
-    if (measure == nullptr) {
-      results.push_back(unknown(expectation));
-      continue;
+    named.insert(expectation.measure);
+    if (const measures::Measure* measure = measures::find(expectation.measure)) {
+      results.push_back(judged(expectation, *measure, read(measure->name, c)));
+    } else {
+      // A limit that cannot be checked is not dropped: the outlet could pass without it.
+      results.push_back(judged(expectation, {expectation.measure, expectation.unit, "", ""},
+                               not_known("there is no such measure")));
     }
-    results.push_back(judged(expectation, *measure, read(measure->name, c)));
-    named.insert(measure->name);
   }
   for (const measures::Measure& measure : measures::catalogue()) {
     if (named.count(measure.name) == 0) {

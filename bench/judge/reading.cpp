@@ -34,6 +34,13 @@ Reading number(double value, double uncertainty) {
   return {value, "", uncertainty};
 }
 
+Reading stamped_after(const Case& c, std::int64_t loss_tick, const record::Mark* mark,
+                      std::string missing) {
+  return mark == nullptr
+             ? not_done(std::move(missing))
+             : number(c.milliseconds_between(loss_tick, mark->tick), c.outlet.clock.uncertainty_ms);
+}
+
 Reading word(std::string text) {
   return {kNone, std::move(text)};
 }

@@ -24,11 +24,8 @@ Reading relay_delay(const Case& c, std::int64_t loss_tick) {
 }
 
 Reading delay_by_word(const Case& c, std::int64_t loss_tick) {
-  const record::Mark* said = c.first_word_open(loss_tick);
-  if (said == nullptr) {
-    return not_done("the outlet did not say that it opened after the loss");
-  }
-  return number(c.milliseconds_between(loss_tick, said->tick), c.outlet.clock.uncertainty_ms);
+  return stamped_after(c, loss_tick, c.first_word_open(loss_tick),
+                       "the outlet did not say that it opened after the loss");
 }
 
 // From what the outlet stamps to what the bench sees.

@@ -74,21 +74,10 @@ Reading error(const Case& c, OfSample measured, OfTruth true_value, double Error
   return std::isfinite(sums.rms) ? number(scale * sums.*sum, uncertainty) : not_done(kValidNaN);
 }
 
-Reading frequency_error(const Case& c, double ErrorSums::*sum) {
-  return error(c, &Sample::frequency_hz, &waveform::Truth::frequency_hz, sum, 1e3,
+template <double ErrorSums::*kSum>
+Reading frequency_error(const Case& c) {
+  return error(c, &Sample::frequency_hz, &waveform::Truth::frequency_hz, kSum, 1e3,
                c.uncertainty.frequency_mhz);
-}
-
-Reading error_max(const Case& c) {
-  return frequency_error(c, &ErrorSums::largest);
-}
-
-Reading error_rms(const Case& c) {
-  return frequency_error(c, &ErrorSums::rms);
-}
-
-Reading bias(const Case& c) {
-  return frequency_error(c, &ErrorSums::mean);
 }
 
 Reading rocof_error_rms(const Case& c) {
@@ -167,9 +156,9 @@ Reading dead_bus_claims(const Case& c) {
 Readings tracker_readings() {
   return {
       {"tracker.delay", tracker_delay},
-      {"tracker.error.max", error_max},
-      {"tracker.error.rms", error_rms},
-      {"tracker.bias", bias},
+      {"tracker.error.max", frequency_error<&ErrorSums::largest>},
+      {"tracker.error.rms", frequency_error<&ErrorSums::rms>},
+      {"tracker.bias", frequency_error<&ErrorSums::mean>},
       {"tracker.rocof_error.rms", rocof_error_rms},
       {"validity.valid_share", valid_share},
       {"validity.dead_bus_claims", dead_bus_claims},

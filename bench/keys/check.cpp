@@ -3,11 +3,19 @@
 
 #include <fmt/format.h>
 
-#include <keys/error.hpp>
 #include <keys/table.hpp>
 
 namespace gsbench::keys {
 namespace {
+
+// An id as outlets and brokers take it: letters, digits, '-', '_', '.'.
+bool is_identifier(const std::string& text, std::size_t longest) {
+  return !text.empty() && text.size() <= longest &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '-' || c == '_' || c == '.';
+         });
+}
 
 std::string wanted(const Key& key);
 

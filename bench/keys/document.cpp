@@ -19,13 +19,6 @@ Position position_of(const toml::source_region& region) {
 
 Value convert(const toml::node& node);
 
-Array convert_array(const toml::array& array) {
-  Array items;
-  items.reserve(array.size());
-  for (const toml::node& item : array) items.push_back(convert(item));
-  return items;
-}
-
 Entries convert_table(const toml::table& table) {
   Entries entries;
   entries.reserve(table.size());
@@ -45,7 +38,8 @@ Value convert(const toml::node& node) {
     if constexpr (toml::is_table<Content>) {
       value.data = convert_table(content);
     } else if constexpr (toml::is_array<Content>) {
-      value.data = convert_array(content);
+      auto& items = value.data.emplace<Array>();
+      for (const toml::node& item : content) items.push_back(convert(item));
     } else if constexpr (!toml::is_chronological<Content>) {
       value.data = content.get();
     }

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -43,14 +42,6 @@ std::string Range::describe() const {
   }
   if (words.empty()) words = "a finite number";
   return note.empty() ? words : fmt::format("{} ({})", words, note);
-}
-
-bool is_identifier(const std::string& text, std::size_t longest) {
-  return !text.empty() && text.size() <= longest &&
-         std::all_of(text.begin(), text.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                  c == '-' || c == '_' || c == '.';
-         });
 }
 
 Key number(std::string name, std::string unit, Range range, std::string meaning) {

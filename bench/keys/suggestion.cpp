@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <keys/error.hpp>
+#include <keys/document.hpp>
 
 namespace gsbench::keys {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <keys/error.hpp>
 #include <keys/table.hpp>
 
 namespace gsbench::keys {

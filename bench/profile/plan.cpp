@@ -1,5 +1,4 @@
 #include <cmath>
-#include <stdexcept>
 
 #include <grid/sfr_model.hpp>
 #include <profile/plan.hpp>
@@ -11,14 +10,9 @@ std::int64_t Plan::duration_ticks() const {
 }
 
 std::shared_ptr<const waveform::Truth> Plan::truth() const {
-  switch (stimulus.kind) {
-    case TruthKind::kLosses:
-      return waveform::truth_from_losses(grid::SfrModel(grid), stimulus.losses);
-    case TruthKind::kPoints:
-    case TruthKind::kTrace:
-      return waveform::truth_from_points(grid.nominal_hz, stimulus.points);
-  }
-  throw std::logic_error("unknown kind of truth");
+  return stimulus.points.empty()
+             ? waveform::truth_from_losses(grid::SfrModel(grid), stimulus.losses)
+             : waveform::truth_from_points(grid.nominal_hz, stimulus.points);
 }
 
 waveform::Synthesizer Plan::synthesizer() const {

@@ -38,7 +38,7 @@ Stimulus read_stimulus(const keys::Table& signal, const keys::Table& grid_sectio
                        const grid::Grid& grid, bool skip_recording);
 std::vector<waveform::Harmonic> en50160_harmonics();
 
-// [signal.trace]: sets the stimulus's kind, trace and duration.
+// [signal.trace]: sets the stimulus's points, recording and duration.
 keys::Key trace_keys();
 void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus);
 // The whole recording in place of whatever happens in the stimulus so far; what the signal is made

@@ -239,7 +239,6 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
     stimulus.duration_s = duration_s.value_or(stimulus.duration_s);
   }
   if (signal.has("frequency")) {
-    stimulus.kind = TruthKind::kPoints;
     stimulus.points = read_points(signal, grid.nominal_hz, stimulus.duration_s);
   }
   stimulus.losses = read_losses(grid_section, grid, stimulus.duration_s);

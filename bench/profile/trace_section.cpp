@@ -23,13 +23,12 @@ std::vector<recording::TracePoint> read_recording(const std::string& path,
 // A recording is held to what break points and durations in a profile are held to.
 void check(const std::vector<recording::TracePoint>& points, const std::string& path,
            double nominal_hz) {
-  if (!(points.back().t_s <= kLongestRun_s)) {
-    throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at most", path,
-                                         points.back().t_s, kLongestRun_s));
-  }
-  if (!(points.back().t_s >= kShortestRun_s)) {
-    throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at least", path,
-                                         points.back().t_s, kShortestRun_s));
+  const double length_s = points.back().t_s;
+  const bool is_short = length_s < kShortestRun_s;
+  if (is_short || !(length_s <= kLongestRun_s)) {
+    throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at {}", path, length_s,
+                                         is_short ? kShortestRun_s : kLongestRun_s,
+                                         is_short ? "least" : "most"));
   }
   for (const recording::TracePoint& point : points) {
     if (!(point.frequency_hz >= 0.5 * nominal_hz && point.frequency_hz <= 1.5 * nominal_hz)) {
@@ -41,8 +40,9 @@ void check(const std::vector<recording::TracePoint>& points, const std::string& 
   }
 }
 
-void use(std::vector<recording::TracePoint> points, Recording recording, Stimulus& stimulus) {
-  stimulus.kind = TruthKind::kTrace;
+void use(std::vector<recording::TracePoint> points, Recording recording, double nominal_hz,
+         Stimulus& stimulus) {
+  check(points, recording.path, nominal_hz);
   stimulus.duration_s = points.back().t_s;
   stimulus.points = std::move(points);
   recording.sha256 = sha256_of_file(recording.path);
@@ -103,8 +103,7 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
   }
   const double first_s = points.front().t_s;
   for (recording::TracePoint& point : points) point.t_s -= first_s;
-  check(points, path, nominal_hz);
-  use(std::move(points), {file, path, "", columns, false}, stimulus);
+  use(std::move(points), {file, path, "", columns, false}, nominal_hz, stimulus);
 }
 
 void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
@@ -118,11 +117,10 @@ void replace_by_recording(const std::string& path, const recording::TraceColumns
   if (points.size() < 2) {
     throw ConfigurationError(fmt::format("{}: less than two rows to play", path));
   }
-  check(points, path, nominal_hz);
   stimulus.losses.clear();
   stimulus.signal.amplitude_steps.clear();
   stimulus.signal.phase_jumps.clear();
-  use(std::move(points), {path, path, "", columns, true}, stimulus);
+  use(std::move(points), {path, path, "", columns, true}, nominal_hz, stimulus);
 }
 
 }  // namespace gsbench::profile

@@ -163,7 +163,7 @@ TEST(FirstLoss, IsTheEarliestOfThemAndNoShedLoad) {
 
 TEST(FirstLoss, IsNoneWhereTheProfilePlaysAnotherFrequency) {
   SyntheticCase c = loss_of_500_mw();
-  c.plan.stimulus.kind = profile::TruthKind::kPoints;
+  c.plan.stimulus.losses.clear();
   EXPECT_FALSE(c.view().first_loss_tick().has_value());
 }
 

@@ -13,7 +13,7 @@ class RunVerdict : public testing::Test {
   RunVerdict() {
     SyntheticCase c = loss_of_500_mw();
     plan_ = c.plan;
-    plan_.stimulus.kind = profile::TruthKind::kPoints;
+    plan_.stimulus.losses.clear();
     plan_.stimulus.points = {{0.0, 50.0}, {6.0, 50.0}};
     expect_events(1.0);
     run_.outlets.push_back(c.outlet);

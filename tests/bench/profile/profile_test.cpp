@@ -17,7 +17,6 @@ TEST(Profile, MinimalOneHasTheDocumentedDefaults) {
   const Plan plan = parse(kMinimal);
   EXPECT_EQ(plan.seed, 1u);
   EXPECT_EQ(plan.grid.name, "ieee24");
-  EXPECT_EQ(plan.stimulus.kind, TruthKind::kLosses);
   EXPECT_THAT(plan.stimulus.losses, IsEmpty());
   EXPECT_EQ(plan.stimulus.sample_rate_hz, 8000);
   EXPECT_EQ(plan.stimulus.noise_pct, 0.0);
@@ -74,7 +73,6 @@ TEST(Profile, HoldsTheHeadAndTheGridInPlace) {
 
 TEST(Profile, HoldsTheSignalWithLossesInTheOrderOfTime) {
   const Stimulus stimulus = parse(kLossesInPlace).stimulus;
-  EXPECT_EQ(stimulus.kind, TruthKind::kLosses);
   EXPECT_EQ(stimulus.duration_s, 10.0);
   EXPECT_EQ(stimulus.sample_rate_hz, 4000);
   EXPECT_EQ(stimulus.noise_pct, 0.5);
@@ -171,7 +169,6 @@ TEST(Profile, HoldsLimitsInTheUnitTheyWereGivenIn) {
 
 TEST(Profile, HoldsBreakPoints) {
   const Stimulus stimulus = parse(kPoints).stimulus;
-  EXPECT_EQ(stimulus.kind, TruthKind::kPoints);
   ASSERT_THAT(stimulus.points, SizeIs(3));
   EXPECT_EQ(stimulus.points[1].t_s, 2.0);
   EXPECT_EQ(stimulus.points[1].frequency_hz, 49.5);

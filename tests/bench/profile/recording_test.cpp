@@ -52,7 +52,6 @@ class Recording : public testing::Test {
 
 TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
   const Plan plan = parse_here(kRecording);
-  EXPECT_EQ(plan.stimulus.kind, TruthKind::kTrace);
   EXPECT_EQ(plan.stimulus.recording.path, path("recording.csv"));
   ASSERT_THAT(plan.stimulus.points, SizeIs(4));  // of 1 s … 4 s
   EXPECT_EQ(plan.stimulus.points[0].t_s, 0.0);
@@ -103,7 +102,6 @@ TEST_F(Recording, WithoutTheNamedColumnIsRefusedByItsOwnName) {
 TEST_F(Recording, OfTheCommandLineTakesThePlaceOfWhateverHappens) {
   folder_.write("long.csv", std::string(kCsv) + "20,49.5,230\n");
   const Stimulus stimulus = parse_here(kLossesInPlace, replay("long.csv")).stimulus;
-  EXPECT_EQ(stimulus.kind, TruthKind::kTrace);
   EXPECT_EQ(stimulus.duration_s, 20.0);
   EXPECT_THAT(stimulus.losses, IsEmpty());
   EXPECT_THAT(stimulus.signal.amplitude_steps, IsEmpty());

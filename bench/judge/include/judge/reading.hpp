@@ -36,6 +36,9 @@ Reading number(double value, double uncertainty = 0.0);
 Reading word(std::string text);
 Reading not_done(std::string why);   // the outlet did not do it: FAIL where it was expected
 Reading not_known(std::string why);  // the bench cannot tell: INCONCLUSIVE
+// Milliseconds from a loss to what the outlet stamped after it; `missing`: where it stamped none.
+Reading stamped_after(const Case& c, std::int64_t loss_tick, const record::Mark* mark,
+                      std::string missing);
 
 // What is read of the first loss that the profile plays.
 template <Reading (*kRead)(const Case&, std::int64_t loss_tick)>

@@ -28,9 +28,6 @@ Range above(double low);
 Range at_least(double low);
 Range between(double low, double high);
 
-// An id as outlets and brokers take it: letters, digits, '-', '_', '.'.
-bool is_identifier(const std::string& text, std::size_t longest);
-
 enum class Type {
   kNumber,
   kWhole,  // a number without a fraction

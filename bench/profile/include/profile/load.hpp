@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <keys/error.hpp>
+#include <keys/document.hpp>
 #include <keys/key.hpp>
 #include <profile/files.hpp>
 #include <profile/plan.hpp>

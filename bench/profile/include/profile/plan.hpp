@@ -17,9 +17,6 @@
 
 namespace gsbench::profile {
 
-// Where the played frequency comes from; just one of the three in a profile.
-enum class TruthKind { kLosses, kPoints, kTrace };
-
 // A CSV recording that is played.
 struct Recording {
   std::string file;    // as the profile or the command line names it
@@ -30,11 +27,11 @@ struct Recording {
 };
 
 struct Stimulus {
-  TruthKind kind = TruthKind::kLosses;
+  // Where the frequency comes from: one of the two at most.
   std::vector<grid::PowerChange> losses;  // [[grid.loss]]
   // Of [signal] frequency = [[t, hz], …], or of [signal.trace], already read.
   std::vector<recording::TracePoint> points;
-  Recording recording;  // of kTrace
+  Recording recording;  // that the points are from
   waveform::SignalSpec signal;
   double duration_s = 0.0;             // > 0
   std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000
