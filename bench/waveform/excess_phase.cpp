@@ -35,35 +35,32 @@ ExcessPhase::ExcessPhase(const Truth& truth, std::int64_t sample_rate_hz)
   }
 }
 
-ExcessPhase::Edge ExcessPhase::edge_at(const Corner& corner, std::int64_t block_tick) const {
+ExcessPhase::Edge ExcessPhase::edge_at(const Corner& corner) const {
   const double t_s = corner.position / sample_rate_hz_;
   // Whichever way the position was rounded, the corner lies between the two.
   const double before_s =
       std::nextafter(std::min(t_s, corner.first_s), -std::numeric_limits<double>::infinity());
-  return {corner.position - static_cast<double>(block_tick), t_s, before_s,
-          std::max(t_s, corner.last_s)};
+  return {corner.position, t_s, before_s, std::max(t_s, corner.last_s)};
 }
 
-ExcessPhase::Edge ExcessPhase::edge_at(std::int64_t tick, std::int64_t block_tick) const {
+ExcessPhase::Edge ExcessPhase::edge_at(std::int64_t tick) const {
   const auto position = static_cast<double>(tick);
   const auto corner =
       std::lower_bound(corners_.begin(), corners_.end(), position,
                        [](const Corner& candidate, double at) { return candidate.position < at; });
-  if (corner != corners_.end() && corner->position == position) return edge_at(*corner, block_tick);
+  if (corner != corners_.end() && corner->position == position) return edge_at(*corner);
   const double t_s = position / sample_rate_hz_;
-  return {static_cast<double>(tick - block_tick), t_s, t_s, t_s};
+  return {position, t_s, t_s, t_s};
 }
 
-ExcessPhase::Edge ExcessPhase::next_edge(const Edge& edge, std::int64_t block_tick,
-                                         std::int64_t block_end_tick) const {
-  const double position = edge.position + static_cast<double>(block_tick);
+ExcessPhase::Edge ExcessPhase::next_edge(const Edge& edge, std::int64_t block_end_tick) const {
   const auto corner =
-      std::upper_bound(corners_.begin(), corners_.end(), position,
+      std::upper_bound(corners_.begin(), corners_.end(), edge.position,
                        [](double at, const Corner& candidate) { return at < candidate.position; });
   if (corner != corners_.end() && corner->position < static_cast<double>(block_end_tick)) {
-    return edge_at(*corner, block_tick);
+    return edge_at(*corner);
   }
-  return edge_at(block_end_tick, block_tick);
+  return edge_at(block_end_tick);
 }
 
 SmoothPiece ExcessPhase::piece(const Edge& from, const Edge& to) const {

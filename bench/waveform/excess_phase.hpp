@@ -1,8 +1,10 @@
-// The truth between two instants without a corner in between, as polynomials: evaluating the truth
-// itself at every sample would cost more than everything else together.
+// The phase to play: that of the nominal frequency, and what the truth adds to it between two
+// instants without a corner in between, as polynomials: evaluating the truth itself at every sample
+// would cost more than everything else together.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -10,7 +12,33 @@
 
 namespace gsbench::waveform {
 
-// Over positions start … start+length, in samples from the block's first one; u runs from 0 to 1.
+// Phase of the nominal frequency at a tick, by integers only: it is as exact after a thousand hours
+// as at the start.
+class NominalPhase {
+ public:
+  // A double is mantissa·2^exponent: nominal/rate is a fraction of integers. nominal_hz >= 1.
+  NominalPhase(double nominal_hz, std::int64_t sample_rate_hz) {
+    int exponent = 0;
+    const double mantissa = std::frexp(nominal_hz, &exponent);
+    numerator_ = static_cast<std::uint64_t>(std::ldexp(mantissa, kMantissaBits));
+    denominator_ = static_cast<Wide>(sample_rate_hz) << (kMantissaBits - exponent);
+  }
+
+  // Within [0, 1], rounded from the exact fraction of a cycle. tick >= 0.
+  double cycles_at(std::int64_t tick) const {
+    const Wide remainder = static_cast<Wide>(tick) * numerator_ % denominator_;
+    return static_cast<double>(remainder) / static_cast<double>(denominator_);
+  }
+
+ private:
+  using Wide = unsigned __int128;
+  static constexpr int kMantissaBits = 53;
+
+  Wide numerator_ = 0;    // < 2⁵³, so that the product with a tick fits in 128 bits
+  Wide denominator_ = 1;  // < 2⁷³ for rates up to 1 MHz
+};
+
+// Over positions start … start+length, in samples from tick 0; u runs from 0 to 1.
 // The quintic takes phase, frequency and ROCOF of the truth at both ends. Between break points,
 // where f is a cubic, that is exact; else its error is h⁶/46080·|d⁵f/dt⁵|: for h = 16 ms and the
 // 1/s rates of a power system below 10⁻¹² cycles.
@@ -30,16 +58,16 @@ class ExcessPhase {
 
   // An instant that a piece begins or ends at. At a corner ROCOF differs on its two sides.
   struct Edge {
-    double position;  // in samples, from the block's first one
+    double position;  // in samples from tick 0
     double t_s;
     double before_s;  // where the truth's left-hand limit is to be had
     double after_s;   // the right-hand one
   };
 
-  Edge edge_at(std::int64_t tick, std::int64_t block_tick) const;
+  Edge edge_at(std::int64_t tick) const;
 
   // The corner that comes next after `edge`, or the end of the block.
-  Edge next_edge(const Edge& edge, std::int64_t block_tick, std::int64_t block_end_tick) const;
+  Edge next_edge(const Edge& edge, std::int64_t block_end_tick) const;
 
   SmoothPiece piece(const Edge& from, const Edge& to) const;
 
@@ -51,7 +79,7 @@ class ExcessPhase {
     double last_s;
   };
 
-  Edge edge_at(const Corner& corner, std::int64_t block_tick) const;
+  Edge edge_at(const Corner& corner) const;
 
   const Truth& truth_;
   double sample_rate_hz_;

@@ -1,6 +1,5 @@
 #include "check_signal.hpp"
 #include "excess_phase.hpp"
-#include "nominal_phase.hpp"
 #include "schedule.hpp"
 #include "sine.hpp"
 
@@ -79,7 +78,7 @@ void Synthesizer::Impl::render_piece(const Block& block, const SmoothPiece& piec
     const Stretch stretch = {
         block.nominal_cycles + piece.cycles_at_start + signal.offset_cycles,
         truth->nominal_hz() / static_cast<double>(sample_rate_hz),
-        piece.start,
+        piece.start - static_cast<double>(block.first_tick),
         1.0 / piece.length,
         piece.cycles,
         signal.level * piece.voltage_pu,
@@ -101,12 +100,12 @@ void Synthesizer::Impl::render_piece(const Block& block, const SmoothPiece& piec
 
 void Synthesizer::Impl::render_block(const Block& block, std::int64_t from, std::int64_t end,
                                      float* out) const {
-  ExcessPhase::Edge edge = excess_phase.edge_at(block.first_tick, block.first_tick);
+  ExcessPhase::Edge edge = excess_phase.edge_at(block.first_tick);
   while (from < end) {
-    const ExcessPhase::Edge next = excess_phase.next_edge(edge, block.first_tick, block.end_tick);
+    const ExcessPhase::Edge next = excess_phase.next_edge(edge, block.end_tick);
     // A sample right at a corner belongs to the piece that begins there.
     const std::int64_t piece_end =
-        std::min(end, block.first_tick + static_cast<std::int64_t>(std::ceil(next.position)));
+        std::min(end, static_cast<std::int64_t>(std::ceil(next.position)));
     if (from < piece_end) {
       render_piece(block, excess_phase.piece(edge, next), from, piece_end, out);
       out += piece_end - from;
