@@ -21,13 +21,10 @@ struct Cell {
   Place place;
 };
 
-class CsvError : public std::runtime_error {
- public:
-  CsvError(const Place& place, const std::string& what) : std::runtime_error(what), place_(place) {}
-  const Place& place() const { return place_; }
+struct CsvError : std::runtime_error {
+  CsvError(const Place& at, const std::string& what) : std::runtime_error(what), place(at) {}
 
- private:
-  Place place_;
+  Place place;
 };
 
 class CsvReader {

@@ -182,7 +182,7 @@ std::vector<TracePoint> read_trace(const std::string& path, const TraceColumns& 
     return points_in(file_text(path), columns);
   } catch (const CsvError& error) {
     throw std::runtime_error(
-        fmt::format("{}:{}:{}: {}", path, error.place().line, error.place().column, error.what()));
+        fmt::format("{}:{}:{}: {}", path, error.place.line, error.place.column, error.what()));
   }
 }
 

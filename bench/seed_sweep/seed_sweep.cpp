@@ -12,14 +12,6 @@
 namespace gsbench::seed_sweep {
 namespace {
 
-// What one seed adds; small, whatever the length of its run.
-struct SeedResult {
-  record::Verdict verdict = record::Verdict::kPass;
-  std::string reason;
-  std::vector<Row> rows;
-  std::map<record::Verdict, std::size_t> verdicts;
-};
-
 Row& row_of(std::vector<Row>& rows, const std::string& measure, const std::string& unit) {
   const auto found = std::find_if(rows.begin(), rows.end(),
                                   [&](const Row& row) { return row.measure == measure; });
@@ -35,10 +27,10 @@ double in_unit(const std::string& unit, const record::MeasurementResult& result)
   return result.value * measures::unit_scale(result.unit, unit).value_or(1.0);
 }
 
-void take(const record::OutletRecord& outlet, std::uint64_t seed, SeedResult& into) {
+void take(const record::OutletRecord& outlet, std::uint64_t seed, StudyResult& into) {
   ++into.verdicts[outlet.verdict];
   if (!outlet.fault.empty()) {
-    into.reason = "seed " + std::to_string(seed) + ", " + outlet.id + " " + outlet.fault;
+    into.first_reason = "seed " + std::to_string(seed) + ", " + outlet.id + " " + outlet.fault;
   }
   std::set<std::string> taken;
   for (const record::MeasurementResult& result : outlet.measurements) {
@@ -56,21 +48,22 @@ void take(const record::OutletRecord& outlet, std::uint64_t seed, SeedResult& in
       continue;
     }
     ++row.verdicts[result.verdict];
-    if (result.verdict != record::Verdict::kPass && into.reason.empty()) {
-      into.reason = "seed " + std::to_string(seed) + ", " + outlet.id + ", " + result.name + ": " +
-                    result.reason;
+    if (result.verdict != record::Verdict::kPass && into.first_reason.empty()) {
+      into.first_reason = "seed " + std::to_string(seed) + ", " + outlet.id + ", " + result.name +
+                          ": " + result.reason;
     }
   }
 }
 
-SeedResult run_seed(profile::Plan plan, std::uint64_t seed, const std::atomic<bool>* stop) {
+// What one seed adds; small, whatever the length of its run.
+StudyResult run_seed(profile::Plan plan, std::uint64_t seed, const std::atomic<bool>* stop) {
   plan.seed = seed;
   const std::unique_ptr<station::Station> station = station::simulated_station(plan, {});
   const record::RunRecord run = station::run(plan, *station, {nullptr, stop, {}});
-  SeedResult result;
+  StudyResult result;
   result.verdict = run.verdict;
   if (run.verdict == record::Verdict::kError) {
-    result.reason = "seed " + std::to_string(seed) + ": " + run.verdict_reason;
+    result.first_reason = "seed " + std::to_string(seed) + ": " + run.verdict_reason;
   }
   for (const record::OutletRecord& outlet : run.outlets) {
     take(outlet, seed, result);
@@ -78,10 +71,10 @@ SeedResult run_seed(profile::Plan plan, std::uint64_t seed, const std::atomic<bo
   return result;
 }
 
-void merge(const SeedResult& seed, StudyResult& into) {
+void merge(const StudyResult& seed, StudyResult& into) {
   into.verdict = std::max(into.verdict, seed.verdict);
   if (into.first_reason.empty()) {
-    into.first_reason = seed.reason;
+    into.first_reason = seed.first_reason;
   }
   for (const auto& [verdict, count] : seed.verdicts) {
     into.verdicts[verdict] += count;
@@ -97,10 +90,8 @@ void merge(const SeedResult& seed, StudyResult& into) {
 
 std::size_t place_in_catalogue(const std::string& name) {
   const std::vector<measures::Measure>& all = measures::catalogue();
-  return static_cast<std::size_t>(
-      std::find_if(all.begin(), all.end(),
-                   [&](const measures::Measure& measure) { return measure.name == name; }) -
-      all.begin());
+  const measures::Measure* found = measures::find(name);
+  return found == nullptr ? all.size() : static_cast<std::size_t>(found - all.data());
 }
 
 }  // namespace
@@ -109,7 +100,7 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
   StudyResult study;
   // Merged in order of the seeds, so that threads leave no trace; those that ended before an
   // earlier one wait for it.
-  std::map<std::uint64_t, SeedResult> waiting;
+  std::map<std::uint64_t, StudyResult> waiting;
   std::mutex mutex;
   std::uint64_t merged = 0;
   std::uint64_t finished = 0;
@@ -119,7 +110,7 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
   const auto shift = [&](std::size_t) {
     try {
       for (std::uint64_t index = next++; index < options.seeds && !stopped(); index = next++) {
-        SeedResult result = run_seed(plan, options.first_seed + index, options.stop);
+        StudyResult result = run_seed(plan, options.first_seed + index, options.stop);
         const std::lock_guard<std::mutex> lock(mutex);
         if (stopped()) {
           return;  // a seed that was stopped half way says nothing
