@@ -13,21 +13,16 @@ constexpr double kToleranceHzS = 5e-3;
 // Longest run of entries one line may replace: bounds the work of looking back over it.
 constexpr std::size_t kLongestRun = 2000;
 
-struct Entries {
-  std::vector<double> tick;
-  std::vector<double> hz;
-  std::vector<double> hz_s;
-};
-
 // Whether straight lines from `first` to `last` are right at every entry between them.
-bool line_serves(const Entries& entries, std::size_t first, std::size_t last) {
+bool line_serves(const record::TruthTrace& entries, std::size_t first, std::size_t last) {
   const auto off_line = [&](const std::vector<double>& y, std::size_t i) {
-    const double part =
-        (entries.tick[i] - entries.tick[first]) / (entries.tick[last] - entries.tick[first]);
+    const double part = static_cast<double>(entries.tick[i] - entries.tick[first]) /
+                        static_cast<double>(entries.tick[last] - entries.tick[first]);
     return std::fabs(y[first] + part * (y[last] - y[first]) - y[i]);
   };
   for (std::size_t i = first + 1; i < last; ++i) {
-    if (off_line(entries.hz, i) > kToleranceHz || off_line(entries.hz_s, i) > kToleranceHzS) {
+    if (off_line(entries.frequency_hz, i) > kToleranceHz ||
+        off_line(entries.rocof_hz_s, i) > kToleranceHzS) {
       return false;
     }
   }
@@ -40,7 +35,8 @@ record::TruthTrace truth_trace(const waveform::Truth& truth, std::int64_t durati
                                std::int64_t sample_rate_hz) {
   const auto rate = static_cast<double>(sample_rate_hz);
   const std::int64_t step = sample_rate_hz * 16 / 1000;
-  std::vector<std::int64_t> ticks;
+  record::TruthTrace entries;
+  std::vector<std::int64_t>& ticks = entries.tick;
   for (std::int64_t tick = 0; tick < duration_ticks; tick += step) {
     ticks.push_back(tick);
   }
@@ -56,18 +52,16 @@ record::TruthTrace truth_trace(const waveform::Truth& truth, std::int64_t durati
   std::sort(ticks.begin(), ticks.end());
   ticks.erase(std::unique(ticks.begin(), ticks.end()), ticks.end());
 
-  Entries entries;
   for (const std::int64_t tick : ticks) {
     const double t_s = static_cast<double>(tick) / rate;
-    entries.tick.push_back(static_cast<double>(tick));
-    entries.hz.push_back(truth.frequency_hz(t_s));
-    entries.hz_s.push_back(truth.rocof_hz_s(t_s));
+    entries.frequency_hz.push_back(truth.frequency_hz(t_s));
+    entries.rocof_hz_s.push_back(truth.rocof_hz_s(t_s));
   }
   record::TruthTrace trace;
   const auto keep = [&](std::size_t i) {
     trace.tick.push_back(ticks[i]);
-    trace.frequency_hz.push_back(entries.hz[i]);
-    trace.rocof_hz_s.push_back(entries.hz_s[i]);
+    trace.frequency_hz.push_back(entries.frequency_hz[i]);
+    trace.rocof_hz_s.push_back(entries.rocof_hz_s[i]);
   };
   keep(0);
   std::size_t first = 0;

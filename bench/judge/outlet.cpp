@@ -85,20 +85,15 @@ std::vector<MeasurementResult> measure(const Case& c) {
 void judge_outlet(const profile::Plan& plan, const waveform::Truth& truth,
                   const record::BenchUncertainty& uncertainty, record::OutletRecord& outlet) {
   outlet.measurements.clear();
-  outlet.verdict = Verdict::kPass;
-  if (!outlet.fault.empty() || !outlet.took_part) {
-    outlet.verdict = Verdict::kError;
-  }
+  outlet.verdict = outlet.fault.empty() && outlet.took_part ? Verdict::kPass : Verdict::kError;
   if (!outlet.took_part) {
     return;
   }
   outlet.measurements = measure(Case{plan, truth, outlet, uncertainty});
   bool any_judged = false;
   for (const MeasurementResult& result : outlet.measurements) {
-    if (result.judged) {
-      any_judged = true;
-      outlet.verdict = std::max(outlet.verdict, result.verdict);
-    }
+    any_judged = any_judged || result.judged;
+    outlet.verdict = std::max(outlet.verdict, result.verdict);  // PASS where it is not judged
   }
   if (!any_judged) {
     // Nothing was expected of it, so nothing was shown.

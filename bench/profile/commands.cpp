@@ -17,14 +17,13 @@ std::vector<std::string> named_outlets(const Table& table, const std::vector<Wor
     return word.text == outlet.id || word.text == outlet.group;
   };
   for (const Word& word : words) {
-    if (std::any_of(outlets.begin(), outlets.end(),
-                    [&](const Outlet& outlet) { return names(word, outlet); })) {
-      continue;
+    if (std::none_of(outlets.begin(), outlets.end(),
+                     [&](const Outlet& outlet) { return names(word, outlet); })) {
+      auto known = groups_of(outlets);
+      for (const Outlet& outlet : outlets) known.push_back(outlet.id);
+      table.refuse(word.at, fmt::format("no outlet or group \"{}\"{}", word.text,
+                                        keys::suggestion(word.text, known, "groups and outlets")));
     }
-    auto known = groups_of(outlets);
-    for (const Outlet& outlet : outlets) known.push_back(outlet.id);
-    table.refuse(word.at, fmt::format("no outlet or group \"{}\"{}", word.text,
-                                      keys::suggestion(word.text, known, "groups and outlets")));
   }
   std::vector<std::string> ids;
   for (const Outlet& outlet : outlets) {

@@ -11,7 +11,6 @@
 
 #include <boards/boards.hpp>
 #include <profile/files.hpp>
-#include <station/physical_outlets.hpp>
 
 namespace gsbench::station {
 namespace {

@@ -7,7 +7,6 @@
 
 #include <link/combined_link.hpp>
 #include <profile/files.hpp>
-#include <station/physical_outlets.hpp>
 
 namespace gsbench::station {
 namespace {

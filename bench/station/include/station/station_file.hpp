@@ -2,6 +2,9 @@
 // what is tested. profiles/README.md documents every key.
 #pragma once
 
+#include <link_framed/framed_link.hpp>
+#include <link_mqtt/mqtt_link.hpp>
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -10,12 +13,22 @@
 #include <vector>
 
 #include <keys/key.hpp>
+#include <link/link.hpp>
 #include <profile/load.hpp>
 #include <profile/plan.hpp>
-#include <station/physical_outlets.hpp>
 #include <station/station.hpp>
 
 namespace gsbench::station {
+
+// Outlets that are there: on serial ports and on a broker.
+struct PhysicalOutlets {
+  link::FramedOptions serial;      // without ports: none
+  link::MqttOptions mqtt;          // without a URL: none
+  std::string password_file = {};  // holds the broker's password in the first line; empty: mqtt's
+};
+
+// Throws keys::ConfigurationError where the password cannot be read.
+std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets);
 
 // One that was read: of one of the kinds in station_file.cpp.
 struct StationFile {
