@@ -60,10 +60,6 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
   return message;
 }
 
-std::vector<std::string> OutletStream::take_faults() {
-  return std::exchange(faults_, {});
-}
-
 std::vector<std::uint8_t> OutletStream::encode(const gs::wire::Downlink& message) {
   if (message.kind == gs::wire::DownlinkKind::kIdentify) {
     sent_ = 0;

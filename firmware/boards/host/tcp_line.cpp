@@ -12,14 +12,9 @@
 #include <cstring>
 
 namespace gs::host {
-namespace {
-
-constexpr std::size_t kMostWaitingBytes = 8192;
-constexpr auto kBetweenConnections = std::chrono::milliseconds(250);
-
-}  // namespace
 
 bool TcpLine::open(std::string& why) {
+  constexpr auto kBetweenConnections = std::chrono::milliseconds(250);
   close();
   next_attempt_ = std::chrono::steady_clock::now() + kBetweenConnections;
   sockaddr_in to{};
@@ -55,6 +50,7 @@ void TcpLine::close() {
 }
 
 bool TcpLine::send(const std::uint8_t* bytes, std::size_t count) {
+  constexpr std::size_t kMostWaitingBytes = 8192;
   if (descriptor_ < 0 || to_send_.size() + count > kMostWaitingBytes) {
     return false;
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <wire/codec.hpp>
@@ -28,7 +29,7 @@ class OutletStream {
 
   // Any other fault of this outlet's, such as a frame with a wrong CRC.
   void note(const std::string& fault) { faults_.push_back(fault); }
-  std::vector<std::string> take_faults();
+  std::vector<std::string> take_faults() { return std::exchange(faults_, {}); }
 
   // The next message to it, as bytes. Identifying restarts the numbering.
   std::vector<std::uint8_t> encode(const gs::wire::Downlink& message);
