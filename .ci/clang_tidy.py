@@ -88,6 +88,7 @@ def main():
         if not listed.intersection(map(str, sources)):
             continue
         for own in settings(sources, root):  # clang-tidy looks for them above the unit
+            (build / own.relative_to(root)).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(own, build / own.relative_to(root))
         files = made_from.get(object_file(entry), []) + settings(sources, root) + sources
         stamp = stamps / digest(entry, files)

@@ -1,7 +1,6 @@
 #include "commands.hpp"
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstdio>
 #include <map>
@@ -39,9 +38,17 @@ std::size_t default_threads() {
 }
 
 ExitCode exit_code_of(record::Verdict verdict) {
-  // In the order of the verdicts.
-  static constexpr std::array kCodes = {kPassed, kInconclusive, kFailed, kErrored};
-  return kCodes.at(static_cast<std::size_t>(verdict));
+  switch (verdict) {
+    case record::Verdict::kPass:
+      return kPassed;
+    case record::Verdict::kInconclusive:
+      return kInconclusive;
+    case record::Verdict::kFail:
+      return kFailed;
+    case record::Verdict::kError:
+      break;
+  }
+  return kErrored;
 }
 
 const std::atomic<bool>& catch_interrupts() {

@@ -3,7 +3,9 @@
 #include "progress.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ struct Peak {
   double level = 1.0;        // of the amplitude steps
 };
 
-// When the fundamental is greatest. Voltages go straight between the recording's points and levels
+// When the fundamental is greatest. Voltages go straight between the signal's points and levels
 // stand still between steps, so that it is at one of those instants.
 Peak greatest_amplitude(const Stimulus& stimulus, const waveform::Truth& truth) {
   std::vector<double> instants = {0.0};
@@ -36,6 +37,7 @@ Peak greatest_amplitude(const Stimulus& stimulus, const waveform::Truth& truth) 
     instants.push_back(step.at_s);
     instants.push_back(step.at_s + step.duration_s);
   }
+  std::sort(instants.begin(), instants.end());  // the first of several is told
   Peak peak;
   peak.level = step_level(stimulus.signal.amplitude_steps, 0.0, false);
   peak.recorded_pu = truth.voltage_pu(0.0);

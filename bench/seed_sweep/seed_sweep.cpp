@@ -130,7 +130,8 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
       throw;
     }
   };
-  drivers::Workers(options.threads).run(options.threads, shift);
+  const std::size_t threads = std::max<std::size_t>(options.threads, 1);
+  drivers::Workers(threads).run(threads, shift);
   for (const auto& [index, result] : waiting) {
     merge(result, study);  // behind one that was stopped
   }

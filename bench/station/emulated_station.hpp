@@ -1,6 +1,7 @@
 // Stations of emulated outlets.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>

@@ -13,6 +13,7 @@ namespace {
 constexpr double kSettingsAnswerS = 0.096;
 
 void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
+  if (outlets.empty()) throw BenchFault("no outlet is left");
   if (std::all_of(outlets.begin(), outlets.end(),
                   [](const record::OutletRecord& outlet) { return !outlet.fault.empty(); })) {
     const record::OutletRecord& first = outlets.front();

@@ -1,4 +1,4 @@
-// The steps of a run in their order (run.cpp), a file each, and what they share.
+// The steps of a run in their order (run.cpp), and what they share.
 #pragma once
 
 #include <string>

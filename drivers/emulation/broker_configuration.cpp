@@ -84,6 +84,7 @@ Status run_to_make(const std::string& product, const std::vector<std::string>& w
 }
 
 Status write_private(const std::string& file, const std::string& text) {
+  errno = 0;
   std::ofstream out(file, std::ios::binary);
   // Before anything is in it.
   if (out && ::chmod(file.c_str(), 0600) == 0 && out << text && out.flush()) {

@@ -70,6 +70,10 @@ class MainsSource final : public source::Source {
   }
 
  protected:
+  Result<source::Played> deviation(const source::Stimulus&) const override {
+    return source::Played{};
+  }
+
   Status power_up() override {
     const source::Noise noise = stimulus().noise();
     state_->seed = noise.seed;

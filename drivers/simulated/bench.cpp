@@ -46,6 +46,10 @@ class SimulatedSource final : public source::Source {
   }
 
  protected:
+  Result<source::Played> deviation(const source::Stimulus&) const override {
+    return source::Played{};
+  }
+
   Status power_up() override {
     const source::Noise noise = stimulus().noise();
     for (Outlet& outlet : shared_->outlets) {

@@ -127,6 +127,7 @@ struct Encoder {
   void operator()(std::int32_t value) { writer.integer(value); }
   template <class T>
   void operator()(T value) {
+    static_assert(std::is_unsigned_v<T>);
     writer.unsigned_integer(value);
   }
   template <std::size_t N>
@@ -164,6 +165,7 @@ struct Decoder {
   void operator()(float& value) { ok = next() && reader.single(value); }
   template <class T>
   void operator()(T& value) {
+    static_assert(std::is_unsigned_v<T>);
     ok = next() && read_number(reader, value);
   }
   void operator()(std::int32_t& value) {

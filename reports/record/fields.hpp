@@ -37,6 +37,10 @@ std::string seal_of_outlet(const OutletRecord& outlet);
 template <class T>
 inline constexpr auto visit_fields = nullptr;
 
+// Of the parts that are rows of a table.
+template <class T>
+inline constexpr const char* table_name = nullptr;
+
 // What is equal for equal profile, seed and build.
 inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
   visitor("gsbench_version", run.gsbench_version);
@@ -70,6 +74,8 @@ inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
 };
 
 template <>
+inline constexpr const char* table_name<RunRecord> = "run";
+template <>
 inline constexpr auto visit_fields<RunRecord> = [](auto& run, auto&& visitor) {
   visitor("run_id", run.run_id);
   visitor("started_utc", run.started_utc);
@@ -77,6 +83,8 @@ inline constexpr auto visit_fields<RunRecord> = [](auto& run, auto&& visitor) {
   visit_content(run, visitor);
 };
 
+template <>
+inline constexpr const char* table_name<OutletRecord> = "outlet";
 template <>
 inline constexpr auto visit_fields<OutletRecord> = [](auto& outlet, auto&& visitor) {
   visitor("id", outlet.id);
@@ -94,11 +102,15 @@ inline constexpr auto visit_fields<OutletRecord> = [](auto& outlet, auto&& visit
 };
 
 template <>
+inline constexpr const char* table_name<Setting> = "setting";
+template <>
 inline constexpr auto visit_fields<Setting> = [](auto& setting, auto&& visitor) {
   visitor("name", setting.name);
   visitor("value", setting.value);
 };
 
+template <>
+inline constexpr const char* table_name<MeasurementResult> = "measurement";
 template <>
 inline constexpr auto visit_fields<MeasurementResult> = [](auto& result, auto&& visitor) {
   visitor("name", result.name);
@@ -116,6 +128,8 @@ inline constexpr auto visit_fields<MeasurementResult> = [](auto& result, auto&& 
 };
 
 template <>
+inline constexpr const char* table_name<Mark> = "mark";
+template <>
 inline constexpr auto visit_fields<Mark> = [](auto& mark, auto&& visitor) {
   visitor("tick", mark.tick);
   visitor("kind", mark.kind);
@@ -123,6 +137,8 @@ inline constexpr auto visit_fields<Mark> = [](auto& mark, auto&& visitor) {
   visitor("text", mark.text);
 };
 
+template <>
+inline constexpr const char* table_name<Comparison> = "comparison";
 template <>
 inline constexpr auto visit_fields<Comparison> = [](auto& comparison, auto&& visitor) {
   visitor("name", comparison.name);
@@ -133,12 +149,16 @@ inline constexpr auto visit_fields<Comparison> = [](auto& comparison, auto&& vis
 };
 
 template <>
+inline constexpr const char* table_name<Series> = "series";
+template <>
 inline constexpr auto visit_fields<Series> = [](auto& series, auto&& visitor) {
   visitor("name", series.name);
   visitor("entries", series.entries);
   visitor("data", series.data);
 };
 
+template <>
+inline constexpr const char* table_name<Seal> = "seal";
 template <>
 inline constexpr auto visit_fields<Seal> = [](auto& seal, auto&& visitor) {
   visitor("complete", seal.complete);
@@ -171,17 +191,5 @@ inline constexpr auto visit_fields<TruthTrace> = [](auto& trace, auto&& visitor)
   visitor("truth.frequency_hz", trace.frequency_hz);
   visitor("truth.rocof_hz_s", trace.rocof_hz_s);
 };
-
-template <class Part>
-constexpr const char* table_name() {
-  if constexpr (std::is_same_v<Part, RunRecord>) return "run";
-  if constexpr (std::is_same_v<Part, OutletRecord>) return "outlet";
-  if constexpr (std::is_same_v<Part, Setting>) return "setting";
-  if constexpr (std::is_same_v<Part, MeasurementResult>) return "measurement";
-  if constexpr (std::is_same_v<Part, Mark>) return "mark";
-  if constexpr (std::is_same_v<Part, Comparison>) return "comparison";
-  if constexpr (std::is_same_v<Part, Series>) return "series";
-  if constexpr (std::is_same_v<Part, Seal>) return "seal";
-}
 
 }  // namespace gsbench::record

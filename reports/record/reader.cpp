@@ -42,7 +42,7 @@ template <class Part>
 Part select_one(Database& database, std::int64_t owner) {
   std::vector<Part> parts = select<Part>(database, owner);
   if (parts.size() != 1) {
-    database.fail("the record is damaged: no single " + std::string(table_name<Part>()));
+    database.fail("the record is damaged: no single " + std::string(table_name<Part>));
   }
   return std::move(parts.front());
 }

@@ -16,7 +16,7 @@ const char* column_type() {
 
 template <class Part>
 std::string create_table() {
-  std::string sql = "CREATE TABLE \"" + std::string(table_name<Part>()) +
+  std::string sql = "CREATE TABLE \"" + std::string(table_name<Part>) +
                     "\" (owner INTEGER NOT NULL, position INTEGER NOT NULL";
   Part part;
   visit_fields<Part>(part, [&](const char* name, const auto& field) {

@@ -40,9 +40,9 @@ void insert(Database& database, std::int64_t owner, const std::vector<Part>& par
   Part empty;
   std::string places = "?, ?";
   visit_fields<Part>(empty, [&](const char*, const auto&) { places += ", ?"; });
-  Statement statement = database.prepare("INSERT INTO \"" + std::string(table_name<Part>()) +
-                                         "\" (owner, position, " + column_names<Part>() +
-                                         ") VALUES (" + places + ")");
+  Statement statement =
+      database.prepare("INSERT INTO \"" + std::string(table_name<Part>) + "\" (owner, position, " +
+                       column_names<Part>() + ") VALUES (" + places + ")");
   std::int64_t position = 0;
   for (const Part& part : parts) {
     statement.bind(1, owner);
@@ -57,9 +57,8 @@ void insert(Database& database, std::int64_t owner, const std::vector<Part>& par
 
 template <class Part>
 std::vector<Part> select(Database& database, std::int64_t owner) {
-  Statement statement =
-      database.prepare("SELECT " + column_names<Part>() + " FROM \"" + table_name<Part>() +
-                       "\" WHERE owner = ? ORDER BY position");
+  Statement statement = database.prepare("SELECT " + column_names<Part>() + " FROM \"" +
+                                         table_name<Part> + "\" WHERE owner = ? ORDER BY position");
   statement.bind(1, owner);
   std::vector<Part> parts;
   while (statement.step()) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <record/run_record.hpp>
@@ -59,6 +60,7 @@ class Statement {
   void bind(int parameter, const std::vector<std::uint8_t>& value);
   template <class Whole>
   void bind(int parameter, Whole value) {
+    static_assert(std::is_integral_v<Whole> || std::is_enum_v<Whole>);
     bind_integer(parameter, static_cast<std::int64_t>(value));  // unsigned: of the same bits
   }
 

@@ -68,11 +68,10 @@ std::string limits(const record::MeasurementResult& result) {
   if (!has_low && !has_high) return "";
   const std::string low = figure(result.low, 6);
   const std::string high = figure(result.high, 6);
-  const std::string text = !has_high                   ? "≥ " + low
-                           : !has_low                  ? "≤ " + high
-                           : result.low == result.high ? "= " + low
-                                                       : low + " … " + high;
-  return with_unit(text, result.unit);
+  if (!has_high) return with_unit("≥ " + low, result.unit);
+  if (!has_low) return with_unit("≤ " + high, result.unit);
+  if (result.low == result.high) return with_unit("= " + low, result.unit);
+  return with_unit(low + " … " + high, result.unit);
 }
 
 std::string value_of(const record::MeasurementResult& result) {

@@ -6,6 +6,7 @@
 #include <mqtt/async_client.h>
 
 #include <atomic>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <vector>

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <superloop/loop.hpp>
 
@@ -57,22 +59,25 @@ int refuse(const std::string& why) {
 }
 
 bool parse(int argc, char** argv, Arguments& arguments) {
-  std::string* const places[] = {
-      &arguments.tcp,           &arguments.mqtt.url,  &arguments.mqtt.ca_file, &arguments.mqtt.user,
-      &arguments.password_file, &arguments.terminals, &arguments.doorbell};
-  const option options[] = {{"tcp", required_argument, nullptr, 0},
-                            {"mqtt", required_argument, nullptr, 1},
-                            {"ca", required_argument, nullptr, 2},
-                            {"user", required_argument, nullptr, 3},
-                            {"password-file", required_argument, nullptr, 4},
-                            {"terminals", required_argument, nullptr, 5},
-                            {"doorbell", required_argument, nullptr, 6},
-                            {nullptr, 0, nullptr, 0}};
-  for (int given = 0; (given = getopt_long(argc, argv, "", options, nullptr)) != -1;) {
+  const std::pair<const char*, std::string*> places[] = {
+      {"tcp", &arguments.tcp},
+      {"mqtt", &arguments.mqtt.url},
+      {"ca", &arguments.mqtt.ca_file},
+      {"user", &arguments.mqtt.user},
+      {"password-file", &arguments.password_file},
+      {"terminals", &arguments.terminals},
+      {"doorbell", &arguments.doorbell}};
+  std::vector<option> options;
+  for (const auto& [name, place] : places) {
+    options.push_back({name, required_argument, nullptr, 0});
+  }
+  options.push_back({});
+  int at = 0;
+  for (int given = 0; (given = getopt_long(argc, argv, "", options.data(), &at)) != -1;) {
     if (given == '?') {
       return false;
     }
-    *places[given] = optarg;
+    *places[at].second = optarg;
   }
   return optind == argc;
 }

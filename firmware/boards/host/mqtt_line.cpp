@@ -15,7 +15,7 @@ bool MqttLine::send(const std::uint8_t* bytes, std::size_t count) {
 void MqttLine::serve() {
   carrier_.serve();
   std::vector<std::uint8_t> message;
-  while (carrier_.take(message)) {
+  if (received_.empty() && carrier_.take(message)) {  // one at a time: the carrier bounds its queue
     std::uint8_t framed[wire::kLongestFrame];
     // A message too long for a frame is none of this protocol's: a damaged frame in its place shows
     // the outlet that something came.

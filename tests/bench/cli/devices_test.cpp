@@ -66,11 +66,13 @@ class OneOutlet : public testing::Test {
   std::string station_;
 
  private:
-  void play() {
+  void play() try {
     Mains mains;
     mains.duration_s = 600.0;
     start(hardware_->source(), mains);
     for (std::int64_t tick = 128; !over_; tick += 128) advance(hardware_->source(), tick);
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << error.what();
   }
 
   std::atomic<bool> over_{false};

@@ -161,7 +161,7 @@ TEST(FirstLoss, IsTheEarliestOfThemAndNoShedLoad) {
   EXPECT_NEAR(c.read("event.delay").value, 70.0, 1e-9);
 }
 
-TEST(FirstLoss, IsNoneWhereTheProfilePlaysAnotherFrequency) {
+TEST(FirstLoss, IsNoneWhereNothingIsLost) {
   SyntheticCase c = loss_of_500_mw();
   c.plan.stimulus.losses.clear();
   EXPECT_FALSE(c.view().first_loss_tick().has_value());

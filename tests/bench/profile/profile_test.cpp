@@ -172,6 +172,8 @@ TEST(Profile, HoldsBreakPoints) {
   ASSERT_THAT(stimulus.points, SizeIs(3));
   EXPECT_EQ(stimulus.points[1].t_s, 2.0);
   EXPECT_EQ(stimulus.points[1].frequency_hz, 49.5);
+  EXPECT_EQ(stimulus.recording.path, "");
+  EXPECT_TRUE(stimulus.losses.empty());
 }
 
 TEST(Profile, TakesTheSeedOfTheCommandLineInPlaceOfItsOwn) {

@@ -13,7 +13,7 @@ namespace {
 class SafeStateTest : public testing::Test {
  protected:
   const gsbench::test::Mains mains_{};
-  FakeStation station_{with(&Script::make_safe_error, "fake source: relay welded")};
+  FakeStation station_{Script{}};
   std::string failure_;
 };
 
@@ -25,6 +25,7 @@ TEST_F(SafeStateTest, IsReachedAtTheEndOfItsScopeAndNotBefore) {
     EXPECT_FALSE(station_.is_safe());
   }
   EXPECT_TRUE(station_.is_safe());
+  EXPECT_EQ(failure_, "");
 }
 
 TEST_F(SafeStateTest, IsReachedByAnException) {
@@ -38,8 +39,9 @@ TEST_F(SafeStateTest, IsReachedByAnException) {
 }
 
 TEST_F(SafeStateTest, IsReachedWhereNothingWasEverStartedAndTellsWhereTheSourceFailed) {
-  { const SafeState safe_state(station_.source(), station_.link(), failure_); }
-  EXPECT_TRUE(station_.is_safe());
+  FakeStation welded(with(&Script::make_safe_error, "fake source: relay welded"));
+  { const SafeState safe_state(welded.source(), welded.link(), failure_); }
+  EXPECT_TRUE(welded.is_safe());
   EXPECT_EQ(failure_, "the source may still be live: fake source: relay welded");
 }
 

@@ -10,8 +10,6 @@
 
 namespace gsbench::waveform {
 
-inline constexpr double kPi = 3.14159265358979323846;
-
 // The modified IEEE 24-bus system of Xiang et al. as one plant.
 inline grid::SfrModel ieee24() {
   grid::Grid grid;

@@ -81,6 +81,9 @@ TEST(RoundTrip, SettingsKeepTheirDigest) {
     if (i == 0) {
       EXPECT_EQ(outlet::digest(back), outlet::digest(settings));
     }
+    outlet::Settings again;
+    ASSERT_EQ(decode(bytes.data(), bytes.size(), again), Decoded::kOk);
+    EXPECT_EQ(outlet::digest(again), outlet::digest(back));
   }
 }
 

@@ -53,7 +53,7 @@ class Capture {
     };
     std::vector<Measurement> measurements;
     std::vector<Estimate> estimates;
-    std::vector<record::Mark> marks;  // ticks in it are still samples of the outlet
+    std::vector<record::Mark> marks;  // ticks in them are still samples of the outlet
     std::vector<record::Mark> bench_marks;
     std::string settings_digest;
     std::optional<gs::outlet::SettingsError> settings_answer;

@@ -1,6 +1,7 @@
 // How measures are read from one outlet's record.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>

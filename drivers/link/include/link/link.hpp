@@ -45,7 +45,13 @@ struct Happenings {
     messages.insert(messages.end(), more.messages.begin(), more.messages.end());
     faults.insert(faults.end(), more.faults.begin(), more.faults.end());
   }
-  void clear() { *this = {}; }
+  // Keeps the memory: it is filled again at each poll.
+  void clear() {
+    joined.clear();
+    left.clear();
+    messages.clear();
+    faults.clear();
+  }
 };
 
 // An error is one of the link as a whole.

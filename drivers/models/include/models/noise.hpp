@@ -33,7 +33,7 @@ void add_gaussian(const Stream& stream, std::uint64_t first, std::size_t count, 
 void add_uniform(const Stream& stream, std::uint64_t first, std::size_t count, float half_width,
                  float* out);
 
-// Many streams at once, for trajectories that are computed side by side:
+// Many streams at once, for trajectories that are computed side by side, with the same values:
 // out[sample·streams + i] += value `sample` of stream first.index + i.
 void add_uniform_to_each(const Stream& first, std::size_t streams, std::size_t samples,
                          float half_width, float* out);

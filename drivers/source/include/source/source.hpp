@@ -72,8 +72,8 @@ class Source {
   drivers::Status make_safe() noexcept;
 
  protected:
-  // For a stimulus within the limits: it is played as it is, unless a driver says otherwise.
-  virtual drivers::Result<Played> deviation(const Stimulus&) const { return Played{}; }
+  // For a stimulus within the limits.
+  virtual drivers::Result<Played> deviation(const Stimulus& stimulus) const = 0;
   virtual drivers::Status upload(const Progress&) { return drivers::Done{}; }
   virtual drivers::Status power_up() = 0;
   virtual drivers::Status begin() = 0;

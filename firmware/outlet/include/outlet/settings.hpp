@@ -126,6 +126,8 @@ struct Field {
 
 template <class T>
 constexpr FieldType type_of(const T&) {
+  static_assert(std::is_array_v<T> || std::is_same_v<T, float> ||
+                (std::is_unsigned_v<T> && sizeof(T) <= sizeof(std::uint32_t)));
   return std::is_array_v<T>            ? FieldType::kRows
          : std::is_floating_point_v<T> ? FieldType::kFloat
          : sizeof(T) == 1              ? FieldType::kU8

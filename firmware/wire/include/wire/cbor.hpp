@@ -40,8 +40,8 @@ class Reader {
  public:
   Reader(const std::uint8_t* bytes, std::size_t size) : at_(bytes), end_(bytes + size) {}
 
-  [[nodiscard]] bool array(std::size_t& items) { return container(4, 1, items); }
-  [[nodiscard]] bool map(std::size_t& pairs) { return container(5, 2, pairs); }
+  [[nodiscard]] bool array(std::size_t& items) { return container(kArray, 1, items); }
+  [[nodiscard]] bool map(std::size_t& pairs) { return container(kMap, 2, pairs); }
   [[nodiscard]] bool unsigned_integer(std::uint64_t& value);
   [[nodiscard]] bool integer(std::int64_t& value);
   [[nodiscard]] bool single(float& value);
@@ -60,10 +60,13 @@ class Reader {
     std::uint64_t value = 0;
     const std::uint8_t* end = nullptr;
   };
-  static constexpr std::uint8_t kNone = 0xFF;  // the major type of what is cut short, or is no item
+  // Major types; kNone is that of what is cut short, or is no item.
+  static constexpr std::uint8_t kArray = 4;
+  static constexpr std::uint8_t kMap = 5;
+  static constexpr std::uint8_t kNone = 0xFF;
 
   Head peek() const;
-  bool pass(const Head& head);  // returns true
+  bool pass(const Head& head);  // stands behind it; always true, so that callers can return it
   bool container(std::uint8_t wanted, std::size_t items_each, std::size_t& count);
 
   const std::uint8_t* at_;

@@ -18,13 +18,6 @@ namespace gs::test {
 
 using Message = std::vector<std::uint8_t>;  // CBOR
 
-// A message that has no more to it than its kind.
-inline wire::Downlink question(wire::DownlinkKind kind) {
-  wire::Downlink message;
-  message.kind = kind;
-  return message;
-}
-
 struct Letter {
   wire::Uplink uplink;
   Message bytes;

@@ -10,10 +10,10 @@
 
 namespace gsbench::test {
 
-// Until it holds; false after ten seconds, which no healthy machine needs.
+// Until it holds; false after a minute, which no healthy machine needs.
 template <class Condition>
 bool until(Condition condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) {
       return false;
