@@ -208,8 +208,7 @@ const std::vector<Slip> kOfPoints = {
      "dc_offset_pct = 20.0\n[[signal.amplitude_step]]\nat_s = 1.0\nduration_s = 3.0\n"
      "level_pct = 140.0\n[[outlet]]",
      "9:1: the voltage reaches 1.6 pu (at 1 s, with harmonics and offset); a source plays 1.5 pu "
-     "at "
-     "most"},
+     "at most"},
 };
 
 TEST(Refusal, NamesPlaceAndRemedy) {
