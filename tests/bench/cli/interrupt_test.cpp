@@ -1,7 +1,7 @@
 // A run that is stopped from outside: kept, and told as what it is.
 #include "gsbench_process.hpp"
-#include <test_support/waiting.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // The paper's tables and fleets as users and scripts meet them.
 #include "gsbench_process.hpp"
-#include <test_support/waiting.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 #include <csignal>
 #include <fstream>

@@ -128,7 +128,8 @@ TEST(PointTruth, HasACornerAtEachPoint) {
 }
 
 TEST(PointTruth, InterpolatesTheVoltageOfATraceLinearly) {
-  const auto truth = truth_from_points(50.0, {{0.0, 50.0, 1.0}, {2.0, 49.0, 0.0}, {4.0, 48.0, 0.2}});
+  const auto truth =
+      truth_from_points(50.0, {{0.0, 50.0, 1.0}, {2.0, 49.0, 0.0}, {4.0, 48.0, 0.2}});
   EXPECT_EQ(truth->voltage_pu(-1.0), 1.0);
   EXPECT_EQ(truth->voltage_pu(0.5), 0.75);
   EXPECT_EQ(truth->voltage_pu(2.0), 0.0);
