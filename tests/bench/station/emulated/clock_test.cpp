@@ -68,7 +68,7 @@ TEST_F(OutletClocks, PutDecisionsBeforeWhatTheRelaySenseSees) {
   play();
   expect_all_whole();
   expect_drifts_of_the_crystals();
-  EXPECT_DOUBLE_EQ(record_.bench_uncertainty.relay_sense_ms, 0.0625);  // half a tick at 8 kHz
+  EXPECT_DOUBLE_EQ(record_.bench_uncertainty.relay_sense_ms, 0.125);  // a tick at 8 kHz
   for (const record::OutletRecord& outlet : record_.outlets) {
     const Mark* const event = mark(outlet, "event");
     const Mark* const word = mark(outlet, "relay.word");
