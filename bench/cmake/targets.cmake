@@ -21,11 +21,9 @@ endif()
 add_library(gs_arithmetic INTERFACE)
 target_compile_options(gs_arithmetic INTERFACE -ffp-contract=off)
 
-# gs_library(NAME SOURCES a.cpp … [DEPENDS public targets] [PRIVATE targets] [RARELY_RUN])
-# RARELY_RUN: reads files or writes pages, once a run. In a release -Og compiles them in half of the
-# time of -O2.
+# gs_library(NAME SOURCES a.cpp … [DEPENDS public targets] [PRIVATE targets])
 function(gs_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "RARELY_RUN" "" "SOURCES;DEPENDS;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;PRIVATE")
   if(arg_SOURCES)
     add_library(${name} STATIC ${arg_SOURCES})
     target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
@@ -33,9 +31,6 @@ function(gs_library name)
       ${name}
       PUBLIC ${arg_DEPENDS} gs_arithmetic
       PRIVATE ${arg_PRIVATE} gs_warnings)
-    if(arg_RARELY_RUN AND CMAKE_BUILD_TYPE STREQUAL "Release")
-      target_compile_options(${name} PRIVATE -Og)
-    endif()
   else()
     add_library(${name} INTERFACE)
     target_include_directories(${name} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/include)
