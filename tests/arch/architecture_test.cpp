@@ -66,6 +66,11 @@ std::set<std::string> files_that_name(const std::string& word,
   return files;
 }
 
+TEST(Walk, ASourceIsItsFolderAndTheStationThatPlaysIt) {
+  EXPECT_THAT(files_that_name("simulated/bench.hpp", "drivers/simulated/"),
+              ElementsAre("bench/station/simulated_station.cpp"));
+}
+
 TEST(Walk, AMeasureIsARowOfTheCatalogueAndItsReading) {
   EXPECT_THAT(files_that_name("\"relay.chatter\""),
               ElementsAre("bench/judge/relay_measures.cpp", "bench/measures/catalogue.cpp"));
