@@ -2,6 +2,8 @@
 #include <test_support/mains.hpp>
 #include <wire_test/downlinks.hpp>
 
+#include <gtest/gtest.h>
+
 #include <simulated/bench.hpp>
 
 namespace gsbench::test {
