@@ -159,7 +159,7 @@ record::RunRecord stopped_at(double stop_at, FakeStation& station) {
   RunOptions options;
   options.stop = &stop;
   options.progress = [&](double part) { stop = part >= stop_at; };
-  const record::RunRecord record = play(station, options);
+  record::RunRecord record = play(station, options);
   EXPECT_TRUE(stop) << "it never came so far";
   return record;
 }
