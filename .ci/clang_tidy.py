@@ -87,10 +87,11 @@ def main():
         sources = sources_of(unit)
         if not listed.intersection(map(str, sources)):
             continue
-        for own in settings(sources, root):  # clang-tidy looks for them above the unit
+        checks = settings(sources, root)
+        for own in checks:  # clang-tidy looks for them above the unit
             (build / own.relative_to(root)).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(own, build / own.relative_to(root))
-        files = made_from.get(object_file(entry), []) + settings(sources, root) + sources
+        files = made_from.get(object_file(entry), []) + checks + sources
         stamp = stamps / digest(entry, files)
         if not stamp.exists():
             todo[unit] = stamp
