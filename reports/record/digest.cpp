@@ -13,33 +13,31 @@
 namespace gsbench::record {
 namespace {
 
-template <class Number>
-Number canonical(Number value) {
-  if constexpr (std::is_floating_point_v<Number>) {
-    if (std::isnan(value)) return std::numeric_limits<Number>::quiet_NaN();
-    return value + Number{0};  // -0 becomes 0
-  }
-  return value;
+template <class Float>
+Float canonical(Float value) {
+  if (std::isnan(value)) return std::numeric_limits<Float>::quiet_NaN();
+  return value + Float{0};  // -0 becomes 0
 }
 
 class Digest {
  public:
   template <class Field>
   void add(const Field& field) {
-    if constexpr (std::is_same_v<Field, std::string>) {
-      add(field.size());
-      add_bytes(field.data(), field.size());
-    } else if constexpr (std::is_same_v<Field, double>) {
+    if constexpr (std::is_same_v<Field, double>) {
       const double plain = canonical(field);
       add_bytes(&plain, sizeof plain);
     } else if constexpr (std::is_integral_v<Field> || std::is_enum_v<Field>) {
       const auto whole = static_cast<std::uint64_t>(field);
       add_bytes(&whole, sizeof whole);
-    } else {
-      Field plain = field;
-      for (auto& value : plain) value = canonical(value);
-      add(plain.size());
-      add_bytes(plain.data(), plain.size() * sizeof plain[0]);
+    } else {  // a text or a column
+      add(field.size());
+      if constexpr (std::is_floating_point_v<typename Field::value_type>) {
+        Field plain = field;
+        for (auto& value : plain) value = canonical(value);
+        add_bytes(plain.data(), plain.size() * sizeof plain[0]);
+      } else {
+        add_bytes(field.data(), field.size() * sizeof field[0]);
+      }
     }
   }
 
