@@ -44,8 +44,8 @@ ConditionResult count_conditions(const grid::Grid& grid, const ConditionOptions&
   counted.first += before;
   std::vector<float> clean;
   for (int k = 1 - before; k <= counted.first + counted.count - before; ++k) {
-    clean.push_back(static_cast<float>(options.loss_mw *
-                                       model.unit_deviation_hz(kReportS * static_cast<double>(k))));
+    clean.push_back(static_cast<float>(
+        options.loss_mw * model.unit_deviation_hz(kReport_s * static_cast<double>(k))));
   }
   const auto each = [&](const float* deviations_hz, std::uint64_t, std::uint64_t count,
                         Histograms& own) {

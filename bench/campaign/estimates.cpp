@@ -44,7 +44,7 @@ class CleanSignal {
       for (std::size_t k = 1; k <= kSamples; ++k) {
         deviations_hz_.push_back(static_cast<float>(
             options.loss_mw *
-            model.unit_deviation_hz(kReportS * (static_cast<double>(k) - early))));
+            model.unit_deviation_hz(kReport_s * (static_cast<double>(k) - early))));
       }
     }
   }
@@ -98,7 +98,7 @@ class Estimators {
     start_.ekf.loss_sigma_mw = static_cast<float>(options.paper_loss_sigma_mw);
     start_.ekf.t_x_sigma_s = static_cast<float>(options.paper_t_x_sigma_s);
     start_.ekf.largest_loss_mw = settings_.largest_loss_mw;
-    start_.t_x_s = -gs::outlet::kReportS;
+    start_.t_x_s = -gs::outlet::kReport_s;
     if (options.mode == Mode::kFirmware && options.parameter_error > 0.0) {
       excess_ = reciprocal_excess(clean);
     }
@@ -248,7 +248,7 @@ double cramer_rao_mw(const grid::Grid& grid, double loss_mw, int first, int last
   double lt = 0.0;
   double tt = 0.0;
   for (int k = first; k <= last; ++k) {
-    const double t_s = kReportS * static_cast<double>(k);
+    const double t_s = kReport_s * static_cast<double>(k);
     const double by_loss = model.unit_deviation_hz(t_s);
     const double by_instant = -loss_mw * model.unit_rocof_hz_s(t_s);
     ll += by_loss * by_loss;

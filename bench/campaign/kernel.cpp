@@ -44,7 +44,7 @@ Estimates estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
     gs::outlet::start(start.ekf, ekf, loss_mw, Lanes{} + start.t_x_s);
     for (std::size_t k = kLseSamples; k < kSamples; ++k) {
       gs::outlet::update(start.ekf, model, ekf, load(deviations_hz + k * kLanes),
-                         gs::outlet::kReportS * static_cast<float>(k));
+                         gs::outlet::kReport_s * static_cast<float>(k));
     }
     store(loss_mw, estimates.lse_mw);
     store(ekf.loss_mw, estimates.ekf_mw);

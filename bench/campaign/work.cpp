@@ -21,8 +21,8 @@ std::uint64_t run_blocks(std::uint64_t blocks, const Execution& execution, const
         work(block, own);
         const std::lock_guard<std::mutex> lock(mutex);
         ++done;
-        tell_progress(execution, static_cast<double>(done),
-                      static_cast<double>(range.end - range.first));
+        report_progress(execution, static_cast<double>(done),
+                        static_cast<double>(range.end - range.first));
       }
     } catch (...) {
       next = range.end;  // the other threads begin no more

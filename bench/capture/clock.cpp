@@ -9,7 +9,7 @@ namespace gsbench::capture {
 namespace {
 
 // Of a crystal without temperature compensation, over its range.
-constexpr double kCrystalPpm = 100.0;
+constexpr double kCrystal_ppm = 100.0;
 // Residuals of readings that carry no noise would promise more than the arithmetic holds.
 constexpr double kLeastSigma = 1e-4;
 constexpr int kIterations = 8;
@@ -152,7 +152,7 @@ class Fit {
       return {variance * n.slope_slope / n.determinant(),
               -variance * n.tick_slope / n.determinant(), variance * n.tick_tick / n.determinant()};
     }
-    const double slope_sigma = 0.5e-6 * kCrystalPpm;
+    const double slope_sigma = 0.5e-6 * kCrystal_ppm;
     return {variance / n.tick_tick, 0.0, slope_sigma * slope_sigma};
   }
 

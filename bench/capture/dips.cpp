@@ -7,7 +7,7 @@ namespace {
 
 // A spacing or a length that differs from a marker's by more is another disturbance's. Readings
 // come every 16 ms, and one or two at an edge may be lost.
-constexpr double kToleranceMs = 20.0;
+constexpr double kTolerance_ms = 20.0;
 
 struct Seen {
   double middle_sample = 0.0;
@@ -78,7 +78,7 @@ void add(const std::vector<Seen>& seen, std::size_t at, const std::vector<Dip>& 
 
 MarkersSeen find_markers(const VoltageTrace& trace, const Markers& markers, double sample_rate_hz) {
   const std::vector<Seen> seen = find_dips(trace, markers.level);
-  const double tolerance = 1e-3 * kToleranceMs * sample_rate_hz;
+  const double tolerance = 1e-3 * kTolerance_ms * sample_rate_hz;
   MarkersSeen all;
   std::size_t at = 0;
   while (at < seen.size() && !match(seen, at, markers.before.dips, tolerance)) {

@@ -18,7 +18,9 @@ using nlohmann::ordered_json;
 ordered_json schema_of(const keys::Key& key);
 
 void add_range(const keys::Range& range, ordered_json& schema) {
-  if (std::isfinite(range.low)) schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
+  if (std::isfinite(range.low)) {
+    schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
+  }
   if (std::isfinite(range.high)) {
     schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
   }
@@ -31,7 +33,9 @@ ordered_json object(const keys::Key& table) {
                          {"additionalProperties", false}};
   for (const keys::Key& key : table.inner) {
     schema["properties"][key.name] = schema_of(key);
-    if (key.required) schema["required"].push_back(key.name);
+    if (key.required) {
+      schema["required"].push_back(key.name);
+    }
   }
   return schema;
 }
@@ -42,7 +46,9 @@ ordered_json array_of(ordered_json items) {
 
 ordered_json row_of(const keys::Key& row) {
   ordered_json columns = ordered_json::array();
-  for (const keys::Key& column : row.inner) columns.push_back(schema_of(column));
+  for (const keys::Key& column : row.inner) {
+    columns.push_back(schema_of(column));
+  }
   const std::size_t count = columns.size();
   return {
       {"type", "array"}, {"items", std::move(columns)}, {"minItems", count}, {"maxItems", count}};
@@ -80,7 +86,9 @@ ordered_json shape_of(const keys::Key& key) {
 std::string description_of(const keys::Key& key) {
   std::string text = key.meaning;
   const auto add = [&](const char* what, const std::string& value) {
-    if (!value.empty()) text += (text.empty() ? "" : "; ") + (what + value);
+    if (!value.empty()) {
+      text += (text.empty() ? "" : "; ") + (what + value);
+    }
   };
   add("unit: ", key.unit);
   add("range: ", key.permitted);
@@ -91,10 +99,16 @@ std::string description_of(const keys::Key& key) {
 ordered_json schema_of(const keys::Key& key) {
   ordered_json schema = shape_of(key);
   add_range(key.range, schema);
-  if (const auto* number = std::get_if<double>(&key.fallback)) schema["default"] = *number;
-  if (const auto* text = std::get_if<std::string>(&key.fallback)) schema["default"] = *text;
+  if (const auto* number = std::get_if<double>(&key.fallback)) {
+    schema["default"] = *number;
+  }
+  if (const auto* text = std::get_if<std::string>(&key.fallback)) {
+    schema["default"] = *text;
+  }
   const std::string description = description_of(key);
-  if (!description.empty()) schema["description"] = description;
+  if (!description.empty()) {
+    schema["description"] = description;
+  }
   return schema;
 }
 

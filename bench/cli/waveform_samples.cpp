@@ -16,7 +16,7 @@ namespace gsbench::cli {
 bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupted,
                    OutputFile& file) {
   const waveform::Synthesizer synthesizer = plan.synthesizer();
-  const waveform::Truth& truth = synthesizer.truth();
+  const waveform::ReferenceSignal& reference = synthesizer.reference();
   const models::Stream stream{plan.seed, models::kSourceNoise, 0};
   const std::int64_t end = plan.duration_ticks();
   constexpr std::int64_t kBlock = 4096;
@@ -37,7 +37,7 @@ bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupt
       const double t_s = static_cast<double>(first + static_cast<std::int64_t>(i)) /
                          static_cast<double>(plan.stimulus.sample_rate_hz);
       fmt::format_to(std::back_inserter(text), "{:.6f},{:.9f},{:.9f},{:.7f}\n", t_s,
-                     truth.frequency_hz(t_s), truth.rocof_hz_s(t_s), voltage_pu[i]);
+                     reference.frequency_hz(t_s), reference.rocof_hz_s(t_s), voltage_pu[i]);
     }
     file.append({text.data(), text.size()});
     progress.show(static_cast<double>(first) / static_cast<double>(end));

@@ -29,10 +29,10 @@ double nadir_with_shedding_hz(const grid::SfrModel& model, double loss_mw, doubl
   // It falls until the shedding at least, then turns at once or later, as one loss does.
   const double last_s = delay_s + 20.0 / model.omega_n();
   double lowest_hz = response.frequency_hz(delay_s);
-  constexpr double kStepS = 0.005;
-  const auto steps = static_cast<int>(last_s / kStepS);
+  constexpr double kStep_s = 0.005;
+  const auto steps = static_cast<int>(last_s / kStep_s);
   for (int step = 0; step < steps; ++step) {
-    lowest_hz = std::min(lowest_hz, response.frequency_hz(kStepS * step));
+    lowest_hz = std::min(lowest_hz, response.frequency_hz(kStep_s * step));
   }
   return lowest_hz;
 }
@@ -44,7 +44,9 @@ std::vector<double> row_edges_hz(double nominal_hz, double threshold_hz, double 
   const double rows = (nominal_hz - threshold_hz) / row_hz;
   const int count = static_cast<int>(std::ceil(rows - kSliverOfARow));
   std::vector<double> edges{nominal_hz};
-  for (int i = 1; i < count; ++i) edges.push_back(nominal_hz - i * row_hz);
+  for (int i = 1; i < count; ++i) {
+    edges.push_back(nominal_hz - i * row_hz);
+  }
   edges.push_back(threshold_hz);
   return edges;
 }
@@ -80,9 +82,9 @@ double k_lse_mw_per_hz_s(const grid::SfrModel& model) {
 
 std::vector<Condition> conditions(const grid::SfrModel& model, double threshold_hz, double row_hz) {
   const double loss_mw = threshold_mw(model, threshold_hz);
-  if (!(row_hz >= grid::kLowestConditionRowHz)) {
+  if (!(row_hz >= grid::kLowestConditionRow_hz)) {
     throw std::invalid_argument(
-        fmt::format("row_hz is {}: must be at least {}", row_hz, grid::kLowestConditionRowHz));
+        fmt::format("row_hz is {}: must be at least {}", row_hz, grid::kLowestConditionRow_hz));
   }
   const grid::TurningPoint turn = grid::turning_point(model);
   const std::vector<double> edges = row_edges_hz(model.nominal_hz(), threshold_hz, row_hz);

@@ -9,7 +9,7 @@
 namespace gsbench::fleet {
 namespace {
 
-constexpr double kCourseS = 0.02;
+constexpr double kCourse_s = 0.02;
 
 }  // namespace
 
@@ -48,10 +48,10 @@ ScenarioResult Balance::result(const grid::Grid& grid, double duration_s, Shed s
   result.first_action_s = first_s_;
   result.last_action_s = last_s_;
   double lowest_hz = 0.0;
-  const auto looks = static_cast<std::size_t>(duration_s / kLookS);
-  const auto each = static_cast<std::size_t>(std::llround(kCourseS / kLookS));
+  const auto looks = static_cast<std::size_t>(duration_s / kLook_s);
+  const auto each = static_cast<std::size_t>(std::llround(kCourse_s / kLook_s));
   for (std::size_t i = 0; i <= looks; ++i) {
-    const double t_s = kLookS * static_cast<double>(i);
+    const double t_s = kLook_s * static_cast<double>(i);
     const double now_hz = deviation_hz(t_s);
     if (now_hz < lowest_hz) {
       lowest_hz = now_hz;

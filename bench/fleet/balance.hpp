@@ -11,8 +11,8 @@
 namespace gsbench::fleet {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRelayS = 1e-3 * models::RelayParameters{}.operate_ms;
-constexpr double kLookS = 0.002;  // of relays, and for the nadir
+constexpr double kRelay_s = 1e-3 * models::RelayParameters{}.operate_ms;
+constexpr double kLook_s = 0.002;  // of relays, and for the nadir
 
 class Balance {
  public:

@@ -18,7 +18,7 @@
 namespace gsbench::fleet {
 namespace {
 
-constexpr double kBeforeLossS = 1.0;
+constexpr double kBeforeLoss_s = 1.0;
 constexpr double kTwoPi = 6.283185307179586;
 constexpr std::size_t kOutletsInBlock = 50;
 
@@ -44,7 +44,7 @@ class Loop {
         balance_(model_, options.loss_mw),
         off_(fleet.outlets(), 0),
         outlets_(fleet.outlets()) {
-    hardware_.counts_per_pu = models::kCountsPerPu;
+    hardware_.counts_per_pu = models::kCounts_per_pu;
     hardware_.nominal_hz = static_cast<std::int32_t>(std::lround(grid.nominal_hz));
     voltage_pu_.resize(samples_);
     shed_at_.resize((fleet.outlets() + kOutletsInBlock - 1) / kOutletsInBlock);
@@ -71,7 +71,7 @@ class Loop {
   // False where it was stopped.
   bool play() {
     const auto blocks =
-        static_cast<std::size_t>((kBeforeLossS + options_.duration_s) / campaign::kReportS);
+        static_cast<std::size_t>((kBeforeLoss_s + options_.duration_s) / campaign::kReport_s);
     for (std::size_t block = 0; block < blocks; ++block) {
       if (stopped(execution_)) {
         return false;
@@ -84,7 +84,7 @@ class Loop {
         }
         some.clear();
       }
-      tell_progress(execution_, static_cast<double>(block + 1), static_cast<double>(blocks));
+      report_progress(execution_, static_cast<double>(block + 1), static_cast<double>(blocks));
     }
     return true;
   }
@@ -110,13 +110,13 @@ class Loop {
   double time_s(std::size_t block, std::size_t sample) const {
     return static_cast<double>(block * samples_ + sample) /
                static_cast<double>(hardware_.sample_rate_hz) -
-           kBeforeLossS;
+           kBeforeLoss_s;
   }
 
   void synthesize(std::size_t block) {
     for (std::size_t i = 0; i < samples_; ++i) {
       const double t_s = time_s(block, i);
-      const double cycles = grid_.nominal_hz * (t_s + kBeforeLossS) + balance_.excess_cycles(t_s);
+      const double cycles = grid_.nominal_hz * (t_s + kBeforeLoss_s) + balance_.excess_cycles(t_s);
       voltage_pu_[i] = static_cast<float>(std::sin(kTwoPi * (cycles - std::floor(cycles))));
     }
   }
@@ -162,7 +162,7 @@ class Loop {
     if ((report.happened & gs::outlet::kRelay) != 0 && !report.relay_closed) {
       off_[number] = 1;
       shed_at_[number / kOutletsInBlock].emplace_back(
-          t_s + kRelayS, 1e-6 * static_cast<double>(fleet_.power_w[number]));
+          t_s + kRelay_s, 1e-6 * static_cast<double>(fleet_.power_w[number]));
     }
   }
 
@@ -175,7 +175,7 @@ class Loop {
   Balance balance_;
   gs::outlet::Hardware hardware_;
   std::size_t samples_ = static_cast<std::size_t>(hardware_.sample_rate_hz / 1000) *
-                         static_cast<std::size_t>(gs::outlet::kReportMs);  // in a block of 16 ms
+                         static_cast<std::size_t>(gs::outlet::kReport_ms);  // in a block of 16 ms
   std::vector<float> voltage_pu_;
   std::vector<std::uint8_t> off_;
   std::vector<std::vector<std::pair<double, double>>> shed_at_;  // s and MW, by block of outlets

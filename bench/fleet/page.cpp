@@ -21,7 +21,7 @@ using campaign::NoiseDistribution;
 using record::kNoFigure;
 
 constexpr std::size_t kClosedLoopOutlets = 1000;
-constexpr double kToDecideS = 0.8;  // from an event to an open relay
+constexpr double kToDecide_s = 0.8;  // from an event to an open relay
 constexpr double kLossParts[] = {0.9, 1.0, 1.1, 1.2, 1.42, 1.7, 2.0};  // of the threshold
 
 constexpr std::pair<Control, const char*> kControls[] = {
@@ -150,7 +150,7 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
       options.loss_mw = loss_mw;
       options.noise_hz = noise_hz;
       const auto result = play(grid, fleet, options, quiet(execution));
-      tell_progress(execution, ++done, all);
+      report_progress(execution, ++done, all);
       if (!result) {
         return kNoFigure;
       }
@@ -228,7 +228,7 @@ record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
     plot.x = scenario.t_s;
     plot.curves.push_back({column, scenario.frequency_hz});
     options.threshold_mw =
-        delay_aware_threshold_mw(grid, study.scenario, result->latest_event_s + kToDecideS);
+        delay_aware_threshold_mw(grid, study.scenario, result->latest_event_s + kToDecide_s);
   }
   return {{table},
           {plot},

@@ -18,21 +18,21 @@ namespace {
 using campaign::demand;
 using campaign::Execution;
 using campaign::kLanes;
-using campaign::kReportS;
+using campaign::kReport_s;
 using campaign::Lanes;
 using campaign::NoiseDistribution;
 using campaign::stopped;
 using gs::outlet::LossEstimator;
 using gs::outlet::Settings;
 
-constexpr double kMeasuringS = gs::outlet::kFrontEndDelayMs / 1000.0;
+constexpr double kMeasuring_s = gs::outlet::kFrontEndDelay_ms / 1000.0;
 
 // Outlets measure at so many instants of a report in turn, a batch of kLanes each.
 constexpr std::size_t kInstants = 64;
 constexpr std::size_t kChunk = kInstants * kLanes;
 
 double instant_s(std::size_t instant) {
-  return kReportS * (static_cast<double>(instant) + 0.5) / static_cast<double>(kInstants);
+  return kReport_s * (static_cast<double>(instant) + 0.5) / static_cast<double>(kInstants);
 }
 
 void check(const grid::Grid& grid, const ScenarioOptions& o) {
@@ -76,7 +76,7 @@ class Outlets {
   void take(int report, Balance& balance) {
     double deviation_hz[kInstants];
     for (std::size_t i = 0; i < kInstants; ++i) {
-      deviation_hz[i] = balance.deviation_hz(at_s(report, i) - kMeasuringS);
+      deviation_hz[i] = balance.deviation_hz(at_s(report, i) - kMeasuring_s);
     }
     if (nothing_to_do(report, deviation_hz)) {
       return;
@@ -88,7 +88,7 @@ class Outlets {
       for (std::size_t chunk = 0; chunk < chunks_; ++chunk) {
         sum_mw += shed_mw_[chunk * kInstants + i];
       }
-      balance.shed(at_s(report, i) + kRelayS + options_.further_delay_s, sum_mw);
+      balance.shed(at_s(report, i) + kRelay_s + options_.further_delay_s, sum_mw);
     }
   }
 
@@ -96,12 +96,12 @@ class Outlets {
 
  private:
   static double at_s(int report, std::size_t instant) {
-    return kReportS * static_cast<double>(report) + instant_s(instant);
+    return kReport_s * static_cast<double>(report) + instant_s(instant);
   }
 
   // Of the first measurement of what came after the loss.
   static int first_after(std::size_t instant) {
-    return static_cast<int>(std::ceil((kMeasuringS - instant_s(instant)) / kReportS));
+    return static_cast<int>(std::ceil((kMeasuring_s - instant_s(instant)) / kReport_s));
   }
 
   int since_event(int report, std::size_t instant) const {
@@ -196,9 +196,9 @@ void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance
       (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
       grid.nominal_hz;
   int stage = 0;
-  const auto looks = static_cast<int>(options.duration_s / kLookS);
+  const auto looks = static_cast<int>(options.duration_s / kLook_s);
   for (int look = 0; look < looks && stage < 5; ++look) {
-    const double t_s = kLookS * look;
+    const double t_s = kLook_s * look;
     while (stage < 5 && balance.deviation_hz(t_s) < first_hz - options.ufls_step_hz * stage) {
       balance.shed(t_s + options.ufls_delay_s, options.ufls_part * grid.load_mw);
       ++stage;
@@ -219,13 +219,13 @@ std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
   Shed shed;
   if (options.control == Control::kGridSense || options.control == Control::kSwitchOff) {
     Outlets outlets(grid, fleet, options, execution.threads);
-    const auto reports = static_cast<int>(options.duration_s / kReportS);
+    const auto reports = static_cast<int>(options.duration_s / kReport_s);
     for (int report = 0; report < reports; ++report) {
       if (stopped(execution)) {
         return std::nullopt;
       }
       outlets.take(report, balance);
-      tell_progress(execution, report + 1, reports);
+      report_progress(execution, report + 1, reports);
     }
     shed = count_shed(fleet, outlets.off());
   } else if (options.control == Control::kCentral) {

@@ -16,25 +16,27 @@ struct Place {
   }
   void require(const std::string& key, double value, const Limits& limits) const {
     const bool holds = value >= limits.low && value <= limits.high;  // never for NaN
-    if (!holds) refuse(key, value, fmt::format("must be from {} to {}", limits.low, limits.high));
+    if (!holds) {
+      refuse(key, value, fmt::format("must be from {} to {}", limits.low, limits.high));
+    }
   }
 };
 
 void check_system(const Grid& grid) {
   const Place system{"system", -1, ""};
-  system.require("nominal_hz", grid.nominal_hz, kFrequencyHz);
-  system.require("threshold_hz", grid.threshold_hz, kFrequencyHz);
+  system.require("nominal_hz", grid.nominal_hz, kFrequency_hz);
+  system.require("threshold_hz", grid.threshold_hz, kFrequency_hz);
   if (grid.threshold_hz >= grid.nominal_hz) {
     system.refuse("threshold_hz", grid.threshold_hz,
                   fmt::format("must be below nominal_hz, {}", grid.nominal_hz));
   }
-  system.require("base_mw", grid.base_mw, kPowerMw);
-  system.require("load_mw", grid.load_mw, kPowerMw);
-  system.require("damping_pu", grid.damping_pu, kDampingPu);
+  system.require("base_mw", grid.base_mw, kPower_mw);
+  system.require("load_mw", grid.load_mw, kPower_mw);
+  system.require("damping_pu", grid.damping_pu, kDamping_pu);
   system.require("gain_km", grid.gain_km, kGain);
   system.require("reheat_fraction", grid.reheat_fraction, kFraction);
-  system.require("reheat_s", grid.reheat_s, kTimeS);
-  system.require("condition_row_hz", grid.condition_row_hz, kConditionRowHz);
+  system.require("reheat_s", grid.reheat_s, kTime_s);
+  system.require("condition_row_hz", grid.condition_row_hz, kConditionRow_hz);
 }
 
 void check_plants(const Grid& grid) {
@@ -45,9 +47,9 @@ void check_plants(const Grid& grid) {
     const Plant& plant = grid.plants[i];
     const Place place{"plant", static_cast<int>(i),
                       fmt::format("plant {} \"{}\": ", i + 1, plant.id)};
-    place.require("rating_mw", plant.rating_mw, kPowerMw);
-    place.require("inertia_s", plant.inertia_s, kTimeS);
-    place.require("droop_pu", plant.droop_pu, kDroopPu);
+    place.require("rating_mw", plant.rating_mw, kPower_mw);
+    place.require("inertia_s", plant.inertia_s, kTime_s);
+    place.require("droop_pu", plant.droop_pu, kDroop_pu);
   }
 }
 
@@ -57,7 +59,7 @@ void check_blocks(const Grid& grid) {
     const Block& block = grid.blocks[i];
     const Place place{"block", static_cast<int>(i),
                       fmt::format("block {} \"{}\": ", i + 1, block.id)};
-    place.require("power_mw", block.power_mw, kPowerMw);
+    place.require("power_mw", block.power_mw, kPower_mw);
     if (less_important_mw + block.power_mw > grid.load_mw) {
       place.refuse("power_mw", block.power_mw,
                    fmt::format("all blocks together must not exceed load_mw, {}", grid.load_mw));
@@ -69,14 +71,15 @@ void check_blocks(const Grid& grid) {
 void check_reference(const Grid& grid) {
   const Place reference{"reference", -1, "reference: "};
   if (grid.reference.t_nadir_s) {
-    reference.require("t_nadir_s", *grid.reference.t_nadir_s, kTimeS);
+    reference.require("t_nadir_s", *grid.reference.t_nadir_s, kTime_s);
   }
   if (grid.reference.threshold_mw) {
-    reference.require("threshold_mw", *grid.reference.threshold_mw, kPowerMw);
+    reference.require("threshold_mw", *grid.reference.threshold_mw, kPower_mw);
   }
   for (std::size_t i = 0; i < grid.reference.condition_rocof_hz_s.size(); ++i) {
     const Place row{"reference", static_cast<int>(i), fmt::format("reference row {}: ", i + 1)};
-    row.require("condition_rocof_hz_s", grid.reference.condition_rocof_hz_s[i], kConditionRocofHzS);
+    row.require("condition_rocof_hz_s", grid.reference.condition_rocof_hz_s[i],
+                kConditionRocof_hz_s);
   }
 }
 

@@ -30,8 +30,12 @@ double time_of_turn_s(const SfrModel& model) {
   const double spread = std::sqrt(-d);
   const double slow = omega_n_squared / (sigma + spread);
   const double lead = slow * reheat_s - 1.0;  // the zero at −1/T_R is slower than either pole
-  if (lead <= 0.0) return kNever;
-  if (spread == 0.0) return reheat_s / lead;
+  if (lead <= 0.0) {
+    return kNever;
+  }
+  if (spread == 0.0) {
+    return reheat_s / lead;
+  }
   return std::log1p(2.0 * spread * reheat_s / lead) / (2.0 * spread);
 }
 
@@ -39,12 +43,16 @@ double time_of_turn_s(const SfrModel& model) {
 
 TurningPoint turning_point(const SfrModel& model) {
   const double t_s = time_of_turn_s(model);
-  if (t_s == kNever) return {kNever, 1.0};
+  if (t_s == kNever) {
+    return {kNever, 1.0};
+  }
   const double depth = depth_at(model, t_s);
   // At F_H = 1 the zero cancels a pole and rounding alone decides whether there is a turn. What
   // undershoots the end value by less than the rounding of the three terms of eq. (6) has none.
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-  if (depth < 1.0 + kRounding) return {kNever, 1.0};
+  if (depth < 1.0 + kRounding) {
+    return {kNever, 1.0};
+  }
   return {t_s, depth};
 }
 
@@ -53,13 +61,17 @@ double time_at_depth_s(const SfrModel& model, const TurningPoint& turn, double d
   double after_s = turn.t_s;
   if (after_s == kNever) {
     after_s = 1.0 / model.initial_slope_per_s();
-    while (depth_at(model, after_s) < depth) after_s *= 2.0;
+    while (depth_at(model, after_s) < depth) {
+      after_s *= 2.0;
+    }
   }
   // Bisection down to neighbouring numbers: the limb is monotone, and no slope near the turn, where
   // it vanishes, can mislead it.
   for (;;) {
     const double middle_s = 0.5 * (before_s + after_s);
-    if (middle_s <= before_s || middle_s >= after_s) return middle_s;
+    if (middle_s <= before_s || middle_s >= after_s) {
+      return middle_s;
+    }
     (depth_at(model, middle_s) < depth ? before_s : after_s) = middle_s;
   }
 }

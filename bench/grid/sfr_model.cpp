@@ -33,13 +33,17 @@ Modes modes_at(const SfrModel& model, double t_s) {
 
 double inertia_of_all_s(const Grid& grid) {  // eq. (2)
   double stored_mws = 0.0;
-  for (const Plant& plant : grid.plants) stored_mws += plant.inertia_s * plant.rating_mw;
+  for (const Plant& plant : grid.plants) {
+    stored_mws += plant.inertia_s * plant.rating_mw;
+  }
   return stored_mws / grid.base_mw;
 }
 
 double droop_of_all_pu(const Grid& grid) {
   double regulation_mw = 0.0;  // power that all governors together add, per unit of frequency
-  for (const Plant& plant : grid.plants) regulation_mw += plant.rating_mw / plant.droop_pu;
+  for (const Plant& plant : grid.plants) {
+    regulation_mw += plant.rating_mw / plant.droop_pu;
+  }
   return grid.base_mw / regulation_mw;
 }
 
@@ -67,13 +71,17 @@ SfrModel::SfrModel(const Grid& grid)
 }
 
 double SfrModel::unit_deviation_hz(double t_s) const {
-  if (t_s < 0.0) return 0.0;
+  if (t_s < 0.0) {
+    return 0.0;
+  }
   const Modes mode = modes_at(*this, t_s);
   return -gain_ * (1.0 - mode.c + (g0_ - sigma_) * mode.s);
 }
 
 double SfrModel::unit_rocof_hz_s(double t_s) const {
-  if (t_s < 0.0) return 0.0;
+  if (t_s < 0.0) {
+    return 0.0;
+  }
   const Modes mode = modes_at(*this, t_s);
   return -gain_ * (g0_ * mode.c + (omega_n_ * omega_n_ - sigma_ * g0_) * mode.s);
 }
@@ -81,7 +89,9 @@ double SfrModel::unit_rocof_hz_s(double t_s) const {
 // With A = e^(−sigma·t)·C and B = e^(−sigma·t)·S, A' = −sigma·A − d·B and B' = A − sigma·B; solving
 // the two for A and B gives their integrals, and with those that of the deviation.
 double SfrModel::unit_phase_cycles(double t_s) const {
-  if (t_s < 0.0) return 0.0;
+  if (t_s < 0.0) {
+    return 0.0;
+  }
   const Modes mode = modes_at(*this, t_s);
   const double omega_n_squared = omega_n_ * omega_n_;
   const double transient = (2.0 * sigma_ - g0_) * (1.0 - mode.c) +
@@ -91,7 +101,9 @@ double SfrModel::unit_phase_cycles(double t_s) const {
 
 std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& model,
                                                             double reheat_s) {
-  if (model.discriminant_per_s2() <= 0.0) return std::nullopt;
+  if (model.discriminant_per_s2() <= 0.0) {
+    return std::nullopt;
+  }
   const double omega_r = std::sqrt(model.discriminant_per_s2());  // eq. (8)
   const double cosine = 1.0 - model.sigma_per_s() * reheat_s;
   const double sine = omega_r * reheat_s;

@@ -7,7 +7,7 @@ namespace gsbench::judge {
 namespace {
 
 // Edges nearer to one another than this are one change and its bounces.
-constexpr double kBounceWindowMs = 10.0;
+constexpr double kBounceWindow_ms = 10.0;
 
 template <class Predicate>
 const record::Mark* find_mark(const record::OutletRecord& outlet, std::int64_t from_tick,
@@ -55,7 +55,7 @@ double Case::lost_mw(std::int64_t tick) const {
 }
 
 double Case::true_voltage_pu(double t_s) const {
-  double voltage_pu = truth.voltage_pu(t_s);
+  double voltage_pu = reference.voltage_pu(t_s);
   for (const waveform::AmplitudeStep& step : plan.stimulus.signal.amplitude_steps) {
     if (t_s >= step.at_s && t_s < step.at_s + step.duration_s) {
       voltage_pu *= step.level_pct / 100.0;
@@ -82,7 +82,7 @@ Contact contact(const Case& c) {
       continue;
     }
     const bool closed = mark.value > 0.5;
-    if (!bursts.empty() && c.milliseconds_between(last_tick, mark.tick) <= kBounceWindowMs) {
+    if (!bursts.empty() && c.milliseconds_between(last_tick, mark.tick) <= kBounceWindow_ms) {
       bursts.back().closed = closed;
       ++bursts.back().edges;
     } else {

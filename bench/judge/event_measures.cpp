@@ -7,16 +7,16 @@ namespace {
 
 // An event is honest if the true frequency fell by at least half of the least drop that makes one,
 // from its highest to the end, in the half second before the report.
-constexpr double kLookStepS = 0.016;
+constexpr double kLookStep_s = 0.016;
 constexpr int kLookSteps = 31;
 
 bool is_false(const Case& c, const record::Mark& event, double event_drop_hz) {
   const double end_s = std::max(c.seconds(event.tick) - c.tracker_delay_s(), 0.0);
-  const double end_hz = c.truth.frequency_hz(end_s);
+  const double end_hz = c.reference.frequency_hz(end_s);
   double highest_hz = end_hz;
   for (int step = 1; step <= kLookSteps; ++step) {
-    const double before_s = std::max(end_s - step * kLookStepS, 0.0);
-    highest_hz = std::max(highest_hz, c.truth.frequency_hz(before_s));
+    const double before_s = std::max(end_s - step * kLookStep_s, 0.0);
+    highest_hz = std::max(highest_hz, c.reference.frequency_hz(before_s));
   }
   return highest_hz - end_hz < 0.5 * event_drop_hz;
 }

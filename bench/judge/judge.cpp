@@ -45,10 +45,10 @@ void judge(const profile::Plan& plan, RunRecord& run) {
                                       : "the run has no outlets");
     return;
   }
-  const auto truth = plan.truth();
+  const auto reference = plan.reference();
   run.verdict = Verdict::kPass;
   for (OutletRecord& outlet : run.outlets) {
-    judge_outlet(plan, *truth, run.bench_uncertainty, outlet);
+    judge_outlet(plan, *reference, run.bench_uncertainty, outlet);
     run.verdict = std::max(run.verdict, outlet.verdict);
   }
   run.verdict_reason = reason_of(run);

@@ -20,7 +20,9 @@ Read reading_of(const std::string& measure) {
   static const Readings all = all_readings();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& row) { return row.first == measure; });
-  if (found == all.end()) throw std::logic_error("nothing reads the measure " + measure);
+  if (found == all.end()) {
+    throw std::logic_error("nothing reads the measure " + measure);
+  }
   return found->second;
 }
 

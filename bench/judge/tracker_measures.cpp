@@ -12,13 +12,13 @@ constexpr std::size_t kFewestReports = 10;
 constexpr const char* kValidNaN = "a measurement said to be valid is no number";
 
 // Reports after the outlet has had this long to settle after start-up.
-constexpr double kSettleS = 1.0;
+constexpr double kSettle_s = 1.0;
 
 // Below this a bus is dead; a claim counts once it has been so for longer than a tracker's memory.
-constexpr double kDeadBusPu = 0.10;
-constexpr double kDeadBusStepS = 0.002;
+constexpr double kDeadBus_pu = 0.10;
+constexpr double kDeadBusStep_s = 0.002;
 constexpr int kDeadBusSteps = 30;
-constexpr double kTrackerMemoryS = kDeadBusSteps * kDeadBusStepS;
+constexpr double kTrackerMemory_s = kDeadBusSteps * kDeadBusStep_s;
 
 struct Sample {
   double t_s;
@@ -45,15 +45,15 @@ struct ErrorSums {
 };
 
 using OfSample = double Sample::*;
-using OfTruth = double (waveform::Truth::*)(double t_s) const;
+using OfReference = double (waveform::ReferenceSignal::*)(double t_s) const;
 
-// Errors of `measured` against the truth so much before, in their unit.
-ErrorSums errors(const waveform::Truth& truth, const std::vector<Sample>& samples, double delay_s,
-                 OfSample measured, OfTruth true_value) {
+// Errors of `measured` against the reference so much before, in their unit.
+ErrorSums errors(const waveform::ReferenceSignal& reference, const std::vector<Sample>& samples,
+                 double delay_s, OfSample measured, OfReference true_value) {
   ErrorSums sums;
   for (const Sample& sample : samples) {
     const double error =
-        sample.*measured - (truth.*true_value)(std::max(sample.t_s - delay_s, 0.0));
+        sample.*measured - (reference.*true_value)(std::max(sample.t_s - delay_s, 0.0));
     sums.largest = std::max(sums.largest, std::fabs(error));
     sums.mean += error;
     sums.rms += error * error;
@@ -64,34 +64,35 @@ ErrorSums errors(const waveform::Truth& truth, const std::vector<Sample>& sample
   return sums;
 }
 
-Reading error(const Case& c, OfSample measured, OfTruth true_value, double ErrorSums::*sum,
+Reading error(const Case& c, OfSample measured, OfReference true_value, double ErrorSums::*sum,
               double scale, double uncertainty) {
   const std::vector<Sample> samples = valid_samples(c);
   if (samples.size() < kFewestReports) {
     return not_done("fewer than 10 valid frequency measurements");
   }
-  const ErrorSums sums = errors(c.truth, samples, c.tracker_delay_s(), measured, true_value);
+  const ErrorSums sums = errors(c.reference, samples, c.tracker_delay_s(), measured, true_value);
   return std::isfinite(sums.rms) ? number(scale * sums.*sum, uncertainty) : not_done(kValidNaN);
 }
 
 template <double ErrorSums::*kSum>
 Reading frequency_error(const Case& c) {
-  return error(c, &Sample::frequency_hz, &waveform::Truth::frequency_hz, kSum, 1e3,
+  return error(c, &Sample::frequency_hz, &waveform::ReferenceSignal::frequency_hz, kSum, 1e3,
                c.uncertainty.frequency_mhz);
 }
 
 Reading rocof_error_rms(const Case& c) {
-  return error(c, &Sample::rocof_hz_s, &waveform::Truth::rocof_hz_s, &ErrorSums::rms, 1.0, 0.0);
+  return error(c, &Sample::rocof_hz_s, &waveform::ReferenceSignal::rocof_hz_s, &ErrorSums::rms, 1.0,
+               0.0);
 }
 
 Reading tracker_delay(const Case& c) {
-  constexpr double kLongestDelayS = 0.2;
-  constexpr double kMovingHzS = 0.05;
+  constexpr double kLongestDelay_s = 0.2;
+  constexpr double kMoving_hz_s = 0.05;
   constexpr std::size_t kMostSamples = 2000;
   std::vector<Sample> moving;
   for (const Sample& sample : valid_samples(c)) {
-    if (sample.t_s > kLongestDelayS && moving.size() < kMostSamples &&
-        std::fabs(c.truth.rocof_hz_s(sample.t_s)) > kMovingHzS) {
+    if (sample.t_s > kLongestDelay_s && moving.size() < kMostSamples &&
+        std::fabs(c.reference.rocof_hz_s(sample.t_s)) > kMoving_hz_s) {
       moving.push_back(sample);
     }
   }
@@ -99,7 +100,8 @@ Reading tracker_delay(const Case& c) {
     return not_known("the true frequency moves too little to tell a delay");
   }
   const auto rms_at = [&](double delay_s) {
-    return errors(c.truth, moving, delay_s, &Sample::frequency_hz, &waveform::Truth::frequency_hz)
+    return errors(c.reference, moving, delay_s, &Sample::frequency_hz,
+                  &waveform::ReferenceSignal::frequency_hz)
         .rms;
   };
   if (!std::isfinite(rms_at(0.0))) {
@@ -108,7 +110,7 @@ Reading tracker_delay(const Case& c) {
   // The RMS over the delay has one valley: golden section.
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
   double low = 0.0;
-  double high = kLongestDelayS;
+  double high = kLongestDelay_s;
   while (high - low > 1e-4) {
     const double left = high - golden * (high - low);
     const double right = low + golden * (high - low);
@@ -126,7 +128,7 @@ Reading valid_share(const Case& c) {
   std::size_t all = 0;
   std::size_t valid = 0;
   for (std::size_t i = 0; i < trace.tick.size(); ++i) {
-    if (c.seconds(trace.tick[i]) >= kSettleS) {
+    if (c.seconds(trace.tick[i]) >= kSettle_s) {
       ++all;
       valid += trace.validity[i] == kValid ? 1 : 0;
     }
@@ -142,9 +144,9 @@ Reading dead_bus_claims(const Case& c) {
   double claims = 0.0;
   for (std::size_t i = 0; i < trace.tick.size(); ++i) {
     const double t_s = c.seconds(trace.tick[i]);
-    bool dead = trace.validity[i] == kValid && t_s > kTrackerMemoryS;
+    bool dead = trace.validity[i] == kValid && t_s > kTrackerMemory_s;
     for (int step = 0; dead && step <= kDeadBusSteps; ++step) {
-      dead = c.true_voltage_pu(t_s - step * kDeadBusStepS) < kDeadBusPu;
+      dead = c.true_voltage_pu(t_s - step * kDeadBusStep_s) < kDeadBus_pu;
     }
     claims += dead ? 1.0 : 0.0;
   }

@@ -20,14 +20,18 @@ bool is_identifier(const std::string& text, std::size_t longest) {
 std::string wanted(const Key& key);
 
 std::string plural(const Key& item) {
-  if (item.type == Type::kRow) return wanted(item);
+  if (item.type == Type::kRow) {
+    return wanted(item);
+  }
   return is_number(item) ? "numbers" : "texts in quotes";
 }
 
 // "a whole number from 1 to 50", "[order, pct, deg]": what a key must be.
 std::string wanted(const Key& key) {
   std::vector<std::string> names;
-  for (const Key& inner : key.inner) names.push_back(inner.name);
+  for (const Key& inner : key.inner) {
+    names.push_back(inner.name);
+  }
   switch (key.type) {
     case Type::kNumber:
       return "a number";
@@ -51,7 +55,9 @@ std::string wanted(const Key& key) {
 }
 
 std::string remedy(const Key& key) {
-  if (!key.remedy.empty()) return key.remedy;
+  if (!key.remedy.empty()) {
+    return key.remedy;
+  }
   return key.type == Type::kNumber ? "a number must be given: " + key.range.describe()
                                    : wanted(key);
 }
@@ -60,7 +66,9 @@ std::string remedy(const Key& key) {
 
 void Table::check() const {
   std::vector<std::string> known;
-  for (const Key& key : declared_->inner) known.push_back(key.name);
+  for (const Key& key : declared_->inner) {
+    known.push_back(key.name);
+  }
   const auto* entries = std::get_if<Entries>(&value_->data);
   if (entries == nullptr) {
     refuse(value_->at, fmt::format("{} must be a table, not {}", label(), describe(*value_)));
@@ -73,8 +81,12 @@ void Table::check() const {
   }
   for (const Key& key : declared_->inner) {
     const Value* value = find(key.name);
-    if (value != nullptr) check(key, *value);
-    if (value == nullptr && key.required) refuse_missing(key.name, remedy(key));
+    if (value != nullptr) {
+      check(key, *value);
+    }
+    if (value == nullptr && key.required) {
+      refuse_missing(key.name, remedy(key));
+    }
   }
 }
 
@@ -84,7 +96,9 @@ void Table::check(const Key& key, const Value& value) const {
     case Type::kWhole:
       return check_number(key, value);
     case Type::kTextOrTable:
-      if (!std::holds_alternative<Entries>(value.data)) return check_text(key, value);
+      if (!std::holds_alternative<Entries>(value.data)) {
+        return check_text(key, value);
+      }
       [[fallthrough]];
     case Type::kTable:
       return Table(*document_, value, key, path_of(key.name)).check();
@@ -113,7 +127,9 @@ void Table::check_number(const Key& key, const Value& value) const {
     }
   } else if (whole != nullptr || real != nullptr) {
     const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
-    if (key.range.holds(number)) return;
+    if (key.range.holds(number)) {
+      return;
+    }
     refuse(value.at,
            fmt::format("{} is {}; it must be {}", key.name, number, key.range.describe()));
   } else if (std::holds_alternative<std::string>(value.data)) {
@@ -126,8 +142,12 @@ void Table::check_number(const Key& key, const Value& value) const {
 
 void Table::check_text(const Key& key, const Value& value) const {
   const auto* text = std::get_if<std::string>(&value.data);
-  if (text == nullptr) refuse_type(key, value);
-  if (text->empty()) refuse(value.at, fmt::format("{} is an empty text", key.name));
+  if (text == nullptr) {
+    refuse_type(key, value);
+  }
+  if (text->empty()) {
+    refuse(value.at, fmt::format("{} is an empty text", key.name));
+  }
   if (key.type == Type::kId && !is_identifier(*text, key.longest)) {
     refuse(value.at, fmt::format("{} is \"{}\"; it must be of letters, digits, '-', '_' and '.', "
                                  "at most {} of them",
@@ -142,7 +162,9 @@ void Table::check_text(const Key& key, const Value& value) const {
 
 void Table::check_items(const Key& key, const Value& value) const {
   const auto* items = std::get_if<Array>(&value.data);
-  if (items == nullptr) refuse_type(key, value);
+  if (items == nullptr) {
+    refuse_type(key, value);
+  }
   if (key.type == Type::kRow && items->size() != key.inner.size()) {
     refuse(value.at, fmt::format("{} is an array of {} values; it must be {}", key.name,
                                  items->size(), wanted(key)));

@@ -39,7 +39,9 @@ Value convert(const toml::node& node) {
       value.data = convert_table(content);
     } else if constexpr (toml::is_array<Content>) {
       auto& items = value.data.emplace<Array>();
-      for (const toml::node& item : content) items.push_back(convert(item));
+      for (const toml::node& item : content) {
+        items.push_back(convert(item));
+      }
     } else if constexpr (!toml::is_chronological<Content>) {
       value.data = content.get();
     }
@@ -105,13 +107,17 @@ class NestingCheck {
   }
 
   void leave() {
-    if (dots_.size() == 1) return;  // the library will say so
+    if (dots_.size() == 1) {
+      return;  // the library will say so
+    }
     depth_ -= dots_.back() + 1;
     dots_.pop_back();
   }
 
   void end_line() {
-    if (dots_.size() == 1) leave_key();
+    if (dots_.size() == 1) {
+      leave_key();
+    }
     ++line_;
     line_start_ = at_ + 1;
   }
@@ -123,7 +129,9 @@ class NestingCheck {
     at_ += long_text ? 3 : 1;
     for (; at_ < text_.size(); ++at_) {
       if (text_[at_] == '\n') {
-        if (!long_text) return;  // the library will say so
+        if (!long_text) {
+          return;  // the library will say so
+        }
         ++line_;
         line_start_ = at_ + 1;
       } else if (text_[at_] == '\\' && quote == '"') {

@@ -35,12 +35,18 @@ bool Range::holds(double value) const {
 
 std::string Range::describe() const {
   std::string words;
-  if (std::isfinite(low)) words = fmt::format("{} {}", low_open ? "above" : "at least", low);
+  if (std::isfinite(low)) {
+    words = fmt::format("{} {}", low_open ? "above" : "at least", low);
+  }
   if (std::isfinite(high)) {
-    if (!words.empty()) words += " and ";
+    if (!words.empty()) {
+      words += " and ";
+    }
     words += fmt::format("{} {}", high_open ? "below" : "at most", high);
   }
-  if (words.empty()) words = "a finite number";
+  if (words.empty()) {
+    words = "a finite number";
+  }
   return note.empty() ? words : fmt::format("{} ({})", words, note);
 }
 

@@ -28,19 +28,29 @@ std::string figure(double value) {
 std::string in_words(const Range& range) {
   const bool low = std::isfinite(range.low);
   const bool high = std::isfinite(range.high);
-  if (low && high && range.low == -range.high) return "± " + figure(range.high);
+  if (low && high && range.low == -range.high) {
+    return "± " + figure(range.high);
+  }
   if (low && high && !range.low_open && !range.high_open) {
     return figure(range.low) + " … " + figure(range.high);
   }
   std::string words;
-  if (low) words = (range.low_open ? "above " : "from ") + figure(range.low);
-  if (low && high) words += ", ";
-  if (high) words += (range.high_open ? "below " : "at most ") + figure(range.high);
+  if (low) {
+    words = (range.low_open ? "above " : "from ") + figure(range.low);
+  }
+  if (low && high) {
+    words += ", ";
+  }
+  if (high) {
+    words += (range.high_open ? "below " : "at most ") + figure(range.high);
+  }
   return words;
 }
 
 std::string permitted(const Key& key) {
-  if (!key.permitted.empty()) return key.permitted;
+  if (!key.permitted.empty()) {
+    return key.permitted;
+  }
   switch (key.type) {
     case Type::kNumber:
     case Type::kWhole:
@@ -73,10 +83,18 @@ std::string permitted(const Key& key) {
 }
 
 std::string default_of(const Key& key) {
-  if (key.required) return "required";
-  if (!key.otherwise.empty()) return key.otherwise;
-  if (const auto* number = std::get_if<double>(&key.fallback)) return figure(*number);
-  if (const auto* word = std::get_if<std::string>(&key.fallback)) return "`" + *word + "`";
+  if (key.required) {
+    return "required";
+  }
+  if (!key.otherwise.empty()) {
+    return key.otherwise;
+  }
+  if (const auto* number = std::get_if<double>(&key.fallback)) {
+    return figure(*number);
+  }
+  if (const auto* word = std::get_if<std::string>(&key.fallback)) {
+    return "`" + *word + "`";
+  }
   return "none";
 }
 
@@ -87,8 +105,12 @@ bool has_section(const Key& key) {
 void print(const Key& table, const std::string& path, std::string& out) {
   bool first = true;
   for (const Key& key : table.inner) {
-    if (has_section(key)) continue;
-    if (first) out += kHead;
+    if (has_section(key)) {
+      continue;
+    }
+    if (first) {
+      out += kHead;
+    }
     first = false;
     out += fmt::format("| `{}` |", key.name);
     for (const std::string& cell : {key.unit, permitted(key), default_of(key), key.meaning}) {
@@ -97,7 +119,9 @@ void print(const Key& table, const std::string& path, std::string& out) {
     out += '\n';
   }
   for (const Key& key : table.inner) {
-    if (!has_section(key)) continue;
+    if (!has_section(key)) {
+      continue;
+    }
     const std::string inner = path.empty() ? key.name : path + "." + key.name;
     out += fmt::format("\n### `{}`\n\n{}\n\n", header_of(key, inner), key.meaning);
     print(key, inner, out);

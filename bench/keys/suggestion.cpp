@@ -38,15 +38,21 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   const std::string* best = nullptr;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : known) {
-    if (word.size() > kLongestWord) break;
+    if (word.size() > kLongestWord) {
+      break;
+    }
     const std::size_t d = is_stem_of(word, candidate) ? 1 : distance(word, candidate);
     if (d < best_distance) {
       best_distance = d;
       best = &candidate;
     }
   }
-  if (best != nullptr) return fmt::format("; did you mean \"{}\"?", *best);
-  if (known.empty()) return fmt::format("; there are no {}", what);
+  if (best != nullptr) {
+    return fmt::format("; did you mean \"{}\"?", *best);
+  }
+  if (known.empty()) {
+    return fmt::format("; there are no {}", what);
+  }
   return fmt::format("; {} are: {}", what, fmt::join(known, ", "));
 }
 

@@ -28,7 +28,9 @@ const Key& Table::declared(const std::string& key) const {
   const auto& keys = declared_->inner;
   const auto found =
       std::find_if(keys.begin(), keys.end(), [&](const Key& known) { return known.name == key; });
-  if (found == keys.end()) throw std::logic_error("no such key is declared: " + key);
+  if (found == keys.end()) {
+    throw std::logic_error("no such key is declared: " + key);
+  }
   return *found;
 }
 
@@ -84,21 +86,27 @@ std::optional<double> Table::find_number(const std::string& key, const Range& na
 }
 
 std::optional<std::int64_t> Table::find_whole(const std::string& key) const {
-  if (const Value* value = find(key)) return std::get<std::int64_t>(value->data);
+  if (const Value* value = find(key)) {
+    return std::get<std::int64_t>(value->data);
+  }
   const auto fallback = find_number(key);
   return fallback ? std::optional<std::int64_t>(static_cast<std::int64_t>(*fallback))
                   : std::nullopt;
 }
 
 std::optional<std::string> Table::find_text(const std::string& key) const {
-  if (const Value* value = find(key)) return std::get<std::string>(value->data);
+  if (const Value* value = find(key)) {
+    return std::get<std::string>(value->data);
+  }
   const auto* fallback = std::get_if<std::string>(&declared(key).fallback);
   return fallback == nullptr ? std::nullopt : std::optional<std::string>(*fallback);
 }
 
 std::vector<double> Table::numbers(const std::string& key) const {
   std::vector<double> found;
-  for (const Value& item : items(key)) found.push_back(as_number(item));
+  for (const Value& item : items(key)) {
+    found.push_back(as_number(item));
+  }
   return found;
 }
 

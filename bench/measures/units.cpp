@@ -56,7 +56,9 @@ std::vector<std::string> units_like(const std::string& unit) {
   std::vector<std::string> names;
   if (const Unit* known = find_unit(unit)) {
     for (const Unit& other : kUnits) {
-      if (same_dimension(other, *known)) names.emplace_back(other.name);
+      if (same_dimension(other, *known)) {
+        names.emplace_back(other.name);
+      }
     }
   }
   return names;

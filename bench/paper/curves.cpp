@@ -12,7 +12,7 @@ namespace {
 
 using record::kNoFigure;
 
-constexpr double kStepS = 0.02;
+constexpr double kStep_s = 0.02;
 constexpr int kSteps = 1000;
 
 }  // namespace
@@ -33,7 +33,7 @@ PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
   record::Curve at_threshold{"threshold loss", {}};
   record::Curve at_500{"500 MW", {}};
   for (int step = 0; step <= kSteps; ++step) {
-    const double t_s = kStepS * step;
+    const double t_s = kStep_s * step;
     plot.x.push_back(t_s);
     at_threshold.y.push_back(grid.nominal_hz + threshold_mw * model.unit_deviation_hz(t_s));
     at_500.y.push_back(grid.nominal_hz + 500.0 * model.unit_deviation_hz(t_s));
@@ -79,10 +79,10 @@ PageSection fig14(Study& study, const Execution& /*execution*/) {
       "ROCOF over the deviation of the frequency, until the nadir; the higher the loss, the lower "
       "the ROCOF at any frequency.",
       "Hz below nominal", "Hz/s"};
-  constexpr double kStepHz = 0.005;
+  constexpr double kStep_hz = 0.005;
   constexpr int kStepsBelow = 180;
   for (int step = 0; step < kStepsBelow; ++step) {
-    plot.x.push_back(kStepHz * step);
+    plot.x.push_back(kStep_hz * step);
   }
   for (const double loss_mw : {100.0, 200.0, 300.0, threshold_mw, 400.0, 500.0, 600.0}) {
     record::Curve curve{fmt::format("{:.1f} MW", loss_mw), {}};

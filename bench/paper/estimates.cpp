@@ -27,9 +27,9 @@ struct PrintedRange {
   double percent;
 };
 
-double within_percent(const Histogram& estimates, double percent) {
-  const double span = kLossMw * 0.01 * percent;
-  return 100.0 * estimates.share_between(kLossMw - span, kLossMw + span);
+double within_pct(const Histogram& estimates, double percent) {
+  const double span = kLoss_mw * 0.01 * percent;
+  return 100.0 * estimates.share_between(kLoss_mw - span, kLoss_mw + span);
 }
 
 // A share of what was computed, in the ranges that the paper prints.
@@ -39,8 +39,8 @@ FigureTable ranges(const std::vector<PrintedRange>& printed, const std::string& 
   FigureTable table = {
       "Share of the estimates, %", "range, p.u.", {"paper", first_name, second_name}, {}};
   for (const PrintedRange& range : printed) {
-    const double from_mw = kPuMw * range.from_pu;
-    const double to_mw = kPuMw * range.to_pu;
+    const double from_mw = kPu_mw * range.from_pu;
+    const double to_mw = kPu_mw * range.to_pu;
     table.rows.push_back({fmt::format("{:g} … {:g}", range.from_pu, range.to_pu),
                           {range.percent, 100.0 * first.share_between(from_mw, to_mw),
                            100.0 * second.share_between(from_mw, to_mw)}});
@@ -70,10 +70,10 @@ record::CurvePlot plot_of(const std::string& caption, double from_mw, double to_
 record::FigureRow figures_row(const std::string& name, const EstimateResult& result) {
   const Histogram& ekf = result.ekf_mw;
   return {name,
-          {within_percent(ekf, 4.0), 100.0 - within_percent(ekf, 10.0), ekf.mean() / kPuMw,
-           ekf.standard_deviation() / kPuMw, ekf.standard_deviation() / result.bound_mw,
-           std::max(std::fabs(ekf.smallest() - kLossMw), std::fabs(ekf.largest() - kLossMw)) /
-               kLossMw * 100.0}};
+          {within_pct(ekf, 4.0), 100.0 - within_pct(ekf, 10.0), ekf.mean() / kPu_mw,
+           ekf.standard_deviation() / kPu_mw, ekf.standard_deviation() / result.bound_mw,
+           std::max(std::fabs(ekf.smallest() - kLoss_mw), std::fabs(ekf.largest() - kLoss_mw)) /
+               kLoss_mw * 100.0}};
 }
 
 FigureTable figures_table(const std::string& caption) {
@@ -131,10 +131,10 @@ PageSection table3(Study& study, const Execution& execution) {
       "LSE over ten measurements",
       "",
       table.columns,
-      {{"mean, p.u.", {kNoFigure, uniform.lse_mw.mean() / kPuMw, gaussian.lse_mw.mean() / kPuMw}},
+      {{"mean, p.u.", {kNoFigure, uniform.lse_mw.mean() / kPu_mw, gaussian.lse_mw.mean() / kPu_mw}},
        {"σ, p.u.",
-        {kNoFigure, uniform.lse_mw.standard_deviation() / kPuMw,
-         gaussian.lse_mw.standard_deviation() / kPuMw}}}};
+        {kNoFigure, uniform.lse_mw.standard_deviation() / kPu_mw,
+         gaussian.lse_mw.standard_deviation() / kPu_mw}}}};
   const record::CurvePlot plot =
       plot_of("Estimates of 500 MW by LSE.", 200.0, 800.0, 5.0,
               {{"uniform", uniform.lse_mw}, {"Gaussian", gaussian.lse_mw}});
@@ -152,7 +152,7 @@ PageSection fig16(Study& study, const Execution& /*execution*/) {
                             "s after the loss", "MW"};
   const gs::outlet::Settings settings = campaign::estimate_settings(grid);
   for (std::size_t k = 1; k <= campaign::kSamples; ++k) {
-    plot.x.push_back(campaign::kReportS * static_cast<double>(k));
+    plot.x.push_back(campaign::kReport_s * static_cast<double>(k));
   }
   for (std::uint64_t number = 0; number < 3; ++number) {
     gs::outlet::LossEstimator<float> outlet;
@@ -177,7 +177,7 @@ PageSection table4(Study& study, const Execution& execution) {
                 figures_row(kPaperWay, paper_way),
                 figures_row(kFirmware, firmware),
                 {"Cramér–Rao bound, instant unknown",
-                 {kNoFigure, kNoFigure, kNoFigure, firmware.bound_mw / kPuMw, 1.0, kNoFigure}}};
+                 {kNoFigure, kNoFigure, kNoFigure, firmware.bound_mw / kPu_mw, 1.0, kNoFigure}}};
   const FigureTable shares = ranges({{5.2, 5.4, 3.6692},
                                      {5.0, 5.2, 50.3811},
                                      {4.8, 5.0, 41.9954},

@@ -11,8 +11,8 @@ using record::kNoFigure;
 using record::OutletRecord;
 using record::RunRecord;
 
-constexpr double kBeforeS = 0.5;  // of the loss, on the plots
-constexpr double kAfterS = 1.5;
+constexpr double kBefore_s = 0.5;  // of the loss, on the plots
+constexpr double kAfter_s = 1.5;
 
 double measured(const OutletRecord& outlet, const char* name) {
   const record::MeasurementResult* result = record::find_measurement(outlet, name);
@@ -62,11 +62,11 @@ std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecor
       estimate_mw = static_cast<double>(outlet.estimates.loss_mw[next++]);
     }
     const double t_s = static_cast<double>(tick - loss) / rate;
-    if (t_s < -kBeforeS || t_s > kAfterS) {
+    if (t_s < -kBefore_s || t_s > kAfter_s) {
       continue;
     }
     frequency.x.push_back(t_s);
-    reference.y.push_back(record::frequency_hz(run.truth, tick));
+    reference.y.push_back(record::frequency_hz(run.reference, tick));
     seen.y.push_back(static_cast<double>(outlet.trace.frequency_hz[i]));
     estimated.y.push_back(estimate_mw);
   }

@@ -54,7 +54,7 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
   const grid::Grid& grid = study.grid;
   int n = 0;
   const double threshold_mw = control_centre::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
-  const double wanted_mw = kLossMw - threshold_mw;
+  const double wanted_mw = kLoss_mw - threshold_mw;
   record::FigureTable table = {
       "Shed after 500 MW, by the estimates of Fig. 17 and of Table 5",
       "",
@@ -111,7 +111,7 @@ PageSection fig22(Study& study, const Execution& execution) {
       {}};
   record::CurvePlot plot = {"The frequency.", "s", "Hz"};
   fleet::ScenarioOptions choice;
-  choice.loss_mw = kLossMw;
+  choice.loss_mw = kLoss_mw;
   choice.distribution = study.options.choices.noise_distribution;
   choice.seed = study.options.seed;
   int n = 0;
@@ -132,7 +132,7 @@ PageSection fig22(Study& study, const Execution& execution) {
   const auto plain = add("with Grid Sense");
   if (plain && std::isfinite(plain->last_action_s)) {
     choice.threshold_mw = control_centre::threshold_for_delay_mw(
-        grid::SfrModel(grid), grid.threshold_hz, kLossMw, plain->last_action_s);
+        grid::SfrModel(grid), grid.threshold_hz, kLoss_mw, plain->last_action_s);
     add("with a threshold for the delay");
   }
   return {{table},

@@ -14,9 +14,9 @@ namespace gsbench::paper {
 using campaign::Execution;
 using record::PageSection;
 
-constexpr double kLossMw = 500.0;
-constexpr double kPuMw = 100.0;  // the paper's unit
-constexpr double kNoiseHz = 0.01;
+constexpr double kLoss_mw = 500.0;
+constexpr double kPu_mw = 100.0;  // the paper's unit
+constexpr double kNoise_hz = 0.01;
 
 // How columns and rows are named. The firmware's estimators and conditions are the shipped code,
 // but no outlet runs with an event that is known to the report.

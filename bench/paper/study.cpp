@@ -10,10 +10,10 @@ using campaign::NoiseDistribution;
 
 EstimateOptions Study::campaign(Mode mode, double parameter_error) const {
   EstimateOptions all;
-  all.loss_mw = kLossMw;
+  all.loss_mw = kLoss_mw;
   all.mode = mode;
   all.distribution = options.choices.noise_distribution;
-  all.noise_hz = kNoiseHz;
+  all.noise_hz = kNoise_hz;
   all.instant = options.choices.loss_instant;
   all.parameter_error = parameter_error;
   all.paper_loss_sigma_mw = options.choices.ekf_loss_sigma_mw;

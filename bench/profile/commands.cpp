@@ -20,7 +20,9 @@ std::vector<std::string> named_outlets(const Table& table, const std::vector<Wor
     if (std::none_of(outlets.begin(), outlets.end(),
                      [&](const Outlet& outlet) { return names(word, outlet); })) {
       auto known = groups_of(outlets);
-      for (const Outlet& outlet : outlets) known.push_back(outlet.id);
+      for (const Outlet& outlet : outlets) {
+        known.push_back(outlet.id);
+      }
       table.refuse(word.at, fmt::format("no outlet or group \"{}\"{}", word.text,
                                         keys::suggestion(word.text, known, "groups and outlets")));
     }

@@ -13,16 +13,22 @@ using keys::Table;
 using keys::Word;
 
 const measures::Measure& find_measure(const Table& table, const std::string& name) {
-  if (const measures::Measure* found = measures::find(name)) return *found;
+  if (const measures::Measure* found = measures::find(name)) {
+    return *found;
+  }
   std::vector<std::string> names;
-  for (const measures::Measure& known : measures::catalogue()) names.push_back(known.name);
+  for (const measures::Measure& known : measures::catalogue()) {
+    names.push_back(known.name);
+  }
   table.refuse("measure", fmt::format("unknown measure \"{}\"{}", name,
                                       keys::suggestion(name, names, "measures")));
 }
 
 std::string read_unit(const Table& table, const measures::Measure& measure) {
   std::string unit = table.find_text("unit").value_or("");
-  if (measures::unit_scale(unit, measure.unit)) return unit;
+  if (measures::unit_scale(unit, measure.unit)) {
+    return unit;
+  }
   const auto units = measures::units_like(measure.unit);
   if (measure.unit.empty()) {
     table.refuse("unit", fmt::format("{} has no unit; leave it out", measure.name));

@@ -49,7 +49,9 @@ std::vector<NamedFile> files_below(const fs::path& folder) {
   std::error_code ignored;  // a folder that is not there holds nothing
   for (fs::recursive_directory_iterator at(folder, ignored), end; at != end;
        at.increment(ignored)) {
-    if (at->path().extension() != kExtension || !at->is_regular_file(ignored)) continue;
+    if (at->path().extension() != kExtension || !at->is_regular_file(ignored)) {
+      continue;
+    }
     fs::path name = at->path().lexically_relative(folder);
     found.push_back({name.replace_extension().generic_string(), at->path().string()});
   }
@@ -61,7 +63,9 @@ std::vector<NamedFile> files_below(const fs::path& folder) {
 std::vector<std::string> names_of(const std::vector<NamedFile>& files) {
   std::vector<std::string> names;
   names.reserve(files.size());
-  for (const NamedFile& file : files) names.push_back(file.name);
+  for (const NamedFile& file : files) {
+    names.push_back(file.name);
+  }
   return names;
 }
 
@@ -107,7 +111,9 @@ NamedFile find_station(const std::string& name_or_path) {
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder) {
   const fs::path path = is_toml_path(name_or_path) ? fs::path(folder) / name_or_path
                                                    : grids_folder() / (name_or_path + kExtension);
-  if (!is_regular_file(path.string())) return std::nullopt;
+  if (!is_regular_file(path.string())) {
+    return std::nullopt;
+  }
   return NamedFile{path.stem().string(), path.string()};
 }
 
@@ -119,7 +125,9 @@ std::string profile_name(const std::string& path) {
   std::error_code ignored;  // what cannot be resolved is not below the folder
   fs::path name = fs::weakly_canonical(path, ignored)
                       .lexically_relative(fs::weakly_canonical(profiles_folder(), ignored));
-  if (name.empty() || *name.begin() == "..") name = fs::path(path).filename();
+  if (name.empty() || *name.begin() == "..") {
+    name = fs::path(path).filename();
+  }
   return name.replace_extension().generic_string();
 }
 

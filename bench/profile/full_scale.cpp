@@ -30,9 +30,11 @@ struct Peak {
 
 // When the fundamental is greatest. Voltages go straight between the signal's points and levels
 // stand still between steps, so that it is at one of those instants.
-Peak greatest_amplitude(const Stimulus& stimulus, const waveform::Truth& truth) {
+Peak greatest_amplitude(const Stimulus& stimulus, const waveform::ReferenceSignal& reference) {
   std::vector<double> instants = {0.0};
-  for (const recording::TracePoint& point : stimulus.points) instants.push_back(point.t_s);
+  for (const recording::TracePoint& point : stimulus.points) {
+    instants.push_back(point.t_s);
+  }
   for (const waveform::AmplitudeStep& step : stimulus.signal.amplitude_steps) {
     instants.push_back(step.at_s);
     instants.push_back(step.at_s + step.duration_s);
@@ -40,13 +42,17 @@ Peak greatest_amplitude(const Stimulus& stimulus, const waveform::Truth& truth) 
   std::sort(instants.begin(), instants.end());  // the first of several is told
   Peak peak;
   peak.level = step_level(stimulus.signal.amplitude_steps, 0.0, false);
-  peak.recorded_pu = truth.voltage_pu(0.0);
+  peak.recorded_pu = reference.voltage_pu(0.0);
   for (const double t_s : instants) {
-    if (!(t_s <= stimulus.duration_s)) continue;
-    const double recorded_pu = truth.voltage_pu(t_s);
+    if (!(t_s <= stimulus.duration_s)) {
+      continue;
+    }
+    const double recorded_pu = reference.voltage_pu(t_s);
     for (const bool before : {true, false}) {
       const double level = step_level(stimulus.signal.amplitude_steps, t_s, before);
-      if (recorded_pu * level > peak.recorded_pu * peak.level) peak = {t_s, recorded_pu, level};
+      if (recorded_pu * level > peak.recorded_pu * peak.level) {
+        peak = {t_s, recorded_pu, level};
+      }
     }
   }
   return peak;
@@ -60,7 +66,7 @@ std::pair<double, double> extremes_of_a_period(const std::vector<waveform::Harmo
   waveform::SignalSpec spec;
   spec.harmonics = harmonics;
   const waveform::Synthesizer synthesizer(
-      waveform::truth_from_points(nominal_hz, {{0.0, nominal_hz}}), spec, kFineRate_hz);
+      waveform::reference_from_points(nominal_hz, {{0.0, nominal_hz}}), spec, kFineRate_hz);
   std::vector<float> period(static_cast<std::size_t>(kFineRate_hz / nominal_hz) + 1);
   synthesizer.render(0, period.size(), period.data());
   const auto [lowest, highest] = std::minmax_element(period.begin(), period.end());
@@ -78,26 +84,33 @@ keys::Position cause_of(const Table& signal, const Stimulus& stimulus, const Pea
         .at(static_cast<std::size_t>(highest - steps.begin()))
         .at();
   }
-  if (peak.recorded_pu > 1.0 && signal.has("trace")) return signal.at("trace");
+  if (peak.recorded_pu > 1.0 && signal.has("trace")) {
+    return signal.at("trace");
+  }
   double harmonics_pct = 0.0;
   for (const waveform::Harmonic& harmonic : stimulus.signal.harmonics) {
     harmonics_pct += harmonic.amplitude_pct;
   }
-  if (std::abs(stimulus.signal.dc_offset_pct) > harmonics_pct) return signal.at("dc_offset_pct");
+  if (std::abs(stimulus.signal.dc_offset_pct) > harmonics_pct) {
+    return signal.at("dc_offset_pct");
+  }
   return signal.at(signal.has("harmonics") ? "harmonics" : "harmonic_set");
 }
 
 }  // namespace
 
-void check_full_scale(const Table& signal, const Stimulus& stimulus, const waveform::Truth& truth) {
+void check_full_scale(const Table& signal, const Stimulus& stimulus,
+                      const waveform::ReferenceSignal& reference) {
   const auto [lowest_pu, highest_pu] =
-      extremes_of_a_period(stimulus.signal.harmonics, truth.nominal_hz());
+      extremes_of_a_period(stimulus.signal.harmonics, reference.nominal_hz());
   const double offset_pu = stimulus.signal.dc_offset_pct / 100.0;
-  const Peak peak = greatest_amplitude(stimulus, truth);
+  const Peak peak = greatest_amplitude(stimulus, reference);
   const double amplitude_pu = peak.recorded_pu * peak.level;
   const double reached_pu = std::max(std::abs(amplitude_pu * highest_pu + offset_pu),
                                      std::abs(amplitude_pu * lowest_pu + offset_pu));
-  if (reached_pu <= kFullScale_pu) return;
+  if (reached_pu <= kFullScale_pu) {
+    return;
+  }
   const std::string message = fmt::format(
       "the voltage reaches {:.4g} pu (at {:.6g} s, with harmonics and offset); a source plays {} "
       "pu at most",

@@ -28,18 +28,18 @@ std::vector<Key> system_keys() {
       keys::number("nominal_hz", "Hz", keys::between(50.0, 60.0), "f_n")
           .permits("50 or 60")
           .require(),
-      number("threshold_hz", "Hz", grid::kFrequencyHz, "f_s: the nadir must not be below it")
+      number("threshold_hz", "Hz", grid::kFrequency_hz, "f_s: the nadir must not be below it")
           .permits("0.001 … below nominal")
           .require(),
-      number("base_mw", "MW", grid::kPowerMw, "S_B, base of D, H and R").require(),
-      number("load_mw", "MW", grid::kPowerMw, "P_L of eq. (17)").require(),
-      number("damping_pu", "p.u.", grid::kDampingPu, "D")
+      number("base_mw", "MW", grid::kPower_mw, "S_B, base of D, H and R").require(),
+      number("load_mw", "MW", grid::kPower_mw, "P_L of eq. (17)").require(),
+      number("damping_pu", "p.u.", grid::kDamping_pu, "D")
           .permits("0 … 1000; above 0 where there are blocks")
           .require(),
       number("gain_km", "", grid::kGain, "K_m").by_default(defaults.gain_km),
       number("reheat_fraction", "", grid::kFraction, "F_H").by_default(defaults.reheat_fraction),
-      number("reheat_s", "s", grid::kTimeS, "T_R").by_default(defaults.reheat_s),
-      number("condition_row_hz", "Hz", grid::kConditionRowHz, "height of a row of Table 1")
+      number("reheat_s", "s", grid::kTime_s, "T_R").by_default(defaults.reheat_s),
+      number("condition_row_hz", "Hz", grid::kConditionRow_hz, "height of a row of Table 1")
           .permits("0.001 … 1000; in a profile: at most 32 rows")
           .by_default(defaults.condition_row_hz),
   };
@@ -51,25 +51,25 @@ std::vector<Key> part_keys() {
       keys::tables(
           "plant", "At least one: the plants in operation.",
           {keys::text("id", "its name").require(),
-           number("rating_mw", "MW", grid::kPowerMw, "rated power").require(),
-           number("inertia_s", "s", grid::kTimeS, "H on its own rating").require(),
-           number("droop_pu", "p.u.", grid::kDroopPu, "R on its own rating")
+           number("rating_mw", "MW", grid::kPower_mw, "rated power").require(),
+           number("inertia_s", "s", grid::kTime_s, "H on its own rating").require(),
+           number("droop_pu", "p.u.", grid::kDroop_pu, "R on its own rating")
                .or_else("required, or the next"),
            keys::number("inverse_droop_pu", "p.u.",
-                        keys::between(1.0 / grid::kDroopPu.high, 1.0 / grid::kDroopPu.low), "1/R")
+                        keys::between(1.0 / grid::kDroop_pu.high, 1.0 / grid::kDroop_pu.low), "1/R")
                .or_else("required, or the one before")}),
       keys::tables("block", "Load blocks, the least important first.",
                    {keys::text("id", "its name").require(),
-                    number("power_mw", "MW", grid::kPowerMw, "its load")
+                    number("power_mw", "MW", grid::kPower_mw, "its load")
                         .permits("10⁻⁶ … 10⁷; all blocks together at most `load_mw`, and eq. (17) "
                                  "above 0 Hz")
                         .require()}),
       keys::table(
           "reference", "What a publication prints for this grid, for reports to compare with.",
           {keys::text("source", "the publication").require(),
-           number("t_nadir_s", "s", grid::kTimeS, "time of the nadir after the threshold loss"),
-           number("threshold_mw", "MW", grid::kPowerMw, "threshold loss"),
-           keys::array("condition_rocof_hz_s", number("", "Hz/s", grid::kConditionRocofHzS, ""),
+           number("t_nadir_s", "s", grid::kTime_s, "time of the nadir after the threshold loss"),
+           number("threshold_mw", "MW", grid::kPower_mw, "threshold loss"),
+           keys::array("condition_rocof_hz_s", number("", "Hz/s", grid::kConditionRocof_hz_s, ""),
                        "Table 1's limits, from f_n down"),
            keys::text("note", "why figures differ")}),
   };
@@ -98,8 +98,12 @@ grid::Plant read_plant(const Table& table) {
   plant.inertia_s = table.number("inertia_s");
   const auto inverse = table.find_number("inverse_droop_pu");
   const auto droop = table.find_number("droop_pu");
-  if (inverse && droop) table.refuse("droop_pu", "give droop_pu or inverse_droop_pu, not both");
-  if (!inverse && !droop) table.refuse_missing("droop_pu", "a number, or inverse_droop_pu");
+  if (inverse && droop) {
+    table.refuse("droop_pu", "give droop_pu or inverse_droop_pu, not both");
+  }
+  if (!inverse && !droop) {
+    table.refuse_missing("droop_pu", "a number, or inverse_droop_pu");
+  }
   plant.droop_pu = droop ? *droop : 1.0 / *inverse;
   return plant;
 }
@@ -118,7 +122,9 @@ grid::Reference read_reference(const Table& table) {
 keys::Position position_of(const Table& holder, const grid::GridError& error) {
   const auto dot = error.field.find('.');
   const std::string part = error.field.substr(0, dot);
-  if (dot == std::string::npos) return holder.at(part);
+  if (dot == std::string::npos) {
+    return holder.at(part);
+  }
   const Table table = error.index < 0
                           ? holder.table(part)
                           : holder.tables(part).at(static_cast<std::size_t>(error.index));
@@ -133,11 +139,15 @@ grid::Grid read_parts(const Table& holder, std::string name, std::string title,
   grid.title = std::move(title);
   grid.source = std::move(source);
   read_system(holder.table("system"), grid);
-  for (const Table& plant : holder.tables("plant")) grid.plants.push_back(read_plant(plant));
+  for (const Table& plant : holder.tables("plant")) {
+    grid.plants.push_back(read_plant(plant));
+  }
   for (const Table& block : holder.tables("block")) {
     grid.blocks.push_back({block.text("id"), block.number("power_mw")});
   }
-  if (holder.has("reference")) grid.reference = read_reference(holder.table("reference"));
+  if (holder.has("reference")) {
+    grid.reference = read_reference(holder.table("reference"));
+  }
   try {
     control_centre::block_settings(grid);  // checks the grid, too
   } catch (const grid::GridError& error) {
@@ -155,7 +165,9 @@ const Key& grid_keys() {
                             keys::text("source", "where the figures come from").require(),
                             keys::table("system", "The parameters of the model.", system_keys())
                                 .require("the grid's parameters")});
-    for (Key& part : part_keys()) file.inner.push_back(std::move(part));
+    for (Key& part : part_keys()) {
+      file.inner.push_back(std::move(part));
+    }
     return file;
   }();
   return keys;
@@ -198,7 +210,9 @@ grid::Grid read_grid_file(const NamedFile& file) {
 
 grid::Grid read_grid_section(const Table& section, const std::string& title,
                              const std::string& source) {
-  if (section.holds_table("system")) return read_parts(section, kInPlaceName, title, source);
+  if (section.holds_table("system")) {
+    return read_parts(section, kInPlaceName, title, source);
+  }
   const std::string name = section.text("system");
   for (const char* part : {"plant", "block", "reference"}) {
     if (section.has(part)) {
@@ -209,7 +223,9 @@ grid::Grid read_grid_section(const Table& section, const std::string& title,
   }
   const auto folder = std::filesystem::path(section.document().path).parent_path().string();
   const auto file = find_grid(name, folder);
-  if (!file) section.refuse("system", no_such_grid(name));
+  if (!file) {
+    section.refuse("system", no_such_grid(name));
+  }
   return read_grid_file(*file);
 }
 
@@ -217,7 +233,9 @@ void check_conditions(const Table& section, const grid::Grid& grid) {
   const std::size_t rows =
       control_centre::conditions(grid::SfrModel(grid), grid.threshold_hz, grid.condition_row_hz)
           .size();
-  if (rows <= gs::outlet::kMaxConditions) return;
+  if (rows <= gs::outlet::kMaxConditions) {
+    return;
+  }
   const keys::Position at = section.holds_table("system")
                                 ? section.table("system").at("condition_row_hz")
                                 : section.at("system");

@@ -69,7 +69,7 @@ Plan parse_profile(const std::string& text, const std::string& path, const Overr
   plan.commands = read_commands(top, plan.outlets, plan.stimulus.duration_s);
   plan.expectations = read_expectations(top, plan.outlets);
   check_playable(plan);
-  check_full_scale(signal, plan.stimulus, *plan.truth());
+  check_full_scale(signal, plan.stimulus, *plan.reference());
   return plan;
 }
 
@@ -80,7 +80,9 @@ Plan load_profile(const std::string& name, const Overrides& overrides) {
 
 grid::Grid load_grid(const std::string& name) {
   const auto file = find_grid(name, "");
-  if (!file) throw ConfigurationError(no_such_grid(name));
+  if (!file) {
+    throw ConfigurationError(no_such_grid(name));
+  }
   return read_grid_file(*file);
 }
 

@@ -55,7 +55,9 @@ void read_setting(const Table& table, const Field& field, double nominal_hz,
   const auto value = field.type == FieldType::kFloat
                          ? table.find_number(field.name, range_of(field, nominal_hz))
                          : std::optional<double>(table.find_whole(field.name));
-  if (!value) return;
+  if (!value) {
+    return;
+  }
   const auto single = static_cast<float>(*value);
   if (!gs::outlet::within(field.range, single, static_cast<float>(nominal_hz))) {
     table.refuse(field.name, fmt::format("{} is {}; in the outlets' single precision that is {}, "
@@ -73,7 +75,9 @@ control_centre::Wishes read_wishes(const Table& table, const grid::Grid& grid) {
                        "twice accumulated_mw, which counts half of the outlet's own block"};
   wishes.power_mw = table.find_number("power_mw", block);
   for (const Field& field : kSettingsFields) {
-    if (field.meaning != nullptr) read_setting(table, field, grid.nominal_hz, wishes.settings);
+    if (field.meaning != nullptr) {
+      read_setting(table, field, grid.nominal_hz, wishes.settings);
+    }
   }
   return wishes;
 }
@@ -104,7 +108,9 @@ Key outlet_keys() {
            .permits("above 0, at most twice `accumulated_mw`")
            .or_else("`accumulated_mw`")});
   for (const Field& field : kSettingsFields) {
-    if (field.meaning != nullptr) outlets.inner.push_back(key_of(field));
+    if (field.meaning != nullptr) {
+      outlets.inner.push_back(key_of(field));
+    }
   }
   return outlets.require("at least one [[outlet]]");
 }

@@ -50,7 +50,7 @@ void replace_by_recording(const std::string& path, const recording::TraceColumns
 constexpr double kFullScale_pu = 1.5;
 // Refuses what a source could not play. Noise is not counted: an outlet's input clips it.
 void check_full_scale(const keys::Table& signal, const Stimulus& stimulus,
-                      const waveform::Truth& truth);
+                      const waveform::ReferenceSignal& reference);
 
 // [[outlet]]: who listens, and with which settings.
 keys::Key outlet_keys();

@@ -157,7 +157,9 @@ std::vector<grid::PowerChange> read_losses(const Table& grid_section, const grid
     const double at_s = table.number("at_s", within_run(duration_s));
     const Range up_to_load = {-grid.load_mw, grid.load_mw, false, false, "the grid's load"};
     const double power_mw = table.number("power_mw", up_to_load);
-    if (power_mw == 0.0) table.refuse("power_mw", "power_mw is 0: no loss at all; leave it out");
+    if (power_mw == 0.0) {
+      table.refuse("power_mw", "power_mw is 0: no loss at all; leave it out");
+    }
     losses.push_back({at_s, power_mw});
   }
   std::stable_sort(
@@ -183,7 +185,9 @@ void refuse_second_source(const Table& signal, const Table& grid_section) {
   if (signal.has("trace") && (signal.has("frequency") || grid_section.has("loss"))) {
     signal.refuse("trace", message);
   }
-  if (signal.has("frequency") && grid_section.has("loss")) signal.refuse("frequency", message);
+  if (signal.has("frequency") && grid_section.has("loss")) {
+    signal.refuse("frequency", message);
+  }
 }
 
 }  // namespace
@@ -226,7 +230,9 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
   stimulus.noise_pct = signal.number("noise_pct");
   const auto duration_s = signal.find_number("duration_s");
   if (!signal.has("trace")) {
-    if (!duration_s) signal.refuse_missing("duration_s", "the length of the run, in seconds");
+    if (!duration_s) {
+      signal.refuse_missing("duration_s", "the length of the run, in seconds");
+    }
     stimulus.duration_s = *duration_s;
   } else if (skip_recording) {
     stimulus.duration_s = duration_s.value_or(kLongestRun_s);

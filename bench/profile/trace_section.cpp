@@ -87,7 +87,9 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
   }
   const double from_s = table.number("from_s");
   const auto until_s = table.find_number("until_s", keys::above(from_s));
-  if (!is_regular_file(path)) table.refuse("file", fmt::format("no recording {}", path));
+  if (!is_regular_file(path)) {
+    table.refuse("file", fmt::format("no recording {}", path));
+  }
 
   auto points = read_recording(path, columns);
   points.erase(std::remove_if(points.begin(), points.end(),
@@ -102,7 +104,9 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
                  fmt::format("less than two rows of {} are left to play", path));
   }
   const double first_s = points.front().t_s;
-  for (recording::TracePoint& point : points) point.t_s -= first_s;
+  for (recording::TracePoint& point : points) {
+    point.t_s -= first_s;
+  }
   use(std::move(points), {file, path, "", columns, false}, nominal_hz, stimulus);
 }
 
@@ -112,7 +116,9 @@ void replace_by_recording(const std::string& path, const recording::TraceColumns
     throw ConfigurationError(
         "--trace needs --trace-time and --trace-frequency: the columns' names");
   }
-  if (!is_regular_file(path)) throw ConfigurationError(fmt::format("{}: no such recording", path));
+  if (!is_regular_file(path)) {
+    throw ConfigurationError(fmt::format("{}: no such recording", path));
+  }
   auto points = read_recording(path, columns);
   if (points.size() < 2) {
     throw ConfigurationError(fmt::format("{}: less than two rows to play", path));

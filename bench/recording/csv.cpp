@@ -5,7 +5,9 @@ namespace {
 
 std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
+  if (first == std::string_view::npos) {
+    return {};
+  }
   return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
@@ -13,12 +15,16 @@ std::string trimmed(std::string_view text) {
 
 CsvReader::CsvReader(std::string_view text) : text_(text) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) at_ = kByteOrderMark.size();
+  if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    at_ = kByteOrderMark.size();
+  }
 }
 
 bool CsvReader::next(std::vector<Cell>& row) {
   do {
-    if (at_end()) return false;
+    if (at_end()) {
+      return false;
+    }
     row.clear();
     row.push_back(read_cell());
     while (!at_end() && text_[at_] == ',') {
@@ -45,16 +51,26 @@ void CsvReader::advance() {
 }
 
 void CsvReader::skip_line_end() {
-  if (!at_end() && text_[at_] == '\r') advance();
-  if (!at_end()) advance();
+  if (!at_end() && text_[at_] == '\r') {
+    advance();
+  }
+  if (!at_end()) {
+    advance();
+  }
 }
 
 Cell CsvReader::read_cell() {
-  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) advance();
+  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) {
+    advance();
+  }
   const Place place = here_;
-  if (at_end() || text_[at_] != '"') return {read_plain(), place};
+  if (at_end() || text_[at_] != '"') {
+    return {read_plain(), place};
+  }
   Cell cell{read_quoted(), place};
-  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) advance();
+  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) {
+    advance();
+  }
   if (!at_line_end() && text_[at_] != ',') {
     throw CsvError(here_, "text after a closing quote: a comma or the end of the line must follow");
   }
@@ -63,7 +79,9 @@ Cell CsvReader::read_cell() {
 
 std::string CsvReader::read_plain() {
   const std::size_t first = at_;
-  while (!at_line_end() && text_[at_] != ',') advance();
+  while (!at_line_end() && text_[at_] != ',') {
+    advance();
+  }
   return trimmed(text_.substr(first, at_ - first));
 }
 

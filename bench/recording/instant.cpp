@@ -25,11 +25,15 @@ class Scanner {
   }
 
   void expect(char wanted) {
-    if (take() != wanted) good_ = false;
+    if (take() != wanted) {
+      good_ = false;
+    }
   }
 
   bool accept(char wanted) {
-    if (rest_.empty() || rest_.front() != wanted) return false;
+    if (rest_.empty() || rest_.front() != wanted) {
+      return false;
+    }
     rest_.remove_prefix(1);
     return true;
   }
@@ -43,7 +47,9 @@ class Scanner {
       name += static_cast<char>(std::tolower(static_cast<unsigned char>(take())));
     }
     for (std::size_t i = 0; i < kNames.size(); ++i) {
-      if (name == kNames[i]) return static_cast<int>(i) + 1;
+      if (name == kNames[i]) {
+        return static_cast<int>(i) + 1;
+      }
     }
     good_ = false;
     return 0;
@@ -51,9 +57,13 @@ class Scanner {
 
   // ".5" as 0.5; nothing as 0.
   double fraction() {
-    if (rest_.empty() || rest_.front() != '.') return 0.0;
+    if (rest_.empty() || rest_.front() != '.') {
+      return 0.0;
+    }
     std::size_t length = 1;
-    while (length < rest_.size() && rest_[length] >= '0' && rest_[length] <= '9') ++length;
+    while (length < rest_.size() && rest_[length] >= '0' && rest_[length] <= '9') {
+      ++length;
+    }
     const std::optional<double> value = parse_number(rest_.substr(0, length));
     rest_.remove_prefix(length);
     good_ = good_ && length > 1 && value.has_value();
@@ -94,7 +104,9 @@ std::optional<Instant> parse_date_and_time(std::string_view text) {
     scanner.expect('-');
     time.tm_mday = scanner.digits(2);
   }
-  if (!scanner.accept('T')) scanner.expect(' ');
+  if (!scanner.accept('T')) {
+    scanner.expect(' ');
+  }
   time.tm_hour = scanner.digits(2);
   scanner.expect(':');
   time.tm_min = scanner.digits(2);
@@ -115,14 +127,18 @@ std::optional<Instant> parse_date_and_time(std::string_view text) {
     instant.kind = Instant::Kind::kLocal;
   }
 
-  if (!scanner.good_and_done()) return std::nullopt;
+  if (!scanner.good_and_done()) {
+    return std::nullopt;
+  }
   // Brings what there is not, such as 30 February, to what there is.
   std::tm real = time;
   instant.whole_s = timegm(&real) - 60 * offset_minutes;
   const bool exists = real.tm_mon == time.tm_mon && real.tm_mday == time.tm_mday &&
                       real.tm_hour == time.tm_hour && real.tm_min == time.tm_min &&
                       real.tm_sec == time.tm_sec;
-  if (!exists) return std::nullopt;
+  if (!exists) {
+    return std::nullopt;
+  }
   return instant;
 }
 
@@ -131,7 +147,9 @@ std::optional<Instant> parse_date_and_time(std::string_view text) {
 std::optional<Instant> parse_instant(std::string_view text) {
   if (const std::optional<double> seconds = parse_number(text)) {
     const double whole = std::floor(*seconds);
-    if (std::fabs(whole) > 1e15) return std::nullopt;
+    if (std::fabs(whole) > 1e15) {
+      return std::nullopt;
+    }
     return Instant{Instant::Kind::kSeconds, static_cast<std::int64_t>(whole), *seconds - whole};
   }
   return parse_date_and_time(text);

@@ -37,7 +37,9 @@ std::string file_text(const std::string& path) {
 
 std::string column_list(const Row& header) {
   std::string list;
-  for (const Cell& cell : header) list += (list.empty() ? "`" : ", `") + cell.text + '`';
+  for (const Cell& cell : header) {
+    list += (list.empty() ? "`" : ", `") + cell.text + '`';
+  }
   return list;
 }
 
@@ -57,7 +59,9 @@ std::size_t column_of(const std::string& name, const Row& header) {
 
 double number_in(const Cell& cell) {
   const std::optional<double> number = parse_number(cell.text);
-  if (!number) throw CsvError(cell.place, fmt::format("`{}` is not a finite number", cell.text));
+  if (!number) {
+    throw CsvError(cell.place, fmt::format("`{}` is not a finite number", cell.text));
+  }
   return *number;
 }
 
@@ -70,10 +74,14 @@ bool is_gap(const Cell& cell) {
 class TraceReader {
  public:
   TraceReader(std::string_view text, const TraceColumns& columns) : csv_(text) {
-    if (!csv_.next(header_)) throw CsvError({}, "empty: a row of column names is needed");
+    if (!csv_.next(header_)) {
+      throw CsvError({}, "empty: a row of column names is needed");
+    }
     time_ = column_of(columns.time, header_);
     frequency_ = column_of(columns.frequency, header_);
-    if (!columns.voltage.empty()) voltage_ = column_of(columns.voltage, header_);
+    if (!columns.voltage.empty()) {
+      voltage_ = column_of(columns.voltage, header_);
+    }
   }
 
   // Voltages still in the column's unit.
@@ -84,11 +92,15 @@ class TraceReader {
       const double t_s = time_in(cell(row, time_));
       const Cell& frequency = cell(row, frequency_);
       const Cell* voltage = voltage_ ? &cell(row, *voltage_) : nullptr;
-      if (is_gap(frequency) || (voltage != nullptr && is_gap(*voltage))) continue;
+      if (is_gap(frequency) || (voltage != nullptr && is_gap(*voltage))) {
+        continue;
+      }
       points.push_back(
           {t_s, frequency_in(frequency), voltage != nullptr ? voltage_in(*voltage) : 1.0});
     }
-    if (points.empty()) throw CsvError(csv_.row_end(), "no row of data below the column names");
+    if (points.empty()) {
+      throw CsvError(csv_.row_end(), "no row of data below the column names");
+    }
     return points;
   }
 
@@ -97,7 +109,9 @@ class TraceReader {
 
  private:
   const Cell& cell(const Row& row, std::size_t column) const {
-    if (column < row.size()) return row[column];
+    if (column < row.size()) {
+      return row[column];
+    }
     throw CsvError(csv_.row_end(), fmt::format("a row of {} cells has none for column {}, `{}`",
                                                row.size(), column + 1, header_[column].text));
   }
@@ -110,7 +124,9 @@ class TraceReader {
                                  "`2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z` is wanted",
                                  cell.text));
     }
-    if (!start_) start_ = instant;
+    if (!start_) {
+      start_ = instant;
+    }
     if (instant->kind != start_->kind) {
       throw CsvError(cell.place, fmt::format("time `{}` is written in another way than the first: "
                                              "the two cannot be compared",
@@ -153,7 +169,9 @@ class TraceReader {
 double median_voltage(const std::vector<TracePoint>& points) {
   std::vector<double> voltages;
   voltages.reserve(points.size());
-  for (const TracePoint& point : points) voltages.push_back(point.voltage_pu);
+  for (const TracePoint& point : points) {
+    voltages.push_back(point.voltage_pu);
+  }
   const auto middle = voltages.begin() + static_cast<std::ptrdiff_t>(voltages.size() / 2);
   std::nth_element(voltages.begin(), middle, voltages.end());
   return *middle;
@@ -162,7 +180,9 @@ double median_voltage(const std::vector<TracePoint>& points) {
 std::vector<TracePoint> points_in(const std::string& text, const TraceColumns& columns) {
   TraceReader reader(text, columns);
   std::vector<TracePoint> points = reader.points();
-  if (columns.voltage.empty()) return points;
+  if (columns.voltage.empty()) {
+    return points;
+  }
   const double nominal =
       columns.nominal_voltage == 0.0 ? median_voltage(points) : columns.nominal_voltage;
   if (!std::isfinite(nominal) || nominal <= 0.0) {
@@ -171,7 +191,9 @@ std::vector<TracePoint> points_in(const std::string& text, const TraceColumns& c
                                "of the column where none is given)",
                                nominal, columns.voltage));
   }
-  for (TracePoint& point : points) point.voltage_pu /= nominal;
+  for (TracePoint& point : points) {
+    point.voltage_pu /= nominal;
+  }
   return points;
 }
 

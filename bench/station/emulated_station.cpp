@@ -15,7 +15,7 @@
 namespace gsbench::station {
 namespace {
 
-constexpr double kMostPpm = 1000.0;
+constexpr double kMost_ppm = 1000.0;
 constexpr std::size_t kMostEmulated = 64;  // processes of one station
 constexpr const char* kBenchUser = "bench";
 
@@ -102,7 +102,7 @@ StationKind emulated_kind() {
             keys::word("link", {"serial", "mqtt"},
                        "how it is reached; boards in qemu have no radio")
                 .by_default("serial"),
-            keys::number("crystal_ppm", "ppm", keys::between(-kMostPpm, kMostPpm),
+            keys::number("crystal_ppm", "ppm", keys::between(-kMost_ppm, kMost_ppm),
                          "by how much its sample clock is fast")
                 .by_default(0.0)})},
       [](const keys::Table& top, StationFile& file) {

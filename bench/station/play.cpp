@@ -10,10 +10,12 @@ namespace gsbench::station {
 namespace {
 
 // An outlet must have answered to its settings so soon after the start.
-constexpr double kSettingsAnswerS = 0.096;
+constexpr double kSettingsAnswer_s = 0.096;
 
 void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
-  if (outlets.empty()) throw BenchFault("no outlet is left");
+  if (outlets.empty()) {
+    throw BenchFault("no outlet is left");
+  }
   if (std::all_of(outlets.begin(), outlets.end(),
                   [](const record::OutletRecord& outlet) { return !outlet.fault.empty(); })) {
     const record::OutletRecord& first = outlets.front();
@@ -38,7 +40,7 @@ struct Player {
     const std::int64_t lead = signal.lead_ticks();
     const std::int64_t end = signal.total_ticks();
     // Where nothing is played before the run, answers come during its first reports.
-    const std::int64_t answers_due = std::min(std::max(lead, tick_of(kSettingsAnswerS)), end);
+    const std::int64_t answers_due = std::min(std::max(lead, tick_of(kSettingsAnswer_s)), end);
     std::size_t command = 0;
     require(station.source().start());
     for (std::int64_t tick = 0; tick < end;) {

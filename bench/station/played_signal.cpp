@@ -11,11 +11,11 @@ namespace {
 // Dips of about 170 ms by their beginnings. No spacing occurs twice in a row, so that a dip that is
 // missed or another one's is told. The last is far enough from the run for a tracker to be calm
 // again.
-constexpr double kDipS = 0.170;
-constexpr double kBeforeS[] = {0.500, 0.900, 1.460};
-constexpr double kLeadS = 2.800;
-constexpr double kAfterS[] = {0.400, 0.960, 1.360};
-constexpr double kTailS = 2.000;
+constexpr double kDip_s = 0.170;
+constexpr double kBefore_s[] = {0.500, 0.900, 1.460};
+constexpr double kLead_s = 2.800;
+constexpr double kAfter_s[] = {0.400, 0.960, 1.360};
+constexpr double kTail_s = 2.000;
 
 double turns(double x) {
   return x - std::floor(x);
@@ -43,12 +43,13 @@ CalmMains calm_mains(double frequency_hz, double phase_turns, const double (&abo
   waveform::SignalSpec spec;
   spec.initial_phase_deg = 360.0 * phase_turns;
   for (const double at_s : about_s) {
-    const Span dip = {zero_crossing(at_s), zero_crossing(at_s + kDipS)};
+    const Span dip = {zero_crossing(at_s), zero_crossing(at_s + kDip_s)};
     dips.push_back(dip);
     spec.amplitude_steps.push_back({dip.from_s, dip.to_s - dip.from_s, 100.0 * level});
   }
-  return {dips,
-          {waveform::truth_from_points(frequency_hz, {{0.0, frequency_hz}}), spec, sample_rate_hz}};
+  return {
+      dips,
+      {waveform::reference_from_points(frequency_hz, {{0.0, frequency_hz}}), spec, sample_rate_hz}};
 }
 
 }  // namespace
@@ -60,14 +61,14 @@ PlayedSignal::PlayedSignal(const profile::Plan& plan, bool with_markers)
     parts_.push_back({0, plan.synthesizer()});
     return;
   }
-  lead_ticks_ = waveform::tick_at(kLeadS, rate_hz);
-  tail_ticks_ = waveform::tick_at(kTailS, rate_hz);
+  lead_ticks_ = waveform::tick_at(kLead_s, rate_hz);
+  tail_ticks_ = waveform::tick_at(kTail_s, rate_hz);
   // In phase with the run's first sample, and at its frequency: nothing happens at tick 0.
-  const double first_hz = plan.truth()->frequency_hz(0.0);
+  const double first_hz = plan.reference()->frequency_hz(0.0);
   const double run_turns = plan.stimulus.signal.initial_phase_deg / 360.0;
-  const CalmMains before =
-      calm_mains(first_hz, turns(run_turns - first_hz * kLeadS), kBeforeS, markers_.level, rate_hz);
-  const CalmMains after = calm_mains(plan.grid.nominal_hz, 0.0, kAfterS, markers_.level, rate_hz);
+  const CalmMains before = calm_mains(first_hz, turns(run_turns - first_hz * kLead_s), kBefore_s,
+                                      markers_.level, rate_hz);
+  const CalmMains after = calm_mains(plan.grid.nominal_hz, 0.0, kAfter_s, markers_.level, rate_hz);
   parts_.push_back({0, before.synthesizer});
   parts_.push_back({lead_ticks_, plan.synthesizer()});
   parts_.push_back({lead_ticks_ + run_ticks_, after.synthesizer});
@@ -103,13 +104,13 @@ const PlayedSignal::Part& PlayedSignal::part_at(std::int64_t tick) const {
 }
 
 int PlayedSignal::nominal_hz() const {
-  return static_cast<int>(std::lround(part_at(lead_ticks_).synthesizer.truth().nominal_hz()));
+  return static_cast<int>(std::lround(part_at(lead_ticks_).synthesizer.reference().nominal_hz()));
 }
 
 double PlayedSignal::frequency_hz(std::int64_t tick) const {
   const Part& part = part_at(tick);
-  return part.synthesizer.truth().frequency_hz(static_cast<double>(tick - part.first_tick) /
-                                               static_cast<double>(sample_rate_hz()));
+  return part.synthesizer.reference().frequency_hz(static_cast<double>(tick - part.first_tick) /
+                                                   static_cast<double>(sample_rate_hz()));
 }
 
 double PlayedSignal::amplitude_pu(std::int64_t tick) const {

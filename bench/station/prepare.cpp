@@ -144,8 +144,8 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
   run.nominal_hz = plan.grid.nominal_hz;
   run.comparisons = comparisons(plan.grid);
   run.stimulus = stimulus_marks(plan);
-  run.truth =
-      capture::truth_trace(*plan.truth(), plan.duration_ticks(), plan.stimulus.sample_rate_hz);
+  run.reference = capture::reference_trace(*plan.reference(), plan.duration_ticks(),
+                                           plan.stimulus.sample_rate_hz);
   return run;
 }
 

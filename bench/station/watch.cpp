@@ -12,7 +12,7 @@ namespace {
 
 // An outlet reports every 16 ms. A longer silence than a source's buffer and a link's delay explain
 // would pass for good behaviour: an outlet that says nothing has no event either.
-constexpr double kLongestSilenceS = 1.0;
+constexpr double kLongestSilence_s = 1.0;
 
 // Bits of gs::wire::SelfTestPart as words, all but the ADC, which may have had no input yet.
 std::string failed_parts(std::uint32_t failed) {
@@ -37,7 +37,7 @@ bool spoils_a_run(gs::wire::ErrorCode error) {
 }  // namespace
 
 Watch::Watch(std::vector<record::OutletRecord>& outlets, std::int64_t sample_rate_hz)
-    : longest_silence_ticks_(waveform::tick_at(kLongestSilenceS, sample_rate_hz)) {
+    : longest_silence_ticks_(waveform::tick_at(kLongestSilence_s, sample_rate_hz)) {
   for (record::OutletRecord& outlet : outlets) {
     if (outlet.took_part && !outlet.link.empty()) {
       lives_[outlet.id].outlet = &outlet;

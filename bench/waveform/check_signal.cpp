@@ -12,7 +12,7 @@ namespace gsbench::waveform {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::int64_t kHighestRateHz = 1'000'000;
+constexpr std::int64_t kHighestRate_hz = 1'000'000;
 
 void check_within(const std::string& what, double value, double low, double high) {
   if (!std::isfinite(value) || value < low || value > high) {
@@ -49,11 +49,11 @@ void check_harmonics(const SignalSpec& spec, double nominal_hz, std::int64_t sam
 }  // namespace
 
 void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz) {
-  if (sample_rate_hz <= 0 || sample_rate_hz % 1000 != 0 || sample_rate_hz > kHighestRateHz) {
+  if (sample_rate_hz <= 0 || sample_rate_hz % 1000 != 0 || sample_rate_hz > kHighestRate_hz) {
     throw std::invalid_argument(
         fmt::format("sample rate {} Hz: must be a whole multiple of 1000 Hz up to {} Hz, for which "
                     "16 ms is a whole number of samples",
-                    sample_rate_hz, kHighestRateHz));
+                    sample_rate_hz, kHighestRate_hz));
   }
   check_within("nominal frequency in Hz", nominal_hz, 1,
                0.25 * static_cast<double>(sample_rate_hz));

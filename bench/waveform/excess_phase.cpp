@@ -23,9 +23,9 @@ std::array<double, 5> quintic(const End& from, const End& to) {
 
 }  // namespace
 
-ExcessPhase::ExcessPhase(const Truth& truth, std::int64_t sample_rate_hz)
-    : truth_(truth), sample_rate_hz_(static_cast<double>(sample_rate_hz)) {
-  for (const double t_s : truth.corners_s()) {
+ExcessPhase::ExcessPhase(const ReferenceSignal& reference, std::int64_t sample_rate_hz)
+    : reference_(reference), sample_rate_hz_(static_cast<double>(sample_rate_hz)) {
+  for (const double t_s : reference.corners_s()) {
     const double position = t_s * sample_rate_hz_;
     if (!corners_.empty() && corners_.back().position == position) {
       corners_.back().last_s = t_s;
@@ -48,7 +48,9 @@ ExcessPhase::Edge ExcessPhase::edge_at(std::int64_t tick) const {
   const auto corner =
       std::lower_bound(corners_.begin(), corners_.end(), position,
                        [](const Corner& candidate, double at) { return candidate.position < at; });
-  if (corner != corners_.end() && corner->position == position) return edge_at(*corner);
+  if (corner != corners_.end() && corner->position == position) {
+    return edge_at(*corner);
+  }
   const double t_s = position / sample_rate_hz_;
   return {position, t_s, t_s, t_s};
 }
@@ -66,16 +68,16 @@ ExcessPhase::Edge ExcessPhase::next_edge(const Edge& edge, std::int64_t block_en
 SmoothPiece ExcessPhase::piece(const Edge& from, const Edge& to) const {
   const double length = to.position - from.position;
   const double span_s = length / sample_rate_hz_;
-  const double nominal_hz = truth_.nominal_hz();
-  const double cycles_from = truth_.excess_cycles(from.t_s);
-  const End start = {0.0, span_s * (truth_.frequency_hz(from.after_s) - nominal_hz),
-                     span_s * span_s * truth_.rocof_hz_s(from.after_s)};
-  const End end = {truth_.excess_cycles(to.t_s) - cycles_from,
-                   span_s * (truth_.frequency_hz(to.before_s) - nominal_hz),
-                   span_s * span_s * truth_.rocof_hz_s(to.before_s)};
-  const double voltage_pu = truth_.voltage_pu(from.t_s);
+  const double nominal_hz = reference_.nominal_hz();
+  const double cycles_from = reference_.excess_cycles(from.t_s);
+  const End start = {0.0, span_s * (reference_.frequency_hz(from.after_s) - nominal_hz),
+                     span_s * span_s * reference_.rocof_hz_s(from.after_s)};
+  const End end = {reference_.excess_cycles(to.t_s) - cycles_from,
+                   span_s * (reference_.frequency_hz(to.before_s) - nominal_hz),
+                   span_s * span_s * reference_.rocof_hz_s(to.before_s)};
+  const double voltage_pu = reference_.voltage_pu(from.t_s);
   return {from.position,       length,     cycles_from - std::floor(cycles_from),
-          quintic(start, end), voltage_pu, truth_.voltage_pu(to.t_s) - voltage_pu};
+          quintic(start, end), voltage_pu, reference_.voltage_pu(to.t_s) - voltage_pu};
 }
 
 }  // namespace gsbench::waveform

@@ -1,6 +1,6 @@
-// The phase to play: that of the nominal frequency, and what the truth adds to it between two
-// instants without a corner in between, as polynomials: evaluating the truth itself at every sample
-// would cost more than everything else together.
+// The phase to play: that of the nominal frequency, and what the reference adds to it between two
+// instants without a corner in between, as polynomials: evaluating the reference itself at every
+// sample would cost more than everything else together.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <waveform/truth.hpp>
+#include <waveform/reference_signal.hpp>
 
 namespace gsbench::waveform {
 
@@ -39,7 +39,7 @@ class NominalPhase {
 };
 
 // Over positions start … start+length, in samples from tick 0; u runs from 0 to 1.
-// The quintic takes phase, frequency and ROCOF of the truth at both ends. Between break points,
+// The quintic takes phase, frequency and ROCOF of the reference at both ends. Between break points,
 // where f is a cubic, that is exact; else its error is h⁶/46080·|d⁵f/dt⁵|: for h = 16 ms and the
 // 1/s rates of a power system below 10⁻¹² cycles.
 struct SmoothPiece {
@@ -51,16 +51,17 @@ struct SmoothPiece {
   double voltage_slope_pu;       // per u
 };
 
-// Cuts blocks of samples at the truth's corners.
+// Cuts blocks of samples at the reference's corners.
 class ExcessPhase {
  public:
-  ExcessPhase(const Truth& truth, std::int64_t sample_rate_hz);  // `truth` must outlive this
+  ExcessPhase(const ReferenceSignal& reference,
+              std::int64_t sample_rate_hz);  // `reference` must outlive this
 
   // An instant that a piece begins or ends at. At a corner ROCOF differs on its two sides.
   struct Edge {
     double position;  // in samples from tick 0
     double t_s;
-    double before_s;  // where the truth's left-hand limit is to be had
+    double before_s;  // where the reference's left-hand limit is to be had
     double after_s;   // the right-hand one
   };
 
@@ -72,7 +73,7 @@ class ExcessPhase {
   SmoothPiece piece(const Edge& from, const Edge& to) const;
 
  private:
-  // Truth's corners that fall on one position once it is rounded.
+  // ReferenceSignal's corners that fall on one position once it is rounded.
   struct Corner {
     double position;  // in samples from tick 0
     double first_s;
@@ -81,7 +82,7 @@ class ExcessPhase {
 
   Edge edge_at(const Corner& corner) const;
 
-  const Truth& truth_;
+  const ReferenceSignal& reference_;
   double sample_rate_hz_;
   std::vector<Corner> corners_;
 };

@@ -14,7 +14,9 @@ bool same_sign(double a, double b) {
 // turn. It lies within three times the smaller one, which Fritsch & Carlson (1980) ask of a
 // monotone piece.
 double inner_slope(double width_left, double secant_left, double width_right, double secant_right) {
-  if (!same_sign(secant_left, secant_right)) return 0.0;
+  if (!same_sign(secant_left, secant_right)) {
+    return 0.0;
+  }
   const double weight_left = 2.0 * width_right + width_left;
   const double weight_right = width_right + 2.0 * width_left;
   return (weight_left + weight_right) / (weight_left / secant_left + weight_right / secant_right);
@@ -24,7 +26,9 @@ double inner_slope(double width_left, double secant_left, double width_right, do
 double end_slope(double width, double secant, double next_width, double next_secant) {
   const double slope =
       ((2.0 * width + next_width) * secant - width * next_secant) / (width + next_width);
-  if (!same_sign(slope, secant)) return 0.0;
+  if (!same_sign(slope, secant)) {
+    return 0.0;
+  }
   if (!same_sign(secant, next_secant) && std::fabs(slope) > 3.0 * std::fabs(secant)) {
     return 3.0 * secant;
   }
@@ -34,8 +38,12 @@ double end_slope(double width, double secant, double next_width, double next_sec
 std::vector<double> monotone_slopes(const std::vector<double>& widths,
                                     const std::vector<double>& secants) {
   const std::size_t pieces = widths.size();
-  if (pieces == 0) return {0.0};
-  if (pieces == 1) return {secants[0], secants[0]};
+  if (pieces == 0) {
+    return {0.0};
+  }
+  if (pieces == 1) {
+    return {secants[0], secants[0]};
+  }
   std::vector<double> slopes;
   slopes.reserve(pieces + 1);
   slopes.push_back(end_slope(widths[0], secants[0], widths[1], secants[1]));
@@ -94,21 +102,27 @@ const MonotoneCubic::Piece* MonotoneCubic::piece_at(double x) const {
 
 double MonotoneCubic::value(double x) const {
   const Piece* piece = piece_at(x);
-  if (piece == nullptr) return pieces_.front().y;
+  if (piece == nullptr) {
+    return pieces_.front().y;
+  }
   const double s = x - piece->x;
   return piece->y + s * (piece->slope + s * (piece->quadratic + s * piece->cubic));
 }
 
 double MonotoneCubic::slope(double x) const {
   const Piece* piece = piece_at(x);
-  if (piece == nullptr) return 0.0;
+  if (piece == nullptr) {
+    return 0.0;
+  }
   const double s = x - piece->x;
   return piece->slope + s * (2.0 * piece->quadratic + s * 3.0 * piece->cubic);
 }
 
 double MonotoneCubic::integral(double x) const {
   const Piece* piece = piece_at(x);
-  if (piece == nullptr) return (x - pieces_.front().x) * pieces_.front().y;
+  if (piece == nullptr) {
+    return (x - pieces_.front().x) * pieces_.front().y;
+  }
   const double s = x - piece->x;
   return piece->integral_to_here +
          s * (piece->y +

@@ -9,7 +9,7 @@ namespace {
 
 // Times closer than this are one: what is left of decimal fractions after some arithmetic in
 // doubles.
-constexpr double kSameTimeS = 1e-9;
+constexpr double kSameTime_s = 1e-9;
 
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
@@ -48,7 +48,7 @@ std::vector<Jump> jumps_of(const SignalSpec& spec, std::int64_t sample_rate_hz) 
 }  // namespace
 
 std::int64_t tick_at(double t_s, std::int64_t sample_rate_hz) {
-  const double tick = std::ceil((t_s - kSameTimeS) * static_cast<double>(sample_rate_hz));
+  const double tick = std::ceil((t_s - kSameTime_s) * static_cast<double>(sample_rate_hz));
   return tick < 0x1p62 ? static_cast<std::int64_t>(tick) : kNever;
 }
 
@@ -60,7 +60,9 @@ Schedule::Schedule(const SignalSpec& spec, std::int64_t sample_rate_hz) {
     ticks.push_back(interval.from_tick);
     ticks.push_back(interval.end_tick);
   }
-  for (const Jump& jump : jumps) ticks.push_back(jump.tick);
+  for (const Jump& jump : jumps) {
+    ticks.push_back(jump.tick);
+  }
   std::sort(ticks.begin(), ticks.end());
   ticks.erase(std::unique(ticks.begin(), ticks.end()), ticks.end());
 
@@ -72,13 +74,17 @@ Schedule::Schedule(const SignalSpec& spec, std::int64_t sample_rate_hz) {
     const auto is_over = [tick](const Interval& interval) { return interval.end_tick <= tick; };
     holding.erase(std::remove_if(holding.begin(), holding.end(), is_over), holding.end());
     for (; next_level != levels.end() && next_level->from_tick <= tick; ++next_level) {
-      if (!is_over(*next_level)) holding.push_back(*next_level);
+      if (!is_over(*next_level)) {
+        holding.push_back(*next_level);
+      }
     }
     for (; next_jump != jumps.end() && next_jump->tick <= tick; ++next_jump) {
       degrees += next_jump->degrees;
     }
     double level = 1.0;
-    for (const Interval& interval : holding) level *= interval.level;
+    for (const Interval& interval : holding) {
+      level *= interval.level;
+    }
     const double cycles = degrees / 360.0;
     entries_.push_back({tick, level, cycles - std::floor(cycles)});
   }

@@ -17,18 +17,23 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-std::shared_ptr<const Truth> checked(std::shared_ptr<const Truth> truth, const SignalSpec& spec,
-                                     std::int64_t sample_rate_hz) {
-  if (truth == nullptr) throw std::invalid_argument("a signal needs a truth");
-  check_signal(spec, truth->nominal_hz(), sample_rate_hz);
-  return truth;
+std::shared_ptr<const ReferenceSignal> checked(std::shared_ptr<const ReferenceSignal> reference,
+                                               const SignalSpec& spec,
+                                               std::int64_t sample_rate_hz) {
+  if (reference == nullptr) {
+    throw std::invalid_argument("a signal needs a reference");
+  }
+  check_signal(spec, reference->nominal_hz(), sample_rate_hz);
+  return reference;
 }
 
 std::vector<Phasor> harmonic_series(const std::vector<Harmonic>& harmonics) {
   std::vector<Phasor> series = {{0.0, 0.0}, {1.0, 0.0}};
   for (const Harmonic& harmonic : harmonics) {
     const auto order = static_cast<std::size_t>(harmonic.order);
-    if (series.size() <= order) series.resize(order + 1);
+    if (series.size() <= order) {
+      series.resize(order + 1);
+    }
     const double amplitude = harmonic.amplitude_pct / 100.0;
     const double phase_rad = harmonic.phase_deg / 180.0 * kPi;
     series[order] = {amplitude * std::cos(phase_rad), amplitude * std::sin(phase_rad)};
@@ -39,12 +44,13 @@ std::vector<Phasor> harmonic_series(const std::vector<Harmonic>& harmonics) {
 }  // namespace
 
 struct Synthesizer::Impl {
-  Impl(std::shared_ptr<const Truth> the_truth, const SignalSpec& spec, std::int64_t rate_hz)
-      : truth(checked(std::move(the_truth), spec, rate_hz)),
+  Impl(std::shared_ptr<const ReferenceSignal> the_reference, const SignalSpec& spec,
+       std::int64_t rate_hz)
+      : reference(checked(std::move(the_reference), spec, rate_hz)),
         sample_rate_hz(rate_hz),
         block_ticks(rate_hz / 1000 * 16),
-        nominal_phase(truth->nominal_hz(), rate_hz),
-        excess_phase(*truth, rate_hz),
+        nominal_phase(reference->nominal_hz(), rate_hz),
+        excess_phase(*reference, rate_hz),
         schedule(spec, rate_hz),
         series(harmonic_series(spec.harmonics)),
         offset(spec.dc_offset_pct / 100.0) {}
@@ -61,7 +67,7 @@ struct Synthesizer::Impl {
   void render_piece(const Block& block, const SmoothPiece& piece, std::int64_t from,
                     std::int64_t end, float* out) const;
 
-  std::shared_ptr<const Truth> truth;
+  std::shared_ptr<const ReferenceSignal> reference;
   std::int64_t sample_rate_hz;
   std::int64_t block_ticks;
   NominalPhase nominal_phase;
@@ -77,7 +83,7 @@ void Synthesizer::Impl::render_piece(const Block& block, const SmoothPiece& piec
     const ScheduleEntry& signal = schedule[entry];
     const Stretch stretch = {
         block.nominal_cycles + piece.cycles_at_start + signal.offset_cycles,
-        truth->nominal_hz() / static_cast<double>(sample_rate_hz),
+        reference->nominal_hz() / static_cast<double>(sample_rate_hz),
         piece.start - static_cast<double>(block.first_tick),
         1.0 / piece.length,
         piece.cycles,
@@ -115,9 +121,9 @@ void Synthesizer::Impl::render_block(const Block& block, std::int64_t from, std:
   }
 }
 
-Synthesizer::Synthesizer(std::shared_ptr<const Truth> truth, const SignalSpec& spec,
+Synthesizer::Synthesizer(std::shared_ptr<const ReferenceSignal> reference, const SignalSpec& spec,
                          std::int64_t sample_rate_hz)
-    : impl_(std::make_shared<const Impl>(std::move(truth), spec, sample_rate_hz)) {}
+    : impl_(std::make_shared<const Impl>(std::move(reference), spec, sample_rate_hz)) {}
 
 void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out) const {
   if (first_tick < 0) {
@@ -137,15 +143,15 @@ void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out)
 
 double Synthesizer::amplitude_pu(std::int64_t tick) const {
   const double t_s = static_cast<double>(tick) / static_cast<double>(impl_->sample_rate_hz);
-  return impl_->schedule[impl_->schedule.index_at(tick)].level * impl_->truth->voltage_pu(t_s);
+  return impl_->schedule[impl_->schedule.index_at(tick)].level * impl_->reference->voltage_pu(t_s);
 }
 
 std::int64_t Synthesizer::sample_rate_hz() const {
   return impl_->sample_rate_hz;
 }
 
-const Truth& Synthesizer::truth() const {
-  return *impl_->truth;
+const ReferenceSignal& Synthesizer::reference() const {
+  return *impl_->reference;
 }
 
 }  // namespace gsbench::waveform

@@ -18,7 +18,7 @@ using drivers::Error;
 using drivers::Result;
 using drivers::Status;
 using models::ContactEdge;
-using models::kCountsPerPu;
+using models::kCounts_per_pu;
 
 // All outlets on the mains, and how far it has got.
 struct MainsState {
@@ -62,7 +62,7 @@ class MainsSource final : public source::Source {
   source::Limits limits() const override {
     source::Limits limits;
     limits.name = "emulated mains";
-    limits.full_scale_pu = models::kFullScalePu;
+    limits.full_scale_pu = models::kFullScale_pu;
     limits.sample_rates_hz = {state_->options.sample_rate_hz};
     limits.nominal_hz = {state_->options.nominal_hz};
     limits.noise_per_outlet = true;
@@ -81,7 +81,7 @@ class MainsSource final : public source::Source {
     for (std::size_t i = 0; i < state_->outlets.size(); ++i) {
       Outlet& outlet = state_->outlets[i];
       const models::Stream stream{noise.seed, models::kSourceNoise, static_cast<std::uint32_t>(i)};
-      outlet.adc = std::make_unique<models::CrystalAdc>(outlet.crystal_ppm, kCountsPerPu,
+      outlet.adc = std::make_unique<models::CrystalAdc>(outlet.crystal_ppm, kCounts_per_pu,
                                                         noise.rms_pu, stream);
       outlet.given_up = false;
       // Each outlet's count is another.
@@ -138,7 +138,8 @@ class MainsSource final : public source::Source {
     outlet.samples.resize(count);
     for (std::size_t n = 0; n < count; ++n) {
       const double angle_rad = phase_rad - step_rad * static_cast<double>(count - n);
-      outlet.samples[n] = models::adc_counts(static_cast<float>(std::cos(angle_rad)), kCountsPerPu);
+      outlet.samples[n] =
+          models::adc_counts(static_cast<float>(std::cos(angle_rad)), kCounts_per_pu);
     }
     outlet.terminal.write(outlet.samples.data(), count);
     outlet.terminal.ring();
@@ -221,7 +222,7 @@ Result<std::unique_ptr<Mains>> Mains::create(const MainsOptions& options) {
     Result<SharedMemoryFile> file = SharedMemoryFile::create(
         options.folder,
         {outlet.id, static_cast<std::uint32_t>(state->outlets.size() + 1),
-         static_cast<std::int32_t>(options.sample_rate_hz), options.nominal_hz, kCountsPerPu});
+         static_cast<std::int32_t>(options.sample_rate_hz), options.nominal_hz, kCounts_per_pu});
     if (!file.ok()) {
       return Error{file.error()};
     }

@@ -15,7 +15,7 @@ using drivers::Status;
 
 namespace {
 
-constexpr int kMostBehindMs = 100;
+constexpr int kMostBehind_ms = 100;
 
 // A reader that is behind for so long loses bytes, as on a line without flow control.
 void write_all(int to, const std::vector<std::uint8_t>& bytes) {
@@ -24,7 +24,7 @@ void write_all(int to, const std::vector<std::uint8_t>& bytes) {
     if (put > 0) {
       done += static_cast<std::size_t>(put);
     } else if (errno != EINTR &&
-               (errno != EAGAIN || !drivers::wait_for(to, POLLOUT, kMostBehindMs))) {
+               (errno != EAGAIN || !drivers::wait_for(to, POLLOUT, kMostBehind_ms))) {
       return;
     }
   }

@@ -51,8 +51,8 @@ inline void box_muller(std::uint32_t word0, std::uint32_t word1, float& first, f
   // The angle lies in one of four quadrants, each centred on an axis: sine and cosine are needed
   // within ±45° only (Cephes' polynomials, 10⁻⁷), then turned by whole right angles.
   const auto within = static_cast<std::int32_t>((word1 >> 8) & 0x3fffffu);
-  constexpr float kStepRad = 1.57079633f * 0x1p-22f;
-  const float x = (static_cast<float>(within - (1 << 21)) + 0.5f) * kStepRad;
+  constexpr float kStep_rad = 1.57079633f * 0x1p-22f;
+  const float x = (static_cast<float>(within - (1 << 21)) + 0.5f) * kStep_rad;
   const float z = x * x;
   const float sine =
       ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * x + x;
@@ -76,7 +76,9 @@ void gaussian_batch(const Stream& stream, std::uint64_t batch, float* values) {
   std::uint32_t words[4][kBlocksInBatch];
   for (std::size_t i = 0; i < kBlocksInBatch; ++i) {
     const auto block = philox_block(stream, batch * kBlocksInBatch + i);
-    for (std::size_t word = 0; word < 4; ++word) words[word][i] = block.v[word];
+    for (std::size_t word = 0; word < 4; ++word) {
+      words[word][i] = block.v[word];
+    }
   }
   for (std::size_t i = 0; i < kBlocksInBatch; ++i) {
     box_muller(words[0][i], words[1][i], values[i], values[kBlocksInBatch + i]);

@@ -13,7 +13,9 @@ void add_gaussian(const Stream& stream, std::uint64_t first, std::size_t count, 
     gaussian_batch(stream, first / kValuesInBatch, values);
     const std::size_t skipped = first % kValuesInBatch;
     const std::size_t used = std::min(count, kValuesInBatch - skipped);
-    for (std::size_t i = 0; i < used; ++i) out[i] += sigma * values[skipped + i];
+    for (std::size_t i = 0; i < used; ++i) {
+      out[i] += sigma * values[skipped + i];
+    }
     out += used;
     first += used;
     count -= used;

@@ -25,7 +25,9 @@ void fill_any(const Stream& first, std::uint64_t block, std::uint32_t stream_ste
               std::uint32_t block_step, Words& words) {
   for (std::uint32_t i = 0; i < kAtOnce; ++i) {
     const auto values = philox_block(nth(first, i * stream_step), block + i * block_step);
-    for (std::size_t word = 0; word < kWords; ++word) words[word * kAtOnce + i] = values.v[word];
+    for (std::size_t word = 0; word < kWords; ++word) {
+      words[word * kAtOnce + i] = values.v[word];
+    }
   }
 }
 

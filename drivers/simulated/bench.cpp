@@ -36,8 +36,8 @@ class SimulatedSource final : public source::Source {
   source::Limits limits() const override {
     source::Limits limits;
     limits.name = "simulated source";
-    limits.full_scale_pu = models::kFullScalePu;
-    for (std::int64_t rate_hz = 1000; rate_hz <= gs::outlet::kMaxSampleRateHz; rate_hz += 1000) {
+    limits.full_scale_pu = models::kFullScale_pu;
+    for (std::int64_t rate_hz = 1000; rate_hz <= gs::outlet::kMaxSampleRate_hz; rate_hz += 1000) {
       limits.sample_rates_hz.push_back(rate_hz);
     }
     limits.nominal_hz = {50, 60};

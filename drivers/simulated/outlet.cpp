@@ -23,7 +23,7 @@ bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_
   gs::outlet::Hardware hardware;
   hardware.sample_rate_hz = static_cast<std::int32_t>(sample_rate_hz);
   hardware.nominal_hz = nominal_hz;
-  hardware.counts_per_pu = models::kCountsPerPu;
+  hardware.counts_per_pu = models::kCounts_per_pu;
   return app_.start(hardware, identity_, nullptr, collector_);
 }
 
@@ -64,7 +64,7 @@ void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, 
     }
     std::transform(volts_.begin(), volts_.begin() + static_cast<std::ptrdiff_t>(length),
                    samples_.begin(),
-                   [](float volts) { return models::adc_counts(volts, models::kCountsPerPu); });
+                   [](float volts) { return models::adc_counts(volts, models::kCounts_per_pu); });
     app_.feed(samples_.data(), length, collector_);
   }
 }

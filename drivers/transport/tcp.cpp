@@ -23,7 +23,7 @@ using drivers::Status;
 namespace {
 
 constexpr const char* kScheme = "tcp://";
-constexpr int kConnectMs = 500;
+constexpr int kConnect_ms = 500;
 
 struct Address {
   std::string host;
@@ -45,7 +45,7 @@ int connect_within(int socket, const addrinfo& to) {
   if (errno != EINPROGRESS) {
     return errno;
   }
-  if (!drivers::wait_for(socket, POLLOUT, kConnectMs)) {
+  if (!drivers::wait_for(socket, POLLOUT, kConnect_ms)) {
     return ETIMEDOUT;
   }
   int error = 0;

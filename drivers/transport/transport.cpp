@@ -18,14 +18,14 @@ Status Transport::send(const std::vector<std::uint8_t>& bytes) {
   if (!is_open()) {
     return failure("cannot be sent to", "is not open");
   }
-  constexpr int kWriteMs = 100;
+  constexpr int kWrite_ms = 100;
   for (std::size_t sent = 0; sent < bytes.size();) {
     const auto taken = write_some(bytes.data() + sent, bytes.size() - sent);
     if (!taken.ok()) {
       return Error{taken.error()};
     }
     sent += taken.value();
-    if (sent < bytes.size() && !drivers::wait_for(descriptor(), POLLOUT, kWriteMs)) {
+    if (sent < bytes.size() && !drivers::wait_for(descriptor(), POLLOUT, kWrite_ms)) {
       return failure("cannot be sent to", "takes nothing");
     }
   }

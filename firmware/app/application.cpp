@@ -57,7 +57,7 @@ void Application::receive(const wire::Downlink& downlink, Outbox& outbox) {
     case wire::DownlinkKind::kIdentify:
       return introduce(outbox);
     case wire::DownlinkKind::kAskStatus:
-      return tell_status(outbox);
+      return report_status(outbox);
     case wire::DownlinkKind::kAskSelfTest:
       return test_itself(outbox);
     case wire::DownlinkKind::kPing:
@@ -89,8 +89,8 @@ void Application::introduce(Outbox& outbox) const {
   hello.firmware_version = kFirmwareVersion;
   hello.sample_rate_hz = config_.hardware.sample_rate_hz;
   hello.nominal_hz = config_.hardware.nominal_hz;
-  hello.tracker_delay_s = outlet::kFrontEndDelayS;
-  hello.voltage_delay_s = outlet::kVoltageDelayS;
+  hello.tracker_delay_s = outlet::kFrontEndDelay_s;
+  hello.voltage_delay_s = outlet::kVoltageDelay_s;
   if (config_.has_settings) {
     hello.settings_version = config_.settings.version;
     hello.settings_digest = outlet::digest(config_.settings);
@@ -120,7 +120,7 @@ void Application::take_command(const wire::Downlink& command, Outbox& outbox) {
   put(outbox, UplinkKind::kCommandAnswer, &wire::Uplink::command_answer,
       {command.request, state_.relay_closed});
   if (changed) {
-    tell_relay(outbox);
+    report_relay(outbox);
   }
 }
 
@@ -140,12 +140,12 @@ void Application::test_itself(Outbox& outbox) const {
     result.failed |= wire::kClock;
   }
   if (state_.reports == 0) {
-    result.failed |= wire::kConverter;
+    result.failed |= wire::kAdc;
   }
   put(outbox, UplinkKind::kSelfTest, &wire::Uplink::self_test, result);
 }
 
-void Application::tell_status(Outbox& outbox) const {
+void Application::report_status(Outbox& outbox) const {
   put(outbox, UplinkKind::kStatus, &wire::Uplink::status,
       {state_.reports, state_.relay_closed, state_.cause, state_.phase, counts_.samples_lost,
        counts_.messages_bad, counts_.messages_unsent});
@@ -173,7 +173,7 @@ void Application::tell(const outlet::Report& report, Outbox& outbox) const {
         {report.loss_mw, report.required_mw, report.hits, report.trust, shed});
   }
   if ((report.happened & outlet::kRelay) != 0) {
-    tell_relay(outbox);
+    report_relay(outbox);
   }
   if ((report.happened & outlet::kAborted) != 0) {
     outbox.put(message(UplinkKind::kAborted));
@@ -195,7 +195,7 @@ void Application::put(Outbox& outbox, UplinkKind kind, Content wire::Uplink::*pa
   outbox.put(told);
 }
 
-void Application::tell_relay(Outbox& outbox) const {
+void Application::report_relay(Outbox& outbox) const {
   put(outbox, UplinkKind::kRelay, &wire::Uplink::relay, {state_.relay_closed, state_.cause});
 }
 

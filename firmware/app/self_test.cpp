@@ -6,7 +6,7 @@
 namespace gs::app {
 
 std::uint32_t arithmetic_fingerprint() {
-  constexpr float kNominalHz = 50.0f;
+  constexpr float kNominal_hz = 50.0f;
   // Of a system much like the modified IEEE 24-bus one; the numbers only have to be the same
   // everywhere. Without the front end, whose tables would not fit into an outlet's memory twice.
   outlet::Settings settings;
@@ -14,7 +14,7 @@ std::uint32_t arithmetic_fingerprint() {
   settings.largest_loss_mw = 2745.0f;
   settings.loss_sigma_mw = 88.0f;
   outlet::EstimatorState state;
-  outlet::begin(state, {kNominalHz, 0.0f});
+  outlet::begin(state, {kNominal_hz, 0.0f});
   outlet::Crc32 crc;
   float frequency_hz = 49.98f;
   std::uint32_t ripple = 1;
@@ -22,7 +22,7 @@ std::uint32_t arithmetic_fingerprint() {
     ripple = ripple * 1664525u + 1013904223u;
     const float noise_hz = (static_cast<float>(ripple >> 8) * 5.9604645e-8f - 0.5f) * 0.01f;
     frequency_hz -= 0.0075f - 0.00008f * static_cast<float>(report);
-    outlet::observe(settings, kNominalHz, state, true, frequency_hz + noise_hz,
+    outlet::observe(settings, kNominal_hz, state, true, frequency_hz + noise_hz,
                     {frequency_hz, -0.45f});
     crc.add_word(state.lse_loss_mw);
     crc.add_word(state.ekf.loss_mw);

@@ -47,12 +47,12 @@ Trust trust(const Settings& settings, const EstimatorState& state) {
     return Trust::kNotYet;
   }
   const float slope = state.baseline.rocof_hz_s;
-  if (!(slope > -kSteadyHzS && slope < kSteadyHzS)) {
+  if (!(slope > -kSteady_hz_s && slope < kSteady_hz_s)) {
     return Trust::kUnsteadyStart;
   }
   const EkfState<float>& ekf = state.ekf;
   if (ekf.loss_mw <= 0.0f || ekf.loss_mw >= settings.largest_loss_mw ||
-      ekf.t_x_s <= kEarliestLossS || ekf.t_x_s >= kLatestLossS) {
+      ekf.t_x_s <= kEarliestLoss_s || ekf.t_x_s >= kLatestLoss_s) {
     return Trust::kAtBound;
   }
   const float allowed = settings.trusted_residual_hz * settings.trusted_residual_hz;
@@ -70,7 +70,7 @@ float loss_sigma_mw(const EstimatorState& state) {
 }
 
 float loss_instant_s(const EstimatorState& state) {
-  return state.ekf.t_x_s - kFrontEndDelayS;
+  return state.ekf.t_x_s - kFrontEndDelay_s;
 }
 
 }  // namespace gs::outlet

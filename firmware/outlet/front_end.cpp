@@ -51,7 +51,7 @@ void close_millisecond(const FrontEndConfig& config, FrontEndState& state) {
 
 bool make_front_end(const Hardware& hardware, FrontEndConfig& config) {
   const bool rate_served = hardware.sample_rate_hz >= 1000 &&
-                           hardware.sample_rate_hz <= kMaxSampleRateHz &&
+                           hardware.sample_rate_hz <= kMaxSampleRate_hz &&
                            hardware.sample_rate_hz % 1000 == 0;
   const bool nominal_served = hardware.nominal_hz == 50 || hardware.nominal_hz == 60;
   if (!rate_served || !nominal_served || !(hardware.counts_per_pu >= 1.0f) ||
@@ -124,12 +124,12 @@ Phasor phasor(const FrontEndState& state) {
     const float tap = kTaps[age < half ? half - 1 - age : age - half];
     out.in_phase += tap * state.ring_in_phase[newest];
     out.quadrature += tap * state.ring_quadrature[newest];
-    if (age < kVoltageWindowMs) {
+    if (age < kVoltageWindow_ms) {
       squares += state.ring_squares[newest];
     }
   }
   // RMS per unit of nominal RMS: the nominal amplitude's square is twice its mean square.
-  out.voltage_pu = root(2.0f * squares / static_cast<float>(kVoltageWindowMs));
+  out.voltage_pu = root(2.0f * squares / static_cast<float>(kVoltageWindow_ms));
   out.complete = state.filled >= kFilterLength;
   return out;
 }

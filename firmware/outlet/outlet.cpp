@@ -49,7 +49,7 @@ void estimate(const Config& config, State& state, Report& report, bool valid) {
 
 void cool_down(State& state, const Report& report, bool valid) {
   const bool steady =
-      valid && report.line.slope_hz_s > -kSteadyHzS && report.line.slope_hz_s < kSteadyHzS;
+      valid && report.line.slope_hz_s > -kSteady_hz_s && report.line.slope_hz_s < kSteady_hz_s;
   state.steady_reports =
       steady ? static_cast<std::uint16_t>(state.steady_reports + 1) : static_cast<std::uint16_t>(0);
   if (state.steady_reports >= kSteadyReports) {

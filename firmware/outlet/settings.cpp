@@ -53,7 +53,7 @@ struct Digest {
 bool response_served(const Settings& s) {
   const Response& r = s.response;
   const float tau_s =
-      -kEarliestLossS + kReportS * static_cast<float>(s.lse_samples + s.ekf_samples);
+      -kEarliestLoss_s + kReport_s * static_cast<float>(s.lse_samples + s.ekf_samples);
   const float z = r.discriminant_per_s2 * tau_s * tau_s;
   return r.discriminant_per_s2 + r.sigma_per_s * r.sigma_per_s > 0.0f &&
          z >= -kLargestSeriesArgument && z <= kLargestSeriesArgument &&

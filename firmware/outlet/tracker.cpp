@@ -42,7 +42,7 @@ float phase_variance(const TrackerSettings& settings, const TrackerState& s) {
 }
 
 void predict(const TrackerSettings& settings, TrackerState& s) {
-  constexpr float t = kReportS;
+  constexpr float t = kReport_s;
   constexpr float half_t2 = 0.5f * t * t;
   s.phase_rad = wrapped(s.phase_rad + s.omega_rad_s * t + s.alpha_rad_s2 * half_t2);
   s.omega_rad_s += s.alpha_rad_s2 * t;

@@ -34,7 +34,9 @@ Bytes inflated(const Bytes& blob, std::int64_t entries, std::size_t entry_bytes)
   Bytes raw(static_cast<std::size_t>(entries) * entry_bytes + 1);
   uLongf size = static_cast<uLongf>(raw.size());
   const int status = uncompress(raw.data(), &size, blob.data(), static_cast<uLong>(blob.size()));
-  if (status != Z_OK || size + 1 != raw.size()) throw DamagedColumn("a column does not unpack");
+  if (status != Z_OK || size + 1 != raw.size()) {
+    throw DamagedColumn("a column does not unpack");
+  }
   raw.pop_back();
   return raw;
 }
@@ -45,7 +47,9 @@ Bytes grouped(const std::vector<Value>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::uint8_t bytes[sizeof(Value)];
     std::memcpy(bytes, &values[i], sizeof(Value));
-    for (std::size_t b = 0; b < sizeof(Value); ++b) raw[b * values.size() + i] = bytes[b];
+    for (std::size_t b = 0; b < sizeof(Value); ++b) {
+      raw[b * values.size() + i] = bytes[b];
+    }
   }
   return raw;
 }
@@ -55,7 +59,9 @@ void ungroup(const Bytes& raw, std::vector<Value>& values) {
   values.resize(raw.size() / sizeof(Value));
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::uint8_t bytes[sizeof(Value)];
-    for (std::size_t b = 0; b < sizeof(Value); ++b) bytes[b] = raw[b * values.size() + i];
+    for (std::size_t b = 0; b < sizeof(Value); ++b) {
+      bytes[b] = raw[b * values.size() + i];
+    }
     std::memcpy(&values[i], bytes, sizeof(Value));
   }
 }
@@ -99,7 +105,9 @@ Bytes pack(const std::vector<Value>& values) {
 template <class Value>
 void unpack(const Bytes& blob, std::int64_t entries, std::vector<Value>& values) {
   ungroup(inflated(blob, entries, sizeof(Value)), values);
-  if constexpr (std::is_same_v<Value, std::int64_t>) sum_twice(values);
+  if constexpr (std::is_same_v<Value, std::int64_t>) {
+    sum_twice(values);
+  }
 }
 
 template Bytes pack(const std::vector<std::int64_t>&);

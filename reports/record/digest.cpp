@@ -15,7 +15,9 @@ namespace {
 
 template <class Float>
 Float canonical(Float value) {
-  if (std::isnan(value)) return std::numeric_limits<Float>::quiet_NaN();
+  if (std::isnan(value)) {
+    return std::numeric_limits<Float>::quiet_NaN();
+  }
   return value + Float{0};  // -0 becomes 0
 }
 
@@ -33,7 +35,9 @@ class Digest {
       add(field.size());
       if constexpr (std::is_floating_point_v<typename Field::value_type>) {
         Field plain = field;
-        for (auto& value : plain) value = canonical(value);
+        for (auto& value : plain) {
+          value = canonical(value);
+        }
         add_bytes(plain.data(), plain.size() * sizeof plain[0]);
       } else {
         add_bytes(field.data(), field.size() * sizeof field[0]);
@@ -49,14 +53,16 @@ class Digest {
   template <class Part>
   void add_parts(const std::vector<Part>& parts) {
     add(parts.size());
-    for (const Part& part : parts) add_fields(part);
+    for (const Part& part : parts) {
+      add_fields(part);
+    }
   }
 
   // No outlets, no run id, no wall-clock stamps.
   void add_content(const RunRecord& head) {
     visit_content(head, [&](const char*, const auto& field) { add(field); });
     add_parts(head.comparisons);
-    add_fields(head.truth);
+    add_fields(head.reference);
     add_parts(head.stimulus);
   }
 
@@ -113,7 +119,9 @@ std::string content_digest(const RunRecord& run) {
   Digest digest;
   digest.add_content(run);
   digest.add(run.outlets.size());
-  for (const OutletRecord& outlet : run.outlets) digest.add_outlet(outlet);
+  for (const OutletRecord& outlet : run.outlets) {
+    digest.add_outlet(outlet);
+  }
   return digest.hexadecimal();
 }
 

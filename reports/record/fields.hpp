@@ -186,10 +186,10 @@ inline constexpr auto visit_fields<EstimateTrace> = [](auto& trace, auto&& visit
 };
 
 template <>
-inline constexpr auto visit_fields<TruthTrace> = [](auto& trace, auto&& visitor) {
-  visitor("truth.tick", trace.tick);
-  visitor("truth.frequency_hz", trace.frequency_hz);
-  visitor("truth.rocof_hz_s", trace.rocof_hz_s);
+inline constexpr auto visit_fields<ReferenceTrace> = [](auto& trace, auto&& visitor) {
+  visitor("reference.tick", trace.tick);
+  visitor("reference.frequency_hz", trace.frequency_hz);
+  visitor("reference.rocof_hz_s", trace.rocof_hz_s);
 };
 
 }  // namespace gsbench::record

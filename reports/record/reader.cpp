@@ -30,7 +30,9 @@ template <class Trace>
 void unpack_trace(const SeriesByName& series, Trace& trace) {
   visit_fields<Trace>(trace, [&](const char* name, auto& column) {
     const auto found = series.find(name);
-    if (found == series.end()) throw columns::DamagedColumn("no column " + std::string(name));
+    if (found == series.end()) {
+      throw columns::DamagedColumn("no column " + std::string(name));
+    }
     columns::unpack(found->second.data, found->second.entries, column);
     if (column.size() != trace.tick.size()) {
       throw columns::DamagedColumn("column " + std::string(name) + " is of another length");
@@ -74,7 +76,7 @@ RunRecord read_parts(Database& database, Extent extent) {
   auto run = select_one<RunRecord>(database, kRunOwner);
   run.comparisons = select<Comparison>(database, kRunOwner);
   run.stimulus = select<Mark>(database, kRunOwner);
-  unpack_trace(select_series(database, kRunOwner), run.truth);
+  unpack_trace(select_series(database, kRunOwner), run.reference);
   const auto seal = select_one<Seal>(database, kRunOwner);
   if (seal.sha256 != seal_of_run(run, seal.complete)) {
     database.fail("the record is damaged: the run is not what was written");

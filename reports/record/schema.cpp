@@ -8,9 +8,15 @@ namespace {
 // A NaN is NULL, so numbers may be NULL and nothing else may.
 template <class Field>
 const char* column_type() {
-  if constexpr (std::is_same_v<Field, std::string>) return "TEXT NOT NULL";
-  if constexpr (std::is_same_v<Field, double>) return "REAL";
-  if constexpr (std::is_same_v<Field, std::vector<std::uint8_t>>) return "BLOB NOT NULL";
+  if constexpr (std::is_same_v<Field, std::string>) {
+    return "TEXT NOT NULL";
+  }
+  if constexpr (std::is_same_v<Field, double>) {
+    return "REAL";
+  }
+  if constexpr (std::is_same_v<Field, std::vector<std::uint8_t>>) {
+    return "BLOB NOT NULL";
+  }
   return "INTEGER NOT NULL";
 }
 

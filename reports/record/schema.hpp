@@ -13,7 +13,7 @@
 namespace gsbench::record {
 
 constexpr std::int64_t kApplicationId = 0x67734252;  // "gsBR": told from other SQLite files
-constexpr std::int64_t kSchemaVersion = 3;           // one more whenever the schema's text changes
+constexpr std::int64_t kSchemaVersion = 4;           // one more whenever the schema's text changes
 
 constexpr std::int64_t kRunOwner = 0;
 
@@ -28,7 +28,9 @@ std::string column_names() {
   std::string names;
   Part part;
   visit_fields<Part>(part, [&](const char* name, const auto&) {
-    if (!names.empty()) names += ", ";
+    if (!names.empty()) {
+      names += ", ";
+    }
     names += '"' + std::string(name) + '"';
   });
   return names;

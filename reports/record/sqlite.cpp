@@ -15,7 +15,9 @@ namespace {
 constexpr int kBusyTimeout_ms = 2000;
 
 std::string with_system_cause(const char* what, int system_errno) {
-  if (system_errno == 0) return what;
+  if (system_errno == 0) {
+    return what;
+  }
   return std::string(what) + ": " + std::strerror(system_errno);
 }
 
@@ -64,7 +66,9 @@ Database Database::in_memory() {
   Database database;
   database.path_ = ":memory:";
   const int code = sqlite3_open(":memory:", &database.handle_);
-  if (code != SQLITE_OK) database.fail_with(code);
+  if (code != SQLITE_OK) {
+    database.fail_with(code);
+  }
   return database;
 }
 
@@ -84,13 +88,17 @@ void Database::fail_with(int code) const {
 
 void Database::execute(const std::string& sql) {
   const int code = sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
-  if (code != SQLITE_OK) fail_with(code);
+  if (code != SQLITE_OK) {
+    fail_with(code);
+  }
 }
 
 Statement Database::prepare(const std::string& sql) {
   sqlite3_stmt* statement = nullptr;
   const int code = sqlite3_prepare_v2(handle_, sql.c_str(), -1, &statement, nullptr);
-  if (code != SQLITE_OK) fail_with(code);
+  if (code != SQLITE_OK) {
+    fail_with(code);
+  }
   return {*this, statement};
 }
 
@@ -116,13 +124,19 @@ Statement::~Statement() {
 }
 
 void Statement::check(int code) const {
-  if (code != SQLITE_OK) database_.fail_with(code);
+  if (code != SQLITE_OK) {
+    database_.fail_with(code);
+  }
 }
 
 bool Statement::step() {
   const int code = sqlite3_step(handle_);
-  if (code == SQLITE_ROW) return true;
-  if (code != SQLITE_DONE) database_.fail_with(code);
+  if (code == SQLITE_ROW) {
+    return true;
+  }
+  if (code != SQLITE_DONE) {
+    database_.fail_with(code);
+  }
   return false;
 }
 
@@ -157,7 +171,9 @@ void Statement::get(int column, std::uint64_t& value) const {
 
 void Statement::get(int column, bool& value) const {
   const std::int64_t number = sqlite3_column_int64(handle_, column);
-  if (number != 0 && number != 1) database_.fail("the record is damaged: neither yes nor no");
+  if (number != 0 && number != 1) {
+    database_.fail("the record is damaged: neither yes nor no");
+  }
   value = number == 1;
 }
 
@@ -186,7 +202,9 @@ void Statement::get(int column, std::vector<std::uint8_t>& value) const {
   const auto* data = static_cast<const std::uint8_t*>(sqlite3_column_blob(handle_, column));
   const int size = sqlite3_column_bytes(handle_, column);
   value.clear();
-  if (data != nullptr) value.assign(data, data + size);
+  if (data != nullptr) {
+    value.assign(data, data + size);
+  }
 }
 
 }  // namespace gsbench::record

@@ -85,7 +85,9 @@ template <class Value>
 Value Database::first(const std::string& sql) {
   Statement statement = prepare(sql);
   Value value{};
-  if (statement.step()) statement.get(0, value);
+  if (statement.step()) {
+    statement.get(0, value);
+  }
   return value;
 }
 

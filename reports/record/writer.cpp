@@ -57,7 +57,7 @@ struct Writer::Impl {
 
   void write_head(const RunRecord& run, bool complete) {
     std::vector<Series> series;
-    insert_trace(series, run.truth);
+    insert_trace(series, run.reference);
     database.transact([&] {
       for (const char* table : {"run", "comparison", "mark", "series", "seal"}) {
         database.execute("DELETE FROM \"" + std::string(table) +
@@ -78,7 +78,9 @@ struct Writer::Impl {
     insert_trace(series, outlet.trace);
     insert_trace(series, outlet.estimates);
     std::vector<Setting> settings;
-    for (const auto& [name, value] : outlet.settings) settings.push_back({name, value});
+    for (const auto& [name, value] : outlet.settings) {
+      settings.push_back({name, value});
+    }
     database.transact([&] {
       const std::int64_t owner = outlets + 1;
       insert(database, owner, std::vector<OutletRecord>{outlet});
@@ -92,7 +94,9 @@ struct Writer::Impl {
   }
 
   void require(bool in_order, const char* what) const {
-    if (!in_order) throw std::logic_error(what);
+    if (!in_order) {
+      throw std::logic_error(what);
+    }
   }
 
   Database database;

@@ -18,10 +18,14 @@ constexpr std::string_view kFourEmpty = ",,,,";
 
 // RFC 4180.
 std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
   std::string cell = "\"";
   for (const char character : text) {
-    if (character == '"') cell += '"';
+    if (character == '"') {
+      cell += '"';
+    }
     cell += character;
   }
   return cell + '"';
@@ -31,7 +35,9 @@ std::string quoted(const std::string& text) {
 template <class Number>
 void add_cell(fmt::memory_buffer& out, Number value) {
   out.push_back(',');
-  if (!std::isnan(value)) fmt::format_to(std::back_inserter(out), "{}", value);
+  if (!std::isnan(value)) {
+    fmt::format_to(std::back_inserter(out), "{}", value);
+  }
 }
 
 const char* validity_word(std::uint8_t validity) {
@@ -56,7 +62,7 @@ void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outle
     const std::int64_t tick = std::min(report_tick, estimate_tick);
     out.append(id);
     add_cell(out, seconds(run, tick));
-    add_cell(out, record::frequency_hz(run.truth, tick));
+    add_cell(out, record::frequency_hz(run.reference, tick));
     if (report < trace.tick.size() && report_tick == tick) {
       add_cell(out, trace.frequency_hz[report]);
       add_cell(out, trace.rocof_hz_s[report]);
@@ -86,7 +92,9 @@ std::string csv(const record::RunRecord& run) {
   out.append(
       std::string("outlet,t_s,true_frequency_hz,frequency_hz,rocof_hz_s,voltage_pu,validity,"
                   "loss_mw,loss_sigma_mw,trusted,t_x_s\n"));
-  for (const record::OutletRecord& outlet : run.outlets) outlet_rows(run, outlet, out);
+  for (const record::OutletRecord& outlet : run.outlets) {
+    outlet_rows(run, outlet, out);
+  }
   return fmt::to_string(out);
 }
 

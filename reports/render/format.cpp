@@ -14,7 +14,9 @@ constexpr int kMostDecimals = 9;
 
 // "-0.00" says nothing that "0.00" does not.
 std::string without_negative_zero(std::string text) {
-  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') {
+    text.erase(0, 1);
+  }
   return text;
 }
 
@@ -36,15 +38,25 @@ std::string rounded_up(double uncertainty) {
 }  // namespace
 
 std::string figure(double value, int significant) {
-  if (std::isnan(value)) return "–";
-  if (std::isinf(value)) return value > 0.0 ? "∞" : "-∞";
-  if (value == 0.0) return "0";
+  if (std::isnan(value)) {
+    return "–";
+  }
+  if (std::isinf(value)) {
+    return value > 0.0 ? "∞" : "-∞";
+  }
+  if (value == 0.0) {
+    return "0";
+  }
   const int decimals = significant - 1 - magnitude(value);
-  if (decimals > kMostDecimals) return fmt::format("{:.{}g}", value, significant);
+  if (decimals > kMostDecimals) {
+    return fmt::format("{:.{}g}", value, significant);
+  }
   std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
+    if (text.back() == '.') {
+      text.pop_back();
+    }
   }
   return text;
 }
@@ -61,22 +73,38 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 }
 
 std::string limits(const record::MeasurementResult& result) {
-  if (!result.judged) return "";
-  if (!result.expected_word.empty()) return result.expected_word;
+  if (!result.judged) {
+    return "";
+  }
+  if (!result.expected_word.empty()) {
+    return result.expected_word;
+  }
   const bool has_low = !std::isnan(result.low);
   const bool has_high = !std::isnan(result.high);
-  if (!has_low && !has_high) return "";
+  if (!has_low && !has_high) {
+    return "";
+  }
   const std::string low = figure(result.low, 6);
   const std::string high = figure(result.high, 6);
-  if (!has_high) return with_unit("≥ " + low, result.unit);
-  if (!has_low) return with_unit("≤ " + high, result.unit);
-  if (result.low == result.high) return with_unit("= " + low, result.unit);
+  if (!has_high) {
+    return with_unit("≥ " + low, result.unit);
+  }
+  if (!has_low) {
+    return with_unit("≤ " + high, result.unit);
+  }
+  if (result.low == result.high) {
+    return with_unit("= " + low, result.unit);
+  }
   return with_unit(low + " … " + high, result.unit);
 }
 
 std::string value_of(const record::MeasurementResult& result) {
-  if (!result.word.empty()) return result.word;
-  if (std::isnan(result.value)) return "–";
+  if (!result.word.empty()) {
+    return result.word;
+  }
+  if (std::isnan(result.value)) {
+    return "–";
+  }
   std::string text = figure_within(result.value, result.uncertainty);
   if (std::isfinite(result.uncertainty) && result.uncertainty > 0.0) {
     text += " ± " + rounded_up(result.uncertainty);
@@ -85,7 +113,9 @@ std::string value_of(const record::MeasurementResult& result) {
 }
 
 double seconds(const record::RunRecord& run, std::int64_t tick) {
-  if (run.sample_rate_hz <= 0) return std::numeric_limits<double>::quiet_NaN();
+  if (run.sample_rate_hz <= 0) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   return static_cast<double>(tick) / static_cast<double>(run.sample_rate_hz);
 }
 
@@ -95,7 +125,9 @@ std::string valid_text(const std::string& text) {
     const ushort code = character.unicode();
     const bool control = (code < 0x20 && code != '\t' && code != '\n') ||
                          (code >= 0x7f && code < 0xa0) || code >= 0xfffe;
-    if (control) character = QChar::ReplacementCharacter;
+    if (control) {
+      character = QChar::ReplacementCharacter;
+    }
   }
   return unicode.toStdString();
 }
@@ -110,8 +142,9 @@ std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& ro
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()), 0);
-    for (std::size_t i = 0; i < row.size(); ++i)
+    for (std::size_t i = 0; i < row.size(); ++i) {
       widths[i] = std::max(widths[i], columns_of(row[i]));
+    }
   }
   std::vector<std::string> lines;
   for (const auto& row : rows) {

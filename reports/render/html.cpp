@@ -21,7 +21,9 @@ constexpr std::size_t kMostHtmlShortfalls = 20;  // the tables below have all
 List facts(const record::RunRecord& run) {
   List list;
   const auto add = [&](const char* name, const std::string& value, bool code = false) {
-    if (value.empty()) return;
+    if (value.empty()) {
+      return;
+    }
     list.push_back(
         object{{"name", std::string(name)}, {"value", valid_text(value)}, {"code", flag(code)}});
   };

@@ -33,7 +33,9 @@ std::string typographic(std::string text) {
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
     const bool before_digit = at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9';
     const bool after_gap = at == 0 || text[at - 1] == ' ';
-    if (before_digit && after_gap) text.replace(at, 1, "−");
+    if (before_digit && after_gap) {
+      text.replace(at, 1, "−");
+    }
     ++at;
   }
   return text;

@@ -36,7 +36,9 @@ Json outlet(const record::OutletRecord& outlet) {
 }
 
 Json recording(const record::Recording& recording) {
-  if (recording.file.empty()) return nullptr;
+  if (recording.file.empty()) {
+    return nullptr;
+  }
   return {{"file", recording.file},
           {"sha256", recording.sha256},
           {"time", recording.time},

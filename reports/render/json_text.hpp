@@ -14,7 +14,9 @@ using Json = nlohmann::ordered_json;
 template <class Part, class Each>
 Json array_of(const std::vector<Part>& parts, const Each& each) {
   Json all = Json::array();
-  for (const Part& part : parts) all.push_back(each(part));
+  for (const Part& part : parts) {
+    all.push_back(each(part));
+  }
   return all;
 }
 

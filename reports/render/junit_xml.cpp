@@ -27,14 +27,20 @@ struct Case {
 
 Case case_of(const record::MeasurementResult& result) {
   Case one{result.name, result.verdict, shortfall_text(result), result.judged};
-  if (!result.judged) one.message = value_of(result) + " (no limit declared)";
+  if (!result.judged) {
+    one.message = value_of(result) + " (no limit declared)";
+  }
   return one;
 }
 
 // The element that says so; "" for a case that passed.
 std::string outcome_of(const Case& one) {
-  if (!one.judged) return "skipped";
-  if (one.verdict == Verdict::kPass) return "";
+  if (!one.judged) {
+    return "skipped";
+  }
+  if (one.verdict == Verdict::kPass) {
+    return "";
+  }
   return one.verdict == Verdict::kError ? "error" : "failure";
 }
 
@@ -58,7 +64,9 @@ void write_suite(QXmlStreamWriter& xml, const record::RunRecord& run, const std:
     const std::string outcome = outcome_of(one);
     if (!outcome.empty()) {
       xml.writeStartElement(QString::fromStdString(outcome));
-      if (one.judged) xml.writeAttribute("type", record::to_string(one.verdict));
+      if (one.judged) {
+        xml.writeAttribute("type", record::to_string(one.verdict));
+      }
       xml.writeAttribute("message", text(one.message));
       xml.writeEndElement();
     }
@@ -70,7 +78,9 @@ void write_suite(QXmlStreamWriter& xml, const record::RunRecord& run, const std:
 Verdict worst(const std::vector<Case>& cases) {
   Verdict verdict = Verdict::kPass;
   for (const Case& one : cases) {
-    if (one.judged) verdict = std::max(verdict, one.verdict);
+    if (one.judged) {
+      verdict = std::max(verdict, one.verdict);
+    }
   }
   return verdict;
 }
@@ -90,7 +100,9 @@ std::string junit_xml(const record::RunRecord& run) {
   Verdict shown = Verdict::kPass;
   for (const record::OutletRecord& outlet : run.outlets) {
     std::vector<Case> cases;
-    for (const auto& result : outlet.measurements) cases.push_back(case_of(result));
+    for (const auto& result : outlet.measurements) {
+      cases.push_back(case_of(result));
+    }
     if (outlet.verdict > worst(cases)) {
       cases.push_back({"outlet", outlet.verdict, outlet_sentence(outlet)});
     }

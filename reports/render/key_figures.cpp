@@ -45,19 +45,29 @@ bool is_unreliable(const record::OutletRecord& outlet) {
 std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t most) {
   std::vector<KeyFigure> keys;
   for (const KeyFigure& key : kByImportance) {
-    if (keys.size() == most) break;
+    if (keys.size() == most) {
+      break;
+    }
     const bool any = std::any_of(run.outlets.begin(), run.outlets.end(),
                                  [&](const auto& outlet) { return has_value(outlet, key); });
-    if (any) keys.push_back(key);
+    if (any) {
+      keys.push_back(key);
+    }
   }
   return keys;
 }
 
 std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key) {
   const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
-  if (result == nullptr) return "–";
-  if (!result->word.empty()) return result->word;
-  if (std::isnan(result->value)) return "–";
+  if (result == nullptr) {
+    return "–";
+  }
+  if (!result->word.empty()) {
+    return result->word;
+  }
+  if (std::isnan(result->value)) {
+    return "–";
+  }
   // Four digits, and of a small value no more than two.
   const int significant = std::abs(result->value) < 1.0    ? 2
                           : std::abs(result->value) < 10.0 ? 3

@@ -14,9 +14,9 @@ namespace gsbench::render {
 namespace {
 
 // Digits a curve on a screen can show; more only make the file large.
-constexpr double kPerHz = 1e5;
-constexpr double kPerHz_s = 1e3;
-constexpr double kPerMw = 1e2;
+constexpr double kSteps_per_hz = 1e5;
+constexpr double kSteps_per_hz_s = 1e3;
+constexpr double kSteps_per_mw = 1e2;
 
 Json rounded(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
@@ -70,8 +70,8 @@ Json frequency_json(const record::RunRecord& run, const std::vector<std::int64_t
        thinned(tick, frequency, rocof, around_marks(run, marks), kMostPoints)) {
     const bool claimed = validity.empty() || validity[i] != 0;
     t.push_back(seconds(run, tick[i]));
-    f.push_back(claimed ? rounded(frequency[i], kPerHz) : nullptr);
-    r.push_back(claimed ? rounded(rocof[i], kPerHz_s) : nullptr);
+    f.push_back(claimed ? rounded(frequency[i], kSteps_per_hz) : nullptr);
+    r.push_back(claimed ? rounded(rocof[i], kSteps_per_hz_s) : nullptr);
   }
   return {{"t", std::move(t)}, {"f", std::move(f)}, {"r", std::move(r)}};
 }
@@ -87,7 +87,7 @@ Json estimates_json(const record::RunRecord& run, const record::OutletRecord& ou
   for (const std::size_t i :
        thinned(estimates.tick, loss_mw, sigma_mw, around_marks(run, outlet.marks), kMostPoints)) {
     t.push_back(seconds(run, estimates.tick[i]));
-    p.push_back(rounded(loss_mw[i], kPerMw));
+    p.push_back(rounded(loss_mw[i], kSteps_per_mw));
     trusted.push_back(estimates.trusted[i]);
   }
   return {{"t", std::move(t)}, {"p", std::move(p)}, {"trusted", std::move(trusted)}};
@@ -118,13 +118,17 @@ std::string mark_label(const record::Mark& mark) {
       {"command", "Command"},
   }};
   for (const auto& [kind, label] : kLabels) {
-    if (mark.kind == kind) return label;
+    if (mark.kind == kind) {
+      return label;
+    }
   }
   return mark.text.empty() ? mark.kind : mark.text;
 }
 
 std::string mark_value(const record::Mark& mark) {
-  if (mark.kind == "event") return "";
+  if (mark.kind == "event") {
+    return "";
+  }
   if (mark.kind == "relay.word" || mark.kind == "relay.sense") {
     return mark.value != 0.0 ? "closed" : "open";
   }
@@ -135,12 +139,13 @@ std::string mark_value(const record::Mark& mark) {
 
 std::string plot_data(const record::RunRecord& run) {
   const auto each = [&](const record::OutletRecord& outlet) { return outlet_json(run, outlet); };
-  return in_script({{"nominal_hz", run.nominal_hz},
-                    {"duration_s", seconds(run, run.duration_ticks)},
-                    {"truth", frequency_json(run, run.truth.tick, run.truth.frequency_hz,
-                                             run.truth.rocof_hz_s, run.stimulus, {})},
-                    {"stimulus", marks_json(run, run.stimulus)},
-                    {"outlets", array_of(run.outlets, each)}});
+  return in_script(
+      {{"nominal_hz", run.nominal_hz},
+       {"duration_s", seconds(run, run.duration_ticks)},
+       {"reference", frequency_json(run, run.reference.tick, run.reference.frequency_hz,
+                                    run.reference.rocof_hz_s, run.stimulus, {})},
+       {"stimulus", marks_json(run, run.stimulus)},
+       {"outlets", array_of(run.outlets, each)}});
 }
 
 std::string thinning_note(const record::RunRecord& run) {
@@ -148,7 +153,9 @@ std::string thinning_note(const record::RunRecord& run) {
   for (const record::OutletRecord& outlet : run.outlets) {
     longest = std::max(longest, outlet.trace.tick.size());
   }
-  if (longest <= kMostPoints) return "";
+  if (longest <= kMostPoints) {
+    return "";
+  }
   return fmt::format(
       "At most {} of up to {} reports per outlet are drawn: all of them around marks, elsewhere "
       "the extremes of each stretch. The record and the CSV hold them all.",

@@ -33,8 +33,12 @@ std::vector<Shortfall> shortfalls(const record::RunRecord& run) {
 std::string shortfall_text(const record::MeasurementResult& result) {
   std::string text = value_of(result);
   const std::string asked = limits(result);
-  if (!asked.empty()) text += ", limit " + asked;
-  if (!result.reason.empty()) text += ": " + result.reason;
+  if (!asked.empty()) {
+    text += ", limit " + asked;
+  }
+  if (!result.reason.empty()) {
+    text += ": " + result.reason;
+  }
   return text;
 }
 
@@ -45,16 +49,22 @@ std::string outlet_sentence(const record::OutletRecord& outlet) {
 std::vector<const record::OutletRecord*> faulty_outlets(const record::RunRecord& run) {
   std::vector<const record::OutletRecord*> faulty;
   for (const record::OutletRecord& outlet : run.outlets) {
-    if (!outlet.fault.empty()) faulty.push_back(&outlet);
+    if (!outlet.fault.empty()) {
+      faulty.push_back(&outlet);
+    }
   }
   return faulty;
 }
 
 std::string played_sentence(const record::RunRecord& run) {
   const record::Recording& recording = run.recording;
-  if (recording.file.empty()) return "";
+  if (recording.file.empty()) {
+    return "";
+  }
   std::string columns = "columns " + recording.time + ", " + recording.frequency;
-  if (!recording.voltage.empty()) columns += ", " + recording.voltage;
+  if (!recording.voltage.empty()) {
+    columns += ", " + recording.voltage;
+  }
   const std::string what =
       fmt::format("The recording {} ({}; SHA-256 {})", recording.file, columns, recording.sha256);
   return valid_text(recording.replaces_profile
@@ -71,15 +81,21 @@ std::string verdict_sentence(const record::RunRecord& run) {
         std::count_if(outlet.measurements.begin(), outlet.measurements.end(),
                       [](const auto& result) { return result.judged; }));
   }
-  if (!run.verdict_reason.empty()) return valid_text(run.verdict_reason);
-  if (!run.fault.empty()) return valid_text(run.fault);
+  if (!run.verdict_reason.empty()) {
+    return valid_text(run.verdict_reason);
+  }
+  if (!run.fault.empty()) {
+    return valid_text(run.fault);
+  }
   const std::size_t outlets = run.outlets.size();
   const std::size_t short_of = shortfalls(run).size();
   if (short_of > 0) {
     return fmt::format("{} of {} judged measurements on {} outlet{} did not pass.", short_of,
                        judged, outlets, plural(outlets));
   }
-  if (judged == 0) return "Nothing was judged.";
+  if (judged == 0) {
+    return "Nothing was judged.";
+  }
   return fmt::format("All {} judged measurement{} on {} outlet{} {} within limits.", judged,
                      plural(judged), outlets, plural(outlets), judged == 1 ? "is" : "are");
 }

@@ -18,7 +18,9 @@ constexpr std::size_t kMostTerminalShortfalls = 10;  // the report has all
 
 std::string word_of(Verdict verdict, bool colour) {
   const char* word = record::to_string(verdict);
-  if (!colour) return word;
+  if (!colour) {
+    return word;
+  }
   const int code = verdict == Verdict::kPass           ? 32  // green
                    : verdict == Verdict::kInconclusive ? 33  // yellow
                    : verdict == Verdict::kFail         ? 31  // red
@@ -37,10 +39,14 @@ std::string one_line(const std::string& text) {
 std::string outlet_table(const record::RunRecord& run, bool colour) {
   const std::vector<KeyFigure> keys = key_figures(run, kMostTerminalColumns);
   std::vector<std::vector<std::string>> rows = {{"outlet"}};
-  for (const KeyFigure& key : keys) rows[0].emplace_back(key.heading);
+  for (const KeyFigure& key : keys) {
+    rows[0].emplace_back(key.heading);
+  }
   for (const record::OutletRecord& outlet : run.outlets) {
     rows.push_back({one_line(outlet.id)});
-    for (const KeyFigure& key : keys) rows.back().push_back(one_line(key_text(outlet, key)));
+    for (const KeyFigure& key : keys) {
+      rows.back().push_back(one_line(key_text(outlet, key)));
+    }
   }
   const std::vector<std::string> lines = aligned(rows);
   std::string out = lines[0] + "  verdict\n";
@@ -53,10 +59,16 @@ std::string outlet_table(const record::RunRecord& run, bool colour) {
 std::string text_of(const record::RunRecord& run, bool colour) {
   std::string out = fmt::format("{}  seed {}  {}\n", one_line(run.profile), run.seed,
                                 one_line(run.profile_title));
-  if (!run.outlets.empty()) out += outlet_table(run, colour);
+  if (!run.outlets.empty()) {
+    out += outlet_table(run, colour);
+  }
   const std::string doubt = doubt_note(run);
-  if (!doubt.empty()) out += doubt + '\n';
-  if (run.recording.replaces_profile) out += one_line(played_sentence(run)) + '\n';
+  if (!doubt.empty()) {
+    out += doubt + '\n';
+  }
+  if (run.recording.replaces_profile) {
+    out += one_line(played_sentence(run)) + '\n';
+  }
   const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
   for (std::size_t i = 0; i < std::min(faulty.size(), kMostTerminalShortfalls); ++i) {
     out += fmt::format("{} {}: {}\n", word_of(faulty[i]->verdict, colour), one_line(faulty[i]->id),

@@ -14,11 +14,19 @@ void keep_extremes(const std::vector<double>& values, std::size_t from, std::siz
   std::size_t least = to;
   std::size_t greatest = to;
   for (std::size_t i = from; i < to; ++i) {
-    if (std::isnan(values[i])) continue;
-    if (least == to || values[i] < values[least]) least = i;
-    if (greatest == to || values[i] > values[greatest]) greatest = i;
+    if (std::isnan(values[i])) {
+      continue;
+    }
+    if (least == to || values[i] < values[least]) {
+      least = i;
+    }
+    if (greatest == to || values[i] > values[greatest]) {
+      greatest = i;
+    }
   }
-  if (least == to) return;
+  if (least == to) {
+    return;
+  }
   kept.push_back(least);
   kept.push_back(greatest);
 }
@@ -56,8 +64,12 @@ std::vector<std::size_t> thinned(const std::vector<std::int64_t>& tick,
     keep_extremes(first, from, to, kept);
     keep_extremes(second, from, to, kept);
     std::size_t gap = from;
-    while (gap < to && !std::isnan(first[gap])) ++gap;
-    if (gap < to) kept.push_back(gap);
+    while (gap < to && !std::isnan(first[gap])) {
+      ++gap;
+    }
+    if (gap < to) {
+      kept.push_back(gap);
+    }
   }
   std::sort(kept.begin(), kept.end());
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());

@@ -19,7 +19,9 @@ class ArchitectureTest : public testing::Test {
 
 testing::AssertionResult none(const Findings& findings) {
   std::ostringstream text;
-  for (const Finding& finding : findings) text << finding << '\n';
+  for (const Finding& finding : findings) {
+    text << finding << '\n';
+  }
   return findings.empty() ? testing::AssertionSuccess() : testing::AssertionFailure() << text.str();
 }
 

@@ -35,7 +35,7 @@ void expect_reported(const std::vector<Case>& cases) {
 
 TEST(IncludeCheck, ReportsAFolderThatTheTableDoesNotGrant) {
   expect_reported(
-      {{"bench/grid/a.cpp", "\n" + include("waveform/truth.hpp"), 2, "may not include"},
+      {{"bench/grid/a.cpp", "\n" + include("waveform/reference_signal.hpp"), 2, "may not include"},
        // Granted in reverse.
        {"reports/record/a.hpp", include("render/render.hpp"), 1, "may not include"},
        {"bench/judge/a.cpp", include("record/store.hpp"), 1, "record/store.hpp"},

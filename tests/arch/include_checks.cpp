@@ -27,7 +27,9 @@ std::string_view skip_spaces(std::string_view text) {
 // What stands behind `#include` in a line of code_only text; empty where there is none.
 std::string_view after_include(std::string_view code) {
   code = skip_spaces(code);
-  if (!starts_with(code, "#")) return {};
+  if (!starts_with(code, "#")) {
+    return {};
+  }
   code = skip_spaces(code.substr(1));
   constexpr std::string_view kWord = "include";
   return starts_with(code, kWord) ? skip_spaces(code.substr(kWord.size())) : std::string_view();
@@ -40,7 +42,9 @@ std::vector<Include> includes_of(std::string_view path, std::string_view text) {
   const auto lines = lines_of(text);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view rest = after_include(code_lines[i]);
-    if (rest.empty()) continue;
+    if (rest.empty()) {
+      continue;
+    }
     // Literals are blank in the code: the name is read from the text, at the same column.
     const auto column = static_cast<std::size_t>(rest.data() - code_lines[i].data());
     const std::string_view name = lines[i].substr(column + 1);
@@ -54,7 +58,9 @@ std::vector<Include> includes_of(std::string_view path, std::string_view text) {
 std::vector<Include> includes_of(const Tree& tree) {
   std::vector<Include> all;
   for (const auto& [path, text] : tree) {
-    if (!is_cpp(path)) continue;
+    if (!is_cpp(path)) {
+      continue;
+    }
     const auto some = includes_of(path, text);
     all.insert(all.end(), some.begin(), some.end());
   }
@@ -62,7 +68,9 @@ std::vector<Include> includes_of(const Tree& tree) {
 }
 
 bool is_headers(std::string_view header, std::string_view beginning) {
-  if (!ends_with(beginning, "^")) return starts_with(header, beginning);
+  if (!ends_with(beginning, "^")) {
+    return starts_with(header, beginning);
+  }
   beginning.remove_suffix(1);
   return starts_with(header, beginning) && header.size() > beginning.size() &&
          std::isupper(static_cast<unsigned char>(header[beginning.size()])) != 0;
@@ -71,14 +79,18 @@ bool is_headers(std::string_view header, std::string_view beginning) {
 const LibraryRule* library_of(std::string_view header) {
   for (const LibraryRule& rule : library_rules()) {
     for (const std::string_view beginning : rule.headers) {
-      if (is_headers(header, beginning)) return &rule;
+      if (is_headers(header, beginning)) {
+        return &rule;
+      }
     }
   }
   return nullptr;
 }
 
 bool may_include(const FolderRule& from, const FolderRule& to, std::string_view header) {
-  if (from.folder == to.folder) return true;
+  if (from.folder == to.folder) {
+    return true;
+  }
   return std::any_of(from.may_include.begin(), from.may_include.end(), [&](std::string_view what) {
     return what == header || is_within(to.folder, what);
   });
@@ -99,15 +111,22 @@ std::string objection(const FolderRule& from, const Include& include) {
     return "includes " + name + ": a quoted include stays within its folder";
   }
   if (const FolderRule* to = owner_of_header(include.header); to != nullptr) {
-    if (may_include(from, *to, include.header)) return {};
+    if (may_include(from, *to, include.header)) {
+      return {};
+    }
     return folder + " may not include <" + name + "> of " + std::string(to->folder) +
            " (it may: " + joined(from.may_include) + ")";
   }
-  if (include.quoted) return {};  // a private header beside the file
-  if (from.folder == "tests")
+  if (include.quoted) {
+    return {};  // a private header beside the file
+  }
+  if (from.folder == "tests") {
     return {};  // any library, and helpers with include roots of their own
+  }
   if (const LibraryRule* library = library_of(include.header); library != nullptr) {
-    if (is_within_any(include.file, library->folders)) return {};
+    if (is_within_any(include.file, library->folders)) {
+      return {};
+    }
     return std::string(library->library) + " (<" + name + ">) belongs to " +
            joined(library->folders) + " only";
   }
@@ -127,7 +146,9 @@ Graph folder_graph(const Tree& tree) {
   for (const Include& include : includes_of(tree)) {
     const FolderRule* from = rule_of(include.file);
     const FolderRule* to = owner_of_header(include.header);
-    if (from == nullptr || to == nullptr || from == to) continue;
+    if (from == nullptr || to == nullptr || from == to) {
+      continue;
+    }
     graph[from->folder].emplace(to->folder, include);
   }
   return graph;
@@ -139,7 +160,9 @@ Findings check_includes(const Tree& tree) {
   Findings findings;
   for (const Include& include : includes_of(tree)) {
     const FolderRule* from = rule_of(include.file);
-    if (from == nullptr) continue;  // check_layout reports the folder
+    if (from == nullptr) {
+      continue;  // check_layout reports the folder
+    }
     const std::string broken_rule = objection(*from, include);
     if (!broken_rule.empty()) {
       findings.push_back({std::string(include.file), include.line, broken_rule});
@@ -173,7 +196,9 @@ Findings check_cycles(const Tree& tree) {
     finished.insert(folder);
   };
   for (const auto& [folder, edges] : graph) {
-    if (finished.count(folder) == 0) visit(folder);
+    if (finished.count(folder) == 0) {
+      visit(folder);
+    }
   }
   return findings;
 }

@@ -17,7 +17,9 @@ const std::string* find_text(const Tree& tree, const std::string& path) {
 std::string cmake_folder_of(const Tree& tree, std::string_view folder, std::string_view top) {
   while (is_within(folder, top)) {
     std::string here(folder);
-    if (find_text(tree, here + "/CMakeLists.txt") != nullptr) return here;
+    if (find_text(tree, here + "/CMakeLists.txt") != nullptr) {
+      return here;
+    }
     folder = folder_of(folder);
   }
   return {};
@@ -31,7 +33,9 @@ bool declares_target(const std::string& cmake, const std::string& target) {
     for (auto at = cmake.find(call); at != std::string::npos; at = cmake.find(call, at + 1)) {
       const auto name = cmake.find_first_not_of(" \t\n", at + call.size());
       const auto end = cmake.find_first_of(" \t\n)", name);
-      if (name != std::string::npos && cmake.substr(name, end - name) == target) return true;
+      if (name != std::string::npos && cmake.substr(name, end - name) == target) {
+        return true;
+      }
     }
     return false;
   });
@@ -39,7 +43,9 @@ bool declares_target(const std::string& cmake, const std::string& target) {
 
 // "bench/grid" → "bench_grid"; the program people call has its own name.
 std::string target_of(std::string_view folder) {
-  if (folder == "bench/cli") return "gsbench";
+  if (folder == "bench/cli") {
+    return "gsbench";
+  }
   std::string name(folder);
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
@@ -63,7 +69,9 @@ void check_top_level(const Tree& tree, Findings& findings) {
     entries.insert(std::string_view(file.first).substr(0, file.first.find('/')));
   }
   for (const std::string_view entry : entries) {
-    if (may_stand_at_top_level(entry)) continue;
+    if (may_stand_at_top_level(entry)) {
+      continue;
+    }
     findings.push_back({std::string(entry), 0, "does not belong at the top level"});
   }
 }
@@ -88,13 +96,17 @@ Findings check_links(const Tree& tree) {
   Findings findings;
   for (const auto& [path, text] : tree) {
     const FolderRule* from = rule_of(path);
-    if (from == nullptr || file_name(path) != "CMakeLists.txt") continue;
+    if (from == nullptr || file_name(path) != "CMakeLists.txt") {
+      continue;
+    }
     int number = 0;
     for (const std::string_view line : lines_of(text)) {
       ++number;
       for (const std::string_view word : words_of(line)) {
         for (const FolderRule& to : folder_rules()) {
-          if (word != target_of(to.folder) || may_link(*from, to)) continue;
+          if (word != target_of(to.folder) || may_link(*from, to)) {
+            continue;
+          }
           findings.push_back(
               {path, number, std::string(from->folder) + " may not link " + std::string(word)});
         }
@@ -110,7 +122,9 @@ Findings check_layout(const Tree& tree) {
   std::set<std::string_view> with_code;
   for (const auto& file : tree) {
     const std::string& path = file.first;
-    if (!is_cpp(path)) continue;
+    if (!is_cpp(path)) {
+      continue;
+    }
     const FolderRule* rule = rule_of(path);
     if (rule == nullptr) {
       findings.push_back({path, 0, "its folder is not in the table in tests/arch/rules.cpp"});
@@ -120,7 +134,9 @@ Findings check_layout(const Tree& tree) {
     check_source(tree, path, rule->folder, findings);
   }
   for (const std::string_view folder : with_code) {
-    if (folder == "tests") continue;  // many programs, each checked by its sources
+    if (folder == "tests") {
+      continue;  // many programs, each checked by its sources
+    }
     const std::string* cmake = find_text(tree, std::string(folder) + "/CMakeLists.txt");
     if (cmake == nullptr || !declares_target(*cmake, target_of(folder))) {
       findings.push_back({std::string(folder), 0, "has code but no target " + target_of(folder)});

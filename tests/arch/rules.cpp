@@ -173,16 +173,22 @@ bool is_within_any(std::string_view path, const std::vector<std::string_view>& f
 
 const FolderRule* rule_of(std::string_view path) {
   for (const FolderRule& rule : folder_rules()) {
-    if (is_within(path, rule.folder)) return &rule;
+    if (is_within(path, rule.folder)) {
+      return &rule;
+    }
   }
   return nullptr;
 }
 
 const FolderRule* owner_of_header(std::string_view header) {
   const auto slash = header.find('/');
-  if (slash == std::string_view::npos) return nullptr;
+  if (slash == std::string_view::npos) {
+    return nullptr;
+  }
   for (const FolderRule& rule : folder_rules()) {
-    if (rule.include_root == header.substr(0, slash)) return &rule;
+    if (rule.include_root == header.substr(0, slash)) {
+      return &rule;
+    }
   }
   return nullptr;
 }

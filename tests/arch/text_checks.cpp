@@ -29,7 +29,9 @@ bool has_path_below(std::string_view line, std::string_view root) {
   for (auto at = line.find(root); at != std::string_view::npos; at = line.find(root, at + 1)) {
     constexpr std::string_view kGoesBefore = "_-./}~*";
     const char before = at == 0 ? ' ' : line[at - 1];
-    if (!is_word(before) && kGoesBefore.find(before) == std::string_view::npos) return true;
+    if (!is_word(before) && kGoesBefore.find(before) == std::string_view::npos) {
+      return true;
+    }
   }
   return false;
 }
@@ -64,20 +66,26 @@ constexpr std::array<std::string_view, 13> kNotInFirmware = {
 
 std::ostream& operator<<(std::ostream& out, const Finding& finding) {
   out << finding.file;
-  if (finding.line > 0) out << ':' << finding.line;
+  if (finding.line > 0) {
+    out << ':' << finding.line;
+  }
   return out << ": " << finding.broken_rule;
 }
 
 Findings check_firmware_words(const Tree& tree) {
   Findings findings;
   for (const auto& [path, text] : tree) {
-    if (!is_cpp(path) || !is_within(path, "firmware")) continue;
+    if (!is_cpp(path) || !is_within(path, "firmware")) {
+      continue;
+    }
     const std::string code = code_only(text);
     int number = 0;
     for (const std::string_view line : lines_of(code)) {
       ++number;
       for (const std::string_view word : kNotInFirmware) {
-        if (!has_word(line, word) || (word == "delete" && is_deleted_function(line))) continue;
+        if (!has_word(line, word) || (word == "delete" && is_deleted_function(line))) {
+          continue;
+        }
         findings.push_back({path, number, "no `" + std::string(word) + "` in firmware"});
       }
     }
@@ -88,7 +96,9 @@ Findings check_firmware_words(const Tree& tree) {
 Findings check_text(const Tree& tree) {
   Findings findings;
   for (const auto& [path, text] : tree) {
-    if (!is_text(path)) continue;
+    if (!is_text(path)) {
+      continue;
+    }
     const auto lines = lines_of(text);
     const auto count = static_cast<int>(lines.size());
     if (count > kLongestFile) {
@@ -99,11 +109,15 @@ Findings check_text(const Tree& tree) {
     for (int i = 0; i < count; ++i) {
       const std::string_view line = lines[static_cast<std::size_t>(i)];
       for (const std::string_view word : kUndone) {
-        if (!has_word(line, word)) continue;
+        if (!has_word(line, word)) {
+          continue;
+        }
         findings.push_back({path, i + 1, std::string(word) + ": do it, or open an issue"});
       }
       for (const std::string_view root : kMachinePaths) {
-        if (!has_path_below(line, root)) continue;
+        if (!has_path_below(line, root)) {
+          continue;
+        }
         findings.push_back({path, i + 1, std::string(root) + "…: a path of one machine"});
       }
     }

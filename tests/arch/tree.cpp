@@ -15,7 +15,9 @@ namespace fs = std::filesystem;
 bool is_left_out(const std::string& top_level_name) {
   constexpr std::array<std::string_view, 4> kHiddenButOurs = {".ci", ".clang-format", ".clang-tidy",
                                                               ".gitignore"};
-  if (top_level_name == "build" || top_level_name == "runs") return true;
+  if (top_level_name == "build" || top_level_name == "runs") {
+    return true;
+  }
   return top_level_name.front() == '.' && std::find(kHiddenButOurs.begin(), kHiddenButOurs.end(),
                                                     top_level_name) == kHiddenButOurs.end();
 }
@@ -58,7 +60,9 @@ class Blanker {
 
   void blank_to(std::size_t end) {
     for (; at_ < end; ++at_) {
-      if (text_[at_] != '\n') code_[at_] = ' ';
+      if (text_[at_] != '\n') {
+        code_[at_] = ' ';
+      }
     }
   }
 
@@ -84,7 +88,9 @@ class Blanker {
     }
     ++at_;
     blank_to(std::min(end, text_.size()));
-    if (at_ < text_.size()) ++at_;
+    if (at_ < text_.size()) {
+      ++at_;
+    }
   }
 
   std::string_view text_;

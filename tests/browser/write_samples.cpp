@@ -29,7 +29,9 @@ RunRecord failing() {
   error.uncertainty = 0.05;
   error.verdict = Verdict::kInconclusive;
   error.reason = "nearer to its limit than the bench's uncertainty";
-  for (std::size_t i = 250; i < 300; ++i) outlet.trace.validity[i] = 0;
+  for (std::size_t i = 250; i < 300; ++i) {
+    outlet.trace.validity[i] = 0;
+  }
   return run;
 }
 

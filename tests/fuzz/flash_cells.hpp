@@ -17,12 +17,18 @@ class FlashCells final : public gs::settings_storage::Flash {
   }
 
   bool erase(int slot) override {
-    for (std::size_t i = 0; i < kSlotBytes; ++i) bytes_[place(slot, i)] = 0xFF;
+    for (std::size_t i = 0; i < kSlotBytes; ++i) {
+      bytes_[place(slot, i)] = 0xFF;
+    }
     return true;
   }
   bool program(int slot, std::size_t offset, std::uint32_t word) override {
-    if (read(slot, offset) != 0xFFFFFFFFU) misused_ = true;
-    if (misused_) return false;
+    if (read(slot, offset) != 0xFFFFFFFFU) {
+      misused_ = true;
+    }
+    if (misused_) {
+      return false;
+    }
     for (std::size_t i = 0; i < 4; ++i) {
       bytes_[place(slot, offset) + i] = static_cast<std::uint8_t>(word >> (8 * i));
     }

@@ -16,7 +16,9 @@ std::size_t Mutator::below(std::size_t bound) {
 
 std::string Mutator::next() {
   std::string text = any(corpus_);
-  for (std::size_t i = below(3) + 1; i > 0 && !text.empty(); --i) damage(text);
+  for (std::size_t i = below(3) + 1; i > 0 && !text.empty(); --i) {
+    damage(text);
+  }
   return text;
 }
 
@@ -48,16 +50,22 @@ void Mutator::damage(std::string& text) {
 
 void Mutator::replace_a_value(std::string& text) {
   const std::size_t equals = text.find("= ", below(text.size()));
-  if (equals == std::string::npos) return;
+  if (equals == std::string::npos) {
+    return;
+  }
   const std::size_t end = text.find('\n', equals);
   text.replace(equals + 2, end == std::string::npos ? end : end - equals - 2, any(words_));
 }
 
 void Mutator::drop_or_repeat_a_line(std::string& text) {
   const std::size_t begin = text.find('\n', below(text.size()));
-  if (begin == std::string::npos) return;
+  if (begin == std::string::npos) {
+    return;
+  }
   const std::size_t end = text.find('\n', begin + 1);
-  if (end == std::string::npos) return;
+  if (end == std::string::npos) {
+    return;
+  }
   if (below(2) == 0) {
     text.erase(begin, end - begin);
   } else {

@@ -42,7 +42,9 @@ std::vector<std::string> words() {
 TEST(ProfileFuzz, CorpusIsTakenOrRefusedWithAPlace) {
   const auto texts = corpus();
   ASSERT_GT(texts.size(), 4u) << "the shipped profiles are missing";
-  for (const std::string& text : texts) EXPECT_EQ(wrong_with(text), "") << text;
+  for (const std::string& text : texts) {
+    EXPECT_EQ(wrong_with(text), "") << text;
+  }
 }
 
 TEST(ProfileFuzz, MutationsAreTakenOrRefusedWithAPlace) {

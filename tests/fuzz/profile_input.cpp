@@ -9,15 +9,27 @@ namespace gsbench::fuzz {
 namespace {
 
 std::string wrong_with_plan(const profile::Plan& plan) {
-  if (plan.duration_ticks() <= 0) return "a run of no length";
-  if (plan.expectations.empty()) return "no limits";
-  if (plan.outlets.empty()) return "no outlets";
+  if (plan.duration_ticks() <= 0) {
+    return "a run of no length";
+  }
+  if (plan.expectations.empty()) {
+    return "no limits";
+  }
+  if (plan.outlets.empty()) {
+    return "no outlets";
+  }
   std::set<std::string> ids;
-  for (const profile::Outlet& outlet : plan.outlets) ids.insert(outlet.id);
-  if (ids.size() != plan.outlets.size()) return "two outlets of one id";
+  for (const profile::Outlet& outlet : plan.outlets) {
+    ids.insert(outlet.id);
+  }
+  if (ids.size() != plan.outlets.size()) {
+    return "two outlets of one id";
+  }
   for (const profile::Command& command : plan.commands) {
     for (const std::string& id : command.outlets) {
-      if (ids.count(id) == 0) return "a command to an outlet that is not there";
+      if (ids.count(id) == 0) {
+        return "a command to an outlet that is not there";
+      }
     }
   }
   const waveform::Synthesizer synthesizer = plan.synthesizer();
@@ -26,8 +38,12 @@ std::string wrong_with_plan(const profile::Plan& plan) {
         static_cast<double>(tick) / static_cast<double>(synthesizer.sample_rate_hz());
     float sample = 0.0F;
     synthesizer.render(tick, 1, &sample);
-    if (!std::isfinite(sample)) return "a sample that is not finite";
-    if (!std::isfinite(synthesizer.truth().frequency_hz(t_s))) return "a frequency not finite";
+    if (!std::isfinite(sample)) {
+      return "a sample that is not finite";
+    }
+    if (!std::isfinite(synthesizer.reference().frequency_hz(t_s))) {
+      return "a frequency not finite";
+    }
   }
   return "";
 }

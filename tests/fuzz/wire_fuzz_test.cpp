@@ -52,7 +52,9 @@ class WireFuzz : public testing::TestWithParam<WireFuzzer> {};
 TEST_P(WireFuzz, SeedsAreRight) {
   const std::vector<std::string> seeds = GetParam().seeds();
   ASSERT_GE(seeds.size(), 3U);
-  for (const std::string& seed : seeds) EXPECT_EQ(wrong_with(GetParam(), seed), "");
+  for (const std::string& seed : seeds) {
+    EXPECT_EQ(wrong_with(GetParam(), seed), "");
+  }
   EXPECT_EQ(wrong_with(GetParam(), ""), "");
 }
 

@@ -9,7 +9,9 @@ namespace {
 
 const gsbench::fuzz::WireFuzzer& this_fuzzer() {
   for (const gsbench::fuzz::WireFuzzer& fuzzer : gsbench::fuzz::wire_fuzzers()) {
-    if (std::strcmp(fuzzer.name, GSBENCH_FUZZER) == 0) return fuzzer;
+    if (std::strcmp(fuzzer.name, GSBENCH_FUZZER) == 0) {
+      return fuzzer;
+    }
   }
   std::fprintf(stderr, "no fuzzer %s\n", GSBENCH_FUZZER);
   std::abort();

@@ -52,11 +52,17 @@ template <class Message>
 std::string wrong_with_decoded(const std::uint8_t* bytes, std::size_t size) {
   Message message;
   std::uint32_t sequence = 0;
-  if (gs::wire::decode(bytes, size, message, sequence) != Decoded::kOk) return "";
+  if (gs::wire::decode(bytes, size, message, sequence) != Decoded::kOk) {
+    return "";
+  }
   const Bytes once = encoded(message, sequence);
-  if (once.empty()) return "a message that was read cannot be written";
+  if (once.empty()) {
+    return "a message that was read cannot be written";
+  }
   // Settings that were left out are written with their defaults.
-  if (once.size() > size && !is_settings(message)) return "written longer than it was read";
+  if (once.size() > size && !is_settings(message)) {
+    return "written longer than it was read";
+  }
   Message again;
   std::uint32_t again_sequence = 0;
   if (gs::wire::decode(once.data(), once.size(), again, again_sequence) != Decoded::kOk) {
@@ -73,10 +79,16 @@ std::string wrong_with_outlet(const std::uint8_t* bytes, std::size_t size) {
   Listener listener;
   gs::app::Application app;
   gs::app::MessageEndpoint endpoint(app, listener);
-  if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) return "the outlet did not start";
+  if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) {
+    return "the outlet did not start";
+  }
   endpoint.receive(bytes, size);
-  if (listener.unreadable()) return "the outlet said what cannot be read";
-  if (listener.said() < 2) return "the outlet left a message without an answer";
+  if (listener.unreadable()) {
+    return "the outlet said what cannot be read";
+  }
+  if (listener.said() < 2) {
+    return "the outlet left a message without an answer";
+  }
   constexpr std::int16_t kSamples[256] = {};
   app.feed(kSamples, 256, endpoint);
   return app.samples_taken() == 256 ? "" : "the outlet stopped";
@@ -84,9 +96,15 @@ std::string wrong_with_outlet(const std::uint8_t* bytes, std::size_t size) {
 
 std::string wrong_with_framing(const Bytes& message) {
   const Bytes frame = framed(message);
-  if (frame.empty()) return "a message is not framed";
-  if (frame.size() > kLongestFrame) return "a frame longer than the longest";
-  if (std::count(frame.begin(), frame.end(), 0) != 2) return "a zero within a frame";
+  if (frame.empty()) {
+    return "a message is not framed";
+  }
+  if (frame.size() > kLongestFrame) {
+    return "a frame longer than the longest";
+  }
+  if (std::count(frame.begin(), frame.end(), 0) != 2) {
+    return "a zero within a frame";
+  }
   return "";
 }
 
@@ -100,19 +118,33 @@ std::string wrong_with_stream(const std::uint8_t* bytes, std::size_t size) {
     zeros += bytes[i] == 0 ? 1 : 0;
     const FrameReader::Taken taken = reader.take(bytes[i]);
     ended += taken != FrameReader::Taken::kNothing ? 1 : 0;
-    if (taken != FrameReader::Taken::kMessage) continue;
-    if (reader.size() == 0 || reader.size() > kLongestMessage) return "a message of no such length";
+    if (taken != FrameReader::Taken::kMessage) {
+      continue;
+    }
+    if (reader.size() == 0 || reader.size() > kLongestMessage) {
+      return "a message of no such length";
+    }
     std::string wrong = wrong_with_framing({reader.message(), reader.message() + reader.size()});
-    if (!wrong.empty()) return wrong;
+    if (!wrong.empty()) {
+      return wrong;
+    }
   }
-  if (ended > zeros) return "more frames than zeros";
-  if (size == 0) return "";
+  if (ended > zeros) {
+    return "more frames than zeros";
+  }
+  if (size == 0) {
+    return "";
+  }
   // The input as a message, behind itself as junk.
   const Bytes message(bytes, bytes + std::min(size, kLongestMessage));
   std::string wrong = wrong_with_framing(message);
-  if (!wrong.empty()) return wrong;
+  if (!wrong.empty()) {
+    return wrong;
+  }
   FrameReader::Taken last = FrameReader::Taken::kNothing;
-  for (const std::uint8_t byte : framed(message)) last = reader.take(byte);
+  for (const std::uint8_t byte : framed(message)) {
+    last = reader.take(byte);
+  }
   const bool found = last == FrameReader::Taken::kMessage && reader.size() == message.size() &&
                      std::equal(message.begin(), message.end(), reader.message());
   return found ? "" : "a frame behind junk is not found";
@@ -120,28 +152,44 @@ std::string wrong_with_stream(const std::uint8_t* bytes, std::size_t size) {
 
 std::string wrong_with_message(const std::uint8_t* bytes, std::size_t size) {
   std::string wrong = wrong_with_decoded<gs::wire::Uplink>(bytes, size);
-  if (wrong.empty()) wrong = wrong_with_decoded<gs::wire::Downlink>(bytes, size);
-  if (wrong.empty()) wrong = wrong_with_outlet(bytes, size);
+  if (wrong.empty()) {
+    wrong = wrong_with_decoded<gs::wire::Downlink>(bytes, size);
+  }
+  if (wrong.empty()) {
+    wrong = wrong_with_outlet(bytes, size);
+  }
   return wrong;
 }
 
 std::string wrong_with_settings(const std::uint8_t* bytes, std::size_t size) {
   gs::outlet::Settings settings;
-  if (gs::wire::decode(bytes, size, settings) != Decoded::kOk) return "";
+  if (gs::wire::decode(bytes, size, settings) != Decoded::kOk) {
+    return "";
+  }
   const Bytes once = encoded(settings);
-  if (once.empty()) return "settings that were read cannot be written";
+  if (once.empty()) {
+    return "settings that were read cannot be written";
+  }
   gs::outlet::Settings again;
   if (gs::wire::decode(once.data(), once.size(), again) != Decoded::kOk) {
     return "what was written cannot be read";
   }
-  if (encoded(again) != once) return "read again, they are others";
-  constexpr float kNominalHz = 50.0F;
-  if (gs::outlet::validate(settings, kNominalHz) != gs::outlet::SettingsError::kNone) return "";
-  if (gs::outlet::digest(again) != gs::outlet::digest(settings)) return "another digest";
+  if (encoded(again) != once) {
+    return "read again, they are others";
+  }
+  constexpr float kNominal_hz = 50.0F;
+  if (gs::outlet::validate(settings, kNominal_hz) != gs::outlet::SettingsError::kNone) {
+    return "";
+  }
+  if (gs::outlet::digest(again) != gs::outlet::digest(settings)) {
+    return "another digest";
+  }
   Listener listener;
   gs::app::Application app;
   gs::app::MessageEndpoint endpoint(app, listener);
-  if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) return "the outlet did not start";
+  if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) {
+    return "the outlet did not start";
+  }
   // Version 0 stands for none.
   const bool can_be_in_force = settings.version != gs::outlet::kNoSettings;
   if (app.restore(settings) != can_be_in_force) {
@@ -161,16 +209,26 @@ std::string wrong_with_flash(const std::uint8_t* bytes, std::size_t size) {
   gs::outlet::Settings settings;
   if (area.load(settings)) {
     const Bytes kept = encoded(settings);
-    if (kept.empty()) return "settings were loaded that cannot be written";
-    if (!area.usable()) return "settings were loaded from an area that is not usable";
+    if (kept.empty()) {
+      return "settings were loaded that cannot be written";
+    }
+    if (!area.usable()) {
+      return "settings were loaded from an area that is not usable";
+    }
     gs::outlet::Settings again;
-    if (!area.load(again) || encoded(again) != kept) return "loaded again, they are others";
+    if (!area.load(again) || encoded(again) != kept) {
+      return "loaded again, they are others";
+    }
   }
   settings = {};
   settings.version = 12345;
-  if (!area.keep(settings)) return "settings cannot be kept behind what was there";
+  if (!area.keep(settings)) {
+    return "settings cannot be kept behind what was there";
+  }
   gs::outlet::Settings back;
-  if (!area.load(back) || encoded(back) != encoded(settings)) return "what was kept is not loaded";
+  if (!area.load(back) || encoded(back) != encoded(settings)) {
+    return "what was kept is not loaded";
+  }
   return flash.misused() ? "the flash was used as it must not be" : "";
 }
 

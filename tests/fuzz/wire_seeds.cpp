@@ -35,7 +35,9 @@ std::vector<Bytes> messages() {
 
 std::vector<std::string> message_seeds() {
   std::vector<std::string> seeds;
-  for (const Bytes& message : messages()) seeds.push_back(text_of(message));
+  for (const Bytes& message : messages()) {
+    seeds.push_back(text_of(message));
+  }
   return seeds;
 }
 
@@ -47,7 +49,9 @@ std::vector<std::string> stream_seeds() {
   std::string some;
   for (const Bytes& message : messages()) {
     seeds.push_back(text_of(framed(message)));
-    if (some.size() < kLongestSeed) some += seeds.back();
+    if (some.size() < kLongestSeed) {
+      some += seeds.back();
+    }
   }
   seeds.push_back(some);
   return seeds;
@@ -68,7 +72,9 @@ std::vector<gs::outlet::Settings> some_settings() {
 std::vector<std::string> settings_seeds() {
   // Some left out, one twice, one that is not known.
   std::vector<std::string> seeds = {"\xA1\x10\x0A", "\xA2\x10\x0A\x10\x0A", "\xA1\x18\xC8\xF6"};
-  for (const auto& settings : some_settings()) seeds.push_back(text_of(encoded(settings)));
+  for (const auto& settings : some_settings()) {
+    seeds.push_back(text_of(encoded(settings)));
+  }
   return seeds;
 }
 
@@ -78,7 +84,9 @@ std::vector<std::string> flash_seeds() {
   gs::settings_storage::FlashSettingsStorage area(cells);
   std::vector<std::string> seeds = {text_of(cells.bytes())};
   for (const auto& settings : some_settings()) {
-    if (area.keep(settings)) seeds.push_back(text_of(cells.bytes()));
+    if (area.keep(settings)) {
+      seeds.push_back(text_of(cells.bytes()));
+    }
   }
   return seeds;
 }

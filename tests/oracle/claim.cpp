@@ -39,9 +39,13 @@ double relative(double claimed, long double simulated) {
 }
 
 double nadir_time_disagreement(const grid::Nadir& claimed, const Turn& turn) {
-  if (!turn.t_s) return std::isinf(claimed.t_s) ? 0.0 : std::numeric_limits<double>::infinity();
+  if (!turn.t_s) {
+    return std::isinf(claimed.t_s) ? 0.0 : std::numeric_limits<double>::infinity();
+  }
   const long double undershoot = turn.deviation_hz / turn.end_deviation_hz - 1.0L;
-  if (undershoot < 1e-6L) return 0.0;
+  if (undershoot < 1e-6L) {
+    return 0.0;
+  }
   return relative(claimed.t_s, *turn.t_s);
 }
 

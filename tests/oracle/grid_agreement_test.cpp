@@ -17,7 +17,9 @@ constexpr double kTolerance = 1e-12;
 
 Scenario scenario_on(const grid::Grid& grid, RandomGrids& random) {
   Scenario scenario{grid, random.changes(grid), {}};
-  for (int i = 0; i <= 60; ++i) scenario.times_s.push_back(0.25 * i);
+  for (int i = 0; i <= 60; ++i) {
+    scenario.times_s.push_back(0.25 * i);
+  }
   return scenario;
 }
 
@@ -47,7 +49,9 @@ TEST(GridAgreement, HoldsForAThousandRandomGridsOfAnyDamping) {
     } else {
       ++(zeta < 1.0 ? underdamped : overdamped);
     }
-    if (std::isinf(claim.nadir.t_s)) ++without_turn;
+    if (std::isinf(claim.nadir.t_s)) {
+      ++without_turn;
+    }
   }
   // Each shape of the closed forms has had its share.
   EXPECT_GT(underdamped, 200);
@@ -73,7 +77,9 @@ Spoil with_unit_response(double (*unit_hz)(const grid::SfrModel&, double)) {
       double sum_hz = 0.0;
       for (const grid::PowerChange& change : scenario.changes) {
         const double since_s = scenario.times_s[i] - change.at_s;
-        if (since_s >= 0.0) sum_hz += change.power_mw * unit_hz(model, since_s);
+        if (since_s >= 0.0) {
+          sum_hz += change.power_mw * unit_hz(model, since_s);
+        }
       }
       claim.courses[i].deviation_hz = sum_hz;
     }
@@ -113,7 +119,9 @@ const Mutant kMutants[] = {
     {"ReheatFractionWrongByABillionth",
      of_another_grid([](grid::Grid& g) { g.reheat_fraction *= 1.0 + 1e-9; }), &Disagreement::nadir},
     {"DroopWithoutItsPlantsRating", of_another_grid([](grid::Grid& g) {
-       for (grid::Plant& plant : g.plants) plant.droop_pu *= g.base_mw / plant.rating_mw;
+       for (grid::Plant& plant : g.plants) {
+         plant.droop_pu *= g.base_mw / plant.rating_mw;
+       }
      }),
      &Disagreement::threshold},
     {"PhaseWithoutItsTransient",
@@ -162,7 +170,9 @@ TEST(GridAgreement, DetectsEachMutant) {
   RandomGrids random(7);
   grid::Grid grid = random.any();
   // Where the paper's equations exist, and with more than one plant.
-  while (grid::SfrModel(grid).zeta() > 0.9 || grid.plants.size() < 2) grid = random.any();
+  while (grid::SfrModel(grid).zeta() > 0.9 || grid.plants.size() < 2) {
+    grid = random.any();
+  }
   const Scenario scenario = scenario_on(grid, random);
   const Claim sound = claim_of(scenario);
   ASSERT_GT(sound.conditions.size(), 2u);

@@ -135,7 +135,9 @@ class PowerSystem::Step {
 
   long double deviation_hz(long double s) const {
     long double sum = 0.0L;
-    for (auto k = coefficients_.size(); k-- > 0;) sum = sum * s + coefficients_[k];
+    for (auto k = coefficients_.size(); k-- > 0;) {
+      sum = sum * s + coefficients_[k];
+    }
     return sum;
   }
   long double rocof_hz_s(long double s) const {

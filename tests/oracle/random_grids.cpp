@@ -4,7 +4,9 @@ namespace gsbench::oracle {
 namespace {
 
 void scale_inertia(grid::Grid& grid, double factor) {
-  for (grid::Plant& plant : grid.plants) plant.inertia_s *= factor;
+  for (grid::Plant& plant : grid.plants) {
+    plant.inertia_s *= factor;
+  }
 }
 
 double zeta_of(grid::Grid grid, double inertia_factor) {
@@ -52,7 +54,9 @@ grid::Grid RandomGrids::nearly_critical(double distance) {
   // less. About a grid in two is such.
   constexpr double kLeast = 0.01;
   grid::Grid grid = any();
-  while (zeta_of(grid, 1.0) >= 1.0 || zeta_of(grid, kLeast) <= 1.0) grid = any();
+  while (zeta_of(grid, 1.0) >= 1.0 || zeta_of(grid, kLeast) <= 1.0) {
+    grid = any();
+  }
   double over = kLeast;
   double under = 1.0;
   for (int i = 0; i < 60; ++i) {

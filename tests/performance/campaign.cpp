@@ -30,7 +30,7 @@ constexpr std::uint64_t kTrajectories = 1000000;
 // rest.
 constexpr double kOperations = 146.0;
 
-double numpy_seconds(int seed) {
+double numpy_s(int seed) {
   const std::string command = "/usr/bin/python3 " GSBENCH_SOURCE_DIR
                               "/tests/performance/peers/estimates.py " +
                               std::to_string(kTrajectories) + ' ' + std::to_string(seed);
@@ -46,7 +46,7 @@ double numpy_seconds(int seed) {
   return seconds;
 }
 
-double campaign_seconds(const grid::Grid& grid, std::size_t threads,
+double campaign_s(const grid::Grid& grid, std::size_t threads,
                         std::uint64_t trajectories = kTrajectories) {
   campaign::EstimateOptions options;
   options.trajectories = trajectories;
@@ -115,7 +115,7 @@ double largest_memory_mb() {
   return static_cast<double>(used.ru_maxrss) / 1024.0;
 }
 
-double reproduce_seconds() {
+double reproduce_s() {
   const auto begin = steady_clock::now();
   run_or_die(GSBENCH_PROGRAM " reproduce --n 1000000 >/dev/null");
   return seconds_since(begin);
@@ -129,9 +129,9 @@ int run() {
   std::vector<double> step;
   std::vector<double> peak;
   for (int round = 0; round < kRounds; ++round) {
-    numpy.push_back(numpy_seconds(round + 1));
-    two_threads.push_back(campaign_seconds(grid, 2));
-    one_thread.push_back(campaign_seconds(grid, 1));
+    numpy.push_back(numpy_s(round + 1));
+    two_threads.push_back(campaign_s(grid, 2));
+    one_thread.push_back(campaign_s(grid, 1));
     step.push_back(step_ns(grid));
     peak.push_back(peak_per_ns());
   }
@@ -145,10 +145,10 @@ int run() {
   print("  multiplications and additions that wait for nothing", median(peak), "in a ns");
   print("  the EKF's share of that", kOperations / median(step) / median(peak), "");
   const double before_mb = largest_memory_mb();
-  const double long_s = campaign_seconds(grid, 2, 100 * kTrajectories);
+  const double long_s = campaign_s(grid, 2, 100 * kTrajectories);
   print("a hundred million on two threads", long_s, "s");
   judge_at_most("  memory beyond that of a million", largest_memory_mb() - before_mb, "MB", 1.0);
-  judge_at_most("gsbench reproduce --n 1000000", reproduce_seconds(), "s", 30.0);
+  judge_at_most("gsbench reproduce --n 1000000", reproduce_s(), "s", 30.0);
   return exit_code();
 }
 

@@ -19,7 +19,7 @@ namespace gsbench::performance {
 namespace {
 
 constexpr int kRounds = 7;
-constexpr double kPlayedS = 60.0;
+constexpr double kPlayed_s = 60.0;
 constexpr std::size_t kBlock = 4096;
 
 double wall_s() {
@@ -37,7 +37,7 @@ struct Work {
 
 profile::Plan plan_for(std::size_t outlets) {
   profile::Plan plan = profile::load_profile("paper/loss-500mw");
-  plan.stimulus.duration_s = kPlayedS;
+  plan.stimulus.duration_s = kPlayed_s;
   plan.outlets.resize(outlets, plan.outlets.front());
   return plan;
 }
@@ -74,14 +74,14 @@ void feed_firmware(const std::vector<std::int16_t>& samples) {
 int run() {
   const profile::Plan one = plan_for(1);
   const profile::Plan eight = plan_for(8);
-  const double samples = kPlayedS * static_cast<double>(one.stimulus.sample_rate_hz);
+  const double samples = kPlayed_s * static_cast<double>(one.stimulus.sample_rate_hz);
   std::vector<std::int16_t> counts;
   for_each_block(one, [&](const std::vector<float>& block) {
     for (const float voltage_pu : block) {
       counts.push_back(static_cast<std::int16_t>(voltage_pu * 20000.0F));
     }
   });
-  constexpr int kSteps = 3750;  // kPlayedS in steps of 16 ms
+  constexpr int kSteps = 3750;  // kPlayed_s in steps of 16 ms
   const models::Stream stream{1, models::kTest, 0};
 
   std::vector<Work> works = {
@@ -116,7 +116,7 @@ int run() {
     }
   }
   std::printf("median of %d rounds, each part in turn; %g s played at %lld Hz\n\n", kRounds,
-              kPlayedS, static_cast<long long>(one.stimulus.sample_rate_hz));
+              kPlayed_s, static_cast<long long>(one.stimulus.sample_rate_hz));
   for (const Work& work : works) {
     std::printf("  %-40s %10.3f ms", work.name.c_str(), 1e3 * work.median());
     if (work.clock == own_processor_s) {
@@ -127,8 +127,8 @@ int run() {
   const double parts_s = works[2].median() + works[3].median() + works[4].median();
   std::printf("\n  the chain takes %.2f times its parts (synthesis, noise, firmware)\n\n",
               works[0].median() / parts_s);
-  judge_at_least("chain, one outlet, one core", kPlayedS / works[0].median(), "x real time", 1000);
-  judge_at_least("chain, eight outlets, each outlet, one core", 8.0 * kPlayedS / works[1].median(),
+  judge_at_least("chain, one outlet, one core", kPlayed_s / works[0].median(), "x real time", 1000);
+  judge_at_least("chain, eight outlets, each outlet, one core", 8.0 * kPlayed_s / works[1].median(),
                  "x real time", 1000);
   judge_at_most("a step of the station, eight outlets", 1e3 * works[5].median() / kSteps, "ms",
                 0.1);

@@ -28,7 +28,7 @@ using std::chrono::steady_clock;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t kOutlets = 16;
-constexpr double kPlayedS = 20.0;
+constexpr double kPlayed_s = 20.0;
 constexpr std::int64_t kBlock = 128;  // 16 ms: one measurement
 constexpr int kRoundTrips = 1000;
 constexpr auto kToAnswer = std::chrono::seconds(30);
@@ -54,7 +54,7 @@ void measure_sixteen_outlets() {
   link::FramedLink link({ports});
   or_die(link::wait_for_outlets(link, ports, kToAnswer));
   test::Mains mains;
-  mains.duration_s = kPlayedS;
+  mains.duration_s = kPlayed_s;
   mains.added.rms_pu = 0.01F;
   or_die(hardware->source().prepare(mains));
   or_die(hardware->source().energise());
@@ -85,7 +85,7 @@ void measure_sixteen_outlets() {
   for (const link::Fault& fault : happenings.faults) {
     std::printf("  %s %s\n", fault.id.c_str(), fault.what.c_str());
   }
-  judge_at_least("16 emulated Cortex-M4F, all measurements received", kPlayedS / wall_s,
+  judge_at_least("16 emulated Cortex-M4F, all measurements received", kPlayed_s / wall_s,
                  "x real time", 1.0);
   judge_at_most("  faults told", static_cast<double>(happenings.faults.size()), "", 0.0);
 }
@@ -191,7 +191,7 @@ void say_measurements(transport::Transport& end) {
   }
 }
 
-double link_seconds() {
+double link_s() {
   RawCable raw;
   std::atomic<bool> opened{false};
   std::thread saying([&] {
@@ -230,7 +230,7 @@ double link_seconds() {
 }
 
 // The same bytes in the same writes, read and forgotten.
-double raw_seconds() {
+double raw_s() {
   RawCable raw;
   or_die(raw.bench->open());
   std::atomic<bool> said{false};
@@ -273,8 +273,8 @@ int run() {
   Throughput over_link;
   // In turn, the best of each: other work of the machine slows the one and not the other.
   for (int i = 0; i < 3; ++i) {
-    raw = better(raw, measured(raw_seconds));
-    over_link = better(over_link, measured(link_seconds));
+    raw = better(raw, measured(raw_s));
+    over_link = better(over_link, measured(link_s));
   }
   // The emulated cable is a thread that copies, and a reader that is slower gets more at a time of
   // it: what the link costs shows in the processor's time.

@@ -26,7 +26,9 @@ void die(const std::string& why) {
 }
 
 void run_or_die(const char* command) {
-  if (std::system(command) != 0) die(std::string("this failed: ") + command);
+  if (std::system(command) != 0) {
+    die(std::string("this failed: ") + command);
+  }
 }
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {

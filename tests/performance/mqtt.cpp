@@ -37,7 +37,7 @@ using test::TemporaryFolder;
 
 constexpr std::size_t kOutlets = 1000;
 constexpr double kPerSecond = 62.5;
-constexpr double kLoadedS = 10.0;
+constexpr double kLoaded_s = 10.0;
 constexpr std::size_t kSenders = 200;
 constexpr std::size_t kFlatOut = 300;     // measurements of each outlet to saturate the broker
 constexpr double kShareOfCapacity = 0.7;  // what is left over takes its uneven arrival
@@ -52,7 +52,9 @@ double processor_s(pid_t pid) {
   std::getline(in, text);
   std::istringstream fields(text.substr(text.rfind(')') + 2));
   std::string skipped;
-  for (int i = 0; i < 11; ++i) fields >> skipped;
+  for (int i = 0; i < 11; ++i) {
+    fields >> skipped;
+  }
   double user = 0.0;
   double system = 0.0;
   fields >> user >> system;
@@ -257,8 +259,9 @@ int run() {
   print("  measurements lost", static_cast<double>(flat_out.said - flat_out.measurements), "");
   print("  the bench's processor time by the broker's", flat_out.bench_s / flat_out.broker_s, "");
 
-  const Carried carried = carry(
-      broker, carried_outlets, static_cast<std::size_t>(kPerSecond * kLoadedS), kPerSecond, folder);
+  const Carried carried =
+      carry(broker, carried_outlets, static_cast<std::size_t>(kPerSecond * kLoaded_s), kPerSecond,
+            folder);
   print("outlets at 62.5 measurements/s each", static_cast<double>(carried.outlets), "");
   print("  measurements received", static_cast<double>(carried.measurements), "");
   print("  per second", static_cast<double>(carried.measurements) / carried.wall_s, "messages/s");

@@ -24,7 +24,9 @@ void killed_after(Write&& write) {
   if (child == 0) {
     write([&] {
       const char done = 1;
-      if (::write(ready[1], &done, 1) == 1) ::pause();
+      if (::write(ready[1], &done, 1) == 1) {
+        ::pause();
+      }
       ::_exit(1);
     });
     ::_exit(1);
@@ -49,7 +51,9 @@ TEST_P(CrashedStore, KeepsEveryFinishedCall) {
   killed_after([&](auto&& done) {
     Writer writer(path);
     writer.begin(run);
-    for (std::size_t i = 0; i < written; ++i) writer.add_outlet(run.outlets[i]);
+    for (std::size_t i = 0; i < written; ++i) {
+      writer.add_outlet(run.outlets[i]);
+    }
     done();
   });
   const RunRecord read = read_run(path);

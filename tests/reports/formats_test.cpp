@@ -40,7 +40,9 @@ TEST(Formats, ShowAFaultOfTheBenchAndThatOfAnOutlet) {
   record::RunRecord lost_source = lost_outlet;
   lost_source.fault = "the source stopped";
   for (const Format& format : kFormats) {
-    if (format.render == find_format("csv")->render) continue;
+    if (format.render == find_format("csv")->render) {
+      continue;
+    }
     EXPECT_THAT(format.render(lost_outlet), HasSubstr("fell silent")) << format.name;
     EXPECT_THAT(format.render(lost_source), HasSubstr("fell silent")) << format.name;
     EXPECT_THAT(format.render(lost_source), HasSubstr("the source stopped")) << format.name;

@@ -47,7 +47,9 @@ void expect_each_field_counts(Find&& find) {
     RunRecord changed = original;
     std::string name;
     visit_fields<Part>(find(changed), [&, at = std::size_t{0}](const char* of, auto& it) mutable {
-      if (at++ != i) return;
+      if (at++ != i) {
+        return;
+      }
       change(it);
       name = of;
     });
@@ -60,7 +62,7 @@ void expect_each_field_counts(Find&& find) {
 TEST(ContentDigest, ChangesWithEveryFieldButRunIdAndWallClock) {
   expect_each_field_counts([](auto& run) -> auto& { return run; });
   expect_each_field_counts([](auto& run) -> auto& { return run.comparisons[1]; });
-  expect_each_field_counts([](auto& run) -> auto& { return run.truth; });
+  expect_each_field_counts([](auto& run) -> auto& { return run.reference; });
   expect_each_field_counts([](auto& run) -> auto& { return run.stimulus[0]; });
   expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1]; });
   expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].measurements[3]; });

@@ -24,7 +24,9 @@ constexpr const char* kAttack = "</script><script>alert(1)</script>&\"'";
 
 std::string between(const std::string& text, const std::string& from, const std::string& to) {
   const std::size_t start = text.find(from);
-  if (start == std::string::npos) return "";
+  if (start == std::string::npos) {
+    return "";
+  }
   const std::size_t first = start + from.size();
   return text.substr(first, text.find(to, first) - first);
 }
@@ -189,7 +191,9 @@ TEST(Html, StaysUnderTwoMegabytesForAnHourOfTwoOutletsAndSaysThatItIsThinned) {
   EXPECT_THAT(page, HasSubstr("At most 4000 of up to 225000 reports per outlet are drawn"));
   const nlohmann::json data = plot_data_of(page);
   ASSERT_EQ(data["outlets"].size(), 2U);
-  for (const auto& outlet : data["outlets"]) EXPECT_LE(outlet["t"].size(), 4000U);
+  for (const auto& outlet : data["outlets"]) {
+    EXPECT_LE(outlet["t"].size(), 4000U);
+  }
 }
 
 TEST(Html, DrawsEveryReportAroundAMarkOfALongRun) {
@@ -198,7 +202,9 @@ TEST(Html, DrawsEveryReportAroundAMarkOfALongRun) {
   run.outlets[0].marks = {{tick, "event", 0.0, ""}};
   const nlohmann::json curve = plot_data_of(html(run))["outlets"][0];
   int near = 0;
-  for (const double t : curve["t"]) near += t >= 999.0 && t <= 1002.0 ? 1 : 0;
+  for (const double t : curve["t"]) {
+    near += t >= 999.0 && t <= 1002.0 ? 1 : 0;
+  }
   EXPECT_GE(near, 187);  // 3 s of one report each 16 ms
 }
 

@@ -22,13 +22,17 @@ using ::testing::HasSubstr;
 
 std::vector<std::string> keys(const nlohmann::ordered_json& object) {
   std::vector<std::string> names;
-  for (const auto& [name, value] : object.items()) names.push_back(name);
+  for (const auto& [name, value] : object.items()) {
+    names.push_back(name);
+  }
   return names;
 }
 
 std::map<std::string, nlohmann::ordered_json> by_name(const nlohmann::ordered_json& outlet) {
   std::map<std::string, nlohmann::ordered_json> results;
-  for (const auto& result : outlet["measurements"]) results[result["name"]] = result;
+  for (const auto& result : outlet["measurements"]) {
+    results[result["name"]] = result;
+  }
   return results;
 }
 
@@ -120,7 +124,9 @@ std::vector<Element> elements(const std::string& xml) {
   std::vector<Element> found;
   QXmlStreamReader reader(QString::fromStdString(xml));
   while (!reader.atEnd()) {
-    if (reader.readNext() != QXmlStreamReader::StartElement) continue;
+    if (reader.readNext() != QXmlStreamReader::StartElement) {
+      continue;
+    }
     Element element{reader.name().toString().toStdString(), {}};
     for (const auto& attribute : reader.attributes()) {
       element.attributes[attribute.name().toString().toStdString()] =
@@ -135,7 +141,9 @@ std::vector<Element> elements(const std::string& xml) {
 std::vector<Element> named(const std::vector<Element>& all, const std::string& name) {
   std::vector<Element> found;
   for (const Element& element : all) {
-    if (element.name == name) found.push_back(element);
+    if (element.name == name) {
+      found.push_back(element);
+    }
   }
   return found;
 }
@@ -271,15 +279,18 @@ TEST(Csv, HasARowAReportWithTruthAndEstimateBeside) {
 TEST(Csv, PutsTheTrueFrequencyBetweenEntriesOnAStraightLine) {
   RunRecord run;
   run.sample_rate_hz = 1000;
-  run.truth = {{100, 200, 400}, {50.0, 49.0, 49.5}, {0.0, 0.0, 0.0}};
+  run.reference = {{100, 200, 400}, {50.0, 49.0, 49.5}, {0.0, 0.0, 0.0}};
   run.outlets.emplace_back();
   run.outlets[0].id = "one";
   for (const std::int64_t tick : {50, 100, 150, 200, 300, 400, 450}) {
     sample::add_report(run.outlets[0].trace, tick, 50.0, 0.0, 1.0, true);
   }
-  std::vector<std::string> truth;
-  for (const auto& row : csv_rows(csv(run))) truth.push_back(row[2]);
-  EXPECT_THAT(truth, ElementsAre("true_frequency_hz", "", "50", "49.5", "49", "49.25", "49.5", ""));
+  std::vector<std::string> reference;
+  for (const auto& row : csv_rows(csv(run))) {
+    reference.push_back(row[2]);
+  }
+  EXPECT_THAT(reference,
+              ElementsAre("true_frequency_hz", "", "50", "49.5", "49", "49.25", "49.5", ""));
 }
 
 TEST(Csv, GivesAnEstimateBetweenReportsARowOfItsOwn) {
@@ -289,14 +300,18 @@ TEST(Csv, GivesAnEstimateBetweenReportsARowOfItsOwn) {
   const auto rows = csv_rows(csv(run));
   ASSERT_EQ(rows.size(), 2 + outlet.trace.tick.size());
   int alone = 0;
-  for (const auto& row : rows) alone += row[3].empty() && !row[7].empty() ? 1 : 0;
+  for (const auto& row : rows) {
+    alone += row[3].empty() && !row[7].empty() ? 1 : 0;
+  }
   EXPECT_EQ(alone, 1);
 }
 
 TEST(Csv, QuotesNamesThatNeedIt) {
   RunRecord run = sample::loss_500mw(1);
   run.outlets[0].id = "a \"b\", c\nd";
-  for (const auto& row : csv_rows(csv(run))) ASSERT_EQ(row.size(), 11U);
+  for (const auto& row : csv_rows(csv(run))) {
+    ASSERT_EQ(row.size(), 11U);
+  }
   EXPECT_EQ(csv_rows(csv(run))[1][0], run.outlets[0].id);
 }
 

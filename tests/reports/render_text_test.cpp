@@ -101,7 +101,9 @@ TEST(Limits, SayWhatWasAsked) {
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> all;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  for (std::string line; std::getline(stream, line);) {
+    all.push_back(line);
+  }
   return all;
 }
 
@@ -139,7 +141,9 @@ TEST(Terminal, ListsWhatDidNotPassUpToTen) {
   for (auto& outlet : run.outlets) {
     outlet.verdict = Verdict::kFail;
     for (auto& result : outlet.measurements) {
-      if (result.judged) result.verdict = Verdict::kFail;
+      if (result.judged) {
+        result.verdict = Verdict::kFail;
+      }
     }
   }
   run.verdict = Verdict::kFail;
@@ -185,7 +189,9 @@ TEST(Terminal, ShowsTheMeasurementsTheRunHas) {
 class Thinning : public ::testing::Test {
  protected:
   Thinning() {
-    for (std::size_t i = 0; i < tick_.size(); ++i) tick_[i] = 128 * static_cast<std::int64_t>(i);
+    for (std::size_t i = 0; i < tick_.size(); ++i) {
+      tick_[i] = 128 * static_cast<std::int64_t>(i);
+    }
   }
 
   std::vector<std::int64_t> tick_ = std::vector<std::int64_t>(100000);
@@ -253,7 +259,9 @@ TEST(WriteFile, NamesPathAndCause) {
 TEST(WriteFile, LeavesTheOldFileWhenTheDiskIsFull) {
   const test::TemporaryFolder folder;
   const test::SmallDisk disk(folder.path(), "size=64k");
-  if (!disk.mounted()) GTEST_SKIP() << "mounting a small tmpfs is not allowed here";
+  if (!disk.mounted()) {
+    GTEST_SKIP() << "mounting a small tmpfs is not allowed here";
+  }
   const std::string path = folder.file("report.html");
   write_file(path, "old");
   for (const std::size_t size : {61441U, 70000U, 1000000U}) {

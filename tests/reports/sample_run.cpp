@@ -28,14 +28,18 @@ std::int64_t ticks(double time_s) {
 // Eq. (6) for a loss of 500 MW in the 24-bus system.
 double true_frequency_hz(double time_s) {
   const double t = time_s - kLoss_s;
-  if (t <= 0.0) return 50.0;
+  if (t <= 0.0) {
+    return 50.0;
+  }
   const double decay = std::exp(-0.75352 * 0.39723 * t);
   return 50.0 - 0.391 * (1.0 + 3.82075 * decay * std::sin(0.26115 * t - 0.26481));
 }
 
 double true_rocof_hz_s(double time_s) {
   constexpr double kStep_s = 1e-4;
-  if (time_s <= kLoss_s) return 0.0;
+  if (time_s <= kLoss_s) {
+    return 0.0;
+  }
   return (true_frequency_hz(time_s + kStep_s) - true_frequency_hz(time_s)) / kStep_s;
 }
 
@@ -182,9 +186,9 @@ record::RunRecord loss_500mw(int outlet_count) {
        "The paper's 3.72 s does not follow from its own machines: with those that give its "
        "threshold and its Table 1, eq. (6) bottoms at 3.76 s."}};
   for (std::int64_t tick = 0; tick <= run.duration_ticks; tick += 400) {
-    run.truth.tick.push_back(tick);
-    run.truth.frequency_hz.push_back(true_frequency_hz(seconds(tick)));
-    run.truth.rocof_hz_s.push_back(true_rocof_hz_s(seconds(tick)));
+    run.reference.tick.push_back(tick);
+    run.reference.frequency_hz.push_back(true_frequency_hz(seconds(tick)));
+    run.reference.rocof_hz_s.push_back(true_rocof_hz_s(seconds(tick)));
   }
   run.stimulus = {{ticks(kLoss_s), "loss", 500.0, "loss of 500 MW"}};
   for (int i = 1; i <= outlet_count; ++i) {
@@ -197,9 +201,9 @@ record::RunRecord steady(int outlet_count, double duration_s) {
   record::RunRecord run = head(duration_s);
   run.profile = "regression/steady";
   run.profile_title = "Steady 50 Hz";
-  run.truth.tick = {0, run.duration_ticks};
-  run.truth.frequency_hz = {50.0, 50.0};
-  run.truth.rocof_hz_s = {0.0, 0.0};
+  run.reference.tick = {0, run.duration_ticks};
+  run.reference.frequency_hz = {50.0, 50.0};
+  run.reference.rocof_hz_s = {0.0, 0.0};
   for (int i = 1; i <= outlet_count; ++i) {
     Noise noise(static_cast<std::uint32_t>(i));
     record::OutletRecord outlet;
@@ -218,7 +222,9 @@ record::RunRecord steady(int outlet_count, double duration_s) {
 void write(const std::string& path, const record::RunRecord& run) {
   record::Writer writer(path);
   writer.begin(run);
-  for (const record::OutletRecord& outlet : run.outlets) writer.add_outlet(outlet);
+  for (const record::OutletRecord& outlet : run.outlets) {
+    writer.add_outlet(outlet);
+  }
   writer.finish(run);
 }
 
@@ -234,7 +240,9 @@ void add_report(record::MeasurementTrace& trace, std::int64_t tick, double frequ
 record::MeasurementResult& measurement(record::OutletRecord& outlet, const std::string& name) {
   const auto found = std::find_if(outlet.measurements.begin(), outlet.measurements.end(),
                                   [&](const auto& result) { return result.name == name; });
-  if (found == outlet.measurements.end()) throw std::out_of_range(name);
+  if (found == outlet.measurements.end()) {
+    throw std::out_of_range(name);
+  }
   return *found;
 }
 

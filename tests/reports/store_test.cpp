@@ -76,7 +76,7 @@ TEST_F(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
   EXPECT_TRUE(same_bits(outlet.trace.voltage_pu, trace.voltage_pu));
   EXPECT_EQ(outlet.trace.validity, trace.validity);
   EXPECT_TRUE(same_bits(outlet.estimates.loss_mw, run.outlets[0].estimates.loss_mw));
-  EXPECT_TRUE(same_bits(read.truth.frequency_hz, run.truth.frequency_hz));
+  EXPECT_TRUE(same_bits(read.reference.frequency_hz, run.reference.frequency_hz));
 }
 
 TEST_F(Store, KeepsAnyText) {
@@ -204,7 +204,9 @@ TEST_F(Store, RefusesCallsOutOfOrder) {
 
 TEST_F(Store, SaysThatTheDiskIsFullAndKeepsWhatWasThere) {
   const test::SmallDisk disk(folder_.path(), "size=1m");
-  if (!disk.mounted()) GTEST_SKIP() << "mounting a small tmpfs is not allowed here";
+  if (!disk.mounted()) {
+    GTEST_SKIP() << "mounting a small tmpfs is not allowed here";
+  }
   const RunRecord small = sample::loss_500mw(1);
   const RunRecord large = sample::steady(1, 3600.0);
   {

@@ -23,8 +23,8 @@ constexpr auto kToConnect = std::chrono::seconds(10);
 constexpr auto kToDisconnect = std::chrono::seconds(1);
 constexpr auto kToSubscribe = std::chrono::seconds(5);
 constexpr auto kToFindRoom = std::chrono::milliseconds(500);
-constexpr int kKeepAliveS = 5;       // a broker that has gone silent is lost after 1.5 of these
-constexpr int kKeepSessionS = 60;    // the broker keeps what it has for a bench that is away
+constexpr int kKeepAlive_s = 5;      // a broker that has gone silent is lost after 1.5 of these
+constexpr int kKeepSession_s = 60;   // the broker keeps what it has for a bench that is away
 constexpr int kMostWaiting = 10000;  // messages to outlets, without a connection
 constexpr int kMostInFlight = 65535;
 constexpr int kNoRoom = MQTTASYNC_MAX_BUFFERED_MESSAGES;
@@ -109,9 +109,9 @@ mqtt::connect_options BrokerConnection::connect_options() const {
   mqtt::connect_options asked;
   asked.set_mqtt_version(MQTTVERSION_5);
   asked.set_clean_start(false);
-  asked.set_properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, kKeepSessionS},
+  asked.set_properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, kKeepSession_s},
                         {mqtt::property::RECEIVE_MAXIMUM, kMostInFlight}});
-  asked.set_keep_alive_interval(kKeepAliveS);
+  asked.set_keep_alive_interval(kKeepAlive_s);
   asked.set_connect_timeout(kToConnect);
   asked.set_automatic_reconnect(1, 2);
   asked.set_max_inflight(kMostInFlight);

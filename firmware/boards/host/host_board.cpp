@@ -39,8 +39,8 @@ bool HostBoard::start(const std::string& doorbell, std::string& why) {
 bool HostBoard::wait() {
   const auto line_events = static_cast<short>(line_.wants_to_write() ? POLLIN | POLLOUT : POLLIN);
   pollfd waited[] = {{doorbell_, POLLIN, 0}, {line_.descriptor(), line_events, 0}};
-  constexpr int kLongestWaitMs = 100;
-  ::poll(waited, 2, kLongestWaitMs);
+  constexpr int kLongestWait_ms = 100;
+  ::poll(waited, 2, kLongestWait_ms);
   if (waited[0].revents != 0) {
     char rings[256];
     if (::recv(doorbell_, rings, sizeof rings, MSG_DONTWAIT) == 0) {

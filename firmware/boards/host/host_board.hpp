@@ -35,7 +35,7 @@ class HostBoard final : public superloop::Board {
   bool take_byte(std::uint8_t& byte) override { return line_.take_byte(byte); }
   void drive_relay(bool closed) override { port_.drive_relay(closed); }
   void feed_watchdog() override {}
-  bool converter_rests() const override { return !port_.samples_wait(); }
+  bool adc_idle() const override { return !port_.samples_wait(); }
 
  private:
   shared_memory_io::SharedPort port_;

@@ -16,7 +16,7 @@ using std::chrono::steady_clock;
 
 namespace {
 
-constexpr int kKeepAliveS = 10;
+constexpr int kKeepAlive_s = 10;
 constexpr auto kBetweenAttempts = std::chrono::milliseconds(500);
 constexpr auto kBetweenUpkeep = std::chrono::milliseconds(100);
 constexpr std::size_t kMostWaiting = 1000;  // messages of up to wire::kLongestMessage
@@ -108,7 +108,7 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
 void MqttCarrier::connect() {
   next_attempt_ = steady_clock::now() + kBetweenAttempts;
   connected_ = false;
-  check(mosquitto_connect_bind_v5(client_, host_.c_str(), port_, kKeepAliveS, nullptr, nullptr));
+  check(mosquitto_connect_bind_v5(client_, host_.c_str(), port_, kKeepAlive_s, nullptr, nullptr));
 }
 
 void MqttCarrier::check(int error) {

@@ -7,7 +7,7 @@
 
 namespace gs::mps2_an386 {
 
-constexpr std::uint32_t kClockHz = 25'000'000;
+constexpr std::uint32_t kClock_hz = 25'000'000;
 
 struct Uart {
   volatile std::uint32_t DATA, STATE, CTRL, INTSTATUS, BAUDDIV;

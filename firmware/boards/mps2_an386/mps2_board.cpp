@@ -14,9 +14,9 @@ using shared_memory_io::kRingSamples;
 constexpr std::uint32_t kBaud = 921'600;
 // The emulator's clock is the wall's, and the machine it runs on may be busy: a warning after 5 s,
 // the reset after as much again.
-constexpr std::uint32_t kWatchdogTicks = 5 * kClockHz;
+constexpr std::uint32_t kWatchdogTicks = 5 * kClock_hz;
 // The loop has to turn now and then to feed the watchdog while no sample and no byte comes.
-constexpr std::uint32_t kTurnTicks = kClockHz / 2;
+constexpr std::uint32_t kTurnTicks = kClock_hz / 2;
 
 // What a report can come to, with event, estimate, decision and relay: no more than this.
 constexpr std::size_t kReportBytes = 384;
@@ -38,9 +38,9 @@ void note_watchdog() {
 
 void Mps2Board::start() {
   port_.start();
-  uart0->BAUDDIV = kClockHz / kBaud;
+  uart0->BAUDDIV = kClock_hz / kBaud;
   uart0->CTRL = kCtrlTxEnable | kCtrlRxEnable | kCtrlTxInterrupt | kCtrlRxInterrupt;
-  uart1->BAUDDIV = kClockHz / kBaud;
+  uart1->BAUDDIV = kClock_hz / kBaud;
   uart1->CTRL = kCtrlRxEnable | kCtrlRxInterrupt;
   for (const unsigned irq : {kUart0RxIrq, kUart0TxIrq, kUart1RxIrq}) {
     cortex_m4::enable_interrupt(irq);
@@ -51,10 +51,10 @@ void Mps2Board::start() {
 }
 
 void Mps2Board::sleep() {
-  cortex_m4::sleep_unless([this] { return received_.used() > 0 || !converter_rests(); });
+  cortex_m4::sleep_unless([this] { return received_.used() > 0 || !adc_idle(); });
 }
 
-bool Mps2Board::converter_rests() const {
+bool Mps2Board::adc_idle() const {
   const std::uint32_t waiting = terminals_.written - terminals_.taken;
   return waiting == 0 || (waiting <= kRingSamples / 2 && to_send_.room() < kReportBytes);
 }
@@ -68,7 +68,7 @@ bool Mps2Board::send(const std::uint8_t* bytes, std::size_t count) {
 
 std::size_t Mps2Board::take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) {
   lost = 0;
-  if (converter_rests()) {
+  if (adc_idle()) {
     return 0;
   }
   return port_.take_samples(out, most, lost);

@@ -27,7 +27,7 @@ class Mps2Board final : public superloop::Board {
   // The samples are this outlet's time. Where the link falls behind, as it does when they come
   // faster than real time, they wait, up to half a ring; beyond, messages are dropped as on a real
   // board.
-  bool converter_rests() const override;
+  bool adc_idle() const override;
 
   void on_receive();
   void on_transmit();

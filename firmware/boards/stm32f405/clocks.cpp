@@ -5,9 +5,9 @@
 namespace gs::stm32f405 {
 namespace {
 
-constexpr std::uint32_t kHsiHz = 16'000'000;
-constexpr std::uint32_t kCrystalHz = 8'000'000;
-constexpr std::uint32_t kPllHz = 168'000'000;
+constexpr std::uint32_t kHsi_hz = 16'000'000;
+constexpr std::uint32_t kCrystal_hz = 8'000'000;
+constexpr std::uint32_t kPll_hz = 168'000'000;
 // A poll takes at least ten cycles of 16 MHz, so that this is 60 ms and more: thirty times what a
 // crystal's start takes (datasheet, table 39), a thousand times the PLL's.
 constexpr int kPolls = 100'000;
@@ -47,13 +47,13 @@ bool run_on_pll() {
 Clocks start_clocks() {
   RCC->CR = RCC->CR | RCC_CR_HSEON;
   const bool crystal = comes(RCC->CR, RCC_CR_HSERDY, RCC_CR_HSERDY);
-  if (crystal && start_pll(kCrystalHz, RCC_PLLCFGR_PLLSRC_HSE) && run_on_pll()) {
-    return {kPllHz / 2, kPllHz / 2, true};
+  if (crystal && start_pll(kCrystal_hz, RCC_PLLCFGR_PLLSRC_HSE) && run_on_pll()) {
+    return {kPll_hz / 2, kPll_hz / 2, true};
   }
-  if (start_pll(kHsiHz, 0) && run_on_pll()) {
-    return {kPllHz / 2, kPllHz / 2, false};
+  if (start_pll(kHsi_hz, 0) && run_on_pll()) {
+    return {kPll_hz / 2, kPll_hz / 2, false};
   }
-  return {kHsiHz, kHsiHz, false};
+  return {kHsi_hz, kHsi_hz, false};
 }
 
 }  // namespace gs::stm32f405

@@ -25,7 +25,7 @@ void set_default_id(char (&id)[wire::kLongestId + 1], std::uint32_t number) {
 
 superloop::StartUp start_up(const Clocks& clocks) {
   superloop::StartUp start_up;
-  start_up.hardware = {kSampleRateHz, 50, kCountsPerPu, clocks.crystal_runs};
+  start_up.hardware = {kSampleRate_hz, 50, kCounts_per_pu, clocks.crystal_runs};
   start_up.identity.instance = instance();
   set_default_id(start_up.identity.id, start_up.identity.instance);
   app::set_text(start_up.identity.board, "stm32f405");

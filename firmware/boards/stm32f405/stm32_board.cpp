@@ -50,7 +50,7 @@ Stm32Board::Stm32Board() {}
 void Stm32Board::start(const Clocks& clocks) {
   start_pins();
   start_link(clocks.apb2_hz);
-  start_converter(clocks.apb1_timer_hz);
+  start_adc(clocks.apb1_timer_hz);
   // Its oscillator's 32 kHz / 64: resets after 2 s, in between 1.4 and 3.8 s by the datasheet;
   // longer than the erase of a sector.
   IWDG->KR = IWDG_KR_UNLOCK;
@@ -79,7 +79,7 @@ void Stm32Board::start_link(std::uint32_t apb2_hz) {
 
 // Timer 3 starts each conversion and timer 2 counts them, so that what was lost is known even where
 // the processor stood still for a while.
-void Stm32Board::start_converter(std::uint32_t timer_hz) {
+void Stm32Board::start_adc(std::uint32_t timer_hz) {
   DmaStream& stream = DMA2->S[0];
   stream.PAR = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&ADC1->DR));
   stream.M0AR = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(converted_));
@@ -97,7 +97,7 @@ void Stm32Board::start_converter(std::uint32_t timer_hz) {
   TIM2->ARR = 0xFFFFFFFFu;
   TIM2->SMCR = TIM_SMCR_SMS_EXTERNAL1 | TIM_SMCR_TS_ITR2;
   TIM2->CR1 = TIM_CR1_CEN;
-  TIM3->ARR = timer_hz / static_cast<std::uint32_t>(kSampleRateHz) - 1;
+  TIM3->ARR = timer_hz / static_cast<std::uint32_t>(kSampleRate_hz) - 1;
   TIM3->CR2 = TIM_CR2_MMS_UPDATE;
   TIM3->CR1 = TIM_CR1_CEN;
 }

@@ -9,9 +9,9 @@
 
 namespace gs::stm32f405 {
 
-constexpr std::int32_t kSampleRateHz = 8000;
+constexpr std::int32_t kSampleRate_hz = 8000;
 // Of 2048 counts either way: the nominal peak comes to 1.1 V, with half as much again above it.
-constexpr float kCountsPerPu = 1365.0f;
+constexpr float kCounts_per_pu = 1365.0f;
 
 class Stm32Board final : public superloop::Board {
  public:
@@ -26,7 +26,7 @@ class Stm32Board final : public superloop::Board {
   bool take_byte(std::uint8_t& byte) override;
   void drive_relay(bool closed) override;
   void feed_watchdog() override;
-  bool converter_rests() const override { return false; }
+  bool adc_idle() const override { return false; }
 
   void on_usart();
   void on_samples();
@@ -36,7 +36,7 @@ class Stm32Board final : public superloop::Board {
 
   void start_pins();
   void start_link(std::uint32_t apb2_hz);
-  void start_converter(std::uint32_t timer_hz);
+  void start_adc(std::uint32_t timer_hz);
   void pump();
 
   superloop::ByteRing<512> received_;

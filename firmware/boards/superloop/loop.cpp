@@ -30,7 +30,7 @@ bool Loop::turn() {
     board_.drive_relay(app_.relay_closed());
   }
   // A loop that turns without samples measures nothing: let the watchdog have it.
-  if (had_samples || board_.converter_rests()) {
+  if (had_samples || board_.adc_idle()) {
     board_.feed_watchdog();
   }
   return had_bytes || had_samples;

@@ -132,7 +132,7 @@
     const estimated = powers.length > 0;
     const lowest = Math.min(0, ...powers), highest = Math.max(1, ...powers);
     return new Dygraph(node, table([
-      { t: outlet.t, v: outlet.f }, { t: data.truth.t, v: data.truth.f },
+      { t: outlet.t, v: outlet.f }, { t: data.reference.t, v: data.reference.f },
       estimates(outlet, true), estimates(outlet, false),
     ]), options(FREQUENCY, marksOf(outlet), true, Object.assign({
       visibility: [true, true, estimated, estimated],
@@ -155,7 +155,7 @@
 
   function rocofGraph(node, outlet, more) {
     return new Dygraph(node, table([
-      { t: outlet.t, v: outlet.r }, { t: data.truth.t, v: data.truth.r },
+      { t: outlet.t, v: outlet.r }, { t: data.reference.t, v: data.reference.r },
     ]), options(ROCOF, marksOf(outlet), false, Object.assign({
       // The same room on the right as the graph above, so that the time axes stand one over the other.
       rightGap: 8 + (outlet.e.p.length ? AXIS_WIDTH + 6 : 0),

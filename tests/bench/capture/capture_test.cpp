@@ -12,7 +12,7 @@ using gs::outlet::Trust;
 using gs::wire::UplinkKind;
 using ::testing::ElementsAre;
 
-constexpr std::int64_t kRateHz = 8000;
+constexpr std::int64_t kRate_hz = 8000;
 
 link::Received received(const std::string& outlet, std::int64_t tick, UplinkKind kind) {
   link::Received message;
@@ -60,12 +60,14 @@ std::string told(const record::Mark& mark) {
 
 std::vector<std::string> told(const record::OutletRecord& record) {
   std::vector<std::string> all;
-  for (const record::Mark& mark : record.marks) all.push_back(told(mark));
+  for (const record::Mark& mark : record.marks) {
+    all.push_back(told(mark));
+  }
   return all;
 }
 
 TEST(Capture, KeepsMeasurementsAsTheTraceOfTheirOutlet) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   capture.add({measurement("a", 128, 50.0F), measurement("b", 128, 49.0F)});
   capture.add({measurement("a", 256, std::numeric_limits<float>::quiet_NaN())});
   EXPECT_EQ(capture.last_report_sample("a"), 256);
@@ -81,13 +83,13 @@ TEST(Capture, KeepsMeasurementsAsTheTraceOfTheirOutlet) {
 }
 
 TEST(Capture, KnowsNoReportOfAnOutletThatHasSaidNothing) {
-  const Capture capture(kRateHz);
+  const Capture capture(kRate_hz);
   EXPECT_EQ(capture.last_report_sample("a"), 0);
   EXPECT_FALSE(capture.settings_answer("a"));
 }
 
 TEST(Capture, KeepsWhatHappenedAsMarks) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   link::Received lse = received("a", 200, UplinkKind::kLse);
   lse.message.lse = {450.0F};
   link::Received shed = received("a", 300, UplinkKind::kDecision);
@@ -108,7 +110,7 @@ TEST(Capture, KeepsWhatHappenedAsMarks) {
 }
 
 TEST(Capture, SaysOfADecisionToHoldWhetherTheEstimateWasTrusted) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   link::Received hold = received("a", 300, UplinkKind::kDecision);
   hold.message.decision = {515.0F, 163.0F, 3, Trust::kNotYet, false};
   capture.add({hold});
@@ -119,7 +121,7 @@ TEST(Capture, SaysOfADecisionToHoldWhetherTheEstimateWasTrusted) {
 }
 
 TEST(Capture, BringsMarksIntoTheOrderOfTimeAndLeavesThoseOfOneInstantAsTheyCame) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   capture.add({relay_word("a", 500, false), event("a", 700)});
   capture.add_edge("a", 600, false);
   capture.add_edge("a", 500, true);
@@ -131,7 +133,7 @@ TEST(Capture, BringsMarksIntoTheOrderOfTimeAndLeavesThoseOfOneInstantAsTheyCame)
 }
 
 TEST(Capture, PutsTheInstantOfTheLossOnTheRunsTimeBase) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   // An event at 3.12 s, a loss 0.11 s before it; then another event.
   capture.add({event("a", 24960), estimate(25088, -0.11F, Trust::kNotYet),
                estimate(25216, -0.12F, Trust::kTrusted), event("a", 80000),
@@ -148,7 +150,7 @@ TEST(Capture, PutsTheInstantOfTheLossOnTheRunsTimeBase) {
 }
 
 TEST(Capture, KeepsTheAnswerToTheSettingsWithItsDigestAsEightDigits) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   link::Received accepted = received("a", 40, UplinkKind::kSettingsAnswer);
   accepted.message.settings_answer = {gs::outlet::SettingsError::kNone, 1, 0x00C0FFEEU};
   link::Received refused = received("b", 40, UplinkKind::kSettingsAnswer);
@@ -160,7 +162,7 @@ TEST(Capture, KeepsTheAnswerToTheSettingsWithItsDigestAsEightDigits) {
 }
 
 TEST(Capture, KeepsWhatTheRecordKnowsOfTheOutletAlready) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   capture.add({event("outlet-7", 100)});
   record::OutletRecord record;
   record.id = "outlet-7";
@@ -174,7 +176,7 @@ TEST(Capture, KeepsWhatTheRecordKnowsOfTheOutletAlready) {
 }
 
 TEST(Capture, IsEmptyOnceItsContentIsTaken) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   capture.add(
       {measurement("a", 128, 50.0F), event("a", 200), estimate(300, 0.0F, Trust::kTrusted)});
   taken(capture, "a");
@@ -185,14 +187,14 @@ TEST(Capture, IsEmptyOnceItsContentIsTaken) {
 }
 
 TEST(Capture, KeepsWhatOutletsSayAndDoApart) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   capture.add({measurement("b", 128, 50.0F), event("h", 200), event("a", 300)});
   capture.add_edge("b", 400, false);
   EXPECT_THAT(told(taken(capture, "a")), ElementsAre("300 event 49 frequency before it, Hz"));
 }
 
 TEST(Capture, TakesAHelloForNoMark) {
-  Capture capture(kRateHz);
+  Capture capture(kRate_hz);
   capture.add({received("a", 0, UplinkKind::kHello)});
   EXPECT_TRUE(taken(capture, "a").marks.empty());
 }

@@ -19,7 +19,7 @@ using test::Crystal;
 using test::play;
 using test::Played;
 
-constexpr double kTicksHz = 8000.0;
+constexpr double kTickRate_hz = 8000.0;
 
 profile::Plan plan_of(double duration_s, const std::string& grid = "ieee24",
                       const std::string& signal = "noise_pct = 1.0\n",
@@ -40,7 +40,7 @@ double error_ms(const Played& played, const OutletClock& clock) {
     const double sample = std::floor(played.sample_at(tick));
     const double truly = tick + (sample - played.sample_at(tick)) / played.samples_per_tick;
     const auto told = static_cast<double>(clock.tick_of(static_cast<std::uint64_t>(sample)));
-    largest_ms = std::max(largest_ms, 1e3 / kTicksHz * std::fabs(told - truly));
+    largest_ms = std::max(largest_ms, 1e3 / kTickRate_hz * std::fabs(told - truly));
   }
   return largest_ms;
 }
@@ -82,7 +82,7 @@ Totals random_cases(int cases, double duration_s, const std::string& grid) {
   for (int i = 0; i < cases; ++i) {
     const Crystal crystal = random_crystal(random);
     const Played played = play(plan, crystal);
-    const auto found = align(played.trace, played.markers, kTicksHz);
+    const auto found = align(played.trace, played.markers, kTickRate_hz);
     if (!found) {
       ADD_FAILURE() << "case " << i << ": markers not found";
       continue;
@@ -98,14 +98,14 @@ bool mostly(int within, int cases) {
 }
 
 // Half a tick of 1/8 ms for the stamp, and three times what 1 % of noise leaves of the flanks.
-constexpr double kMostUncertaintyMs = 0.5;
+constexpr double kMostUncertainty_ms = 0.5;
 
 TEST(OutletClock, LiesWithinItsUncertaintyForCrystalsOfAnyCountAndDrift) {
   for (const char* grid : {"ieee24", "island-60hz"}) {
     const Totals totals = random_cases(150, 6.0, grid);
     EXPECT_TRUE(mostly(totals.times_within, totals.cases));
     EXPECT_TRUE(mostly(totals.drifts_within, totals.cases));
-    EXPECT_LT(totals.largest_uncertainty_ms, kMostUncertaintyMs);
+    EXPECT_LT(totals.largest_uncertainty_ms, kMostUncertainty_ms);
     // 0.2 ms over the 8.6 s between the first dip and the last.
     EXPECT_LT(totals.largest_drift_uncertainty_ppm, 50.0);
     // And it is not claimed larger than it is: the largest of some hundred errors comes near it.
@@ -117,20 +117,23 @@ TEST(OutletClock, IsKnownTheBetterTheLongerTheRun) {
   const Totals brief = random_cases(20, 1.5, "ieee24");
   const Totals lengthy = random_cases(20, 30.0, "ieee24");
   EXPECT_LT(4.0 * lengthy.largest_drift_uncertainty_ppm, brief.largest_drift_uncertainty_ppm);
-  EXPECT_LT(lengthy.largest_uncertainty_ms, kMostUncertaintyMs);
+  EXPECT_LT(lengthy.largest_uncertainty_ms, kMostUncertainty_ms);
 }
 
 class AlignmentTest : public testing::Test {
  protected:
-  static constexpr double kPpm = -37.0;
+  static constexpr double kDrift_ppm = -37.0;
   const profile::Plan plan_ = plan_of(4.0);
-  Played played_ = play(plan_, {kPpm, 123, 1000000, 5});
+  Played played_ = play(plan_, {kDrift_ppm, 123, 1000000, 5});
 
-  std::optional<Alignment> found() const { return align(played_.trace, played_.markers, kTicksHz); }
+  std::optional<Alignment> found() const {
+    return align(played_.trace, played_.markers, kTickRate_hz);
+  }
 
   void expect_within(const Alignment& alignment) const {
     EXPECT_LE(error_ms(played_, alignment.clock), alignment.told.uncertainty_ms);
-    EXPECT_LE(std::fabs(alignment.told.drift_ppm - kPpm), alignment.told.drift_uncertainty_ppm);
+    EXPECT_LE(std::fabs(alignment.told.drift_ppm - kDrift_ppm),
+              alignment.told.drift_uncertainty_ppm);
   }
 
   std::size_t reading_at(double tick) const {
@@ -157,7 +160,7 @@ TEST_F(AlignmentTest, TellsTheCheckWhereADelayIsTakenTheWrongWay) {
   for (std::uint64_t& sample : wrong.sample) {
     sample -= static_cast<std::uint64_t>(wrong.window_samples);
   }
-  const auto mutant = align(wrong, played_.markers, kTicksHz);
+  const auto mutant = align(wrong, played_.markers, kTickRate_hz);
   ASSERT_TRUE(mutant);
   EXPECT_GT(error_ms(played_, mutant->clock), 40.0);
   expect_within(*right);
@@ -166,7 +169,9 @@ TEST_F(AlignmentTest, TellsTheCheckWhereADelayIsTakenTheWrongWay) {
 TEST_F(AlignmentTest, IsNotWhereTheMarkersBeforeTheRunAreMissing) {
   const std::size_t second =
       reading_at(static_cast<double>(played_.markers.before.dips[1].from_tick));
-  for (std::size_t i = second; i < second + 16; ++i) played_.trace.voltage_pu[i] = 1.0F;
+  for (std::size_t i = second; i < second + 16; ++i) {
+    played_.trace.voltage_pu[i] = 1.0F;
+  }
   EXPECT_FALSE(found());
 }
 
@@ -204,7 +209,9 @@ TEST_F(AlignmentTest, BearsTheLossOfAnyTwoReadings) {
 }
 
 TEST_F(AlignmentTest, TakesAnOutletsOwnScaleOfVoltage) {
-  for (float& volts : played_.trace.voltage_pu) volts *= 1.02F;
+  for (float& volts : played_.trace.voltage_pu) {
+    volts *= 1.02F;
+  }
   const auto alignment = found();
   ASSERT_TRUE(alignment);
   expect_within(*alignment);
@@ -231,12 +238,12 @@ TEST(DisturbedRun, IsAlignedAsWell) {
     SCOPED_TRACE(signal);
     const Crystal crystal = {80.0, 77, 0, 9};
     const Played played = play(plan_of(duration_s, "ieee24", signal, ""), crystal);
-    const auto alignment = align(played.trace, played.markers, kTicksHz);
+    const auto alignment = align(played.trace, played.markers, kTickRate_hz);
     ASSERT_TRUE(alignment);
     EXPECT_LE(error_ms(played, alignment->clock), alignment->told.uncertainty_ms);
     EXPECT_LE(std::fabs(alignment->told.drift_ppm - crystal.ppm),
               alignment->told.drift_uncertainty_ppm);
-    EXPECT_LT(alignment->told.uncertainty_ms, kMostUncertaintyMs);
+    EXPECT_LT(alignment->told.uncertainty_ms, kMostUncertainty_ms);
   }
 }
 

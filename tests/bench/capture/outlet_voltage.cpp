@@ -12,7 +12,7 @@
 namespace gsbench::capture::test {
 namespace {
 
-constexpr float kCountsPerPu = 21845.0F;
+constexpr float kCounts_per_pu = 21845.0F;
 constexpr std::size_t kBlock = 800;
 
 class VoltageListener final : public gs::app::Outbox {
@@ -40,17 +40,17 @@ Played play(const profile::Plan& plan, const Crystal& crystal) {
   played.markers = signal.markers();
   played.run_ticks = plan.duration_ticks();
   played.trace.window_samples =
-      2.0 * static_cast<double>(gs::outlet::kVoltageDelayS) * static_cast<double>(rate_hz);
+      2.0 * static_cast<double>(gs::outlet::kVoltageDelay_s) * static_cast<double>(rate_hz);
 
   VoltageListener listener(played.trace, crystal.started);
   gs::app::Application node;
   node.start({static_cast<std::int32_t>(rate_hz),
-              static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz)), kCountsPerPu},
+              static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz)), kCounts_per_pu},
              {}, nullptr, listener);
   const std::vector<std::int16_t> nothing(static_cast<std::size_t>(crystal.lead_in));
   node.feed(nothing.data(), nothing.size(), listener);
 
-  models::CrystalAdc adc(crystal.ppm, kCountsPerPu,
+  models::CrystalAdc adc(crystal.ppm, kCounts_per_pu,
                          static_cast<float>(plan.stimulus.noise_rms_pu()),
                          {plan.seed, models::kSourceNoise, crystal.noise_index});
   played.samples_per_tick = 1.0 / adc.tick_of(1.0);

@@ -29,7 +29,7 @@ max = 0
 // What is replaced in kGood, by what; the place in the message, and what it says.
 const std::array<const char*, 4> kBad[] = {
     {"[signal]", "[signal", "5:", "pars"},
-    {"noise_pct", "noise_percent", "8:1", "noise_pct"},
+    {"noise_pct", "noise_pc", "8:1", "noise_pct"},
     {"max = 0", "unit = \"ms\"\nmax = 0", "13:", "unit"},
     {"0.5", "\"0.5 s\"", "6:", "number"},
     {"ieee24", "ieee25", "4:", "ieee25"},

@@ -48,13 +48,17 @@ class OneOutlet : public testing::Test {
   }
   void TearDown() override {
     over_ = true;
-    if (mains_.joinable()) mains_.join();
+    if (mains_.joinable()) {
+      mains_.join();
+    }
   }
 
   // A command to the place where the outlet is.
   Words to_it(const std::string& command, const Words& more = {}) const {
     Words words = {command, "--port", where_};
-    if (connection_ == Connection::kMqtt) words = {command, "--station", station_};
+    if (connection_ == Connection::kMqtt) {
+      words = {command, "--station", station_};
+    }
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -70,7 +74,9 @@ class OneOutlet : public testing::Test {
     Mains mains;
     mains.duration_s = 600.0;
     start(hardware_->source(), mains);
-    for (std::int64_t tick = 128; !over_; tick += 128) advance(hardware_->source(), tick);
+    for (std::int64_t tick = 128; !over_; tick += 128) {
+      advance(hardware_->source(), tick);
+    }
   } catch (const std::exception& error) {
     ADD_FAILURE() << error.what();
   }
@@ -94,7 +100,9 @@ INSTANTIATE_TEST_SUITE_P(SerialAndMqtt, AnyStation,
 Words lines_of(const std::string& text) {
   std::istringstream stream(text);
   Words lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  for (std::string line; std::getline(stream, line);) {
+    lines.push_back(line);
+  }
   return lines;
 }
 

@@ -52,10 +52,14 @@ Started start_gsbench(const Words& arguments, const std::function<void()>& prepa
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
-  for (std::string& word : words) argv.push_back(word.data());
+  for (std::string& word : words) {
+    argv.push_back(word.data());
+  }
   argv.push_back(nullptr);
   started.pid = fork();
-  if (started.pid < 0) throw std::runtime_error("fork failed");
+  if (started.pid < 0) {
+    throw std::runtime_error("fork failed");
+  }
   if (started.pid == 0) {
     redirect(started.out, STDOUT_FILENO);
     redirect(started.err, STDERR_FILENO);

@@ -41,12 +41,20 @@ std::map<std::string, std::string> entries(const std::string& help, const std::s
 // What the help of a command lacks, "" where nothing.
 std::string lacking(const std::string& command, const std::string& description,
                     const std::string& help) {
-  if (description.empty() || help.rfind(description + "\n", 0) != 0) return "a description";
-  if (help.find("\nUsage: gsbench " + command + " ") == std::string::npos) return "its usage";
+  if (description.empty() || help.rfind(description + "\n", 0) != 0) {
+    return "a description";
+  }
+  if (help.find("\nUsage: gsbench " + command + " ") == std::string::npos) {
+    return "its usage";
+  }
   const auto options = entries(help, "Options");
-  if (options.empty()) return "options";
+  if (options.empty()) {
+    return "options";
+  }
   for (const auto& [option, text] : options) {
-    if (text.empty()) return "a description of " + option;
+    if (text.empty()) {
+      return "a description of " + option;
+    }
   }
   const std::size_t example = std::min(help.find("\nExample"), help.size());
   const bool shown = help.find("\n  gsbench " + command, example) != std::string::npos;

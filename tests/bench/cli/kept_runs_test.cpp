@@ -93,7 +93,9 @@ TEST_F(KeptRuns, AreReportedOnStandardOutputForADash) {
 }
 
 TEST_F(KeptRuns, AreFoundInAFolderThatCannotBeReadOnlyWithThatReason) {
-  if (geteuid() != 0) GTEST_SKIP() << "only root can become nobody";
+  if (geteuid() != 0) {
+    GTEST_SKIP() << "only root can become nobody";
+  }
   run("runs");
   fs::permissions(folder_.path(), fs::perms(0755));
   fs::permissions(folder_.file("runs"), fs::perms(0700));
@@ -103,7 +105,9 @@ TEST_F(KeptRuns, AreFoundInAFolderThatCannotBeReadOnlyWithThatReason) {
                           {"report", "20260101", "--out", folder_.file("runs")}}) {
     const Outcome outcome = run_gsbench(arguments, [] {
       constexpr uid_t kNobody = 65534;
-      if (setgid(kNobody) != 0 || setuid(kNobody) != 0) _exit(127);
+      if (setgid(kNobody) != 0 || setuid(kNobody) != 0) {
+        _exit(127);
+      }
     });
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, HasSubstr("ermission denied"));

@@ -116,7 +116,9 @@ Outcome interrupted(const Words& arguments, long hundredths = 30) {
     std::ifstream stat("/proc/" + std::to_string(started.pid) + "/stat");
     std::string field;
     // The fourteenth: time in user mode, in hundredths of a second.
-    for (int i = 0; i < 14; ++i) stat >> field;
+    for (int i = 0; i < 14; ++i) {
+      stat >> field;
+    }
     return stat && std::stol(field) >= hundredths;
   })) << "it does nothing";
   Outcome outcome = stop(started, SIGINT);

@@ -27,7 +27,9 @@ TEST(LittleMemory, EndsWithAResultOrTellsThatItWasTooLittle) {
              {"run", "paper/loss-500mw", "--threads", "256", "--out", folder.file("runs")}}) {
       const Outcome outcome = run_gsbench(arguments, [&] {
         const rlimit limit{megabytes << 20U, megabytes << 20U};
-        if (setrlimit(RLIMIT_AS, &limit) != 0) _exit(127);
+        if (setrlimit(RLIMIT_AS, &limit) != 0) {
+          _exit(127);
+        }
       });
       if (outcome.exit_code != 0) {
         EXPECT_EQ(outcome.exit_code, 4) << megabytes << " MB: " << outcome.err;
@@ -42,7 +44,9 @@ TEST(FullDisk, EndsWithTwoAndLeavesNothing) {
   for (const char* size : {"size=32k", "size=300k"}) {
     const TemporaryFolder folder;
     const SmallDisk disk(folder.path(), size);
-    if (!disk.mounted()) GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
+    if (!disk.mounted()) {
+      GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
+    }
     const Outcome outcome = run_gsbench({"run", "paper/loss-500mw", "--out", folder.file("runs")});
     EXPECT_EQ(outcome.exit_code, 2) << size;
     EXPECT_THAT(outcome.err, HasSubstr(folder.path().string()));
@@ -55,7 +59,9 @@ TEST(FullDisk, EndsWithTwoAndLeavesNothing) {
 TEST(FullDisk, AmongTheReportsKeepsTheFinishedRecord) {
   const TemporaryFolder folder;
   const SmallDisk disk(folder.path(), "size=800k");
-  if (!disk.mounted()) GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
+  if (!disk.mounted()) {
+    GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
+  }
   const Outcome outcome = run_gsbench({"run", "paper/loss-500mw", "--out", folder.file("runs")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("o space left on"));

@@ -19,12 +19,16 @@ struct ToJson {
   json operator()(keys::DateOrTime) const { return nullptr; }
   json operator()(const keys::Array& items) const {
     json out = json::array();
-    for (const auto& item : items) out.push_back(std::visit(*this, item.data));
+    for (const auto& item : items) {
+      out.push_back(std::visit(*this, item.data));
+    }
     return out;
   }
   json operator()(const keys::Entries& entries) const {
     json out = json::object();
-    for (const auto& entry : entries) out[entry.key] = std::visit(*this, entry.value.data);
+    for (const auto& entry : entries) {
+      out[entry.key] = std::visit(*this, entry.value.data);
+    }
     return out;
   }
   template <typename Plain>
@@ -71,25 +75,35 @@ std::string invalid_at(const json& value, const json& schema, const std::string&
                           [&](const json& key) { return value.contains(key); });
     } else if (keyword == "additionalProperties") {
       for (const auto& [key, inner] : value.items()) {
-        if (!schema["properties"].contains(key)) return fmt::format("{}.{}", path, key);
+        if (!schema["properties"].contains(key)) {
+          return fmt::format("{}.{}", path, key);
+        }
       }
     } else if (keyword == "properties") {
       for (const auto& [key, inner] : value.items()) {
-        if (!asked.contains(key)) continue;
+        if (!asked.contains(key)) {
+          continue;
+        }
         std::string where = invalid_at(inner, asked[key], fmt::format("{}.{}", path, key));
-        if (!where.empty()) return where;
+        if (!where.empty()) {
+          return where;
+        }
       }
     } else if (keyword == "items") {
       for (std::size_t i = 0; i < value.size(); ++i) {
         const json& item = asked.is_array() ? asked.at(i) : asked;
         std::string where = invalid_at(value[i], item, fmt::format("{}[{}]", path, i));
-        if (!where.empty()) return where;
+        if (!where.empty()) {
+          return where;
+        }
       }
     } else if (keyword != "description" && keyword != "default" && keyword != "title" &&
                keyword != "$schema") {
       throw std::logic_error("a keyword of no schema of ours: " + keyword);
     }
-    if (!holds) return fmt::format("{} ({})", path, keyword);
+    if (!holds) {
+      return fmt::format("{} ({})", path, keyword);
+    }
   }
   return "";
 }
@@ -109,7 +123,9 @@ TEST(Schema, HoldsForEveryShippedFileAndForNoUnknownKeyInIt) {
                                                {"grid", run_for_json({"schema", "grid"})},
                                                {"station", run_for_json({"schema", "station"})}};
   for (const auto& entry : fs::recursive_directory_iterator(GSBENCH_SOURCE_DIR "/profiles")) {
-    if (entry.path().extension() != ".toml") continue;
+    if (entry.path().extension() != ".toml") {
+      continue;
+    }
     const std::string format = format_of(entry.path());
     const json& schema = schemas.at(format);
     json file = read(entry.path());

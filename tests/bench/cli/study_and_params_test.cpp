@@ -11,7 +11,9 @@ using testing::HasSubstr;
 // The only row of a measure.
 json measure_of(const json& study, const std::string& name) {
   for (const json& row : study["measures"]) {
-    if (row["name"] == name) return row;
+    if (row["name"] == name) {
+      return row;
+    }
   }
   ADD_FAILURE() << "no row " << name;
   return {};

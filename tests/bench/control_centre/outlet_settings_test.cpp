@@ -73,7 +73,9 @@ Wishes with(const std::string& setting, double value) {
 // Each field of the list but the conditions: no number is its own to be set by hand.
 TEST(OutletSettings, TakeWhatIsWished) {
   for (const gs::outlet::Field& field : gs::outlet::kSettingsFields) {
-    if (field.type == gs::outlet::FieldType::kRows) continue;
+    if (field.type == gs::outlet::FieldType::kRows) {
+      continue;
+    }
     const double default_value = described(settings_of({})).at(field.name);
     const bool whole = field.type != gs::outlet::FieldType::kFloat;
     const double wished = whole ? default_value + 1.0 : 0.999 * default_value + 1e-6;

@@ -72,8 +72,8 @@ TEST(ThresholdForDelay, KeepsTheNadirWhateverTheDelay) {
   EXPECT_LT(lowest_hz(model, 500.0, 500.0 - threshold_mw(model, 49.5), 0.96), 49.487);
   for (const double delay_s : {0.2, 0.64, 0.96}) {
     for (const double loss_mw : {400.0, 500.0, 600.0}) {
-      const double told_mw = threshold_for_delay_mw(model, 49.5, loss_mw, delay_s);
-      EXPECT_NEAR(lowest_hz(model, loss_mw, loss_mw - told_mw, delay_s), 49.5, 2e-4)
+      const double reported_mw = threshold_for_delay_mw(model, 49.5, loss_mw, delay_s);
+      EXPECT_NEAR(lowest_hz(model, loss_mw, loss_mw - reported_mw, delay_s), 49.5, 2e-4)
           << loss_mw << " MW, " << delay_s << " s";
     }
   }

@@ -10,7 +10,7 @@ namespace {
 
 using campaign::Execution;
 
-ClosedLoopResult play_loop(double loss_mw, double told_mw, std::size_t threads = 2) {
+ClosedLoopResult play_loop(double loss_mw, double reported_mw, std::size_t threads = 2) {
   FleetOptions few;
   few.groups = 100;
   few.per_group = 1;
@@ -18,7 +18,7 @@ ClosedLoopResult play_loop(double loss_mw, double told_mw, std::size_t threads =
   few.most_w = 1.8e7;
   ClosedLoopOptions options;
   options.loss_mw = loss_mw;
-  options.threshold_mw = told_mw;
+  options.threshold_mw = reported_mw;
   options.duration_s = 2.0;
   Execution execution;
   execution.threads = threads;
@@ -26,7 +26,7 @@ ClosedLoopResult play_loop(double loss_mw, double told_mw, std::size_t threads =
 }
 
 // Of a hundred blocks of up to 18 MW: the amount is right to half of one.
-constexpr double kHalfABlockMw = 9.0;
+constexpr double kHalfABlock_mw = 9.0;
 
 TEST(ClosedLoop, EachOutletDetectsTheLossAndTogetherTheyShedForItAndNoMore) {
   const ClosedLoopResult result = play_loop(500.0, 0.0);
@@ -36,13 +36,13 @@ TEST(ClosedLoop, EachOutletDetectsTheLossAndTogetherTheyShedForItAndNoMore) {
   EXPECT_LT(result.latest_event_s, 0.16);
   EXPECT_EQ(result.loss_mw.count(), 100);
   EXPECT_NEAR(result.loss_mw.mean(), 500.0, 5.0);
-  EXPECT_NEAR(result.scenario.shed.power_mw, result.scenario.wanted_mw, kHalfABlockMw);
+  EXPECT_NEAR(result.scenario.shed.power_mw, result.scenario.wanted_mw, kHalfABlock_mw);
   EXPECT_GT(result.scenario.first_action_s, 0.85);
   EXPECT_LT(result.scenario.last_action_s, 0.96);
 }
 
 TEST(ClosedLoop, ALowerThresholdShedsAsMuchMore) {
-  EXPECT_NEAR(play_loop(500.0, 200.0).scenario.shed.power_mw, 300.0, kHalfABlockMw);
+  EXPECT_NEAR(play_loop(500.0, 200.0).scenario.shed.power_mw, 300.0, kHalfABlock_mw);
 }
 
 TEST(ClosedLoop, BelowTheThresholdNobodyShedsByItsEstimate) {

@@ -17,7 +17,7 @@ namespace {
 using control_centre::Accumulation;
 using test::ieee24;
 
-constexpr float kThresholdMw = 351.92F;
+constexpr float kThreshold_mw = 351.92F;
 
 // As many MW as the paper's, by fewer outlets that take more each.
 Fleet small_fleet(Accumulation accumulation = Accumulation::kHalfGroup) {
@@ -47,12 +47,12 @@ TEST(Fleet, HoldsItsGroupsInOrderWithTheirPower) {
 TEST(Fleet, ShedsByItsEstimatesUpToTheRequirement) {
   const Fleet fleet = small_fleet();
   const std::vector<float> exact(fleet.outlets(), 500.0F);
-  const Shed shed = shed_by_estimates(fleet, exact, kThresholdMw);
+  const Shed shed = shed_by_estimates(fleet, exact, kThreshold_mw);
   EXPECT_NEAR(shed.power_mw, 148.08, 0.5);  // to half a group
   EXPECT_EQ(shed.first_partly, shed.end_partly);
   EXPECT_EQ(shed.outlets, 20 * shed.first_partly);
   const std::vector<float> none(fleet.outlets(), 351.0F);
-  EXPECT_EQ(shed_by_estimates(fleet, none, kThresholdMw).outlets, 0U);
+  EXPECT_EQ(shed_by_estimates(fleet, none, kThreshold_mw).outlets, 0U);
 }
 
 TEST(Fleet, RefusesWhatMakesNoSense) {
@@ -67,13 +67,13 @@ TEST(Fleet, RefusesWhatMakesNoSense) {
   EXPECT_THROW(make_fleet(options), std::invalid_argument);
 }
 
-ScenarioResult play_control(Control control, double loss_mw = 500.0, double told_mw = 0.0,
+ScenarioResult play_control(Control control, double loss_mw = 500.0, double reported_mw = 0.0,
                             std::size_t threads = 2) {
   static const Fleet fleet = small_fleet();
   ScenarioOptions options;
   options.control = control;
   options.loss_mw = loss_mw;
-  options.threshold_mw = told_mw;
+  options.threshold_mw = reported_mw;
   campaign::Execution execution;
   execution.threads = threads;
   return play(ieee24(), fleet, options, execution).value();
@@ -102,9 +102,9 @@ TEST(Scenario, BelowTheThresholdNobodySheds) {
 
 TEST(Scenario, AThresholdThatKnowsOfTheDelayKeepsTheNadir) {
   const grid::SfrModel model(ieee24());
-  const double told_mw = control_centre::threshold_for_delay_mw(model, 49.5, 500.0, 0.908);
-  EXPECT_LT(told_mw, control_centre::threshold_mw(model, 49.5));
-  EXPECT_NEAR(play_control(Control::kGridSense, 500.0, told_mw).nadir_hz, 49.501, 0.001);
+  const double reported_mw = control_centre::threshold_for_delay_mw(model, 49.5, 500.0, 0.908);
+  EXPECT_LT(reported_mw, control_centre::threshold_mw(model, 49.5));
+  EXPECT_NEAR(play_control(Control::kGridSense, 500.0, reported_mw).nadir_hz, 49.501, 0.001);
 }
 
 TEST(Scenario, SwitchingOffAloneComesLaterAndShedsFarTooMuch) {

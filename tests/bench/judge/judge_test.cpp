@@ -43,7 +43,7 @@ TEST(Judge, NeverPassesALimitInAUnitThatDoesNotConvert) {
 TEST(Judge, NeverDropsALimitToAMeasureItDoesNotKnow) {
   SyntheticCase c = loss_of_500_mw();
   c.plan.expectations = {limits("event.count", {}, 1.0), limits("event.taste", {}, 1.0)};
-  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kInconclusive);
   EXPECT_EQ(c.outlet.measurements[1].name, "event.taste");
   EXPECT_EQ(c.outlet.measurements[1].reason, "there is no such measure");
@@ -70,7 +70,7 @@ TEST(Judge, GivesNoVerdictOnWhatIsForInformation) {
   SyntheticCase c = loss_of_500_mw();
   c.remove_marks("lse");
   c.plan.expectations = {limits("event.count", {}, 1.0)};
-  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kPass);
   const auto lse = std::find_if(c.outlet.measurements.begin(), c.outlet.measurements.end(),
                                 [](const MeasurementResult& r) { return r.name == "lse.loss"; });
@@ -83,13 +83,13 @@ TEST(Judge, AppliesALimitToTheGroupsItNamesOnly) {
   of_others.groups = {"others", "more"};
   SyntheticCase c = loss_of_500_mw();
   c.plan.expectations = {limits("event.count", {}, 1.0), of_others};
-  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kPass);
 
   c = loss_of_500_mw();
   c.outlet.group = "more";
   c.plan.expectations = {limits("event.count", {}, 1.0), of_others};
-  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
 }
 
@@ -104,7 +104,7 @@ TEST(Judge, TheWorstOfItsMeasurementsIsTheOutletsVerdict) {
   // Inconclusive (120 ms ± 0.4), failed, passed.
   c.plan.expectations = {limits("event.delay", {}, 120.0), limits("event.count", {}, 0.0),
                          limits("relay.edges", {}, 1.0)};
-  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
   EXPECT_EQ(c.outlet.measurements[0].verdict, Verdict::kInconclusive);
   EXPECT_EQ(c.outlet.measurements[1].verdict, Verdict::kFail);

@@ -23,14 +23,14 @@ struct Known {
 // A frequency near 50 Hz is kept to 4 µHz in a float, a ROCOF to 30 nHz/s, an instant near 3 s to
 // 0.24 µs: the tolerances of what comes through the traces. What comes from ticks is exact but for
 // the doubles.
-constexpr double kFrequencyMhz = 0.004;
+constexpr double kFrequency_mhz = 0.004;
 constexpr double kExact = 1e-9;
 
 const std::vector<Known>& of_the_loss() {
   static const std::vector<Known> all = {
-      {"tracker.error.max", 3.0, kFrequencyMhz, 0.1},
-      {"tracker.error.rms", std::sqrt(5.0), kFrequencyMhz, 0.1},
-      {"tracker.bias", 1.0, kFrequencyMhz, 0.1},
+      {"tracker.error.max", 3.0, kFrequency_mhz, 0.1},
+      {"tracker.error.rms", std::sqrt(5.0), kFrequency_mhz, 0.1},
+      {"tracker.bias", 1.0, kFrequency_mhz, 0.1},
       {"tracker.rocof_error.rms", 0.1, 1e-6, 0.0},
       // 312 reports after the first second, 4 of them not valid.
       {"validity.valid_share", 100.0 * 308.0 / 312.0, kExact, 0.0},
@@ -79,14 +79,16 @@ SyntheticCase exact_tracker(double delay_s) {
   SyntheticCase c = loss_of_500_mw();
   for (std::size_t i = 0; i < c.outlet.trace.tick.size(); ++i) {
     c.outlet.trace.frequency_hz[i] = static_cast<float>(
-        c.truth->frequency_hz(1e-3 * static_cast<double>(c.outlet.trace.tick[i]) - delay_s));
+        c.reference->frequency_hz(1e-3 * static_cast<double>(c.outlet.trace.tick[i]) - delay_s));
   }
   return c;
 }
 
 TEST(KnownValues, OfTheLossAreRead) {
   const SyntheticCase c = loss_of_500_mw();
-  for (const Known& known : of_the_loss()) expect_known(c, known);
+  for (const Known& known : of_the_loss()) {
+    expect_known(c, known);
+  }
 }
 
 TEST(KnownValues, OfTheCommandAreRead) {
@@ -108,9 +110,13 @@ TEST(KnownValues, OfTheTrackersDelayIsFoundToATenthOfAMillisecond) {
 
 TEST(KnownValues, AreTestedForEveryMeasureOfTheCatalogue) {
   std::set<std::string> tested = {"command.delay", "tracker.delay"};
-  for (const Known& known : of_the_loss()) tested.insert(known.measure);
+  for (const Known& known : of_the_loss()) {
+    tested.insert(known.measure);
+  }
   std::set<std::string> all;
-  for (const measures::Measure& measure : measures::catalogue()) all.insert(measure.name);
+  for (const measures::Measure& measure : measures::catalogue()) {
+    all.insert(measure.name);
+  }
   EXPECT_EQ(tested, all);
 }
 

@@ -15,7 +15,9 @@ using Edge = std::pair<std::int64_t, bool>;
 SyntheticCase with_edges(const std::vector<Edge>& edges) {
   SyntheticCase c = loss_of_500_mw();
   c.remove_marks("relay.sense");
-  for (const auto& [tick, closed] : edges) c.add_mark(tick, "relay.sense", closed ? 1.0 : 0.0);
+  for (const auto& [tick, closed] : edges) {
+    c.add_mark(tick, "relay.sense", closed ? 1.0 : 0.0);
+  }
   return c;
 }
 
@@ -84,7 +86,7 @@ TEST(DecisionCause, IsNoneWhereItNeverSaidThatItOpened) {
   EXPECT_EQ(c.read("decision.cause").word, "none");
 }
 
-// The truth falls by 0.4 Hz/s from 3 s, the outlet sees it 28 ms later: half of 20 mHz are
+// The reference falls by 0.4 Hz/s from 3 s, the outlet sees it 28 ms later: half of 20 mHz are
 // reached 53 ms after the loss.
 TEST(FalseEvent, IsOneBeforeWhichTheTruthFellByLessThanHalfTheDrop) {
   for (const auto& [tick, is_false] : std::vector<std::pair<std::int64_t, double>>{
@@ -144,7 +146,9 @@ TEST(DeadBusClaims, MultiplyStepsThatOverlap) {
 TEST(DeadBusClaims, AreNotMadeByReportsThatClaimNothing) {
   SyntheticCase c = loss_of_500_mw();
   c.plan.stimulus.signal.amplitude_steps = {{2.0, 1.0, 0.0}};
-  for (std::uint8_t& validity : c.outlet.trace.validity) validity = validity == 1 ? 2 : validity;
+  for (std::uint8_t& validity : c.outlet.trace.validity) {
+    validity = validity == 1 ? 2 : validity;
+  }
   EXPECT_EQ(c.read("validity.dead_bus_claims").value, 0.0);
 }
 

@@ -47,7 +47,7 @@ const std::vector<Missing>& all_missing() {
       {"tracker.bias", true, "fewer than 10 valid", nine_valid_reports},
       {"tracker.rocof_error.rms", true, "fewer than 10 valid", nine_valid_reports},
       {"tracker.delay", false, "moves too little",
-       [](SyntheticCase& c) { c.truth = std::make_shared<FallingTruth>(1e9); }},
+       [](SyntheticCase& c) { c.reference = std::make_shared<FallingReference>(1e9); }},
       {"tracker.delay", false, "moves too little", nine_valid_reports},
       {"validity.valid_share", true, "fewer than 10 reports after the first second",
        [](SyntheticCase& c) { c.cut_trace(71); }},
@@ -126,7 +126,9 @@ TEST(MissingMeasurement, SaysWhyAndWhoseFaultItIsAndNeverPasses) {
 
 TEST(MissingMeasurement, IsTestedForEveryMeasureThatNeedsSomething) {
   std::set<std::string> tested;
-  for (const Missing& missing : all_missing()) tested.insert(missing.measure);
+  for (const Missing& missing : all_missing()) {
+    tested.insert(missing.measure);
+  }
   for (const measures::Measure& measure : measures::catalogue()) {
     EXPECT_EQ(tested.count(measure.name) > 0, measure.needs != "nothing") << measure.name;
   }

@@ -34,7 +34,9 @@ Change mark_added(std::int64_t tick, const char* kind, double value) {
 
 Change frequencies_moved(float by_hz) {
   return [=](SyntheticCase& c) {
-    for (float& frequency_hz : c.outlet.trace.frequency_hz) frequency_hz += by_hz;
+    for (float& frequency_hz : c.outlet.trace.frequency_hz) {
+      frequency_hz += by_hz;
+    }
   };
 }
 
@@ -43,12 +45,16 @@ void one_wild_report(SyntheticCase& c) {
 }
 
 void wild_rocof(SyntheticCase& c) {
-  for (float& rocof_hz_s : c.outlet.trace.rocof_hz_s) rocof_hz_s *= 3.0F;
+  for (float& rocof_hz_s : c.outlet.trace.rocof_hz_s) {
+    rocof_hz_s *= 3.0F;
+  }
 }
 
 // Says what it measured 50 ms ago.
 void late_tracker(SyntheticCase& c) {
-  for (std::int64_t& tick : c.outlet.trace.tick) tick += 50;
+  for (std::int64_t& tick : c.outlet.trace.tick) {
+    tick += 50;
+  }
 }
 
 void half_invalid(SyntheticCase& c) {
@@ -111,7 +117,9 @@ TEST(Mutants, FailWhereTheRecordTheyCameFromPasses) {
   for (const Mutant& mutant : mutants()) {
     SyntheticCase c = mutant.of_command ? commanded() : loss_of_500_mw();
     profile::Expectation expectation = limits(mutant.measure, mutant.min, mutant.max);
-    if (mutant.equals != nullptr) expectation.equals = mutant.equals;
+    if (mutant.equals != nullptr) {
+      expectation.equals = mutant.equals;
+    }
     EXPECT_EQ(verdict(c, expectation), record::Verdict::kPass) << mutant.measure;
     mutant.spoil(c);
     EXPECT_EQ(c.read(mutant.measure).missing, "") << mutant.measure << " must fail by its value";
@@ -121,7 +129,9 @@ TEST(Mutants, FailWhereTheRecordTheyCameFromPasses) {
 
 TEST(Mutants, ExistForEveryMeasureOfTheCatalogue) {
   std::set<std::string> spoiled;
-  for (const Mutant& mutant : mutants()) spoiled.insert(mutant.measure);
+  for (const Mutant& mutant : mutants()) {
+    spoiled.insert(mutant.measure);
+  }
   for (const measures::Measure& measure : measures::catalogue()) {
     EXPECT_EQ(spoiled.count(measure.name), 1U) << measure.name;
   }

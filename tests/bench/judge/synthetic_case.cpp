@@ -12,15 +12,15 @@ constexpr std::int64_t kReportTicks = 16;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 void add_report(SyntheticCase& c, std::int64_t tick, bool valid, int sign) {
-  constexpr double kDelayS = 0.028;
-  const double t_s = 1e-3 * static_cast<double>(tick) - kDelayS;
+  constexpr double kDelay_s = 0.028;
+  const double t_s = 1e-3 * static_cast<double>(tick) - kDelay_s;
   record::MeasurementTrace& trace = c.outlet.trace;
   trace.tick.push_back(tick);
   trace.voltage_pu.push_back(1.0F);
   trace.validity.push_back(valid ? 1 : 0);
   trace.frequency_hz.push_back(
-      valid ? static_cast<float>(c.truth->frequency_hz(t_s) + 1e-3 + 2e-3 * sign) : kNaN);
-  trace.rocof_hz_s.push_back(valid ? static_cast<float>(c.truth->rocof_hz_s(t_s) + 0.1 * sign)
+      valid ? static_cast<float>(c.reference->frequency_hz(t_s) + 1e-3 + 2e-3 * sign) : kNaN);
+  trace.rocof_hz_s.push_back(valid ? static_cast<float>(c.reference->rocof_hz_s(t_s) + 0.1 * sign)
                                    : kNaN);
 }
 
@@ -37,7 +37,7 @@ SyntheticCase quiet(double falls_from_s) {
   SyntheticCase c;
   c.plan.stimulus.sample_rate_hz = 1000;
   c.plan.stimulus.duration_s = 6.0;
-  c.truth = std::make_shared<FallingTruth>(falls_from_s);
+  c.reference = std::make_shared<FallingReference>(falls_from_s);
   c.outlet.id = "outlet-1";
   c.outlet.group = "all";
   c.outlet.took_part = true;
@@ -53,11 +53,11 @@ SyntheticCase quiet(double falls_from_s) {
 
 }  // namespace
 
-double FallingTruth::frequency_hz(double t_s) const {
+double FallingReference::frequency_hz(double t_s) const {
   return 50.0 - 0.4 * std::clamp(t_s - from_s_, 0.0, 1.0);
 }
 
-double FallingTruth::rocof_hz_s(double t_s) const {
+double FallingReference::rocof_hz_s(double t_s) const {
   return t_s >= from_s_ && t_s < from_s_ + 1.0 ? -0.4 : 0.0;
 }
 
@@ -76,7 +76,9 @@ void SyntheticCase::remove_marks(const std::string& kind) {
 
 void SyntheticCase::move_marks(const std::string& kind, std::int64_t by_ticks) {
   for (record::Mark& mark : outlet.marks) {
-    if (mark.kind == kind) mark.tick += by_ticks;
+    if (mark.kind == kind) {
+      mark.tick += by_ticks;
+    }
   }
   std::stable_sort(outlet.marks.begin(), outlet.marks.end(),
                    [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
@@ -84,7 +86,9 @@ void SyntheticCase::move_marks(const std::string& kind, std::int64_t by_ticks) {
 
 void SyntheticCase::set_marks(const std::string& kind, double value) {
   for (record::Mark& mark : outlet.marks) {
-    if (mark.kind == kind) mark.value = value;
+    if (mark.kind == kind) {
+      mark.value = value;
+    }
   }
 }
 
@@ -137,7 +141,7 @@ profile::Expectation limits(const std::string& measure, std::optional<double> mi
 
 record::Verdict verdict(SyntheticCase c, const profile::Expectation& expectation) {
   c.plan.expectations = {expectation};
-  judge_outlet(c.plan, *c.truth, c.uncertainty, c.outlet);
+  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
   return c.outlet.verdict;
 }
 

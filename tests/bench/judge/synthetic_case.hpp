@@ -13,9 +13,9 @@
 namespace gsbench::judge::test {
 
 // 50 Hz until `from_s`, then falling by 0.4 Hz/s for a second, then constant.
-class FallingTruth final : public waveform::Truth {
+class FallingReference final : public waveform::ReferenceSignal {
  public:
-  explicit FallingTruth(double from_s) : from_s_(from_s) {}
+  explicit FallingReference(double from_s) : from_s_(from_s) {}
   double nominal_hz() const override { return 50.0; }
   double frequency_hz(double t_s) const override;
   double rocof_hz_s(double t_s) const override;
@@ -29,11 +29,11 @@ class FallingTruth final : public waveform::Truth {
 
 struct SyntheticCase {
   profile::Plan plan;
-  std::shared_ptr<const waveform::Truth> truth;
+  std::shared_ptr<const waveform::ReferenceSignal> reference;
   record::OutletRecord outlet;
   record::BenchUncertainty uncertainty;
 
-  Case view() const { return {plan, *truth, outlet, uncertainty}; }
+  Case view() const { return {plan, *reference, outlet, uncertainty}; }
   Reading read(const std::string& measure) const { return reading_of(measure)(view()); }
 
   void add_mark(std::int64_t tick, const std::string& kind, double value,
@@ -50,10 +50,10 @@ using Change = std::function<void(SyntheticCase&)>;
 // Six seconds at 1000 samples a second, so that a tick is a millisecond; 500 MW lost at 3 s.
 //
 // The outlet's reports come every 16 ms, valid from 0.112 s on but for four around 1.1 s, and are
-// of the truth 28 ms earlier: the frequency 1 mHz too high with 2 mHz more and less in turn, the
-// ROCOF 0.1 Hz/s too high and too low in turn. It detects the event at 3.120 s, has an LSE of 450
-// MW at 3.280 s, and decides at 3.920 s on 515 MW, lost at 3.010 s, with 30 hits. Its relay is told
-// to open then, and does at 3.928 s. Its clock is 30 ± 8 ppm fast, its stamps good to 0.4 ms.
+// of the reference 28 ms earlier: the frequency 1 mHz too high with 2 mHz more and less in turn,
+// the ROCOF 0.1 Hz/s too high and too low in turn. It detects the event at 3.120 s, has an LSE of
+// 450 MW at 3.280 s, and decides at 3.920 s on 515 MW, lost at 3.010 s, with 30 hits. Its relay is
+// told to open then, and does at 3.928 s. Its clock is 30 ± 8 ppm fast, its stamps good to 0.4 ms.
 SyntheticCase loss_of_500_mw();
 
 // Without a loss: switched off by command at 2.000 s; ordered to the relay at 2.005 s, open at

@@ -37,7 +37,9 @@ TEST(Catalogue, GivesEachMeasureAUnitThatConvertsOrItsWords) {
 }
 
 TEST(Catalogue, FindsItsMeasuresAndNoOthers) {
-  for (const Measure& measure : catalogue()) EXPECT_EQ(find(measure.name), &measure);
+  for (const Measure& measure : catalogue()) {
+    EXPECT_EQ(find(measure.name), &measure);
+  }
   EXPECT_EQ(find("event.dela"), nullptr);
   EXPECT_EQ(find(""), nullptr);
 }

@@ -79,17 +79,23 @@ using Visit = std::function<void(const Key& key, const keys::Entry& entry)>;
 // Every entry of a document beside its declaration.
 void walk(const keys::Value& value, const Key& table, const Visit& visit) {
   if (const auto* items = std::get_if<keys::Array>(&value.data)) {
-    for (const keys::Value& item : *items) walk(item, table, visit);
+    for (const keys::Value& item : *items) {
+      walk(item, table, visit);
+    }
     return;
   }
   const auto* entries = std::get_if<keys::Entries>(&value.data);
-  if (entries == nullptr) return;  // a name in place of a table
+  if (entries == nullptr) {
+    return;  // a name in place of a table
+  }
   for (const keys::Entry& entry : *entries) {
     const auto key = std::find_if(table.inner.begin(), table.inner.end(),
                                   [&](const Key& known) { return known.name == entry.key; });
     ASSERT_NE(key, table.inner.end()) << entry.key;
     visit(*key, entry);
-    if (keys::is_table(*key)) walk(entry.value, *key, visit);
+    if (keys::is_table(*key)) {
+      walk(entry.value, *key, visit);
+    }
   }
 }
 
@@ -104,7 +110,9 @@ class EveryKey : public testing::TestWithParam<File> {
     const std::string path = folder_.write("case.toml", text);
     const std::string message =
         gsbench::test::refusal_of<ConfigurationError>([&] { GetParam().load(path); });
-    if (message.empty()) return "";
+    if (message.empty()) {
+      return "";
+    }
     EXPECT_THAT(message, StartsWith(path + ":"));
     return message.substr(path.size() + 1);
   }
@@ -115,7 +123,9 @@ class EveryKey : public testing::TestWithParam<File> {
     for (const std::string& text : GetParam().texts) {
       walk(keys::parse_toml(text, "").root, GetParam().declared(),
            [&](const Key& key, const keys::Entry& entry) {
-             if (!keys::is_table(key)) use(text, key, entry);
+             if (!keys::is_table(key)) {
+               use(text, key, entry);
+             }
            });
     }
   }
@@ -144,7 +154,9 @@ std::string place(keys::Position at) {
 std::vector<std::string> out_of_range(const Key& key) {
   std::vector<std::string> values;
   const auto add = [&](double bound, bool open, double outwards) {
-    if (!std::isfinite(bound)) return;
+    if (!std::isfinite(bound)) {
+      return;
+    }
     const double beyond = open ? bound : std::nextafter(bound, outwards * kInfinity);
     const std::int64_t next =
         static_cast<std::int64_t>(bound) + static_cast<std::int64_t>(outwards);
@@ -153,9 +165,15 @@ std::vector<std::string> out_of_range(const Key& key) {
   };
   add(key.range.low, key.range.low_open, -1.0);
   add(key.range.high, key.range.high_open, 1.0);
-  if (keys::is_number(key)) values.insert(values.end(), {"nan", "inf", "-inf"});
-  if (key.type == Type::kWord) values = {"\"" + key.words.front() + "x\""};
-  if (key.type == Type::kId) values = {"\"a b\"", "\"" + std::string(key.longest + 1, 'a') + "\""};
+  if (keys::is_number(key)) {
+    values.insert(values.end(), {"nan", "inf", "-inf"});
+  }
+  if (key.type == Type::kWord) {
+    values = {"\"" + key.words.front() + "x\""};
+  }
+  if (key.type == Type::kId) {
+    values = {"\"a b\"", "\"" + std::string(key.longest + 1, 'a') + "\""};
+  }
   return values;
 }
 
@@ -169,7 +187,9 @@ TEST_P(EveryKey, IsUsedByTheTexts) {
   const std::function<void(const Key&)> expect_used = [&](const Key& table) {
     for (const Key& key : table.inner) {
       EXPECT_EQ(used.count(&key), 1U) << table.name << ": " << key.name;
-      if (keys::is_table(key)) expect_used(key);
+      if (keys::is_table(key)) {
+        expect_used(key);
+      }
     }
   };
   expect_used(GetParam().declared());
@@ -202,7 +222,9 @@ TEST_P(EveryKey, IsSuggestedWhereItsNameIsMisspelt) {
 TEST_P(EveryKey, IsMissedWhereItIsRequired) {
   int required = 0;
   for_each_value([&](const std::string& text, const Key& key, const keys::Entry& entry) {
-    if (!key.required) return;
+    if (!key.required) {
+      return;
+    }
     EXPECT_THAT(refusal_of(spoilt(text, entry.at, "")), HasSubstr(" lacks \"" + key.name + "\": "));
     ++required;
   });

@@ -1,4 +1,4 @@
-// A plan's truth and samples are those of its profile.
+// A plan's reference and samples are those of its profile.
 #include <profile_test/texts.hpp>
 
 #include <gtest/gtest.h>
@@ -16,33 +16,33 @@ TEST(Plan, CountsItsDurationInTicks) {
 TEST(Plan, LossesFollowTheGridsResponse) {
   const Plan plan = parse(kLossesInPlace);
   const grid::SfrModel model(plan.grid);
-  const auto truth = plan.truth();
-  EXPECT_EQ(truth->frequency_hz(1.0), 60.0);
+  const auto reference = plan.reference();
+  EXPECT_EQ(reference->frequency_hz(1.0), 60.0);
   // Two changes superposed, eq. (10); both sides are the same closed form, so only rounding
   // differs.
-  EXPECT_NEAR(truth->frequency_hz(5.0),
+  EXPECT_NEAR(reference->frequency_hz(5.0),
               60.0 + 100.0 * model.unit_deviation_hz(3.0) - 50.0 * model.unit_deviation_hz(1.0),
               1e-12);
 }
 
 TEST(Plan, WithoutLossesStaysAtNominal) {
-  const auto truth = parse(kMinimal).truth();
-  EXPECT_EQ(truth->frequency_hz(0.0), 50.0);
-  EXPECT_EQ(truth->frequency_hz(6.0), 50.0);
-  EXPECT_EQ(truth->rocof_hz_s(3.0), 0.0);
+  const auto reference = parse(kMinimal).reference();
+  EXPECT_EQ(reference->frequency_hz(0.0), 50.0);
+  EXPECT_EQ(reference->frequency_hz(6.0), 50.0);
+  EXPECT_EQ(reference->rocof_hz_s(3.0), 0.0);
 }
 
 TEST(Plan, PointsPassThroughEachPoint) {
-  const auto truth = parse(kPoints).truth();
-  EXPECT_EQ(truth->nominal_hz(), 50.0);
-  EXPECT_NEAR(truth->frequency_hz(2.0), 49.5, 1e-12);  // rounding of a cubic
-  EXPECT_NEAR(truth->frequency_hz(6.0), 49.8, 1e-12);
+  const auto reference = parse(kPoints).reference();
+  EXPECT_EQ(reference->nominal_hz(), 50.0);
+  EXPECT_NEAR(reference->frequency_hz(2.0), 49.5, 1e-12);  // rounding of a cubic
+  EXPECT_NEAR(reference->frequency_hz(6.0), 49.8, 1e-12);
 }
 
 TEST(Plan, OnePointIsAConstantFrequency) {
   const Plan plan =
       parse(replaced(kPoints, "[[0.0, 50.0], [2.0, 49.5], [6.0, 49.8]]", "[[0.0, 47.5]]"));
-  EXPECT_EQ(plan.truth()->frequency_hz(5.0), 47.5);
+  EXPECT_EQ(plan.reference()->frequency_hz(5.0), 47.5);
 }
 
 TEST(Plan, SynthesizesWithTheSignalOfTheProfile) {

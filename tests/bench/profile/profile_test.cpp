@@ -184,8 +184,9 @@ TEST(Profile, TakesTheSeedOfTheCommandLineInPlaceOfItsOwn) {
 
 TEST(Profile, ReadsWindowsLineEndsAndAByteOrderMark) {
   std::string text = "\xEF\xBB\xBF";
-  for (const char c : std::string(kMinimal))
+  for (const char c : std::string(kMinimal)) {
     text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  }
   EXPECT_EQ(parse(text).title, "A test");
 }
 

@@ -59,7 +59,7 @@ TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
   EXPECT_EQ(plan.stimulus.points[1].voltage_pu, 0.5);
   EXPECT_EQ(plan.stimulus.points[3].t_s, 3.0);
   EXPECT_EQ(plan.stimulus.duration_s, 2.0);
-  EXPECT_NEAR(plan.truth()->frequency_hz(2.0), 49.7, 1e-12);  // rounding of a cubic
+  EXPECT_NEAR(plan.reference()->frequency_hz(2.0), 49.7, 1e-12);  // rounding of a cubic
 }
 
 TEST_F(Recording, IsKnownByItsNameColumnsAndContent) {

@@ -232,7 +232,9 @@ TEST(Refusal, TakesNoLongerOnAnEndlessWord) {
 TEST(Nesting, OfTablesByDotsOrBracketsIsRefusedBeforeItCouldOverflowTheStack) {
   const auto repeated = [](const std::string& piece, int times) {
     std::string text;
-    for (int i = 0; i < times; ++i) text += piece;
+    for (int i = 0; i < times; ++i) {
+      text += piece;
+    }
     return text;
   };
   const std::string says = "tables within tables, 65 deep; 64 at most";

@@ -23,7 +23,9 @@ std::string refusal_of_name(const std::string& name) {
 
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
-  for (const ProfileSummary& summary : list_profiles()) names.push_back(summary.name);
+  for (const ProfileSummary& summary : list_profiles()) {
+    names.push_back(summary.name);
+  }
   return names;
 }
 
@@ -101,7 +103,9 @@ TEST(ShippedProfiles, AGridIsNoProfile) {
 TEST(ShippedGrids, AreTheseAndLoad) {
   const auto names = list_grids();
   EXPECT_THAT(names, testing::ElementsAre("ieee24", "ieee24-by-unit", "island-60hz"));
-  for (const std::string& name : names) EXPECT_EQ(load_grid(name).name, name);
+  for (const std::string& name : names) {
+    EXPECT_EQ(load_grid(name).name, name);
+  }
 }
 
 TEST(ProfilesFolder, IsTakenFromTheEnvironment) {

@@ -10,7 +10,9 @@ namespace {
 
 Distribution of(std::initializer_list<double> values) {
   Distribution distribution;
-  for (const double value : values) distribution.add(value);
+  for (const double value : values) {
+    distribution.add(value);
+  }
   distribution.sort();
   return distribution;
 }
@@ -28,7 +30,9 @@ TEST(Distribution, QuantilesAreValuesThatOccurredByTheNearestRank) {
 
 TEST(Distribution, HundredthsOfAHundredValuesAreEachItsOwn) {
   Distribution hundred;
-  for (int i = 100; i >= 1; --i) hundred.add(i);
+  for (int i = 100; i >= 1; --i) {
+    hundred.add(i);
+  }
   hundred.sort();
   for (const int percent : {1, 5, 50, 95, 99, 100}) {
     EXPECT_EQ(hundred.quantile(percent / 100.0), percent);
@@ -37,7 +41,9 @@ TEST(Distribution, HundredthsOfAHundredValuesAreEachItsOwn) {
 
 TEST(Distribution, OfOneValueIsThatValue) {
   const Distribution one = of({7.0});
-  for (const double p : {0.0, 0.01, 0.5, 1.0}) EXPECT_EQ(one.quantile(p), 7.0);
+  for (const double p : {0.0, 0.01, 0.5, 1.0}) {
+    EXPECT_EQ(one.quantile(p), 7.0);
+  }
   EXPECT_EQ(one.mean(), 7.0);
   EXPECT_TRUE(std::isnan(one.standard_deviation())) << "one value does not tell";
 }

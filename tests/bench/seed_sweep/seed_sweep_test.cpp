@@ -54,7 +54,9 @@ StudyResult study_of(const profile::Plan& plan, std::uint64_t seeds, std::size_t
 const Row& row(const StudyResult& result, const std::string& measure) {
   const auto found = std::find_if(result.rows.begin(), result.rows.end(),
                                   [&](const Row& r) { return r.measure == measure; });
-  if (found == result.rows.end()) throw std::runtime_error("no row " + measure);
+  if (found == result.rows.end()) {
+    throw std::runtime_error("no row " + measure);
+  }
   return *found;
 }
 
@@ -135,7 +137,9 @@ TEST(Study, IsMadeOfTheRunsOfItsSeeds) {
     const auto station = station::simulated_station(plan, {});
     for (const record::OutletRecord& outlet : station::run(plan, *station, {}).outlets) {
       for (const record::MeasurementResult& result : outlet.measurements) {
-        if (result.name == "tracker.error.rms") rms_mhz.push_back(result.value);
+        if (result.name == "tracker.error.rms") {
+          rms_mhz.push_back(result.value);
+        }
       }
     }
   }
@@ -189,16 +193,16 @@ TEST(Study, StoppedBeforeAnySeedIsDoneHasShownNothing) {
 }
 
 TEST(Study, TellsItsProgressSeedBySeed) {
-  std::vector<std::uint64_t> told_done;
+  std::vector<std::uint64_t> reported_done;
   StudyOptions options;
   options.seeds = 6;
   options.threads = 3;
   options.progress = [&](std::uint64_t done, std::uint64_t all) {
-    told_done.push_back(done);
+    reported_done.push_back(done);
     EXPECT_EQ(all, 6U);
   };
   study(quiet(), options);
-  EXPECT_EQ(told_done, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(reported_done, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6}));
 }
 
 TEST(Study, RethrowsWhatARunThrows) {

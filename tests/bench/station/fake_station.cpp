@@ -31,16 +31,24 @@ source::Limits FakeStation::limits() const {
 Status FakeStation::power_up() {
   touched_ = true;
   source_on_ = true;  // a source that failed to start may be live all the same
-  if (!script_.start_error.empty()) return Error{script_.start_error};
+  if (!script_.start_error.empty()) {
+    return Error{script_.start_error};
+  }
   return Done{};
 }
 
 drivers::Result<std::int64_t> FakeStation::play_until(std::int64_t until_tick) {
-  if (script_.play_throws_at == plays_) throw std::runtime_error("fake source: thrown");
-  if (script_.play_fails_at == plays_) return Error{"fake source: tripped"};
+  if (script_.play_throws_at == plays_) {
+    throw std::runtime_error("fake source: thrown");
+  }
+  if (script_.play_fails_at == plays_) {
+    return Error{"fake source: tripped"};
+  }
   // As a driver that streams: it takes the samples and does nothing with them.
   const auto voltage_pu = samples(played_tick_, until_tick - played_tick_);
-  if (!voltage_pu.ok()) return Error{voltage_pu.error()};
+  if (!voltage_pu.ok()) {
+    return Error{voltage_pu.error()};
+  }
   played_tick_ = until_tick;
   ++plays_;
   return until_tick;
@@ -49,7 +57,9 @@ drivers::Result<std::int64_t> FakeStation::play_until(std::int64_t until_tick) {
 Status FakeStation::switch_off() noexcept {
   source_on_ = false;
   ++made_safe_;
-  if (!script_.make_safe_error.empty()) return Error{script_.make_safe_error};
+  if (!script_.make_safe_error.empty()) {
+    return Error{script_.make_safe_error};
+  }
   return Done{};
 }
 
@@ -59,8 +69,12 @@ std::vector<Slot> FakeStation::slots() const {
     Slot& slot = slots.emplace_back();
     slot.place = "fake";
     slot.serial_number = id_of(i);
-    if (is_linked(i)) slot.link_id = id_of(i);
-    if (i < script_.relay_channels) slot.relay_channel = i;
+    if (is_linked(i)) {
+      slot.link_id = id_of(i);
+    }
+    if (i < script_.relay_channels) {
+      slot.relay_channel = i;
+    }
   }
   return slots;
 }
@@ -68,19 +82,25 @@ std::vector<Slot> FakeStation::slots() const {
 Status FakeStation::open() {
   touched_ = true;
   link_open_ = true;
-  if (!script_.open_error.empty()) return Error{script_.open_error};
+  if (!script_.open_error.empty()) {
+    return Error{script_.open_error};
+  }
   return Done{};
 }
 
 void FakeStation::join(std::vector<link::OutletPresence>& joined) const {
   for (std::size_t i = 0; i < script_.outlets; ++i) {
-    if (!is_linked(i)) continue;
+    if (!is_linked(i)) {
+      continue;
+    }
     link::OutletPresence outlet{id_of(i), "fake", {}};
     outlet.hello.firmware_version = 1002003;
     outlet.hello.sample_rate_hz = 8000;
     outlet.hello.nominal_hz = 50;
     outlet.hello.tracker_delay_s = 0.028F;
-    if (is_last(i)) outlet.hello.protocol_version = script_.protocol_version;
+    if (is_last(i)) {
+      outlet.hello.protocol_version = script_.protocol_version;
+    }
     outlet.fault = link::protocol_fault(outlet.hello);
     joined.push_back(outlet);
   }
@@ -88,9 +108,13 @@ void FakeStation::join(std::vector<link::OutletPresence>& joined) const {
 
 Status FakeStation::send(const std::string& id, const gs::wire::Downlink& message) {
   touched_ = true;
-  if (script_.send_fails_at == sends_++) return Error{"fake link: cannot send"};
+  if (script_.send_fails_at == sends_++) {
+    return Error{"fake link: cannot send"};
+  }
   for (std::size_t i = 0; i < script_.outlets; ++i) {
-    if (id_of(i) == id) sent_[i].push_back(message);
+    if (id_of(i) == id) {
+      sent_[i].push_back(message);
+    }
   }
   return Done{};
 }
@@ -101,7 +125,9 @@ void FakeStation::answer_settings(std::size_t outlet, std::vector<link::Received
   answer.message.sample = static_cast<std::uint64_t>(reported_tick_);
   answer.message.kind = gs::wire::UplinkKind::kSettingsAnswer;
   answer.message.settings_answer = {};
-  if (is_last(outlet)) answer.message.settings_answer.error = script_.settings_error;
+  if (is_last(outlet)) {
+    answer.message.settings_answer.error = script_.settings_error;
+  }
   messages.push_back(answer);
 }
 
@@ -111,16 +137,22 @@ Status FakeStation::poll(link::Happenings& happenings) {
     join(happenings.joined);
     return Done{};
   }
-  if (script_.link_poll_fails_at == link_polls_++) return Error{"fake link: broken"};
+  if (script_.link_poll_fails_at == link_polls_++) {
+    return Error{"fake link: broken"};
+  }
   for (std::size_t i = 0; i < sent_.size(); ++i) {
-    if (!is_linked(i)) continue;
+    if (!is_linked(i)) {
+      continue;
+    }
     if (!sent_[i].empty() && !answered_[i] && !(is_last(i) && !script_.answers_settings)) {
       answer_settings(i, happenings.messages);
       answered_[i] = true;
     }
     for (std::int64_t tick = reported_tick_ + kReportTicks; tick <= played_tick_;
          tick += kReportTicks) {
-      if (is_last(i) && tick >= script_.silent_from_tick) break;
+      if (is_last(i) && tick >= script_.silent_from_tick) {
+        break;
+      }
       link::Received report;
       report.id = id_of(i);
       report.message.kind = gs::wire::UplinkKind::kMeasurement;
@@ -139,8 +171,12 @@ void FakeStation::close() noexcept {
 }
 
 Status FakeStation::poll(std::vector<relay::Edge>& edges) {
-  if (script_.relay_poll_fails_at == relay_polls_) return Error{"fake relay sense: unplugged"};
-  if (relay_polls_++ == 0) edges.insert(edges.end(), script_.edges.begin(), script_.edges.end());
+  if (script_.relay_poll_fails_at == relay_polls_) {
+    return Error{"fake relay sense: unplugged"};
+  }
+  if (relay_polls_++ == 0) {
+    edges.insert(edges.end(), script_.edges.begin(), script_.edges.end());
+  }
   return Done{};
 }
 

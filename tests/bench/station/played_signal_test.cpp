@@ -130,7 +130,9 @@ TEST(PlayedSignal, NothingHappensAtTheRunsBeginning) {
   int in_first_second = 0;
   for (const Reading& reading : listener.readings) {
     const std::int64_t tick = reading.tick - signal.lead_ticks();
-    if (tick < -4000) continue;
+    if (tick < -4000) {
+      continue;
+    }
     ASSERT_EQ(reading.measured.validity, gs::outlet::Validity::kValid) << "at tick " << tick;
     // 49.8 Hz and from tick 0 on 0.05 Hz/s less; a jump of one degree would show as 50 mHz.
     EXPECT_NEAR(reading.measured.frequency_hz,

@@ -40,7 +40,7 @@ TEST(RunRecord, SaysWhatWasPlayedWhereAndWithWhat) {
   EXPECT_EQ(record.nominal_hz, 50.0);
   EXPECT_EQ(record.firmware_sha256.size(), 64U);
   EXPECT_FALSE(record.gsbench_version.empty());
-  EXPECT_EQ(record.truth.tick.back(), 1600);
+  EXPECT_EQ(record.reference.tick.back(), 1600);
   EXPECT_EQ(record.started_utc.size(), std::string("2025-04-28T12:33:16Z").size());
   EXPECT_LE(record.started_utc, record.finished_utc);
 }
@@ -73,7 +73,9 @@ TEST(RunRecord, LeavesOutOutletsThatThePlanDoesNotNeed) {
 
 record::MeasurementResult measured(const record::OutletRecord& outlet, const std::string& name) {
   for (const record::MeasurementResult& result : outlet.measurements) {
-    if (result.name == name) return result;
+    if (result.name == name) {
+      return result;
+    }
   }
   return {};
 }
@@ -153,7 +155,9 @@ TEST(RunRecord, SendsACommandWhenItIsDueToThoseItIsForAndMarksIt) {
   EXPECT_TRUE(station.sent_to(1)[3].close_relay);
   std::vector<std::int64_t> ticks;
   for (const record::Mark& mark : record.outlets[1].marks) {
-    if (mark.kind == "command") ticks.push_back(mark.tick);
+    if (mark.kind == "command") {
+      ticks.push_back(mark.tick);
+    }
   }
   EXPECT_THAT(ticks, ElementsAre(2664, 4000));
 }

@@ -87,7 +87,9 @@ TEST_F(StationFiles, IsRefusedWithThePlaceAndWhatWouldBeRight) {
   const std::string emulated = kEmulated;
   const std::string physical = kPhysical;
   std::string many = emulated;
-  for (int i = 0; i < 65; ++i) many += "[[outlet]]\nid = \"o" + std::to_string(i) + "\"\n";
+  for (int i = 0; i < 65; ++i) {
+    many += "[[outlet]]\nid = \"o" + std::to_string(i) + "\"\n";
+  }
   // The text; line and column of what is wrong with it; what is said of that.
   const std::array<std::string, 3> all[] = {
       {"title = \"A\"\n", "1:1", "kind = "},
@@ -167,7 +169,9 @@ StationFile station_of(std::optional<std::size_t> outlets) {
 
 std::vector<std::string> ids(const profile::Plan& plan) {
   std::vector<std::string> all;
-  for (const profile::Outlet& outlet : plan.outlets) all.push_back(outlet.id);
+  for (const profile::Outlet& outlet : plan.outlets) {
+    all.push_back(outlet.id);
+  }
   return all;
 }
 

@@ -221,7 +221,9 @@ TEST_F(WrittenWaysOut, ARecordThatCannotBeBegun) {
 TEST_F(WrittenWaysOut, ARecordThatCannotBeWrittenAtTheEnd) {
   bool finished = false;
   options_.progress = [&](double) {
-    if (!finished) writer_.finish({});  // outlets after it are refused
+    if (!finished) {
+      writer_.finish({});  // outlets after it are refused
+    }
     finished = true;
   };
   EXPECT_ANY_THROW(run(one_second(), station_, options_));

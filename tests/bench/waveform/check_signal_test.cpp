@@ -1,4 +1,4 @@
-#include "example_truths.hpp"
+#include "example_references.hpp"
 
 #include <limits>
 #include <stdexcept>

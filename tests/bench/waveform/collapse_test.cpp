@@ -1,6 +1,6 @@
 // A recorded collapse is played as it was: falling frequency, then a dead bus, whatever the
 // recording goes on to say of a frequency there.
-#include "example_truths.hpp"
+#include "example_references.hpp"
 #include <test_support/collapse_recordings.hpp>
 
 #include <algorithm>
@@ -24,11 +24,11 @@ TEST(RecordedCollapse, IsReadAsItIsWritten) {
     SCOPED_TRACE(collapse.path);
     const auto points = read(collapse.path);
     EXPECT_EQ(points.size(), collapse.points);
-    const std::shared_ptr<const Truth> truth = truth_from_points(50.0, points);
-    EXPECT_EQ(truth->frequency_hz(collapse.last_ordinary_s), 49.942);
-    EXPECT_EQ(truth->frequency_hz(collapse.last_ordinary_s + 4), 48.556);
-    EXPECT_EQ(truth->frequency_hz(collapse.last_ordinary_s + 6), 47.476);
-    EXPECT_NEAR(truth->voltage_pu(100.0), 1.0, 0.05);
+    const std::shared_ptr<const ReferenceSignal> reference = reference_from_points(50.0, points);
+    EXPECT_EQ(reference->frequency_hz(collapse.last_ordinary_s), 49.942);
+    EXPECT_EQ(reference->frequency_hz(collapse.last_ordinary_s + 4), 48.556);
+    EXPECT_EQ(reference->frequency_hz(collapse.last_ordinary_s + 6), 47.476);
+    EXPECT_NEAR(reference->voltage_pu(100.0), 1.0, 0.05);
   }
 }
 
@@ -36,7 +36,7 @@ TEST(RecordedCollapse, IsPlayedWithADeadBusAsOne) {
   const test::TemporaryFolder folder;
   for (const test::CollapseRecording& collapse : test::collapse_recordings(folder)) {
     SCOPED_TRACE(collapse.path);
-    const Synthesizer synthesizer(truth_from_points(50.0, read(collapse.path)), {}, 8000);
+    const Synthesizer synthesizer(reference_from_points(50.0, read(collapse.path)), {}, 8000);
     const auto dead_tick = static_cast<std::int64_t>((collapse.last_ordinary_s + 8) * 8000.0);
     float before = 0.0f;
     for (const float sample : render(synthesizer, dead_tick - 10 * 8000, 160)) {

@@ -1,7 +1,7 @@
 // The phase of the samples against the exact formula, to better than a billionth of a cycle.
 // Samples are floats, but those near a zero crossing have a fine grain: for |x| < 0.02 rounding
 // moves the phase by at most 2⁻³⁰/2π = 1.5·10⁻¹⁰ cycles.
-#include "example_truths.hpp"
+#include "example_references.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,9 @@ double phase_error(const std::vector<float>& samples, std::int64_t first_tick,
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double exact_rad = 2.0 * M_PI * exact_cycles(first_tick + static_cast<std::int64_t>(i));
     const double expected = std::sin(exact_rad);
-    if (std::fabs(expected) > 0.02) continue;
+    if (std::fabs(expected) > 0.02) {
+      continue;
+    }
     ++crossings;
     const double error = (static_cast<double>(samples[i]) - expected) / std::cos(exact_rad);
     largest = std::max(largest, std::fabs(error) / (2.0 * M_PI));
@@ -35,11 +37,11 @@ double phase_error(const std::vector<float>& samples, std::int64_t first_tick,
   return largest;
 }
 
-// Of a truth with a whole nominal frequency. Sixteen initial phases shift the crossings, so that
-// one falls into every part of each block.
-double phase_error(const std::shared_ptr<const Truth>& truth, std::int64_t rate_hz, double from_s,
-                   double to_s) {
-  const auto nominal_hz = static_cast<std::int64_t>(truth->nominal_hz());
+// Of a reference with a whole nominal frequency. Sixteen initial phases shift the crossings, so
+// that one falls into every part of each block.
+double phase_error(const std::shared_ptr<const ReferenceSignal>& reference, std::int64_t rate_hz,
+                   double from_s, double to_s) {
+  const auto nominal_hz = static_cast<std::int64_t>(reference->nominal_hz());
   const auto rate = static_cast<double>(rate_hz);
   const auto first = static_cast<std::int64_t>(from_s * rate);
   const auto count = static_cast<std::size_t>((to_s - from_s) * rate);
@@ -50,9 +52,9 @@ double phase_error(const std::shared_ptr<const Truth>& truth, std::int64_t rate_
     const auto exact = [&](std::int64_t tick) {
       const double nominal = static_cast<double>(tick * nominal_hz % rate_hz) / rate;
       return nominal + sixteenth / 16.0 +
-             fraction(truth->excess_cycles(static_cast<double>(tick) / rate));
+             fraction(reference->excess_cycles(static_cast<double>(tick) / rate));
     };
-    const Synthesizer synthesizer(truth, spec, rate_hz);
+    const Synthesizer synthesizer(reference, spec, rate_hz);
     largest = std::max(largest, phase_error(render(synthesizer, first, count), first, exact));
   }
   return largest;
@@ -100,7 +102,9 @@ TEST(Phase, FollowsALossOf500MegawattsWhereverItFallsInABlock) {
 template <typename IsWanted>
 double time_after_3_s(const IsWanted& is_wanted) {
   double t_s = 3.0;
-  while (!is_wanted(t_s, t_s * 8000.0 / 8000.0)) t_s = std::nextafter(t_s, 4.0);
+  while (!is_wanted(t_s, t_s * 8000.0 / 8000.0)) {
+    t_s = std::nextafter(t_s, 4.0);
+  }
   return t_s;
 }
 
@@ -117,9 +121,9 @@ TEST(Phase, FollowsLossesThatRoundingMakesOneAndThoseThatAreOne) {
       time_after_3_s([](double t_s, double rounded_s) { return rounded_s < t_s; });
   const double earlier_s = std::nextafter(later_s, 0.0);
   ASSERT_EQ(earlier_s * 8000.0, later_s * 8000.0);
-  const std::shared_ptr<const Truth> truth = truth_from_losses(
+  const std::shared_ptr<const ReferenceSignal> reference = reference_from_losses(
       ieee24(), {{earlier_s, 100.0}, {later_s, 400.0}, {3.5, 100.0}, {3.5, 50.0}});
-  EXPECT_LT(phase_error(truth, 8000, 2.9, 4.0), kTolerableCycles);
+  EXPECT_LT(phase_error(reference, 8000, 2.9, 4.0), kTolerableCycles);
 }
 
 TEST(Phase, FollowsACascadeOnAWeakOverdampedGrid) {
@@ -127,27 +131,28 @@ TEST(Phase, FollowsACascadeOnAWeakOverdampedGrid) {
   grid.base_mw = grid.load_mw = 1000.0;
   grid.damping_pu = 1.0;
   grid.plants = {{"plant", 1000.0, 0.5, 0.05}};  // poles beyond 6/s
-  const std::shared_ptr<const Truth> truth = truth_from_losses(
+  const std::shared_ptr<const ReferenceSignal> reference = reference_from_losses(
       grid::SfrModel(grid), {{1.0, 100.0}, {1.01, 50.0}, {1.0101, -20.0}, {1.5, -60.0}});
-  EXPECT_LT(phase_error(truth, 8000, 0.9, 4.0), kTolerableCycles);
+  EXPECT_LT(phase_error(reference, 8000, 0.9, 4.0), kTolerableCycles);
 }
 
 TEST(Phase, FollowsRampsOf10HertzASecondAtEverySampleRate) {
-  const std::shared_ptr<const Truth> truth =
-      truth_from_points(50.0, {{0.5003, 50.0}, {1.0003, 55.0}, {2.0003, 45.0}, {2.1, 45.0}});
+  const std::shared_ptr<const ReferenceSignal> reference =
+      reference_from_points(50.0, {{0.5003, 50.0}, {1.0003, 55.0}, {2.0003, 45.0}, {2.1, 45.0}});
   for (const std::int64_t rate_hz : {4000, 8000, 10000, 48000, 192000}) {
-    EXPECT_LT(phase_error(truth, rate_hz, 0.4, 2.3), kTolerableCycles) << rate_hz;
+    EXPECT_LT(phase_error(reference, rate_hz, 0.4, 2.3), kTolerableCycles) << rate_hz;
   }
 }
 
 TEST(Phase, FollowsPointsCloserThanABlockAndThanASample) {
   std::vector<recording::TracePoint> points;
   points.reserve(402);
-  for (int i = 0; i < 400; ++i)
+  for (int i = 0; i < 400; ++i) {
     points.push_back({0.1 + 0.00131 * i, 50.0 + 0.3 * std::sin(i * 0.7)});
+  }
   points.push_back({points.back().t_s + 1e-5, 50.2});
   points.push_back({points.back().t_s + 1e-5, 49.9});
-  EXPECT_LT(phase_error(truth_from_points(50.0, points), 8000, 0.0, 1.0), kTolerableCycles);
+  EXPECT_LT(phase_error(reference_from_points(50.0, points), 8000, 0.0, 1.0), kTolerableCycles);
 }
 
 TEST(Phase, StartsAtTheInitialPhase) {

@@ -1,5 +1,5 @@
 // Cost of one sample at 8 kHz, in blocks of 16 ms as a run asks for them.
-#include "example_truths.hpp"
+#include "example_references.hpp"
 
 #include <array>
 
@@ -35,8 +35,10 @@ BENCHMARK(LossOf500Mw);
 void RecordingEvery2Seconds(benchmark::State& state) {
   std::vector<recording::TracePoint> points;
   points.reserve(3600);
-  for (int i = 0; i < 3600; ++i) points.push_back({2.0 * i, 50.0 + 0.02 * (i % 5), 1.0});
-  play(state, {truth_from_points(50.0, points), {}, 8000});
+  for (int i = 0; i < 3600; ++i) {
+    points.push_back({2.0 * i, 50.0 + 0.02 * (i % 5), 1.0});
+  }
+  play(state, {reference_from_points(50.0, points), {}, 8000});
 }
 BENCHMARK(RecordingEvery2Seconds);
 

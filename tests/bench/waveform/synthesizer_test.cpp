@@ -1,4 +1,4 @@
-#include "example_truths.hpp"
+#include "example_references.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +28,13 @@ SignalSpec busy_signal() {
   return spec;
 }
 
-std::shared_ptr<const Truth> busy_truth() {
+std::shared_ptr<const ReferenceSignal> busy_reference() {
   std::vector<recording::TracePoint> points;
   points.reserve(60);
   for (int i = 0; i < 60; ++i) {
     points.push_back({0.0137 * i, 50.0 + 0.5 * std::sin(i), 1.0 - 0.01 * (i % 7)});
   }
-  return truth_from_points(50.0, points);
+  return reference_from_points(50.0, points);
 }
 
 bool same_bits(const std::vector<float>& a, const float* b) {
@@ -43,7 +43,7 @@ bool same_bits(const std::vector<float>& a, const float* b) {
 
 TEST(Synthesizer, DoesNotDependOnHowTheRunIsCut) {
   for (const SignalSpec& spec : {SignalSpec{}, busy_signal()}) {
-    const Synthesizer synthesizer(busy_truth(), spec, 8000);
+    const Synthesizer synthesizer(busy_reference(), spec, 8000);
     const std::vector<float> whole = render(synthesizer, 0, 8000);
     std::mt19937 generator(1);
     for (int trial = 0; trial < 2000; ++trial) {
@@ -61,7 +61,7 @@ TEST(Synthesizer, DoesNotDependOnHowTheRunIsCut) {
 }
 
 TEST(Synthesizer, IsTheSameOnEveryThread) {
-  const Synthesizer synthesizer(busy_truth(), busy_signal(), 8000);
+  const Synthesizer synthesizer(busy_reference(), busy_signal(), 8000);
   const std::vector<float> alone = render(synthesizer, 0, 8000);
   std::vector<float> together(alone.size());
   std::vector<std::thread> threads;
@@ -71,7 +71,9 @@ TEST(Synthesizer, IsTheSameOnEveryThread) {
       synthesizer.render(2000 * part, 2000, together.data() + 2000 * part);
     });
   }
-  for (std::thread& thread : threads) thread.join();
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
   EXPECT_TRUE(same_bits(alone, together.data()));
 }
 
@@ -147,8 +149,12 @@ TEST(Synthesizer, ScalesTheWholeSignalDuringADipAndMultipliesOverlappingOnes) {
   const std::vector<float> stepped = render({constant(50, 50), spec, 8000}, 0, 8000);
   for (std::size_t tick = 0; tick < plain.size(); ++tick) {
     double level = tick < 800 ? 1.0 : 0.5;
-    if (tick >= 4000 && tick < 5600) level *= 0.4;
-    if (tick >= 7200 && tick < 7360) level = 0.0;
+    if (tick >= 4000 && tick < 5600) {
+      level *= 0.4;
+    }
+    if (tick >= 7200 && tick < 7360) {
+      level = 0.0;
+    }
     ASSERT_NEAR(static_cast<double>(stepped[tick]), level * static_cast<double>(plain[tick]),
                 kFloat)
         << tick;
@@ -165,12 +171,12 @@ TEST(Synthesizer, AddsDcUnscaledByDips) {
 }
 
 TEST(Synthesizer, FollowsTheVoltageOfARecordingBetweenItsPoints) {
-  const std::shared_ptr<const Truth> truth = truth_from_points(
+  const std::shared_ptr<const ReferenceSignal> reference = reference_from_points(
       50.0, {{0.0, 50.0, 1.0}, {0.1, 50.0, 0.8}, {0.13333, 50.0, 0.0}, {0.5, 50.0, 0.02}});
   const std::vector<float> plain = render({constant(50, 50), {}, 8000}, 0, 8000);
-  const std::vector<float> samples = render({truth, {}, 8000}, 0, 8000);
+  const std::vector<float> samples = render({reference, {}, 8000}, 0, 8000);
   for (std::size_t tick = 0; tick < samples.size(); ++tick) {
-    const double voltage_pu = truth->voltage_pu(static_cast<double>(tick) / 8000.0);
+    const double voltage_pu = reference->voltage_pu(static_cast<double>(tick) / 8000.0);
     ASSERT_NEAR(static_cast<double>(samples[tick]), voltage_pu * static_cast<double>(plain[tick]),
                 kFloat)
         << tick;
@@ -179,7 +185,9 @@ TEST(Synthesizer, FollowsTheVoltageOfARecordingBetweenItsPoints) {
 
 TEST(Synthesizer, TakesManyStepsAsOfFlicker) {
   SignalSpec spec;
-  for (int i = 0; i < 20'000; ++i) spec.amplitude_steps.push_back({0.1 * i, 0.05, 99.0});
+  for (int i = 0; i < 20'000; ++i) {
+    spec.amplitude_steps.push_back({0.1 * i, 0.05, 99.0});
+  }
   const std::vector<float> plain = render({constant(50, 50), {}, 8000}, 0, 800);
   const std::vector<float> samples = render({constant(50, 50), spec, 8000}, 1'999 * 8000, 800);
   for (std::size_t tick = 0; tick < samples.size(); ++tick) {

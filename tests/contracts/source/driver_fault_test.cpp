@@ -62,13 +62,19 @@ class FailingSource final : public source::Source {
 // The error of the first call that fails, all in their order.
 std::string first_error(source::Source& source, const source::Stimulus& stimulus) {
   const auto prepared = source.prepare(stimulus);
-  if (!prepared.ok()) return prepared.error();
+  if (!prepared.ok()) {
+    return prepared.error();
+  }
   for (const auto call : {&source::Source::energise, &source::Source::start}) {
     const Status status = (source.*call)();
-    if (!status.ok()) return status.error();
+    if (!status.ok()) {
+      return status.error();
+    }
   }
   const auto played = source.advance(800);
-  if (!played.ok()) return played.error();
+  if (!played.ok()) {
+    return played.error();
+  }
   const Status stopped = source.stop();
   return stopped.ok() ? "" : stopped.error();
 }

@@ -43,14 +43,14 @@ class Measurements final : public gs::app::Outbox {
 
 class ListeningOutlet {
  public:
-  ListeningOutlet() { app_.start({8000, 50, models::kCountsPerPu}, {}, nullptr, measurements_); }
+  ListeningOutlet() { app_.start({8000, 50, models::kCounts_per_pu}, {}, nullptr, measurements_); }
 
   void feed(const std::int16_t* counts, std::size_t count) {
     app_.feed(counts, count, measurements_);
   }
   void feed(double voltage_pu) {
     const std::int16_t counts =
-        models::adc_counts(static_cast<float>(voltage_pu), models::kCountsPerPu);
+        models::adc_counts(static_cast<float>(voltage_pu), models::kCounts_per_pu);
     feed(&counts, 1);
   }
   const Measurements& measurements() const { return measurements_; }

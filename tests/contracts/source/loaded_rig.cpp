@@ -7,15 +7,15 @@
 namespace gsbench::test {
 namespace {
 
-constexpr double kFullScalePu = 1.25;
-constexpr double kMemoryRateHz = 10000.0;
-constexpr double kStepPu = kFullScalePu / 8192.0;
-constexpr double kLongestS = 30.0;
+constexpr double kFullScale_pu = 1.25;
+constexpr double kMemoryRate_hz = 10000.0;
+constexpr double kStep_pu = kFullScale_pu / 8192.0;
+constexpr double kLongest_s = 30.0;
 constexpr std::int64_t kUploadedAtOnce = 4000;
 constexpr std::int64_t kPolledTicks = 80;  // it is asked every 10 ms how far it is
 
 double rounded(double voltage_pu) {
-  return kStepPu * std::round(voltage_pu / kStepPu);
+  return kStep_pu * std::round(voltage_pu / kStep_pu);
 }
 
 class LoadedSource final : public source::Source {
@@ -23,8 +23,13 @@ class LoadedSource final : public source::Source {
   explicit LoadedSource(ListeningOutlet& outlet) : outlet_(outlet) {}
 
   source::Limits limits() const override {
-    return {
-        "waveform generator", source::Kind::kLoaded, kFullScalePu, kLongestS, {8000}, {50}, false};
+    return {"waveform generator",
+            source::Kind::kLoaded,
+            kFullScale_pu,
+            kLongest_s,
+            {8000},
+            {50},
+            false};
   }
 
  protected:
@@ -85,11 +90,11 @@ class LoadedSource final : public source::Source {
     return memory;
   }
   static double memory_ticks(std::size_t entry) {
-    return static_cast<double>(entry) * 8000.0 / kMemoryRateHz;
+    return static_cast<double>(entry) * 8000.0 / kMemoryRate_hz;
   }
   // At a tick of the stimulus, behind the reconstruction filter.
   static double output(const std::vector<double>& memory, std::size_t tick) {
-    const double at = static_cast<double>(tick) * kMemoryRateHz / 8000.0;
+    const double at = static_cast<double>(tick) * kMemoryRate_hz / 8000.0;
     const auto entry = static_cast<std::size_t>(at);
     if (entry + 1 >= memory.size()) {
       return memory.back();

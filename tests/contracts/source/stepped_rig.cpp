@@ -7,10 +7,10 @@
 namespace gsbench::test {
 namespace {
 
-constexpr double kSteppedFullScalePu = 1.3;
+constexpr double kSteppedFullScale_pu = 1.3;
 constexpr std::int64_t kStepTicks = 160;  // 20 ms
-constexpr double kResolutionHz = 0.001;
-constexpr double kResolutionPu = 0.0005;
+constexpr double kResolution_hz = 0.001;
+constexpr double kResolution_pu = 0.0005;
 
 struct Step {
   double frequency_hz;
@@ -22,7 +22,7 @@ class SteppedSource final : public source::Source {
   explicit SteppedSource(ListeningOutlet& outlet) : outlet_(outlet) {}
 
   source::Limits limits() const override {
-    return {"AC source", source::Kind::kStepped, kSteppedFullScalePu, 60.0, {8000}, {50}, false};
+    return {"AC source", source::Kind::kStepped, kSteppedFullScale_pu, 60.0, {8000}, {50}, false};
   }
 
  protected:
@@ -78,8 +78,9 @@ class SteppedSource final : public source::Source {
     std::vector<Step> steps;
     for (std::int64_t tick = 0; tick < stimulus.total_ticks(); tick += kStepTicks) {
       const std::int64_t middle = std::min(tick + kStepTicks / 2, stimulus.total_ticks() - 1);
-      steps.push_back({kResolutionHz * std::round(stimulus.frequency_hz(middle) / kResolutionHz),
-                       kResolutionPu * std::round(stimulus.amplitude_pu(middle) / kResolutionPu)});
+      steps.push_back(
+          {kResolution_hz * std::round(stimulus.frequency_hz(middle) / kResolution_hz),
+           kResolution_pu * std::round(stimulus.amplitude_pu(middle) / kResolution_pu)});
     }
     return steps;
   }

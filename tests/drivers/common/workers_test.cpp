@@ -41,7 +41,9 @@ TEST(Workers, HandTheirCallerWhatAPieceThrewOnceAllAreDone) {
     std::vector<int> done(16, 0);
     const auto odd_ones_throw = [&](std::size_t piece) {
       ++done[piece];
-      if (piece % 2 == 1) throw std::runtime_error("odd");
+      if (piece % 2 == 1) {
+        throw std::runtime_error("odd");
+      }
     };
     EXPECT_THROW(workers.run(done.size(), odd_ones_throw), std::runtime_error);
     EXPECT_EQ(done, std::vector<int>(16, 1));

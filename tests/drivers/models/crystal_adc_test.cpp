@@ -13,22 +13,22 @@ using gsbench::models::CrystalAdc;
 using gsbench::models::kTest;
 using gsbench::models::Stream;
 
-constexpr double kRateHz = 8000.0;
-constexpr float kCountsPerPu = 20000.0F;
+constexpr double kRate_hz = 8000.0;
+constexpr float kCounts_per_pu = 20000.0F;
 constexpr double kPi = 3.14159265358979323846;
 
 std::vector<float> sine(double frequency_hz, double amplitude_pu, std::size_t ticks) {
   std::vector<float> voltage(ticks);
   for (std::size_t n = 0; n < ticks; ++n) {
     voltage[n] = static_cast<float>(
-        amplitude_pu * std::sin(2.0 * kPi * frequency_hz * static_cast<double>(n) / kRateHz));
+        amplitude_pu * std::sin(2.0 * kPi * frequency_hz * static_cast<double>(n) / kRate_hz));
   }
   return voltage;
 }
 
 std::vector<std::int16_t> converted(const std::vector<float>& voltage, double ppm,
                                     std::size_t block, float noise_rms_pu = 0.0F) {
-  CrystalAdc adc(ppm, kCountsPerPu, noise_rms_pu, Stream{1, kTest, 0});
+  CrystalAdc adc(ppm, kCounts_per_pu, noise_rms_pu, Stream{1, kTest, 0});
   std::vector<std::int16_t> samples;
   for (std::size_t at = 0; at < voltage.size(); at += block) {
     adc.take(voltage.data() + at, std::min(block, voltage.size() - at), samples);
@@ -44,18 +44,18 @@ std::complex<double> correlation(const std::vector<std::int16_t>& samples, std::
   for (std::size_t n = from; n < from + count; ++n) {
     const double part = static_cast<double>(n - from) / static_cast<double>(count);
     sum += (1.0 - std::cos(2.0 * kPi * part)) * static_cast<double>(samples[n]) *
-           std::polar(1.0, -2.0 * kPi * frequency_hz * static_cast<double>(n) / kRateHz);
+           std::polar(1.0, -2.0 * kPi * frequency_hz * static_cast<double>(n) / kRate_hz);
   }
   return sum * (2.0 / static_cast<double>(count));
 }
 
 // By the outlet's own samples, from the phase's advance between the first and the last second.
 double measured_hz(const std::vector<std::int16_t>& samples, double about_hz) {
-  const auto second = static_cast<std::size_t>(kRateHz);
+  const auto second = static_cast<std::size_t>(kRate_hz);
   const std::size_t last = samples.size() - second;
   const double turned = std::arg(correlation(samples, last, second, about_hz) /
                                  correlation(samples, 0, second, about_hz));
-  return about_hz + turned / (2.0 * kPi) * kRateHz / static_cast<double>(last);
+  return about_hz + turned / (2.0 * kPi) * kRate_hz / static_cast<double>(last);
 }
 
 class Crystals : public testing::TestWithParam<double> {};
@@ -78,7 +78,7 @@ TEST(CrystalAdc, HasTheHarmonicsRightBetweenTheSamples) {
   const double amplitude = std::abs(correlation(samples, 0, 40000, 500.0 / 1.0002));
   // A cubic at a sixteenth of the sampling rate is 3e-4 low in the middle between two samples and
   // right at them; the drift passes through all positions.
-  EXPECT_NEAR(amplitude / static_cast<double>(kCountsPerPu), 1.0, 5e-4);
+  EXPECT_NEAR(amplitude / static_cast<double>(kCounts_per_pu), 1.0, 5e-4);
 }
 
 TEST(CrystalAdc, DoesNotDependOnTheBlocks) {
@@ -94,22 +94,22 @@ TEST(CrystalAdc, WithACrystalThatIsRightTakesTheSourcesSamples) {
   const auto samples = converted(voltage, 0.0, 100);
   ASSERT_EQ(samples.size(), 998U);
   for (std::size_t n = 0; n < samples.size(); ++n) {
-    ASSERT_EQ(samples[n], std::lround(voltage[n] * kCountsPerPu)) << n;
+    ASSERT_EQ(samples[n], std::lround(voltage[n] * kCounts_per_pu)) << n;
   }
 }
 
 TEST(CrystalAdc, AddsNoiseOfTheRmsThatIsAsked) {
-  constexpr double kRmsPu = 0.01;
+  constexpr double kRms_pu = 0.01;
   constexpr std::size_t kTicks = 80000;
   const auto samples =
-      converted(std::vector<float>(kTicks), 200.0, 128, static_cast<float>(kRmsPu));
+      converted(std::vector<float>(kTicks), 200.0, 128, static_cast<float>(kRms_pu));
   double squares = 0.0;
   for (const std::int16_t sample : samples) {
     squares += static_cast<double>(sample) * sample;
   }
   const double rms_pu = std::sqrt(squares / static_cast<double>(samples.size())) / 20000.0;
   // Five standard deviations of an RMS from 80 000 values: 5/√(2 · 80 000) = 1.25 %.
-  EXPECT_NEAR(rms_pu, kRmsPu, 0.0125 * kRmsPu);
+  EXPECT_NEAR(rms_pu, kRms_pu, 0.0125 * kRms_pu);
 }
 
 TEST(CrystalAdc, StopsAtItsFullScale) {

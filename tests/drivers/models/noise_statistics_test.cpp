@@ -36,7 +36,9 @@ TEST(GaussianStatistics, FirstFourMomentsAreThoseOfTheStandardNormal) {
   double sum[4] = {};
   for (const float value : gaussians(0)) {
     double power = 1.0;
-    for (double& entry : sum) entry += power *= static_cast<double>(value);
+    for (double& entry : sum) {
+      entry += power *= static_cast<double>(value);
+    }
   }
   const double n = kCount;
   EXPECT_NEAR(sum[0] / n, 0.0, 5 * std::sqrt(1 / n));
@@ -72,7 +74,9 @@ TEST(GaussianStatistics, TailsAreThere) {
     add_gaussian({2016, kTest, 0}, block * kBlock, kBlock, 1.0f, values.data());
     for (const float value : values) {
       const double magnitude = std::fabs(static_cast<double>(value));
-      for (std::size_t i = 0; i < 3; ++i) beyond[i] += magnitude > static_cast<double>(3 + i);
+      for (std::size_t i = 0; i < 3; ++i) {
+        beyond[i] += magnitude > static_cast<double>(3 + i);
+      }
       largest = std::max(largest, magnitude);
     }
   }

@@ -58,7 +58,9 @@ TEST(GaussianNoise, IsTheSameOnEveryThread) {
       add_gaussian(kStream, part * 5000, 5000, 1.0f, together.data() + part * 5000);
     });
   }
-  for (std::thread& thread : threads) thread.join();
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
   EXPECT_EQ(alone, together);
 }
 
@@ -88,7 +90,9 @@ TEST(GaussianNoise, IsScaledBySigmaAndAddedToTheSignal) {
   const std::vector<float> noise = gaussians(kStream, 5, 100);
   std::vector<float> signal(100, 0.75f);
   add_gaussian(kStream, 5, 100, 0.25f, signal.data());
-  for (std::size_t i = 0; i < signal.size(); ++i) EXPECT_EQ(signal[i], 0.75f + 0.25f * noise[i]);
+  for (std::size_t i = 0; i < signal.size(); ++i) {
+    EXPECT_EQ(signal[i], 0.75f + 0.25f * noise[i]);
+  }
 }
 
 TEST(GaussianNoise, LeavesTheSignalAloneForACountOfZero) {

@@ -9,16 +9,16 @@
 namespace gsbench::models {
 namespace {
 
-constexpr std::int64_t kRateHz = 8000;
+constexpr std::int64_t kRate_hz = 8000;
 constexpr std::int64_t kCoilTick = 1000;
 constexpr std::uint64_t kChanges = 2000;
-constexpr double kTicksPerMs = 8.0;
+constexpr double kTicks_per_ms = 8.0;
 
 const Stream kRelayStream{7, kTest, 0};
 
 std::vector<ContactEdge> edges(std::uint64_t n, bool closes, const Stream& stream = kRelayStream,
                                const RelayParameters& parameters = {}) {
-  return contact_edges(parameters, stream, n, kCoilTick, closes, kRateHz);
+  return contact_edges(parameters, stream, n, kCoilTick, closes, kRate_hz);
 }
 
 bool same(const std::vector<ContactEdge>& a, const std::vector<ContactEdge>& b) {
@@ -34,11 +34,11 @@ TEST(RelayModel, ContactMovesWithinTheOperateTimesBoundsAndUsesThemWhole) {
   double longest_ms = 0.0;
   for (std::uint64_t n = 0; n < kChanges; ++n) {
     const double after_ms =
-        static_cast<double>(edges(n, n % 2 == 0).front().tick - kCoilTick) / kTicksPerMs;
+        static_cast<double>(edges(n, n % 2 == 0).front().tick - kCoilTick) / kTicks_per_ms;
     shortest_ms = std::min(shortest_ms, after_ms);
     longest_ms = std::max(longest_ms, after_ms);
   }
-  const double half_tick_ms = 0.5 / kTicksPerMs;
+  const double half_tick_ms = 0.5 / kTicks_per_ms;
   EXPECT_GE(shortest_ms, p.operate_ms - p.operate_spread_ms - half_tick_ms);
   EXPECT_LE(longest_ms, p.operate_ms + p.operate_spread_ms + half_tick_ms);
   // Of 2000 uniform draws the chance that none falls in the outer 2 % is 10⁻¹⁷.
@@ -66,7 +66,7 @@ TEST(RelayModel, BouncesOnClosingFromNeverToTheLargestNumberAndRestsClosed) {
       if (i > 0) {
         const std::int64_t gap = closing[i].tick - closing[i - 1].tick;
         EXPECT_GE(gap, 1);
-        EXPECT_LE(gap, 1 + std::llround(p.bounce_ms * kTicksPerMs));
+        EXPECT_LE(gap, 1 + std::llround(p.bounce_ms * kTicks_per_ms));
       }
     }
   }

@@ -19,7 +19,7 @@ namespace gsbench::simulated::test {
 
 using gs::wire::test::command;
 
-constexpr std::int64_t kRateHz = 8000;
+constexpr std::int64_t kRate_hz = 8000;
 
 // Nominal for a second, then falling by 0.5 Hz/s: an event, an estimate, a decision, and after
 // 0.4 s of it the switching-off frequency of the outlets that play() plays to.
@@ -80,7 +80,9 @@ inline void poll(Bench& bench, std::vector<Heard>& heard) {
   for (const link::Received& received : happenings.messages) {
     heard.at(place_of(received.id)).messages.push_back(received.message);
   }
-  for (const relay::Edge& edge : edges) heard.at(edge.channel).edges.push_back(edge);
+  for (const relay::Edge& edge : edges) {
+    heard.at(edge.channel).edges.push_back(edge);
+  }
 }
 
 // Starts the bench, sends each outlet its settings and plays, block by block. Blocks take turns

@@ -19,7 +19,7 @@ Edges contact_after(const std::vector<std::int64_t>& coil_ticks, std::size_t blo
   parameters.relay.operate_spread_ms = 0.0;
   parameters.relay.largest_bounces = 0;
   Outlet outlet(parameters, "outlet", 0);
-  EXPECT_TRUE(outlet.start(kRateHz, 50, 0.0F, 1));
+  EXPECT_TRUE(outlet.start(kRate_hz, 50, 0.0F, 1));
   bool close = false;
   for (const std::int64_t tick : coil_ticks) {
     outlet.send(tick, command(close));
@@ -43,7 +43,9 @@ Edges contact_after(const std::vector<std::int64_t>& coil_ticks, std::size_t blo
   EXPECT_EQ(turns, coil_ticks.size()) << "the outlet tells of each turn of its coil";
   EXPECT_EQ(outlet.relay_closed(), coil_ticks.size() % 2 == 0);
   Edges seen;
-  for (const models::ContactEdge& edge : edges) seen.emplace_back(edge.tick, edge.closed);
+  for (const models::ContactEdge& edge : edges) {
+    seen.emplace_back(edge.tick, edge.closed);
+  }
   return seen;
 }
 

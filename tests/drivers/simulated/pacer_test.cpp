@@ -13,17 +13,17 @@ using Clock = std::chrono::steady_clock;
 TEST(Pacer, HoldsRealTimeBackToTheWallClock) {
   Pacer pacer(Pace::kRealTime);
   const auto before = Clock::now();
-  pacer.start(kRateHz);
+  pacer.start(kRate_hz);
   pacer.wait_until(1600);
   EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(200));
 }
 
 TEST(Pacer, CountsFromItsLatestStart) {
   Pacer pacer(Pace::kRealTime);
-  pacer.start(kRateHz);
+  pacer.start(kRate_hz);
   pacer.wait_until(400);
   const auto before = Clock::now();
-  pacer.start(kRateHz);
+  pacer.start(kRate_hz);
   pacer.wait_until(400);
   EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(50));
 }
@@ -31,8 +31,8 @@ TEST(Pacer, CountsFromItsLatestStart) {
 TEST(Pacer, DoesNotHoldBackVirtualTime) {
   Pacer pacer(Pace::kVirtual);
   const auto before = Clock::now();
-  pacer.start(kRateHz);
-  pacer.wait_until(3600 * kRateHz);
+  pacer.start(kRate_hz);
+  pacer.wait_until(3600 * kRate_hz);
   EXPECT_LT(Clock::now() - before, std::chrono::hours(1));
 }
 

@@ -79,7 +79,7 @@ TEST(SimulatedSource, StartedAgainIsAsNew) {
 std::vector<double> deviations_hz(const Heard& outlet) {
   std::vector<double> all;
   for (const gs::wire::Uplink& message : outlet.of(UplinkKind::kMeasurement)) {
-    if (message.measurement.validity == gs::outlet::Validity::kValid && message.sample > kRateHz) {
+    if (message.measurement.validity == gs::outlet::Validity::kValid && message.sample > kRate_hz) {
       all.push_back(static_cast<double>(message.measurement.frequency_hz) - 50.0);
     }
   }

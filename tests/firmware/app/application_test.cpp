@@ -70,8 +70,8 @@ TEST_F(NodeTest, IntroducesItselfFirst) {
   EXPECT_EQ(hello.hello.firmware_version, kFirmwareVersion);
   EXPECT_EQ(hello.hello.sample_rate_hz, 8000);
   EXPECT_EQ(hello.hello.nominal_hz, 50);
-  EXPECT_EQ(hello.hello.tracker_delay_s, outlet::kFrontEndDelayS);
-  EXPECT_EQ(hello.hello.voltage_delay_s, outlet::kVoltageDelayS);
+  EXPECT_EQ(hello.hello.tracker_delay_s, outlet::kFrontEndDelay_s);
+  EXPECT_EQ(hello.hello.voltage_delay_s, outlet::kVoltageDelay_s);
   EXPECT_STREQ(hello.hello.id, "outlet-7");
   EXPECT_STREQ(hello.hello.board, "test");
   EXPECT_EQ(hello.hello.instance, 77U);
@@ -261,7 +261,7 @@ TEST_F(NodeTest, SaysWhenAnEventIsGivenUp) {
   start();
   app_.receive(settings_message(test::ieee24_settings()), letters_);
   test::MainsSpec spec;
-  spec.truth = test::loss_of(500.0, 1.0);
+  spec.reference = test::loss_of(500.0, 1.0);
   spec.signal.amplitude_steps = {{1.4, 100.0, 0.0}};
   feed(spec, 2.2);
   EXPECT_EQ(letters_.of(UplinkKind::kEvent).size(), 1U);

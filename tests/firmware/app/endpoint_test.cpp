@@ -28,7 +28,9 @@ using wire::test::ping;
 class Listener final : public Carrier {
  public:
   bool send(const std::uint8_t* bytes, std::size_t size) override {
-    if (deaf) return false;
+    if (deaf) {
+      return false;
+    }
     Uplink message;
     std::uint32_t sequence = 0;
     EXPECT_EQ(wire::decode(bytes, size, message, sequence), wire::Decoded::kOk);
@@ -63,7 +65,9 @@ class Line final : public Carrier {
 class Area final : public SettingsStorage {
  public:
   bool keep(const outlet::Settings& settings) override {
-    if (!keeps) return false;
+    if (!keeps) {
+      return false;
+    }
     kept.push_back(settings);
     return true;
   }
@@ -111,7 +115,9 @@ TEST_F(EndpointTest, NumbersItsMessagesFromZero) {
   send(ping(1), 0);
   ASSERT_EQ(listener_.heard.size(), 12U);
   EXPECT_EQ(listener_.heard.front().kind, UplinkKind::kHello);
-  for (std::uint32_t i = 0; i < 12; ++i) EXPECT_EQ(listener_.numbers[i], i);
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(listener_.numbers[i], i);
+  }
 }
 
 TEST_F(EndpointTest, EchoesAPingAtOnceWithItsTokenAndTheSamplesTaken) {
@@ -262,7 +268,7 @@ TEST_F(EndpointTest, SelfTestNamesTheArithmeticTheAreaTheClockAndTheConverter) {
   };
   const std::uint32_t arithmetic =
       arithmetic_fingerprint() == kFingerprint ? 0U : std::uint32_t{wire::kArithmetic};
-  EXPECT_EQ(failed(0), arithmetic | wire::kConverter) << "no samples yet";
+  EXPECT_EQ(failed(0), arithmetic | wire::kAdc) << "no samples yet";
   feed(128);
   EXPECT_EQ(failed(1), arithmetic);
   area_.works = false;
@@ -294,7 +300,9 @@ TEST_F(SerialEndpointTest, AnswersFramesWithFrames) {
 
 TEST_F(SerialEndpointTest, TakesAFrameInWhateverPiecesItComes) {
   const Bytes frame = framed(encoded(settings_message(1), 0));
-  for (const std::uint8_t byte : frame) send(Bytes{byte});
+  for (const std::uint8_t byte : frame) {
+    send(Bytes{byte});
+  }
   EXPECT_EQ(line_.listener.last().kind, UplinkKind::kSettingsAnswer);
   EXPECT_EQ(line_.listener.last().settings_answer.digest,
             outlet::digest(settings_message(1).settings));

@@ -4,7 +4,9 @@
 namespace gs::test {
 
 float* offend(float x) {
-  if (x < 0.0F) throw x;
+  if (x < 0.0F) {
+    throw x;
+  }
   return new float(std::sin(x));
 }
 

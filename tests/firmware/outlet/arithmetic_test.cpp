@@ -22,7 +22,9 @@ float point(int i, float low, float high) {
 template <class Error>
 double largest_error(float low, float high, Error error) {
   double largest = 0.0;
-  for (int i = 0; i <= kPoints; ++i) largest = std::max(largest, error(point(i, low, high)));
+  for (int i = 0; i <= kPoints; ++i) {
+    largest = std::max(largest, error(point(i, low, high)));
+  }
   return largest;
 }
 
@@ -89,7 +91,9 @@ TEST(Arithmetic, WrappingTakesOffWholeTurnsOnly) {
 }
 
 TEST(Arithmetic, WrappingLeavesAnAngleWithinHalfATurnAlone) {
-  for (const float x : {-3.14F, -1.0F, 0.0F, 1e-20F, 2.5F, 3.14F}) EXPECT_EQ(wrapped(x), x);
+  for (const float x : {-3.14F, -1.0F, 0.0F, 1e-20F, 2.5F, 3.14F}) {
+    EXPECT_EQ(wrapped(x), x);
+  }
 }
 
 TEST(Arithmetic, BoundedKeepsWhatIsWithinAndMovesTheRestToTheNearerBound) {

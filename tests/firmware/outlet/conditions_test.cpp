@@ -8,7 +8,7 @@
 namespace gs::outlet {
 namespace {
 
-constexpr float kNominalHz = 50.0F;
+constexpr float kNominal_hz = 50.0F;
 
 // Two rows: 49.9 … 50 Hz below −0.3 Hz/s, 49.8 … 49.9 Hz below −0.2 Hz/s.
 Settings two_rows() {
@@ -20,7 +20,7 @@ Settings two_rows() {
 }
 
 bool met(float mean_hz, float slope_hz_s) {
-  return condition_met(two_rows(), kNominalHz, Line{mean_hz, slope_hz_s});
+  return condition_met(two_rows(), kNominal_hz, Line{mean_hz, slope_hz_s});
 }
 
 TEST(Conditions, EachRowHasItsOwnLimit) {

@@ -11,8 +11,8 @@
 namespace gs::outlet {
 namespace {
 
-constexpr double kLossS = 1.0;
-constexpr double kDurationS = 2.5;
+constexpr double kLoss_s = 1.0;
+constexpr double kDuration_s = 2.5;
 
 using Reports = std::vector<Report>;
 
@@ -38,11 +38,13 @@ struct Decision {
 Decision decision_with(const std::function<void(Settings&)>& change) {
   Settings settings = test::ieee24_settings();
   change(settings);
-  const Reports reports = test::reports_of({test::loss_of(500.0, kLossS)}, kDurationS, settings);
+  const Reports reports = test::reports_of({test::loss_of(500.0, kLoss_s)}, kDuration_s, settings);
   EXPECT_EQ(count_of(reports, kEvent), 1);
   EXPECT_EQ(count_of(reports, kDecision), 1);
   const Report* decision = first_with(reports, kDecision);
-  if (decision == nullptr) return {};
+  if (decision == nullptr) {
+    return {};
+  }
   EXPECT_EQ(reports.back().relay_closed, decision->relay_closed) << "nothing else acts";
   return {*decision, !decision->relay_closed && decision->cause == Cause::kLoss};
 }
@@ -56,8 +58,8 @@ TEST(Decision, ShedsWhereConditionsEstimateAndPlaceInTheOrderAllSaySo) {
   // Required: within 4 % of 960 ms and of the loss, less the threshold of 351.92 MW.
   EXPECT_NEAR(d.report.loss_mw, 500.0F, 20.0F);
   EXPECT_NEAR(d.report.required_mw, d.report.loss_mw - 351.92F, 0.1F);
-  EXPECT_LE(test::report_s(d.report), kLossS + 0.960);
-  EXPECT_GT(test::report_s(d.report), kLossS + 49 * 0.016) << "fifty reports cannot be in earlier";
+  EXPECT_LE(test::report_s(d.report), kLoss_s + 0.960);
+  EXPECT_GT(test::report_s(d.report), kLoss_s + 49 * 0.016) << "fifty reports cannot be in earlier";
 }
 
 TEST(Decision, KeepsTheLoadWhereLessImportantLoadSuffices) {
@@ -95,9 +97,9 @@ TEST(Decision, KeepsTheLoadOnAnEstimateNotToBeTrusted) {
 
 TEST(Decision, OfTwoLossesEachIsDecidedOnce) {
   const gsbench::grid::SfrModel model(test::ieee24());
-  const Reports reports =
-      test::reports_of({gsbench::waveform::truth_from_losses(model, {{1.0, 200.0}, {20.0, 500.0}})},
-                       22.0, test::ieee24_settings());
+  const Reports reports = test::reports_of(
+      {gsbench::waveform::reference_from_losses(model, {{1.0, 200.0}, {20.0, 500.0}})}, 22.0,
+      test::ieee24_settings());
   EXPECT_EQ(count_of(reports, kEvent), 2);
   EXPECT_EQ(count_of(reports, kDecision), 2);
   EXPECT_EQ(count_of(reports, kRelay), 1);
@@ -106,9 +108,9 @@ TEST(Decision, OfTwoLossesEachIsDecidedOnce) {
 }
 
 TEST(Decision, AnEventIsGivenUpWhenTheVoltageGoes) {
-  test::MainsSpec spec = {test::loss_of(500.0, kLossS)};
-  spec.signal.amplitude_steps = {{kLossS + 0.5, 100.0, 0.0}};
-  const Reports reports = test::reports_of(spec, kDurationS, test::ieee24_settings());
+  test::MainsSpec spec = {test::loss_of(500.0, kLoss_s)};
+  spec.signal.amplitude_steps = {{kLoss_s + 0.5, 100.0, 0.0}};
+  const Reports reports = test::reports_of(spec, kDuration_s, test::ieee24_settings());
   EXPECT_EQ(count_of(reports, kEvent), 1);
   EXPECT_EQ(count_of(reports, kAborted), 1);
   EXPECT_EQ(count_of(reports, kDecision), 0);
@@ -117,7 +119,7 @@ TEST(Decision, AnEventIsGivenUpWhenTheVoltageGoes) {
 }
 
 TEST(Decision, WithoutSettingsItMeasuresAndDecidesNothing) {
-  test::PlayedOutlet outlet({test::loss_of(2000.0, kLossS)});
+  test::PlayedOutlet outlet({test::loss_of(2000.0, kLoss_s)});
   int valid = 0;
   outlet.play(4.0, [&](const Report& report) {
     EXPECT_EQ(report.happened, 0);
@@ -131,13 +133,17 @@ TEST(Decision, WithoutSettingsItMeasuresAndDecidesNothing) {
 
 TEST(Decision, NewSettingsGiveUpTheEventUnderWay) {
   Settings settings = test::ieee24_settings();
-  test::PlayedOutlet outlet({test::loss_of(500.0, kLossS)}, settings);
+  test::PlayedOutlet outlet({test::loss_of(500.0, kLoss_s)}, settings);
   bool renewed = false;
   std::vector<std::uint32_t> events;
   std::vector<std::uint32_t> decisions;
   outlet.play(3.0, [&](const Report& report) {
-    if ((report.happened & kEvent) != 0) events.push_back(report.number);
-    if ((report.happened & kDecision) != 0) decisions.push_back(report.number);
+    if ((report.happened & kEvent) != 0) {
+      events.push_back(report.number);
+    }
+    if ((report.happened & kDecision) != 0) {
+      decisions.push_back(report.number);
+    }
     if (!renewed && (report.happened & kLse) != 0) {
       ++settings.version;
       ASSERT_EQ(apply(outlet.config, outlet.state, settings), SettingsError::kNone);
@@ -153,7 +159,7 @@ TEST(Decision, NewSettingsGiveUpTheEventUnderWay) {
 
 // 25 ms are missing from the samples: to a tracker that does not know, a leap of the phase.
 TEST(LostSamples, GiveUpAnEventAndFindTheFrequencyAnew) {
-  test::PlayedOutlet outlet({test::loss_of(500.0, kLossS)}, test::ieee24_settings());
+  test::PlayedOutlet outlet({test::loss_of(500.0, kLoss_s)}, test::ieee24_settings());
   Reports reports;
   const auto keep = [&](const Report& report) { reports.push_back(report); };
   outlet.play(0, 11200, keep);  // 1.4 s: within the estimation

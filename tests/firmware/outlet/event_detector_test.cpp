@@ -13,14 +13,20 @@ namespace {
 // Steady at 50 Hz for as long as there is a history, then as given.
 History history_of(const std::vector<float>& latest_hz) {
   History history;
-  for (int i = 0; i < kHistoryLength; ++i) push(history, 50.0F);
-  for (const float frequency_hz : latest_hz) push(history, frequency_hz);
+  for (int i = 0; i < kHistoryLength; ++i) {
+    push(history, 50.0F);
+  }
+  for (const float frequency_hz : latest_hz) {
+    push(history, frequency_hz);
+  }
   return history;
 }
 
 History falling(int drops, float drop_hz) {
   std::vector<float> latest;
-  for (int i = 1; i <= drops; ++i) latest.push_back(50.0F - drop_hz * static_cast<float>(i));
+  for (int i = 1; i <= drops; ++i) {
+    latest.push_back(50.0F - drop_hz * static_cast<float>(i));
+  }
   return history_of(latest);
 }
 
@@ -65,8 +71,12 @@ TEST(EventDetector, DropsAreNotCountedAcrossAGap) {
 
 TEST(EventDetector, NothingIsDetectedBeforeThereIsABaseline) {
   History history;
-  for (int i = 0; i < kBaselineAge + kBaselineLength - 6; ++i) push(history, 50.0F);
-  for (int i = 1; i <= 5; ++i) push(history, 50.0F - 0.05F * static_cast<float>(i));
+  for (int i = 0; i < kBaselineAge + kBaselineLength - 6; ++i) {
+    push(history, 50.0F);
+  }
+  for (int i = 1; i <= 5; ++i) {
+    push(history, 50.0F - 0.05F * static_cast<float>(i));
+  }
   EXPECT_FALSE(event_detected(five_drops(0.020F, 0.018F), history));
   push(history, 50.0F - 0.05F * 6.0F);
   EXPECT_TRUE(event_detected(five_drops(0.020F, 0.018F), history));
@@ -74,8 +84,12 @@ TEST(EventDetector, NothingIsDetectedBeforeThereIsABaseline) {
 
 TEST(EventDetector, TheBaselineIsTheCourseBeforeTheFall) {
   History history;
-  for (int i = 0; i < kHistoryLength; ++i) push(history, 50.0F + 0.001F * static_cast<float>(i));
-  for (int i = 0; i < kBaselineAge; ++i) push(history, 40.0F);
+  for (int i = 0; i < kHistoryLength; ++i) {
+    push(history, 50.0F + 0.001F * static_cast<float>(i));
+  }
+  for (int i = 0; i < kBaselineAge; ++i) {
+    push(history, 40.0F);
+  }
   const Baseline before = baseline(history);
   // 16 entries that end with the 31st millihertz: their mean is 23.5 of them. Floats near 50 Hz are
   // 4 µHz apart.
@@ -85,7 +99,9 @@ TEST(EventDetector, TheBaselineIsTheCourseBeforeTheFall) {
 
 TEST(EventDetector, ALineThroughTheHistoryHasItsSlopeAndItsMiddle) {
   History history;
-  for (int i = 0; i < 40; ++i) push(history, 50.0F - 0.008F * static_cast<float>(i));
+  for (int i = 0; i < 40; ++i) {
+    push(history, 50.0F - 0.008F * static_cast<float>(i));
+  }
   for (const int count : {2, 8, 32}) {
     const Line line = fit_line(history, 0, count);
     EXPECT_NEAR(line.slope_hz_s, -0.5F, 1e-3F) << count;

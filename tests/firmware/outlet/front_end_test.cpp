@@ -27,7 +27,7 @@ Hardware hardware(std::int32_t sample_rate_hz, std::int32_t nominal_hz) {
 TEST(FrontEnd, ServesEveryWholeKilohertzUpToItsLimitOnBothGrids) {
   FrontEndConfig config;
   for (const std::int32_t nominal_hz : {50, 60}) {
-    for (std::int32_t rate = 1000; rate <= kMaxSampleRateHz; rate += 1000) {
+    for (std::int32_t rate = 1000; rate <= kMaxSampleRate_hz; rate += 1000) {
       ASSERT_TRUE(make_front_end(hardware(rate, nominal_hz), config)) << rate;
       EXPECT_EQ(config.samples_per_ms, rate / 1000);
       EXPECT_LE(config.table_length, kMaxTable);
@@ -89,7 +89,9 @@ std::vector<Report> reports_in_pieces(const test::MainsSpec& mains,
       Report report;
       bool ready = false;
       at += step(outlet.config, outlet.state, samples.data() + at, end - at, report, ready);
-      if (ready) reports.push_back(report);
+      if (ready) {
+        reports.push_back(report);
+      }
     }
   }
   return reports;
@@ -113,7 +115,9 @@ TEST(FrontEnd, ReportsDoNotDependOnHowTheSamplesAreHandedOver) {
       const std::vector<Report> cut =
           reports_in_pieces(mains, samples, [&] { return std::size_t{1} + generator() % longest; });
       ASSERT_EQ(cut.size(), whole.size());
-      for (std::size_t i = 0; i < whole.size(); ++i) expect_same(cut[i], whole[i]);
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        expect_same(cut[i], whole[i]);
+      }
     }
   }
 }
@@ -220,7 +224,9 @@ TEST(FrontEnd, MeasuresTheVoltageOfOffNominalFrequencies) {
       test::MainsSpec spec = {test::steady(50.0, frequency_hz)};
       spec.signal.amplitude_steps = {{0.0, 100.0, level_pct}};
       for (const Report& report : test::reports_of(spec, 1.0, test::ieee24_settings())) {
-        if (report.number < 4) continue;
+        if (report.number < 4) {
+          continue;
+        }
         // 50 ms are not whole half periods then: sin(x)/x of the square's ripple at 90 and at 110
         // Hz leaves up to 7 % of the mean square, half of that of its root.
         EXPECT_NEAR(static_cast<double>(report.measurement.voltage_pu), 0.01 * level_pct,

@@ -19,7 +19,7 @@ namespace {
 using gsbench::grid::Grid;
 using gsbench::grid::SfrModel;
 
-constexpr double kPeriodS = 0.016;
+constexpr double kPeriod_s = 0.016;
 constexpr int kSamples = 40;
 
 Grid low_inertia() {
@@ -58,23 +58,23 @@ EkfSettings ekf_settings(float measurement_sigma_hz) {
 }
 
 TEST(LossEkf, ExactMeasurementsGiveTheLossAndItsInstantForEveryDamping) {
-  constexpr double kLossMw = 500.0;
-  constexpr double kLateLossS = -0.07;
+  constexpr double kLoss_mw = 500.0;
+  constexpr double kLateLoss_s = -0.07;
   for (const Grid& grid : {test::ieee24(), critically_damped(), low_inertia()}) {
     const SfrModel model(grid);
     // Started one standard deviation off in both; 40 samples and as many again, of 0.1 mHz.
     const EkfSettings settings = ekf_settings(1e-4F);
     EkfState<float> ekf;
-    start(settings, ekf, static_cast<float>(kLossMw) - 80.0F,
-          static_cast<float>(kLateLossS) + 0.02F);
+    start(settings, ekf, static_cast<float>(kLoss_mw) - 80.0F,
+          static_cast<float>(kLateLoss_s) + 0.02F);
     for (int k = 0; k < 2 * kSamples; ++k) {
-      const double t_s = kPeriodS * (k + 1);
-      const double deviation_hz = kLossMw * model.unit_deviation_hz(t_s - kLateLossS);
+      const double t_s = kPeriod_s * (k + 1);
+      const double deviation_hz = kLoss_mw * model.unit_deviation_hz(t_s - kLateLoss_s);
       update(settings, test::response_of(model), ekf, static_cast<float>(deviation_hz),
              static_cast<float>(t_s));
     }
-    EXPECT_NEAR(static_cast<double>(ekf.loss_mw), kLossMw, 0.005 * kLossMw) << model.zeta();
-    EXPECT_NEAR(static_cast<double>(ekf.t_x_s), kLateLossS, 2e-3) << model.zeta();
+    EXPECT_NEAR(static_cast<double>(ekf.loss_mw), kLoss_mw, 0.005 * kLoss_mw) << model.zeta();
+    EXPECT_NEAR(static_cast<double>(ekf.t_x_s), kLateLoss_s, 2e-3) << model.zeta();
   }
 }
 
@@ -83,7 +83,9 @@ TEST(LossLse, ExactSlopesGiveTheLoss) {
   for (const int samples : {2, 10, kMaxLseSamples}) {
     LseState<float> lse;
     const float hz_s = 500.0F / k_lse_mw_per_hz_s(response);
-    for (int k = 0; k < samples; ++k) add(lse, hz_s * kReportS * static_cast<float>(k) - 0.1F);
+    for (int k = 0; k < samples; ++k) {
+      add(lse, hz_s * kReport_s * static_cast<float>(k) - 0.1F);
+    }
     EXPECT_NEAR(k_lse_mw_per_hz_s(response) * slope_hz_s(lse), 500.0F, 0.1F) << samples;
   }
 }
@@ -91,17 +93,19 @@ TEST(LossLse, ExactSlopesGiveTheLoss) {
 // Uniform noise of ±0.01 Hz, as the paper's Table 3 has it: σ of the slope of n samples 16 ms apart
 // is σ/(T·√(n·(n²−1)/12)), 0.40 p.u. of 100 MW for ten.
 TEST(LossLse, NoiseSpreadsItAsLeastSquaresMust) {
-  constexpr double kSigmaHz = 0.01 / 1.7320508075688772;
+  constexpr double kSigma_hz = 0.01 / 1.7320508075688772;
   const Response response = test::response_of(SfrModel(test::ieee24()));
-  const double expected_mw = std::abs(static_cast<double>(k_lse_mw_per_hz_s(response))) * kSigmaHz /
-                             (kPeriodS * std::sqrt(10.0 * 99.0 / 12.0));
+  const double expected_mw = std::abs(static_cast<double>(k_lse_mw_per_hz_s(response))) *
+                             kSigma_hz / (kPeriod_s * std::sqrt(10.0 * 99.0 / 12.0));
   std::mt19937 generator(1);
   std::uniform_real_distribution<float> noise(-0.01F, 0.01F);
   double squares = 0.0;
   constexpr int kRuns = 20'000;
   for (int run = 0; run < kRuns; ++run) {
     LseState<float> lse;
-    for (int k = 0; k < 10; ++k) add(lse, noise(generator));
+    for (int k = 0; k < 10; ++k) {
+      add(lse, noise(generator));
+    }
     squares += std::pow(static_cast<double>(k_lse_mw_per_hz_s(response) * slope_hz_s(lse)), 2);
   }
   const double rms_mw = std::sqrt(squares / kRuns);
@@ -119,7 +123,7 @@ double least_sigma_mw(const SfrModel& model, double loss_mw, double t_x_s, int f
   double j_lt = 0.0;
   double j_tt = 1.0 / (prior_s * prior_s);
   for (int k = first; k <= last; ++k) {
-    const double tau_s = kPeriodS * k - t_x_s;
+    const double tau_s = kPeriod_s * k - t_x_s;
     const double by_loss = model.unit_deviation_hz(tau_s) / sigma_hz;
     const double by_t_x = -loss_mw * model.unit_rocof_hz_s(tau_s) / sigma_hz;
     j_ll += by_loss * by_loss;
@@ -130,18 +134,19 @@ double least_sigma_mw(const SfrModel& model, double loss_mw, double t_x_s, int f
 }
 
 TEST(LossEkf, IsAsGoodAsNoiseAllows) {
-  constexpr double kLossMw = 500.0;
-  constexpr double kSigmaHz = 0.01 / 1.7320508075688772;
-  constexpr double kPriorMw = 40.0;  // of the LSE over the ten samples before
-  constexpr double kPriorS = 0.02;
+  constexpr double kLoss_mw = 500.0;
+  constexpr double kSigma_hz = 0.01 / 1.7320508075688772;
+  constexpr double kPrior_mw = 40.0;  // of the LSE over the ten samples before
+  constexpr double kPrior_s = 0.02;
   const SfrModel model(test::ieee24());
   // What is known of it: 0.050 p.u. of 100 MW for the first 40 samples without a prior.
-  EXPECT_NEAR(least_sigma_mw(model, kLossMw, 0.0, 1, 40, kSigmaHz, 1e6, 1e3), 5.0, 0.1);
-  const double least_mw = least_sigma_mw(model, kLossMw, 0.0, 11, 50, kSigmaHz, kPriorMw, kPriorS);
+  EXPECT_NEAR(least_sigma_mw(model, kLoss_mw, 0.0, 1, 40, kSigma_hz, 1e6, 1e3), 5.0, 0.1);
+  const double least_mw =
+      least_sigma_mw(model, kLoss_mw, 0.0, 11, 50, kSigma_hz, kPrior_mw, kPrior_s);
 
-  EkfSettings settings = ekf_settings(static_cast<float>(kSigmaHz));
-  settings.loss_sigma_mw = static_cast<float>(kPriorMw);
-  settings.t_x_sigma_s = static_cast<float>(kPriorS);
+  EkfSettings settings = ekf_settings(static_cast<float>(kSigma_hz));
+  settings.loss_sigma_mw = static_cast<float>(kPrior_mw);
+  settings.t_x_sigma_s = static_cast<float>(kPrior_s);
   const Response response = test::response_of(model);
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> noise(-0.01, 0.01);
@@ -153,16 +158,16 @@ TEST(LossEkf, IsAsGoodAsNoiseAllows) {
   double claimed = 0.0;
   for (int run = 0; run < kRuns; ++run) {
     // The event's stamp is somewhere in the middle of what is physical.
-    const double t_x_s = -0.1 + kPriorS * std::clamp(gaussian(generator), -4.0, 4.0);
+    const double t_x_s = -0.1 + kPrior_s * std::clamp(gaussian(generator), -4.0, 4.0);
     EkfState<float> ekf;
-    start(settings, ekf, static_cast<float>(kLossMw + kPriorMw * gaussian(generator)), -0.1F);
+    start(settings, ekf, static_cast<float>(kLoss_mw + kPrior_mw * gaussian(generator)), -0.1F);
     for (int k = 11; k <= 50; ++k) {
-      const double t_s = kPeriodS * k - 0.1;
+      const double t_s = kPeriod_s * k - 0.1;
       update(settings, response, ekf,
-             static_cast<float>(kLossMw * model.unit_deviation_hz(t_s - t_x_s) + noise(generator)),
+             static_cast<float>(kLoss_mw * model.unit_deviation_hz(t_s - t_x_s) + noise(generator)),
              static_cast<float>(t_s));
     }
-    const double error_mw = static_cast<double>(ekf.loss_mw) - kLossMw;
+    const double error_mw = static_cast<double>(ekf.loss_mw) - kLoss_mw;
     sum += error_mw;
     squares += error_mw * error_mw;
     largest = std::max(largest, std::abs(error_mw));
@@ -220,7 +225,7 @@ class Hostile {
 
 void expect_within_bounds(const EkfSettings& settings, const EkfState<float>& ekf) {
   ASSERT_TRUE(ekf.loss_mw >= 0.0F && ekf.loss_mw <= settings.largest_loss_mw) << ekf.loss_mw;
-  ASSERT_TRUE(ekf.t_x_s >= kEarliestLossS && ekf.t_x_s <= kLatestLossS) << ekf.t_x_s;
+  ASSERT_TRUE(ekf.t_x_s >= kEarliestLoss_s && ekf.t_x_s <= kLatestLoss_s) << ekf.t_x_s;
   ASSERT_TRUE(ekf.p_ll >= 0.0F &&
               ekf.p_ll <= 1.0001F * settings.loss_sigma_mw * settings.loss_sigma_mw)
       << ekf.p_ll;
@@ -239,10 +244,12 @@ TEST(LossEkf, NoMeasurementsMakeItDiverge) {
     start(settings, ekf, hostile.measurement(kind, 0), hostile.measurement(kind, 1));
     for (int k = 0; k < kSamples; ++k) {
       update(settings, response, ekf, hostile.measurement(kind, k),
-             kReportS * static_cast<float>(k));
+             kReport_s * static_cast<float>(k));
     }
     expect_within_bounds(settings, ekf);
-    if (HasFatalFailure()) FAIL() << "run " << run;
+    if (HasFatalFailure()) {
+      FAIL() << "run " << run;
+    }
   }
 }
 
@@ -260,14 +267,16 @@ TEST(LossEkf, NoSettingsThatAreAcceptedMakeItDiverge) {
     s.loss_sigma_mw = s.largest_loss_mw * hostile.unit();
     s.measurement_sigma_hz = hostile.decades(-5.0F, 0.0F);
     s.t_x_sigma_s = hostile.decades(-4.0F, -0.31F);
-    if (validate(s, 50.0F) != SettingsError::kNone) continue;
+    if (validate(s, 50.0F) != SettingsError::kNone) {
+      continue;
+    }
     ++accepted;
     const EkfSettings settings = outlet::ekf_settings(s);
     EkfState<float> ekf;
     start(settings, ekf, s.largest_loss_mw * hostile.unit(), -0.08F);
     for (int k = 0; k < kSamples; ++k) {
       update(settings, s.response, ekf, -hostile.decades(-6.0F, 2.0F),
-             kReportS * static_cast<float>(k));
+             kReport_s * static_cast<float>(k));
     }
     expect_within_bounds(settings, ekf);
     if (HasFatalFailure()) {

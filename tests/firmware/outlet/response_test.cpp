@@ -55,7 +55,9 @@ std::vector<Response> responses() {
     const float least_sigma = d < 0.0F ? std::sqrt(-d) : 0.0F;
     for (const float sigma : {0.05F, 0.3F, 2.0F, kLargestDecay / 1.5F}) {
       for (const float g0 : {0.1F, 1.26F, 10.0F}) {
-        if (sigma > least_sigma) all.push_back(response(sigma, d, g0));
+        if (sigma > least_sigma) {
+          all.push_back(response(sigma, d, g0));
+        }
       }
     }
   }

@@ -101,7 +101,9 @@ TEST(Settings, AreAcceptedWhereTheyMakeSense) {
 // Just inside both ends of each range, just outside of each.
 TEST(Settings, AreAcceptedOnlyWithinTheRangesOfTheList) {
   for (const Field& field : kSettingsFields) {
-    if (field.type == FieldType::kRows) continue;
+    if (field.type == FieldType::kRows) {
+      continue;
+    }
     const float scale = field.range.of_nominal ? 50.0F : 1.0F;
     EXPECT_NE(within(field.range, field.range.least * scale, 50.0F), field.range.without_least);
     EXPECT_NE(within(field.range, field.range.most * scale, 50.0F), field.range.without_most);
@@ -109,7 +111,9 @@ TEST(Settings, AreAcceptedOnlyWithinTheRangesOfTheList) {
                             std::nextafter(field.range.most * scale, kInfinity), kNotANumber};
     for (const float value : beyond) {
       EXPECT_FALSE(within(field.range, value, 50.0F)) << field.name;
-      if (field.type != FieldType::kFloat) continue;
+      if (field.type != FieldType::kFloat) {
+        continue;
+      }
       Settings settings = test::ieee24_settings();
       member<float>(settings, field) = value;
       EXPECT_EQ(validate(settings, 50.0F), field.error) << field.name << " = " << value;
@@ -120,9 +124,13 @@ TEST(Settings, AreAcceptedOnlyWithinTheRangesOfTheList) {
 TEST(Settings, EveryReasonIsReachedAndHasItsOwnWords) {
   std::set<SettingsError> reached = {SettingsError::kNone, SettingsError::kUnknownField,
                                      SettingsError::kStale};
-  for (const Spoiling& spoiling : spoilings()) reached.insert(spoiling.error);
+  for (const Spoiling& spoiling : spoilings()) {
+    reached.insert(spoiling.error);
+  }
   std::set<std::string> words;
-  for (const SettingsError error : reached) words.insert(to_string(error));
+  for (const SettingsError error : reached) {
+    words.insert(to_string(error));
+  }
   EXPECT_EQ(reached.size(), static_cast<std::size_t>(SettingsError::kStale) + 1);
   EXPECT_EQ(words.size(), reached.size());
   EXPECT_EQ(words.count("unknown"), 0U);

@@ -14,7 +14,7 @@ using Reports = std::vector<Report>;
 
 // Steady, down to `lowest_hz` for `duration_s`, and back.
 Reports reports_of_visit(double lowest_hz, double duration_s) {
-  test::MainsSpec spec = {gsbench::waveform::truth_from_points(
+  test::MainsSpec spec = {gsbench::waveform::reference_from_points(
       50.0,
       {{1.0, 49.05}, {1.2, lowest_hz}, {1.2 + duration_s, lowest_hz}, {1.4 + duration_s, 49.05}})};
   return test::reports_of(spec, 2.0 + duration_s, test::ieee24_settings());
@@ -44,7 +44,7 @@ TEST(SwitchOffFrequency, TakesThreeMeasurementsInARowBelowIt) {
 }
 
 TEST(SwitchOffFrequency, ActsOnNothingWhileTheBusIsDead) {
-  test::MainsSpec spec = {gsbench::waveform::truth_from_points(
+  test::MainsSpec spec = {gsbench::waveform::reference_from_points(
       50.0, {{0.0, 50.0}, {1.3, 50.0}, {1.5, 47.0}, {2.0, 47.0}, {2.2, 50.0}})};
   spec.signal.amplitude_steps = {{1.0, 1.5, 0.0}};
   const Reports reports = test::reports_of(spec, 4.0, test::ieee24_settings());

@@ -14,12 +14,12 @@
 namespace gs::outlet {
 namespace {
 
-constexpr double kNoisePct = 1.0;
-constexpr double kSampleRateHz = 8000.0;
+constexpr double kNoise_pct = 1.0;
+constexpr double kSampleRate_hz = 8000.0;
 
 struct Accuracy {
   double bias_mhz = 0.0;
-  double rms_mhz = 0.0;  // against the truth, bias included
+  double rms_mhz = 0.0;  // against the reference, bias included
   double largest_mhz = 0.0;
   int measurements = 0;
   int not_valid = 0;
@@ -31,13 +31,15 @@ Accuracy accuracy(const test::MainsSpec& spec, double duration_s) {
   Accuracy a;
   double squares = 0.0;
   outlet.play(duration_s, [&](const Report& report) {
-    if (test::report_s(report) < 1.0) return;
+    if (test::report_s(report) < 1.0) {
+      return;
+    }
     if (report.measurement.validity != Validity::kValid) {
       ++a.not_valid;
       return;
     }
     const double error_mhz = 1e3 * (static_cast<double>(report.measurement.frequency_hz) -
-                                    spec.truth->frequency_hz(test::measured_s(report)));
+                                    spec.reference->frequency_hz(test::measured_s(report)));
     a.bias_mhz += error_mhz;
     squares += error_mhz * error_mhz;
     a.largest_mhz = std::max(a.largest_mhz, std::abs(error_mhz));
@@ -72,9 +74,9 @@ std::vector<gsbench::waveform::Harmonic> en50160() {
 // Cramér–Rao bound of a constant frequency over `window_s` of a sine in white noise, mHz:
 // var ω = 24·σ²/(A²·N³) rad² per sample².
 double least_rms_mhz(double window_s) {
-  const double samples = window_s * kSampleRateHz;
-  const double sigma = kNoisePct / 100.0;
-  return 1e3 * kSampleRateHz / (2.0 * M_PI) * std::sqrt(24.0 * sigma * sigma) /
+  const double samples = window_s * kSampleRate_hz;
+  const double sigma = kNoise_pct / 100.0;
+  return 1e3 * kSampleRate_hz / (2.0 * M_PI) * std::sqrt(24.0 * sigma * sigma) /
          std::pow(samples, 1.5);
 }
 
@@ -97,9 +99,11 @@ class TrackerAccuracy : public testing::TestWithParam<Case> {
     std::printf("   f/Hz   bias/mHz    rms/mHz    max/mHz\n");
     for (int i = 0; i * step_hz <= 10.0; ++i) {
       const double frequency_hz = c.nominal_hz - 5.0 + i * step_hz;
-      test::MainsSpec spec = {test::steady(c.nominal_hz, frequency_hz), {}, kNoisePct};
+      test::MainsSpec spec = {test::steady(c.nominal_hz, frequency_hz), {}, kNoise_pct};
       spec.seed = static_cast<std::uint64_t>(i) + 1;
-      if (c.harmonics) spec.signal.harmonics = en50160();
+      if (c.harmonics) {
+        spec.signal.harmonics = en50160();
+      }
       const Accuracy a = accuracy(spec, duration_s);
       std::printf("%7.2f %10.3f %10.3f %10.3f\n", frequency_hz, a.bias_mhz, a.rms_mhz,
                   a.largest_mhz);
@@ -107,7 +111,8 @@ class TrackerAccuracy : public testing::TestWithParam<Case> {
       EXPECT_NEAR(a.bias_mhz, 0.0, 0.5) << frequency_hz;
       EXPECT_LE(a.rms_mhz, 4.0) << frequency_hz;
       EXPECT_LE(a.largest_mhz, 20.0) << frequency_hz;
-      // Better than any estimator with a memory of a quarter second: the truth would have leaked.
+      // Better than any estimator with a memory of a quarter second: the reference would have
+      // leaked.
       EXPECT_GE(a.rms_mhz, least_rms_mhz(0.25)) << frequency_hz;
     }
   }

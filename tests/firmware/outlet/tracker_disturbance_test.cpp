@@ -29,13 +29,15 @@ struct Course {
 };
 
 // 20 mHz are eight standard deviations of a measurement in 1 % noise.
-constexpr double kGoodMhz = 20.0;
+constexpr double kGood_mhz = 20.0;
 
 Course course_of(const test::MainsSpec& spec, double disturbance_s) {
   Course course;
   for (const Report& report : test::reports_of(spec, 2.5, test::ieee24_settings())) {
     const double t_s = test::report_s(report) - disturbance_s;
-    if (t_s < -0.1) continue;
+    if (t_s < -0.1) {
+      continue;
+    }
     course.tripped = course.tripped || !report.relay_closed;
     course.events += (report.happened & kEvent) != 0 ? 1 : 0;
     bool good = false;
@@ -52,14 +54,16 @@ Course course_of(const test::MainsSpec& spec, double disturbance_s) {
       case Validity::kValid: {
         const double error_mhz =
             1e3 * std::abs(static_cast<double>(report.measurement.frequency_hz) -
-                           spec.truth->frequency_hz(test::measured_s(report)));
+                           spec.reference->frequency_hz(test::measured_s(report)));
         course.largest_error_mhz = std::max(course.largest_error_mhz, error_mhz);
-        good = error_mhz <= kGoodMhz;
+        good = error_mhz <= kGood_mhz;
         break;
       }
     }
     EXPECT_TRUE(std::isfinite(report.measurement.voltage_pu));
-    if (!good) course.last_bad_s = std::max(course.last_bad_s, t_s);
+    if (!good) {
+      course.last_bad_s = std::max(course.last_bad_s, t_s);
+    }
   }
   return course;
 }
@@ -165,7 +169,7 @@ TEST(TrackerDisturbance, MeasuresThroughAmplitudeStepsOfTenPerCent) {
     const Course course = worst_course([&](SignalSpec& signal, double at_s) {
       signal.amplitude_steps = {{at_s, kForever, level_pct}};
     });
-    EXPECT_LT(course.largest_error_mhz, kGoodMhz) << level_pct;
+    EXPECT_LT(course.largest_error_mhz, kGood_mhz) << level_pct;
     EXPECT_EQ(course.events, 0);
     EXPECT_EQ(course.invalid, 0);
   }
@@ -192,7 +196,7 @@ TEST(TrackerDisturbance, ClaimsNoFrequencyOnADeadBusAndFindsItAgainAfterwards) {
         if (t_s > alive_s + 0.056 + 19 * 0.016) {
           ASSERT_EQ(report.measurement.validity, Validity::kValid) << t_s;
           ASSERT_NEAR(static_cast<double>(report.measurement.frequency_hz),
-                      spec.truth->frequency_hz(test::measured_s(report)), 0.03)
+                      spec.reference->frequency_hz(test::measured_s(report)), 0.03)
               << t_s;
         }
       }
@@ -208,9 +212,11 @@ TEST(TrackerDisturbance, FollowsRampsOfTenHertzASecond) {
     int on_the_ramp = 0;
     for (const Report& report : test::reports_of(spec, end_s + 1.0, test::ieee24_settings())) {
       const double t_s = test::measured_s(report);
-      if (report.number < 40 || report.measurement.validity != Validity::kValid) continue;
+      if (report.number < 40 || report.measurement.validity != Validity::kValid) {
+        continue;
+      }
       const double error_hz =
-          static_cast<double>(report.measurement.frequency_hz) - spec.truth->frequency_hz(t_s);
+          static_cast<double>(report.measurement.frequency_hz) - spec.reference->frequency_hz(t_s);
       // At the corners a tracker that remembers 80 ms is behind by as much of the ramp.
       EXPECT_LT(std::abs(error_hz), 0.08 * std::abs(hz_per_s) + 0.02) << hz_per_s << " " << t_s;
       if (t_s > 1.3 && t_s < end_s - 0.03) {
@@ -227,7 +233,9 @@ TEST(TrackerDisturbance, MeasuresTheRocofOfASteadyRamp) {
   double sum = 0.0;
   int count = 0;
   for (const Report& report : test::reports_of(spec, 2.9, test::ieee24_settings())) {
-    if (test::measured_s(report) < 1.5) continue;
+    if (test::measured_s(report) < 1.5) {
+      continue;
+    }
     sum += static_cast<double>(report.measurement.rocof_hz_s);
     ++count;
     // Test pattern after IEC/IEEE 60255-118-1, P class: 0.4 Hz/s.
@@ -257,9 +265,15 @@ TEST(TrackerDisturbance, SurvivesAnyVoltageAtAll) {
       // Amplitudes over eight decades; nothing but noise; a phase that leaps at random; two values
       // in turn.
       float amplitude = std::pow(10.0F, 8.0F * unit(generator) - 4.0F);
-      if (kind == 1) amplitude = unit(generator);
-      if (kind == 2) amplitude = 1.0F;
-      if (kind == 3) amplitude = k % 2 == 0 ? 0.12F : 30000.0F;
+      if (kind == 1) {
+        amplitude = unit(generator);
+      }
+      if (kind == 2) {
+        amplitude = 1.0F;
+      }
+      if (kind == 3) {
+        amplitude = k % 2 == 0 ? 0.12F : 30000.0F;
+      }
       const Measurement m = track(settings, 50.0F, state, phasor(amplitude, unit(generator)));
       if (m.validity == Validity::kInvalid) {
         ASSERT_TRUE(std::isnan(m.frequency_hz) && std::isnan(m.rocof_hz_s));

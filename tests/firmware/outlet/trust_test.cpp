@@ -15,7 +15,7 @@ namespace gs::outlet {
 namespace {
 
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
-constexpr float kNominalHz = 50.0F;
+constexpr float kNominal_hz = 50.0F;
 constexpr Line kNoLine = {kNoNumber, kNoNumber};
 
 // Deviation in Hz, so long after the event.
@@ -34,10 +34,10 @@ struct Played {
 
 Played play(const Deviation& deviation, float rocof_before_hz_s = 0.0F, int reports = 50) {
   Played played;
-  begin(played.state, {kNominalHz, rocof_before_hz_s});
+  begin(played.state, {kNominal_hz, rocof_before_hz_s});
   for (int k = 0; k < reports; ++k) {
     const auto frequency_hz = static_cast<float>(50.0 + deviation(0.016 * k));
-    observe(played.settings, kNominalHz, played.state, true, frequency_hz, kNoLine);
+    observe(played.settings, kNominal_hz, played.state, true, frequency_hz, kNoLine);
   }
   return played;
 }
@@ -52,7 +52,7 @@ TEST(Trust, ACleanLossIsTrustedAndRight) {
   EXPECT_TRUE(complete(played.settings, played.state));
   // Without noise 4 % would be the paper's; the LSE's start and σ = 5 mHz leave a half.
   EXPECT_NEAR(played.state.ekf.loss_mw, 500.0F, 2.5F);
-  EXPECT_NEAR(loss_instant_s(played.state), -0.08F - kFrontEndDelayS, 3e-3F);
+  EXPECT_NEAR(loss_instant_s(played.state), -0.08F - kFrontEndDelay_s, 3e-3F);
 }
 
 TEST(Trust, NothingIsTrustedBeforeHalfOfTheReportsAreIn) {
@@ -83,7 +83,7 @@ TEST(Trust, MeasurementsThatDoNotFollowTheModelAreNotTrusted) {
 TEST(Trust, AnInfiniteMeasurementIsNotTrusted) {
   for (const float odd : {kNoNumber, std::numeric_limits<float>::infinity()}) {
     Played played = play(loss_of(500.0), 0.0F, 40);
-    observe(played.settings, kNominalHz, played.state, true, odd, kNoLine);
+    observe(played.settings, kNominal_hz, played.state, true, odd, kNoLine);
     EXPECT_NE(trust_of(played), Trust::kTrusted);
   }
 }
@@ -103,7 +103,7 @@ TEST(Trust, ALossLostInTheNoiseIsTooUncertain) {
 TEST(Estimator, AGapBeforeTheLseIsDoneStartsItAfresh) {
   Played played = play(loss_of(500.0), 0.0F, 9);
   EXPECT_EQ(played.state.lse.count, 9);
-  observe(played.settings, kNominalHz, played.state, false, kNoNumber, kNoLine);
+  observe(played.settings, kNominal_hz, played.state, false, kNoNumber, kNoLine);
   EXPECT_EQ(played.state.lse.count, 0);
   EXPECT_FALSE(played.state.started);
 }
@@ -114,7 +114,7 @@ TEST(Estimator, AGapWhileTheEkfRunsIsPassedOverWithItsTime) {
   for (int k = 20; k < 50; ++k) {
     const bool valid = k < 25 || k >= 30;
     const auto frequency_hz = valid ? static_cast<float>(50.0 + deviation(0.016 * k)) : kNoNumber;
-    observe(played.settings, kNominalHz, played.state, valid, frequency_hz, kNoLine);
+    observe(played.settings, kNominal_hz, played.state, valid, frequency_hz, kNoLine);
   }
   EXPECT_EQ(played.state.ekf.count, 35);
   EXPECT_EQ(trust_of(played), Trust::kTrusted);
@@ -123,10 +123,10 @@ TEST(Estimator, AGapWhileTheEkfRunsIsPassedOverWithItsTime) {
 
 TEST(Estimator, ConditionsCountOnceTheLseIsDone) {
   Played played;
-  begin(played.state, {kNominalHz, 0.0F});
+  begin(played.state, {kNominal_hz, 0.0F});
   const Line falling = {49.95F, -2.0F};
   for (int k = 0; k < 50; ++k) {
-    observe(played.settings, kNominalHz, played.state, true, 49.9F, falling);
+    observe(played.settings, kNominal_hz, played.state, true, 49.9F, falling);
     EXPECT_EQ(played.state.hits, std::max(0, k + 1 - 10)) << k;
   }
   EXPECT_EQ(played.state.hits, played.settings.ekf_samples);

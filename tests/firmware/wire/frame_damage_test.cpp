@@ -58,7 +58,9 @@ const Damage kDamages[] = {
      [](Bytes& frame, std::size_t byte) { frame.insert(at(frame, byte), frame[byte]); }},
     {"PairOfSwappedBytes", 1,
      [](Bytes& frame, std::size_t byte) {
-       if (byte + 1 < frame.size()) std::swap(frame[byte], frame[byte + 1]);
+       if (byte + 1 < frame.size()) {
+         std::swap(frame[byte], frame[byte + 1]);
+       }
      }},
     // Of less than two bytes nothing tells that there was a frame.
     {"CutFrame", 1,
@@ -105,7 +107,9 @@ TEST(TwoFlippedBits, InAShortFrameAreFoundOut) {
       Bytes damaged = frame;
       flip_bit(damaged, a);
       flip_bit(damaged, b);
-      for (const Bytes& heard : hear(damaged)) EXPECT_TRUE(heard.empty() || heard == message);
+      for (const Bytes& heard : hear(damaged)) {
+        EXPECT_TRUE(heard.empty() || heard == message);
+      }
     }
   }
 }
@@ -115,7 +119,9 @@ TEST(AnyJunk, IsFollowedByTheNextFrame) {
   for (int i = 0; i < 20000; ++i) {
     Bytes stream(random() % 700);
     const std::uint32_t bound = i % 2 == 0 ? 256 : 4;  // also with many zeros and short groups
-    for (std::uint8_t& byte : stream) byte = static_cast<std::uint8_t>(random() % bound);
+    for (std::uint8_t& byte : stream) {
+      byte = static_cast<std::uint8_t>(random() % bound);
+    }
     const Bytes frame = framed(kAfter);
     stream.insert(stream.end(), frame.begin(), frame.end());
     const std::vector<Bytes> heard = hear(stream);

@@ -18,11 +18,15 @@ std::vector<Bytes> contents(std::size_t length) {
   std::iota(counting.begin(), counting.end(), std::uint8_t{1});
   Bytes zeros_at_ends(length, 0x55);
   for (std::size_t i = 0; i < length; ++i) {
-    if (i % 254 == 0 || i % 254 == 253) zeros_at_ends[i] = 0;
+    if (i % 254 == 0 || i % 254 == 253) {
+      zeros_at_ends[i] = 0;
+    }
   }
   std::mt19937 random(static_cast<std::uint32_t>(length));
   Bytes random_bytes(length);
-  for (std::uint8_t& byte : random_bytes) byte = static_cast<std::uint8_t>(random() % 4);
+  for (std::uint8_t& byte : random_bytes) {
+    byte = static_cast<std::uint8_t>(random() % 4);
+  }
   return {Bytes(length, 0xFF), Bytes(length, 0), counting, zeros_at_ends, random_bytes};
 }
 

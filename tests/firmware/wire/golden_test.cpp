@@ -126,7 +126,9 @@ std::vector<Golden> goldens() {
 }
 
 TEST(Golden, MessagesAreTheBytesTheyAlwaysWere) {
-  for (const Golden& golden : goldens()) EXPECT_EQ(hex(golden.is), golden.was) << golden.name;
+  for (const Golden& golden : goldens()) {
+    EXPECT_EQ(hex(golden.is), golden.was) << golden.name;
+  }
 }
 
 // The README's lines in ```hex blocks, joined up to the empty line or the end of the block.
@@ -144,20 +146,26 @@ std::set<std::string> examples_of_readme() {
       continue;
     }
     if (fence || line.empty()) {
-      if (!example.empty()) examples.insert(example);
+      if (!example.empty()) {
+        examples.insert(example);
+      }
       example.clear();
       within = !fence;
       continue;
     }
     std::istringstream words(line.substr(0, line.find('#')));
-    for (std::string word; words >> word;) example += (example.empty() ? "" : " ") + word;
+    for (std::string word; words >> word;) {
+      example += (example.empty() ? "" : " ") + word;
+    }
   }
   return examples;
 }
 
 TEST(Golden, ExamplesInTheReadmeAreTrueBytes) {
   std::set<std::string> golden;
-  for (const Golden& one : goldens()) golden.insert(one.was);
+  for (const Golden& one : goldens()) {
+    golden.insert(one.was);
+  }
   EXPECT_EQ(examples_of_readme(), golden);
 }
 

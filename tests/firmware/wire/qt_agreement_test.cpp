@@ -73,7 +73,9 @@ void write_all(QCborStreamWriter& writer, const std::vector<Field>& fields, std:
       writer.startArray(static_cast<quint64>(field.number));
       break;
   }
-  for (std::int64_t i = 0; i < (map ? 2 : 1) * field.number; ++i) write_all(writer, fields, next);
+  for (std::int64_t i = 0; i < (map ? 2 : 1) * field.number; ++i) {
+    write_all(writer, fields, next);
+  }
   if (map) {
     writer.endMap();
   } else {
@@ -88,8 +90,12 @@ Bytes written_by_qt(const Message& message) {
   const std::vector<std::uint64_t> head = head_of(message);
   const std::vector<Field> fields = fields_of(message);
   writer.startArray(head.size() + items_of(fields));
-  for (const std::uint64_t number : head) writer.append(quint64{number});
-  for (std::size_t next = 0; next < fields.size();) write_all(writer, fields, next);
+  for (const std::uint64_t number : head) {
+    writer.append(quint64{number});
+  }
+  for (std::size_t next = 0; next < fields.size();) {
+    write_all(writer, fields, next);
+  }
   writer.endArray();
   return from_qt(bytes);
 }
@@ -107,8 +113,12 @@ void expect_we_read_qt(const Message& message) {
 }
 
 TEST(QtAgreement, QtWritesTheSameBytesAndWeReadThem) {
-  for (const Uplink& message : many_uplinks(kTimes)) expect_we_read_qt(message);
-  for (const Downlink& message : many_downlinks(kTimes)) expect_we_read_qt(message);
+  for (const Uplink& message : many_uplinks(kTimes)) {
+    expect_we_read_qt(message);
+  }
+  for (const Downlink& message : many_downlinks(kTimes)) {
+    expect_we_read_qt(message);
+  }
 }
 
 TEST(QtAgreement, FloatsInQtsShortestFormAreNotOurs) {
@@ -141,12 +151,16 @@ TEST(QtAgreement, NothingThatQtRefusesIsAMessage) {
     }
     Uplink message;
     std::uint32_t sequence = 0;
-    if (decode(bytes.data(), bytes.size(), message, sequence) != Decoded::kOk) continue;
+    if (decode(bytes.data(), bytes.size(), message, sequence) != Decoded::kOk) {
+      continue;
+    }
     ++taken;
     QCborParserError error;
     (void)QCborValue::fromCbor(to_qt(bytes), &error);
     // In an item that is passed over; well-formed all the same (RFC 8949, §5.3.1).
-    if (error.error == QCborError::InvalidUtf8String) continue;
+    if (error.error == QCborError::InvalidUtf8String) {
+      continue;
+    }
     ASSERT_EQ(error.error, QCborError::NoError) << hex(bytes);
     ASSERT_EQ(error.offset, static_cast<qsizetype>(bytes.size())) << hex(bytes);
   }

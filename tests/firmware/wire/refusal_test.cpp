@@ -65,7 +65,9 @@ std::vector<Bytes> items_of(const Bytes& message) {
 }
 
 Bytes joined(Bytes head, const std::vector<Bytes>& items) {
-  for (const Bytes& item : items) head.insert(head.end(), item.begin(), item.end());
+  for (const Bytes& item : items) {
+    head.insert(head.end(), item.begin(), item.end());
+  }
   return head;
 }
 
@@ -137,7 +139,9 @@ TEST(Refusal, AMessageThatLacksItsLastItemsIsMalformed) {
 TEST(Refusal, AnItemOfAnotherTypeIsMalformedOrOfAnUnknownKind) {
   const auto type_of = [](const Bytes& item) {
     const int major = item[0] >> 5;
-    if (item[0] == 0xF4 || item[0] == 0xF5) return 100;
+    if (item[0] == 0xF4 || item[0] == 0xF5) {
+      return 100;
+    }
     return major == 7 ? static_cast<int>(item[0]) : major;
   };
   for (const Case& one : cases()) {
@@ -147,7 +151,9 @@ TEST(Refusal, AnItemOfAnotherTypeIsMalformedOrOfAnUnknownKind) {
         const int was = type_of(items[at]);
         const int is = type_of(other);
         const bool both_integers = was <= 1 && is <= 1;
-        if (was == is || both_integers) continue;
+        if (was == is || both_integers) {
+          continue;
+        }
         std::vector<Bytes> changed = items;
         changed[at] = other;
         EXPECT_EQ(one.decode(array_of(changed)), Decoded::kMalformed)
@@ -307,7 +313,9 @@ TEST(Refusal, SettingsWithAnUnknownKeyAreAMessageThatSaysSo) {
 TEST(Refusal, ConditionsAreARowsTwoNumbersForAsManyAsThereIsRoomFor) {
   const auto conditions = [](std::size_t numbers) {
     Bytes map = {0xA1, 0x0A, 0x98, static_cast<std::uint8_t>(numbers)};
-    for (std::size_t i = 0; i < numbers; ++i) map.insert(map.end(), {0xFA, 0x42, 0x47, 0, 0});
+    for (std::size_t i = 0; i < numbers; ++i) {
+      map.insert(map.end(), {0xFA, 0x42, 0x47, 0, 0});
+    }
     return map;
   };
   expect_settings(conditions(0), Decoded::kOk, "none");

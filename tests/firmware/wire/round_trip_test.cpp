@@ -71,7 +71,9 @@ TEST(RoundTrip, SettingsKeepTheirDigest) {
   std::mt19937 random(2);
   for (int i = 0; i < 2000; ++i) {
     outlet::Settings settings;
-    if (i > 0) settings = downlink(DownlinkKind::kSettings, Fill::kAnything, random).settings;
+    if (i > 0) {
+      settings = downlink(DownlinkKind::kSettings, Fill::kAnything, random).settings;
+    }
     const Bytes bytes = encoded(settings);
     outlet::Settings back;
     ASSERT_EQ(decode(bytes.data(), bytes.size(), back), Decoded::kOk);
@@ -100,7 +102,9 @@ TEST(RoundTrip, SettingsThatAreLeftOutHaveTheirDefaults) {
 
 TEST(RoundTrip, EachSettingHasAKeyOfItsOwn) {
   std::set<int> keys;
-  for (const outlet::Field& field : outlet::kSettingsFields) keys.insert(field.key);
+  for (const outlet::Field& field : outlet::kSettingsFields) {
+    keys.insert(field.key);
+  }
   EXPECT_EQ(keys.size(), std::size(outlet::kSettingsFields));
   EXPECT_EQ(keys.count(0), 0U);
 }

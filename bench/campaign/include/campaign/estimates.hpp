@@ -51,7 +51,7 @@ struct EstimateResult {
 constexpr std::size_t kLseSamples = gs::outlet::Settings{}.lse_samples;
 constexpr std::size_t kEkfSamples = gs::outlet::Settings{}.ekf_samples;
 constexpr std::size_t kSamples = kLseSamples + kEkfSamples;
-constexpr double kReportS = gs::outlet::kReportMs / 1000.0;
+constexpr double kReport_s = gs::outlet::kReport_ms / 1000.0;
 
 // Throws std::invalid_argument for options or a grid that make no sense, or an overdamped grid
 // where the paper's parameters, which it has none of, are asked for.

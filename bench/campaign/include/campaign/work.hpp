@@ -50,7 +50,7 @@ inline bool stopped(const Execution& execution) {
   return execution.stop != nullptr && execution.stop->load();
 }
 
-inline void tell_progress(const Execution& execution, double done, double all) {
+inline void report_progress(const Execution& execution, double done, double all) {
   if (execution.progress) {
     execution.progress(done / all);
   }

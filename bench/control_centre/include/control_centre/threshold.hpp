@@ -30,7 +30,7 @@ struct Condition {
 };
 
 // For rows of any height, from f_n down to f_s; the last row may be lower than the others. Throws
-// std::invalid_argument as threshold_mw does, or where row_hz < grid::kLowestConditionRowHz.
+// std::invalid_argument as threshold_mw does, or where row_hz < grid::kLowestConditionRow_hz.
 std::vector<Condition> conditions(const grid::SfrModel& model, double threshold_hz, double row_hz);
 
 }  // namespace gsbench::control_centre

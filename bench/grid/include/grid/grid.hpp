@@ -35,7 +35,7 @@ struct Reference {
 };
 
 // Of the rows of Table 1: no outlet resolves less than a millihertz.
-constexpr double kLowestConditionRowHz = 0.001;
+constexpr double kLowestConditionRow_hz = 0.001;
 
 struct Grid {
   std::string name;
@@ -51,7 +51,7 @@ struct Grid {
   double gain_km = 0.95;           // K_m > 0
   double reheat_fraction = 0.3;    // F_H, 0 … 1
   double reheat_s = 8.0;           // T_R > 0
-  double condition_row_hz = 0.05;  // height of a row of Table 1; >= kLowestConditionRowHz
+  double condition_row_hz = 0.05;  // height of a row of Table 1; >= kLowestConditionRow_hz
   std::vector<Plant> plants;       // at least one
   std::vector<Block> blocks;       // may be empty
   Reference reference;
@@ -87,14 +87,14 @@ struct Limits {
   double high;
 };
 
-constexpr Limits kFrequencyHz{1e-3, 1e3};
-constexpr Limits kPowerMw{1e-6, 1e7};
-constexpr Limits kTimeS{1e-3, 1e3};
-constexpr Limits kDampingPu{0.0, 1e3};
+constexpr Limits kFrequency_hz{1e-3, 1e3};
+constexpr Limits kPower_mw{1e-6, 1e7};
+constexpr Limits kTime_s{1e-3, 1e3};
+constexpr Limits kDamping_pu{0.0, 1e3};
 constexpr Limits kGain{1e-3, 1e3};
 constexpr Limits kFraction{0.0, 1.0};
-constexpr Limits kDroopPu{1e-4, 10.0};
-constexpr Limits kConditionRowHz{kLowestConditionRowHz, 1e3};
-constexpr Limits kConditionRocofHzS{-1e3, 0.0};
+constexpr Limits kDroop_pu{1e-4, 10.0};
+constexpr Limits kConditionRow_hz{kLowestConditionRow_hz, 1e3};
+constexpr Limits kConditionRocof_hz_s{-1e3, 0.0};
 
 }  // namespace gsbench::grid

@@ -1,4 +1,4 @@
-// What a measurement is made of: one outlet's record, beside the truth that was played.
+// What a measurement is made of: one outlet's record, beside the reference that was played.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 #include <profile/plan.hpp>
 #include <record/run_record.hpp>
-#include <waveform/truth.hpp>
+#include <waveform/reference_signal.hpp>
 
 namespace gsbench::judge {
 
 struct Case {
   const profile::Plan& plan;
-  const waveform::Truth& truth;
+  const waveform::ReferenceSignal& reference;
   const record::OutletRecord& outlet;
   const record::BenchUncertainty& uncertainty;
 

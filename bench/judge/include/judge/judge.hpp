@@ -26,7 +26,7 @@ std::vector<record::MeasurementResult> measure(const Case& c);
 
 // Fills in the measurements and verdict of an outlet; a faulty one is measured and its verdict is
 // ERROR, one that did not take part is not measured.
-void judge_outlet(const profile::Plan& plan, const waveform::Truth& truth,
+void judge_outlet(const profile::Plan& plan, const waveform::ReferenceSignal& reference,
                   const record::BenchUncertainty& uncertainty, record::OutletRecord& outlet);
 
 // Fills in what judge_outlet does of each outlet, run.verdict and run.verdict_reason; what they

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <grid/grid.hpp>
+#include <waveform/reference_signal.hpp>
 #include <waveform/synthesizer.hpp>
-#include <waveform/truth.hpp>
 
 namespace gsbench::profile {
 
@@ -82,7 +82,7 @@ struct Plan {
   std::uint64_t seed = 1;
 
   std::int64_t duration_ticks() const;
-  std::shared_ptr<const waveform::Truth> truth() const;
+  std::shared_ptr<const waveform::ReferenceSignal> reference() const;
   waveform::Synthesizer synthesizer() const;
 };
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include <waveform/truth.hpp>
+#include <waveform/reference_signal.hpp>
 
 namespace gsbench::waveform {
 
@@ -46,7 +46,7 @@ class Synthesizer {
   // sample_rate_hz: a whole multiple of 1000 up to 1 000 000, so that 1 ms and 16 ms are whole
   // numbers of samples. Throws std::invalid_argument otherwise, or where a spec value is out of
   // range or not finite.
-  Synthesizer(std::shared_ptr<const Truth> truth, const SignalSpec& spec,
+  Synthesizer(std::shared_ptr<const ReferenceSignal> reference, const SignalSpec& spec,
               std::int64_t sample_rate_hz);
 
   // Samples first_tick … first_tick+count−1 into out, per unit of the nominal amplitude (peak).
@@ -59,7 +59,7 @@ class Synthesizer {
   double amplitude_pu(std::int64_t tick) const;
 
   std::int64_t sample_rate_hz() const;
-  const Truth& truth() const;
+  const ReferenceSignal& reference() const;
 
  private:
   struct Impl;

@@ -7,8 +7,8 @@
 namespace gsbench::models {
 
 // ±1.5 times the nominal peak.
-constexpr double kFullScalePu = 1.5;
-constexpr float kCountsPerPu = static_cast<float>(32767.0 / kFullScalePu);
+constexpr double kFullScale_pu = 1.5;
+constexpr float kCounts_per_pu = static_cast<float>(32767.0 / kFullScale_pu);
 
 // It ends at its rails; rounding is to the nearest count.
 inline std::int16_t adc_counts(float voltage_pu, float counts_per_pu) {

@@ -23,9 +23,9 @@ class Pacer {
     if (pace_ == Pace::kVirtual) {
       return;
     }
-    const std::int64_t whole_seconds = tick / sample_rate_hz_;
+    const std::int64_t whole_s = tick / sample_rate_hz_;
     const std::int64_t rest_ns = (tick % sample_rate_hz_) * 1'000'000'000 / sample_rate_hz_;
-    std::this_thread::sleep_until(started_ + std::chrono::seconds(whole_seconds) +
+    std::this_thread::sleep_until(started_ + std::chrono::seconds(whole_s) +
                                   std::chrono::nanoseconds(rest_ns));
   }
 

@@ -75,9 +75,9 @@ class Application {
   void take_settings(const wire::Downlink& sent, Outbox& outbox);
   void take_command(const wire::Downlink& command, Outbox& outbox);
   void test_itself(Outbox& outbox) const;
-  void tell_status(Outbox& outbox) const;
+  void report_status(Outbox& outbox) const;
   void tell(const outlet::Report& report, Outbox& outbox) const;
-  void tell_relay(Outbox& outbox) const;
+  void report_relay(Outbox& outbox) const;
   wire::Uplink message(wire::UplinkKind kind) const;
   template <class Content>
   void put(Outbox& outbox, wire::UplinkKind kind, Content wire::Uplink::*part,

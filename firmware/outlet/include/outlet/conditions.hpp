@@ -6,7 +6,7 @@
 
 namespace gs::outlet {
 
-constexpr float kUnreachedHzS = 1.0e9f;  // no frequency falls so fast
+constexpr float kUnreached_hz_s = 1.0e9f;  // no frequency falls so fast
 
 // The ROCOF below which the condition at a frequency is met; its row's. Below the lowest row f has
 // passed f_s already, and any further fall meets the condition; above the uppermost none does.
@@ -18,7 +18,7 @@ Real rocof_limit_hz_s(const Settings& settings, float nominal_hz, Real frequency
     limit = select(frequency_hz >= settings.conditions[row].from_hz,
                    Real{} + settings.conditions[row].rocof_below_hz_s, limit);
   }
-  return select(frequency_hz < nominal_hz, limit, Real{} - kUnreachedHzS);
+  return select(frequency_hz < nominal_hz, limit, Real{} - kUnreached_hz_s);
 }
 
 // Does a line through the newest measurements meet the row that its middle falls into? Frequency

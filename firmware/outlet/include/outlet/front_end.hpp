@@ -14,22 +14,22 @@
 namespace gs::outlet {
 
 constexpr int kSubsumsPerReport = 16;  // of 1 ms
-constexpr int kReportMs = 16;
-constexpr float kReportS = kReportMs / 1000.0f;
+constexpr int kReport_ms = 16;
+constexpr float kReport_s = kReport_ms / 1000.0f;
 constexpr int kFilterLength = 56;
 // The phasor is that of the middle of the filter, so much before the report.
-constexpr int kFrontEndDelayMs = kFilterLength / 2;
-constexpr float kFrontEndDelayS = kFrontEndDelayMs / 1000.0f;
+constexpr int kFrontEndDelay_ms = kFilterLength / 2;
+constexpr float kFrontEndDelay_s = kFrontEndDelay_ms / 1000.0f;
 // Voltage is measured over 50 ms: five half periods of 50 Hz, six of 60 Hz.
-constexpr int kVoltageWindowMs = 50;
-constexpr float kVoltageDelayS = 0.025f;
+constexpr int kVoltageWindow_ms = 50;
+constexpr float kVoltageDelay_s = 0.025f;
 
-constexpr std::int32_t kMaxSampleRateHz = 32000;
-constexpr std::size_t kMaxTable = 1600;  // kMaxSampleRateHz / gcd with 60
+constexpr std::int32_t kMaxSampleRate_hz = 32000;
+constexpr std::size_t kMaxTable = 1600;  // kMaxSampleRate_hz / gcd with 60
 
 // What the board is made of; fixed at start-up.
 struct Hardware {
-  std::int32_t sample_rate_hz = 8000;  // whole multiple of 1000, up to kMaxSampleRateHz
+  std::int32_t sample_rate_hz = 8000;  // whole multiple of 1000, up to kMaxSampleRate_hz
   std::int32_t nominal_hz = 50;        // 50 or 60
   float counts_per_pu = 21845.0f;      // ADC counts at the nominal amplitude (peak)
   // False: the samples' clock is not the crystal's. At 1 % off, healthy mains look like mains that

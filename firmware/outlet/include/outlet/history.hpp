@@ -38,7 +38,7 @@ inline float at(const History& history, int age) {
 }
 
 // Below this a course counts as steady.
-constexpr float kSteadyHzS = 0.1f;
+constexpr float kSteady_hz_s = 0.1f;
 
 template <class Real>
 struct LineOf {

@@ -11,8 +11,8 @@
 
 namespace gs::outlet {
 
-constexpr float kEarliestLossS = -0.5f;  // t_x against the event
-constexpr float kLatestLossS = 0.0f;
+constexpr float kEarliestLoss_s = -0.5f;  // t_x against the event
+constexpr float kLatestLoss_s = 0.0f;
 
 template <class Real>
 struct EkfState {
@@ -36,7 +36,7 @@ struct EkfSettings {
 template <class Real>
 void start(const EkfSettings& settings, EkfState<Real>& s, Real loss_mw, Real t_x_s) {
   s.loss_mw = bounded(loss_mw, Real{}, Real{} + settings.largest_loss_mw);
-  s.t_x_s = bounded(t_x_s, Real{} + kEarliestLossS, Real{} + kLatestLossS);
+  s.t_x_s = bounded(t_x_s, Real{} + kEarliestLoss_s, Real{} + kLatestLoss_s);
   s.p_ll = Real{} + settings.loss_sigma_mw * settings.loss_sigma_mw;
   s.p_lt = Real{};
   s.p_tt = Real{} + settings.t_x_sigma_s * settings.t_x_sigma_s;
@@ -66,7 +66,7 @@ void update(const EkfSettings& settings, const Model& response, EkfState<Real>& 
   s.loss_mw =
       bounded(s.loss_mw + gain_loss * innovation, Real{}, Real{} + settings.largest_loss_mw);
   s.t_x_s =
-      bounded(s.t_x_s + gain_t_x * innovation, Real{} + kEarliestLossS, Real{} + kLatestLossS);
+      bounded(s.t_x_s + gain_t_x * innovation, Real{} + kEarliestLoss_s, Real{} + kLatestLoss_s);
   // A thousandth of where it started is far below what 16 bits of voltage can tell.
   const float floor_ll = 1.0e-6f * settings.loss_sigma_mw * settings.loss_sigma_mw;
   const float floor_tt = 1.0e-6f * settings.t_x_sigma_s * settings.t_x_sigma_s;

@@ -45,7 +45,7 @@ void take(const Settings& settings, const Model& response, LossEstimator<Real>& 
           Real deviation_hz, int report) {
   const EkfSettings ekf = ekf_settings(settings);
   if (s.started) {
-    update(ekf, response, s.ekf, deviation_hz, kReportS * static_cast<float>(report));
+    update(ekf, response, s.ekf, deviation_hz, kReport_s * static_cast<float>(report));
     return;
   }
   add(s.lse, deviation_hz);
@@ -58,12 +58,12 @@ void take(const Settings& settings, const Model& response, LossEstimator<Real>& 
   }
   s.lse_loss_mw = slope_hz_s(s.lse) * k_lse_mw_per_hz_s(response);
   const Real t_x_s =
-      Real{} - (kReportS * static_cast<float>(settings.event_drops) + settings.event_lag_s);
+      Real{} - (kReport_s * static_cast<float>(settings.event_drops) + settings.event_lag_s);
   start(ekf, s.ekf, s.lse_loss_mw, t_x_s);
   s.started = true;
   const int shared = s.lse.count < kSharedSamples ? s.lse.count : kSharedSamples;
   for (int age = shared - 1; age >= 0; --age) {
-    update(ekf, response, s.ekf, s.newest_hz[age], kReportS * static_cast<float>(report - age));
+    update(ekf, response, s.ekf, s.newest_hz[age], kReport_s * static_cast<float>(report - age));
   }
   s.ekf.count = 0;  // of what the EKF alone was given; how far off it began stays in the residual
 }

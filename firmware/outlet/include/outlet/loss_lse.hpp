@@ -29,7 +29,7 @@ Real slope_hz_s(const LseState<Real>& s) {
   const float mean_k = 0.5f * (n - 1.0f);
   // Σ (k − mean)² = n·(n² − 1)/12.
   const float squares = n * (n * n - 1.0f) / 12.0f;
-  return (s.weighted_sum - s.sum * mean_k) * (1.0f / (squares * kReportS));
+  return (s.weighted_sum - s.sum * mean_k) * (1.0f / (squares * kReport_s));
 }
 
 }  // namespace gs::outlet

@@ -123,7 +123,7 @@ enum SelfTestPart : std::uint32_t {
   kArithmetic = 1,       // a known signal gave other bits than it must
   kSettingsStorage = 2,  // cannot be read or holds nothing valid though it should
   kClock = 4,            // the crystal did not start; the board runs on what it has
-  kConverter = 8,        // no samples come
+  kAdc = 8,              // no samples come
 };
 
 struct SelfTest {

@@ -82,7 +82,7 @@ struct OutletRecord {
 };
 
 // The true frequency, thinned so that straight lines between entries are right within 0.05 mHz.
-struct TruthTrace {
+struct ReferenceTrace {
   std::vector<std::int64_t> tick;
   std::vector<double> frequency_hz;
   std::vector<double> rocof_hz_s;
@@ -140,7 +140,7 @@ struct RunRecord {
   Verdict verdict = Verdict::kPass;
   std::string verdict_reason;  // one sentence where it is not PASS
   std::vector<Comparison> comparisons;
-  TruthTrace truth;
+  ReferenceTrace reference;
   std::vector<Mark> stimulus;  // losses, phase jumps, dips … as played
   std::vector<OutletRecord> outlets;
 };
@@ -149,6 +149,6 @@ struct RunRecord {
 const MeasurementResult* find_measurement(const OutletRecord& outlet, const std::string& name);
 
 // On the straight lines between entries; NaN before the first and after the last.
-double frequency_hz(const TruthTrace& truth, std::int64_t tick);
+double frequency_hz(const ReferenceTrace& reference, std::int64_t tick);
 
 }  // namespace gsbench::record

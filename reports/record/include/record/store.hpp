@@ -31,7 +31,7 @@ class Writer {
 
   void begin(const RunRecord& head);            // everything but outlets' results and verdict
   void add_outlet(const OutletRecord& outlet);  // with traces and results
-  void finish(const RunRecord& whole);          // verdict, stamps, comparisons, truth
+  void finish(const RunRecord& whole);          // verdict, stamps, comparisons, reference
 
  private:
   struct Impl;

@@ -37,7 +37,9 @@ inline constexpr Format kFormats[] = {
 // nullptr where no format has that name.
 constexpr const Format* find_format(std::string_view name) {
   for (const Format& format : kFormats) {
-    if (name == format.name) return &format;
+    if (name == format.name) {
+      return &format;
+    }
   }
   return nullptr;
 }

@@ -11,10 +11,10 @@ using testing::HasSubstr;
 namespace {
 
 // Calm mains with dips before and after what is judged (bench/station/played_signal.cpp).
-constexpr double kMarkersS = 4.8;
+constexpr double kMarkers_s = 4.8;
 // From starting to play to the record, beyond what is played: links are opened and closed, outlets
 // are asked, a busy machine is late. Nothing may wait for an outlet that is gone for longer.
-constexpr double kPatienceS = 15.0;
+constexpr double kPatience_s = 15.0;
 constexpr std::int64_t kTicksPerReport = 128;
 
 }  // namespace
@@ -51,7 +51,7 @@ void FaultyStation::play() {
   const auto begin = std::chrono::steady_clock::now();
   record_ = run(plan_, *station_, options);
   wall_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  EXPECT_LT(wall_s_, plan_.stimulus.duration_s + kMarkersS + kPatienceS);
+  EXPECT_LT(wall_s_, plan_.stimulus.duration_s + kMarkers_s + kPatience_s);
   for (const Fault& fault : faults_) {
     EXPECT_TRUE(fault.injected);
   }

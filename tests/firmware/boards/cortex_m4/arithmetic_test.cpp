@@ -21,12 +21,12 @@ using wire::UplinkKind;
 using wire::test::downlink;
 using wire::test::settings_message;
 
-constexpr double kDurationS = 14.0;
+constexpr double kDuration_s = 14.0;
 
 const std::vector<std::int16_t>& stream() {
   static const std::vector<std::int16_t> samples = [] {
     return Mains({loss_of(500.0, 3.0), {}, 1.0})
-        .samples(0, static_cast<std::size_t>(8000 * kDurationS));
+        .samples(0, static_cast<std::size_t>(8000 * kDuration_s));
   }();
   return samples;
 }
@@ -39,7 +39,9 @@ struct Outcome {
 
 void add(Outcome& outcome, const wire::Uplink& uplink, Message message) {
   outcome.kinds.insert(uplink.kind);
-  if (uplink.kind == UplinkKind::kSelfTest) outcome.failed_parts = uplink.self_test.failed;
+  if (uplink.kind == UplinkKind::kSelfTest) {
+    outcome.failed_parts = uplink.self_test.failed;
+  }
   outcome.messages.push_back(std::move(message));
 }
 
@@ -89,12 +91,14 @@ class BitIdentity : public testing::Test {
     const auto begin = std::chrono::steady_clock::now();
     outlet_.play(stream());
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    std::cout << kDurationS / wall.count() << " x real time\n";
+    std::cout << kDuration_s / wall.count() << " x real time\n";
     line.send(downlink(wire::DownlinkKind::kAskStatus));
     line.send(downlink(wire::DownlinkKind::kAskSelfTest));
     line.wait_for(UplinkKind::kSelfTest);
     Outcome outcome;
-    for (const Letter& letter : line.letters()) add(outcome, letter.uplink, letter.bytes);
+    for (const Letter& letter : line.letters()) {
+      add(outcome, letter.uplink, letter.bytes);
+    }
     return outcome;
   }
   Outcome in_process() {

@@ -24,7 +24,9 @@ std::string hex(std::uint32_t value, int digits = 2) {
 // Registers go over the line in the processor's order of bytes.
 std::string as_in_memory(std::uint32_t value) {
   std::string text;
-  for (int shift = 0; shift < 32; shift += 8) text += hex(value >> shift & 0xFFU);
+  for (int shift = 0; shift < 32; shift += 8) {
+    text += hex(value >> shift & 0xFFU);
+  }
   return text;
 }
 
@@ -48,12 +50,16 @@ Debugger::~Debugger() {
 
 std::string Debugger::ask(const std::string& packet) {
   unsigned sum = 0;
-  for (const char c : packet) sum += static_cast<unsigned char>(c);
+  for (const char c : packet) {
+    sum += static_cast<unsigned char>(c);
+  }
   send("$" + packet + "#" + hex(sum & 0xFFU));
   for (;;) {
     std::string answer = next_packet(packet);
     // That the machine has stopped is told when it has, in the middle of anything.
-    if (packet == "?" || packet == "c" || answer.empty() || answer[0] != 'T') return answer;
+    if (packet == "?" || packet == "c" || answer.empty() || answer[0] != 'T') {
+      return answer;
+    }
   }
 }
 
@@ -73,7 +79,9 @@ std::string Debugger::next_packet(const std::string& after) {
     }
     std::vector<std::uint8_t> more;
     demand(connection_->receive(more, gsbench::transport::Clock::now() + kPatience));
-    if (more.empty()) throw std::runtime_error("no answer to " + after);
+    if (more.empty()) {
+      throw std::runtime_error("no answer to " + after);
+    }
     received_.append(more.begin(), more.end());
   }
 }
@@ -85,7 +93,9 @@ std::vector<std::uint8_t> Debugger::memory(std::uint32_t address, std::size_t co
     const std::size_t now = std::min(kAtOnce, count - bytes.size());
     const std::string answer = ask("m" + hex(address + static_cast<std::uint32_t>(bytes.size())) +
                                    "," + hex(static_cast<std::uint32_t>(now)));
-    if (answer.size() != 2 * now) throw std::runtime_error("memory: " + answer);
+    if (answer.size() != 2 * now) {
+      throw std::runtime_error("memory: " + answer);
+    }
     for (std::size_t i = 0; i < now; ++i) {
       bytes.push_back(static_cast<std::uint8_t>(std::stoul(answer.substr(2 * i, 2), nullptr, 16)));
     }
@@ -94,7 +104,9 @@ std::vector<std::uint8_t> Debugger::memory(std::uint32_t address, std::size_t co
 }
 
 void Debugger::demand_ok(const std::string& packet) {
-  if (ask(packet) != "OK") throw std::runtime_error("the debugger does not obey " + packet);
+  if (ask(packet) != "OK") {
+    throw std::runtime_error("the debugger does not obey " + packet);
+  }
 }
 
 void Debugger::write(std::uint32_t address, const std::vector<std::uint8_t>& bytes) {
@@ -103,7 +115,9 @@ void Debugger::write(std::uint32_t address, const std::vector<std::uint8_t>& byt
     const std::size_t now = std::min(kAtOnce, bytes.size() - first);
     std::string packet = "M" + hex(address + static_cast<std::uint32_t>(first)) + "," +
                          hex(static_cast<std::uint32_t>(now)) + ":";
-    for (std::size_t i = 0; i < now; ++i) packet += hex(bytes[first + i]);
+    for (std::size_t i = 0; i < now; ++i) {
+      packet += hex(bytes[first + i]);
+    }
     demand_ok(packet);
   }
 }
@@ -125,15 +139,18 @@ void Debugger::call(std::uint32_t function, std::uint32_t argument, std::uint32_
   ask("c");
   const std::string stopped_at = ask("p" + hex(kProgramCounter, 1));
   demand_ok("z" + breakpoint);
-  if (stopped_at != as_in_memory(return_to))
+  if (stopped_at != as_in_memory(return_to)) {
     throw std::runtime_error("did not return but is at " + stopped_at);
+  }
 }
 
 std::uint32_t address_of_symbol(const std::string& image, const std::string& symbol) {
   const std::string all = gsbench::test::output_of("nm --demangle '" + image + "'").text;
   // "20004000 B gs_stack_top"
   const std::size_t found = all.find(" " + symbol + "\n");
-  if (found == std::string::npos) throw std::runtime_error("no " + symbol + " in " + image);
+  if (found == std::string::npos) {
+    throw std::runtime_error("no " + symbol + " in " + image);
+  }
   return static_cast<std::uint32_t>(std::stoul(all.substr(found - 10, 8), nullptr, 16));
 }
 

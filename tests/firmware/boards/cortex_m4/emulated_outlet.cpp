@@ -17,7 +17,9 @@ void Line::read_for(std::chrono::milliseconds patience) {
   Message received;
   demand(transport_.receive(received, Clock::now() + patience));
   for (const Message& message : wire::test::frames_in(reader_, received)) {
-    if (message.empty()) throw std::runtime_error("a bad frame from the outlet");
+    if (message.empty()) {
+      throw std::runtime_error("a bad frame from the outlet");
+    }
     Letter letter;
     letter.bytes = message;
     std::uint32_t sequence = 0;
@@ -32,7 +34,9 @@ void Line::read_for(std::chrono::milliseconds patience) {
 void Line::read_until(const std::function<bool()>& enough, const std::string& what) {
   const auto end = Clock::now() + kPatience;
   while (!enough()) {
-    if (Clock::now() > end) throw std::runtime_error("waited in vain for " + what);
+    if (Clock::now() > end) {
+      throw std::runtime_error("waited in vain for " + what);
+    }
     read_for(std::chrono::milliseconds(100));
   }
 }

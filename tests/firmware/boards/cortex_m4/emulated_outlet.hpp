@@ -65,7 +65,7 @@ class EmulatedOutlet {
   // As it comes from the factory.
   gsbench::emulation::SharedMemoryFile file_ =
       gsbench::test::demand(gsbench::emulation::SharedMemoryFile::create(
-          folder_.path().string(), {"outlet-7", 77, 8000, 50, gsbench::models::kCountsPerPu}));
+          folder_.path().string(), {"outlet-7", 77, 8000, 50, gsbench::models::kCounts_per_pu}));
   std::unique_ptr<Machine> machine_;
   std::unique_ptr<Line> line_;
 };

@@ -101,7 +101,7 @@ TEST_F(Mps2, TheSelfTestFindsAConverterThatGivesNoSamples) {
   start();
   outlet_.line().send(downlink(wire::DownlinkKind::kAskSelfTest));
   EXPECT_EQ(outlet_.line().wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
-            std::uint32_t{wire::kConverter});
+            std::uint32_t{wire::kAdc});
 }
 
 TEST_F(Mps2, CountsTheSamplesThatABenchTooFarAheadWroteOver) {
@@ -160,7 +160,9 @@ TEST_F(Mps2, ALossOfPowerAtAnyMomentLeavesSettingsThatWereSent) {
       ASSERT_TRUE(letter.uplink.settings_answer.kept);
       acknowledged = std::max(acknowledged, letter.uplink.settings_answer.version);
     }
-    if (acknowledged < sent) ++cut_short;
+    if (acknowledged < sent) {
+      ++cut_short;
+    }
   }
   EXPECT_GT(acknowledged, 0U);
   EXPECT_GT(cut_short, 0) << "each outlet had kept all of its settings before it died";
@@ -210,7 +212,9 @@ TEST_F(Mps2, TheStackKeepsAnEighthInReserve) {
   const std::uint32_t top = address_of_symbol(GSBENCH_M4_IMAGE, "gs_stack_top");
   const auto stack = Debugger(outlet_.machine()).memory(bottom, top - bottom);
   std::size_t free = 0;
-  while (free < stack.size() && stack[free] == 0xA5) ++free;
+  while (free < stack.size() && stack[free] == 0xA5) {
+    ++free;
+  }
   std::cout << "stack: " << stack.size() - free << " of " << stack.size() << " bytes used\n";
   RecordProperty("stack_bytes_used", static_cast<int>(stack.size() - free));
   EXPECT_GE(free, stack.size() / 8);

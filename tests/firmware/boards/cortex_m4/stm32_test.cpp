@@ -32,7 +32,7 @@ TEST_F(Stm32, ItsSelfTestFindsWhatTheEmulatorLacksAndThatItsArithmeticIsRight) {
   line_.wait_for(UplinkKind::kHello);
   line_.send(wire::test::downlink(wire::DownlinkKind::kAskSelfTest));
   EXPECT_EQ(line_.wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
-            wire::kClock | wire::kConverter);
+            wire::kClock | wire::kAdc);
 }
 
 TEST_F(Stm32, FollowsSettingsThatItsFlashDoesNotTakeAndSaysSo) {

@@ -32,7 +32,9 @@ using Load = std::function<std::optional<outlet::Settings>(Flash&)>;
 
 std::optional<outlet::Settings> load(Flash& flash) {
   outlet::Settings loaded;
-  if (!FlashSettingsStorage(flash).load(loaded)) return std::nullopt;
+  if (!FlashSettingsStorage(flash).load(loaded)) {
+    return std::nullopt;
+  }
   return loaded;
 }
 
@@ -50,7 +52,9 @@ int steps_that_leave_neither(const Load& load_after) {
     FlashUnderTest flash;
     FlashSettingsStorage area(flash);
     EXPECT_TRUE(area.keep(settings(1)));
-    if (!area.keep(settings(2))) ++neither;
+    if (!area.keep(settings(2))) {
+      ++neither;
+    }
     flash.cut_power_after(step);
     const bool kept = area.keep(settings(3));
     const bool finished = flash.has_power();
@@ -58,7 +62,9 @@ int steps_that_leave_neither(const Load& load_after) {
     const auto found = load_after(flash);
     const bool old_or_new = found && (outlet::digest(*found) == outlet::digest(settings(2)) ||
                                       outlet::digest(*found) == outlet::digest(settings(3)));
-    if (!old_or_new || (kept && found->version != 3)) ++neither;
+    if (!old_or_new || (kept && found->version != 3)) {
+      ++neither;
+    }
     if (finished) {
       EXPECT_GT(step, 100) << "the set has more than 50 words, two steps each";
       return neither;
@@ -113,7 +119,9 @@ TEST(SettingsStorage, TheNextSetIsKeptWhereverPowerWentBefore) {
     ASSERT_GE(version_in(flash), before) << step;
     ASSERT_TRUE(area.keep(settings(4))) << step;
     ASSERT_EQ(version_in(flash), 4U) << step;
-    if (finished) break;
+    if (finished) {
+      break;
+    }
   }
 }
 
@@ -158,7 +166,9 @@ std::optional<outlet::Settings> load_without_crc(Flash& flash) {
     }
   }
   outlet::Settings found;
-  if (wire::decode(bytes.data(), bytes.size(), found) != wire::Decoded::kOk) return std::nullopt;
+  if (wire::decode(bytes.data(), bytes.size(), found) != wire::Decoded::kOk) {
+    return std::nullopt;
+  }
   return found;
 }
 
@@ -219,7 +229,9 @@ void rewrite(SimulatedFlash& flash, int slot, std::size_t changed_at, std::uint3
   outlet::Crc32 crc;
   std::size_t at = 0;
   for (; at < kSettingsAt + (length + 3) / 4 * 4; at += 4) {
-    if (at == changed_at) flash.word(slot, at) = changed;
+    if (at == changed_at) {
+      flash.word(slot, at) = changed;
+    }
     const std::uint32_t word = flash.read(slot, at);
     for (int shift = 0; shift < 32; shift += 8) {
       crc.add(static_cast<std::uint8_t>(word >> shift));

@@ -28,7 +28,9 @@ class FakeBoard final : public Board {
   };
 
   bool send(const std::uint8_t* bytes, std::size_t count) override {
-    if (line_full) return false;
+    if (line_full) {
+      return false;
+    }
     for (const Bytes& frame : wire::test::frames_in(reader_, Bytes(bytes, bytes + count))) {
       Uplink message;
       std::uint32_t sequence = 0;
@@ -49,21 +51,27 @@ class FakeBoard final : public Board {
     return count;
   }
   bool take_byte(std::uint8_t& byte) override {
-    if (incoming.empty()) return false;
+    if (incoming.empty()) {
+      return false;
+    }
     byte = incoming.front();
     incoming.pop_front();
     return true;
   }
   void drive_relay(bool closed) override {
-    if (edges.empty() || edges.back().closed != closed) edges.push_back({taken, closed});
+    if (edges.empty() || edges.back().closed != closed) {
+      edges.push_back({taken, closed});
+    }
   }
   void feed_watchdog() override { ++watchdog_fed; }
-  bool converter_rests() const override { return rests; }
+  bool adc_idle() const override { return rests; }
 
   std::vector<Uplink> of(UplinkKind kind) const { return wire::test::of_kind(said, kind); }
   std::vector<wire::ErrorCode> errors() const {
     std::vector<wire::ErrorCode> codes;
-    for (const Uplink& message : of(UplinkKind::kError)) codes.push_back(message.error.code);
+    for (const Uplink& message : of(UplinkKind::kError)) {
+      codes.push_back(message.error.code);
+    }
     return codes;
   }
 
@@ -103,7 +111,9 @@ class LoopTest : public testing::Test {
   }
   int turn_until_idle() {
     int turns = 0;
-    while (loop_.turn()) ++turns;
+    while (loop_.turn()) {
+      ++turns;
+    }
     return turns;
   }
 
@@ -187,7 +197,9 @@ TEST_F(LoopTest, SamplesAreTakenBetweenTheMessagesOfAFlood) {
   ASSERT_TRUE(start());
   board_.incoming.assign(100'000, 0);  // empty frames
   play(0.0, 0.01);
-  for (int turn = 0; turn < 10; ++turn) loop_.turn();
+  for (int turn = 0; turn < 10; ++turn) {
+    loop_.turn();
+  }
   EXPECT_EQ(board_.taken, 80U);
   EXPECT_FALSE(board_.incoming.empty());
 }

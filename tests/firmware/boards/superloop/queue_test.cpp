@@ -12,7 +12,9 @@ TEST(ByteRing, GivesBytesBackInOrderRoundAndRound) {
   std::uint8_t next_in = 0;
   std::uint8_t next_out = 0;
   for (int round = 0; round < 200; ++round) {
-    for (int i = 0; i < 5; ++i) ASSERT_TRUE(ring.put(next_in++));
+    for (int i = 0; i < 5; ++i) {
+      ASSERT_TRUE(ring.put(next_in++));
+    }
     for (int i = 0; i < 5; ++i) {
       std::uint8_t byte = 0;
       ASSERT_TRUE(ring.take(byte));
@@ -38,8 +40,9 @@ using Queue = SampleQueue<16>;
 
 void put(Queue& queue, std::int16_t first) {
   std::array<std::int16_t, 4> block = {};
-  for (std::size_t i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < 4; ++i) {
     block[i] = static_cast<std::int16_t>(first + static_cast<int>(i));
+  }
   queue.put(block.data(), 4);
 }
 
@@ -55,7 +58,9 @@ TEST(SampleQueue, GivesSamplesBackInOrderRoundAndRound) {
     for (std::size_t count = 1; count > 0;) {
       count = queue.take(out.data(), out.size(), lost);
       ASSERT_EQ(lost, 0U);
-      for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(out.at(i), next_out++);
+      for (std::size_t i = 0; i < count; ++i) {
+        ASSERT_EQ(out.at(i), next_out++);
+      }
     }
   }
   EXPECT_EQ(next_out, 400);

@@ -11,15 +11,15 @@ namespace gs::test {
 namespace waveform = gsbench::waveform;
 
 Mains::Mains(const MainsSpec& spec)
-    : synthesizer_(spec.truth, spec.signal, spec.sample_rate_hz),
+    : synthesizer_(spec.reference, spec.signal, spec.sample_rate_hz),
       noise_rms_pu_(static_cast<float>(spec.noise_pct / 100.0)),
       seed_(spec.seed) {}
 
 outlet::Hardware Mains::hardware() const {
   outlet::Hardware hardware;
   hardware.sample_rate_hz = static_cast<std::int32_t>(synthesizer_.sample_rate_hz());
-  hardware.nominal_hz = static_cast<std::int32_t>(synthesizer_.truth().nominal_hz());
-  hardware.counts_per_pu = gsbench::models::kCountsPerPu;
+  hardware.nominal_hz = static_cast<std::int32_t>(synthesizer_.reference().nominal_hz());
+  hardware.counts_per_pu = gsbench::models::kCounts_per_pu;
   return hardware;
 }
 
@@ -33,29 +33,33 @@ std::vector<std::int16_t> Mains::samples(std::int64_t first_tick, std::size_t co
   }
   std::vector<std::int16_t> counts(count);
   std::transform(volts.begin(), volts.end(), counts.begin(), [](float volt) {
-    return gsbench::models::adc_counts(volt, gsbench::models::kCountsPerPu);
+    return gsbench::models::adc_counts(volt, gsbench::models::kCounts_per_pu);
   });
   return counts;
 }
 
-std::shared_ptr<const waveform::Truth> steady(double nominal_hz, double frequency_hz) {
-  return waveform::truth_from_points(nominal_hz, {{0.0, frequency_hz}});
+std::shared_ptr<const waveform::ReferenceSignal> steady(double nominal_hz, double frequency_hz) {
+  return waveform::reference_from_points(nominal_hz, {{0.0, frequency_hz}});
 }
 
-std::shared_ptr<const waveform::Truth> ramp(double from_hz, double to_hz, double at_s,
-                                            double hz_per_s) {
+std::shared_ptr<const waveform::ReferenceSignal> ramp(double from_hz, double to_hz, double at_s,
+                                                      double hz_per_s) {
   const double end_s = at_s + (to_hz - from_hz) / hz_per_s;
-  return waveform::truth_from_points(50.0, {{at_s, from_hz}, {end_s, to_hz}});
+  return waveform::reference_from_points(50.0, {{at_s, from_hz}, {end_s, to_hz}});
 }
 
 PlayedOutlet::PlayedOutlet(const MainsSpec& spec) : mains(spec) {
-  if (!outlet::configure(mains.hardware(), config)) throw std::logic_error("hardware not served");
+  if (!outlet::configure(mains.hardware(), config)) {
+    throw std::logic_error("hardware not served");
+  }
 }
 
 PlayedOutlet::PlayedOutlet(const MainsSpec& spec, const outlet::Settings& settings)
     : PlayedOutlet(spec) {
   const outlet::SettingsError error = outlet::apply(config, state, settings);
-  if (error != outlet::SettingsError::kNone) throw std::logic_error(outlet::to_string(error));
+  if (error != outlet::SettingsError::kNone) {
+    throw std::logic_error(outlet::to_string(error));
+  }
 }
 
 void PlayedOutlet::play(double duration_s, const Each& each) {
@@ -72,7 +76,9 @@ void PlayedOutlet::play(std::int64_t from, std::int64_t end, const Each& each) {
       outlet::Report report;
       bool ready = false;
       done += outlet::step(config, state, samples.data() + done, count - done, report, ready);
-      if (ready) each(report);
+      if (ready) {
+        each(report);
+      }
     }
   }
 }

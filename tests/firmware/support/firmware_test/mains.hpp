@@ -7,13 +7,13 @@
 #include <vector>
 
 #include <outlet/outlet.hpp>
+#include <waveform/reference_signal.hpp>
 #include <waveform/synthesizer.hpp>
-#include <waveform/truth.hpp>
 
 namespace gs::test {
 
 struct MainsSpec {
-  std::shared_ptr<const gsbench::waveform::Truth> truth;
+  std::shared_ptr<const gsbench::waveform::ReferenceSignal> reference;
   gsbench::waveform::SignalSpec signal = {};
   double noise_pct = 0.0;  // white, RMS, of the nominal amplitude (peak)
   std::uint64_t seed = 1;
@@ -36,11 +36,12 @@ class Mains {
   std::uint64_t seed_;
 };
 
-std::shared_ptr<const gsbench::waveform::Truth> steady(double nominal_hz, double frequency_hz);
+std::shared_ptr<const gsbench::waveform::ReferenceSignal> steady(double nominal_hz,
+                                                                 double frequency_hz);
 
 // Held at the first frequency until `at_s`, then linear to the last one, which is held.
-std::shared_ptr<const gsbench::waveform::Truth> ramp(double from_hz, double to_hz, double at_s,
-                                                     double hz_per_s);
+std::shared_ptr<const gsbench::waveform::ReferenceSignal> ramp(double from_hz, double to_hz,
+                                                               double at_s, double hz_per_s);
 
 // An outlet at a mains, without settings where none are given. Throws std::logic_error where the
 // firmware does not serve its hardware or refuses the settings.
@@ -69,7 +70,7 @@ constexpr double report_s(const outlet::Report& report) {
   return 0.016 * (static_cast<double>(report.number) + 1.0);
 }
 constexpr double measured_s(const outlet::Report& report) {
-  return report_s(report) - static_cast<double>(outlet::kFrontEndDelayS);
+  return report_s(report) - static_cast<double>(outlet::kFrontEndDelay_s);
 }
 
 }  // namespace gs::test

@@ -7,7 +7,7 @@
 
 #include <grid/sfr_model.hpp>
 #include <outlet/settings.hpp>
-#include <waveform/truth.hpp>
+#include <waveform/reference_signal.hpp>
 
 namespace gs::test {
 
@@ -52,9 +52,10 @@ inline outlet::Settings ieee24_settings() {
   return settings;
 }
 
-inline std::shared_ptr<const gsbench::waveform::Truth> loss_of(double power_mw, double at_s) {
-  return gsbench::waveform::truth_from_losses(gsbench::grid::SfrModel(ieee24()),
-                                              {{at_s, power_mw}});
+inline std::shared_ptr<const gsbench::waveform::ReferenceSignal> loss_of(double power_mw,
+                                                                         double at_s) {
+  return gsbench::waveform::reference_from_losses(gsbench::grid::SfrModel(ieee24()),
+                                                  {{at_s, power_mw}});
 }
 
 }  // namespace gs::test

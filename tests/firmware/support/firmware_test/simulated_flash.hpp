@@ -15,7 +15,9 @@ class SimulatedFlash : public settings_storage::Flash {
   static constexpr int kEraseSteps = 8;
 
   SimulatedFlash() {
-    for (auto& slot : slots_) slot.fill(0xFFFFFFFFU);
+    for (auto& slot : slots_) {
+      slot.fill(0xFFFFFFFFU);
+    }
   }
 
   // After so many more steps nothing is written any more; returns how many were taken till then.
@@ -33,7 +35,9 @@ class SimulatedFlash : public settings_storage::Flash {
     ++erases_.at(static_cast<std::size_t>(slot));
     // Not from front to back: words lose their charge as they please.
     for (int step = 0; step < kEraseSteps; ++step) {
-      if (!take_step()) return true;
+      if (!take_step()) {
+        return true;
+      }
       for (std::size_t i = 0; i < kWords; ++i) {
         if ((i * 5 + 3) % kEraseSteps == static_cast<std::size_t>(step)) {
           word(slot, 4 * i) = 0xFFFFFFFFU;
@@ -44,10 +48,14 @@ class SimulatedFlash : public settings_storage::Flash {
   }
 
   bool program(int slot, std::size_t offset, std::uint32_t value) override {
-    if (refuses_) return false;
+    if (refuses_) {
+      return false;
+    }
     // Half of the bits, then the other half; only ever from 1 to 0.
     for (const std::uint32_t not_yet : {0x5A5A5A5AU, 0U}) {
-      if (!take_step()) return true;
+      if (!take_step()) {
+        return true;
+      }
       word(slot, offset) &= value | not_yet;
     }
     return true;
@@ -61,7 +69,9 @@ class SimulatedFlash : public settings_storage::Flash {
   static constexpr int kAlways = 1 << 30;
 
   bool take_step() {
-    if (steps_left_ == 0) return false;
+    if (steps_left_ == 0) {
+      return false;
+    }
     --steps_left_;
     return true;
   }

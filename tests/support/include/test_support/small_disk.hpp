@@ -14,7 +14,9 @@ class SmallDisk {
   SmallDisk(const std::filesystem::path& folder, const char* size)
       : folder_(folder), mounted_(::mount("tmpfs", folder_.c_str(), "tmpfs", 0, size) == 0) {}
   ~SmallDisk() {
-    if (mounted_) ::umount2(folder_.c_str(), MNT_DETACH);
+    if (mounted_) {
+      ::umount2(folder_.c_str(), MNT_DETACH);
+    }
   }
   SmallDisk(const SmallDisk&) = delete;
   SmallDisk& operator=(const SmallDisk&) = delete;

@@ -18,7 +18,7 @@ class Board : public app::Carrier {
   virtual void drive_relay(bool closed) = 0;
   virtual void feed_watchdog() = 0;
   // No sample is due, and that is no fault.
-  virtual bool converter_rests() const = 0;
+  virtual bool adc_idle() const = 0;
 
  protected:
   ~Board() = default;

@@ -40,7 +40,7 @@ class Loop {
   settings_storage::FlashSettingsStorage& area_;
   app::Application app_;
   app::SerialEndpoint endpoint_;
-  std::int16_t chunk_[outlet::kMaxSampleRateHz / 1000] = {};
+  std::int16_t chunk_[outlet::kMaxSampleRate_hz / 1000] = {};
   std::uint16_t samples_per_ms_ = 1;
   std::uint16_t samples_in_ms_ = 0;
 };

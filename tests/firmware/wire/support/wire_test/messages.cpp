@@ -99,7 +99,9 @@ class Filler {
   void operator()(std::int32_t& value) {
     value =
         integer(std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max());
-    if (fill_ == Fill::kAnything && below(2) == 0) value = -1 - value;
+    if (fill_ == Fill::kAnything && below(2) == 0) {
+      value = -1 - value;
+    }
   }
   void operator()(float& value) {
     using Limits = std::numeric_limits<float>;
@@ -130,8 +132,12 @@ class Filler {
   template <std::size_t N>
   void operator()(char (&text)[N]) {
     std::size_t length = fill_ == Fill::kLowest ? 0 : N - 1;
-    if (fill_ == Fill::kAnything) length = below(N);
-    for (std::size_t i = 0; i < length; ++i) text[i] = static_cast<char>(' ' + below(95));
+    if (fill_ == Fill::kAnything) {
+      length = below(N);
+    }
+    for (std::size_t i = 0; i < length; ++i) {
+      text[i] = static_cast<char>(' ' + below(95));
+    }
     text[length] = '\0';
   }
   template <class E>
@@ -185,8 +191,12 @@ std::vector<Message> many(const std::vector<Kind>& kinds, int times, Make make) 
   std::mt19937 random(1);
   std::vector<Message> all;
   for (const Kind kind : kinds) {
-    for (const Fill fill : kFixedFills) all.push_back(make(kind, fill, random));
-    for (int i = 0; i < times; ++i) all.push_back(make(kind, Fill::kAnything, random));
+    for (const Fill fill : kFixedFills) {
+      all.push_back(make(kind, fill, random));
+    }
+    for (int i = 0; i < times; ++i) {
+      all.push_back(make(kind, Fill::kAnything, random));
+    }
   }
   return all;
 }
@@ -194,7 +204,9 @@ std::vector<Message> many(const std::vector<Kind>& kinds, int times, Make make) 
 template <class Kind>
 std::vector<Kind> kinds_up_to(Kind last) {
   std::vector<Kind> all;
-  for (int kind = 1; kind <= static_cast<int>(last); ++kind) all.push_back(static_cast<Kind>(kind));
+  for (int kind = 1; kind <= static_cast<int>(last); ++kind) {
+    all.push_back(static_cast<Kind>(kind));
+  }
   return all;
 }
 
@@ -304,7 +316,9 @@ std::string hex(const Bytes& bytes) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
   for (const std::uint8_t byte : bytes) {
-    if (!text.empty()) text += ' ';
+    if (!text.empty()) {
+      text += ' ';
+    }
     text += kDigits[byte >> 4];
     text += kDigits[byte & 0xF];
   }

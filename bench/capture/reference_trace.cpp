@@ -8,21 +8,21 @@
 namespace gsbench::capture {
 namespace {
 
-constexpr double kToleranceHz = 5e-5;
-constexpr double kToleranceHzS = 5e-3;
+constexpr double kTolerance_hz = 5e-5;
+constexpr double kTolerance_hz_s = 5e-3;
 // Longest run of entries one line may replace: bounds the work of looking back over it.
 constexpr std::size_t kLongestRun = 2000;
 
 // Whether straight lines from `first` to `last` are right at every entry between them.
-bool line_serves(const record::TruthTrace& entries, std::size_t first, std::size_t last) {
+bool line_serves(const record::ReferenceTrace& entries, std::size_t first, std::size_t last) {
   const auto off_line = [&](const std::vector<double>& y, std::size_t i) {
     const double part = static_cast<double>(entries.tick[i] - entries.tick[first]) /
                         static_cast<double>(entries.tick[last] - entries.tick[first]);
     return std::fabs(y[first] + part * (y[last] - y[first]) - y[i]);
   };
   for (std::size_t i = first + 1; i < last; ++i) {
-    if (off_line(entries.frequency_hz, i) > kToleranceHz ||
-        off_line(entries.rocof_hz_s, i) > kToleranceHzS) {
+    if (off_line(entries.frequency_hz, i) > kTolerance_hz ||
+        off_line(entries.rocof_hz_s, i) > kTolerance_hz_s) {
       return false;
     }
   }
@@ -31,17 +31,17 @@ bool line_serves(const record::TruthTrace& entries, std::size_t first, std::size
 
 }  // namespace
 
-record::TruthTrace truth_trace(const waveform::Truth& truth, std::int64_t duration_ticks,
-                               std::int64_t sample_rate_hz) {
+record::ReferenceTrace reference_trace(const waveform::ReferenceSignal& reference,
+                                       std::int64_t duration_ticks, std::int64_t sample_rate_hz) {
   const auto rate = static_cast<double>(sample_rate_hz);
   const std::int64_t step = sample_rate_hz * 16 / 1000;
-  record::TruthTrace entries;
+  record::ReferenceTrace entries;
   std::vector<std::int64_t>& ticks = entries.tick;
   for (std::int64_t tick = 0; tick < duration_ticks; tick += step) {
     ticks.push_back(tick);
   }
   ticks.push_back(duration_ticks);
-  for (const double corner_s : truth.corners_s()) {
+  for (const double corner_s : reference.corners_s()) {
     const std::int64_t tick = waveform::tick_at(corner_s, sample_rate_hz);
     if (tick > 0 && tick < duration_ticks) {
       // One on each side: there the ROCOF jumps.
@@ -54,10 +54,10 @@ record::TruthTrace truth_trace(const waveform::Truth& truth, std::int64_t durati
 
   for (const std::int64_t tick : ticks) {
     const double t_s = static_cast<double>(tick) / rate;
-    entries.frequency_hz.push_back(truth.frequency_hz(t_s));
-    entries.rocof_hz_s.push_back(truth.rocof_hz_s(t_s));
+    entries.frequency_hz.push_back(reference.frequency_hz(t_s));
+    entries.rocof_hz_s.push_back(reference.rocof_hz_s(t_s));
   }
-  record::TruthTrace trace;
+  record::ReferenceTrace trace;
   const auto keep = [&](std::size_t i) {
     trace.tick.push_back(ticks[i]);
     trace.frequency_hz.push_back(entries.frequency_hz[i]);

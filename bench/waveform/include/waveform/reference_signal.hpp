@@ -10,9 +10,9 @@
 
 namespace gsbench::waveform {
 
-class Truth {
+class ReferenceSignal {
  public:
-  virtual ~Truth() = default;
+  virtual ~ReferenceSignal() = default;
   virtual double nominal_hz() const = 0;
   virtual double frequency_hz(double t_s) const = 0;
   virtual double rocof_hz_s(double t_s) const = 0;
@@ -27,15 +27,15 @@ class Truth {
 };
 
 // A negative time in a loss list is a loss before the start: phase still counts from t = 0.
-std::unique_ptr<Truth> truth_from_losses(grid::SfrModel model,
-                                         std::vector<grid::PowerChange> losses);
+std::unique_ptr<ReferenceSignal> reference_from_losses(grid::SfrModel model,
+                                                       std::vector<grid::PowerChange> losses);
 
 // Monotone cubic interpolation (Fritsch–Carlson, with the slopes of Fritsch and Butland as in
 // MATLAB's and SciPy's pchip): it passes through each point and overshoots none. Held constant
 // before the first and after the last. Throws std::invalid_argument where there is no point, times
 // do not ascend, or a value is not finite and positive; a voltage may be zero, and is interpolated
 // linearly.
-std::unique_ptr<Truth> truth_from_points(double nominal_hz,
-                                         std::vector<recording::TracePoint> points);
+std::unique_ptr<ReferenceSignal> reference_from_points(double nominal_hz,
+                                                       std::vector<recording::TracePoint> points);
 
 }  // namespace gsbench::waveform

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <waveform/truth.hpp>
+#include <waveform/reference_signal.hpp>
 
 namespace gsbench::waveform {
 namespace {
@@ -17,7 +17,9 @@ void check(const recording::TracePoint& point, const recording::TracePoint* befo
   const auto refuse = [number](const char* what, double value, const char* wanted) {
     throw std::invalid_argument(fmt::format("point {}: {} {} {}", number, what, value, wanted));
   };
-  if (!std::isfinite(point.t_s)) refuse("time", point.t_s, "s: must be finite");
+  if (!std::isfinite(point.t_s)) {
+    refuse("time", point.t_s, "s: must be finite");
+  }
   if (before != nullptr && point.t_s <= before->t_s) {
     refuse("time", point.t_s, "s: must be later than the point before");
   }
@@ -34,7 +36,9 @@ void check(double nominal_hz, const std::vector<recording::TracePoint>& points) 
     throw std::invalid_argument(
         fmt::format("nominal frequency {} Hz: must be finite and above 0", nominal_hz));
   }
-  if (points.empty()) throw std::invalid_argument("no frequency points: at least one is needed");
+  if (points.empty()) {
+    throw std::invalid_argument("no frequency points: at least one is needed");
+  }
   for (std::size_t i = 0; i < points.size(); ++i) {
     check(points[i], i == 0 ? nullptr : &points[i - 1], i + 1);
   }
@@ -49,9 +53,9 @@ std::vector<Knot> deviations(double nominal_hz, const std::vector<recording::Tra
   return knots;
 }
 
-class PointTruth final : public Truth {
+class PointReference final : public ReferenceSignal {
  public:
-  PointTruth(double nominal_hz, std::vector<recording::TracePoint> points)
+  PointReference(double nominal_hz, std::vector<recording::TracePoint> points)
       : nominal_hz_(nominal_hz),
         points_(std::move(points)),
         deviation_hz_(deviations(nominal_hz, points_)),
@@ -68,8 +72,12 @@ class PointTruth final : public Truth {
     const auto next =
         std::upper_bound(points_.begin(), points_.end(), t_s,
                          [](double t, const recording::TracePoint& p) { return t < p.t_s; });
-    if (next == points_.begin()) return points_.front().voltage_pu;
-    if (next == points_.end()) return points_.back().voltage_pu;
+    if (next == points_.begin()) {
+      return points_.front().voltage_pu;
+    }
+    if (next == points_.end()) {
+      return points_.back().voltage_pu;
+    }
     const recording::TracePoint& from = *std::prev(next);
     const double fraction = (t_s - from.t_s) / (next->t_s - from.t_s);
     return from.voltage_pu + fraction * (next->voltage_pu - from.voltage_pu);
@@ -79,7 +87,9 @@ class PointTruth final : public Truth {
   std::vector<double> corners_s() const override {
     std::vector<double> corners;
     corners.reserve(points_.size());
-    for (const recording::TracePoint& point : points_) corners.push_back(point.t_s);
+    for (const recording::TracePoint& point : points_) {
+      corners.push_back(point.t_s);
+    }
     return corners;
   }
 
@@ -92,10 +102,10 @@ class PointTruth final : public Truth {
 
 }  // namespace
 
-std::unique_ptr<Truth> truth_from_points(double nominal_hz,
-                                         std::vector<recording::TracePoint> points) {
+std::unique_ptr<ReferenceSignal> reference_from_points(double nominal_hz,
+                                                       std::vector<recording::TracePoint> points) {
   check(nominal_hz, points);
-  return std::make_unique<PointTruth>(nominal_hz, std::move(points));
+  return std::make_unique<PointReference>(nominal_hz, std::move(points));
 }
 
 }  // namespace gsbench::waveform

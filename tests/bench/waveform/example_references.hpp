@@ -1,12 +1,12 @@
-// Truths that several tests play.
+// ReferenceSignals that several tests play.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include <grid/sfr_model.hpp>
+#include <waveform/reference_signal.hpp>
 #include <waveform/synthesizer.hpp>
-#include <waveform/truth.hpp>
 
 namespace gsbench::waveform {
 
@@ -20,12 +20,12 @@ inline grid::SfrModel ieee24() {
   return grid::SfrModel(grid);
 }
 
-inline std::shared_ptr<const Truth> loss_of_500_mw(double at_s) {
-  return truth_from_losses(ieee24(), {{at_s, 500.0}});
+inline std::shared_ptr<const ReferenceSignal> loss_of_500_mw(double at_s) {
+  return reference_from_losses(ieee24(), {{at_s, 500.0}});
 }
 
-inline std::shared_ptr<const Truth> constant(double nominal_hz, double frequency_hz) {
-  return truth_from_points(nominal_hz, {{0.0, frequency_hz}});
+inline std::shared_ptr<const ReferenceSignal> constant(double nominal_hz, double frequency_hz) {
+  return reference_from_points(nominal_hz, {{0.0, frequency_hz}});
 }
 
 inline std::vector<float> render(const Synthesizer& synthesizer, std::int64_t first_tick,
@@ -41,8 +41,12 @@ inline std::vector<Harmonic> en50160_harmonics() {
                                      {11, 3.5, 0}, {13, 3.0, 0}, {15, 0.5, 0}, {17, 2.0, 0},
                                      {19, 1.5, 0}, {21, 0.5, 0}, {23, 1.5, 0}, {25, 1.5, 0},
                                      {2, 2.0, 0},  {4, 1.0, 0}};
-  for (int order = 6; order <= 24; order += 2) harmonics.push_back({order, 0.5, 0});
-  for (Harmonic& harmonic : harmonics) harmonic.phase_deg = 37.0 * harmonic.order;
+  for (int order = 6; order <= 24; order += 2) {
+    harmonics.push_back({order, 0.5, 0});
+  }
+  for (Harmonic& harmonic : harmonics) {
+    harmonic.phase_deg = 37.0 * harmonic.order;
+  }
   return harmonics;
 }
 

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <utility>
 
-#include <waveform/truth.hpp>
+#include <waveform/reference_signal.hpp>
 
 namespace gsbench::waveform {
 namespace {
 
-class LossTruth final : public Truth {
+class LossReference final : public ReferenceSignal {
  public:
-  LossTruth(grid::SfrModel model, std::vector<grid::PowerChange> losses)
+  LossReference(grid::SfrModel model, std::vector<grid::PowerChange> losses)
       : response_(std::move(model), std::move(losses)),
         cycles_at_zero_(response_.excess_cycles(0.0)) {}
 
@@ -22,7 +22,9 @@ class LossTruth final : public Truth {
 
   std::vector<double> corners_s() const override {
     std::vector<double> corners;
-    for (const grid::PowerChange& change : response_.changes()) corners.push_back(change.at_s);
+    for (const grid::PowerChange& change : response_.changes()) {
+      corners.push_back(change.at_s);
+    }
     std::sort(corners.begin(), corners.end());
     return corners;
   }
@@ -34,9 +36,9 @@ class LossTruth final : public Truth {
 
 }  // namespace
 
-std::unique_ptr<Truth> truth_from_losses(grid::SfrModel model,
-                                         std::vector<grid::PowerChange> losses) {
-  return std::make_unique<LossTruth>(std::move(model), std::move(losses));
+std::unique_ptr<ReferenceSignal> reference_from_losses(grid::SfrModel model,
+                                                       std::vector<grid::PowerChange> losses) {
+  return std::make_unique<LossReference>(std::move(model), std::move(losses));
 }
 
 }  // namespace gsbench::waveform
