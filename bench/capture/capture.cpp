@@ -62,8 +62,8 @@ void Capture::add(Track& track, const gs::wire::Uplink& message) {
       break;
     }
     case UplinkKind::kRelay:
-      marks.push_back(
-          {tick, "relay.word", message.relay.closed ? 1.0 : 0.0, to_string(message.relay.cause)});
+      marks.push_back({tick, "relay.reported", message.relay.closed ? 1.0 : 0.0,
+                       to_string(message.relay.cause)});
       break;
     case UplinkKind::kAborted:
       marks.push_back({tick, "aborted", 0.0, "the voltage went"});

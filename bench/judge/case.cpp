@@ -70,7 +70,7 @@ const record::Mark* Case::first_mark(const std::string& kind, std::int64_t from_
 
 const record::Mark* Case::first_word_open(std::int64_t from_tick) const {
   return find_mark(outlet, from_tick, [](const record::Mark& mark) {
-    return mark.kind == "relay.word" && mark.value < 0.5;
+    return mark.kind == "relay.reported" && mark.value < 0.5;
   });
 }
 

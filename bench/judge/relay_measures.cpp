@@ -23,7 +23,7 @@ Reading relay_delay(const Case& c, std::int64_t loss_tick) {
   return number(c.milliseconds_between(loss_tick, *opening), c.uncertainty.relay_sense_ms);
 }
 
-Reading delay_by_word(const Case& c, std::int64_t loss_tick) {
+Reading delay_reported(const Case& c, std::int64_t loss_tick) {
   return stamped_after(c, loss_tick, c.first_word_open(loss_tick),
                        "the outlet did not say that it opened after the loss");
 }
@@ -44,7 +44,7 @@ Reading operate_time(const Case& c) {
   return between(c, *said, *opening);
 }
 
-Reading word_difference(const Case& c) {
+Reading report_difference(const Case& c) {
   const std::int64_t from_tick = c.first_loss_tick().value_or(0);
   const record::Mark* said = c.first_word_open(from_tick);
   const auto opening = first_opening(c, from_tick);
@@ -117,8 +117,8 @@ Readings contact_readings() {
 
 Readings relay_readings() {
   return {
-      {"relay.delay_by_word", after_loss<delay_by_word>},
-      {"relay.word_difference", seen<word_difference>},
+      {"relay.delay_reported", after_loss<delay_reported>},
+      {"relay.report_difference", seen<report_difference>},
       {"relay.operate_time", seen<operate_time>},
   };
 }

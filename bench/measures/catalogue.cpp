@@ -54,9 +54,9 @@ const std::vector<Measure>& catalogue() {
        {"none", "loss", "frequency", "command"}},
       {"relay.delay", "ms", "From the first loss to the contact's opening, by the relay sense.",
        "a loss in the profile, an opening after it"},
-      {"relay.delay_by_word", "ms", "The same as the outlet reports it.",
+      {"relay.delay_reported", "ms", "The same as the outlet reports it.",
        "a loss in the profile, the outlet's report of an opening"},
-      {"relay.word_difference", "ms",
+      {"relay.report_difference", "ms",
        "By how much the contact's first opening, by the relay sense, is later than the outlet "
        "reports.",
        "an opening, reported and sensed"},

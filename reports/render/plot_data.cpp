@@ -114,7 +114,7 @@ std::string mark_label(const record::Mark& mark) {
       {"decision.hits", "Conditions met"},
       {"decision.trust", "Estimate reliable"},
       {"relay.sense", "Relay, sensed"},
-      {"relay.word", "Relay, self-reported"},
+      {"relay.reported", "Relay, self-reported"},
       {"command", "Command"},
   }};
   for (const auto& [kind, label] : kLabels) {
@@ -129,7 +129,7 @@ std::string mark_value(const record::Mark& mark) {
   if (mark.kind == "event") {
     return "";
   }
-  if (mark.kind == "relay.word" || mark.kind == "relay.sense") {
+  if (mark.kind == "relay.reported" || mark.kind == "relay.sense") {
     return mark.value != 0.0 ? "closed" : "open";
   }
   const bool power = mark.kind == "lse" || mark.kind == "loss" || mark.kind == "shed" ||

@@ -89,8 +89,8 @@ void measure(record::OutletRecord& outlet, bool sheds, double loss_mw, double ev
       number("decision.delay", 920.0, "ms", kNone, 960.0, kTick_ms),
       word("decision.cause", sheds ? "loss" : "none"),
       number("relay.delay", sheds ? 926.375 : kNone, "ms", kNone, sheds ? 980.0 : kNone, kTick_ms),
-      number("relay.delay_by_word", sheds ? 920.0 : kNone, "ms", kNone, kNone, kTick_ms),
-      number("relay.word_difference", sheds ? -6.375 : kNone, "ms", kNone, kNone, 0.18),
+      number("relay.delay_reported", sheds ? 920.0 : kNone, "ms", kNone, kNone, kTick_ms),
+      number("relay.report_difference", sheds ? -6.375 : kNone, "ms", kNone, kNone, 0.18),
       word("relay.end", sheds ? "open" : "closed"),
   };
 }
@@ -146,7 +146,7 @@ record::OutletRecord outlet_500mw(int number_from_1, bool sheds, std::int64_t du
                   {lse, "lse", 310.4, ""},
                   {decision, "decision", sheds ? 1.0 : 0.0, sheds ? "loss" : "none"}};
   if (sheds) {
-    outlet.marks.push_back({decision, "relay.word", 0.0, ""});
+    outlet.marks.push_back({decision, "relay.reported", 0.0, ""});
     outlet.marks.push_back({decision + 51, "relay.sense", 0.0, ""});
   }
   return outlet;

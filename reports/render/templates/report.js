@@ -64,7 +64,7 @@
       const x = Math.round(graph.toDomXCoord(mark.t)) + 0.5;
       if (x < area.x || x > area.x + area.w) return;
       context.strokeStyle = markColour(mark.kind);
-      context.setLineDash(mark.kind === "relay.word" ? [2, 3] : [5, 3]);
+      context.setLineDash(mark.kind === "relay.reported" ? [2, 3] : [5, 3]);
       context.beginPath();
       context.moveTo(x, area.y);
       context.lineTo(x, area.y + area.h);

@@ -104,7 +104,7 @@ TEST(Capture, KeepsWhatHappenedAsMarks) {
       ElementsAre("100 event 49 frequency before it, Hz", "200 lse 450 MW", "300 decision 163 shed",
                   "300 decision.loss 515 MW", "300 decision.hits 30 ",
                   std::string("300 decision.trust 1 ") + to_string(Trust::kTrusted),
-                  "300 relay.word 0 loss", "310 relay.sense 0 open",
+                  "300 relay.reported 0 loss", "310 relay.sense 0 open",
                   "400 aborted 0 the voltage went", "800 command 1 switch on",
                   "900 relay.sense 1 closed"));
 }
@@ -126,10 +126,10 @@ TEST(Capture, BringsMarksIntoTheOrderOfTimeAndLeavesThoseOfOneInstantAsTheyCame)
   capture.add_edge("a", 600, false);
   capture.add_edge("a", 500, true);
   capture.add_command("a", 400, false);
-  EXPECT_THAT(
-      told(taken(capture, "a")),
-      ElementsAre("400 command 0 switch off", "500 relay.word 0 loss", "500 relay.sense 1 closed",
-                  "600 relay.sense 0 open", "700 event 49 frequency before it, Hz"));
+  EXPECT_THAT(told(taken(capture, "a")),
+              ElementsAre("400 command 0 switch off", "500 relay.reported 0 loss",
+                          "500 relay.sense 1 closed", "600 relay.sense 0 open",
+                          "700 event 49 frequency before it, Hz"));
 }
 
 TEST(Capture, PutsTheInstantOfTheLossOnTheRunsTimeBase) {

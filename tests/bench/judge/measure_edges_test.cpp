@@ -59,9 +59,9 @@ TEST(Relay, DelayIsOfTheFirstOpeningAfterTheLossAndTripTimeOfTheFirstOfAll) {
   EXPECT_EQ(c.read("trip.time").value, 1.0);
 }
 
-TEST(Relay, WordDifferenceIsNegativeWhereTheContactWasFirst) {
+TEST(Relay, ReportDifferenceIsNegativeIfTheContactOpensFirst) {
   const SyntheticCase c = with_edges({{3910, false}});
-  EXPECT_NEAR(c.read("relay.word_difference").value, -10.0, 1e-9);
+  EXPECT_NEAR(c.read("relay.report_difference").value, -10.0, 1e-9);
 }
 
 TEST(Relay, CommandDelayIsToTheChangeThatWasAskedFor) {
@@ -74,15 +74,15 @@ TEST(Relay, CommandDelayIsToTheChangeThatWasAskedFor) {
 
 TEST(DecisionCause, IsThatOfTheFirstOpeningByTheOutletsWord) {
   SyntheticCase c = loss_of_500_mw();
-  c.add_mark(1000, "relay.word", 1.0, "none");
+  c.add_mark(1000, "relay.reported", 1.0, "none");
   EXPECT_EQ(c.read("decision.cause").word, "loss");
-  c.add_mark(1500, "relay.word", 0.0, "frequency");
+  c.add_mark(1500, "relay.reported", 0.0, "frequency");
   EXPECT_EQ(c.read("decision.cause").word, "frequency");
 }
 
 TEST(DecisionCause, IsNoneWhereItNeverSaidThatItOpened) {
   SyntheticCase c = loss_of_500_mw();
-  c.remove_marks("relay.word");
+  c.remove_marks("relay.reported");
   EXPECT_EQ(c.read("decision.cause").word, "none");
 }
 

@@ -109,7 +109,7 @@ SyntheticCase loss_of_500_mw() {
   c.add_mark(3920, "decision", 163.0, "shed");
   c.add_mark(3920, "decision.loss", 515.0, "MW");
   c.add_mark(3920, "decision.hits", 30.0);
-  c.add_mark(3920, "relay.word", 0.0, "loss");
+  c.add_mark(3920, "relay.reported", 0.0, "loss");
   c.add_mark(3928, "relay.sense", 0.0, "open");
   // The last one at the decision is the one that counts, not the last of all.
   c.outlet.estimates.tick = {3296, 3920, 3936};
@@ -123,7 +123,7 @@ SyntheticCase loss_of_500_mw() {
 SyntheticCase commanded() {
   SyntheticCase c = quiet(1e9);
   c.add_mark(2000, "command", 0.0, "switch off");
-  c.add_mark(2005, "relay.word", 0.0, "command");
+  c.add_mark(2005, "relay.reported", 0.0, "command");
   c.add_mark(2012, "relay.sense", 0.0, "open");
   return c;
 }

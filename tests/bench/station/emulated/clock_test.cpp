@@ -71,7 +71,7 @@ TEST_F(OutletClocks, PutDecisionsBeforeWhatTheRelaySenseSees) {
   EXPECT_DOUBLE_EQ(record_.bench_uncertainty.relay_sense_ms, 0.125);  // a tick at 8 kHz
   for (const record::OutletRecord& outlet : record_.outlets) {
     const Mark* const event = mark(outlet, "event");
-    const Mark* const word = mark(outlet, "relay.word");
+    const Mark* const word = mark(outlet, "relay.reported");
     const Mark* const decision = mark(outlet, "decision");
     const Mark* const sensed = mark(outlet, "relay.sense");
     ASSERT_NE(event, nullptr) << outlet.id;

@@ -220,7 +220,7 @@ TEST_F(OutletFault, NoneWhereTheStationListsRadiosFirst) {
       }
     }
     if (outlet.group == "cut") {
-      EXPECT_THAT(relay_marks, testing::UnorderedElementsAre("relay.word", "relay.sense"));
+      EXPECT_THAT(relay_marks, testing::UnorderedElementsAre("relay.reported", "relay.sense"));
     } else {
       EXPECT_THAT(relay_marks, testing::IsEmpty()) << outlet.id;
     }
