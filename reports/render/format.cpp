@@ -138,6 +138,37 @@ std::size_t columns_of(const std::string& text) {
   }));
 }
 
+std::string wrapped(const std::string& text, std::size_t columns, std::size_t indent) {
+  std::string lines;
+  std::size_t used = 0;    // columns of the current line
+  bool line_empty = true;  // but for its indent
+  const auto start_line = [&] {
+    lines += '\n' + std::string(indent, ' ');
+    used = indent;
+    line_empty = true;
+  };
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const std::size_t width = columns_of(word);
+    if (!line_empty && used + 1 + width > columns) {
+      start_line();
+    } else if (begin > 0 && text[begin - 1] == ' ') {
+      lines += ' ';
+      ++used;
+    }
+    lines += word;
+    used += width;
+    line_empty = line_empty && word.empty();
+    if (end < text.size() && text[end] == '\n') {
+      start_line();
+    }
+    begin = end + 1;
+  }
+  return lines;
+}
+
 std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

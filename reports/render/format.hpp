@@ -33,6 +33,11 @@ std::string valid_text(const std::string& text);
 // Columns on a terminal. A code point is one: nothing wider is printed.
 std::size_t columns_of(const std::string& text);
 
+// `text` broken at spaces into lines of at most `columns`, without a line end after the last. All
+// lines but the first start with `indent` spaces. A word longer than a line is not broken; line
+// ends in `text` are kept.
+std::string wrapped(const std::string& text, std::size_t columns, std::size_t indent = 0);
+
 // A line for each row: the first cell aligned left, the others right, two spaces between. Rows may
 // differ in length.
 std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows);
