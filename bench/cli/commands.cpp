@@ -61,6 +61,14 @@ void print_json(const nlohmann::ordered_json& value) {
   std::fputs((value.dump(2) + '\n').c_str(), stdout);
 }
 
+CLI::Option* add_runs_folder(CLI::App& command, std::string& folder) {
+  return command
+      .add_option("--out", folder,
+                  "Folder that keeps the runs (default: $GSBENCH_RUNS, else "
+                  "~/.local/share/gsbench/runs)")
+      ->type_name("FOLDER");
+}
+
 void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& distribution) {
   add_choice(command, "--noise-distribution", distribution,
              {{"uniform", campaign::NoiseDistribution::kUniform},

@@ -66,6 +66,9 @@ CLI::Option* add_with_default(CLI::App& command, const std::string& name, Value&
   return command.add_option(name, value, description)->capture_default_str();
 }
 
+// --out: the folder that keeps the runs.
+CLI::Option* add_runs_folder(CLI::App& command, std::string& folder);
+
 // Options that choose one of a few by name: --noise-distribution, --accumulated, --loss-instant.
 void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& distribution);
 void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation);

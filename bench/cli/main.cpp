@@ -1,9 +1,15 @@
 #include "commands.hpp"
+#include "completion.hpp"
+#include "manual_page.hpp"
 
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
+#include <installation/installation.hpp>
+#include <keys/document.hpp>
 #include <profile/load.hpp>
 #include <record/store.hpp>
 #include <render/file.hpp>
@@ -13,23 +19,44 @@ namespace {
 namespace cli = gsbench::cli;
 
 constexpr const char* kAbout =
-    "gsbench plays the frequency response of a power system into Grid Sense outlets, captures "
-    "what\n"
-    "they measured, estimated and switched, and judges it.\n"
+    "gsbench plays the frequency response of a power system into Grid Sense outlets, records\n"
+    "what they measured, estimated and switched, and judges it.\n"
     "\n"
     "  gsbench run paper/loss-500mw        play, judge, report\n"
-    "  gsbench list                        the profiles there are\n"
-    "  gsbench params ieee24               what the control centre works out for a grid\n";
+    "  gsbench list                        list profiles, grids and stations\n"
+    "  gsbench params ieee24               thresholds and settings for a grid\n";
 
 constexpr const char* kExitCodes =
     "Exit codes: 0 PASS; 1 FAIL; 2 bad usage, profile, settings or output folder;\n"
     "3 INCONCLUSIVE; 4 ERROR; 130 interrupted.";
 
+void add_commands(cli::CommandLine& line) {
+  for (const auto add :
+       {cli::add_run, cli::add_list, cli::add_check, cli::add_params, cli::add_waveform,
+        cli::add_report, cli::add_runs, cli::add_study, cli::add_reproduce, cli::add_fleet,
+        cli::add_measures, cli::add_schema, cli::add_devices, cli::add_monitor}) {
+    add(line);
+  }
+}
+
+std::string unknown_command(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return "unknown command '" + name + "'" + gsbench::keys::suggestion(name, names, "commands");
+}
+
 std::string usage_mistake(const CLI::App* app, const CLI::Error& error) {
-  const std::vector<std::string> unknown = app->remaining();
-  const bool no_command = app->get_subcommands().empty() && !unknown.empty();
-  return "gsbench: " + (no_command ? unknown.front() + " is no command" : error.what()) +
-         "; `gsbench --help` and `gsbench COMMAND --help` say more\n";
+  const std::vector<CLI::App*> commands = app->get_subcommands();
+  const std::vector<std::string> unknown = app->remaining(true);
+  std::string what = error.what();
+  if (!unknown.empty()) {
+    what = commands.empty() ? unknown_command(*app, unknown.front())
+                            : "unknown argument '" + unknown.front() + "'";
+  }
+  const std::string command = commands.empty() ? "" : commands.front()->get_name() + ' ';
+  return "gsbench: " + what + "; see `gsbench " + command + "--help`\n";
 }
 
 int complain(const char* what, int exit_code) {
@@ -37,22 +64,35 @@ int complain(const char* what, int exit_code) {
   return exit_code;
 }
 
+// What the installation asks for: completion by a shell, and the manual page. False: a usual
+// command.
+bool answer_installation(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty() || (words[0] != "__complete" && words[0] != "__manual")) {
+    return false;
+  }
+  if (words[0] == "__manual") {
+    std::fputs(cli::manual_page(app).c_str(), stdout);
+  } else {
+    for (const std::string& candidate : cli::completions(app, {words.begin() + 1, words.end()})) {
+      std::puts(candidate.c_str());
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   cli::CommandLine line{CLI::App(kAbout, "gsbench")};
   line.app.footer(kExitCodes);
-  line.app.set_version_flag("--version", GSBENCH_VERSION);
+  line.app.set_version_flag("--version", "gsbench " + gsbench::installation::version());
   line.app.require_subcommand(1);
   line.app.failure_message(usage_mistake);
-  for (const auto add :
-       {cli::add_run, cli::add_list, cli::add_check, cli::add_params, cli::add_waveform,
-        cli::add_report, cli::add_runs, cli::add_study, cli::add_reproduce, cli::add_fleet,
-        cli::add_measures, cli::add_schema, cli::add_devices, cli::add_monitor}) {
-    add(line);
-  }
+  add_commands(line);
   try {
-    line.app.parse(argc, argv);
+    if (!answer_installation(line.app, {argv + 1, argv + argc})) {
+      line.app.parse(argc, argv);
+    }
   } catch (const CLI::ParseError& error) {
     line.exit_code = line.app.exit(error) == 0 ? cli::kPassed : cli::kBadInput;
   } catch (const gsbench::profile::ConfigurationError& error) {
@@ -62,13 +102,12 @@ int main(int argc, char** argv) {
   } catch (const gsbench::render::WriteError& error) {
     return complain(error.what(), cli::kBadInput);
   } catch (const std::bad_alloc&) {
-    return complain(
-        "out of memory: fewer outlets, a shorter run or fewer --threads would need less",
-        cli::kErrored);
+    return complain("out of memory: use fewer outlets, a shorter run or fewer --threads",
+                    cli::kErrored);
   } catch (const std::exception& error) {
     return complain(error.what(), cli::kErrored);
   }
-  // What standard output could not take has been lost: say so.
+  // Report output that was lost, for instance on a full disk.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     return complain("standard output cannot be written", cli::kBadInput);
   }

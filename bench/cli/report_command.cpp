@@ -17,7 +17,7 @@ constexpr const render::Format& kTerminal = render::kFormats[0];
 
 struct ReportArguments {
   std::string run;
-  std::string output_folder = "runs";
+  std::string output_folder = default_runs_folder();
   std::string format = kTerminal.name;
   std::string output = "-";
 };
@@ -55,7 +55,7 @@ std::string described_formats() {
 void add_report(CommandLine& line) {
   const auto [command, arguments] = line.command("report", "Render a kept run again", report);
   command.add_option("run", arguments.run, "A run's folder, record file or id")->required();
-  add_with_default(command, "--out", arguments.output_folder, "Folder that keeps the runs");
+  add_runs_folder(command, arguments.output_folder);
   add_with_default(command, "--format", arguments.format, "What to render")
       ->check(CLI::IsMember(format_names()));
   add_with_default(command, "-o,--output", arguments.output, "File to write; -: standard output");

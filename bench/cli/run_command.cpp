@@ -18,7 +18,7 @@ namespace {
 struct RunArguments {
   std::string profile;
   profile::Overrides overrides;
-  std::string output_folder = "runs";
+  std::string output_folder = default_runs_folder();
   std::string station = "simulated";
   station::SimulatedOptions simulated;
   bool json = false;
@@ -60,7 +60,7 @@ void add_run(CommandLine& line) {
   arguments.simulated.threads = default_threads();
   command.add_option("profile", arguments.profile, "A shipped profile, or a .toml file")
       ->required();
-  add_with_default(command, "--out", arguments.output_folder, "Folder that keeps the runs");
+  add_runs_folder(command, arguments.output_folder);
   command
       .add_option("--seed", arguments.overrides.seed,
                   "Seed of the noise, in place of the profile's")

@@ -1,11 +1,13 @@
 #include "run_folder.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 
 #include <fmt/format.h>
 
+#include <installation/installation.hpp>
 #include <profile/load.hpp>
 #include <record/store.hpp>
 #include <render/file.hpp>
@@ -74,6 +76,15 @@ bool begins_with(const fs::path& folder, const std::string& beginning) {
 }
 
 }  // namespace
+
+std::string default_runs_folder() {
+  const char* chosen = std::getenv("GSBENCH_RUNS");
+  if (chosen != nullptr && *chosen != '\0') {
+    return chosen;
+  }
+  const fs::path own = installation::user_data("runs");
+  return own.empty() ? "runs" : own.string();
+}
 
 RunFolder::RunFolder(const std::string& output_folder) : output_folder_(output_folder) {
   std::error_code error;

@@ -34,6 +34,9 @@ class RunFolder {
   bool kept_ = false;
 };
 
+// $GSBENCH_RUNS, else $XDG_DATA_HOME/gsbench/runs (installation.hpp), else "runs".
+std::string default_runs_folder();
+
 constexpr const char* kRecordFile = "record.sqlite";
 
 // Writes every report of a run into its folder. Throws render::WriteError where one cannot be

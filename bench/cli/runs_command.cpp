@@ -14,7 +14,7 @@ namespace gsbench::cli {
 namespace {
 
 struct RunsArguments {
-  std::string output_folder = "runs";
+  std::string output_folder = default_runs_folder();
   bool json = false;
 };
 
@@ -66,8 +66,7 @@ int runs(const RunsArguments& arguments) {
 void add_runs(CommandLine& line) {
   const auto [command, arguments] =
       line.command("runs", "The runs that are kept, oldest first", runs);
-  add_with_default(command, "--out", arguments.output_folder, "Folder that keeps the runs")
-      ->check(CLI::ExistingDirectory);
+  add_runs_folder(command, arguments.output_folder)->check(CLI::ExistingDirectory);
   command.add_flag("--json", arguments.json, "Print as JSON");
   command.footer("Example:\n  gsbench runs");
 }

@@ -14,3 +14,6 @@ if(GSBENCH_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   # It takes precompiled headers only where it is told that they depend on no macro and no clock.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${GSBENCH_CCACHE})
 endif()
+
+# No path of the machine that built it in a program: debuggers take sources relative to the root.
+add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${PROJECT_BINARY_DIR}/=build/)

@@ -8,9 +8,11 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include <installation/installation.hpp>
 #include <profile/files.hpp>
 #include <profile/load.hpp>
 
@@ -26,27 +28,34 @@ constexpr const char* kStationsFolder = "stations";
 // Room for break points each second of the longest run, and half as much again.
 constexpr std::uintmax_t kLargestFile = 4U << 20U;
 
-void require_profiles_folder() {
-  std::error_code error;
-  if (!fs::is_directory(profiles_folder(), error)) {
-    throw ConfigurationError(
-        fmt::format("{}: no such folder to look for profiles in; GSBENCH_PROFILES names it",
-                    profiles_folder()));
-  }
+std::string chosen_folder() {
+  const char* chosen = std::getenv("GSBENCH_PROFILES");
+  return chosen != nullptr ? chosen : "";
 }
 
-fs::path grids_folder() {
-  return fs::path(profiles_folder()) / kGridsFolder;
+// profiles_folder(), and the user's own unless $GSBENCH_PROFILES names the one to use.
+std::vector<fs::path> folders() {
+  std::vector<fs::path> all = {profiles_folder()};
+  std::error_code error;
+  if (!fs::is_directory(all[0], error)) {
+    throw ConfigurationError(
+        fmt::format("{}: no such folder of profiles; GSBENCH_PROFILES can name another",
+                    all[0].string()));
+  }
+  const fs::path own = installation::user_data("profiles");
+  if (all[0] != chosen_folder() && fs::is_directory(own, error)) {
+    all.push_back(own);
+  }
+  return all;
 }
 
 bool is_toml_path(const std::string& name) {
   return fs::path(name).extension() == kExtension;
 }
 
-// Every .toml file below `folder`, named by its path in there without the extension.
-std::vector<NamedFile> files_below(const fs::path& folder) {
-  std::vector<NamedFile> found;
-  std::error_code ignored;  // a folder that is not there holds nothing
+// Adds every .toml file below `folder`, named by its path in there without the extension.
+void add_files_below(const fs::path& folder, std::vector<NamedFile>& found) {
+  std::error_code ignored;  // a folder that does not exist holds nothing
   for (fs::recursive_directory_iterator at(folder, ignored), end; at != end;
        at.increment(ignored)) {
     if (at->path().extension() != kExtension || !at->is_regular_file(ignored)) {
@@ -55,8 +64,23 @@ std::vector<NamedFile> files_below(const fs::path& folder) {
     fs::path name = at->path().lexically_relative(folder);
     found.push_back({name.replace_extension().generic_string(), at->path().string()});
   }
+}
+
+// Every .toml file below `part` of folders(), by name. Throws ConfigurationError if two have one name.
+std::vector<NamedFile> all_files(const fs::path& part) {
+  std::vector<NamedFile> found;
+  for (const fs::path& folder : folders()) {
+    add_files_below(folder / part, found);
+  }
   std::sort(found.begin(), found.end(),
             [](const NamedFile& a, const NamedFile& b) { return a.name < b.name; });
+  const auto twin =
+      std::adjacent_find(found.begin(), found.end(),
+                         [](const NamedFile& a, const NamedFile& b) { return a.name == b.name; });
+  if (twin != found.end()) {
+    throw ConfigurationError(
+        fmt::format("{} and {} have the same name: rename one", twin->path, (twin + 1)->path));
+  }
   return found;
 }
 
@@ -96,8 +120,8 @@ NamedFile find_file(const std::string& name_or_path, const std::string& kind,
 }  // namespace
 
 std::string profiles_folder() {
-  const char* chosen = std::getenv("GSBENCH_PROFILES");
-  return chosen != nullptr && *chosen != '\0' ? chosen : GSBENCH_SHIPPED_PROFILES;
+  const std::string chosen = chosen_folder();
+  return chosen.empty() ? installation::shipped("profiles").string() : chosen;
 }
 
 std::string find_profile(const std::string& name_or_path) {
@@ -109,12 +133,19 @@ NamedFile find_station(const std::string& name_or_path) {
 }
 
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder) {
-  const fs::path path = is_toml_path(name_or_path) ? fs::path(folder) / name_or_path
-                                                   : grids_folder() / (name_or_path + kExtension);
-  if (!is_regular_file(path.string())) {
-    return std::nullopt;
+  if (is_toml_path(name_or_path)) {
+    const fs::path path = fs::path(folder) / name_or_path;
+    if (!is_regular_file(path.string())) {
+      return std::nullopt;
+    }
+    return NamedFile{path.stem().string(), path.string()};
   }
-  return NamedFile{path.stem().string(), path.string()};
+  for (NamedFile& grid : all_grids()) {
+    if (grid.name == name_or_path) {
+      return std::move(grid);
+    }
+  }
+  return std::nullopt;
 }
 
 std::string no_such_grid(const std::string& name_or_path) {
@@ -123,12 +154,14 @@ std::string no_such_grid(const std::string& name_or_path) {
 
 std::string profile_name(const std::string& path) {
   std::error_code ignored;  // what cannot be resolved is not below the folder
-  fs::path name = fs::weakly_canonical(path, ignored)
-                      .lexically_relative(fs::weakly_canonical(profiles_folder(), ignored));
-  if (name.empty() || *name.begin() == "..") {
-    name = fs::path(path).filename();
+  const fs::path file = fs::weakly_canonical(path, ignored);
+  for (const fs::path& folder : folders()) {
+    fs::path name = file.lexically_relative(fs::weakly_canonical(folder, ignored));
+    if (!name.empty() && *name.begin() != "..") {
+      return name.replace_extension().generic_string();
+    }
   }
-  return name.replace_extension().generic_string();
+  return file.stem().string();
 }
 
 std::string resolve(const std::string& path, const std::string& beside) {
@@ -174,8 +207,7 @@ std::string sha256(const std::string& text) {
 }
 
 std::vector<NamedFile> all_profiles() {
-  require_profiles_folder();
-  auto files = files_below(profiles_folder());
+  auto files = all_files("");
   const auto is_no_profile = [](const NamedFile& file) {
     const fs::path folder = *fs::path(file.name).begin();
     return folder == kGridsFolder || folder == kStationsFolder;
@@ -185,12 +217,11 @@ std::vector<NamedFile> all_profiles() {
 }
 
 std::vector<NamedFile> all_grids() {
-  require_profiles_folder();
-  return files_below(grids_folder());
+  return all_files(kGridsFolder);
 }
 
 std::vector<NamedFile> all_stations() {
-  return files_below(fs::path(profiles_folder()) / kStationsFolder);
+  return all_files(kStationsFolder);
 }
 
 std::vector<std::string> list_grids() {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <boards/boards.hpp>
+#include <installation/installation.hpp>
 #include <profile/files.hpp>
 
 namespace gsbench::station {
@@ -62,13 +63,6 @@ std::vector<emulation::HardwareOutlet> read_outlets(const keys::Table& top) {
   return outlets;
 }
 
-// Where the program's own companions are: beside it.
-std::string companion(const std::string& name) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  return (fs::read_symlink("/proc/self/exe", error).parent_path() / name).string();
-}
-
 }  // namespace
 
 emulation::HardwareOptions read_emulated(const keys::Table& top, const std::string& file_path) {
@@ -89,7 +83,7 @@ StationKind emulated_kind() {
       "processes that the bench starts and ends",
       {keys::text("image", "emulated: the firmware image of the boards in qemu")
            .permits("path")
-           .or_else("the one that was built"),
+           .or_else("the firmware that comes with gsbench"),
        keys::tables(
            "outlet",
            "1 … 64, emulated stations only. A profile with more outlets is cut to what is there, "
@@ -120,8 +114,8 @@ EmulatedStation::EmulatedStation(std::string name, emulation::HardwareOptions op
     : name_(std::move(name)) {
   options.sample_rate_hz = plan.stimulus.sample_rate_hz;
   options.nominal_hz = static_cast<int>(std::lround(plan.grid.nominal_hz));
-  options.image_folder = GSBENCH_M4_IMAGE_FOLDER;
-  options.host_program = companion("gs-outlet");
+  options.image_folder = installation::shipped("firmware").string();
+  options.host_program = installation::program("gs-outlet").string();
   auto hardware = emulation::Hardware::set_up(options);
   if (!hardware.ok()) {
     throw std::runtime_error("station " + name_ + ": " + hardware.error());

@@ -13,6 +13,7 @@
 
 #include <capture/capture.hpp>
 #include <grid/falling_limb.hpp>
+#include <installation/installation.hpp>
 #include <profile/load.hpp>
 #include <waveform/synthesizer.hpp>
 
@@ -119,7 +120,7 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
   record::RunRecord run;
   run.run_id = new_run_id();
   run.started_utc = utc_now();
-  run.gsbench_version = GSBENCH_VERSION;
+  run.gsbench_version = installation::version();
   run.firmware_sha256 = GSBENCH_FIRMWARE_SHA256;
   run.profile = plan.name;
   run.profile_title = plan.title;

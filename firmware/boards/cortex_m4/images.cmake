@@ -45,3 +45,8 @@ add_custom_command(
   COMMENT "Firmware for the Cortex-M4F, with arm-none-eabi-g++"
   VERBATIM)
 add_custom_target(firmware_m4 ALL DEPENDS ${m4_folder}/.built)
+include(GNUInstallDirs)
+foreach(board IN LISTS GSBENCH_BOARDS_cortex_m4)
+  install(FILES ${GSBENCH_M4_IMAGE_FOLDER}/gs-outlet-${board}.elf
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/gsbench/firmware)
+endforeach()

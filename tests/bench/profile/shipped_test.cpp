@@ -128,7 +128,7 @@ TEST(ProfilesFolder, IsTakenFromTheEnvironment) {
 
 TEST(ProfilesFolder, ThatIsMissingIsRefused) {
   const ProfilesElsewhere elsewhere("nowhere/at/all");
-  const std::string says = "nowhere/at/all: no such folder to look for profiles in";
+  const std::string says = "nowhere/at/all: no such folder of profiles";
   EXPECT_THAT(refusal_of_name("paper/loss-500mw"), StartsWith(says));
   EXPECT_THROW(list_profiles(), ConfigurationError);
   EXPECT_THROW(list_grids(), ConfigurationError);

@@ -1,4 +1,5 @@
-// Where profiles, grids and stations are on disk.
+// Where profiles, grids and stations are on disk: the shipped ones, and the user's own in
+// $XDG_DATA_HOME/gsbench/profiles. If $GSBENCH_PROFILES is set, that folder takes the place of both.
 #pragma once
 
 #include <optional>
@@ -20,7 +21,7 @@ NamedFile find_station(const std::string& name_or_path);
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder);
 std::string no_such_grid(const std::string& name_or_path);
 
-// "paper/loss-500mw" for a file below profiles_folder(), else the file's name without extension.
+// "paper/loss-500mw" for a shipped or own profile, else the file's name without extension.
 std::string profile_name(const std::string& path);
 
 // `path` as it stands, where it is absolute; else below the folder that `beside` is in.
@@ -35,7 +36,7 @@ std::string read_file(const std::string& path);
 std::string sha256(const std::string& text);
 std::string sha256_of_file(const std::string& path);
 
-// By name.
+// By name. Throw ConfigurationError if there is no folder of profiles, or two files have one name.
 std::vector<NamedFile> all_profiles();
 std::vector<NamedFile> all_grids();
 std::vector<NamedFile> all_stations();

@@ -18,7 +18,7 @@ namespace gsbench::profile {
 
 using keys::ConfigurationError;
 
-// Folder that profiles are looked for in: $GSBENCH_PROFILES if set, else the shipped ones.
+// $GSBENCH_PROFILES if set, else the folder of the shipped profiles.
 std::string profiles_folder();
 
 // Seeds are 0 … this: whole numbers that every reader of JSON keeps exactly.
