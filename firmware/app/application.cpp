@@ -6,7 +6,7 @@ namespace gs::app {
 using wire::UplinkKind;
 
 bool Application::start(const outlet::Hardware& hardware, const Identity& identity,
-                        SettingsStorage* area, Outbox& outbox, const outlet::Settings* kept) {
+                        SettingsStorage* storage, Outbox& outbox, const outlet::Settings* kept) {
   state_ = outlet::State{};
   counts_ = Counts{};
   started_ = outlet::configure(hardware, config_);
@@ -14,9 +14,9 @@ bool Application::start(const outlet::Hardware& hardware, const Identity& identi
     return false;
   }
   identity_ = identity;
-  area_ = area;
+  storage_ = storage;
   const bool refused = kept != nullptr && !restore(*kept);
-  introduce(outbox);
+  send_hello(outbox);
   if (refused) {
     note(wire::ErrorCode::kSettingsStorage, outbox);
   }
@@ -40,7 +40,7 @@ void Application::feed(const std::int16_t* samples, std::size_t count, Outbox& o
     done += taken;
     counts_.samples += taken;
     if (ready) {
-      tell(report, outbox);
+      send_report(report, outbox);
     }
   }
 }
@@ -55,11 +55,11 @@ void Application::receive(const wire::Downlink& downlink, Outbox& outbox) {
     case wire::DownlinkKind::kCommand:
       return take_command(downlink, outbox);
     case wire::DownlinkKind::kIdentify:
-      return introduce(outbox);
+      return send_hello(outbox);
     case wire::DownlinkKind::kAskStatus:
-      return report_status(outbox);
+      return send_status(outbox);
     case wire::DownlinkKind::kAskSelfTest:
-      return test_itself(outbox);
+      return run_self_test(outbox);
     case wire::DownlinkKind::kPing:
       return put(outbox, UplinkKind::kEcho, &wire::Uplink::echo, {downlink.token});
   }
@@ -84,7 +84,7 @@ void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
   note(wire::ErrorCode::kSamplesLost, outbox);
 }
 
-void Application::introduce(Outbox& outbox) const {
+void Application::send_hello(Outbox& outbox) const {
   wire::Hello hello = identity_;
   hello.firmware_version = kFirmwareVersion;
   hello.sample_rate_hz = config_.hardware.sample_rate_hz;
@@ -103,10 +103,10 @@ void Application::take_settings(const wire::Downlink& sent, Outbox& outbox) {
   const outlet::SettingsError error = sent.settings_error != outlet::SettingsError::kNone
                                           ? sent.settings_error
                                           : outlet::apply(config_, state_, settings);
-  // An outlet that cannot keep them still follows them; the answer says so.
-  const bool tried = error == outlet::SettingsError::kNone && area_ != nullptr;
-  const bool kept = tried && area_->keep(settings);
-  // Where none are in force, 0 and 0, as in the hello.
+  // Settings that cannot be stored are applied all the same; the answer then has kept = false.
+  const bool tried = error == outlet::SettingsError::kNone && storage_ != nullptr;
+  const bool kept = tried && storage_->keep(settings);
+  // Version and digest are 0 without settings, as in the hello.
   put(outbox, UplinkKind::kSettingsAnswer, &wire::Uplink::settings_answer,
       {error, config_.has_settings ? config_.settings.version : 0,
        config_.has_settings ? outlet::digest(config_.settings) : 0, kept});
@@ -120,11 +120,11 @@ void Application::take_command(const wire::Downlink& command, Outbox& outbox) {
   put(outbox, UplinkKind::kCommandAnswer, &wire::Uplink::command_answer,
       {command.request, state_.relay_closed});
   if (changed) {
-    report_relay(outbox);
+    send_relay(outbox);
   }
 }
 
-void Application::test_itself(Outbox& outbox) const {
+void Application::run_self_test(Outbox& outbox) const {
   wire::SelfTest result;
   result.fingerprint = arithmetic_fingerprint();
   const auto errors = [&](wire::ErrorCode code) {
@@ -133,7 +133,7 @@ void Application::test_itself(Outbox& outbox) const {
   if (result.fingerprint != kFingerprint) {
     result.failed |= wire::kArithmetic;
   }
-  if (area_ != nullptr && !area_->usable()) {
+  if (storage_ != nullptr && !storage_->usable()) {
     result.failed |= wire::kSettingsStorage;
   }
   if (errors(wire::ErrorCode::kClock) > 0) {
@@ -145,13 +145,13 @@ void Application::test_itself(Outbox& outbox) const {
   put(outbox, UplinkKind::kSelfTest, &wire::Uplink::self_test, result);
 }
 
-void Application::report_status(Outbox& outbox) const {
+void Application::send_status(Outbox& outbox) const {
   put(outbox, UplinkKind::kStatus, &wire::Uplink::status,
       {state_.reports, state_.relay_closed, state_.cause, state_.phase, counts_.samples_lost,
        counts_.messages_bad, counts_.messages_unsent});
 }
 
-void Application::tell(const outlet::Report& report, Outbox& outbox) const {
+void Application::send_report(const outlet::Report& report, Outbox& outbox) const {
   put(outbox, UplinkKind::kMeasurement, &wire::Uplink::measurement,
       {report.measurement.frequency_hz, report.measurement.rocof_hz_s,
        report.measurement.voltage_pu, report.measurement.validity});
@@ -173,7 +173,7 @@ void Application::tell(const outlet::Report& report, Outbox& outbox) const {
         {report.loss_mw, report.required_mw, report.hits, report.trust, shed});
   }
   if ((report.happened & outlet::kRelay) != 0) {
-    report_relay(outbox);
+    send_relay(outbox);
   }
   if ((report.happened & outlet::kAborted) != 0) {
     outbox.put(message(UplinkKind::kAborted));
@@ -190,12 +190,12 @@ wire::Uplink Application::message(UplinkKind kind) const {
 template <class Content>
 void Application::put(Outbox& outbox, UplinkKind kind, Content wire::Uplink::*part,
                       const Content& content) const {
-  wire::Uplink told = message(kind);
-  told.*part = content;
-  outbox.put(told);
+  wire::Uplink uplink = message(kind);
+  uplink.*part = content;
+  outbox.put(uplink);
 }
 
-void Application::report_relay(Outbox& outbox) const {
+void Application::send_relay(Outbox& outbox) const {
   put(outbox, UplinkKind::kRelay, &wire::Uplink::relay, {state_.relay_closed, state_.cause});
 }
 

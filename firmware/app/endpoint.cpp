@@ -7,7 +7,7 @@ using wire::ErrorCode;
 
 void MessageEndpoint::put(const wire::Uplink& message) {
   const std::size_t size = wire::encode(message, sent_, bytes_, sizeof bytes_);
-  // Numbered also when it is not taken: the other side sees the gap.
+  // A message that the carrier refuses uses up a number: the other side sees the gap.
   ++sent_;
   if (!carrier_.send(bytes_, size)) {
     app_.note_unsent();
@@ -25,7 +25,7 @@ void MessageEndpoint::receive(const std::uint8_t* bytes, std::size_t size) {
     case Decoded::kOk:
       break;
   }
-  // Whoever asks for identity restarts.
+  // A peer that sends identify has restarted its numbering.
   if (message.kind == wire::DownlinkKind::kIdentify) {
     received_.restart();
   }

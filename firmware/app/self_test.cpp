@@ -7,8 +7,8 @@ namespace gs::app {
 
 std::uint32_t arithmetic_fingerprint() {
   constexpr float kNominal_hz = 50.0f;
-  // Of a system much like the modified IEEE 24-bus one; the numbers only have to be the same
-  // everywhere. Without the front end, whose tables would not fit into an outlet's memory twice.
+  // A system similar to the modified IEEE 24-bus system; the numbers only have to be the same on
+  // every board. The front end is left out: its tables do not fit into the memory twice.
   outlet::Settings settings;
   settings.response = {9.13e-4f, 0.2993f, 0.0682f, 1.262f};
   settings.largest_loss_mw = 2745.0f;

@@ -11,7 +11,7 @@ const char* to_string(Trust trust) {
       "not yet estimated",
       "frequency not steady before the event",
       "measurements do not follow the model",
-      "at the bound of what is physical",
+      "estimate at a physical bound",
       "too uncertain",
   };
   return name_of<kLastTrust>(trust, kNames);
@@ -25,8 +25,8 @@ void begin(EstimatorState& state, const Baseline& baseline) {
 void observe(const Settings& settings, float nominal_hz, EstimatorState& state, bool valid,
              float frequency_hz, const Line& line) {
   if (valid) {
-    // Not during the LSE: the tracker is still catching up with the corner then, and its slope is
-    // steeper than the grid's.
+    // Hits are not counted during the LSE: the tracker has not settled after the onset, and its
+    // slope is steeper than the grid's.
     if (state.started && condition_met(settings, nominal_hz, line)) {
       ++state.hits;
     }

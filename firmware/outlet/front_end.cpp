@@ -4,8 +4,8 @@
 namespace gs::outlet {
 namespace {
 
-// Half of the symmetrical filter, from its middle outwards: least peak error over the stop bands
-// named in the header, weighted 45, 75 and 55 dB. Its sum is 0.5.
+// Half of the symmetrical filter, from its middle outwards. Equiripple design for the stop bands in
+// the header, weighted 45, 75 and 55 dB. The half's sum is 0.5.
 constexpr float kTaps[kFilterLength / 2] = {
     3.63979177e-02f, 3.61150703e-02f, 3.55677001e-02f, 3.47832399e-02f, 3.37857209e-02f,
     3.25880527e-02f, 3.11941467e-02f, 2.96095897e-02f, 2.78538605e-02f, 2.59657007e-02f,
@@ -50,11 +50,11 @@ void close_millisecond(const FrontEndConfig& config, FrontEndState& state) {
 }  // namespace
 
 bool make_front_end(const Hardware& hardware, FrontEndConfig& config) {
-  const bool rate_served = hardware.sample_rate_hz >= 1000 &&
-                           hardware.sample_rate_hz <= kMaxSampleRate_hz &&
-                           hardware.sample_rate_hz % 1000 == 0;
-  const bool nominal_served = hardware.nominal_hz == 50 || hardware.nominal_hz == 60;
-  if (!rate_served || !nominal_served || !(hardware.counts_per_pu >= 1.0f) ||
+  const bool rate_supported = hardware.sample_rate_hz >= 1000 &&
+                              hardware.sample_rate_hz <= kMaxSampleRate_hz &&
+                              hardware.sample_rate_hz % 1000 == 0;
+  const bool nominal_supported = hardware.nominal_hz == 50 || hardware.nominal_hz == 60;
+  if (!rate_supported || !nominal_supported || !(hardware.counts_per_pu >= 1.0f) ||
       !(hardware.counts_per_pu <= 32767.0f)) {
     return false;
   }
@@ -70,7 +70,7 @@ bool make_front_end(const Hardware& hardware, FrontEndConfig& config) {
     step = 2 * step > length ? step - length : step;
     const float angle = kTwoPi * static_cast<float>(step) / static_cast<float>(length);
     config.cosine[n] = rounded(kTableScale * cosine(angle));
-    // The sine of the conjugate: mixing down turns against the signal.
+    // Conjugate: mixing down multiplies by e^(−jωt).
     config.sine[n] = rounded(-kTableScale * sine(angle));
   }
   return true;

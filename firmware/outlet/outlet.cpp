@@ -5,7 +5,7 @@
 namespace gs::outlet {
 namespace {
 
-// After a decision the detector is armed again once f has been steady for half a second.
+// After a decision, f must be steady for half a second before the detector is armed again.
 constexpr std::uint16_t kSteadyReports = 31;
 
 void open_relay(State& state, Report& report, Cause cause) {
@@ -16,8 +16,8 @@ void open_relay(State& state, Report& report, Cause cause) {
   }
 }
 
-// Criterion (1): enough conditions met, an estimate to be trusted, and more to shed than what less
-// important outlets shed already.
+// Criterion (1): sheds if enough conditions were met, the estimate is trusted, and more is required
+// than less important outlets shed.
 void decide(const Settings& settings, State& state, Report& report) {
   report.required_mw = required_mw(state.estimator.ekf.loss_mw, settings.threshold_mw);
   report.trust = trust(settings, state.estimator);
@@ -57,7 +57,7 @@ void cool_down(State& state, const Report& report, bool valid) {
   }
 }
 
-// Criterion (2): independent of everything above.
+// Criterion (2), independent of the estimate.
 void watch_switch_off_frequency(const Settings& settings, State& state, Report& report,
                                 bool valid) {
   if (!valid) {
@@ -77,14 +77,14 @@ void remember(State& state, const Measurement& measurement) {
       note_gap(state.history);
       break;
     case Validity::kInvalid:
-      // What was before a dead bus says nothing about what comes after.
+      // Frequencies from before a dead bus do not apply to the time after it.
       state.history = History{};
       break;
   }
 }
 
-// Nothing but the voltage is known of it.
-void distrust(Measurement& measurement) {
+// Leaves only the voltage.
+void invalidate_frequency(Measurement& measurement) {
   measurement.frequency_hz = kNotANumber;
   measurement.rocof_hz_s = kNotANumber;
   measurement.validity = Validity::kInvalid;
@@ -122,7 +122,7 @@ const char* to_string(Cause cause) {
 }
 
 bool configure(const Hardware& hardware, Config& config) {
-  // Field by field: a whole Config to copy from would not fit onto an outlet's stack.
+  // Field by field: a temporary Config would not fit onto an outlet's stack.
   config.hardware = hardware;
   config.settings = Settings{};
   config.has_settings = false;
@@ -171,7 +171,7 @@ std::size_t step(const Config& config, State& state, const std::int16_t* samples
   report.measurement =
       track(config.settings.tracker, nominal_hz, state.tracker, phasor(state.front_end));
   if (!config.hardware.has_crystal) {
-    distrust(report.measurement);
+    invalidate_frequency(report.measurement);
   }
   remember(state, report.measurement);
   const int window = config.settings.rocof_samples;

@@ -6,7 +6,7 @@
 namespace gs::outlet {
 namespace {
 
-// The first field that is out of its range decides.
+// Keeps the error of the first field that is out of range.
 struct RangeCheck {
   float nominal_hz;
   SettingsError error = SettingsError::kNone;
@@ -28,7 +28,7 @@ struct RangeCheck {
   }
 };
 
-// Every integer as a 32-bit word, every float as its bits.
+// Adds every integer as a 32-bit word and every float as its bits.
 struct Digest {
   Crc32 crc;
 
@@ -49,8 +49,8 @@ struct Digest {
   }
 };
 
-// Of a plant that settles, by a series that carries it as far as the estimator goes.
-bool response_served(const Settings& s) {
+// True for a stable response that stays within the series' limits over the estimator's time.
+bool response_supported(const Settings& s) {
   const Response& r = s.response;
   const float tau_s =
       -kEarliestLoss_s + kReport_s * static_cast<float>(s.lse_samples + s.ekf_samples);
@@ -74,13 +74,13 @@ bool descending(const Settings& s) {
 const char* to_string(SettingsError error) {
   static constexpr const char* kNames[] = {
       "accepted",
-      "a setting that this firmware does not know",
+      "setting unknown to this firmware",
       "frequency response out of range",
       "threshold or largest loss out of range",
       "accumulated power negative",
       "switching-off frequency not from 80 % of nominal to below nominal",
       "load-shedding conditions missing, too many or not descending",
-      "a number of samples out of range",
+      "number of samples out of range",
       "event drop or departure out of range",
       "estimator settings out of range",
       "tracker settings out of range",
@@ -95,7 +95,7 @@ SettingsError validate(const Settings& s, float nominal_hz) {
   if (ranges.error != SettingsError::kNone) {
     return ranges.error;
   }
-  if (!response_served(s)) {
+  if (!response_supported(s)) {
     return SettingsError::kResponse;
   }
   if (!descending(s)) {

@@ -4,24 +4,23 @@
 namespace gs::outlet {
 namespace {
 
-// Beside what the settings allow, an innovation may change by so many of the filter's own standard
-// deviations: that is little once settled, and much right after a leap, when the filter is to find
-// a frequency that has moved on.
+// The phase gate is wider than the setting by this many predicted standard deviations. That is
+// little for a settled filter, and much after a phase step, when the frequency may have changed.
 constexpr float kSigmasAllowed = 5.0f;
-// While coasting nothing is corrected, and at 10 Hz/s a phase runs away by 0.1 rad a report after
-// 0.1 s: only what turns further is another leap.
+// The phase gate is wider while coasting: no correction is made then, and after 0.1 s at 10 Hz/s
+// the phase error grows by 0.1 rad per report. Only a larger change counts as another phase step.
 constexpr float kCoastingFactor = 8.0f;
-// A leap is over when nothing has leapt for this long; the front end's memory of 56 ms spreads one
-// over four reports.
+// Reports within the gate that end coasting. The front end's window of 56 ms spreads a step over
+// four reports.
 constexpr std::uint8_t kReportsToClear = 3;
-// After so many reports in a row without a measurement, what the filter kept is of no use.
+// After this many reports without a measurement, the kept frequency is no longer usable.
 constexpr std::uint8_t kLongestHold = 16;
 constexpr std::uint16_t kReportsToSettle = 16;
-// Standard deviation up to which a frequency is claimed, 20 mHz: ten times that of the settled
-// filter at 1 % noise.
-constexpr float kLargestClaimedSigma = kTwoPi * 0.020f;
+// Largest standard deviation of a frequency that is reported as valid, 20 mHz: ten times that of
+// the settled filter at 1 % noise.
+constexpr float kLargestValidSigma = kTwoPi * 0.020f;
 
-// Beyond these the state is no grid's: ±15 Hz, ±30 Hz/s.
+// Bounds of the state, beyond those of any grid: ±15 Hz, ±30 Hz/s.
 constexpr float kLargestOmega = kTwoPi * 15.0f;
 constexpr float kLargestAlpha = kTwoPi * 30.0f;
 
@@ -31,7 +30,7 @@ bool beyond(float x, float limit) {
   return x > limit || x < -limit;
 }
 
-// White noise turns a shorter phasor further: by how much more than one of nominal length.
+// White noise rotates a shorter phasor further. Factor relative to nominal amplitude; at least 1.
 float phase_noise_factor(const TrackerState& s) {
   return s.amplitude < 1.0f ? 1.0f / s.amplitude : 1.0f;
 }
@@ -80,7 +79,7 @@ void correct(const TrackerSettings& settings, TrackerState& s, float innovation_
       bounded(s.omega_rad_s + gain_omega * innovation_rad, -kLargestOmega, kLargestOmega);
   s.alpha_rad_s2 =
       bounded(s.alpha_rad_s2 + gain_alpha * innovation_rad, -kLargestAlpha, kLargestAlpha);
-  // (1 − gain)·p, written so that no entry of the diagonal can fall below zero.
+  // (1 − gain)·p, written so that the diagonal cannot become negative.
   const float keep = r * inverse;
   s.last_innovation_rad = keep * innovation_rad;
   p[kAA] = maximum(p[kAA] - gain_alpha * p[kPA], 0.0f);
@@ -95,7 +94,7 @@ void correct(const TrackerSettings& settings, TrackerState& s, float innovation_
   s.last_innovation_amplitude = (1.0f - kAmplitudeGain) * innovation_amplitude;
 }
 
-// Phase and amplitude from the phasor itself; what is known of the frequency stays.
+// Takes phase and amplitude from the phasor; keeps the frequency.
 void take_phase(TrackerState& s, const Phasor& z, float amplitude) {
   s.phase_rad = angle_of(z.quadrature, z.in_phase);
   s.amplitude = amplitude;
@@ -119,30 +118,30 @@ void acquire(const TrackerSettings& settings, TrackerState& s, const Phasor& z, 
   take_phase(s, z, amplitude);
   s.omega_rad_s = 0.0f;
   s.alpha_rad_s2 = 0.0f;
-  // Anything within ±5 Hz and ±2 Hz/s is as likely as not.
+  // Standard deviations of an unknown frequency and ROCOF: 5 Hz, 2 Hz/s.
   set_covariance(settings, s, kTwoPi * 5.0f, kTwoPi * 2.0f);
   s.age = 0;
   s.held = 0;
 }
 
-// One report of coasting over a leap.
+// One report of coasting over a phase or amplitude step.
 void coast(const TrackerSettings& settings, TrackerState& s, const Phasor& z, float amplitude,
-           bool leapt) {
+           bool outside_gate) {
   s.coasting = true;
-  s.quiet = leapt ? std::uint8_t{0} : static_cast<std::uint8_t>(s.quiet + 1);
+  s.quiet = outside_gate ? std::uint8_t{0} : static_cast<std::uint8_t>(s.quiet + 1);
   ++s.held;
   if (s.held >= kLongestHold) {
     acquire(settings, s, z, amplitude);
   } else if (s.quiet >= kReportsToClear) {
     take_phase(s, z, amplitude);
-    // What happened meanwhile the filter has not seen: ±0.25 Hz, ±3 Hz/s.
+    // Standard deviations of what changed while coasting: 0.25 Hz, 3 Hz/s.
     set_covariance(settings, s, kTwoPi * 0.25f, kTwoPi * 3.0f);
   }
 }
 
-// Did anything happen since the last report that grids do not cause?
-bool leaps(const TrackerSettings& settings, const TrackerState& s, float innovation_rad,
-           float innovation_amplitude) {
+// True if either innovation changed by more than its gate since the last report.
+bool innovations_outside_gate(const TrackerSettings& settings, const TrackerState& s,
+                              float innovation_rad, float innovation_amplitude) {
   const float gate_rad = settings.innovation_gate_rad * phase_noise_factor(s);
   const float limit_rad =
       gate_rad * (s.coasting ? kCoastingFactor : 1.0f) + kSigmasAllowed * root(s.covariance[kPP]);
@@ -187,20 +186,21 @@ Measurement track(const TrackerSettings& settings, float nominal_hz, TrackerStat
   const float along = z.in_phase * cos_phase + z.quadrature * sin_phase;
   const float across = z.quadrature * cos_phase - z.in_phase * sin_phase;
   const bool settling = s.age < kReportsToSettle;
-  // The angle itself and the length itself, neither of which can run away, whatever was missed: the
-  // frequency may be far off while settling, and the voltage come back before a leap is looked for.
+  // Phase innovation as an angle and amplitude innovation as a ratio: both stay meaningful when the
+  // predicted phasor is far off, as while settling or when the voltage returns.
   const float innovation_rad = angle_of(across, along);
   const float innovation_amplitude = amplitude / s.amplitude - 1.0f;
 
-  const bool leapt = leaps(settings, s, innovation_rad, innovation_amplitude);
-  if (leapt && settling) {
+  const bool outside_gate =
+      innovations_outside_gate(settings, s, innovation_rad, innovation_amplitude);
+  if (outside_gate && settling) {
     acquire(settings, s, z, amplitude);
     return report(nominal_hz, s, z, Validity::kInvalid);
   }
-  if (leapt || s.coasting) {
+  if (outside_gate || s.coasting) {
     s.last_innovation_rad = innovation_rad;
     s.last_innovation_amplitude = innovation_amplitude;
-    coast(settings, s, z, amplitude, leapt);
+    coast(settings, s, z, amplitude, outside_gate);
     return report(nominal_hz, s, z, Validity::kHeld);
   }
   correct(settings, s, innovation_rad, innovation_amplitude);
@@ -209,8 +209,8 @@ Measurement track(const TrackerSettings& settings, float nominal_hz, TrackerStat
     s.held = 0;
     return report(nominal_hz, s, z, Validity::kInvalid);
   }
-  // After a leap the frequency is claimed only once it has been found again.
-  if (s.covariance[kWW] > kLargestClaimedSigma * kLargestClaimedSigma) {
+  // After coasting, the frequency is valid only once its uncertainty is small again.
+  if (s.covariance[kWW] > kLargestValidSigma * kLargestValidSigma) {
     return report(nominal_hz, s, z, Validity::kHeld);
   }
   s.held = 0;

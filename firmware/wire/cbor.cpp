@@ -81,7 +81,7 @@ Reader::Head Reader::peek() const {
   head.value = head.info;
   if (head.info >= 24) {
     if (head.info > 27) {
-      return {};  // indefinite lengths, and what is reserved
+      return {};  // indefinite lengths and reserved values
     }
     const std::size_t bytes = std::size_t{1} << (head.info - 24);
     if (static_cast<std::size_t>(end_ - head.end) < bytes) {
@@ -92,7 +92,7 @@ Reader::Head Reader::peek() const {
       head.value = (head.value << 8) | *head.end++;
     }
     if (head.major == kSimple && head.info == kSimpleByte && head.value < kFirstLongSimple) {
-      return {};  // has a form of one byte, the only one RFC 8949, §3.3 allows
+      return {};  // RFC 8949, §3.3 requires the one-byte form
     }
   }
   return head;
@@ -105,7 +105,7 @@ bool Reader::pass(const Head& head) {
 
 bool Reader::container(std::uint8_t wanted, std::size_t items_each, std::size_t& count) {
   const Head head = peek();
-  // Each item takes a byte at least.
+  // Each item takes at least one byte.
   if (head.major != wanted || head.value > static_cast<std::size_t>(end_ - head.end) / items_each) {
     return false;
   }
@@ -171,7 +171,7 @@ bool Reader::text(char* out, std::size_t most) {
 
 bool Reader::skip() {
   Reader next = *this;
-  // Items still to be passed over; what an item holds is added to them, so that nothing nests.
+  // Items still to be skipped. Those inside a container are added, so that no recursion is needed.
   std::uint64_t items = 1;
   while (items > 0) {
     const Head head = next.peek();

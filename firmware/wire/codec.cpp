@@ -83,7 +83,7 @@ struct SettingsDecoder {
   }
 };
 
-// What the map leaves out has its default. `unknown`: a key that no setting has.
+// Keys missing from the map have their defaults. `unknown` is set if a key is not a known setting.
 bool read_settings(cbor::Reader& reader, outlet::Settings& settings, bool& unknown) {
   static_assert(kSettingsFieldCount <= 32, "one bit each");
   std::size_t pairs = 0;
@@ -145,7 +145,7 @@ struct Encoder {
   void settings(const Downlink& message) { write_settings(writer, message.settings); }
 };
 
-// What a later version has added; nothing may follow the array.
+// Skips items added by a later version. Fails if bytes follow the array.
 bool pass_over(cbor::Reader& reader, std::size_t items) {
   for (; items > 0; --items) {
     if (!reader.skip()) {
@@ -155,7 +155,7 @@ bool pass_over(cbor::Reader& reader, std::size_t items) {
   return reader.left() == 0;
 }
 
-// After the first field that is not what it must be, takes nothing more.
+// Stops reading at the first field that is missing, of another type or out of range.
 struct Decoder {
   cbor::Reader& reader;
   std::size_t items;  // left of the array
@@ -207,7 +207,7 @@ std::size_t finished(const cbor::Writer& writer) {
   return writer.ok() ? writer.size() : 0;
 }
 
-// All that stands behind kind and sequence. Each `M` is the message or its const form.
+// Visits everything after kind and sequence. `M`: the message type, or its const form.
 template <class M, class V>
 void fields(M& message, V& visit) {
   if constexpr (std::is_same_v<std::remove_const_t<M>, Uplink>) {

@@ -4,9 +4,9 @@
 namespace gs::wire {
 namespace {
 
-constexpr std::uint8_t kFullGroup = 0xFF;  // 254 bytes, and no zero behind them
+constexpr std::uint8_t kFullGroup = 0xFF;  // 254 bytes without a zero after them
 
-// Takes bytes one by one and writes them as COBS groups.
+// COBS encoder, byte by byte.
 class Stuffer {
  public:
   Stuffer(std::uint8_t* out, std::size_t capacity) : out_(out), capacity_(capacity) {
@@ -91,7 +91,7 @@ FrameReader::Taken FrameReader::take(std::uint8_t byte) {
     size_ = 0;
   }
   if (to_come_ == 0) {
-    // The zero that a group stands for is written only when another group follows it.
+    // A group's zero is part of the data only if another group follows.
     if (code_ != 0 && code_ != kFullGroup) {
       put(0);
     }
@@ -119,11 +119,11 @@ FrameReader::Taken FrameReader::end_frame() {
   size_ -= kCrcLength;
   outlet::Crc32 crc;
   crc.add(bytes_, size_);
-  std::uint32_t said = 0;
+  std::uint32_t received_crc = 0;
   for (std::size_t i = 0; i < kCrcLength; ++i) {
-    said |= static_cast<std::uint32_t>(bytes_[size_ + i]) << (8 * i);
+    received_crc |= static_cast<std::uint32_t>(bytes_[size_ + i]) << (8 * i);
   }
-  return crc.value() == said ? Taken::kMessage : Taken::kBadFrame;
+  return crc.value() == received_crc ? Taken::kMessage : Taken::kBadFrame;
 }
 
 Sequence::Order Sequence::take(std::uint32_t sequence) {

@@ -7,15 +7,15 @@ set(m4_libraries
     firmware_boards_superloop
     firmware_boards_cortex_m4)
 
-# Of images: what ships, and what must not be, for the tests that show that they would see it.
+# Options of images. CONTRACTED must never ship: tests use it to show that they detect it.
 set(GSBENCH_M4_O2 -O2 -ffp-contract=off)
 set(GSBENCH_M4_OS -Os -ffp-contract=off)
 set(GSBENCH_M4_CONTRACTED -O2 -ffp-contract=fast)
 
-# gs_m4_image(NAME LIBRARIES the board's own… OPTIONS compiler options): bin/NAME.elf
+# gs_m4_image(NAME LIBRARIES board libraries… OPTIONS compiler options…) makes bin/NAME.elf.
 #
-# All firmware is compiled anew for each image, with the image's own options: the folders' libraries
-# give their sources and include roots only, and are not built themselves.
+# All firmware is compiled again for each image, with the image's own options. The libraries only
+# supply their sources and include roots, and are not built themselves.
 function(gs_m4_image name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;OPTIONS")
   set(all_sources "")
@@ -47,7 +47,7 @@ function(gs_m4_image name)
             -fdata-sections
             -g1
             ${arg_OPTIONS})
-  # Without libstdc++'s and newlib's start-up, which want a heap and an operating system.
+  # Without the start-up code of libstdc++ and newlib, which requires a heap and an operating system.
   target_link_options(
     ${name}
     PRIVATE

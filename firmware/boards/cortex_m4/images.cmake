@@ -1,11 +1,11 @@
-# The images for other builds: made by a build of their own, in firmware-m4/ beside it, whenever a
-# source of theirs has changed. Sets GSBENCH_M4_IMAGE_FOLDER and GSBENCH_M4_IMAGE (the emulated
-# outlet's) in the cache, and the target `firmware_m4` that both need. The compiler is looked for
-# only when that is built: a run on simulated outlets needs neither.
+# Images for other builds, made by a separate cross build in firmware-m4/ whenever one of their
+# sources has changed. Sets GSBENCH_M4_IMAGE_FOLDER and GSBENCH_M4_IMAGE (the emulated outlet's image)
+# in the cache, and defines the target `firmware_m4` that builds them. The cross compiler is looked
+# for only when that target is built: runs on simulated outlets do not need it.
 set(m4_folder ${PROJECT_BINARY_DIR}/firmware-m4)
 set(GSBENCH_M4_IMAGE_FOLDER
     ${m4_folder}/bin
-    CACHE INTERNAL "Where the images for the Cortex-M4F are")
+    CACHE INTERNAL "Folder of the images for the Cortex-M4F")
 set(GSBENCH_M4_IMAGE
     ${GSBENCH_M4_IMAGE_FOLDER}/gs-outlet-mps2_an386.elf
     CACHE INTERNAL "The emulated outlet's image")
@@ -28,7 +28,7 @@ file(
   ${PROJECT_SOURCE_DIR}/firmware/*.ld
   ${PROJECT_SOURCE_DIR}/firmware/*.cmake
   ${PROJECT_SOURCE_DIR}/firmware/*CMakeLists.txt)
-# The preset's own folder would be shared by all builds of the tree, which may run at once.
+# Not in the preset's own folder: all builds of the tree would share it, and they can run at once.
 add_custom_command(
   OUTPUT ${m4_folder}/.built
   BYPRODUCTS ${images}

@@ -1,4 +1,4 @@
-// From reset to main().
+// Start-up code, from reset to main().
 #include <cortex_m4/core.hpp>
 #include <cortex_m4/vectors.hpp>
 
@@ -18,7 +18,7 @@ extern std::uint32_t gs_bss_end[];
 int main();
 
 [[noreturn]] void gs_start() {
-  // Volatile: no call of memcpy for memory that is not set up yet.
+  // Volatile, so that the compiler does not call memcpy before memory is set up.
   const volatile std::uint32_t* from = gs_data_load;
   for (volatile std::uint32_t* to = gs_data_start; to != gs_data_end; ++to, ++from) {
     *to = *from;
@@ -26,16 +26,16 @@ int main();
   for (volatile std::uint32_t* to = gs_bss_start; to != gs_bss_end; ++to) {
     *to = 0;
   }
-  // Interrupts, too, start their floating point as IEEE 754 has it: round to nearest, subnormal
-  // numbers kept, NaN as it comes.
+  // FPDSCR: interrupt handlers, too, start with IEEE 754 defaults: round to nearest, subnormal
+  // numbers and NaN payloads preserved.
   gs::cortex_m4::word_at(0xE000EF3Cu) = 0;
   main();
   gs_hang();
   __builtin_unreachable();
 }
 
-// The floating-point unit has to be on before any compiled code: a compiler may use its registers
-// anywhere. The stack is painted, so that its use can be read off.
+// Enables the floating-point unit before any compiled code, because a compiler may use its
+// registers anywhere. Fills the stack with a pattern, so that its use can be measured.
 __attribute__((naked)) void gs_reset() {
   asm volatile(
       "ldr r0, =0xE000ED88\n\t"  // CPACR: full access to coprocessors 10 and 11
@@ -56,7 +56,7 @@ __attribute__((naked)) void gs_reset() {
       ".ltorg");
 }
 
-// Called through an abstract class while it is being built: a defect, and there is no one to tell.
+// Called if a pure virtual function is called during construction: a defect.
 void __cxa_pure_virtual() {
   gs_hang();
 }

@@ -66,7 +66,7 @@ shared_memory_io::SharedMemory* map_terminals(const std::string& path, std::stri
   auto* terminals =
       mapped == MAP_FAILED ? nullptr : static_cast<shared_memory_io::SharedMemory*>(mapped);
   if (terminals == nullptr || terminals->magic != shared_memory_io::kMagic) {
-    why = path + ": holds no terminals";
+    why = path + ": not a terminals file";
     return nullptr;
   }
   return terminals;

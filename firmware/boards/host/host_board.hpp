@@ -1,5 +1,5 @@
-// An outlet as a process of this machine: terminals in a mapped file in place of ADC, coil and
-// flash, a line in place of a radio or a UART.
+// An outlet as a process of this machine. The terminals, a mapped file, replace ADC, relay coil and
+// flash; a line replaces a radio or a UART.
 #pragma once
 
 #include "line.hpp"
@@ -19,11 +19,12 @@ class HostBoard final : public superloop::Board {
   HostBoard(const HostBoard&) = delete;
   HostBoard& operator=(const HostBoard&) = delete;
 
-  // Connects to the doorbell, on which the bench rings for each block of samples.
+  // Connects to the doorbell, a socket on which the bench sends a byte after each block of samples.
+  // Returns false with the reason in `why`.
   bool start(const std::string& doorbell, std::string& why);
 
-  // Returns when there are samples or bytes, or after a tenth of a second. False where the bench is
-  // gone: nothing will ever ring again.
+  // Blocks until samples or bytes arrive, at most a tenth of a second. Returns false if the bench
+  // has closed the doorbell.
   bool wait();
 
   bool send(const std::uint8_t* bytes, std::size_t count) override {
@@ -43,7 +44,7 @@ class HostBoard final : public superloop::Board {
   int doorbell_ = -1;
 };
 
-// Maps the file; null, with the reason, where it holds no terminals.
+// Maps the file. Returns null with the reason in `why` if it is not a terminals file.
 shared_memory_io::SharedMemory* map_terminals(const std::string& path, std::string& why);
 
 }  // namespace gs::host

@@ -1,4 +1,4 @@
-// What carries a host outlet's frames: a line over TCP, or a broker.
+// Carries a host outlet's frames: a line over TCP, or a broker.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +20,11 @@ class Line : public app::Carrier {
     received_.pop_front();
     return true;
   }
-  // Sees to what came and what waits to be sent.
+  // Receives, and sends what is queued. Does not block.
   virtual void serve() = 0;
   virtual int descriptor() const = 0;  // -1: none now
   virtual bool wants_to_write() const = 0;
-  // True once where the other end may have lost sight of the outlet: it then says hello again.
+  // True once after a reconnection: the outlet must then send its hello again.
   virtual bool take_reconnected() { return false; }
 
  protected:

@@ -29,16 +29,18 @@ constexpr const char* kHelp =
     "\n"
     "usage: gs-outlet --tcp ADDRESS:PORT | --mqtt URL  --terminals FILE --doorbell SOCKET\n"
     "\n"
-    "  --tcp ADDRESS:PORT    where its line is connected to: 127.0.0.1:5000\n"
-    "  --mqtt URL            or the broker: mqtts://host:port, mqtt://host:port without TLS\n"
-    "    --ca FILE             certificate that vouches for the broker\n"
-    "    --user NAME           its name there; without: its id\n"
-    "    --password-file FILE  holds its password in the first line\n"
-    "  --terminals FILE      memory that stands for its ADC, relay and flash; the bench makes\n"
-    "                        it, with the outlet's id\n"
-    "  --doorbell SOCKET     on which the bench rings for each block of samples\n"
+    "  --tcp ADDRESS:PORT    connect a serial line to this address: 127.0.0.1:5000\n"
+    "  --mqtt URL            connect to this broker: mqtts://host:port, or mqtt://host:port\n"
+    "                        without TLS\n"
+    "    --ca FILE             CA certificate that the broker's certificate is checked against\n"
+    "    --user NAME           user name at the broker; default: the outlet's id\n"
+    "    --password-file FILE  file with the password in its first line\n"
+    "  --terminals FILE      shared memory in place of ADC, relay and flash; made by the bench,\n"
+    "                        with the outlet's id\n"
+    "  --doorbell SOCKET     socket on which the bench signals each block of samples\n"
     "\n"
-    "It ends when the bench is gone. Exit codes: 0 so, or by SIGTERM; 2 bad usage.\n"
+    "It ends when the bench closes the doorbell, or at SIGTERM.\n"
+    "Exit codes: 0 ended; 2 bad usage.\n"
     "\n"
     "Example:\n"
     "  gs-outlet --tcp 127.0.0.1:5000 --terminals shed-1.terminals --doorbell shed-1.doorbell\n";
@@ -54,7 +56,7 @@ struct Arguments {
 volatile std::sig_atomic_t ended = 0;
 
 int refuse(const std::string& why) {
-  std::fprintf(stderr, "gs-outlet: %s; `gs-outlet --help` says more\n", why.c_str());
+  std::fprintf(stderr, "gs-outlet: %s; see `gs-outlet --help`\n", why.c_str());
   return 2;
 }
 
@@ -124,10 +126,10 @@ int main(int argc, char** argv) {
   }
   Arguments arguments;
   if (!parse(argc, argv, arguments)) {
-    return refuse("that is not understood");
+    return refuse("invalid arguments");
   }
   if (arguments.tcp.empty() == arguments.mqtt.url.empty()) {
-    return refuse("one of --tcp and --mqtt is needed");
+    return refuse("exactly one of --tcp and --mqtt is required");
   }
   std::string why;
   shared_memory_io::SharedMemory* terminals = host::map_terminals(arguments.terminals, why);
@@ -144,14 +146,17 @@ int main(int argc, char** argv) {
     return refuse(why);
   }
   shared_memory_io::SharedFlash flash(*terminals);
-  settings_storage::FlashSettingsStorage area(flash);
-  superloop::Loop loop(board, area);
+  settings_storage::FlashSettingsStorage storage(flash);
+  superloop::Loop loop(board, storage);
   if (!loop.start(start_up(*terminals))) {
-    return refuse("the terminals are of hardware that the firmware does not serve");
+    return refuse("the firmware does not support the hardware in the terminals file: " +
+                  std::to_string(terminals->sample_rate_hz) + " Hz sample rate, " +
+                  std::to_string(terminals->nominal_hz) + " Hz nominal, " +
+                  std::to_string(terminals->counts_per_pu) + " counts per unit");
   }
   while (ended == 0 && board.wait()) {
     if (line->take_reconnected()) {
-      loop.introduce();
+      loop.send_hello();
     }
     while (loop.turn()) {
     }

@@ -66,7 +66,7 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
   static const Library library;
   bool tls = false;
   if (!parse(options.url, host_, port_, tls)) {
-    why = '"' + options.url + "\" is no mqtts://host:port or mqtt://host:port";
+    why = '"' + options.url + "\" is not mqtts://host:port or mqtt://host:port";
     return false;
   }
   hello_topic_ = "gs/" + options.id + "/hello";
@@ -76,7 +76,7 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
   std::snprintf(instance, sizeof instance, "%08x", static_cast<unsigned>(options.instance));
   client_ = mosquitto_new((options.id + '-' + instance).c_str(), true, this);
   if (client_ == nullptr) {
-    why = "no memory for an MQTT client";
+    why = "out of memory for an MQTT client";
     return false;
   }
   mosquitto_connect_v5_callback_set(client_, on_connect);
@@ -121,8 +121,8 @@ bool MqttCarrier::send(const std::uint8_t* message, std::size_t size) {
   if (connected() && waiting_.empty()) {
     return publish(message, size);
   }
-  // Kept here and not by the library: that sends it as soon as it has a socket, before the older
-  // ones that it repeats once the broker has answered.
+  // Queued here and not in the library, which would send new messages as soon as it has a socket,
+  // and repeat the older ones only after the broker has answered.
   if (kind_of(message, size) == wire::UplinkKind::kMeasurement || waiting_.size() >= kMostWaiting) {
     return false;
   }
@@ -137,7 +137,7 @@ bool MqttCarrier::publish(const std::uint8_t* message, std::size_t size) {
   const int error =
       mosquitto_publish_v5(client_, nullptr, (hello ? hello_topic_ : up_topic_).c_str(),
                            static_cast<int>(size), message, at_least_once ? 1 : 0, hello, nullptr);
-  // What must arrive and was on its way when the connection broke, the library repeats.
+  // With QoS 1 the library repeats a message that was being sent when the connection broke.
   const bool kept = at_least_once && (error == MOSQ_ERR_NO_CONN || error == MOSQ_ERR_CONN_LOST);
   return error == MOSQ_ERR_SUCCESS || kept;
 }
@@ -192,7 +192,7 @@ void MqttCarrier::on_connect(mosquitto* client, void* self, int reason, int,
     carrier.trouble_ = mosquitto_reason_string(reason);
     return;
   }
-  // Before the hello that this connection brings, so that whoever answers it is heard.
+  // Subscribes before the hello is sent, so that an answer to it is received.
   mosquitto_subscribe_v5(client, nullptr, carrier.down_topic_.c_str(), 1, 0, nullptr);
   carrier.trouble_.clear();
   carrier.connected_ = true;

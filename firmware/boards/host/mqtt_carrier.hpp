@@ -1,12 +1,12 @@
-// An outlet's own end of MQTT 5: its messages to the broker, and what the broker has for it.
+// An outlet's MQTT 5 client. Topics, one CBOR message per payload:
+//   gs/<id>/hello  the outlet's hello while it is connected (retained; the last will empties it)
+//   gs/<id>/up     all other messages from the outlet
+//   gs/<id>/down   messages to the outlet
+// Measurements have QoS 0, everything else QoS 1. A session ends with its connection, so that an
+// outlet does not execute old commands after it reconnects.
 //
-// On the broker, gs/<id>/hello holds the outlet's hello for as long as it is there (retained; the
-// last will empties it), gs/<id>/up carries everything else it says, gs/<id>/down what is said to
-// it. One CBOR message each. Measurements go at most once, all else at least once. A session ends
-// with its connection, so that an outlet that comes back obeys nothing that was said meanwhile.
-//
-// Nothing here blocks or runs by itself: the outlet's one loop waits on descriptor() beside
-// whatever else it waits for, and calls serve().
+// No call blocks, and there is no thread: the outlet's loop waits on descriptor(), among others,
+// and calls serve().
 #pragma once
 
 #include <chrono>
@@ -25,41 +25,42 @@ namespace gs::host {
 
 struct MqttOptions {
   std::string url;      // mqtts://host:port with TLS, mqtt://host:port without
-  std::string ca_file;  // for TLS: who may vouch for the broker
+  std::string ca_file;  // for TLS: certificate of the broker's CA
   std::string user;
   std::string password;
   std::string id;
-  std::uint32_t instance = 0;  // two outlets with one id both stay connected
+  std::uint32_t instance = 0;  // part of the client id: two outlets with one id can both connect
 };
 
 class MqttCarrier final : public app::Carrier {
  public:
   MqttCarrier() = default;
-  ~MqttCarrier();  // leaves the broker, which empties the hello
+  ~MqttCarrier();  // disconnects; the broker then publishes the last will
   MqttCarrier(const MqttCarrier&) = delete;
   MqttCarrier& operator=(const MqttCarrier&) = delete;
 
-  // False, with the reason, where the options make no sense. A broker that is not there is tried
-  // again and again.
+  // Returns false with the reason in `why` if the options are invalid. If the broker cannot be
+  // reached, serve() keeps trying.
   bool start(const MqttOptions& options, std::string& why);
 
-  // False for a measurement without a connection, and for anything where too much waits already.
+  // Returns false for a measurement while there is no connection, and for any message if the queue
+  // is full.
   bool send(const std::uint8_t* message, std::size_t size) override;
 
-  // Receives, sends what waits, keeps the connection alive and makes it again where it is lost. At
-  // least ten times a second, and whenever the descriptor is ready.
+  // Receives, sends queued messages, keeps the connection alive and reconnects if it is lost. To be
+  // called at least ten times a second, and whenever the descriptor is ready.
   void serve();
   int descriptor() const;  // -1: none now
   bool wants_to_write() const;
 
   // The next message to the outlet.
   bool take(std::vector<std::uint8_t>& message);
-  // True once after each connection but the first: the broker may have forgotten the hello.
+  // True once after each reconnection: the broker may no longer have the hello.
   bool take_reconnected();
 
   bool connected() const { return connected_ && descriptor() >= 0; }
-  const std::string& trouble() const { return trouble_; }  // of the last connection that failed
-  std::uint64_t refused() const { return refused_; }       // messages the broker has no leave for
+  const std::string& trouble() const { return trouble_; }  // why the last connection failed
+  std::uint64_t refused() const { return refused_; }       // messages that the broker rejected
 
  private:
   static void on_connect(mosquitto*, void* self, int reason, int, const mqtt5__property*);
@@ -80,7 +81,7 @@ class MqttCarrier final : public app::Carrier {
   std::deque<std::vector<std::uint8_t>> received_;
   std::chrono::steady_clock::time_point next_attempt_;
   std::chrono::steady_clock::time_point next_upkeep_;
-  std::deque<std::vector<std::uint8_t>> waiting_;  // taken without a connection
+  std::deque<std::vector<std::uint8_t>> waiting_;  // queued while there is no connection
   std::uint64_t refused_ = 0;
   std::string trouble_;
   bool connected_ = false;

@@ -1,5 +1,5 @@
-// MQTT as a line: a broker carries whole messages, the outlet's loop speaks frames. One message a
-// frame, either way.
+// Adapts MQTT to a line: a broker carries whole messages, the outlet's loop uses frames. Each frame
+// is one message, in both directions.
 #pragma once
 
 #include "line.hpp"

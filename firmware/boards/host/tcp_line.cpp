@@ -24,7 +24,7 @@ bool TcpLine::open(std::string& why) {
       colon == std::string::npos ? 0 : std::strtoul(address_.c_str() + colon + 1, nullptr, 10);
   if (port == 0 || port > 65535 ||
       inet_pton(AF_INET, address_.substr(0, colon).c_str(), &to.sin_addr) != 1) {
-    why = "\"" + address_ + "\" is no address:port";
+    why = "\"" + address_ + "\" is not ADDRESS:PORT, for instance 127.0.0.1:5000";
     return false;
   }
   to.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -78,7 +78,7 @@ void TcpLine::receive() {
       received_.insert(received_.end(), bytes, bytes + got);
       continue;
     }
-    // 0 is a hang-up: a line that merely has nothing to say is EAGAIN.
+    // 0: the other side closed the connection. EAGAIN: no bytes are available.
     if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
       close();
     }

@@ -1,4 +1,4 @@
-// A line over TCP, as an emulated UART has it. A connection that is lost is made again.
+// A line over TCP, like an emulated UART's. serve() reconnects after a loss of the connection.
 #pragma once
 
 #include "line.hpp"
@@ -14,10 +14,10 @@ class TcpLine final : public Line {
   explicit TcpLine(std::string address) : address_(std::move(address)) {}  // "127.0.0.1:5000"
   ~TcpLine() override { close(); }
 
-  // Blocks until it is connected. False, with the reason, where nobody listens there.
+  // Blocks until it is connected. Returns false with the reason in `why` if the connection fails.
   bool open(std::string& why);
 
-  // False where so much waits already that it would only grow: the message is lost.
+  // Returns false without a connection or if the send buffer is full: the bytes are then lost.
   bool send(const std::uint8_t* bytes, std::size_t count) override;
   void serve() override;
   int descriptor() const override { return descriptor_; }

@@ -1,4 +1,5 @@
-// Peripherals of ARM's Cortex-M System Design Kit as AN386 maps them, with its registers' names.
+// Peripherals of ARM's Cortex-M System Design Kit (CMSDK) at their addresses in AN386, with the
+// manual's register names.
 #pragma once
 
 #include <cortex_m4/core.hpp>

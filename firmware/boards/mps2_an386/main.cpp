@@ -32,11 +32,11 @@ superloop::StartUp start_up() {
   start_up.identity.instance = terminals().instance;
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
-  start_up.watchdog_barked = watchdog_barked();
+  start_up.reset_by_watchdog = reset_by_watchdog();
   return start_up;
 }
 
-// The bench rings after each block of samples; the byte itself says nothing.
+// The bench sends one byte, of any value, after each block of samples.
 void on_doorbell() {
   uart1->INTSTATUS = kIntRx;
   while ((uart1->STATE & kStateRxFull) != 0) {
@@ -59,14 +59,14 @@ __attribute__((section(".vectors"), used)) const cortex_m4::VectorTable<3> vecto
 
 int main() {
   using namespace gs;
-  // Nothing is wired to an outlet whose terminals the bench has not written.
+  // Waits until the bench has written the terminals.
   while (!mps2_an386::wired()) {
   }
   mps2_an386::Mps2Board& board = mps2_an386::board();
   board.start();
   static shared_memory_io::SharedFlash flash(mps2_an386::terminals());
-  static settings_storage::FlashSettingsStorage area(flash);
-  static superloop::Loop loop(board, area);
+  static settings_storage::FlashSettingsStorage storage(flash);
+  static superloop::Loop loop(board, storage);
   loop.start(mps2_an386::start_up());
   for (;;) {
     if (!loop.turn()) {

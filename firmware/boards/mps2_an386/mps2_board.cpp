@@ -12,28 +12,28 @@ using cortex_m4::InterruptsMasked;
 using shared_memory_io::kRingSamples;
 
 constexpr std::uint32_t kBaud = 921'600;
-// The emulator's clock is the wall's, and the machine it runs on may be busy: a warning after 5 s,
-// the reset after as much again.
+// The emulator runs on wall time, and its machine may be busy. Hence the long times: a warning
+// after 5 s, the reset after another 5 s.
 constexpr std::uint32_t kWatchdogTicks = 5 * kClock_hz;
-// The loop has to turn now and then to feed the watchdog while no sample and no byte comes.
+// Wakes the loop to feed the watchdog while no samples and no bytes arrive.
 constexpr std::uint32_t kTurnTicks = kClock_hz / 2;
 
-// What a report can come to, with event, estimate, decision and relay: no more than this.
+// Upper bound of a report's messages, with event, estimate, decision and relay.
 constexpr std::size_t kReportBytes = 384;
 
-constexpr std::uint32_t kBarked = 0x4241524Bu;  // "BARK"
-__attribute__((section(".noinit"))) volatile std::uint32_t barked;
+constexpr std::uint32_t kExpired = 0x4241524Bu;  // "BARK"
+__attribute__((section(".noinit"))) volatile std::uint32_t expired;
 
 }  // namespace
 
-bool watchdog_barked() {
-  const bool was = barked == kBarked;
-  barked = 0;
+bool reset_by_watchdog() {
+  const bool was = expired == kExpired;
+  expired = 0;
   return was;
 }
 
 void note_watchdog() {
-  barked = kBarked;
+  expired = kExpired;
 }
 
 void Mps2Board::start() {
@@ -79,15 +79,15 @@ bool Mps2Board::take_byte(std::uint8_t& byte) {
 }
 
 void Mps2Board::feed_watchdog() {
-  watchdog->INTCLR = 1;  // and restarts
-  barked = 0;
+  watchdog->INTCLR = 1;  // also reloads the counter
+  expired = 0;
 }
 
 void Mps2Board::on_receive() {
-  // First: for a byte that comes while these are read, the interrupt is to come again.
+  // Cleared first, so that a byte that arrives during the reads raises the interrupt again.
   uart0->INTSTATUS = kIntRx;
   while ((uart0->STATE & kStateRxFull) != 0) {
-    // Where the loop is behind, the byte is lost and its frame is told as bad.
+    // If the queue is full, the byte is lost and its frame is reported as bad.
     received_.put(static_cast<std::uint8_t>(uart0->DATA));
   }
 }

@@ -1,5 +1,5 @@
-// ARM's MPS2 with AN386, as qemu emulates it, with the terminals of
-// shared_memory_io/shared_memory.hpp in its PSRAM.
+// ARM's MPS2 with AN386, as emulated by qemu. The terminals (shared_memory_io/shared_memory.hpp)
+// are in its PSRAM.
 #pragma once
 
 #include <shared_memory_io/shared_port.hpp>
@@ -14,8 +14,8 @@ class Mps2Board final : public superloop::Board {
   explicit Mps2Board(shared_memory_io::SharedMemory& terminals)
       : terminals_(terminals), port_(terminals) {}
 
-  // After the terminals are written: link, doorbell and watchdog run, the mains is followed from
-  // its newest sample on.
+  // Starts link, doorbell and watchdog. Sampling begins with the newest sample. The bench must have
+  // written the terminals.
   void start();
   void sleep();
 
@@ -24,9 +24,9 @@ class Mps2Board final : public superloop::Board {
   bool take_byte(std::uint8_t& byte) override;
   void drive_relay(bool closed) override { port_.drive_relay(closed); }
   void feed_watchdog() override;
-  // The samples are this outlet's time. Where the link falls behind, as it does when they come
-  // faster than real time, they wait, up to half a ring; beyond, messages are dropped as on a real
-  // board.
+  // The outlet's time is its sample count. If samples arrive faster than real time and the link
+  // falls behind, up to half a ring of samples waits. Beyond that, messages are dropped as on a
+  // real board.
   bool adc_idle() const override;
 
   void on_receive();
@@ -41,9 +41,9 @@ class Mps2Board final : public superloop::Board {
   superloop::ByteRing<1024> to_send_;
 };
 
-// The watchdog ran out before this start, though power stayed on. Told once.
-bool watchdog_barked();
-// From its first warning, half a period before it resets.
+// True if the watchdog caused this start; true only for the first call.
+bool reset_by_watchdog();
+// Handler of the watchdog's warning, half a period before the reset.
 void note_watchdog();
 
 }  // namespace gs::mps2_an386

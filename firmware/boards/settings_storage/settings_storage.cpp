@@ -39,7 +39,8 @@ std::uint32_t crc_of(const Flash& flash, int slot, std::size_t end) {
   return crc.value();
 }
 
-// Magic and length are there, and a last word: what an interrupted first write does not have.
+// True if magic, length and last word are written. After an interrupted write the last word is
+// missing.
 bool finished(const Flash& flash, int slot) {
   const std::uint32_t length = flash.read(slot, kLengthAt);
   return flash.read(slot, kMagicAt) == kMagic && sensible(length) &&
@@ -54,7 +55,7 @@ bool whole(const Flash& flash, int slot) {
   return flash.read(slot, end) == crc_of(flash, slot, end);
 }
 
-// −1 where no slot is whole. Sequence numbers wrap round.
+// The slot of the newest valid set, −1 if there is none. Sequence numbers wrap.
 int newest(const Flash& flash) {
   const bool first = whole(flash, 0);
   const bool second = whole(flash, 1);
@@ -77,7 +78,7 @@ bool decode(const Flash& flash, int slot, outlet::Settings& settings) {
   return wire::decode(bytes, length, settings) == wire::Decoded::kOk;
 }
 
-// Programs words in order and sums them up as it goes.
+// Programs successive words, verifies each and updates the CRC.
 class SlotWriter {
  public:
   SlotWriter(Flash& flash, int slot) : flash_(flash), slot_(slot) {}
@@ -101,13 +102,13 @@ class SlotWriter {
 
 bool FlashSettingsStorage::load(outlet::Settings& settings) {
   const int slot = newest(flash_);
-  // A whole slot of another firmware's settings may not be readable; the older may be.
+  // If another firmware wrote the newest set and it cannot be decoded, the older set is used.
   return slot >= 0 && (decode(flash_, slot, settings) ||
                        (whole(flash_, 1 - slot) && decode(flash_, 1 - slot, settings)));
 }
 
 bool FlashSettingsStorage::keep(const outlet::Settings& settings) {
-  // Zeros behind the settings fill the last word.
+  // Zeros after the settings pad the last word.
   std::uint8_t bytes[wire::kLongestMessage + kWord] = {};
   const std::size_t length = wire::encode(settings, bytes, wire::kLongestMessage);
   if (!sensible(static_cast<std::uint32_t>(length))) {
@@ -133,7 +134,7 @@ bool FlashSettingsStorage::keep(const outlet::Settings& settings) {
 }
 
 bool FlashSettingsStorage::usable() const {
-  // A first write that was cut short has no CRC; a finished one that is not whole has rotted.
+  // An interrupted first write has no CRC. A finished slot with a wrong CRC is corrupt.
   return newest(flash_) >= 0 || (!finished(flash_, 0) && !finished(flash_, 1));
 }
 

@@ -3,7 +3,7 @@
 namespace gs::shared_memory_io {
 namespace {
 
-// What a counter counts is there before the counter says so.
+// Acquire and release: data is visible before the counter that counts it.
 std::uint32_t read_counter(const volatile std::uint32_t& counter) {
   return __atomic_load_n(&counter, __ATOMIC_ACQUIRE);
 }
@@ -26,12 +26,12 @@ std::size_t SharedPort::take_samples(std::int16_t* out, std::size_t most, std::u
   for (std::size_t i = 0; i < count; ++i) {
     out[i] = ring[(taken + i) % kRingSamples];
   }
-  // Looked at after the copy, which volatile keeps before it: what was written over meanwhile is
-  // lost as well.
+  // Read after the copy (volatile keeps the order): samples overwritten during the copy are lost,
+  // too.
   const std::uint32_t ahead = terminals_.written - taken;
   lost = 0;
   if (ahead > kRingSamples) {
-    // Half a ring on, where the bench will not be at once.
+    // Continues half a ring behind the newest sample, which the bench does not overwrite soon.
     lost = ahead - kRingSamples / 2;
     count = 0;
   }

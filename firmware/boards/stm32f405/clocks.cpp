@@ -8,8 +8,8 @@ namespace {
 constexpr std::uint32_t kHsi_hz = 16'000'000;
 constexpr std::uint32_t kCrystal_hz = 8'000'000;
 constexpr std::uint32_t kPll_hz = 168'000'000;
-// A poll takes at least ten cycles of 16 MHz, so that this is 60 ms and more: thirty times what a
-// crystal's start takes (datasheet, table 39), a thousand times the PLL's.
+// A poll takes at least ten cycles of 16 MHz, so that this is at least 60 ms: thirty times a
+// crystal's start-up time (datasheet, table 39), a thousand times the PLL's.
 constexpr int kPolls = 100'000;
 
 bool comes(Register& status, std::uint32_t bits, std::uint32_t wanted) {
@@ -21,7 +21,7 @@ bool comes(Register& status, std::uint32_t bits, std::uint32_t wanted) {
   return false;
 }
 
-// Input divided to 1 MHz, × 336, / 2; / 7 keeps the unused USB clock in range.
+// Input divided to 1 MHz, × 336, / 2. The / 7 keeps the unused USB clock in range.
 bool start_pll(std::uint32_t input_hz, std::uint32_t source) {
   RCC->CR = RCC->CR & ~RCC_CR_PLLON;
   if (!comes(RCC->CR, RCC_CR_PLLRDY, 0)) {

@@ -1,4 +1,4 @@
-// The clock tree: crystal of 8 MHz → PLL → 168 MHz; APB2 84 MHz, timers of APB1 84 MHz.
+// Clock tree: 8 MHz crystal → PLL → 168 MHz; APB2 84 MHz, timers of APB1 84 MHz.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@ namespace gs::stm32f405 {
 struct Clocks {
   std::uint32_t apb2_hz;
   std::uint32_t apb1_timer_hz;
-  bool crystal_runs;  // else they are the chip's own oscillator's, good to about 1 %
+  bool crystal_runs;  // false: clocked by the internal oscillator, accurate to about 1 %
 };
 
-// With a crystal that does not start, the same frequencies from the chip's own oscillator; where
-// the PLL does not start either, that oscillator's 16 MHz.
+// If the crystal does not start, the PLL runs from the internal oscillator (HSI), with the same
+// frequencies. If the PLL does not start either, the clock is the HSI's 16 MHz. Blocks until
+// the clocks run or time out.
 Clocks start_clocks();
 
 }  // namespace gs::stm32f405

@@ -15,7 +15,7 @@ Stm32Board& board() {
   return board;
 }
 
-// "stm32-0123abcd": of this very chip, until somebody gives outlets names at manufacture.
+// "stm32-0123abcd", from the chip's unique id, until ids are assigned at manufacture.
 void set_default_id(char (&id)[wire::kLongestId + 1], std::uint32_t number) {
   app::set_text(id, "stm32-00000000");
   for (int digit = 0; digit < 8; ++digit) {
@@ -31,7 +31,7 @@ superloop::StartUp start_up(const Clocks& clocks) {
   app::set_text(start_up.identity.board, "stm32f405");
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
-  start_up.watchdog_barked = watchdog_barked();
+  start_up.reset_by_watchdog = reset_by_watchdog();
   return start_up;
 }
 
@@ -50,8 +50,8 @@ int main() {
   const stm32f405::Clocks clocks = stm32f405::start_clocks();
   stm32f405::Stm32Board& board = stm32f405::board();
   static stm32f405::SectorFlash flash;
-  static settings_storage::FlashSettingsStorage area(flash);
-  static superloop::Loop loop(board, area);
+  static settings_storage::FlashSettingsStorage storage(flash);
+  static superloop::Loop loop(board, storage);
   board.start(clocks);
   loop.start(stm32f405::start_up(clocks));
   for (;;) {

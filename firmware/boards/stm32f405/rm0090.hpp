@@ -1,5 +1,5 @@
-// Registers of the STM32F405 as the reference manual RM0090 names them: no more than the board
-// uses.
+// The registers of the STM32F405 that the board uses, by their names in the reference manual
+// RM0090.
 #pragma once
 
 #include <cortex_m4/core.hpp>
@@ -61,7 +61,7 @@ struct Adc {
 constexpr std::uint32_t ADC_CR2_ADON = 1u << 0, ADC_CR2_DMA = 1u << 8, ADC_CR2_DDS = 1u << 9;
 constexpr std::uint32_t ADC_CR2_EXTSEL_TIM3_TRGO = 8u << 24, ADC_CR2_EXTEN_RISING = 1u << 28;
 
-// Common to the three converters.
+// Common to the three ADCs.
 struct AdcCommon {
   Register CSR, CCR, CDR;
 };
@@ -96,11 +96,11 @@ constexpr cortex_m4::At<Gpio, 0x40020800u> GPIOC;
 constexpr cortex_m4::At<Rcc, 0x40023800u> RCC;
 constexpr cortex_m4::At<Flash, 0x40023C00u> FLASH;
 constexpr cortex_m4::At<Dma, 0x40026400u> DMA2;
-// Which chip it is: 0x413 for the STM32F405/407 and 415/417.
+// Device id: 0x413 for the STM32F405/407 and 415/417.
 constexpr cortex_m4::At<Register, 0xE0042000u> DBGMCU_IDCODE;
 constexpr std::uint32_t DBGMCU_IDCODE_DEV_ID = 0xFFFu, kF405 = 0x413u;
 
-// The 96 bits that tell this chip from every other.
+// The chip's unique id, 96 bits.
 constexpr std::uintptr_t kUniqueId = 0x1FFF7A10u;
 
 constexpr unsigned kUsart1Irq = 37, kDma2Stream0Irq = 56, kInterrupts = 57;

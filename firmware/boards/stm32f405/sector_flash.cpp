@@ -8,7 +8,7 @@ namespace {
 constexpr std::uintptr_t kFirstSlot = 0x08004000u;
 constexpr std::size_t kSectorBytes = 16 * 1024;
 constexpr std::uint32_t kFirstSector = 1;
-// Beyond any erase: code in flash runs again only when the flash is done.
+// Far more than an erase needs: code in flash is stalled until the flash is ready.
 constexpr int kErasePolls = 20'000'000;
 
 volatile std::uint32_t& word_of(int slot, std::size_t offset) {
@@ -25,13 +25,13 @@ bool finish() {
   return false;
 }
 
-// Open for writing in its scope.
+// Unlocks the flash for erasing and programming in its scope.
 class Unlocked {
  public:
   Unlocked() {
     FLASH->KEYR = 0x45670123u;
     FLASH->KEYR = 0xCDEF89ABu;
-    FLASH->SR = FLASH_SR_ERRORS;  // of before; cleared by writing ones
+    FLASH->SR = FLASH_SR_ERRORS;  // clears earlier errors (write 1 to clear)
   }
   ~Unlocked() { FLASH->CR = FLASH_CR_LOCK; }
   Unlocked(const Unlocked&) = delete;

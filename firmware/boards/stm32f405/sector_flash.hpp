@@ -1,7 +1,7 @@
-// Settings in sectors 1 and 2 of the flash (memory.ld says why these).
+// Settings in sectors 1 and 2 of the flash; memory.ld has the reason.
 //
-// While a sector is erased, half a second at worst, the processor stands still: the samples of that
-// time are lost, and told. Settings are to come while nothing happens.
+// Erasing a sector stalls the processor for up to half a second. The samples of that time are lost
+// and reported. Settings should be sent while the grid is quiet.
 #pragma once
 
 #include <settings_storage/settings_storage.hpp>

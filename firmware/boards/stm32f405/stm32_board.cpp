@@ -29,14 +29,14 @@ void set_function(Gpio& port, unsigned pin, std::uint32_t function) {
 
 }  // namespace
 
-bool watchdog_barked() {
-  const bool barked = (RCC->CSR & RCC_CSR_IWDGRSTF) != 0;
+bool reset_by_watchdog() {
+  const bool expired = (RCC->CSR & RCC_CSR_IWDGRSTF) != 0;
   RCC->CSR = RCC->CSR | RCC_CSR_RMVF;
-  return barked;
+  return expired;
 }
 
 std::uint32_t instance() {
-  // Elsewhere, as in an emulator, there may be nothing at that address but a fault.
+  // On other chips or in an emulator, reading the unique id's address may fault.
   if ((*DBGMCU_IDCODE & DBGMCU_IDCODE_DEV_ID) != kF405) {
     return 0;
   }
@@ -51,8 +51,8 @@ void Stm32Board::start(const Clocks& clocks) {
   start_pins();
   start_link(clocks.apb2_hz);
   start_adc(clocks.apb1_timer_hz);
-  // Its oscillator's 32 kHz / 64: resets after 2 s, in between 1.4 and 3.8 s by the datasheet;
-  // longer than the erase of a sector.
+  // 32 kHz / 64: resets after 2 s nominally, 1.4 … 3.8 s by the datasheet. This is longer than the
+  // erase of a sector.
   IWDG->KR = IWDG_KR_UNLOCK;
   IWDG->PR = 4;
   IWDG->RLR = 1000;
@@ -63,11 +63,11 @@ void Stm32Board::start_pins() {
   RCC->AHB1ENR = RCC->AHB1ENR | RCC_AHB1ENR_GPIOAEN | RCC_AHB1ENR_GPIOCEN | RCC_AHB1ENR_DMA2EN;
   RCC->APB1ENR = RCC->APB1ENR | RCC_APB1ENR_TIM2EN | RCC_APB1ENR_TIM3EN;
   RCC->APB2ENR = RCC->APB2ENR | RCC_APB2ENR_USART1EN | RCC_APB2ENR_ADC1EN;
-  static_cast<void>(RCC->APB2ENR);  // a clock is there two cycles after it is enabled
+  static_cast<void>(RCC->APB2ENR);  // a clock is available two cycles after it is enabled
   set_mode(*GPIOA, kMainsPin, GPIO_MODER_ANALOG);
   set_function(*GPIOA, kTxPin, kUsartFunction);
   set_function(*GPIOA, kRxPin, kUsartFunction);
-  drive_relay(true);  // before the pin is an output: the load does not drop out meanwhile
+  drive_relay(true);  // before the pin becomes an output, so that the load is not interrupted
   set_mode(*GPIOC, kRelayPin, GPIO_MODER_OUTPUT);
 }
 
@@ -77,8 +77,8 @@ void Stm32Board::start_link(std::uint32_t apb2_hz) {
   cortex_m4::enable_interrupt(kUsart1Irq);
 }
 
-// Timer 3 starts each conversion and timer 2 counts them, so that what was lost is known even where
-// the processor stood still for a while.
+// Timer 3 starts each conversion and timer 2 counts them, so that the number of lost samples is
+// known even if the processor was stalled.
 void Stm32Board::start_adc(std::uint32_t timer_hz) {
   DmaStream& stream = DMA2->S[0];
   stream.PAR = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&ADC1->DR));
@@ -88,8 +88,8 @@ void Stm32Board::start_adc(std::uint32_t timer_hz) {
               DMA_SxCR_CIRC | DMA_SxCR_HTIE | DMA_SxCR_TCIE | DMA_SxCR_EN;
   cortex_m4::enable_interrupt(kDma2Stream0Irq);
 
-  ADC->CCR = ADC_CCR_ADCPRE_DIV4;  // 21 MHz of the bus's 84; the most is 36 (datasheet, table 67)
-  ADC1->SMPR2 = 4u << (3 * kMainsPin);  // 84 cycles of it: 4 µs to settle
+  ADC->CCR = ADC_CCR_ADCPRE_DIV4;       // 84 MHz / 4 = 21 MHz; maximum 36 MHz (datasheet, table 67)
+  ADC1->SMPR2 = 4u << (3 * kMainsPin);  // sampling time 84 cycles, 4 µs
   ADC1->SQR3 = kMainsPin;
   ADC1->CR2 =
       ADC_CR2_ADON | ADC_CR2_DMA | ADC_CR2_DDS | ADC_CR2_EXTSEL_TIM3_TRGO | ADC_CR2_EXTEN_RISING;
@@ -131,14 +131,14 @@ void Stm32Board::feed_watchdog() {
 }
 
 void Stm32Board::on_usart() {
-  // Reading DR after SR clears an overrun, too: its frame is told as bad.
+  // Reading DR after SR also clears an overrun. Its frame is reported as bad.
   while ((USART1->SR & (USART_SR_RXNE | USART_SR_ORE)) != 0) {
     received_.put(static_cast<std::uint8_t>(USART1->DR));
   }
   pump();
 }
 
-// Each half of converted_ that is full.
+// Handles each full half of converted_.
 void Stm32Board::on_samples() {
   DMA2->LIFCR = DMA_LIFCR_STREAM0;
   const std::uint32_t end = TIM2->CNT / kBlock * kBlock;
@@ -158,7 +158,7 @@ void Stm32Board::on_samples() {
   blocks_end_ = end;
 }
 
-// What the transmitter takes now; the interrupt asks for the rest.
+// Writes what the transmitter takes now; its interrupt requests the rest.
 void Stm32Board::pump() {
   std::uint8_t byte = 0;
   while ((USART1->SR & USART_SR_TXE) != 0 && to_send_.take(byte)) {

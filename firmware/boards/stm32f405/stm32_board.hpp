@@ -1,5 +1,5 @@
-// An STM32F405 with a crystal of 8 MHz, such as Olimex's STM32-H405. Pins: PA1 the mains (0 … 3.3 V
-// about 1.65 V), PA9 and PA10 the link's TX and RX, PC6 the relay's driver (high: closed).
+// STM32F405 with an 8 MHz crystal, such as Olimex's STM32-H405. Pins: PA1 mains (0 … 3.3 V around
+// 1.65 V), PA9 and PA10 TX and RX of the link, PC6 relay driver (high: closed).
 #pragma once
 
 #include "clocks.hpp"
@@ -10,12 +10,12 @@
 namespace gs::stm32f405 {
 
 constexpr std::int32_t kSampleRate_hz = 8000;
-// Of 2048 counts either way: the nominal peak comes to 1.1 V, with half as much again above it.
+// Full scale is ± 2048 counts, 1.65 V. The nominal peak is 1.1 V; 50 % headroom.
 constexpr float kCounts_per_pu = 1365.0f;
 
 class Stm32Board final : public superloop::Board {
  public:
-  // At run time: as a constant, its buffers would be copied out of flash.
+  // Not constexpr: as a constant, its buffers would be copied from flash.
   Stm32Board();
 
   void start(const Clocks& clocks);
@@ -42,13 +42,13 @@ class Stm32Board final : public superloop::Board {
   superloop::ByteRing<512> received_;
   superloop::ByteRing<1024> to_send_;
   superloop::SampleQueue<256> samples_;
-  volatile std::uint16_t converted_[2 * kBlock] = {};  // written by DMA, round and round
-  std::uint32_t blocks_end_ = 0;                       // samples in blocks that were seen
+  volatile std::uint16_t converted_[2 * kBlock] = {};  // circular DMA buffer
+  std::uint32_t blocks_end_ = 0;                       // samples in the blocks handled so far
 };
 
-// The independent watchdog caused this start. Told once.
-bool watchdog_barked();
-// From the chip's unique id; 0 where it is none of its kind.
+// True if the independent watchdog caused this start; true only for the first call.
+bool reset_by_watchdog();
+// CRC-32 of the chip's unique id; 0 on any other chip.
 std::uint32_t instance();
 
 }  // namespace gs::stm32f405

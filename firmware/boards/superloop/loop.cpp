@@ -2,13 +2,13 @@
 
 namespace gs::superloop {
 
-Loop::Loop(Board& board, settings_storage::FlashSettingsStorage& area)
-    : board_(board), area_(area), endpoint_(app_, board) {}
+Loop::Loop(Board& board, settings_storage::FlashSettingsStorage& storage)
+    : board_(board), storage_(storage), endpoint_(app_, board) {}
 
 bool Loop::start(const StartUp& start_up) {
   outlet::Settings kept;
-  const bool has_kept = area_.load(kept);
-  if (!app_.start(start_up.hardware, start_up.identity, &area_, endpoint_,
+  const bool has_kept = storage_.load(kept);
+  if (!app_.start(start_up.hardware, start_up.identity, &storage_, endpoint_,
                   has_kept ? &kept : nullptr)) {
     return false;
   }
@@ -17,7 +17,7 @@ bool Loop::start(const StartUp& start_up) {
   if (!start_up.hardware.has_crystal) {
     app_.note(wire::ErrorCode::kClock, endpoint_);
   }
-  if (start_up.watchdog_barked) {
+  if (start_up.reset_by_watchdog) {
     app_.note(wire::ErrorCode::kWatchdog, endpoint_);
   }
   return true;
@@ -29,7 +29,7 @@ bool Loop::turn() {
   if (had_bytes || had_samples) {
     board_.drive_relay(app_.relay_closed());
   }
-  // A loop that turns without samples measures nothing: let the watchdog have it.
+  // Without samples the outlet measures nothing: the watchdog must then restart it.
   if (had_samples || board_.adc_idle()) {
     board_.feed_watchdog();
   }
@@ -37,7 +37,7 @@ bool Loop::turn() {
 }
 
 bool Loop::take_bytes() {
-  // At most one frame's worth, so that a flood cannot keep the samples waiting.
+  // At most one frame per turn, so that a flood of bytes cannot delay the samples.
   std::uint8_t byte = 0;
   std::size_t taken = 0;
   for (; taken < wire::kLongestFrame && board_.take_byte(byte); ++taken) {
@@ -47,7 +47,7 @@ bool Loop::take_bytes() {
 }
 
 bool Loop::take_samples() {
-  // No further than the millisecond's end: reports end there, and the relay changes with a report.
+  // Not beyond the end of the millisecond: reports end there, and the relay changes with a report.
   std::uint32_t lost = 0;
   const std::size_t count =
       board_.take_samples(chunk_, static_cast<std::size_t>(samples_per_ms_ - samples_in_ms_), lost);

@@ -33,7 +33,7 @@ class GsOutlet : public testing::Test {
     const Output output = run(arguments);
     EXPECT_EQ(output.exit_code, 2) << arguments;
     EXPECT_THAT(output.text, StartsWith("gs-outlet: " + why)) << arguments;
-    EXPECT_THAT(output.text, testing::EndsWith("; `gs-outlet --help` says more\n")) << arguments;
+    EXPECT_THAT(output.text, testing::EndsWith("; see `gs-outlet --help`\n")) << arguments;
   }
 
   std::string at_terminals() const {
@@ -62,25 +62,24 @@ TEST_F(GsOutlet, RefusesWhatItDoesNotUnderstand) {
   for (const std::string wrong : {"--nonsense", "--tcp", "something"}) {
     const Output output = run(wrong);
     EXPECT_EQ(output.exit_code, 2) << wrong;
-    EXPECT_THAT(
-        output.text,
-        testing::EndsWith("gs-outlet: that is not understood; `gs-outlet --help` says more\n"));
+    EXPECT_THAT(output.text,
+                testing::EndsWith("gs-outlet: invalid arguments; see `gs-outlet --help`\n"));
   }
 }
 
 TEST_F(GsOutlet, WantsOneLine) {
-  expect_refused(at_terminals(), "one of --tcp and --mqtt is needed");
+  expect_refused(at_terminals(), "exactly one of --tcp and --mqtt is required");
   expect_refused("--tcp 127.0.0.1:1 --mqtt mqtt://127.0.0.1:1" + at_terminals(),
-                 "one of --tcp and --mqtt is needed");
+                 "exactly one of --tcp and --mqtt is required");
 }
 
 TEST_F(GsOutlet, RefusesALineThatIsNone) {
   cable_->unplug();
   expect_refused(line() + at_terminals(), line_address() + ": Connection refused");
   for (const std::string wrong : {"127.0.0.1", "127.0.0.1:", "127.0.0.1:70000", "localhost:5000"}) {
-    expect_refused("--tcp " + wrong + at_terminals(), "\"" + wrong + "\" is no address:port");
+    expect_refused("--tcp " + wrong + at_terminals(), "\"" + wrong + "\" is not ADDRESS:PORT");
   }
-  expect_refused("--mqtt 127.0.0.1" + at_terminals(), "\"127.0.0.1\" is no mqtts://host:port");
+  expect_refused("--mqtt 127.0.0.1" + at_terminals(), "\"127.0.0.1\" is not mqtts://host:port");
   expect_refused("--mqtt mqtts://127.0.0.1:1 --ca /nowhere/ca" + at_terminals(),
                  "the CA file \"/nowhere/ca\" cannot be read");
   expect_refused("--mqtt mqtt://127.0.0.1:1 --password-file /nowhere/password" + at_terminals(),
@@ -92,11 +91,11 @@ TEST_F(GsOutlet, RefusesTerminalsThatAreNone) {
                  "/nowhere/file: No such file or directory");
   const std::string other = folder_.write("other", "something else");
   expect_refused(line() + " --terminals " + other + " --doorbell " + file_->doorbell(),
-                 other + ": holds no terminals");
+                 other + ": not a terminals file");
   const std::string unmade =
       folder_.write("unmade", std::string(sizeof(gs::shared_memory_io::SharedMemory), '\0'));
   expect_refused(line() + " --terminals " + unmade + " --doorbell " + file_->doorbell(),
-                 unmade + ": holds no terminals");
+                 unmade + ": not a terminals file");
 }
 
 TEST_F(GsOutlet, RefusesADoorbellThatIsNone) {
@@ -109,7 +108,8 @@ TEST_F(GsOutlet, RefusesADoorbellThatIsNone) {
 TEST_F(GsOutlet, RefusesHardwareThatTheFirmwareDoesNotServe) {
   file_->terminals().sample_rate_hz = 100;
   expect_refused(line() + at_terminals(),
-                 "the terminals are of hardware that the firmware does not serve");
+                 "the firmware does not support the hardware in the terminals file: 100 Hz sample "
+                 "rate, 50 Hz nominal");
 }
 
 TEST_F(GsOutlet, EndsWhenItIsToldTo) {

@@ -1,5 +1,6 @@
-// An outlet as the rest of the world meets it: samples and messages in, messages and a relay out.
-// Every board and the bench's simulated outlets run this; a board adds only its ADC, pins and link.
+// The outlet application: takes samples and messages, produces messages and the relay's state.
+// All boards and the bench's simulated outlets run it; a board adds only its ADC, pins and link.
+// No call blocks; all calls come from one thread.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +13,10 @@ namespace gs::app {
 
 constexpr std::uint32_t kFirmwareVersion = 1000;  // 0.1.0 as major·10⁶ + minor·10³ + patch
 
-// Which outlet this is, as its hello says it: id, board, instance, build and capabilities. The rest
-// of the hello the app fills in.
+// The hello's id, board, instance, build and capabilities. The application fills in the rest.
 using Identity = wire::Hello;
 
-// Copies zero-terminated text into one of the above, cut where it is too long.
+// Copies zero-terminated text into a field of Identity; text that is too long is truncated.
 template <std::size_t N>
 void set_text(char (&field)[N], const char* text) {
   std::size_t i = 0;
@@ -28,7 +28,7 @@ void set_text(char (&field)[N], const char* text) {
   }
 }
 
-// Where the app's messages go. Called from within the app's own calls.
+// Receives the application's messages, from within calls of Application.
 class Outbox {
  public:
   virtual void put(const wire::Uplink& message) = 0;
@@ -37,10 +37,10 @@ class Outbox {
   ~Outbox() = default;
 };
 
-// Where settings outlast a loss of power.
+// Non-volatile storage of the settings.
 class SettingsStorage {
  public:
-  // False where they could not be kept; what had been kept before is then still there.
+  // Returns false if the settings could not be stored; those stored before are then still there.
   virtual bool keep(const outlet::Settings& settings) = 0;
   virtual bool usable() const = 0;
 
@@ -50,41 +50,42 @@ class SettingsStorage {
 
 class Application {
  public:
-  // False where the hardware is none that can be served; the app then does nothing, as before its
-  // first start. `area` may be null; it must outlive the app. With `kept`, settings from there,
-  // the first hello tells them in force already; where they are refused, it is told as an error.
-  bool start(const outlet::Hardware& hardware, const Identity& identity, SettingsStorage* area,
+  // Sends the first hello. Returns false if the hardware is not supported; the application then
+  // does nothing, as before its first start. `storage` may be null; it must outlive the
+  // application. `kept`, the stored settings, are in force before the hello; if they are refused,
+  // an error message follows it.
+  bool start(const outlet::Hardware& hardware, const Identity& identity, SettingsStorage* storage,
              Outbox& outbox, const outlet::Settings* kept = nullptr);
-  // Settings that were kept, before the first sample. False where they are refused.
+  // Applies stored settings before the first sample. Returns false if they are refused.
   bool restore(const outlet::Settings& settings);
 
   void feed(const std::int16_t* samples, std::size_t count, Outbox& outbox);
   void receive(const wire::Downlink& message, Outbox& outbox);
 
-  // Something went wrong on the board or the link; counted, and told.
+  // Counts an error of the board or the link, and sends an error message.
   void note(wire::ErrorCode error, Outbox& outbox);
   void note_unsent() { ++counts_.messages_unsent; }
-  // Samples that the ADC had and the firmware did not take: time goes on without them.
+  // Samples that the ADC delivered and the firmware did not take. They count in the time stamps.
   void note_samples_lost(std::uint32_t count, Outbox& outbox);
 
   bool relay_closed() const { return state_.relay_closed; }
   std::uint64_t samples_taken() const { return counts_.samples; }
 
  private:
-  void introduce(Outbox& outbox) const;
+  void send_hello(Outbox& outbox) const;
   void take_settings(const wire::Downlink& sent, Outbox& outbox);
   void take_command(const wire::Downlink& command, Outbox& outbox);
-  void test_itself(Outbox& outbox) const;
-  void report_status(Outbox& outbox) const;
-  void tell(const outlet::Report& report, Outbox& outbox) const;
-  void report_relay(Outbox& outbox) const;
+  void run_self_test(Outbox& outbox) const;
+  void send_status(Outbox& outbox) const;
+  void send_report(const outlet::Report& report, Outbox& outbox) const;
+  void send_relay(Outbox& outbox) const;
   wire::Uplink message(wire::UplinkKind kind) const;
   template <class Content>
   void put(Outbox& outbox, wire::UplinkKind kind, Content wire::Uplink::*part,
            const Content& content) const;
 
   Identity identity_;
-  SettingsStorage* area_ = nullptr;
+  SettingsStorage* storage_ = nullptr;
   outlet::Config config_;
   outlet::State state_;
   struct Counts {

@@ -1,5 +1,5 @@
-// The outlet's end of a link: messages become bytes and bytes messages, numbered, and what is
-// damaged or comes twice is told from what counts. One for a serial line, one for a broker.
+// The outlet's end of a link: encodes and numbers messages to send; decodes received ones, drops
+// duplicates and reports damaged ones. One class for a serial line, one for a broker.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace gs::app {
 
-// What carries the bytes. False where it takes none now: the message is lost, and counted.
+// Sends bytes without blocking. Returns false if it cannot take them now: the message is then lost
+// and counted.
 class Carrier {
  public:
   virtual bool send(const std::uint8_t* bytes, std::size_t count) = 0;
@@ -35,7 +36,7 @@ class MessageEndpoint final : public Outbox {
   std::uint8_t bytes_[wire::kLongestMessage] = {};
 };
 
-// For links that carry a stream of bytes: frames.
+// For links that carry a stream of bytes: messages travel in frames.
 class SerialEndpoint final : public Outbox {
  public:
   SerialEndpoint(Application& app, Carrier& carrier)

@@ -1,7 +1,6 @@
-// Elementary functions by our own polynomials: the C library's differ from machine to machine in
-// the last bit, and an outlet, its emulation and the bench must agree to the last bit. All are
-// branch-free, so that a vector of floats (one trajectory a lane) gives each lane the scalar
-// result.
+// Elementary functions as polynomials. The C library's results differ between machines in the last
+// bit; an outlet, its emulation and the bench must agree in every bit. The templates are
+// branch-free: with a vector of floats (one trajectory per lane) each lane has the scalar result.
 #pragma once
 
 #include <cstdint>
@@ -57,8 +56,8 @@ Real cosine(Real x) {
   return sine(0.5f * kPi - select(x < 0.0f, -x, x));
 }
 
-// e^x for −24 <= x <= 0: (e^(x/16))^16. Error below 1e-6; relative to e^x below 2e-6 down to −6,
-// from where the series runs out: 4 % at −24, of 4e-11.
+// e^x for −24 <= x <= 0, as (e^(x/16))^16. Absolute error below 1e-6. Relative error below 2e-6 for
+// x >= −6, then growing to 4 % at x = −24, where e^x is 4e-11.
 template <class Real>
 Real exponential(Real x) {
   const Real y = x * 0.0625f;
@@ -102,7 +101,7 @@ inline float angle_of(float y, float x) {
   return y < 0.0f ? -angle : angle;
 }
 
-// x brought into [−π, π] by whole turns, for |x| up to a few hundred turns.
+// x wrapped into [−π, π], for |x| up to a few hundred turns.
 inline float wrapped(float x) {
   const float turns = x * (1.0f / kTwoPi);
   const auto whole = static_cast<std::int32_t>(turns + (turns < 0.0f ? -0.5f : 0.5f));

@@ -6,11 +6,12 @@
 
 namespace gs::outlet {
 
-constexpr float kUnreached_hz_s = 1.0e9f;  // no frequency falls so fast
+constexpr float kUnreached_hz_s = 1.0e9f;  // faster than any frequency falls
 
-// The ROCOF below which the condition at a frequency is met; its row's. Below the lowest row f has
-// passed f_s already, and any further fall meets the condition; above the uppermost none does.
-// `Real`: float, or a vector of floats, one trajectory a lane.
+// The condition at a frequency is met if ROCOF is below this limit, Hz/s: that of the row that the
+// frequency falls into. Below the lowest row f has already passed f_s, and any further fall meets
+// the condition. At or above nominal no fall meets it.
+// `Real`: float, or a vector of floats with one trajectory per lane.
 template <class Real>
 Real rocof_limit_hz_s(const Settings& settings, float nominal_hz, Real frequency_hz) {
   Real limit{};
@@ -21,9 +22,9 @@ Real rocof_limit_hz_s(const Settings& settings, float nominal_hz, Real frequency
   return select(frequency_hz < nominal_hz, limit, Real{} - kUnreached_hz_s);
 }
 
-// Does a line through the newest measurements meet the row that its middle falls into? Frequency
-// and ROCOF must be of the same instant: the slope over a window held against the window's last
-// frequency counts a loss below the threshold as one above it.
+// True if the line through the newest measurements meets the condition at its middle. Frequency and
+// ROCOF must be of the same instant: a window's slope combined with its last frequency would count
+// a loss below the threshold as one above it.
 template <class Real>
 auto condition_met(const Settings& settings, float nominal_hz, const LineOf<Real>& line) {
   return line.slope_hz_s < rocof_limit_hz_s(settings, nominal_hz, line.mean_hz);

@@ -1,5 +1,5 @@
-// CRC-32 of IEEE 802.3: reflected, polynomial 0x04C11DB7; of "123456789" it is 0xCBF43926. Bit by
-// bit: a table would cost an outlet more memory than the time is worth.
+// CRC-32 of IEEE 802.3: reflected, polynomial 0x04C11DB7; check value for "123456789": 0xCBF43926.
+// Computed bit by bit: a table would cost memory that an outlet does not have to spare.
 #pragma once
 
 #include <cstddef>

@@ -1,17 +1,17 @@
-// What an outlet decides by, §5.5, as pure functions: for the outlet, and for campaigns that play
-// many of them.
+// The decision rules of §5.5 as pure functions, shared by the outlet and by campaigns that simulate
+// many outlets.
 #pragma once
 
 #include <outlet/settings.hpp>
 
 namespace gs::outlet {
 
-// An event's reports, its own among them, until criterion (1) is decided.
+// Number of reports from the event's own report to the decision by criterion (1), both included.
 inline int reports_to_decision(const Settings& settings) {
   return settings.lse_samples + settings.ekf_samples;
 }
 
-// The load-shedding conditions were met often enough, §5.2.
+// True if the load-shedding conditions were met often enough, §5.2.
 inline bool enough_hits(int hits, int more_than) {
   return hits > more_than;
 }
@@ -22,13 +22,13 @@ inline float required_mw(float loss_mw, float threshold_mw) {
   return excess_mw > 0.0f ? excess_mw : 0.0f;
 }
 
-// More is required than less important outlets shed already, P^A.
+// True if more is required than P^A, the power that less important outlets shed.
 inline bool must_shed(float required_mw, float accumulated_mw) {
   return required_mw > accumulated_mw;
 }
 
-// Criterion (2): `samples` successive measurements below f^B, of which `below` counts the newest,
-// up to that many. Both frequencies in Hz, or both as deviations from the same one.
+// Criterion (2): true after `samples` successive measurements below f^B. `below` is the count so
+// far, kept by the caller. Both frequencies in Hz, or both as deviations from the same frequency.
 inline bool stays_below(float frequency_hz, float switch_off_hz, std::uint8_t samples,
                         std::uint8_t& below) {
   if (!(frequency_hz < switch_off_hz)) {

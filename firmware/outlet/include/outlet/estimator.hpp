@@ -1,5 +1,5 @@
-// From an event to a lost power: conditions counted, LSE over the first measurements, EKF over the
-// rest (§5.2–5.4, Fig. 10), and a status that says whether the result may be acted on.
+// Estimate of the lost power after an event: counts load-shedding conditions, runs the LSE over the
+// first measurements and the EKF over the rest (§5.2–5.4, Fig. 10), and rates the result (Trust).
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace gs::outlet {
 enum class Trust : std::uint8_t {
   kTrusted = 0,
   kNotYet = 1,         // the EKF has not started, or has had too few measurements
-  kUnsteadyStart = 2,  // f was not steady before the event: f_0 says little
+  kUnsteadyStart = 2,  // f was not steady before the event, so f_0 is not reliable
   kResidual = 3,       // measurements do not follow the model: another loss, another grid
-  kAtBound = 4,        // ΔP or t_x stands at what is physical
-  kUncertain = 5,      // σ of ΔP above a tenth of it
+  kAtBound = 4,        // ΔP or t_x is at a physical bound
+  kUncertain = 5,      // σ of ΔP above a tenth of ΔP
 };
 constexpr Trust kLastTrust = Trust::kUncertain;
 
@@ -27,23 +27,23 @@ struct EstimatorState : LossEstimator<float> {
   std::uint16_t hits = 0;     // of the load-shedding conditions
 };
 
-// With the event's own measurement as the first.
+// Starts an estimate. The event's own measurement is the first to pass to observe().
 void begin(EstimatorState& state, const Baseline& baseline);
 
-// One report of an event under way: its frequency and the line through the newest few, whose middle
-// and slope the conditions are held against. `valid` false: the measurement is passed over, time
-// goes on.
+// Takes one report of the current event, every 16 ms: its frequency, and the line through the
+// newest measurements, on which the conditions are evaluated. With `valid` false the measurement is
+// ignored, but its time counts.
 void observe(const Settings& settings, float nominal_hz, EstimatorState& state, bool valid,
              float frequency_hz, const Line& line);
 
-// All reports of the estimate are in.
+// True once all reports of the estimate have been taken.
 bool complete(const Settings& settings, const EstimatorState& state);
 
 Trust trust(const Settings& settings, const EstimatorState& state);
 
 float loss_sigma_mw(const EstimatorState& state);
 
-// Instant of the loss against the event's report, the tracker's own delay taken off.
+// Instant of the loss relative to the event's report, s. The tracker's delay is subtracted.
 float loss_instant_s(const EstimatorState& state);
 
 }  // namespace gs::outlet

@@ -1,11 +1,13 @@
-// ADC samples → one complex phasor every 16 ms.
+// Front end: ADC samples in, one complex phasor every 16 ms out.
 //
-// Samples are mixed with a table of the nominal frequency and summed over 1 ms in integers, which
-// is exact. A linear-phase filter over 56 of these sums then leaves only what is near the
-// fundamental: its image at twice the nominal frequency (85 … 125 Hz away) is 73 dB down, the
-// second harmonic and an offset (40 … 60 Hz) 43 dB, all else 51 dB, for any frequency of 45 … 55 Hz
-// on a 50 Hz grid. The sums fold whole kilohertz back onto the fundamental: what is within 40 Hz of
-// one, seen from the nominal frequency, is 39 dB down, and a 21st harmonic 60 dB at 50 Hz.
+// Samples are mixed with a table of the nominal frequency and summed over 1 ms. The sums are
+// integers and therefore exact. A linear-phase filter over 56 sums then selects the fundamental.
+// Attenuation on a 50 Hz grid, for any frequency of 45 … 55 Hz:
+//   image at twice the nominal frequency (85 … 125 Hz away)       73 dB
+//   second harmonic and DC offset (40 … 60 Hz away)               43 dB
+//   aliases: 1 kHz, 2 kHz, … away from nominal, ± 40 Hz           39 dB
+//   21st harmonic of 50 Hz, an alias                              60 dB
+//   everything else                                               51 dB
 #pragma once
 
 #include <cstddef>
@@ -17,7 +19,7 @@ constexpr int kSubsumsPerReport = 16;  // of 1 ms
 constexpr int kReport_ms = 16;
 constexpr float kReport_s = kReport_ms / 1000.0f;
 constexpr int kFilterLength = 56;
-// The phasor is that of the middle of the filter, so much before the report.
+// A phasor belongs to the middle of the filter: this long before the report.
 constexpr int kFrontEndDelay_ms = kFilterLength / 2;
 constexpr float kFrontEndDelay_s = kFrontEndDelay_ms / 1000.0f;
 // Voltage is measured over 50 ms: five half periods of 50 Hz, six of 60 Hz.
@@ -27,13 +29,13 @@ constexpr float kVoltageDelay_s = 0.025f;
 constexpr std::int32_t kMaxSampleRate_hz = 32000;
 constexpr std::size_t kMaxTable = 1600;  // kMaxSampleRate_hz / gcd with 60
 
-// What the board is made of; fixed at start-up.
+// The board's properties, fixed at start-up.
 struct Hardware {
   std::int32_t sample_rate_hz = 8000;  // whole multiple of 1000, up to kMaxSampleRate_hz
   std::int32_t nominal_hz = 50;        // 50 or 60
   float counts_per_pu = 21845.0f;      // ADC counts at the nominal amplitude (peak)
-  // False: the samples' clock is not the crystal's. At 1 % off, healthy mains look like mains that
-  // are below f^B, so that no frequency is measured: the outlet obeys commands alone.
+  // False: the sample clock does not come from the crystal. An error of 1 % makes healthy mains
+  // look as if they were below f^B. The outlet then measures no frequency and only obeys commands.
   bool has_crystal = true;
 };
 
@@ -66,11 +68,11 @@ struct Phasor {
   bool complete = false;    // the filter is full
 };
 
-// False where the hardware is none this front end can serve.
+// Returns false if the hardware is not supported: sample rate, nominal frequency or scale.
 bool make_front_end(const Hardware& hardware, FrontEndConfig& config);
 
-// Takes samples up to the end of the report in hand, at most `count`; returns how many it took.
-// `ready` tells that the report is due: read it with phasor().
+// Takes up to `count` samples, but none beyond the end of the current report. Returns the number
+// taken. Sets `ready` when the report is due: read it with phasor().
 std::size_t feed(const FrontEndConfig& config, FrontEndState& state, const std::int16_t* samples,
                  std::size_t count, bool& ready);
 

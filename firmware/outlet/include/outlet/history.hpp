@@ -1,4 +1,4 @@
-// The last valid frequencies, for what needs more than the newest one.
+// Ring of the newest valid frequencies, and least-squares lines through them.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ inline void push(History& history, float frequency_hz) {
   }
 }
 
-// A gap in the measurements: slopes must not reach across it.
+// Records a gap in the measurements. Lines must not be fitted across it.
 inline void note_gap(History& history) {
   history.unbroken = 0;
 }
@@ -37,21 +37,22 @@ inline float at(const History& history, int age) {
   return history.frequency_hz[(history.head - 1 - age) & (kHistoryLength - 1)];
 }
 
-// Below this a course counts as steady.
+// A frequency counts as steady while its slope is within ± this.
 constexpr float kSteady_hz_s = 0.1f;
 
 template <class Real>
 struct LineOf {
-  Real mean_hz{};  // of the frequencies, so that in their middle
+  Real mean_hz{};  // of the frequencies: the line's value in their middle
   Real slope_hz_s{};
 };
 using Line = LineOf<float>;
 
-// Least-squares line through `count` >= 2 frequencies of successive reports; `back(n)` is the one n
-// reports before the newest. `Real`: float, or a vector of floats, one trajectory a lane.
+// Least-squares line through `count` >= 2 frequencies of successive reports; `back(n)` returns the
+// one n reports before the newest. `Real`: float, or a vector of floats with one trajectory per
+// lane.
 template <class Real, class Back>
 LineOf<Real> fit_line(const Back& back, int count) {
-  // Against the oldest, so that the sums keep the last millihertz of a float.
+  // Sums are relative to the oldest: sums of values near 50 Hz would lose millihertz in a float.
   const Real origin = back(count - 1);
   LseState<Real> sums{};
   for (int n = count - 1; n >= 0; --n) {
@@ -60,7 +61,7 @@ LineOf<Real> fit_line(const Back& back, int count) {
   return {origin + sums.sum / static_cast<float>(count), slope_hz_s(sums)};
 }
 
-// The same through entries of which the newest is `age` reports back.
+// Line through `count` entries of the history, the newest of them `age` reports back.
 inline Line fit_line(const History& history, int age, int count) {
   return fit_line<float>([&](int n) { return at(history, age + n); }, count);
 }

@@ -1,23 +1,23 @@
-// Extended Kalman filter over X = (ΔP, t_x), eq. (22)–(28): the lost power and the instant of the
-// loss, both constant, from one measured frequency after another.
+// Extended Kalman filter (EKF) for X = (ΔP, t_x), eq. (22)–(28): the lost power and the instant of
+// the loss, both constant, from successive measured frequencies.
 //
-// Its innovation is f(k) − h(X) with the full model h; eq. (28) as printed is only the
-// linearisation. What is physical bounds it: ΔP within [0, largest], t_x within half a second
-// before the event and the event itself; the covariance cannot grow, nor its diagonal fall below a
-// floor that the arithmetic carries. So no measurement, however wrong, makes it diverge.
+// The innovation is f(k) − h(X) with the full model h; eq. (28) as printed is its linearisation.
+// The state is bounded: ΔP to [0, largest], t_x to the half second before the event. The covariance
+// cannot grow, and its diagonal has a floor that single precision can represent. Therefore no
+// measurement, however wrong, makes the filter diverge.
 #pragma once
 
 #include <outlet/response.hpp>
 
 namespace gs::outlet {
 
-constexpr float kEarliestLoss_s = -0.5f;  // t_x against the event
+constexpr float kEarliestLoss_s = -0.5f;  // t_x relative to the event
 constexpr float kLatestLoss_s = 0.0f;
 
 template <class Real>
 struct EkfState {
   Real loss_mw{};
-  Real t_x_s{};  // against the event; τ = t − t_x
+  Real t_x_s{};  // relative to the event; τ = t − t_x
   // Covariance: loss·loss, loss·t_x, t_x·t_x.
   Real p_ll{};
   Real p_lt{};
@@ -28,7 +28,7 @@ struct EkfState {
 
 struct EkfSettings {
   float measurement_sigma_hz = 0.005f;
-  float loss_sigma_mw = 80.0f;  // of the LSE that it starts from
+  float loss_sigma_mw = 80.0f;  // of the LSE that starts the EKF
   float t_x_sigma_s = 0.02f;
   float largest_loss_mw = 0.0f;
 };
@@ -44,14 +44,14 @@ void start(const EkfSettings& settings, EkfState<Real>& s, Real loss_mw, Real t_
   s.count = 0;
 }
 
-// One measurement: the deviation from the frequency before the event, Hz, t_s after the event.
-// `Model`: what unit_response() takes, with its gain_hz_per_mw.
+// Takes one measurement: `deviation_hz` from the frequency before the event, `t_s` after the event.
+// `Model`: an argument type of unit_response() that has gain_hz_per_mw.
 template <class Model, class Real>
 void update(const EkfSettings& settings, const Model& response, EkfState<Real>& s,
             Real deviation_hz, float t_s) {
   const Real tau = maximum(t_s - s.t_x_s, Real{});
   const UnitResponse<Real> u = unit_response(response, tau);
-  // h = −K·ΔP·u(t − t_x); its derivatives by ΔP and t_x.
+  // h = −K·ΔP·u(t − t_x), with its derivatives with respect to ΔP and t_x.
   const Real h_loss = u.value * -response.gain_hz_per_mw;
   const Real h_t_x = s.loss_mw * u.slope_per_s * response.gain_hz_per_mw;
   const Real innovation = deviation_hz - s.loss_mw * h_loss;
@@ -67,13 +67,13 @@ void update(const EkfSettings& settings, const Model& response, EkfState<Real>& 
       bounded(s.loss_mw + gain_loss * innovation, Real{}, Real{} + settings.largest_loss_mw);
   s.t_x_s =
       bounded(s.t_x_s + gain_t_x * innovation, Real{} + kEarliestLoss_s, Real{} + kLatestLoss_s);
-  // A thousandth of where it started is far below what 16 bits of voltage can tell.
+  // Floor: a thousandth of the initial σ, far below the resolution of 16-bit voltage samples.
   const float floor_ll = 1.0e-6f * settings.loss_sigma_mw * settings.loss_sigma_mw;
   const float floor_tt = 1.0e-6f * settings.t_x_sigma_s * settings.t_x_sigma_s;
   s.p_ll = maximum(s.p_ll - gain_loss * ph_loss, Real{} + floor_ll);
   s.p_lt = s.p_lt - gain_loss * ph_t_x;
   s.p_tt = maximum(s.p_tt - gain_t_x * ph_t_x, Real{} + floor_tt);
-  // |p_lt| <= √(p_ll·p_tt) keeps the matrix a covariance whatever was rounded or floored.
+  // |p_lt| <= √(p_ll·p_tt) keeps the matrix positive semidefinite despite rounding and floors.
   const Real limit = root(s.p_ll * s.p_tt);
   s.p_lt = bounded(s.p_lt, -limit, limit);
   s.residual_squares = s.residual_squares + innovation * innovation;

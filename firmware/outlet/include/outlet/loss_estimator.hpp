@@ -1,6 +1,6 @@
-// The lost power from the frequencies measured after an event: LSE over the first, EKF from there
-// on (§5.3, §5.4). The one code for an outlet (Real = float) and for campaigns, where each lane of
-// a vector is a trajectory.
+// Lost power from the frequencies measured after an event: LSE over the first measurements, EKF
+// over the rest (§5.3, §5.4). Shared by the outlet (Real = float) and by campaigns (Real = a vector
+// with one trajectory per lane).
 #pragma once
 
 #include <outlet/loss_ekf.hpp>
@@ -9,9 +9,9 @@
 
 namespace gs::outlet {
 
-// The newest of the LSE's measurements, which the EKF is given as well. The older ones the tracker
-// measured while it was still catching up with the corner: with all ten the estimate of 500 MW is
-// 1.6 % too high, with one its standard deviation is 0.52 % in place of 0.37 %.
+// The EKF also takes the newest measurements of the LSE, this many. The older ones were measured
+// before the tracker had settled after the onset: with all ten, the estimate of 500 MW is 1.6 % too
+// high. With one, its standard deviation is 0.52 % instead of 0.37 %.
 constexpr int kSharedSamples = 4;
 
 template <class Real>
@@ -19,7 +19,7 @@ struct LossEstimator {
   LseState<Real> lse;
   EkfState<Real> ekf;
   Real lse_loss_mw{};
-  Real newest_hz[kSharedSamples] = {};  // deviations that went into the LSE, the newest first
+  Real newest_hz[kSharedSamples] = {};  // deviations taken by the LSE, the newest first
   bool started = false;                 // the LSE is done, the EKF runs
 };
 
@@ -32,14 +32,14 @@ inline EkfSettings ekf_settings(const Settings& settings) {
   return ekf;
 }
 
-// Nothing of the LSE so far counts: its measurements must follow one another.
+// Discards the LSE's measurements so far: they must be successive.
 template <class Real>
 void restart_lse(LossEstimator<Real>& s) {
   s.lse = LseState<Real>{};
 }
 
-// One measurement: the deviation from the frequency before the event, Hz, that many reports after
-// the event's own, which is report 0. `response` is the settings' own in an outlet.
+// Takes one measurement: `deviation_hz` from the frequency before the event, `report` reports after
+// the event's own report, which is 0. An outlet passes settings.response as `response`.
 template <class Model, class Real>
 void take(const Settings& settings, const Model& response, LossEstimator<Real>& s,
           Real deviation_hz, int report) {
@@ -65,7 +65,7 @@ void take(const Settings& settings, const Model& response, LossEstimator<Real>& 
   for (int age = shared - 1; age >= 0; --age) {
     update(ekf, response, s.ekf, s.newest_hz[age], kReport_s * static_cast<float>(report - age));
   }
-  s.ekf.count = 0;  // of what the EKF alone was given; how far off it began stays in the residual
+  s.ekf.count = 0;  // counts only later measurements; residual_squares includes the shared ones
 }
 
 }  // namespace gs::outlet

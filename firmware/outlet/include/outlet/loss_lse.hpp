@@ -1,5 +1,5 @@
-// First estimate of the lost power from the slope of the first measurements after the event, eq.
-// (18) and (19).
+// Least-squares estimate (LSE): the slope of the first measurements after the event, eq. (18) and
+// (19), from which the first estimate of the lost power follows.
 #pragma once
 
 #include <outlet/front_end.hpp>
@@ -22,7 +22,7 @@ void add(LseState<Real>& s, Real deviation_hz) {
   ++s.count;
 }
 
-// Least-squares slope g(t_0), Hz/s, of at least two measurements 16 ms apart.
+// Least-squares slope g(t_0), Hz/s, of at least two measurements at intervals of 16 ms.
 template <class Real>
 Real slope_hz_s(const LseState<Real>& s) {
   const float n = static_cast<float>(s.count);

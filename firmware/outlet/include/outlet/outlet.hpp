@@ -1,5 +1,6 @@
-// The outlet: samples in, a report every 16 ms out (Fig. 10). Plain structs and pure functions of
-// them: no clock, no heap, no hidden state, so that any state can be logged, compared and replayed.
+// The outlet's algorithm: samples in, one report every 16 ms out (Fig. 10). Plain structs and pure
+// functions without clock, heap or hidden state, so that any state can be logged, compared and
+// replayed. No function blocks.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +14,10 @@ namespace gs::outlet {
 enum class Phase : std::uint8_t {
   kQuiet = 0,  // watching for an event
   kEstimating = 1,
-  kCooling = 2,  // decided; waits until the frequency is steady again
+  kCooling = 2,  // decided; waiting for a steady frequency
 };
 
-// Why the relay stands as it stands: the three criteria of §5.5.
+// Reason of the relay's last change: none, or one of the three criteria of §5.5.
 enum class Cause : std::uint8_t { kNone = 0, kLoss = 1, kFrequency = 2, kCommand = 3 };
 
 const char* to_string(Cause cause);
@@ -25,7 +26,7 @@ struct Config {
   Hardware hardware;
   FrontEndConfig front_end;
   Settings settings;
-  bool has_settings = false;  // without, it measures and obeys commands, and decides nothing
+  bool has_settings = false;  // false: measures and obeys commands, but decides nothing
 };
 
 struct State {
@@ -47,14 +48,14 @@ enum Happened : std::uint8_t {
   kLse = 2,       // the LSE is done; lse_loss_mw is set
   kEstimate = 4,  // the EKF has a new estimate
   kDecision = 8,  // criterion 1 was decided, for or against
-  kRelay = 16,    // the relay was told to change
-  kAborted = 32,  // an event was given up: the voltage went, or samples
+  kRelay = 16,    // the relay was commanded to change
+  kAborted = 32,  // an event was abandoned: voltage or samples were lost
 };
 
 struct Report {
   std::uint32_t number = 0;  // the report ends with sample (number + 1) · 16 ms
   Measurement measurement;
-  Line line;              // least squares over rocof_samples, for the conditions; else NaN
+  Line line;              // least squares over rocof_samples, for the conditions; NaN after a gap
   unsigned happened = 0;  // bits of Happened
   Phase phase = Phase::kQuiet;
   Baseline baseline;
@@ -62,28 +63,29 @@ struct Report {
   float lse_loss_mw = 0.0f;
   float loss_mw = 0.0f;
   float loss_sigma_mw = 0.0f;
-  float loss_instant_s = 0.0f;  // against the event's report
+  float loss_instant_s = 0.0f;  // relative to the event's report
   Trust trust = Trust::kNotYet;
   float required_mw = 0.0f;  // ΔP_v, eq. (29)
   bool relay_closed = true;
   Cause cause = Cause::kNone;
 };
 
-// Start-up. False where the hardware is none that can be served.
+// Configures the outlet at start-up. Returns false if the hardware is not supported.
 bool configure(const Hardware& hardware, Config& config);
 
-// New settings; refused ones leave the old ones in force. An event under way is given up.
+// Applies new settings. Refused settings leave the old ones in force; accepted ones abandon a
+// current event.
 SettingsError apply(Config& config, State& state, const Settings& settings);
 
-// Samples are missing before the next: the frequency is looked for anew, and an event under way is
-// given up, for neither phase nor time go on over them.
+// To be called when samples are missing before the next one. Phase and time are then unknown: the
+// tracker acquires the frequency again, and a current event is abandoned.
 void lose_track(State& state);
 
-// Criterion (3): returns true where the relay changed.
+// Criterion (3). Returns true if the relay changed.
 bool command(State& state, bool close);
 
-// Takes samples up to the end of the report in hand, at most `count`; returns how many it took, and
-// in `ready` whether `report` was filled.
+// Takes up to `count` samples, but none beyond the end of the current report. Returns the number
+// taken. `ready` is set if `report` was filled.
 std::size_t step(const Config& config, State& state, const std::int16_t* samples, std::size_t count,
                  Report& report, bool& ready);
 

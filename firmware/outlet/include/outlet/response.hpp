@@ -1,16 +1,16 @@
-// How the frequency falls after one megawatt is lost: eq. (6) for any damping, from four numbers
-// that the control centre sends. With d = omega_n² − sigma² and z = d·τ²
+// Frequency response to a lost power: eq. (6) for any damping, from four parameters that the
+// control centre sends. With d = omega_n² − sigma² and z = d·τ²
 //   u(τ)  = 1 − e^(−sigma·τ)·[C − (g0 − sigma)·S],  C = cos √z, S = τ·sin √z / √z
 //   u'(τ) = e^(−sigma·τ)·[g0·C + (omega_n² − sigma·g0)·S]
-// and f(τ) = f_0 − K·ΔP·u(τ). For d < 0 the cosine is a hyperbolic one: as power series in z both
-// are the same, so one branch-free form serves every damping.
+// and f(τ) = f_0 − K·ΔP·u(τ). For d < 0, cos and sin become cosh and sinh. Their power series in z
+// are the same, so that one branch-free form covers every damping.
 #pragma once
 
 #include <outlet/arithmetic.hpp>
 
 namespace gs::outlet {
 
-// `Parameter`: float for an outlet; a vector of floats where each lane of a campaign has its own.
+// `Parameter`: float, or a vector of floats if each lane of a campaign has its own parameters.
 template <class Parameter>
 struct ResponseOf {
   Parameter gain_hz_per_mw{};       // K, final deviation
@@ -20,8 +20,8 @@ struct ResponseOf {
 };
 using Response = ResponseOf<float>;
 
-// |d|·τ² up to which the series hold (relative error 1e-6), and sigma·τ up to which e^(−sigma·τ)
-// does.
+// Limits of validity: of the series, on |d|·τ² (relative error 1e-6), and of e^(−sigma·τ), on
+// sigma·τ.
 constexpr float kLargestSeriesArgument = 16.0f;
 constexpr float kLargestDecay = 24.0f;
 
@@ -31,7 +31,7 @@ struct UnitResponse {
   Real slope_per_s;  // u'(τ)
 };
 
-// τ >= 0, within the bounds above.
+// Requires τ >= 0, within the limits above.
 template <class Parameter, class Real>
 UnitResponse<Real> unit_response(const ResponseOf<Parameter>& r, Real tau_s) {
   const Real z = tau_s * tau_s * r.discriminant_per_s2;

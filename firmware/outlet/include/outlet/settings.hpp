@@ -1,4 +1,4 @@
-// What the control centre sends an outlet before any event (§3.2), and what keeps nonsense out.
+// Settings that the control centre sends an outlet before any event (§3.2), and their validation.
 #pragma once
 
 #include <cstddef>
@@ -20,15 +20,15 @@ struct ConditionRow {
   float rocof_below_hz_s = 0.0f;
 };
 
-constexpr std::uint32_t kNoSettings = 0;  // the version of an outlet that has none
+constexpr std::uint32_t kNoSettings = 0;  // version of an outlet without settings
 
 struct Settings {
-  std::uint32_t version = kNoSettings;  // counts up from 1 with each set the control centre issues
+  std::uint32_t version = kNoSettings;  // from 1, incremented with each set of the control centre
 
   // The system, for the ΔP estimate.
   Response response;
   float threshold_mw = 0.0f;     // ΔP_s, eq. (15)
-  float largest_loss_mw = 0.0f;  // beyond it no estimate is believed: the system's generation
+  float largest_loss_mw = 0.0f;  // bound of the estimate: the system's generation
 
   // This outlet's place in the order of shedding.
   float accumulated_mw = 0.0f;  // P^A, eq. (11)
@@ -37,13 +37,13 @@ struct Settings {
   // Load-shedding conditions, from f_n down.
   ConditionRow conditions[kMaxConditions];
   std::uint8_t condition_rows = 0;
-  // n_max of §5.2: shed only with more hits than this, of the ekf_samples reports that count. A
-  // loss at the threshold comes to 25 ± 3, one of 320 MW to 14 ± 3, one of 380 MW to 33 ± 3.
+  // n_max of §5.2: shed only with more hits than this in the ekf_samples reports. A loss at the
+  // threshold has 25 ± 3 hits, one of 320 MW 14 ± 3, one of 380 MW 33 ± 3.
   std::uint16_t condition_hits = 20;
   std::uint8_t rocof_samples = 8;  // measurements in the least-squares slope
 
-  // Event detection, §5.1: so many successive drops, this much in sum, and so far below the course
-  // before. The paper's rule is the first alone; see event_detector.hpp.
+  // Event detection, §5.1: number of successive drops, their least sum, and the least fall below
+  // the baseline. The paper's rule is the number of drops alone; see event_detector.hpp.
   std::uint8_t event_drops = 5;
   float event_drop_hz = 0.014f;
   float event_departure_hz = 0.018f;
@@ -52,14 +52,14 @@ struct Settings {
   std::uint8_t ekf_samples = 40;
   float measurement_sigma_hz = 0.005f;
   float loss_sigma_mw = 0.0f;  // of the LSE that starts the EKF
-  // Where the EKF starts for t_x: so long before the event's drops, since the loss falls within a
-  // report and noise hides the first drop; and how far off that is. At 1 % noise on the voltage the
-  // event comes 7 ms later than its drops take, with a spread of 11 ms.
+  // Initial t_x of the EKF: this long before the event's first drop, because the loss occurs within
+  // a report and noise can hide the first drop; and its standard deviation. At 1 % noise on the
+  // voltage an event is detected 7 ms later than its drops take, with a spread of 11 ms.
   float event_lag_s = 0.008f;
   float t_x_sigma_s = 0.010f;
   float trusted_residual_hz = 0.015f;  // RMS of the EKF's innovations above which ΔP is not trusted
 
-  // Successive measurements below f^B: "immediately", yet no glitch.
+  // Successive measurements below f^B: few enough for "immediately", enough to ignore a glitch.
   std::uint8_t switch_off_samples = 3;
 
   TrackerSettings tracker;
@@ -68,7 +68,8 @@ struct Settings {
 enum class SettingsError : std::uint8_t {
   kNone = 0,
   kUnknownField = 1,  // sent by a centre of a later version
-  kResponse = 2,  // gain, slope or omega_n² not positive, or outside what the model's series carry
+  kResponse =
+      2,  // gain, slope or omega_n² not positive, or beyond the limits of the model's series
   kThreshold = 3,
   kAccumulated = 4,
   kSwitchOff = 5,   // below 80 % of nominal, or not below nominal
@@ -85,22 +86,22 @@ const char* to_string(SettingsError error);
 
 SettingsError validate(const Settings& settings, float nominal_hz);
 
-// CRC-32 (IEEE 802.3) over every field in order, little-endian: what an outlet acknowledges.
+// CRC-32 (IEEE 802.3) over every field in order, little-endian. The outlet acknowledges it.
 std::uint32_t digest(const Settings& settings);
 
-// The settings as one list of name, unit, range and value. Validation, digest, wire, what a profile
-// may set and what a record keeps are derived from it: a new setting is a member of Settings and a
-// line here.
+// The list of all settings with name, unit and range. Validation, digest, wire format, the
+// profile's keys and the record's entries are derived from it. To add a setting, add a member to
+// Settings and a line here.
 
-// Beyond this no setting makes sense, whatever its unit.
+// Magnitude limit of every setting, in its own unit.
 constexpr float kLargestSetting = 1.0e9f;
 
 struct Range {
   float least = 0.0f;
   float most = kLargestSetting;
-  bool without_least = false;  // above it, not at it
+  bool without_least = false;  // open interval: `least` itself is excluded
   bool without_most = false;
-  bool of_nominal = false;  // the ends are parts of the nominal frequency
+  bool of_nominal = false;  // the ends are fractions of the nominal frequency
 };
 
 constexpr Range from_to(float least, float most) {
@@ -113,13 +114,13 @@ enum class FieldType : std::uint8_t { kU8, kU16, kU32, kFloat, kRows };
 
 struct Field {
   const char* name;  // with the unit
-  const char* unit;  // empty where it is a number of something
-  std::uint8_t key;  // on the wire; never given to another field
+  const char* unit;  // empty for counts
+  std::uint8_t key;  // on the wire; never reused for another field
   FieldType type;
   std::uint16_t offset;  // in Settings
-  Range range;           // of a float the firmware's single precision decides
-  SettingsError error;   // where it is out of its range
-  // Where profiles may set it: what it means, and what stands where they do not.
+  Range range;           // compared in single precision, as the firmware does
+  SettingsError error;   // if out of range
+  // For settings that profiles may set: the meaning, and the value if a profile does not set it.
   const char* meaning = nullptr;
   const char* otherwise = nullptr;  // nullptr: the default of Settings
 };
@@ -135,7 +136,7 @@ constexpr FieldType type_of(const T&) {
                                        : FieldType::kU32;
 }
 
-// The one place where a member is named: its type and where it stands.
+// Type and offset of a member.
 #define GS_SETTING(member) type_of(Settings{}.member), offsetof(Settings, member)
 
 inline constexpr Field kSettingsFields[] = {
@@ -164,7 +165,7 @@ inline constexpr Field kSettingsFields[] = {
     {"event_drop_hz", "Hz", 14, GS_SETTING(event_drop_hz), from_to(0.0f, 1.0f),
      SettingsError::kEvent, "least sum of the successive drops that make an event"},
     {"event_departure_hz", "Hz", 15, GS_SETTING(event_departure_hz), from_to(0.0f, 1.0f),
-     SettingsError::kEvent, "least fall below the course before, for the same"},
+     SettingsError::kEvent, "least fall below the baseline that makes an event"},
     {"lse_samples", "", 16, GS_SETTING(lse_samples), from_to(2.0f, kMaxLseSamples),
      SettingsError::kCounts, "measurements in the least squares, eq. (19)"},
     {"ekf_samples", "", 17, GS_SETTING(ekf_samples), from_to(1.0f, 200.0f), SettingsError::kCounts,
@@ -193,11 +194,11 @@ inline constexpr Field kSettingsFields[] = {
 };
 #undef GS_SETTING
 
-// Of a row of conditions: below the one above, and at most.
+// Ranges of a row of conditions.
 constexpr Range kRowFrequency = {0.0f, 1.0f, true, true, true};
 constexpr Range kRowRocof = {-kLargestSetting, 0.0f};
 
-// nominal_hz scales what is of_nominal. NaN is in no range.
+// nominal_hz scales ranges that are of_nominal. NaN is outside every range.
 constexpr bool within(const Range& range, float value, float nominal_hz) {
   const float scale = range.of_nominal ? nominal_hz : 1.0f;
   return (range.without_least ? value > range.least * scale : value >= range.least * scale) &&
@@ -213,7 +214,7 @@ const T& member(const Settings& s, const Field& field) {
   return *reinterpret_cast<const T*>(reinterpret_cast<const unsigned char*>(&s) + field.offset);
 }
 
-// `S` is Settings or const Settings. Calls visit(field, its member), or for the conditions
+// `S` is Settings or const Settings. Calls visit(field, member), or for the conditions
 // visit.rows(field, s.conditions, s.condition_rows).
 template <class S, class Visitor>
 void visit_field(S& s, const Field& field, Visitor& visit) {

@@ -1,6 +1,5 @@
-// The part of CBOR (RFC 8949) that messages are made of: integers, single-precision floats,
-// booleans, short text, arrays and maps of definite length. No heap, no recursion over outside
-// bytes without a bound.
+// The subset of CBOR (RFC 8949) that messages use: integers, single-precision floats, booleans,
+// short text, arrays and maps of definite length. No heap, no recursion.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +7,7 @@
 
 namespace gs::wire::cbor {
 
-// Writes what fits; ok() says whether everything did. Integers take their shortest form.
+// Writes items while they fit; ok() is false once one did not. Integers have their shortest form.
 class Writer {
  public:
   Writer(std::uint8_t* out, std::size_t capacity) : out_(out), capacity_(capacity) {}
@@ -34,8 +33,8 @@ class Writer {
   bool ok_ = true;
 };
 
-// Each call takes one item and returns false where the next item is another, or is cut short; the
-// reader then stands where it stood.
+// Each call reads one item. It returns false, and does not advance, if the next item has another
+// type or is truncated.
 class Reader {
  public:
   Reader(const std::uint8_t* bytes, std::size_t size) : at_(bytes), end_(bytes + size) {}
@@ -46,9 +45,9 @@ class Reader {
   [[nodiscard]] bool integer(std::int64_t& value);
   [[nodiscard]] bool single(float& value);
   [[nodiscard]] bool boolean(bool& value);
-  // Up to `most` characters of printable ASCII, and a zero after them.
+  // Reads up to `most` characters of printable ASCII; writes them and a terminating zero.
   [[nodiscard]] bool text(char* out, std::size_t most);
-  // One item of whatever kind, with all it holds.
+  // Skips one item of any type, with all it contains.
   [[nodiscard]] bool skip();
 
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
@@ -60,13 +59,13 @@ class Reader {
     std::uint64_t value = 0;
     const std::uint8_t* end = nullptr;
   };
-  // Major types; kNone is that of what is cut short, or is no item.
+  // Major types; kNone marks a truncated or invalid item.
   static constexpr std::uint8_t kArray = 4;
   static constexpr std::uint8_t kMap = 5;
   static constexpr std::uint8_t kNone = 0xFF;
 
   Head peek() const;
-  bool pass(const Head& head);  // stands behind it; always true, so that callers can return it
+  bool pass(const Head& head);  // advances past it; always returns true
   bool container(std::uint8_t wanted, std::size_t items_each, std::size_t& count);
 
   const std::uint8_t* at_;

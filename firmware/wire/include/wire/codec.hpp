@@ -1,9 +1,9 @@
 // Messages as bytes: one CBOR array each,
 //   from the outlet  [kind, sequence, sample, field, …]
 //   to the outlet    [kind, sequence, field, …]
-// with the fields of fields.hpp. A reader passes over what stands behind the fields it knows, so
-// that later versions can add some; what is missing or of another type makes a message malformed.
-// Settings are one field, a map by the keys of outlet/settings.hpp.
+// with the fields of fields.hpp. A reader ignores items after the fields it knows, so that later
+// versions can add some. A message with a field missing or of another type is malformed. Settings
+// are one field: a map with the keys of outlet/settings.hpp.
 #pragma once
 
 #include <cstddef>
@@ -13,32 +13,32 @@
 
 namespace gs::wire {
 
-// What any version may say at most, and what a link must carry; the settings with all their rows
-// are this version's longest.
+// Limit for messages of any version, which a link must carry, and the longest of this version:
+// settings with all their rows. Bytes.
 constexpr std::size_t kLongestMessage = 560;
 constexpr std::size_t kLongestOfThisVersion = 482;
 static_assert(kLongestOfThisVersion <= kLongestMessage, "");
 
 enum class Decoded : std::uint8_t {
   kOk = 0,
-  kMalformed = 1,    // no array of the right items
-  kUnknownKind = 2,  // well-formed, of a kind that is none of ours
+  kMalformed = 1,    // not an array of the required items
+  kUnknownKind = 2,  // well-formed, but of a kind that is not listed
 };
 
-// Returns the number of bytes, at most kLongestMessage; 0 where `capacity` is too small.
+// Returns the number of bytes, at most kLongestMessage; 0 if `capacity` is too small.
 std::size_t encode(const Uplink& message, std::uint32_t sequence, std::uint8_t* out,
                    std::size_t capacity);
 std::size_t encode(const Downlink& message, std::uint32_t sequence, std::uint8_t* out,
                    std::size_t capacity);
 
-// What is not kOk leaves `message` in no particular state. A settings message that decodes is
-// well-formed, not sensible: outlet::validate says that.
+// Unless the result is kOk, `message` is unspecified. Values of a decoded settings message can be
+// out of range: check them with outlet::validate.
 Decoded decode(const std::uint8_t* bytes, std::size_t size, Uplink& message,
                std::uint32_t& sequence);
 Decoded decode(const std::uint8_t* bytes, std::size_t size, Downlink& message,
                std::uint32_t& sequence);
 
-// Settings alone, as an outlet keeps them: their map. A key that is not known makes them malformed.
+// The settings' map alone, as an outlet stores it. An unknown key makes it malformed.
 std::size_t encode(const outlet::Settings& settings, std::uint8_t* out, std::size_t capacity);
 Decoded decode(const std::uint8_t* bytes, std::size_t size, outlet::Settings& settings);
 

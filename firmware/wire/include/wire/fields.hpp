@@ -1,9 +1,11 @@
-// The fields of every message in the order in which they stand on the wire. Encoder and decoder
-// both walk these lists, so that they cannot disagree.
+// The fields of every message in their order on the wire. Encoder and decoder both use these lists,
+// so that they cannot disagree.
 //
-// A visitor takes bool, std::uint8_t … std::uint32_t, std::int32_t, float and char arrays by
-// visit(field), enumerations by visit.choice(field, last) or, where they do not begin at 0,
-// visit.choice(field, last, first), and settings, one map, by visit.settings(message).
+// A visitor has
+//   visit(field)                                           for bool, std::uint8_t … std::uint32_t,
+//                                                          std::int32_t, float and char arrays
+//   visit.choice(field, last) or (field, last, first)      for enumerations from 0 or from `first`
+//   visit.settings(message)                                for settings, one map
 #pragma once
 
 #include <wire/messages.hpp>
@@ -15,11 +17,11 @@ void visit_all(V& visit, Fields&... fields) {
   (visit(fields), ...);
 }
 
-// Each `M` is the message or its const form.
+// `M`: the message type, or its const form.
 template <class M, class V>
 void hello_fields(M& m, V& visit) {
   visit_all(visit, m.protocol_version, m.id);
-  // What another version says after these two is not for us to read.
+  // The other fields of another version's hello are unknown.
   if (m.protocol_version != kProtocolVersion) {
     return;
   }

@@ -1,6 +1,7 @@
 // Frames on a serial line: 0x00 COBS(message CRC-32) 0x00, the CRC little-endian over the message.
-// A zero byte stands nowhere else, so that a receiver that lost its place finds the next frame; the
-// leading zero ends whatever a power cut or a plug left half said. Empty frames are ignored.
+// There are no other zero bytes, so that a receiver can resynchronise at any frame. The leading
+// zero ends a frame that was interrupted, for instance by a loss of power. Empty frames are
+// ignored.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +12,11 @@
 namespace gs::wire {
 
 constexpr std::size_t kCrcLength = 4;
-// Zero, one code byte in 254 and one more, zero.
+// Leading zero, one code byte per 254 bytes and one more, trailing zero.
 constexpr std::size_t kLongestFrame =
     kLongestMessage + kCrcLength + (kLongestMessage + kCrcLength) / 254 + 3;
 
-// Returns the number of bytes; 0 where the message is empty, or it or its frame too long.
+// Returns the number of bytes; 0 if the message is empty or too long, or the frame does not fit.
 std::size_t frame(const std::uint8_t* message, std::size_t size, std::uint8_t* out,
                   std::size_t capacity);
 
@@ -23,8 +24,8 @@ class FrameReader {
  public:
   enum class Taken : std::uint8_t {
     kNothing = 0,   // no frame has ended
-    kMessage = 1,   // message() and size() hold one, until the next take()
-    kBadFrame = 2,  // one ended that is not COBS, too long, too short, or has a wrong CRC
+    kMessage = 1,   // message() and size() are valid until the next take()
+    kBadFrame = 2,  // a frame ended that is not COBS, too long, too short, or has a wrong CRC
   };
 
   Taken take(std::uint8_t byte);
@@ -37,25 +38,25 @@ class FrameReader {
   void put(std::uint8_t byte);
 
   std::uint8_t bytes_[kLongestMessage + kCrcLength] = {};
-  std::size_t size_ = 0;      // decoded so far, or of the message that was found
-  std::uint8_t code_ = 0;     // of the group in hand; 0: none
-  std::uint8_t to_come_ = 0;  // bytes of that group
+  std::size_t size_ = 0;      // bytes decoded so far, or of the complete message
+  std::uint8_t code_ = 0;     // of the current group; 0: none
+  std::uint8_t to_come_ = 0;  // bytes missing from that group
   bool too_long_ = false;
 };
 
-// Tells what is new from what comes twice or not at all. Messages are numbered from 0 at start-up.
+// Detects lost and duplicate messages by their sequence numbers, which start at 0 at start-up.
 class Sequence {
  public:
   enum class Order : std::uint8_t {
     kNext = 0,
-    kGap = 1,        // missed() of them did not come
-    kDuplicate = 2,  // or one from long before: not to be looked at
+    kGap = 1,        // missed() messages were lost before this one
+    kDuplicate = 2,  // a duplicate, or late: to be ignored
   };
 
   Order take(std::uint32_t sequence);
-  void restart() { started_ = false; }  // the other side did
+  void restart() { started_ = false; }  // the next message is taken whatever its number
   std::uint32_t missed() const { return missed_; }
-  // How far the newest duplicate was behind what is expected next.
+  // Distance of the newest duplicate from the number expected next.
   std::uint32_t behind() const { return behind_; }
 
  private:

@@ -1,8 +1,9 @@
-// What an outlet and a control centre (or the bench in its place) say to each other, over any link.
+// Messages between an outlet and a control centre (or the bench in its place), over any link.
+// README.md specifies the protocol; fields.hpp lists each message's fields in their order on the
+// wire. Plain data without pointers.
 //
-// Time in a message is the outlet's own sample count: the number of samples it had taken when the
-// thing happened. Plain data without pointers; fields.hpp lists each message's fields in the order
-// in which they stand on the wire, README.md describes the protocol for other implementations.
+// Time in a message is the outlet's sample count: the number of samples taken before the moment
+// that the message describes.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +20,14 @@ constexpr std::size_t kLongestBoard = 16;
 // ---- from the outlet
 
 enum class UplinkKind : std::uint8_t {
-  kHello = 1,           // after start-up, and when asked to identify itself
-  kSettingsAnswer = 2,  // to settings
+  kHello = 1,           // after start-up, and in answer to identify
+  kSettingsAnswer = 2,  // answer to settings
   kMeasurement = 3,     // every 16 ms
   kEvent = 4,
   kLse = 5,
   kEstimate = 6,
   kDecision = 7,
-  kRelay = 8,  // the relay was told to change
+  kRelay = 8,  // the relay was commanded to change
   kAborted = 9,
   kCommandAnswer = 10,
   kStatus = 11,
@@ -36,26 +37,26 @@ enum class UplinkKind : std::uint8_t {
 };
 constexpr UplinkKind kLastUplink = UplinkKind::kError;
 
-// What an outlet can do, as bits of Hello::capabilities.
+// Bits of Hello::capabilities.
 enum Capability : std::uint32_t {
-  kKeepsSettings = 1,  // over a loss of power
+  kKeepsSettings = 1,  // through a loss of power
   kHasWatchdog = 2,
 };
 
-// An outlet of any protocol version begins its hello with protocol_version and id; of another
-// version's, those two alone are read.
+// Every protocol version's hello begins with protocol_version and id. Of a hello of another version
+// only these two are read.
 struct Hello {
   std::uint16_t protocol_version = kProtocolVersion;
-  char id[kLongestId + 1] = {};        // given at manufacture: letters, digits, '-', '_', '.'
-  char board[kLongestBoard + 1] = {};  // what it is made of: "mps2-an386"
-  std::uint32_t instance = 0;  // of this very piece of hardware; tells two with one id apart
+  char id[kLongestId + 1] = {};        // set at manufacture: letters, digits, '-', '_', '.'
+  char board[kLongestBoard + 1] = {};  // hardware type: "mps2-an386"
+  std::uint32_t instance = 0;  // unique number of this unit: distinguishes two with the same id
   std::uint32_t firmware_version = 0;  // major·10⁶ + minor·10³ + patch
   std::uint32_t build = 0;             // first 32 bits of the SHA-256 over the firmware's sources
   std::uint32_t capabilities = 0;
   std::int32_t sample_rate_hz = 0;
   std::int32_t nominal_hz = 0;
-  float tracker_delay_s = 0.0f;        // a measured frequency is that of so long before its stamp
-  float voltage_delay_s = 0.0f;        // the same for the voltage
+  float tracker_delay_s = 0.0f;        // age of a measured frequency at its time stamp
+  float voltage_delay_s = 0.0f;        // age of a measured voltage at its time stamp
   std::uint32_t settings_version = 0;  // in force; 0: none
   std::uint32_t settings_digest = 0;   // outlet::digest of them
 };
@@ -63,8 +64,8 @@ struct Hello {
 struct SettingsAnswer {
   outlet::SettingsError error = outlet::SettingsError::kNone;
   std::uint32_t version = 0;  // in force now
-  std::uint32_t digest = 0;   // of what is in force now
-  bool kept = false;          // they would survive a loss of power
+  std::uint32_t digest = 0;   // of the settings in force now
+  bool kept = false;          // stored: they survive a loss of power
 };
 
 struct MeasurementMessage {
@@ -86,7 +87,7 @@ struct LseMessage {
 struct EstimateMessage {
   float loss_mw = 0.0f;
   float loss_sigma_mw = 0.0f;
-  float loss_instant_s = 0.0f;  // against the event's stamp, the tracker's delay taken off
+  float loss_instant_s = 0.0f;  // relative to the event's stamp, tracker delay subtracted
   outlet::Trust trust = outlet::Trust::kNotYet;
 };
 
@@ -113,22 +114,23 @@ struct Status {
   bool relay_closed = true;
   outlet::Cause cause = outlet::Cause::kNone;
   outlet::Phase phase = outlet::Phase::kQuiet;
-  std::uint32_t samples_lost = 0;     // by the ADC, since start-up
-  std::uint32_t messages_bad = 0;     // received and not understood
+  std::uint32_t samples_lost = 0;     // delivered by the ADC but not taken, since start-up
+  std::uint32_t messages_bad = 0;     // received as bad frame, malformed or of an unknown kind
   std::uint32_t messages_unsent = 0;  // dropped because the link did not take them
 };
 
 // Bits of SelfTest::failed.
 enum SelfTestPart : std::uint32_t {
-  kArithmetic = 1,       // a known signal gave other bits than it must
-  kSettingsStorage = 2,  // cannot be read or holds nothing valid though it should
-  kClock = 4,            // the crystal did not start; the board runs on what it has
-  kAdc = 8,              // no samples come
+  kArithmetic = 1,       // the fingerprint differs from the required one
+  kSettingsStorage = 2,  // stored settings cannot be read
+  kClock = 4,            // the crystal did not start; the board runs on another oscillator
+  kAdc = 8,              // no samples arrive
 };
 
 struct SelfTest {
   std::uint32_t failed = 0;
-  std::uint32_t fingerprint = 0;  // of the known signal's result: equal on every board and build
+  std::uint32_t fingerprint =
+      0;  // of the result for a known signal; equal on all boards and builds
 };
 
 struct Echo {
@@ -138,10 +140,10 @@ struct Echo {
 enum class ErrorCode : std::uint8_t {
   kBadFrame = 1,         // not COBS, too long, or its CRC is wrong
   kMalformed = 2,        // not a message of this protocol
-  kUnknownKind = 3,      // a message of no known kind
+  kUnknownKind = 3,      // a message of an unknown kind
   kSamplesLost = 4,      // the firmware was too slow for its ADC
-  kSettingsStorage = 5,  // settings could not be kept
-  kWatchdog = 6,         // the watchdog had to restart the outlet
+  kSettingsStorage = 5,  // settings could not be stored
+  kWatchdog = 6,         // the watchdog restarted the outlet
   kClock = 7,            // the crystal did not start
 };
 constexpr ErrorCode kFirstErrorCode = ErrorCode::kBadFrame;
@@ -149,7 +151,7 @@ constexpr ErrorCode kLastErrorCode = ErrorCode::kClock;
 
 struct ErrorMessage {
   ErrorCode code = ErrorCode::kMalformed;
-  std::uint32_t detail = 0;  // how many so far
+  std::uint32_t detail = 0;  // number of errors of this code since start-up
 };
 
 struct Uplink {
@@ -189,14 +191,14 @@ constexpr DownlinkKind kLastDownlink = DownlinkKind::kPing;
 struct Downlink {
   DownlinkKind kind = DownlinkKind::kCommand;
   outlet::Settings settings;  // of kSettings
-  // Of kSettings, as they were read: kNone or kUnknownField.
+  // Of kSettings, from decoding: kNone or kUnknownField.
   outlet::SettingsError settings_error = outlet::SettingsError::kNone;
   bool close_relay = true;    // of kCommand
-  std::uint32_t request = 0;  // of kCommand: comes back in its answer
+  std::uint32_t request = 0;  // of kCommand: repeated in its answer
   std::uint32_t token = 0;    // of kPing
 };
 
-// Asks an outlet who it is.
+// A kIdentify message.
 Downlink identify();
 
 const char* to_string(UplinkKind kind);

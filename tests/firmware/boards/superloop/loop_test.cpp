@@ -91,11 +91,11 @@ class FakeBoard final : public Board {
 
 class LoopTest : public testing::Test {
  protected:
-  bool start(bool clock_failed = false, bool watchdog_barked = false) {
+  bool start(bool clock_failed = false, bool reset_by_watchdog = false) {
     StartUp start_up;
     app::set_text(start_up.identity.id, "outlet-7");
     start_up.hardware.has_crystal = !clock_failed;
-    start_up.watchdog_barked = watchdog_barked;
+    start_up.reset_by_watchdog = reset_by_watchdog;
     return loop_.start(start_up);
   }
 

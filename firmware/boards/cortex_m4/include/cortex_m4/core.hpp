@@ -1,5 +1,5 @@
-// The processor's own registers and instructions (ARMv7-M Architecture Reference Manual, B3), as
-// far as the boards need them.
+// The processor's registers and instructions that the boards use (ARMv7-M Architecture Reference
+// Manual, B3).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ inline volatile std::uint32_t& word_at(std::uintptr_t address) {
   return *reinterpret_cast<volatile std::uint32_t*>(address);
 }
 
-// A block of registers at its address, by its manual's name: TIM2->CNT.
+// A block of registers at its address, accessed by the manual's names: TIM2->CNT.
 template <class Block, std::uintptr_t kAddress>
 struct At {
   Block& operator*() const { return *reinterpret_cast<Block*>(kAddress); }
@@ -22,7 +22,7 @@ struct SysTick {
 };
 constexpr At<SysTick, 0xE000E010u> systick;
 
-// An interrupt every `cycles` of the processor's clock, at most 2^24.
+// Starts an interrupt every `cycles` of the processor's clock, at most 2^24.
 inline void start_systick(std::uint32_t cycles) {
   constexpr std::uint32_t kEnable = 1u, kInterrupt = 2u, kProcessorClock = 4u;
   systick->RVR = cycles - 1;
@@ -34,7 +34,7 @@ inline void enable_interrupt(unsigned number) {
   word_at(0xE000E100u + 4 * (number / 32)) = 1u << (number % 32);
 }
 
-// No interrupt in its scope, bar the NMI and faults. Not to be nested.
+// Masks all interrupts but the NMI and faults in its scope. Must not be nested.
 class InterruptsMasked {
  public:
   InterruptsMasked() { asm volatile("cpsid i" ::: "memory"); }
@@ -43,8 +43,8 @@ class InterruptsMasked {
   InterruptsMasked& operator=(const InterruptsMasked&) = delete;
 };
 
-// Sleeps unless `work_waits()`. With interrupts masked: one that comes between the look and the
-// instruction is pending, and wakes it at once.
+// Sleeps unless `work_waits()`. Interrupts are masked meanwhile: one that arrives between the check
+// and the instruction is pending and wakes the processor at once.
 template <class Predicate>
 void sleep_unless(Predicate work_waits) {
   const InterruptsMasked masked;

@@ -1,5 +1,5 @@
-// The vector table and what stands behind it. Each board lays out its own, in the section .vectors,
-// and has a main() that never returns.
+// Vector table and default handlers. Each board defines its own table in the section .vectors, and
+// a main() that never returns.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,11 @@ namespace gs::cortex_m4 {
 using Handler = void (*)();
 
 extern "C" {
-// Of the linker script: the stack's end, where it begins to be used.
+// Initial stack pointer, from the linker script.
 extern char gs_stack_top[];
 void gs_reset();
-// Faults and interrupts that nobody asked for. The watchdog ends it, and the restart is told.
+// Handler of faults and unexpected interrupts: loops until the watchdog restarts the outlet, which
+// then reports the restart.
 void gs_hang();
 }
 
@@ -30,6 +31,6 @@ struct VectorTable {
   Handler systick = gs_hang;
   Handler interrupts[kInterrupts] = {};
 };
-static_assert(sizeof(VectorTable<1>) == 17 * sizeof(void*), "as the processor reads it");
+static_assert(sizeof(VectorTable<1>) == 17 * sizeof(void*), "layout required by the processor");
 
 }  // namespace gs::cortex_m4

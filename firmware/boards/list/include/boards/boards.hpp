@@ -1,5 +1,6 @@
-// The boards, a line each: from it come the folders and images that are built (CMakeLists.txt above
-// reads it), the image's tests, and the boards that an emulated station may name.
+// The list of boards, one per line. From it derive the folders and images that are built
+// (boards/CMakeLists.txt reads this file), the images' tests, and the boards that the station file
+// of an emulated station may name.
 #pragma once
 
 #include <cstring>
@@ -8,10 +9,10 @@ namespace gs::boards {
 
 struct Board {
   const char* folder;   // its image is gs-outlet-<folder>.elf
-  const char* core;     // "cortex_m4": images by the cross build; "process": a program, gs-outlet
-  const char* name;     // in its firmware's hello and in station files
-  const char* machine;  // of qemu-system-arm, with its memory `psram` shared; empty: none has it
-  bool has_radio;       // reached over MQTT too, not by serial line alone
+  const char* core;     // "cortex_m4": image of the cross build; "process": the program gs-outlet
+  const char* name;     // in the hello and in station files
+  const char* machine;  // of qemu-system-arm, with the shared memory `psram`; empty: not emulated
+  bool has_radio;       // supports MQTT besides the serial line
 };
 
 inline constexpr Board kBoards[] = {
@@ -24,12 +25,12 @@ inline bool is_process(const Board& board) {
   return std::strcmp(board.core, "process") == 0;
 }
 
-// An emulated station can start it.
+// True if an emulated station can start the board.
 inline bool is_emulated(const Board& board) {
   return is_process(board) || board.machine[0] != '\0';
 }
 
-// nullptr where no board has that name.
+// Returns nullptr for an unknown name.
 inline const Board* find(const char* name) {
   for (const Board& board : kBoards) {
     if (std::strcmp(board.name, name) == 0) {

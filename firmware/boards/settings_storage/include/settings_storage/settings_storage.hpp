@@ -1,9 +1,9 @@
-// Settings in flash, in two slots: a new set goes into the slot that does not hold the newest, and
-// counts only once its last word, the CRC, is there. A loss of power at any write leaves the old or
-// the new set, never neither.
+// Settings in flash, in two slots. A new set is written to the slot that does not hold the newest,
+// and is valid only once its last word, the CRC, is written. A loss of power at any time leaves the
+// old or the new set valid.
 //
-// A slot: magic, sequence number, length (32 bits each, little-endian), the settings as CBOR
-// (wire/codec.hpp), padding to a whole word, CRC-32 over all before it.
+// Format of a slot: magic, sequence number, length (32 bits each, little-endian), the settings as
+// CBOR (wire/codec.hpp), padding to a whole 32-bit word, CRC-32 over everything before it.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@
 
 namespace gs::settings_storage {
 
-// What a board's flash does. Addresses are offsets within a slot, multiples of 4.
+// Flash driver of a board. Offsets are within a slot, in bytes, multiples of 4. Calls may block;
+// they return false on failure.
 class Flash {
  public:
   virtual bool erase(int slot) = 0;
@@ -25,16 +26,16 @@ class Flash {
 };
 
 constexpr int kSlots = 2;
-constexpr std::size_t kSlotBytes = 1024;  // used of each slot, at most
+constexpr std::size_t kSlotBytes = 1024;  // at most used of each slot
 
 class FlashSettingsStorage final : public app::SettingsStorage {
  public:
   explicit FlashSettingsStorage(Flash& flash) : flash_(flash) {}
 
-  // The newest set that is whole; false where there is none.
+  // Loads the newest valid set. Returns false if there is none.
   bool load(outlet::Settings& settings);
   bool keep(const outlet::Settings& settings) override;
-  // Nothing was ever kept, or what was kept last can be read.
+  // True if there is a valid set, or if none was ever completely written.
   bool usable() const override;
 
  private:

@@ -1,4 +1,4 @@
-// An emulated outlet's flash: bytes in the terminals, that outlive its process.
+// An emulated outlet's flash: bytes in the terminals, which persist when its process ends.
 #pragma once
 
 #include <settings_storage/settings_storage.hpp>
@@ -19,7 +19,7 @@ class SharedFlash final : public settings_storage::Flash {
     }
     return true;
   }
-  // As flash does: bits go from 1 to 0 only.
+  // Like flash: bits change from 1 to 0 only.
   bool program(int slot, std::size_t offset, std::uint32_t value) override {
     word(slot, offset) = word(slot, offset) & value;
     return true;

@@ -1,8 +1,8 @@
-// Shared memory in place of an emulated outlet's hardware: the mains at its ADC, the coil of its
-// relay, what is written into it at manufacture, and its flash. The outlet's board code sees it as
-// registers; the bench maps the same file. A real board has a converter, a pin and a flash instead.
+// The terminals: shared memory in place of an emulated outlet's hardware. It holds the samples for
+// its ADC, its relay's coil, its manufacturing data and its flash. The outlet's board code accesses
+// it like registers; the bench maps the same file.
 //
-// Each counter has one writer; the other side reads it after what it counts.
+// Each counter has one writer, which updates it after the data that it counts.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ constexpr std::size_t kFlashSlotBytes = 4096;
 constexpr std::size_t kFlashSlots = 2;
 
 struct PinEdge {
-  std::uint32_t sample;  // the converter's count when the pin changed
-  std::uint32_t closed;  // 1: the contact is to close
+  std::uint32_t sample;  // ADC sample count when the pin changed
+  std::uint32_t closed;  // 1: commanded to close
 };
 
 struct SharedMemory {
@@ -31,20 +31,20 @@ struct SharedMemory {
   float counts_per_pu;
   std::uint32_t instance;
   char id[wire::kLongestId + 1];
-  std::uint8_t crystal_fails;  // 1: the board behaves as one whose crystal does not start
+  std::uint8_t crystal_fails;  // 1: the board behaves as if its crystal did not start
 
-  // The mains. The bench writes ring[written % kRingSamples], then counts; the outlet follows. Both
-  // counters run modulo 2^32.
+  // Samples of the mains. The bench writes ring[written % kRingSamples], then increments `written`;
+  // the outlet advances `taken`. Both counters run modulo 2^32.
   alignas(64) volatile std::uint32_t written;
   alignas(64) volatile std::uint32_t taken;
 
-  // The relay's coil: the newest kPinEdges changes of the pin, and how many there were.
+  // The relay's coil: number of changes of the pin, and the newest kPinEdges of them.
   alignas(64) volatile std::uint32_t edges;
   PinEdge edge[kPinEdges];
 
-  volatile std::uint32_t starts;  // how often the outlet has restarted
+  volatile std::uint32_t starts;  // number of starts of the outlet
 
-  // As flash: an erase sets bytes to 0xFF, programming only clears bits.
+  // Like flash: an erase sets bytes to 0xFF, programming only clears bits.
   alignas(64) std::uint8_t flash[kFlashSlots][kFlashSlotBytes];
 
   alignas(64) std::int16_t ring[kRingSamples];

@@ -1,4 +1,4 @@
-// The outlet's side of its terminals: samples in, the relay's coil out.
+// The outlet's side of the terminals: reads samples, drives the relay's coil. No call blocks.
 #pragma once
 
 #include <shared_memory_io/shared_memory.hpp>
@@ -12,11 +12,12 @@ class SharedPort {
  public:
   explicit SharedPort(SharedMemory& terminals) : terminals_(terminals) {}
 
-  // An outlet that restarts counts from what is written from now on.
+  // Counts the start and skips samples written before it.
   void start();
 
   bool samples_wait() const { return terminals_.written != terminals_.taken; }
-  // Up to `most` of the oldest samples that were not taken; `lost` came before them and is gone.
+  // Takes up to `most` of the oldest samples; returns the number taken. `lost`: samples that were
+  // overwritten before them.
   std::size_t take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost);
 
   bool relay_closed() const;

@@ -1,5 +1,5 @@
-// The outlet on a board: each turn takes the bytes that came, a millisecond of samples at most, and
-// sets the relay. The same for every board, and for the tests on the host.
+// The main loop of a board without an operating system. Each turn takes the received bytes, at most
+// a millisecond of samples, and sets the relay. Shared by all boards and the tests on the host.
 #pragma once
 
 #include <settings_storage/settings_storage.hpp>
@@ -15,21 +15,21 @@ namespace gs::superloop {
 struct StartUp {
   outlet::Hardware hardware;
   app::Identity identity;
-  bool watchdog_barked = false;
+  bool reset_by_watchdog = false;
 };
 
 class Loop {
  public:
-  Loop(Board& board, settings_storage::FlashSettingsStorage& area);
+  Loop(Board& board, settings_storage::FlashSettingsStorage& storage);
 
-  // Says hello with the settings that were kept in force. False where the hardware is none that can
-  // be served; the loop then only turns.
+  // Applies the stored settings and sends the hello. Returns false if the hardware is not
+  // supported; the application then does nothing.
   bool start(const StartUp& start_up);
 
-  // Says hello again, to whom it may have escaped.
-  void introduce() { app_.receive(wire::identify(), endpoint_); }
+  // Sends the hello again, after a reconnection.
+  void send_hello() { app_.receive(wire::identify(), endpoint_); }
 
-  // False where there was nothing to do: the board may sleep until an interrupt.
+  // Returns false if there was nothing to do: the board may sleep until an interrupt.
   bool turn();
 
  private:
@@ -37,7 +37,7 @@ class Loop {
   bool take_samples();
 
   Board& board_;
-  settings_storage::FlashSettingsStorage& area_;
+  settings_storage::FlashSettingsStorage& storage_;
   app::Application app_;
   app::SerialEndpoint endpoint_;
   std::int16_t chunk_[outlet::kMaxSampleRate_hz / 1000] = {};

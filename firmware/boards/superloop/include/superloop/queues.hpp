@@ -1,5 +1,5 @@
-// What goes between an interrupt and the loop: one side puts, the other takes. On one core,
-// volatile keeps the order: an item is in before it counts.
+// Queues between an interrupt and the loop: one side puts, the other takes. On a single core,
+// volatile is enough to store an item before it is counted.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class Ring {
   std::size_t used() const { return put_ - taken_; }
   std::size_t room() const { return kItems - used(); }
 
-  // False where it is full.
+  // Returns false if it is full.
   bool put(T item) {
     if (room() == 0) {
       return false;
@@ -25,7 +25,7 @@ class Ring {
     return true;
   }
 
-  // All of them or none.
+  // Puts all items, or none if they do not fit.
   bool put(const T* items, std::size_t count) {
     if (room() < count) {
       return false;
@@ -54,13 +54,13 @@ class Ring {
 template <std::size_t kBytes>
 using ByteRing = Ring<std::uint8_t, kBytes>;
 
-// Samples between a converter's interrupt and the loop, in order, with what was lost in its place:
-// once a block did not fit, those after it are dropped too until the loop has taken what came
+// Samples between the ADC's interrupt and the loop. Lost samples are reported at their place in the
+// order: once a block did not fit, later blocks are dropped until the loop has taken the samples
 // before the gap.
 template <std::size_t kSamples>
 class SampleQueue {
  public:
-  // From the interrupt.
+  // Called from the interrupt.
   void put(const std::int16_t* block, std::size_t count) {
     if (lost_ != 0 || !samples_.put(block, count)) {
       lose(static_cast<std::uint32_t>(count));
@@ -68,7 +68,7 @@ class SampleQueue {
   }
   void lose(std::uint32_t count) { lost_ = lost_ + count; }
 
-  // From the loop, with that interrupt masked: lost ones come before the samples that are returned.
+  // Called from the loop, with that interrupt masked. `lost`: samples lost before those returned.
   std::size_t take(std::int16_t* out, std::size_t most, std::uint32_t& lost) {
     lost = 0;
     if (empty()) {
