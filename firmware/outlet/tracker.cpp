@@ -18,11 +18,11 @@ constexpr std::uint8_t kLongestHold = 16;
 constexpr std::uint16_t kReportsToSettle = 16;
 // Largest standard deviation of a frequency that is reported as valid, 20 mHz: ten times that of
 // the settled filter at 1 % noise.
-constexpr float kLargestValidSigma = kTwoPi * 0.020f;
+constexpr float kLargestValidSigma_rad_s = kTwoPi * 0.020f;
 
 // Bounds of the state, beyond those of any grid: ±15 Hz, ±30 Hz/s.
-constexpr float kLargestOmega = kTwoPi * 15.0f;
-constexpr float kLargestAlpha = kTwoPi * 30.0f;
+constexpr float kLargestOmega_rad_s = kTwoPi * 15.0f;
+constexpr float kLargestAlpha_rad_s2 = kTwoPi * 30.0f;
 
 enum { kPP, kPW, kPA, kWW, kWA, kAA };
 
@@ -75,10 +75,10 @@ void correct(const TrackerSettings& settings, TrackerState& s, float innovation_
   const float gain_omega = p[kPW] * inverse;
   const float gain_alpha = p[kPA] * inverse;
   s.phase_rad = wrapped(s.phase_rad + gain_phase * innovation_rad);
-  s.omega_rad_s =
-      bounded(s.omega_rad_s + gain_omega * innovation_rad, -kLargestOmega, kLargestOmega);
-  s.alpha_rad_s2 =
-      bounded(s.alpha_rad_s2 + gain_alpha * innovation_rad, -kLargestAlpha, kLargestAlpha);
+  s.omega_rad_s = bounded(s.omega_rad_s + gain_omega * innovation_rad, -kLargestOmega_rad_s,
+                          kLargestOmega_rad_s);
+  s.alpha_rad_s2 = bounded(s.alpha_rad_s2 + gain_alpha * innovation_rad, -kLargestAlpha_rad_s2,
+                           kLargestAlpha_rad_s2);
   // (1 − gain)·p, written so that the diagonal cannot become negative.
   const float keep = r * inverse;
   s.last_innovation_rad = keep * innovation_rad;
@@ -104,14 +104,14 @@ void take_phase(TrackerState& s, const Phasor& z, float amplitude) {
   s.quiet = 0;
 }
 
-void set_covariance(const TrackerSettings& settings, TrackerState& s, float omega_sigma,
-                    float alpha_sigma) {
+void set_covariance(const TrackerSettings& settings, TrackerState& s, float omega_sigma_rad_s,
+                    float alpha_sigma_rad_s2) {
   for (float& entry : s.covariance) {
     entry = 0.0f;
   }
   s.covariance[kPP] = phase_variance(settings, s);
-  s.covariance[kWW] = omega_sigma * omega_sigma;
-  s.covariance[kAA] = alpha_sigma * alpha_sigma;
+  s.covariance[kWW] = omega_sigma_rad_s * omega_sigma_rad_s;
+  s.covariance[kAA] = alpha_sigma_rad_s2 * alpha_sigma_rad_s2;
 }
 
 void acquire(const TrackerSettings& settings, TrackerState& s, const Phasor& z, float amplitude) {
@@ -210,7 +210,7 @@ Measurement track(const TrackerSettings& settings, float nominal_hz, TrackerStat
     return report(nominal_hz, s, z, Validity::kInvalid);
   }
   // After coasting, the frequency is valid only once its uncertainty is small again.
-  if (s.covariance[kWW] > kLargestValidSigma * kLargestValidSigma) {
+  if (s.covariance[kWW] > kLargestValidSigma_rad_s * kLargestValidSigma_rad_s) {
     return report(nominal_hz, s, z, Validity::kHeld);
   }
   s.held = 0;

@@ -1,5 +1,4 @@
-// The outlet's end of a link: bytes in, bytes out, over a carrier of whole messages and over one of
-// bytes.
+// The outlet's end of a link, over a carrier of whole messages and over one of bytes.
 #include <firmware_test/settings.hpp>
 #include <wire_test/downlinks.hpp>
 #include <wire_test/messages.hpp>
@@ -24,28 +23,28 @@ using wire::test::encoded;
 using wire::test::framed;
 using wire::test::ping;
 
-// Takes whole messages and reads them as the other side would.
+// A carrier of whole messages, which decodes them like the other side.
 class Listener final : public Carrier {
  public:
   bool send(const std::uint8_t* bytes, std::size_t size) override {
-    if (deaf) {
+    if (refuses) {
       return false;
     }
     Uplink message;
     std::uint32_t sequence = 0;
     EXPECT_EQ(wire::decode(bytes, size, message, sequence), wire::Decoded::kOk);
-    heard.push_back(message);
+    received.push_back(message);
     numbers.push_back(sequence);
     return true;
   }
-  const Uplink& last() const { return heard.back(); }
+  const Uplink& last() const { return received.back(); }
 
-  bool deaf = false;
-  std::vector<Uplink> heard;
+  bool refuses = false;
+  std::vector<Uplink> received;
   std::vector<std::uint32_t> numbers;
 };
 
-// Takes bytes and finds the frames in them.
+// A carrier of bytes, which finds the frames in them.
 class Line final : public Carrier {
  public:
   bool send(const std::uint8_t* bytes, std::size_t size) override {
@@ -62,7 +61,7 @@ class Line final : public Carrier {
   wire::FrameReader reader_;
 };
 
-class Area final : public SettingsStorage {
+class FakeStorage final : public SettingsStorage {
  public:
   bool keep(const outlet::Settings& settings) override {
     if (!keeps) {
@@ -86,9 +85,9 @@ wire::Downlink settings_message(std::uint32_t version) {
 
 class EndpointTest : public testing::Test {
  protected:
-  void SetUp() override { start(&area_); }
-  void start(SettingsStorage* area) {
-    ASSERT_TRUE(app_.start(outlet::Hardware{}, Identity{}, area, endpoint_));
+  void SetUp() override { start(&storage_); }
+  void start(SettingsStorage* storage) {
+    ASSERT_TRUE(app_.start(outlet::Hardware{}, Identity{}, storage, endpoint_));
   }
   void send(const wire::Downlink& downlink, std::uint32_t sequence) {
     send(encoded(downlink, sequence));
@@ -105,7 +104,7 @@ class EndpointTest : public testing::Test {
   }
 
   Application app_;
-  Area area_;
+  FakeStorage storage_;
   Listener listener_;
   MessageEndpoint endpoint_{app_, listener_};
 };
@@ -113,8 +112,8 @@ class EndpointTest : public testing::Test {
 TEST_F(EndpointTest, NumbersItsMessagesFromZero) {
   feed(1280);
   send(ping(1), 0);
-  ASSERT_EQ(listener_.heard.size(), 12U);
-  EXPECT_EQ(listener_.heard.front().kind, UplinkKind::kHello);
+  ASSERT_EQ(listener_.received.size(), 12U);
+  EXPECT_EQ(listener_.received.front().kind, UplinkKind::kHello);
   for (std::uint32_t i = 0; i < 12; ++i) {
     EXPECT_EQ(listener_.numbers[i], i);
   }
@@ -128,23 +127,23 @@ TEST_F(EndpointTest, EchoesAPingAtOnceWithItsTokenAndTheSamplesTaken) {
   EXPECT_EQ(listener_.last().sample, 100U);
 }
 
-TEST_F(EndpointTest, DropsDuplicatesWithoutAWord) {
+TEST_F(EndpointTest, DropsDuplicatesWithoutAnAnswer) {
   send(ping(1), 5);
-  ASSERT_EQ(listener_.heard.size(), 2U);
+  ASSERT_EQ(listener_.received.size(), 2U);
   send(ping(1), 5);
   send(ping(1), 4);
-  EXPECT_EQ(listener_.heard.size(), 2U);
+  EXPECT_EQ(listener_.received.size(), 2U);
   send(ping(2), 6);
-  EXPECT_EQ(listener_.heard.size(), 3U);
+  EXPECT_EQ(listener_.received.size(), 3U);
   send(ping(3), 100);
-  EXPECT_EQ(listener_.last().echo.token, 3U) << "a gap is no reason to drop what comes after it";
+  EXPECT_EQ(listener_.last().echo.token, 3U) << "a message after a gap counts";
   EXPECT_EQ(status(101).messages_bad, 0U);
 }
 
 TEST_F(EndpointTest, IdentifyRestartsTheNumbering) {
   send(ping(1), 1000);
   send(ping(2), 1);
-  ASSERT_EQ(listener_.heard.size(), 2U) << "from long before";
+  ASSERT_EQ(listener_.received.size(), 2U) << "a late message is dropped";
   send(downlink(DownlinkKind::kIdentify), 0);
   ASSERT_EQ(listener_.last().kind, UplinkKind::kHello);
   send(ping(3), 1);
@@ -153,7 +152,7 @@ TEST_F(EndpointTest, IdentifyRestartsTheNumbering) {
   EXPECT_EQ(listener_.last().echo.token, 3U);
 }
 
-TEST_F(EndpointTest, TellsOfMessagesItCannotRead) {
+TEST_F(EndpointTest, ReportsMessagesThatItCannotDecode) {
   send(Bytes{0x82, 0x06});
   EXPECT_EQ(listener_.last().kind, UplinkKind::kError);
   EXPECT_EQ(listener_.last().error.code, ErrorCode::kMalformed);
@@ -162,34 +161,34 @@ TEST_F(EndpointTest, TellsOfMessagesItCannotRead) {
   EXPECT_EQ(listener_.last().error.detail, 2U);
   send(Bytes{0x82, 0x18, 0x63, 0x00});
   EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownKind);
-  EXPECT_EQ(listener_.last().error.detail, 1U) << "each code counts by itself";
+  EXPECT_EQ(listener_.last().error.detail, 1U) << "each code has its own count";
   EXPECT_EQ(status(0).messages_bad, 3U);
 }
 
-TEST_F(EndpointTest, CountsWhatTheLinkDidNotTakeAndLeavesAGap) {
-  listener_.deaf = true;
+TEST_F(EndpointTest, CountsUnsentMessagesAndLeavesAGapInTheNumbering) {
+  listener_.refuses = true;
   send(ping(1), 0);
   feed(256);
-  listener_.deaf = false;
+  listener_.refuses = false;
   EXPECT_EQ(status(1).messages_unsent, 3U);
   EXPECT_EQ(listener_.numbers, (std::vector<std::uint32_t>{0, 4}));
 }
 
-TEST_F(EndpointTest, StatusIsWhatItHasBeenThrough) {
+TEST_F(EndpointTest, StatusHasCountersAndState) {
   feed(3 * 128);
-  wire::Status told = status(0);
-  EXPECT_EQ(told.reports, 3U);
-  EXPECT_TRUE(told.relay_closed);
-  EXPECT_EQ(told.cause, outlet::Cause::kNone);
-  EXPECT_EQ(told.phase, outlet::Phase::kQuiet);
-  EXPECT_EQ(told.samples_lost, 0U);
+  wire::Status reported = status(0);
+  EXPECT_EQ(reported.reports, 3U);
+  EXPECT_TRUE(reported.relay_closed);
+  EXPECT_EQ(reported.cause, outlet::Cause::kNone);
+  EXPECT_EQ(reported.phase, outlet::Phase::kQuiet);
+  EXPECT_EQ(reported.samples_lost, 0U);
   send(wire::test::command(false), 1);
-  told = status(2);
-  EXPECT_FALSE(told.relay_closed);
-  EXPECT_EQ(told.cause, outlet::Cause::kCommand);
+  reported = status(2);
+  EXPECT_FALSE(reported.relay_closed);
+  EXPECT_EQ(reported.cause, outlet::Cause::kCommand);
 }
 
-TEST_F(EndpointTest, TimeGoesOnOverSamplesThatWereLost) {
+TEST_F(EndpointTest, LostSamplesCountInTimeStamps) {
   feed(100);
   app_.note_samples_lost(28, endpoint_);
   EXPECT_EQ(listener_.last().kind, UplinkKind::kError);
@@ -197,35 +196,35 @@ TEST_F(EndpointTest, TimeGoesOnOverSamplesThatWereLost) {
   EXPECT_EQ(listener_.last().sample, 128U);
   app_.note_samples_lost(2, endpoint_);
   EXPECT_EQ(listener_.last().error.detail, 2U);
-  const wire::Status told = status(0);
-  EXPECT_EQ(told.samples_lost, 30U);
-  EXPECT_EQ(told.messages_bad, 0U);
+  const wire::Status reported = status(0);
+  EXPECT_EQ(reported.samples_lost, 30U);
+  EXPECT_EQ(reported.messages_bad, 0U);
   EXPECT_EQ(app_.samples_taken(), 130U);
 }
 
-TEST_F(EndpointTest, SettingsThatAreFollowedAreKept) {
+TEST_F(EndpointTest, StoresAcceptedSettings) {
   send(settings_message(3), 0);
   EXPECT_EQ(listener_.last().kind, UplinkKind::kSettingsAnswer);
   EXPECT_EQ(listener_.last().settings_answer.error, outlet::SettingsError::kNone);
   EXPECT_TRUE(listener_.last().settings_answer.kept);
-  ASSERT_EQ(area_.kept.size(), 1U);
-  EXPECT_EQ(outlet::digest(area_.kept[0]), listener_.last().settings_answer.digest);
+  ASSERT_EQ(storage_.kept.size(), 1U);
+  EXPECT_EQ(outlet::digest(storage_.kept[0]), listener_.last().settings_answer.digest);
 }
 
-TEST_F(EndpointTest, SettingsThatAreRefusedAreNotKept) {
+TEST_F(EndpointTest, DoesNotStoreRefusedSettings) {
   wire::Downlink wrong = settings_message(3);
   wrong.settings.threshold_mw = -1.0F;
   send(wrong, 0);
   EXPECT_EQ(listener_.last().settings_answer.error, outlet::SettingsError::kThreshold);
   EXPECT_FALSE(listener_.last().settings_answer.kept);
-  EXPECT_TRUE(area_.kept.empty());
+  EXPECT_TRUE(storage_.kept.empty());
 }
 
-TEST_F(EndpointTest, SettingsThatCannotBeKeptAreFollowedAndTold) {
-  area_.keeps = false;
+TEST_F(EndpointTest, AppliesSettingsThatCannotBeStoredAndReportsAnError) {
+  storage_.keeps = false;
   send(settings_message(3), 0);
-  ASSERT_EQ(listener_.heard.size(), 3U);
-  const wire::SettingsAnswer answer = listener_.heard[1].settings_answer;
+  ASSERT_EQ(listener_.received.size(), 3U);
+  const wire::SettingsAnswer answer = listener_.received[1].settings_answer;
   EXPECT_EQ(answer.error, outlet::SettingsError::kNone);
   EXPECT_EQ(answer.version, 3U);
   EXPECT_FALSE(answer.kept);
@@ -233,17 +232,17 @@ TEST_F(EndpointTest, SettingsThatCannotBeKeptAreFollowedAndTold) {
   EXPECT_EQ(status(1).messages_bad, 0U);
 }
 
-TEST_F(EndpointTest, WithoutASettingsStorageNothingIsKeptAndNothingWrong) {
+TEST_F(EndpointTest, WithoutStorageAppliesSettingsWithoutAnError) {
   start(nullptr);
   send(settings_message(3), 0);
   EXPECT_EQ(listener_.last().kind, UplinkKind::kSettingsAnswer);
   EXPECT_FALSE(listener_.last().settings_answer.kept);
 }
 
-TEST_F(EndpointTest, RestoredSettingsAreToldInTheHello) {
+TEST_F(EndpointTest, ReportsRestoredSettingsInTheHello) {
   const outlet::Settings settings = settings_message(7).settings;
   ASSERT_TRUE(app_.restore(settings));
-  EXPECT_TRUE(area_.kept.empty()) << "they are there already";
+  EXPECT_TRUE(storage_.kept.empty()) << "they are stored already";
   send(downlink(DownlinkKind::kIdentify), 0);
   EXPECT_EQ(listener_.last().hello.settings_version, 7U);
   EXPECT_EQ(listener_.last().hello.settings_digest, outlet::digest(settings));
@@ -259,7 +258,7 @@ TEST_F(EndpointTest, SettingsOutOfRangeAreNotRestored) {
   EXPECT_EQ(listener_.last().hello.settings_version, 0U);
 }
 
-TEST_F(EndpointTest, SelfTestNamesTheArithmeticTheAreaTheClockAndTheConverter) {
+TEST_F(EndpointTest, SelfTestReportsArithmeticStorageClockAndAdc) {
   const auto failed = [this](std::uint32_t sequence) {
     send(downlink(DownlinkKind::kAskSelfTest), sequence);
     EXPECT_EQ(listener_.last().kind, UplinkKind::kSelfTest);
@@ -271,13 +270,13 @@ TEST_F(EndpointTest, SelfTestNamesTheArithmeticTheAreaTheClockAndTheConverter) {
   EXPECT_EQ(failed(0), arithmetic | wire::kAdc) << "no samples yet";
   feed(128);
   EXPECT_EQ(failed(1), arithmetic);
-  area_.works = false;
+  storage_.works = false;
   EXPECT_EQ(failed(2), arithmetic | wire::kSettingsStorage);
   app_.note(ErrorCode::kClock, endpoint_);
   EXPECT_EQ(failed(3), arithmetic | wire::kSettingsStorage | wire::kClock);
 }
 
-// ---- over a line of bytes
+// ---- over a serial line
 
 class SerialEndpointTest : public testing::Test {
  protected:
@@ -293,12 +292,12 @@ class SerialEndpointTest : public testing::Test {
 
 TEST_F(SerialEndpointTest, AnswersFramesWithFrames) {
   send(framed(encoded(ping(7), 0)));
-  ASSERT_EQ(line_.listener.heard.size(), 2U);
-  EXPECT_EQ(line_.listener.heard[0].kind, UplinkKind::kHello);
+  ASSERT_EQ(line_.listener.received.size(), 2U);
+  EXPECT_EQ(line_.listener.received[0].kind, UplinkKind::kHello);
   EXPECT_EQ(line_.listener.last().echo.token, 7U);
 }
 
-TEST_F(SerialEndpointTest, TakesAFrameInWhateverPiecesItComes) {
+TEST_F(SerialEndpointTest, ReadsAFrameInPieces) {
   const Bytes frame = framed(encoded(settings_message(1), 0));
   for (const std::uint8_t byte : frame) {
     send(Bytes{byte});
@@ -308,21 +307,21 @@ TEST_F(SerialEndpointTest, TakesAFrameInWhateverPiecesItComes) {
             outlet::digest(settings_message(1).settings));
 }
 
-TEST_F(SerialEndpointTest, CountsAndTellsABadFrameAndHearsTheNext) {
+TEST_F(SerialEndpointTest, CountsAndReportsABadFrameAndReadsTheNext) {
   Bytes bytes = framed(encoded(ping(7), 0));
   bytes[3] ^= 0x10;
   const Bytes next = framed(encoded(ping(8), 1));
   bytes.insert(bytes.end(), next.begin(), next.end());
   send(bytes);
-  ASSERT_EQ(line_.listener.heard.size(), 3U);
-  EXPECT_EQ(line_.listener.heard[1].error.code, ErrorCode::kBadFrame);
-  EXPECT_EQ(line_.listener.heard[1].error.detail, 1U);
+  ASSERT_EQ(line_.listener.received.size(), 3U);
+  EXPECT_EQ(line_.listener.received[1].error.code, ErrorCode::kBadFrame);
+  EXPECT_EQ(line_.listener.received[1].error.detail, 1U);
   EXPECT_EQ(line_.listener.last().echo.token, 8U);
   send(framed(encoded(downlink(DownlinkKind::kAskStatus), 2)));
   EXPECT_EQ(line_.listener.last().status.messages_bad, 1U);
 }
 
-TEST_F(SerialEndpointTest, AWholeFrameOfNoMessageIsMalformed) {
+TEST_F(SerialEndpointTest, AValidFrameWithoutAMessageIsMalformed) {
   send(framed({0xA0}));
   EXPECT_EQ(line_.listener.last().error.code, ErrorCode::kMalformed);
 }

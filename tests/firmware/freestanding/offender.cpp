@@ -1,4 +1,4 @@
-// Does what firmware must not, so that the check that forbids it is seen to fail.
+// Uses heap, exceptions and libm, to prove that the check detects them.
 #include <cmath>
 
 namespace gs::test {

@@ -1,8 +1,8 @@
 # cmake -DNM=nm -DLIBRARIES=a.a;b.a -P undefined_symbols.cmake
 #
-# Fails where the libraries together need a symbol that a freestanding build does not have: the heap,
-# exceptions, libm, the C++ runtime. What a compiler may always call is allowed, and what the
-# sanitizers add.
+# Fails if the libraries together need a symbol that a freestanding build does not have: heap,
+# exceptions, libm, C++ runtime. Allowed are functions that a compiler may always call, and those of
+# the sanitizers.
 set(defined "")
 set(undefined "")
 foreach(library IN LISTS LIBRARIES)

@@ -1,4 +1,4 @@
-// The firmware's own functions against the C library's in double precision.
+// The firmware's functions compared with the C library's in double precision.
 #include <cmath>
 #include <limits>
 
@@ -17,8 +17,7 @@ float point(int i, float low, float high) {
   return low + (high - low) * (static_cast<float>(i) / static_cast<float>(kPoints));
 }
 
-// Largest error over [low, high]; the bound declared beside the function is to hold it, and not to
-// be ten times what is needed.
+// Largest error over [low, high]. It must be below the declared bound, but not by a factor of ten.
 template <class Error>
 double largest_error(float low, float high, Error error) {
   double largest = 0.0;
@@ -68,7 +67,7 @@ TEST(Arithmetic, AngleOfAVectorIsWithinItsDeclaredErrorInEveryDirection) {
   }
 }
 
-TEST(Arithmetic, AngleOfTheAxesIsExactAndOfNothingIsZero) {
+TEST(Arithmetic, AngleIsExactOnTheAxesAndZeroAtTheOrigin) {
   EXPECT_EQ(angle_of(0.0F, 1.0F), 0.0F);
   EXPECT_EQ(angle_of(1.0F, 0.0F), 0.5F * kPi);
   EXPECT_EQ(angle_of(-1.0F, 0.0F), -0.5F * kPi);
@@ -77,9 +76,9 @@ TEST(Arithmetic, AngleOfTheAxesIsExactAndOfNothingIsZero) {
   EXPECT_EQ(angle_of(kNaN, kNaN), 0.0F);
 }
 
-// 300 turns are 1885 rad, of which a float resolves 1.2e-4; the nearest float to 2π is off by
-// 1.7e-7 a turn.
-TEST(Arithmetic, WrappingTakesOffWholeTurnsOnly) {
+// At 300 turns, 1885 rad, a float's resolution is 1.2e-4 rad. The nearest float to 2π has an error
+// of 1.7e-7.
+TEST(Arithmetic, WrappingSubtractsWholeTurnsOnly) {
   constexpr double kAllowed = 1.2e-4 + 300 * 1.8e-7;
   for (int i = 0; i <= kPoints; ++i) {
     const float x = point(i, -300.0F * kTwoPi, 300.0F * kTwoPi);
@@ -90,13 +89,13 @@ TEST(Arithmetic, WrappingTakesOffWholeTurnsOnly) {
   }
 }
 
-TEST(Arithmetic, WrappingLeavesAnAngleWithinHalfATurnAlone) {
+TEST(Arithmetic, WrappingDoesNotChangeAnglesWithinHalfATurn) {
   for (const float x : {-3.14F, -1.0F, 0.0F, 1e-20F, 2.5F, 3.14F}) {
     EXPECT_EQ(wrapped(x), x);
   }
 }
 
-TEST(Arithmetic, BoundedKeepsWhatIsWithinAndMovesTheRestToTheNearerBound) {
+TEST(Arithmetic, BoundedClampsToTheNearerBound) {
   EXPECT_EQ(bounded(0.5F, 0.0F, 1.0F), 0.5F);
   EXPECT_EQ(bounded(-0.5F, 0.0F, 1.0F), 0.0F);
   EXPECT_EQ(bounded(1.5F, 0.0F, 1.0F), 1.0F);
@@ -104,7 +103,7 @@ TEST(Arithmetic, BoundedKeepsWhatIsWithinAndMovesTheRestToTheNearerBound) {
   EXPECT_EQ(bounded(-std::numeric_limits<float>::infinity(), 0.0F, 1.0F), 0.0F);
 }
 
-TEST(Arithmetic, BoundedTurnsWhatIsNoNumberIntoTheLowerBound) {
+TEST(Arithmetic, BoundedMapsNaNToTheLowerBound) {
   EXPECT_EQ(bounded(kNaN, -2.0F, 1.0F), -2.0F);
 }
 

@@ -40,7 +40,7 @@ TEST(Conditions, TheLimitItselfDoesNotMeetTheCondition) {
   EXPECT_TRUE(met(49.95F, std::nextafter(-0.3F, -1.0F)));
 }
 
-TEST(Conditions, NothingIsMetAtOrAboveNominal) {
+TEST(Conditions, NoConditionIsMetAtOrAboveNominal) {
   EXPECT_FALSE(met(50.0F, -10.0F));
   EXPECT_FALSE(met(50.5F, -10.0F));
   EXPECT_TRUE(met(std::nextafter(50.0F, 0.0F), -10.0F));
@@ -52,7 +52,7 @@ TEST(Conditions, BelowTheLowestRowAnyFallCounts) {
   EXPECT_FALSE(met(49.79F, 0.1F));
 }
 
-TEST(Conditions, ALineThatIsNoNumberMeetsNone) {
+TEST(Conditions, ANaNLineMeetsNoCondition) {
   constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
   EXPECT_FALSE(met(kUnknown, -1.0F));
   EXPECT_FALSE(met(49.95F, kUnknown));

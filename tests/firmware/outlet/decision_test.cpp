@@ -1,4 +1,4 @@
-// Criterion (1) of §5.5 on a played loss of 500 MW: what it takes, each part withheld in turn.
+// Criterion (1) of §5.5 after a loss of 500 MW: all its conditions met, and each one not met.
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
 
@@ -34,7 +34,7 @@ struct Decision {
   bool shed = false;
 };
 
-// The one decision after a loss of 500 MW, with the settings changed as told.
+// The decision after a loss of 500 MW, with settings modified by `change`.
 Decision decision_with(const std::function<void(Settings&)>& change) {
   Settings settings = test::ieee24_settings();
   change(settings);
@@ -45,24 +45,25 @@ Decision decision_with(const std::function<void(Settings&)>& change) {
   if (decision == nullptr) {
     return {};
   }
-  EXPECT_EQ(reports.back().relay_closed, decision->relay_closed) << "nothing else acts";
+  EXPECT_EQ(reports.back().relay_closed, decision->relay_closed) << "no other criterion acts";
   return {*decision, !decision->relay_closed && decision->cause == Cause::kLoss};
 }
 
-TEST(Decision, ShedsWhereConditionsEstimateAndPlaceInTheOrderAllSaySo) {
+TEST(Decision, ShedsIfConditionsEstimateAndOrderOfSheddingAllRequireIt) {
   const Decision d = decision_with([](Settings&) {});
   EXPECT_TRUE(d.shed);
   EXPECT_NE(d.report.happened & kRelay, 0);
   EXPECT_EQ(d.report.trust, Trust::kTrusted);
   EXPECT_GT(d.report.hits, 20);
-  // Required: within 4 % of 960 ms and of the loss, less the threshold of 351.92 MW.
+  // The estimate is within 4 % of the loss; the threshold is 351.92 MW. The decision comes within
+  // 960 ms.
   EXPECT_NEAR(d.report.loss_mw, 500.0F, 20.0F);
   EXPECT_NEAR(d.report.required_mw, d.report.loss_mw - 351.92F, 0.1F);
   EXPECT_LE(test::report_s(d.report), kLoss_s + 0.960);
-  EXPECT_GT(test::report_s(d.report), kLoss_s + 49 * 0.016) << "fifty reports cannot be in earlier";
+  EXPECT_GT(test::report_s(d.report), kLoss_s + 49 * 0.016) << "a decision takes fifty reports";
 }
 
-TEST(Decision, KeepsTheLoadWhereLessImportantLoadSuffices) {
+TEST(Decision, KeepsTheLoadIfLessImportantLoadSuffices) {
   const Decision d = decision_with([](Settings& s) { s.accumulated_mw = 200.0F; });
   EXPECT_FALSE(d.shed);
   EXPECT_EQ(d.report.trust, Trust::kTrusted);
@@ -79,7 +80,7 @@ TEST(Decision, KeepsTheLoadBelowTheThreshold) {
   EXPECT_EQ(d.report.trust, Trust::kTrusted);
 }
 
-TEST(Decision, TakesMoreHitsOfTheConditionsThanTheSettingsName) {
+TEST(Decision, RequiresMoreConditionHitsThanTheSetting) {
   const std::uint16_t hits = decision_with([](Settings&) {}).report.hits;
   EXPECT_FALSE(decision_with([hits](Settings& s) { s.condition_hits = hits; }).shed);
   EXPECT_TRUE(decision_with([hits](Settings& s) {
@@ -87,7 +88,7 @@ TEST(Decision, TakesMoreHitsOfTheConditionsThanTheSettingsName) {
               }).shed);
 }
 
-TEST(Decision, KeepsTheLoadOnAnEstimateNotToBeTrusted) {
+TEST(Decision, KeepsTheLoadOnAnUntrustedEstimate) {
   const Decision d = decision_with([](Settings& s) { s.trusted_residual_hz = 1e-4F; });
   EXPECT_FALSE(d.shed);
   EXPECT_EQ(d.report.trust, Trust::kResidual);
@@ -95,7 +96,7 @@ TEST(Decision, KeepsTheLoadOnAnEstimateNotToBeTrusted) {
   EXPECT_GT(d.report.hits, 20);
 }
 
-TEST(Decision, OfTwoLossesEachIsDecidedOnce) {
+TEST(Decision, DecidesEachOfTwoLossesOnce) {
   const gsbench::grid::SfrModel model(test::ieee24());
   const Reports reports = test::reports_of(
       {gsbench::waveform::reference_from_losses(model, {{1.0, 200.0}, {20.0, 500.0}})}, 22.0,
@@ -107,7 +108,7 @@ TEST(Decision, OfTwoLossesEachIsDecidedOnce) {
   EXPECT_TRUE(first_with(reports, kDecision)->relay_closed) << "the first is below the threshold";
 }
 
-TEST(Decision, AnEventIsGivenUpWhenTheVoltageGoes) {
+TEST(Decision, AbandonsAnEventWhenTheVoltageIsLost) {
   test::MainsSpec spec = {test::loss_of(500.0, kLoss_s)};
   spec.signal.amplitude_steps = {{kLoss_s + 0.5, 100.0, 0.0}};
   const Reports reports = test::reports_of(spec, kDuration_s, test::ieee24_settings());
@@ -118,7 +119,7 @@ TEST(Decision, AnEventIsGivenUpWhenTheVoltageGoes) {
   EXPECT_EQ(reports.back().phase, Phase::kQuiet);
 }
 
-TEST(Decision, WithoutSettingsItMeasuresAndDecidesNothing) {
+TEST(Decision, WithoutSettingsItMeasuresButDecidesNothing) {
   test::PlayedOutlet outlet({test::loss_of(2000.0, kLoss_s)});
   int valid = 0;
   outlet.play(4.0, [&](const Report& report) {
@@ -131,7 +132,7 @@ TEST(Decision, WithoutSettingsItMeasuresAndDecidesNothing) {
       << "deep enough to have tripped with settings";
 }
 
-TEST(Decision, NewSettingsGiveUpTheEventUnderWay) {
+TEST(Decision, NewSettingsAbandonTheCurrentEvent) {
   Settings settings = test::ieee24_settings();
   test::PlayedOutlet outlet({test::loss_of(500.0, kLoss_s)}, settings);
   bool renewed = false;
@@ -151,14 +152,14 @@ TEST(Decision, NewSettingsGiveUpTheEventUnderWay) {
       renewed = true;
     }
   });
-  // The fall goes on, so it is found again and decided once, fifty reports later.
+  // The frequency still falls: the event is detected again and decided once, fifty reports later.
   ASSERT_EQ(events.size(), 2U);
   ASSERT_EQ(decisions.size(), 1U);
   EXPECT_EQ(decisions[0], events[1] + 49);
 }
 
-// 25 ms are missing from the samples: to a tracker that does not know, a leap of the phase.
-TEST(LostSamples, GiveUpAnEventAndFindTheFrequencyAnew) {
+// 25 ms of samples are missing: a phase step for a tracker that is not restarted.
+TEST(LostSamples, AbandonTheEventAndRestartTheTracker) {
   test::PlayedOutlet outlet({test::loss_of(500.0, kLoss_s)}, test::ieee24_settings());
   Reports reports;
   const auto keep = [&](const Report& report) { reports.push_back(report); };
@@ -171,13 +172,13 @@ TEST(LostSamples, GiveUpAnEventAndFindTheFrequencyAnew) {
   EXPECT_EQ(reports.front().measurement.validity, Validity::kInvalid);
   EXPECT_EQ(reports.back().measurement.validity, Validity::kValid);
   for (const Report& report : reports) {
-    EXPECT_EQ(report.happened & kDecision, 0) << "on what is left of an event";
+    EXPECT_EQ(report.happened & kDecision, 0) << "no decision after an abandoned event";
     EXPECT_TRUE(report.relay_closed);
   }
 }
 
-// State is all there is.
-TEST(Outlet, ACopyOfItsStateGoesOnIdentically) {
+// There is no hidden state.
+TEST(Outlet, ACopyOfItsStateContinuesIdentically) {
   const test::MainsSpec noisy = {test::loss_of(500.0, 0.5), {}, 1.0};
   test::PlayedOutlet outlet(noisy, test::ieee24_settings());
   test::PlayedOutlet copy(noisy, test::ieee24_settings());

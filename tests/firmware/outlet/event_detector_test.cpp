@@ -10,7 +10,7 @@
 namespace gs::outlet {
 namespace {
 
-// Steady at 50 Hz for as long as there is a history, then as given.
+// A whole history at 50 Hz, then the given frequencies.
 History history_of(const std::vector<float>& latest_hz) {
   History history;
   for (int i = 0; i < kHistoryLength; ++i) {
@@ -30,26 +30,26 @@ History falling(int drops, float drop_hz) {
   return history_of(latest);
 }
 
-TEST(EventDetector, FiveDropsThatComeToEnoughAreAnEvent) {
+TEST(EventDetector, FiveDropsWithASufficientSumAreAnEvent) {
   EXPECT_TRUE(event_detected(five_drops(0.020F, 0.020F), falling(5, 0.005F)));
 }
 
-TEST(EventDetector, FiveDropsThatComeToLittleAreNone) {
+TEST(EventDetector, FiveDropsWithASmallSumAreNotAnEvent) {
   const History history = falling(5, 0.003F);
   EXPECT_FALSE(event_detected(five_drops(0.020F, 0.0F), history));
   EXPECT_TRUE(event_detected(five_drops(0.0F, 0.0F), history)) << "the paper's rule alone";
 }
 
-TEST(EventDetector, ALargeFallInFewerDropsIsNone) {
+TEST(EventDetector, ALargeFallInFewerDropsIsNotAnEvent) {
   const Settings settings = five_drops(0.020F, 0.018F);
   EXPECT_FALSE(event_detected(settings, falling(4, 0.1F)));
   EXPECT_FALSE(event_detected(settings, history_of({49.9F, 49.8F, 49.7F, 49.71F, 49.6F, 49.5F})));
-  // No drop is one that stays.
+  // An equal frequency is not a drop.
   EXPECT_FALSE(event_detected(settings, history_of({49.9F, 49.8F, 49.7F, 49.7F, 49.6F, 49.5F})));
 }
 
-// A swing that comes down from above is back at the course, not below it.
-TEST(EventDetector, DropsThatEndAtTheCourseBeforeAreNone) {
+// The return from a swing ends at the baseline, not below it.
+TEST(EventDetector, DropsThatEndAtTheBaselineAreNotAnEvent) {
   const History history = history_of({50.05F, 50.04F, 50.03F, 50.02F, 50.01F, 50.0F});
   EXPECT_TRUE(event_detected(five_drops(0.014F, 0.0F), history));
   EXPECT_FALSE(event_detected(five_drops(0.014F, 0.018F), history));
@@ -59,8 +59,8 @@ TEST(EventDetector, DropsAreNotCountedAcrossAGap) {
   const Settings settings = five_drops(0.020F, 0.018F);
   History history = falling(3, 0.05F);
   note_gap(history);
-  // Five drops follow on three before the gap; only the fifth after it has four steps behind it,
-  // so it takes a sixth.
+  // Three drops before the gap and five entries after it are not enough: the five entries contain
+  // only four drops. The sixth entry completes five drops.
   for (int i = 4; i <= 8; ++i) {
     push(history, 50.0F - 0.05F * static_cast<float>(i));
     EXPECT_FALSE(event_detected(settings, history)) << i;
@@ -82,7 +82,7 @@ TEST(EventDetector, NothingIsDetectedBeforeThereIsABaseline) {
   EXPECT_TRUE(event_detected(five_drops(0.020F, 0.018F), history));
 }
 
-TEST(EventDetector, TheBaselineIsTheCourseBeforeTheFall) {
+TEST(EventDetector, TheBaselineIsTheFrequencyBeforeTheFall) {
   History history;
   for (int i = 0; i < kHistoryLength; ++i) {
     push(history, 50.0F + 0.001F * static_cast<float>(i));
@@ -91,13 +91,13 @@ TEST(EventDetector, TheBaselineIsTheCourseBeforeTheFall) {
     push(history, 40.0F);
   }
   const Baseline before = baseline(history);
-  // 16 entries that end with the 31st millihertz: their mean is 23.5 of them. Floats near 50 Hz are
-  // 4 µHz apart.
+  // The 16 entries from 16 to 31 mHz above 50 Hz have the mean 23.5 mHz. The spacing of floats near
+  // 50 Hz is 4 µHz.
   EXPECT_NEAR(before.frequency_hz, 50.0235F, 1e-5F);
   EXPECT_NEAR(before.rocof_hz_s, 0.001F / 0.016F, 1e-3F);
 }
 
-TEST(EventDetector, ALineThroughTheHistoryHasItsSlopeAndItsMiddle) {
+TEST(EventDetector, AFittedLineHasTheSlopeAndTheMeanOfTheHistory) {
   History history;
   for (int i = 0; i < 40; ++i) {
     push(history, 50.0F - 0.008F * static_cast<float>(i));
@@ -111,9 +111,9 @@ TEST(EventDetector, ALineThroughTheHistoryHasItsSlopeAndItsMiddle) {
   }
 }
 
-// Five drops in a row happen by chance: once in 720 windows of independent noise, which would be
-// 312 an hour, and more often on a tracker's smooth output.
-TEST(EventDetector, InNoiseThePapersRuleAloneIsMetHundredsOfTimesAnHourAndOursNever) {
+// Independent noise has five successive drops once in 720 windows, which is 312 an hour. A
+// tracker's smooth output has them more often.
+TEST(EventDetector, InNoiseThePapersRuleTriggersHundredsOfTimesAnHourAndTheDefaultsNever) {
   constexpr double kHours = 0.5;
   const auto events = events_in_noise<2>({five_drops(0.0F, 0.0F), Settings{}}, kHours);
   EXPECT_GT(events[0], 312 * kHours);

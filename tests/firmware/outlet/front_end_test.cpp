@@ -24,7 +24,7 @@ Hardware hardware(std::int32_t sample_rate_hz, std::int32_t nominal_hz) {
   return h;
 }
 
-TEST(FrontEnd, ServesEveryWholeKilohertzUpToItsLimitOnBothGrids) {
+TEST(FrontEnd, SupportsEveryWholeKilohertzUpToItsLimitOnBothGrids) {
   FrontEndConfig config;
   for (const std::int32_t nominal_hz : {50, 60}) {
     for (std::int32_t rate = 1000; rate <= kMaxSampleRate_hz; rate += 1000) {
@@ -37,7 +37,7 @@ TEST(FrontEnd, ServesEveryWholeKilohertzUpToItsLimitOnBothGrids) {
   }
 }
 
-TEST(FrontEnd, RefusesHardwareItCannotServe) {
+TEST(FrontEnd, RefusesUnsupportedHardware) {
   FrontEndConfig config;
   for (const std::int32_t rate : {-1000, 0, 500, 1500, 8001, 33000, 64000}) {
     EXPECT_FALSE(make_front_end(hardware(rate, 50), config)) << rate;
@@ -75,7 +75,7 @@ void expect_same(const Report& a, const Report& b) {
   ASSERT_EQ(a.relay_closed, b.relay_closed);
 }
 
-// Reports of a recording handed over in pieces, each of a length that `next_length` names.
+// Reports for samples fed in pieces; next_length() returns the length of each.
 template <class NextLength>
 std::vector<Report> reports_in_pieces(const test::MainsSpec& mains,
                                       const std::vector<std::int16_t>& samples,
@@ -97,7 +97,7 @@ std::vector<Report> reports_in_pieces(const test::MainsSpec& mains,
   return reports;
 }
 
-TEST(FrontEnd, ReportsDoNotDependOnHowTheSamplesAreHandedOver) {
+TEST(FrontEnd, ReportsDoNotDependOnTheSizesOfSampleBlocks) {
   for (const std::int32_t rate : {1000, 4000, 8000, 32000}) {
     const test::MainsSpec mains = {test::loss_of(600.0, 0.7), {}, 1.0, 1, rate};
     const auto samples = test::Mains(mains).samples(0, 2 * static_cast<std::size_t>(rate));
@@ -106,7 +106,7 @@ TEST(FrontEnd, ReportsDoNotDependOnHowTheSamplesAreHandedOver) {
     ASSERT_EQ(whole.size(), 125U);
     EXPECT_TRUE(std::any_of(whole.begin(), whole.end(), [](const Report& report) {
       return (report.happened & kDecision) != 0;
-    })) << "the recording is to exercise all of the outlet";
+    })) << "the samples must lead to a decision";
 
     std::mt19937 generator(1);
     const std::size_t per_report = static_cast<std::size_t>(rate) * 16 / 1000;
@@ -148,8 +148,8 @@ Complex settled_phasor(const FrontEndConfig& config, double rate_hz, double tone
   return {scale * static_cast<double>(p.in_phase), scale * static_cast<double>(p.quadrature)};
 }
 
-// Gain at `offset_hz` from the nominal frequency, 1 for the amplitude of a real tone there. The two
-// halves of a real tone are told apart by its cosine and sine: e^(jωt) = cos + j·sin.
+// Gain at `offset_hz` from the nominal frequency, relative to the amplitude of a real tone. Cosine
+// and sine together give the response to e^(jωt) = cos + j·sin, which has no image.
 double gain(std::int32_t rate_hz, std::int32_t nominal_hz, double offset_hz) {
   static FrontEndConfig config;
   EXPECT_TRUE(make_front_end(hardware(rate_hz, nominal_hz), config));
@@ -177,9 +177,9 @@ class FrontEndFilter : public testing::TestWithParam<std::pair<std::int32_t, std
 
 TEST_P(FrontEndFilter, PassesTheFundamentalWithItsAmplitude) {
   const auto [rate_hz, nominal_hz] = GetParam();
-  // Rounding of the table, a sixteen-thousandth, and the filter's taps.
+  // Tolerance for rounding of the table, 1/16384, and of the filter's taps.
   EXPECT_NEAR(gain(rate_hz, nominal_hz, 0.0), 1.0, 1e-4);
-  // What is lost 5 Hz off costs noise, not accuracy.
+  // Attenuation at 5 Hz offset increases noise but causes no error.
   EXPECT_GT(gain(rate_hz, nominal_hz, 5.0), 0.9);
   EXPECT_GT(gain(rate_hz, nominal_hz, -5.0), 0.9);
 }
@@ -192,7 +192,7 @@ TEST_P(FrontEndFilter, AttenuatesAsItsHeaderDeclares) {
   EXPECT_LT(image, -73.0);
   EXPECT_LT(largest_db(rate_hz, nominal_hz, 60.0, 85.0), -51.0);
   EXPECT_LT(largest_db(rate_hz, nominal_hz, 125.0, 480.0), -51.0);
-  // A filter that lets nothing through at all would be another mistake.
+  // Lower bounds, so that a filter with no output fails.
   EXPECT_GT(second_harmonic, -46.0);
   EXPECT_GT(image, -76.0);
 }
@@ -208,8 +208,8 @@ INSTANTIATE_TEST_SUITE_P(Rates, FrontEndFilter,
                                          std::pair{32000, 60}),
                          name_of);
 
-// At 1000 Hz there is nothing to sum, and what folds is the ADC's.
-TEST(FrontEnd, FoldsLittleOfTheKilohertzOfItsSums) {
+// Not at 1000 Hz: there the sums are single samples, and all aliasing is that of the ADC.
+TEST(FrontEnd, AttenuatesAliasesOfItsSumsAsDeclared) {
   for (const auto& [rate_hz, nominal_hz] :
        {std::pair{4000, 50}, std::pair{8000, 60}, std::pair{32000, 50}}) {
     EXPECT_LT(largest_db(rate_hz, nominal_hz, 520.0, 960.0), -51.0) << rate_hz;
@@ -218,7 +218,7 @@ TEST(FrontEnd, FoldsLittleOfTheKilohertzOfItsSums) {
   }
 }
 
-TEST(FrontEnd, MeasuresTheVoltageOfOffNominalFrequencies) {
+TEST(FrontEnd, MeasuresTheVoltageAtOffNominalFrequencies) {
   for (const double frequency_hz : {45.0, 48.0, 50.0, 52.0, 55.0}) {
     for (const double level_pct : {20.0, 100.0, 120.0}) {
       test::MainsSpec spec = {test::steady(50.0, frequency_hz)};
@@ -227,8 +227,8 @@ TEST(FrontEnd, MeasuresTheVoltageOfOffNominalFrequencies) {
         if (report.number < 4) {
           continue;
         }
-        // 50 ms are not whole half periods then: sin(x)/x of the square's ripple at 90 and at 110
-        // Hz leaves up to 7 % of the mean square, half of that of its root.
+        // 50 ms are then not a whole number of half periods. sin(x)/x of the squared signal's
+        // ripple at 90 and 110 Hz leaves up to 7 % of the mean square, 3.5 % of the RMS.
         EXPECT_NEAR(static_cast<double>(report.measurement.voltage_pu), 0.01 * level_pct,
                     0.01 * level_pct * 0.04)
             << frequency_hz;

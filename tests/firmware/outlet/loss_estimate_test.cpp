@@ -1,4 +1,5 @@
-// LSE and EKF of the lost power: right on exact data, as good as noise allows, and never astray.
+// LSE and EKF of the lost power: exact on exact data, close to the Cramér–Rao bound in noise, and
+// bounded for any input.
 #include <firmware_test/settings.hpp>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ Grid low_inertia() {
   return grid;
 }
 
-// The inertia between the two at which the response is critically damped, by bisection.
+// low_inertia() with the inertia at which the response is critically damped, by bisection.
 Grid critically_damped() {
   Grid grid = low_inertia();
   double low = 2.0;
@@ -42,7 +43,7 @@ Grid critically_damped() {
   return grid;
 }
 
-TEST(LossEkf, TheGridsTriedCoverEveryDamping) {
+TEST(LossEkf, TheTestGridsCoverEveryDamping) {
   EXPECT_LT(SfrModel(test::ieee24()).zeta(), 0.8);
   EXPECT_NEAR(SfrModel(critically_damped()).zeta(), 1.0, 1e-9);
   EXPECT_GT(SfrModel(low_inertia()).zeta(), 1.1);
@@ -62,7 +63,7 @@ TEST(LossEkf, ExactMeasurementsGiveTheLossAndItsInstantForEveryDamping) {
   constexpr double kLateLoss_s = -0.07;
   for (const Grid& grid : {test::ieee24(), critically_damped(), low_inertia()}) {
     const SfrModel model(grid);
-    // Started one standard deviation off in both; 40 samples and as many again, of 0.1 mHz.
+    // Starts one standard deviation off in both states. 80 samples with σ = 0.1 mHz.
     const EkfSettings settings = ekf_settings(1e-4F);
     EkfState<float> ekf;
     start(settings, ekf, static_cast<float>(kLoss_mw) - 80.0F,
@@ -90,9 +91,9 @@ TEST(LossLse, ExactSlopesGiveTheLoss) {
   }
 }
 
-// Uniform noise of ±0.01 Hz, as the paper's Table 3 has it: σ of the slope of n samples 16 ms apart
-// is σ/(T·√(n·(n²−1)/12)), 0.40 p.u. of 100 MW for ten.
-TEST(LossLse, NoiseSpreadsItAsLeastSquaresMust) {
+// Uniform noise of ±0.01 Hz, as in the paper's Table 3. The slope of n samples at intervals T of
+// 16 ms has the standard deviation σ/(T·√(n·(n²−1)/12)): 0.40 p.u. of 100 MW for ten.
+TEST(LossLse, ItsSpreadInNoiseIsThatOfLeastSquares) {
   constexpr double kSigma_hz = 0.01 / 1.7320508075688772;
   const Response response = test::response_of(SfrModel(test::ieee24()));
   const double expected_mw = std::abs(static_cast<double>(k_lse_mw_per_hz_s(response))) *
@@ -110,13 +111,13 @@ TEST(LossLse, NoiseSpreadsItAsLeastSquaresMust) {
   }
   const double rms_mw = std::sqrt(squares / kRuns);
   EXPECT_NEAR(expected_mw, 40.0, 1.0);
-  // A variance of 20 000 values is known to 1 %, its root to half of that.
+  // The relative standard error of a variance over 20 000 values is 1 %, of its root 0.5 %.
   EXPECT_NEAR(rms_mw, expected_mw, 0.02 * expected_mw);
 }
 
-// Least standard deviation of the loss that any estimator reaches which knows it beforehand to
-// `prior_mw` and t_x to `prior_s`, after the samples first … last: the Bayesian Cramér–Rao bound
-// for noise of this σ.
+// Bayesian Cramér–Rao bound: the least standard deviation of the loss, MW, that an estimator can
+// reach from the samples first … last with noise of `sigma_hz`. Prior standard deviations: of the
+// loss `prior_mw`, of t_x `prior_s`.
 double least_sigma_mw(const SfrModel& model, double loss_mw, double t_x_s, int first, int last,
                       double sigma_hz, double prior_mw, double prior_s) {
   double j_ll = 1.0 / (prior_mw * prior_mw);
@@ -133,13 +134,13 @@ double least_sigma_mw(const SfrModel& model, double loss_mw, double t_x_s, int f
   return std::sqrt(j_tt / (j_ll * j_tt - j_lt * j_lt));
 }
 
-TEST(LossEkf, IsAsGoodAsNoiseAllows) {
+TEST(LossEkf, IsCloseToTheCramerRaoBound) {
   constexpr double kLoss_mw = 500.0;
   constexpr double kSigma_hz = 0.01 / 1.7320508075688772;
   constexpr double kPrior_mw = 40.0;  // of the LSE over the ten samples before
   constexpr double kPrior_s = 0.02;
   const SfrModel model(test::ieee24());
-  // What is known of it: 0.050 p.u. of 100 MW for the first 40 samples without a prior.
+  // Known value: 0.050 p.u. of 100 MW for the first 40 samples without a prior.
   EXPECT_NEAR(least_sigma_mw(model, kLoss_mw, 0.0, 1, 40, kSigma_hz, 1e6, 1e3), 5.0, 0.1);
   const double least_mw =
       least_sigma_mw(model, kLoss_mw, 0.0, 11, 50, kSigma_hz, kPrior_mw, kPrior_s);
@@ -157,7 +158,7 @@ TEST(LossEkf, IsAsGoodAsNoiseAllows) {
   double largest = 0.0;
   double claimed = 0.0;
   for (int run = 0; run < kRuns; ++run) {
-    // The event's stamp is somewhere in the middle of what is physical.
+    // t_x is drawn around −0.1 s, well within its physical range.
     const double t_x_s = -0.1 + kPrior_s * std::clamp(gaussian(generator), -4.0, 4.0);
     EkfState<float> ekf;
     start(settings, ekf, static_cast<float>(kLoss_mw + kPrior_mw * gaussian(generator)), -0.1F);
@@ -176,13 +177,13 @@ TEST(LossEkf, IsAsGoodAsNoiseAllows) {
   const double rms_mw = std::sqrt(squares / kRuns);
   std::printf("EKF: rms %.2f MW, bias %.2f MW, largest %.1f MW; bound %.2f MW\n", rms_mw,
               sum / kRuns, largest, least_mw);
-  // 5000 runs give the rms to 1 %. Below the bound means a leak; 15 % above is what linearising at
-  // a start two standard deviations off costs.
+  // 5000 runs determine the RMS to 1 %. A value below the bound would mean that the reference leaks
+  // into the estimate. Linearisation at a start two standard deviations off costs up to 15 %.
   EXPECT_GT(rms_mw, 0.95 * least_mw);
   EXPECT_LT(rms_mw, 1.15 * least_mw);
   EXPECT_LT(std::abs(sum / kRuns), 0.2 * least_mw);
-  EXPECT_LT(largest, 6.0 * least_mw) << "none may diverge";
-  EXPECT_NEAR(claimed, least_mw, 0.1 * least_mw) << "it knows how good it is";
+  EXPECT_LT(largest, 6.0 * least_mw) << "a run diverged";
+  EXPECT_NEAR(claimed, least_mw, 0.1 * least_mw) << "the filter's own σ is wrong";
 }
 
 class Hostile {
@@ -192,7 +193,7 @@ class Hostile {
   float unit() { return std::uniform_real_distribution<float>(0.0F, 1.0F)(generator_); }
   float decades(float from, float to) { return std::pow(10.0F, from + (to - from) * unit()); }
 
-  // Of a sequence of this kind, measurement k.
+  // Measurement k of a sequence of this kind.
   float measurement(int kind, int k) {
     static constexpr float kOdd[] = {std::numeric_limits<float>::quiet_NaN(),
                                      std::numeric_limits<float>::infinity(),
@@ -253,8 +254,8 @@ TEST(LossEkf, NoMeasurementsMakeItDiverge) {
   }
 }
 
-// Settings from one end to the other of what validate() lets through.
-TEST(LossEkf, NoSettingsThatAreAcceptedMakeItDiverge) {
+// Settings over the whole range that validate() accepts.
+TEST(LossEkf, NoAcceptedSettingsMakeItDiverge) {
   Hostile hostile(2);
   int accepted = 0;
   for (int run = 0; run < 20'000; ++run) {

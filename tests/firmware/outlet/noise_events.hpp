@@ -1,4 +1,4 @@
-// Event detectors side by side on one tracker's output.
+// Counts the events that several detectors find in the same tracker output.
 #pragma once
 
 #include <firmware_test/mains.hpp>
@@ -17,7 +17,7 @@ inline Settings five_drops(float drop_hz, float departure_hz) {
   return settings;
 }
 
-// Events begun by each of several rules in the same hours of 1 % noise.
+// Number of events by each set of rules in the same hours of 1 % noise.
 template <std::size_t kRules>
 std::array<int, kRules> events_in_noise(const std::array<Settings, kRules>& rules, double hours) {
   test::PlayedOutlet outlet({test::steady(50.0, 50.0), {}, 1.0});

@@ -1,5 +1,5 @@
-// The frequency response of the firmware's series against the closed form in double precision, with
-// the C library's functions and another formula for each damping.
+// The firmware's series for the frequency response compared with the closed form in double
+// precision: the C library's functions, and a separate formula for each damping.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -16,7 +16,7 @@ struct Exact {
   double slope;
 };
 
-// 1 − e^(−σt)·[C − (g0 − σ)·S] with the trigonometric, the limiting and the hyperbolic C and S.
+// 1 − e^(−σt)·[C − (g0 − σ)·S] with trigonometric, limiting (d = 0) or hyperbolic C and S.
 Exact exact_response(const Response& r, double t) {
   const auto sigma = static_cast<double>(r.sigma_per_s);
   const auto d = static_cast<double>(r.discriminant_per_s2);
@@ -47,7 +47,7 @@ Response response(float sigma_per_s, float discriminant_per_s2, float initial_sl
   return r;
 }
 
-// Up to the ends of what validation lets through: |d|·τ² = 16 or σ·τ = 24 at τ = 1.5 s.
+// Up to the limits of validation: |d|·τ² = 16 or σ·τ = 24 at τ = 1.5 s.
 std::vector<Response> responses() {
   std::vector<Response> all;
   const float edge = kLargestSeriesArgument / (1.5F * 1.5F);
@@ -64,8 +64,8 @@ std::vector<Response> responses() {
   return all;
 }
 
-// Errors relative to the largest of the terms that are added up: what a float and the declared
-// 1e-6 of the series leave; the decay adds its declared 3e-6.
+// Tolerance relative to the largest term of the sum: float rounding, the declared 1e-6 of the
+// series and the decay's 3e-6.
 constexpr double kAllowed = 5e-6;
 
 TEST(Response, AgreesWithTheClosedFormForEveryDamping) {
@@ -89,7 +89,7 @@ TEST(Response, AgreesWithTheClosedFormForEveryDamping) {
   EXPECT_GT(compared, 20'000);
 }
 
-TEST(Response, StartsAtNothingWithTheInitialSlope) {
+TEST(Response, StartsAtZeroWithTheInitialSlope) {
   for (const Response& r : responses()) {
     const UnitResponse<float> u = unit_response(r, 0.0F);
     EXPECT_EQ(u.value, 0.0F);
@@ -97,8 +97,8 @@ TEST(Response, StartsAtNothingWithTheInitialSlope) {
   }
 }
 
-// Central differences of the value, in float: 2⁻²⁴ of a value up to 10 over 2·h, and h² of a third
-// derivative up to the cube of the fastest rate.
+// Central differences of the value, in float. Their errors are rounding, 2⁻²⁴ of a value up to 10
+// divided by 2·h, and h² times the third derivative.
 TEST(Response, ItsSlopeIsTheDerivativeOfItsValue) {
   const Response r = response(0.3F, 0.0682F, 1.262F);
   constexpr float kHalfStep = 0.02F;
@@ -109,7 +109,7 @@ TEST(Response, ItsSlopeIsTheDerivativeOfItsValue) {
   }
 }
 
-TEST(Response, SlopeOfTheFirstInstantGivesBackTheLoss) {
+TEST(Response, TheInitialSlopeGivesTheLoss) {
   const Response r = response(0.3F, 0.0682F, 1.262F);
   const float slope_hz_s = -500.0F * r.gain_hz_per_mw * unit_response(r, 0.0F).slope_per_s;
   EXPECT_NEAR(k_lse_mw_per_hz_s(r) * slope_hz_s, 500.0F, 1e-4F);

@@ -19,34 +19,33 @@ namespace {
 constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-struct Spoiling {
+struct InvalidSetting {
   const char* what;
   SettingsError error;
-  std::function<void(Settings&)> spoil;
+  std::function<void(Settings&)> make_invalid;
 };
 
-std::vector<Spoiling> spoilings() {
+std::vector<InvalidSetting> invalid_settings() {
   using S = Settings&;
   using E = SettingsError;
   return {
       {"gain NaN", E::kResponse, [](S s) { s.response.gain_hz_per_mw = kNotANumber; }},
       {"threshold infinite", E::kThreshold, [](S s) { s.threshold_mw = kInfinity; }},
-      {"largest loss beyond any grid", E::kThreshold, [](S s) { s.largest_loss_mw = 2e9F; }},
-      {"a condition NaN", E::kConditions,
+      {"largest loss above the limit", E::kThreshold, [](S s) { s.largest_loss_mw = 2e9F; }},
+      {"condition NaN", E::kConditions,
        [](S s) { s.conditions[3].rocof_below_hz_s = kNotANumber; }},
-      {"innovation gate NaN", E::kTracker,
-       [](S s) { s.tracker.innovation_gate_rad = kNotANumber; }},
-      {"no gain", E::kResponse, [](S s) { s.response.gain_hz_per_mw = 0.0F; }},
+      {"phase gate NaN", E::kTracker, [](S s) { s.tracker.innovation_gate_rad = kNotANumber; }},
+      {"gain 0", E::kResponse, [](S s) { s.response.gain_hz_per_mw = 0.0F; }},
       {"gain of the wrong sign", E::kResponse, [](S s) { s.response.gain_hz_per_mw *= -1.0F; }},
-      {"no slope", E::kResponse, [](S s) { s.response.initial_slope_per_s = 0.0F; }},
-      {"no decay", E::kResponse, [](S s) { s.response.sigma_per_s = 0.0F; }},
+      {"initial slope 0", E::kResponse, [](S s) { s.response.initial_slope_per_s = 0.0F; }},
+      {"sigma 0", E::kResponse, [](S s) { s.response.sigma_per_s = 0.0F; }},
       {"decay beyond the series", E::kResponse, [](S s) { s.response.sigma_per_s = 20.0F; }},
-      {"swing beyond the series", E::kResponse,
+      {"discriminant above the series' limit", E::kResponse,
        [](S s) { s.response.discriminant_per_s2 = 12.0F; }},
-      {"growth beyond the series", E::kResponse,
+      {"discriminant below the series' limit", E::kResponse,
        [](S s) { s.response.discriminant_per_s2 = -12.0F; }},
-      {"never settles", E::kResponse, [](S s) { s.response.discriminant_per_s2 = -1.0F; }},
-      {"longer than the series", E::kResponse,
+      {"unstable response", E::kResponse, [](S s) { s.response.discriminant_per_s2 = -1.0F; }},
+      {"estimation time beyond the series", E::kResponse,
        [](S s) {
          s.response.discriminant_per_s2 = 5.0F;
          s.ekf_samples = 100;
@@ -60,45 +59,44 @@ std::vector<Spoiling> spoilings() {
       {"no conditions", E::kConditions, [](S s) { s.condition_rows = 0; }},
       {"too many conditions", E::kConditions, [](S s) { s.condition_rows = kMaxConditions + 1; }},
       {"conditions out of order", E::kConditions, [](S s) { s.conditions[1] = s.conditions[0]; }},
-      {"a condition at nominal", E::kConditions, [](S s) { s.conditions[0].from_hz = 50.0F; }},
-      {"a condition on a rise", E::kConditions,
+      {"condition at nominal", E::kConditions, [](S s) { s.conditions[0].from_hz = 50.0F; }},
+      {"condition on a rising frequency", E::kConditions,
        [](S s) { s.conditions[0].rocof_below_hz_s = 0.1F; }},
-      {"a slope of one", E::kCounts, [](S s) { s.rocof_samples = 1; }},
-      {"a slope beyond memory", E::kCounts, [](S s) { s.rocof_samples = kHistoryLength + 1; }},
+      {"slope over one sample", E::kCounts, [](S s) { s.rocof_samples = 1; }},
+      {"slope beyond the history", E::kCounts, [](S s) { s.rocof_samples = kHistoryLength + 1; }},
       {"no drops", E::kCounts, [](S s) { s.event_drops = 0; }},
-      {"drops into the baseline", E::kCounts, [](S s) { s.event_drops = kBaselineAge; }},
-      {"an LSE of one", E::kCounts, [](S s) { s.lse_samples = 1; }},
-      {"an LSE too long", E::kCounts, [](S s) { s.lse_samples = kMaxLseSamples + 1; }},
+      {"drops overlap the baseline", E::kCounts, [](S s) { s.event_drops = kBaselineAge; }},
+      {"LSE of one sample", E::kCounts, [](S s) { s.lse_samples = 1; }},
+      {"LSE too long", E::kCounts, [](S s) { s.lse_samples = kMaxLseSamples + 1; }},
       {"no EKF", E::kCounts, [](S s) { s.ekf_samples = 0; }},
-      {"an EKF too long", E::kCounts, [](S s) { s.ekf_samples = 201; }},
-      {"switches off on nothing", E::kCounts, [](S s) { s.switch_off_samples = 0; }},
-      {"switches off after a second", E::kCounts, [](S s) { s.switch_off_samples = 51; }},
+      {"EKF too long", E::kCounts, [](S s) { s.ekf_samples = 201; }},
+      {"switch-off after no sample", E::kCounts, [](S s) { s.switch_off_samples = 0; }},
+      {"switch-off after 51 samples", E::kCounts, [](S s) { s.switch_off_samples = 51; }},
       {"negative drop", E::kEvent, [](S s) { s.event_drop_hz = -0.001F; }},
-      {"a drop of more than a hertz", E::kEvent, [](S s) { s.event_drop_hz = 1.1F; }},
+      {"drop above 1 Hz", E::kEvent, [](S s) { s.event_drop_hz = 1.1F; }},
       {"negative departure", E::kEvent, [](S s) { s.event_departure_hz = -0.001F; }},
       {"no measurement noise", E::kEstimator, [](S s) { s.measurement_sigma_hz = 0.0F; }},
-      {"no spread of the LSE", E::kEstimator, [](S s) { s.loss_sigma_mw = 0.0F; }},
-      {"spread beyond the system", E::kEstimator,
+      {"σ of the loss 0", E::kEstimator, [](S s) { s.loss_sigma_mw = 0.0F; }},
+      {"σ of the loss above the largest loss", E::kEstimator,
        [](S s) { s.loss_sigma_mw = 1.1F * s.largest_loss_mw; }},
-      {"an event before its drops", E::kEstimator, [](S s) { s.event_lag_s = -0.001F; }},
-      {"an event long after its drops", E::kEstimator, [](S s) { s.event_lag_s = 0.11F; }},
-      {"no spread of t_x", E::kEstimator, [](S s) { s.t_x_sigma_s = 0.0F; }},
-      {"no residual is trusted", E::kEstimator, [](S s) { s.trusted_residual_hz = 0.0F; }},
+      {"negative event lag", E::kEstimator, [](S s) { s.event_lag_s = -0.001F; }},
+      {"event lag above 0.1 s", E::kEstimator, [](S s) { s.event_lag_s = 0.11F; }},
+      {"σ of t_x 0", E::kEstimator, [](S s) { s.t_x_sigma_s = 0.0F; }},
+      {"trusted residual 0", E::kEstimator, [](S s) { s.trusted_residual_hz = 0.0F; }},
       {"no phase noise", E::kTracker, [](S s) { s.tracker.phase_noise_rad = 0.0F; }},
       {"no jerk", E::kTracker, [](S s) { s.tracker.jerk_rad_s3_per_sqrt_hz = 0.0F; }},
-      {"no innovation gate", E::kTracker, [](S s) { s.tracker.innovation_gate_rad = 0.0F; }},
-      {"no innovation gate of the amplitude", E::kTracker,
-       [](S s) { s.tracker.innovation_gate_amplitude = 0.0F; }},
-      {"no bus is dead", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.0F; }},
-      {"every bus is dead", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.6F; }},
+      {"no phase gate", E::kTracker, [](S s) { s.tracker.innovation_gate_rad = 0.0F; }},
+      {"no amplitude gate", E::kTracker, [](S s) { s.tracker.innovation_gate_amplitude = 0.0F; }},
+      {"dead bus at 0", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.0F; }},
+      {"dead bus above 0.5", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.6F; }},
   };
 }
 
-TEST(Settings, AreAcceptedWhereTheyMakeSense) {
+TEST(Settings, AreAcceptedIfValid) {
   EXPECT_EQ(validate(test::ieee24_settings(), 50.0F), SettingsError::kNone);
 }
 
-// Just inside both ends of each range, just outside of each.
+// Tests both ends of each range, and values just outside.
 TEST(Settings, AreAcceptedOnlyWithinTheRangesOfTheList) {
   for (const Field& field : kSettingsFields) {
     if (field.type == FieldType::kRows) {
@@ -121,11 +119,11 @@ TEST(Settings, AreAcceptedOnlyWithinTheRangesOfTheList) {
   }
 }
 
-TEST(Settings, EveryReasonIsReachedAndHasItsOwnWords) {
+TEST(Settings, EveryErrorOccursAndHasItsOwnText) {
   std::set<SettingsError> reached = {SettingsError::kNone, SettingsError::kUnknownField,
                                      SettingsError::kStale};
-  for (const Spoiling& spoiling : spoilings()) {
-    reached.insert(spoiling.error);
+  for (const InvalidSetting& invalid : invalid_settings()) {
+    reached.insert(invalid.error);
   }
   std::set<std::string> words;
   for (const SettingsError error : reached) {
@@ -142,16 +140,16 @@ TEST(Settings, AreRefusedWithTheReasonAndLeaveTheOldOnesInForce) {
   ASSERT_TRUE(configure(Hardware{}, config));
   ASSERT_EQ(apply(config, state, test::ieee24_settings()), SettingsError::kNone);
   const std::uint32_t in_force = digest(config.settings);
-  for (const Spoiling& spoiling : spoilings()) {
+  for (const InvalidSetting& invalid : invalid_settings()) {
     Settings settings = test::ieee24_settings();
     settings.version = 2;
-    spoiling.spoil(settings);
-    EXPECT_EQ(apply(config, state, settings), spoiling.error) << spoiling.what;
-    EXPECT_EQ(digest(config.settings), in_force) << spoiling.what;
+    invalid.make_invalid(settings);
+    EXPECT_EQ(apply(config, state, settings), invalid.error) << invalid.what;
+    EXPECT_EQ(digest(config.settings), in_force) << invalid.what;
   }
 }
 
-TEST(Settings, OnesNotNewerThanThoseInForceAreRefusedAsStale) {
+TEST(Settings, AreRefusedAsStaleUnlessNewerThanThoseInForce) {
   Config config;
   State state;
   ASSERT_TRUE(configure(Hardware{}, config));
@@ -169,7 +167,7 @@ TEST(Settings, OnesNotNewerThanThoseInForceAreRefusedAsStale) {
   EXPECT_EQ(config.settings.accumulated_mw, 1.0F);
 }
 
-TEST(Settings, TheFirstOnesMayHaveAnyVersionButThatOfNone) {
+TEST(Settings, TheFirstMayHaveAnyVersionButZero) {
   Config config;
   State state;
   ASSERT_TRUE(configure(Hardware{}, config));
@@ -180,8 +178,8 @@ TEST(Settings, TheFirstOnesMayHaveAnyVersionButThatOfNone) {
   EXPECT_EQ(apply(config, state, settings), SettingsError::kNone);
 }
 
-// Byte by byte, so that a field added to the struct and forgotten in the digest is found: what may
-// change unseen is the padding alone.
+// Changes each byte, so that a field that is missing from the digest is detected. Only padding may
+// change without effect.
 TEST(Settings, TheDigestChangesWithEveryByteOfEveryField) {
   Settings settings;
   std::memset(static_cast<void*>(&settings), 0, sizeof settings);
@@ -206,7 +204,7 @@ TEST(Settings, TheDigestChangesWithEveryByteOfEveryField) {
   EXPECT_EQ(unseen, padding);
 }
 
-TEST(Settings, RowsThatAreNotUsedAreNotDigested) {
+TEST(Settings, TheDigestIgnoresUnusedRows) {
   Settings settings = test::ieee24_settings();
   const std::uint32_t before = digest(settings);
   settings.conditions[settings.condition_rows] = {1.0F, -1.0F};

@@ -1,4 +1,4 @@
-// Criteria (2) and (3) of §5.5: the switching-off frequency, and commands.
+// Criteria (2) and (3) of §5.5: switching-off frequency and commands.
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Reports = std::vector<Report>;
 
-// Steady, down to `lowest_hz` for `duration_s`, and back.
+// Steady frequency, then `lowest_hz` for `duration_s`, and back.
 Reports reports_of_visit(double lowest_hz, double duration_s) {
   test::MainsSpec spec = {gsbench::waveform::reference_from_points(
       50.0,
@@ -20,7 +20,7 @@ Reports reports_of_visit(double lowest_hz, double duration_s) {
   return test::reports_of(spec, 2.0 + duration_s, test::ieee24_settings());
 }
 
-TEST(SwitchOffFrequency, TakesThreeMeasurementsInARowBelowIt) {
+TEST(SwitchOffFrequency, TripsAfterThreeSuccessiveMeasurementsBelowIt) {
   int tripped = 0;
   int spared = 0;
   for (double lowest_hz = 49.03; lowest_hz > 48.9; lowest_hz -= 0.004) {
@@ -43,7 +43,7 @@ TEST(SwitchOffFrequency, TakesThreeMeasurementsInARowBelowIt) {
   EXPECT_GT(spared, 3);
 }
 
-TEST(SwitchOffFrequency, ActsOnNothingWhileTheBusIsDead) {
+TEST(SwitchOffFrequency, DoesNotTripWhileTheBusIsDead) {
   test::MainsSpec spec = {gsbench::waveform::reference_from_points(
       50.0, {{0.0, 50.0}, {1.3, 50.0}, {1.5, 47.0}, {2.0, 47.0}, {2.2, 50.0}})};
   spec.signal.amplitude_steps = {{1.0, 1.5, 0.0}};
@@ -52,8 +52,8 @@ TEST(SwitchOffFrequency, ActsOnNothingWhileTheBusIsDead) {
   EXPECT_EQ(reports.back().measurement.validity, Validity::kValid);
 }
 
-// What measures with a clock that is 1 % off sees healthy mains below f^B.
-TEST(SwitchOffFrequency, IsNotLookedForWithoutACrystal) {
+// With a clock error of 1 %, healthy mains would be measured below f^B.
+TEST(SwitchOffFrequency, IsIgnoredWithoutACrystal) {
   for (const bool has_crystal : {true, false}) {
     test::PlayedOutlet outlet({test::steady(50.0, 48.0)});
     Hardware hardware = outlet.mains.hardware();
@@ -73,7 +73,7 @@ TEST(SwitchOffFrequency, IsNotLookedForWithoutACrystal) {
   }
 }
 
-TEST(SwitchOffFrequency, ActsAsSoonAsADeadBusReturnsBelowIt) {
+TEST(SwitchOffFrequency, TripsWhenADeadBusReturnsBelowIt) {
   test::MainsSpec spec = {test::steady(50.0, 48.0)};
   spec.signal.amplitude_steps = {{0.0, 1.0, 0.0}};
   const Reports reports = test::reports_of(spec, 2.0, test::ieee24_settings());
@@ -95,7 +95,7 @@ TEST(Command, OpensAndClosesTheRelay) {
   EXPECT_EQ(state.cause, Cause::kNone);
 }
 
-TEST(Command, ThatChangesNothingLeavesTheCauseAsItWas) {
+TEST(Command, ThatChangesNothingKeepsTheCause) {
   State state;
   EXPECT_FALSE(command(state, true));
   state.relay_closed = false;
@@ -104,7 +104,7 @@ TEST(Command, ThatChangesNothingLeavesTheCauseAsItWas) {
   EXPECT_EQ(state.cause, Cause::kLoss);
 }
 
-TEST(Command, ToCloseDoesNotHoldAgainstTheSwitchOffFrequency) {
+TEST(Command, ToCloseDoesNotOverrideTheSwitchOffFrequency) {
   test::PlayedOutlet outlet({test::steady(50.0, 48.5)}, test::ieee24_settings());
   int reports = 0;
   const auto count = [&](const Report&) { ++reports; };
@@ -112,14 +112,14 @@ TEST(Command, ToCloseDoesNotHoldAgainstTheSwitchOffFrequency) {
   ASSERT_FALSE(outlet.state.relay_closed);
   EXPECT_TRUE(command(outlet.state, true));
   reports = 0;
-  // 62.5 reports to the second: half of one is in already.
+  // 8000 samples are 62.5 reports: half a report completes the next one.
   outlet.play(8000, 8064, count);
   ASSERT_EQ(reports, 1);
   EXPECT_FALSE(outlet.state.relay_closed);
   EXPECT_EQ(outlet.state.cause, Cause::kFrequency);
 }
 
-TEST(Cause, EachHasItsOwnWord) {
+TEST(Cause, EachHasItsOwnName) {
   EXPECT_STREQ(to_string(Cause::kNone), "none");
   EXPECT_STREQ(to_string(Cause::kLoss), "loss");
   EXPECT_STREQ(to_string(Cause::kFrequency), "frequency");

@@ -1,5 +1,5 @@
-// How well a steady frequency is measured through 1 % white noise, over the whole range and with
-// the harmonics of EN 50160. `ctest --verbose -R Tracker` shows the figures.
+// Accuracy of a steady frequency in 1 % white noise, over the whole range, and with the harmonics
+// of EN 50160. `ctest --verbose -R Tracker` prints the figures.
 #include <firmware_test/mains.hpp>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Accuracy {
   int not_valid = 0;
 };
 
-// From one second on: the tracker has settled for half of it.
+// Evaluated from 1 s on; the tracker settles in half of that.
 Accuracy accuracy(const test::MainsSpec& spec, double duration_s) {
   test::PlayedOutlet outlet(spec);
   Accuracy a;
@@ -92,8 +92,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 class TrackerAccuracy : public testing::TestWithParam<Case> {
  protected:
-  // 5 Hz to either side of nominal. Limits are the requirement: bias 0.5 mHz, rms 4 mHz, and five
-  // times that for the largest.
+  // Nominal ± 5 Hz. The limits are the requirement: bias 0.5 mHz, RMS 4 mHz, largest error 20 mHz.
   static void sweep(double step_hz, double duration_s) {
     const Case& c = GetParam();
     std::printf("   f/Hz   bias/mHz    rms/mHz    max/mHz\n");
@@ -111,14 +110,14 @@ class TrackerAccuracy : public testing::TestWithParam<Case> {
       EXPECT_NEAR(a.bias_mhz, 0.0, 0.5) << frequency_hz;
       EXPECT_LE(a.rms_mhz, 4.0) << frequency_hz;
       EXPECT_LE(a.largest_mhz, 20.0) << frequency_hz;
-      // Better than any estimator with a memory of a quarter second: the reference would have
-      // leaked.
+      // An error below the bound for a window of 0.25 s would mean that the reference leaks into
+      // the measurement.
       EXPECT_GE(a.rms_mhz, least_rms_mhz(0.25)) << frequency_hz;
     }
   }
 };
 
-TEST_P(TrackerAccuracy, KeepsToFourMillihertzWithFiveHertzToEitherSide) {
+TEST_P(TrackerAccuracy, IsWithinFourMillihertzRmsUpToFiveHertzFromNominal) {
   sweep(0.5, 21.0);
 }
 

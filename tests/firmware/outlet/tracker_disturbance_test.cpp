@@ -1,4 +1,4 @@
-// What is no frequency must not be measured as one: phase jumps, dips, interruptions, a dead bus.
+// Phase jumps, dips, interruptions and a dead bus must not be measured as a change of frequency.
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
 
@@ -25,7 +25,7 @@ struct Course {
   int events = 0;
   bool tripped = false;
   double largest_error_mhz = 0.0;  // of valid measurements
-  double last_bad_s = 0.0;         // after the disturbance, a report worse than 20 mHz or not valid
+  double last_bad_s = 0.0;  // last report worse than 20 mHz or not valid, after the disturbance
 };
 
 // 20 mHz are eight standard deviations of a measurement in 1 % noise.
@@ -68,7 +68,7 @@ Course course_of(const test::MainsSpec& spec, double disturbance_s) {
   return course;
 }
 
-// The worst of several points on the wave and seeds.
+// The worst over several points on wave and seeds.
 Course worst_course(const std::function<void(SignalSpec&, double)>& disturb) {
   Course worst;
   for (int i = 0; i < 10; ++i) {
@@ -86,9 +86,9 @@ Course worst_course(const std::function<void(SignalSpec&, double)>& disturb) {
   return worst;
 }
 
-// A jump of 4° spreads over the filter's 56 ms, at most 2° a report: more than twice
-// innovation_gate_rad.
-TEST(TrackerDisturbance, CoastsOverPhaseJumpsFromFourDegreesUp) {
+// The filter's 56 ms spread a jump of 4° over several reports, at most 2° each. This is more than
+// twice innovation_gate_rad.
+TEST(TrackerDisturbance, CoastsOverPhaseJumpsOfFourDegreesAndMore) {
   for (const double degrees : {-60.0, -20.0, -10.0, -4.0, 4.0, 10.0, 20.0, 60.0}) {
     const Course course = worst_course([&](SignalSpec& signal, double at_s) {
       signal.phase_jumps = {{at_s, degrees}};
@@ -97,15 +97,15 @@ TEST(TrackerDisturbance, CoastsOverPhaseJumpsFromFourDegreesUp) {
     EXPECT_EQ(course.invalid, 0) << degrees;
     EXPECT_GE(course.held, 3) << degrees;
     EXPECT_LE(course.held, 8) << degrees;
-    // A jump of 4° measured through would read a tenth of a hertz and more.
+    // Without the gate, a jump of 4° would read as 0.1 Hz or more.
     EXPECT_LT(course.largest_error_mhz, 60.0) << degrees;
     EXPECT_LT(course.last_bad_s, 0.3) << degrees;
   }
 }
 
-// Too small to be told from a grid: it passes through as a swing of the frequency, which may look
-// like an event, and must not trip.
-TEST(TrackerDisturbance, SmallerPhaseJumpsSwingTheFrequencyAndDoNotTrip) {
+// Smaller jumps are within the gate, like changes of a grid. They appear as a swing of the
+// frequency, which may look like an event but must not trip.
+TEST(TrackerDisturbance, SmallerPhaseJumpsDisturbTheFrequencyButDoNotTrip) {
   for (const double degrees : {-2.0, -1.0, 1.0, 2.0}) {
     const Course course = worst_course([&](SignalSpec& signal, double at_s) {
       signal.phase_jumps = {{at_s, degrees}};
@@ -116,8 +116,8 @@ TEST(TrackerDisturbance, SmallerPhaseJumpsSwingTheFrequencyAndDoNotTrip) {
   }
 }
 
-// A fault in the network and its clearing: the voltage dips and turns, and turns back when the
-// fault is cleared, at the latest while the tracker has not yet recovered from its beginning.
+// A fault in the network and its clearing: the voltage dips and its phase jumps, and both return
+// when the fault is cleared, before the tracker has recovered from the onset.
 TEST(TrackerDisturbance, DoesNotTripOnAFaultAndItsClearing) {
   for (const double level_pct : {5.0, 12.0, 40.0, 70.0}) {
     for (const double degrees : {-60.0, -20.0, 20.0, 60.0}) {
@@ -146,7 +146,7 @@ TEST(TrackerDisturbance, DoesNotTripOnTwoJumpsInTheSameDirection) {
   }
 }
 
-// Test pattern after IEC 61000-4-11; the phase stands still.
+// Test pattern after IEC 61000-4-11, without phase jumps.
 TEST(TrackerDisturbance, DoesNotTripOnDips) {
   struct Dip {
     double level_pct;
@@ -158,7 +158,7 @@ TEST(TrackerDisturbance, DoesNotTripOnDips) {
       signal.amplitude_steps = {{at_s, dip.duration_s, dip.level_pct}};
     });
     EXPECT_FALSE(course.tripped) << dip.level_pct;
-    // At 12 % of the voltage noise weighs eight times as much.
+    // At 12 % voltage the relative noise is eight times higher.
     EXPECT_LT(course.largest_error_mhz, dip.level_pct == 12.0 ? 300.0 : 150.0) << dip.level_pct;
     EXPECT_LT(course.last_bad_s, dip.duration_s + 0.4) << dip.level_pct;
   }
@@ -175,7 +175,7 @@ TEST(TrackerDisturbance, MeasuresThroughAmplitudeStepsOfTenPerCent) {
   }
 }
 
-TEST(TrackerDisturbance, ClaimsNoFrequencyOnADeadBusAndFindsItAgainAfterwards) {
+TEST(TrackerDisturbance, ReportsNoFrequencyOnADeadBusAndReacquiresItAfterwards) {
   for (const double level_pct : {0.0, 5.0}) {
     for (int i = 0; i < 10; ++i) {
       const double dead_s = 1.0 + 0.00137 * i;
@@ -185,14 +185,13 @@ TEST(TrackerDisturbance, ClaimsNoFrequencyOnADeadBusAndFindsItAgainAfterwards) {
       spec.signal.amplitude_steps = {{dead_s, alive_s - dead_s, level_pct}};
       for (const Report& report : test::reports_of(spec, 4.0, test::ieee24_settings())) {
         const double t_s = test::report_s(report);
-        // The front end's memory is 56 ms, the report in which it ends at most 16 ms later.
+        // The front end's window is 56 ms; the report comes at most 16 ms later.
         if (t_s > dead_s + 0.072 && t_s <= alive_s) {
           ASSERT_EQ(report.measurement.validity, Validity::kInvalid) << t_s;
           ASSERT_TRUE(std::isnan(report.measurement.frequency_hz));
           ASSERT_NEAR(static_cast<double>(report.measurement.voltage_pu), 0.01 * level_pct, 0.02);
         }
-        // 56 ms to fill the filter, 16 reports to settle, up to three begun in vain while it
-        // filled.
+        // 56 ms to fill the filter, 16 reports to settle, up to three restarts while it fills.
         if (t_s > alive_s + 0.056 + 19 * 0.016) {
           ASSERT_EQ(report.measurement.validity, Validity::kValid) << t_s;
           ASSERT_NEAR(static_cast<double>(report.measurement.frequency_hz),
@@ -204,7 +203,7 @@ TEST(TrackerDisturbance, ClaimsNoFrequencyOnADeadBusAndFindsItAgainAfterwards) {
   }
 }
 
-TEST(TrackerDisturbance, FollowsRampsOfTenHertzASecond) {
+TEST(TrackerDisturbance, FollowsRampsOfTenHertzPerSecond) {
   for (const double hz_per_s : {-10.0, -5.0, -1.0, 1.0, 10.0}) {
     const double turn_hz = hz_per_s < 0.0 ? 45.5 : 54.5;
     const test::MainsSpec spec = {test::ramp(50.0, turn_hz, 1.0, hz_per_s), {}, 1.0};
@@ -217,7 +216,7 @@ TEST(TrackerDisturbance, FollowsRampsOfTenHertzASecond) {
       }
       const double error_hz =
           static_cast<double>(report.measurement.frequency_hz) - spec.reference->frequency_hz(t_s);
-      // At the corners a tracker that remembers 80 ms is behind by as much of the ramp.
+      // At the corners the tracker's memory of 80 ms causes an error of 80 ms of the ramp.
       EXPECT_LT(std::abs(error_hz), 0.08 * std::abs(hz_per_s) + 0.02) << hz_per_s << " " << t_s;
       if (t_s > 1.3 && t_s < end_s - 0.03) {
         ++on_the_ramp;
@@ -253,8 +252,8 @@ Phasor phasor(float amplitude, float turns) {
   return phasor;
 }
 
-// Whatever the voltage does, the numbers stay a grid's, and a clean voltage is found again.
-TEST(TrackerDisturbance, SurvivesAnyVoltageAtAll) {
+// For any voltage the results stay within their bounds, and a clean voltage is acquired again.
+TEST(TrackerDisturbance, StaysWithinBoundsForAnyVoltage) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<float> unit(0.0F, 1.0F);
   const TrackerSettings settings;
@@ -262,8 +261,7 @@ TEST(TrackerDisturbance, SurvivesAnyVoltageAtAll) {
     TrackerState state;
     const int kind = run % 4;
     for (int k = 0; k < 60; ++k) {
-      // Amplitudes over eight decades; nothing but noise; a phase that leaps at random; two values
-      // in turn.
+      // Amplitudes over eight decades; noise only; random phase; two alternating amplitudes.
       float amplitude = std::pow(10.0F, 8.0F * unit(generator) - 4.0F);
       if (kind == 1) {
         amplitude = unit(generator);
@@ -282,7 +280,7 @@ TEST(TrackerDisturbance, SurvivesAnyVoltageAtAll) {
         ASSERT_TRUE(std::abs(m.rocof_hz_s) <= 30.01F) << m.rocof_hz_s;
       }
     }
-    // 51 Hz: a turn of 0.016 each report. 16 to hold, 16 to settle, and some to find the frequency.
+    // 51 Hz: 0.016 turns per report. 16 reports to hold, 16 to settle, and some to acquire.
     Measurement m;
     for (int k = 0; k < 60; ++k) {
       m = track(settings, 50.0F, state, phasor(1.0F, 0.016F * static_cast<float>(k)));
@@ -292,7 +290,7 @@ TEST(TrackerDisturbance, SurvivesAnyVoltageAtAll) {
   }
 }
 
-TEST(TrackerDisturbance, ANotANumberInThePhasorIsADeadBus) {
+TEST(TrackerDisturbance, ANaNPhasorIsADeadBus) {
   TrackerState state;
   Phasor broken = phasor(1.0F, 0.0F);
   broken.in_phase = std::numeric_limits<float>::quiet_NaN();

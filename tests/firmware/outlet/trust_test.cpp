@@ -1,4 +1,4 @@
-// When an estimate may be acted on, and when it says that it may not.
+// The rating of an estimate: trusted, or not, and why.
 #include <firmware_test/settings.hpp>
 
 #include <functional>
@@ -18,10 +18,10 @@ constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kNominal_hz = 50.0F;
 constexpr Line kNoLine = {kNoNumber, kNoNumber};
 
-// Deviation in Hz, so long after the event.
+// Deviation in Hz, by the time after the event in s.
 using Deviation = std::function<double(double)>;
 
-// A loss 80 ms before the event, as five drops find it.
+// A loss 80 ms before the event: the time of five drops.
 Deviation loss_of(double power_mw) {
   const gsbench::grid::SfrModel model(test::ieee24());
   return [model, power_mw](double t_s) { return power_mw * model.unit_deviation_hz(t_s + 0.08); };
@@ -46,16 +46,16 @@ Trust trust_of(const Played& played) {
   return trust(played.settings, played.state);
 }
 
-TEST(Trust, ACleanLossIsTrustedAndRight) {
+TEST(Trust, ANoiseFreeLossIsTrustedAndAccurate) {
   const Played played = play(loss_of(500.0));
   EXPECT_EQ(trust_of(played), Trust::kTrusted);
   EXPECT_TRUE(complete(played.settings, played.state));
-  // Without noise 4 % would be the paper's; the LSE's start and σ = 5 mHz leave a half.
+  // 0.5 %: far below the paper's 4 %. The rest is due to the LSE's start and σ = 5 mHz.
   EXPECT_NEAR(played.state.ekf.loss_mw, 500.0F, 2.5F);
   EXPECT_NEAR(loss_instant_s(played.state), -0.08F - kFrontEndDelay_s, 3e-3F);
 }
 
-TEST(Trust, NothingIsTrustedBeforeHalfOfTheReportsAreIn) {
+TEST(Trust, NothingIsTrustedBeforeHalfOfTheReports) {
   for (const int reports : {0, 1, 9, 10, 29}) {
     const Played played = play(loss_of(500.0), 0.0F, reports);
     EXPECT_EQ(trust_of(played), Trust::kNotYet) << reports;
@@ -71,7 +71,7 @@ TEST(Trust, AFrequencyThatMovedBeforeTheEventIsNotTrusted) {
   EXPECT_EQ(trust_of(play(loss_of(500.0), 0.05F)), Trust::kTrusted);
 }
 
-// A second loss on top of the first, which the model of one loss cannot follow.
+// A second loss, which the model of a single loss cannot follow.
 TEST(Trust, MeasurementsThatDoNotFollowTheModelAreNotTrusted) {
   const Deviation first = loss_of(300.0);
   const Deviation second = loss_of(1500.0);
@@ -92,15 +92,15 @@ TEST(Trust, ALossBeyondTheSystemIsAtItsBound) {
   EXPECT_EQ(trust_of(play(loss_of(4000.0))), Trust::kAtBound);
 }
 
-TEST(Trust, ARisingFrequencyIsAtTheBoundOfNoLoss) {
+TEST(Trust, ARisingFrequencyIsAtTheBoundOfZeroLoss) {
   EXPECT_EQ(trust_of(play(loss_of(-500.0))), Trust::kAtBound);
 }
 
-TEST(Trust, ALossLostInTheNoiseIsTooUncertain) {
+TEST(Trust, ALossBelowTheNoiseIsTooUncertain) {
   EXPECT_EQ(trust_of(play(loss_of(5.0))), Trust::kUncertain);
 }
 
-TEST(Estimator, AGapBeforeTheLseIsDoneStartsItAfresh) {
+TEST(Estimator, AGapDuringTheLseRestartsIt) {
   Played played = play(loss_of(500.0), 0.0F, 9);
   EXPECT_EQ(played.state.lse.count, 9);
   observe(played.settings, kNominal_hz, played.state, false, kNoNumber, kNoLine);
@@ -108,7 +108,7 @@ TEST(Estimator, AGapBeforeTheLseIsDoneStartsItAfresh) {
   EXPECT_FALSE(played.state.started);
 }
 
-TEST(Estimator, AGapWhileTheEkfRunsIsPassedOverWithItsTime) {
+TEST(Estimator, AGapDuringTheEkfIsSkippedWithItsTime) {
   const Deviation deviation = loss_of(500.0);
   Played played = play(deviation, 0.0F, 20);
   for (int k = 20; k < 50; ++k) {
@@ -121,7 +121,7 @@ TEST(Estimator, AGapWhileTheEkfRunsIsPassedOverWithItsTime) {
   EXPECT_NEAR(played.state.ekf.loss_mw, 500.0F, 2.5F);
 }
 
-TEST(Estimator, ConditionsCountOnceTheLseIsDone) {
+TEST(Estimator, ConditionsCountAfterTheLse) {
   Played played;
   begin(played.state, {kNominal_hz, 0.0F});
   const Line falling = {49.95F, -2.0F};
@@ -132,7 +132,7 @@ TEST(Estimator, ConditionsCountOnceTheLseIsDone) {
   EXPECT_EQ(played.state.hits, played.settings.ekf_samples);
 }
 
-TEST(Trust, EachStatusHasItsOwnWords) {
+TEST(Trust, EachStatusHasItsOwnText) {
   std::set<std::string> words;
   for (const Trust trust : {Trust::kTrusted, Trust::kNotYet, Trust::kUnsteadyStart,
                             Trust::kResidual, Trust::kAtBound, Trust::kUncertain}) {

@@ -1,4 +1,4 @@
-// The reader and the writer item by item, against the examples of RFC 8949, appendix A.
+// Reader and writer item by item, with the examples of RFC 8949, appendix A.
 #include <wire_test/messages.hpp>
 
 #include <limits>
@@ -55,7 +55,7 @@ TEST(CborWriter, WritesTheExamplesOfTheStandard) {
   EXPECT_EQ(written([](Writer& w) { w.array(25); }), "98 19");
 }
 
-TEST(CborReader, TakesIntegersOfAnyWidth) {
+TEST(CborReader, ReadsIntegersOfAnyWidth) {
   for (const Bytes& ten : {Bytes{0x0A}, Bytes{0x18, 0x0A}, Bytes{0x19, 0, 0x0A},
                            Bytes{0x1A, 0, 0, 0, 0x0A}, Bytes{0x1B, 0, 0, 0, 0, 0, 0, 0, 0x0A}}) {
     Reader reader(ten.data(), ten.size());
@@ -66,7 +66,7 @@ TEST(CborReader, TakesIntegersOfAnyWidth) {
   }
 }
 
-TEST(CborReader, TakesIntegersOfSixtyFourBitsAndNoMore) {
+TEST(CborReader, ReadsSignedIntegersUpToSixtyFourBits) {
   const auto integer = [](const Bytes& bytes, std::int64_t& value) {
     return Reader(bytes.data(), bytes.size()).integer(value);
   };
@@ -79,7 +79,7 @@ TEST(CborReader, TakesIntegersOfSixtyFourBitsAndNoMore) {
   EXPECT_FALSE(integer({0x1B, 0x80, 0, 0, 0, 0, 0, 0, 0}, value));
 }
 
-// One item each of every sort a message may have to pass over.
+// One item of each type that a reader may have to skip.
 const std::vector<Bytes> kWellFormed = {
     {0x00},
     {0x3B, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF},
@@ -102,7 +102,7 @@ const std::vector<Bytes> kWellFormed = {
     {0xFB, 0x3F, 0xF1, 0x99, 0x99, 0x99, 0x99, 0x99, 0x9A},
 };
 
-// RFC 8949, appendix F.1, and indefinite lengths, which this protocol does without.
+// RFC 8949, appendix F.1, and indefinite lengths, which this protocol does not allow.
 const std::vector<Bytes> kIllFormed = {
     {},
     {0x1C},
@@ -127,7 +127,7 @@ const std::vector<Bytes> kIllFormed = {
     {0xBB, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 1, 2, 3},
 };
 
-TEST(CborReader, PassesOverOneItemOfAnyKind) {
+TEST(CborReader, SkipsOneItemOfAnyType) {
   for (const Bytes& item : kWellFormed) {
     Bytes bytes = item;
     bytes.push_back(0x05);
@@ -137,7 +137,7 @@ TEST(CborReader, PassesOverOneItemOfAnyKind) {
   }
 }
 
-TEST(CborReader, StandsWhereItStoodAtWhatIsIllFormed) {
+TEST(CborReader, DoesNotAdvanceAtAnIllFormedItem) {
   for (const Bytes& bytes : kIllFormed) {
     Reader reader(bytes.data(), bytes.size());
     EXPECT_FALSE(reader.skip()) << hex(bytes);
@@ -145,7 +145,7 @@ TEST(CborReader, StandsWhereItStoodAtWhatIsIllFormed) {
   }
 }
 
-TEST(CborReader, TakesEachItemAsNothingButItsOwnKind) {
+TEST(CborReader, ReadsEachItemOnlyAsItsOwnType) {
   for (const Bytes& item : kWellFormed) {
     Reader reader(item.data(), item.size());
     std::size_t items = 0;
@@ -178,9 +178,9 @@ TEST(CborReader, RefusesTextThatIsTooLongOrNotPrintableAscii) {
   EXPECT_FALSE(text({0x43, 'a', 'b', 'c'}));  // bytes, not text
 }
 
-// A million levels in a megabyte, and counts that promise more than there is: neither recursion nor
-// time may follow from them.
-TEST(CborReader, NestedBombsAreRefusedWithoutRecursion) {
+// A million levels of nesting in a megabyte, and counts beyond the end: must cause neither
+// recursion nor long run times.
+TEST(CborReader, RefusesDeepNestingWithoutRecursion) {
   constexpr std::size_t kLength = 1'000'000;
   for (const std::uint8_t head : Bytes{0x81, 0xA1, 0xC0, 0x82}) {
     const Bytes bomb(kLength, head);

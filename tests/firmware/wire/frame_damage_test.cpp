@@ -1,4 +1,4 @@
-// Frames that suffer on the line: nothing false may arrive, and what follows must.
+// Damaged frames: no wrong message may be read, and the next frame must be.
 #include <wire_test/messages.hpp>
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 namespace gs::wire::test {
 namespace {
 
-// As frames_in().
-std::vector<Bytes> hear(const Bytes& stream) {
+// frames_in() with a new reader.
+std::vector<Bytes> read_frames(const Bytes& stream) {
   FrameReader reader;
   return frames_in(reader, stream);
 }
 
-// One of every kind and the longest of all.
-std::vector<Bytes> victims() {
+// One message of every kind, and the longest.
+std::vector<Bytes> intact_messages() {
   std::vector<Bytes> all;
   std::mt19937 random(5);
   for (const UplinkKind kind : uplink_kinds()) {
@@ -62,7 +62,7 @@ const Damage kDamages[] = {
          std::swap(frame[byte], frame[byte + 1]);
        }
      }},
-    // Of less than two bytes nothing tells that there was a frame.
+    // Keeps two bytes: with fewer there is no sign of a frame.
     {"CutFrame", 1,
      [](Bytes& frame, std::size_t length) { frame.resize(std::max<std::size_t>(length, 2)); }}};
 
@@ -71,35 +71,36 @@ class FrameDamage : public testing::TestWithParam<Damage> {};
 INSTANTIATE_TEST_SUITE_P(Every, FrameDamage, testing::ValuesIn(kDamages),
                          [](const auto& damage) { return damage.param.name; });
 
-// The damaged frame must be heard whole or not at all, and the one after it always.
-TEST_P(FrameDamage, IsFoundOut) {
+// The damaged frame must be read as the original message or as a bad frame, and the next one
+// always.
+TEST_P(FrameDamage, IsDetected) {
   const Bytes next = framed(kAfter);
-  int unheard = 0;
-  for (const Bytes& message : victims()) {
+  int damaged_frames = 0;
+  for (const Bytes& message : intact_messages()) {
     const Bytes frame = framed(message);
     for (std::size_t place = 0; place < GetParam().places_per_byte * frame.size(); ++place) {
       Bytes damaged = frame;
       GetParam().at(damaged, place);
       damaged.insert(damaged.end(), next.begin(), next.end());
-      std::vector<Bytes> heard = hear(damaged);
-      ASSERT_FALSE(heard.empty()) << hex(damaged);
-      EXPECT_EQ(heard.back(), kAfter) << hex(damaged);
-      heard.pop_back();
-      const auto bad = std::count(heard.begin(), heard.end(), Bytes{});
-      const auto whole = std::count(heard.begin(), heard.end(), message);
-      EXPECT_EQ(static_cast<std::size_t>(bad + whole), heard.size())
-          << "a false message from " << hex(damaged);
+      std::vector<Bytes> found = read_frames(damaged);
+      ASSERT_FALSE(found.empty()) << hex(damaged);
+      EXPECT_EQ(found.back(), kAfter) << hex(damaged);
+      found.pop_back();
+      const auto bad = std::count(found.begin(), found.end(), Bytes{});
+      const auto whole = std::count(found.begin(), found.end(), message);
+      EXPECT_EQ(static_cast<std::size_t>(bad + whole), found.size())
+          << "a wrong message from " << hex(damaged);
       EXPECT_LE(whole, 1) << hex(damaged);
       if (whole == 0) {
-        ++unheard;
-        EXPECT_GE(bad, 1) << "a lost frame that nobody was told of: " << hex(damaged);
+        ++damaged_frames;
+        EXPECT_GE(bad, 1) << "a lost frame was not reported: " << hex(damaged);
       }
     }
   }
-  EXPECT_GT(unheard, 0);
+  EXPECT_GT(damaged_frames, 0);
 }
 
-TEST(TwoFlippedBits, InAShortFrameAreFoundOut) {
+TEST(TwoFlippedBits, InAShortFrameAreDetected) {
   const Bytes message = {0x84, 0x0D, 0x01, 0x18, 0x80, 0x07};  // echo
   const Bytes frame = framed(message);
   for (std::size_t a = 0; a < 8 * frame.size(); ++a) {
@@ -107,14 +108,14 @@ TEST(TwoFlippedBits, InAShortFrameAreFoundOut) {
       Bytes damaged = frame;
       flip_bit(damaged, a);
       flip_bit(damaged, b);
-      for (const Bytes& heard : hear(damaged)) {
-        EXPECT_TRUE(heard.empty() || heard == message);
+      for (const Bytes& found : read_frames(damaged)) {
+        EXPECT_TRUE(found.empty() || found == message);
       }
     }
   }
 }
 
-TEST(AnyJunk, IsFollowedByTheNextFrame) {
+TEST(RandomBytes, DoNotHideTheNextFrame) {
   std::mt19937 random(6);
   for (int i = 0; i < 20000; ++i) {
     Bytes stream(random() % 700);
@@ -124,11 +125,11 @@ TEST(AnyJunk, IsFollowedByTheNextFrame) {
     }
     const Bytes frame = framed(kAfter);
     stream.insert(stream.end(), frame.begin(), frame.end());
-    const std::vector<Bytes> heard = hear(stream);
-    ASSERT_FALSE(heard.empty()) << hex(stream);
-    EXPECT_EQ(heard.back(), kAfter) << hex(stream);
-    EXPECT_EQ(std::count(heard.begin(), heard.end(), Bytes{}),
-              static_cast<std::ptrdiff_t>(heard.size() - 1));
+    const std::vector<Bytes> found = read_frames(stream);
+    ASSERT_FALSE(found.empty()) << hex(stream);
+    EXPECT_EQ(found.back(), kAfter) << hex(stream);
+    EXPECT_EQ(std::count(found.begin(), found.end(), Bytes{}),
+              static_cast<std::ptrdiff_t>(found.size() - 1));
   }
 }
 

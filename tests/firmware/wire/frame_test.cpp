@@ -1,4 +1,4 @@
-// Frames that arrive as they were sent, of any length and content.
+// Frames of any length and content are read as they were written.
 #include <wire_test/messages.hpp>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace gs::wire::test {
 namespace {
 
-// Contents that exercise the stuffing: no zero, only zeros, zeros where groups end.
+// Contents that exercise COBS: no zeros, only zeros, zeros at the ends of groups.
 std::vector<Bytes> contents(std::size_t length) {
   Bytes counting(length);
   std::iota(counting.begin(), counting.end(), std::uint8_t{1});
@@ -51,13 +51,13 @@ TEST(Frame, EveryLengthArrivesAsSent) {
   }
 }
 
-TEST(Frame, TheCrcStandsBehindTheMessageLeastByteFirst) {
-  // 0xCBF43926 over the check text: neither holds a zero, so that one group carries all.
+TEST(Frame, TheCrcFollowsTheMessageLeastSignificantByteFirst) {
+  // The check text and its CRC 0xCBF43926 contain no zero: a single group.
   const Bytes message = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
   EXPECT_EQ(hex(framed(message)), "00 0e 31 32 33 34 35 36 37 38 39 26 39 f4 cb 00");
 }
 
-TEST(Frame, TheLongestIsAsLongAsItSays) {
+TEST(Frame, TheLongestHasTheDeclaredLength) {
   std::size_t longest = 0;
   for (const Bytes& message : contents(kLongestMessage)) {
     longest = std::max(longest, framed(message).size());
@@ -73,7 +73,7 @@ TEST(Frame, EmptyAndTooLongMessagesAreNotFramed) {
   }
 }
 
-TEST(Frame, ABufferTooShortIsRefusedWhateverItsLength) {
+TEST(Frame, ABufferThatIsTooShortIsRefused) {
   const Bytes message = contents(300)[2];
   const std::size_t size = framed(message).size();
   for (std::size_t capacity = 0; capacity < size; ++capacity) {
@@ -84,19 +84,19 @@ TEST(Frame, ABufferTooShortIsRefusedWhateverItsLength) {
   EXPECT_EQ(frame(message.data(), message.size(), out.data(), size), size);
 }
 
-// Encoders of others end at a full group without the empty one that this one writes.
-TEST(Frame, AFullLastGroupNeedsNoEmptyOneBehindIt) {
-  const Bytes message(250, 0x31);  // with a CRC that holds no zero: one full group
+// Other encoders may omit the empty group that this encoder writes after a full last group.
+TEST(Frame, AFullLastGroupNeedsNoEmptyGroup) {
+  const Bytes message(250, 0x31);  // its CRC contains no zero: one full group
   Bytes frame = framed(message);
   ASSERT_EQ(frame.size(), 258U);
-  ASSERT_EQ(frame[1], 0xFF) << "the CRC holds a zero; take another message";
+  ASSERT_EQ(frame[1], 0xFF) << "the CRC contains a zero; use another message";
   ASSERT_EQ(frame[256], 0x01);
   frame.erase(frame.begin() + 256);
   FrameReader reader;
   EXPECT_EQ(frames_in(reader, frame), std::vector<Bytes>{message});
 }
 
-TEST(Frame, OneZeroBetweenFramesIsEnoughAndManyAreNone) {
+TEST(Frame, OneZeroOrManySeparateFrames) {
   const Bytes message = {1, 0, 2};
   const Bytes frame = framed(message);
   Bytes stream(100, 0);
@@ -107,20 +107,20 @@ TEST(Frame, OneZeroBetweenFramesIsEnoughAndManyAreNone) {
   EXPECT_EQ(frames_in(reader, stream), (std::vector<Bytes>{message, message}));
 }
 
-TEST(Frame, WithoutRoomForACrcAndAMessageIsBad) {
+TEST(Frame, IsBadIfTooShortForAMessageAndItsCrc) {
   FrameReader reader;
-  // Whole COBS frames of 1 … 4 bytes; four are a right CRC of no message.
+  // Valid COBS frames of 1 … 4 bytes. Four bytes are the correct CRC of an empty message.
   for (const Bytes& bytes :
        {Bytes{2, 1, 0}, Bytes{3, 1, 2, 0}, Bytes{4, 1, 2, 3, 0}, Bytes{1, 1, 1, 1, 0}}) {
     EXPECT_EQ(frames_in(reader, bytes), std::vector<Bytes>{{}}) << hex(bytes);
   }
 }
 
-TEST(Frame, OneByteMoreThanTheLongestIsBadAndTheNextArrives) {
+TEST(Frame, IsBadIfTooLongAndTheNextIsRead) {
   FrameReader reader;
   const Bytes message = {7};
   const Bytes next = framed(message);
-  // Groups of one zero each decode to as many bytes.
+  // Code bytes 1: each group decodes to one zero.
   for (const std::size_t length : {kLongestMessage + kCrcLength + 2, std::size_t{100'000}}) {
     Bytes stream(length, 1);
     stream.insert(stream.end(), next.begin(), next.end());

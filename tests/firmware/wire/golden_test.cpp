@@ -1,5 +1,5 @@
-// A few messages byte by byte, so that the protocol cannot change unseen, and the README's
-// examples, which are these.
+// The encoding of a few messages, byte by byte, so that a change of the protocol is detected. The
+// README's examples are the same messages.
 #include <wire_test/downlinks.hpp>
 #include <wire_test/messages.hpp>
 
@@ -19,8 +19,8 @@ namespace {
 
 struct Golden {
   std::string name;
-  Bytes is;         // what the encoder makes of it now
-  std::string was;  // in hexadecimal: what it made of it when the protocol was fixed
+  Bytes is;         // encoded now
+  std::string was;  // the fixed encoding, in hexadecimal
 };
 
 template <class Content>
@@ -48,7 +48,7 @@ Hello golden_hello() {
   return hello;
 }
 
-// Every field, so that other defaults would not show here.
+// Sets every field, so that the encoding does not depend on defaults.
 outlet::Settings golden_settings() {
   outlet::Settings settings;
   settings.version = 1;
@@ -125,13 +125,13 @@ std::vector<Golden> goldens() {
   };
 }
 
-TEST(Golden, MessagesAreTheBytesTheyAlwaysWere) {
+TEST(Golden, MessagesHaveTheirFixedEncoding) {
   for (const Golden& golden : goldens()) {
     EXPECT_EQ(hex(golden.is), golden.was) << golden.name;
   }
 }
 
-// The README's lines in ```hex blocks, joined up to the empty line or the end of the block.
+// The examples in the README's ```hex blocks, separated by empty lines.
 std::set<std::string> examples_of_readme() {
   std::ifstream file(GSBENCH_SOURCE_DIR "/firmware/wire/README.md");
   EXPECT_TRUE(file.is_open());
@@ -161,7 +161,7 @@ std::set<std::string> examples_of_readme() {
   return examples;
 }
 
-TEST(Golden, ExamplesInTheReadmeAreTrueBytes) {
+TEST(Golden, ExamplesInTheReadmeAreTheEncodedMessages) {
   std::set<std::string> golden;
   for (const Golden& one : goldens()) {
     golden.insert(one.was);
@@ -169,13 +169,13 @@ TEST(Golden, ExamplesInTheReadmeAreTrueBytes) {
   EXPECT_EQ(examples_of_readme(), golden);
 }
 
-// "| 16 | lse_samples | u8 |": the settings' rows of the README, and no others.
-TEST(Golden, SettingsInTheReadmeAreThoseOfTheList) {
+// Compares the rows of the README's table of settings, "| 16 | lse_samples | u8 |", with the code.
+TEST(Golden, SettingsInTheReadmeAreThoseOfTheCode) {
   std::ifstream file(GSBENCH_SOURCE_DIR "/firmware/wire/README.md");
   std::string line;
   while (std::getline(file, line) && line.rfind("| key | name", 0) != 0) {
   }
-  std::getline(file, line);  // what is below the head
+  std::getline(file, line);  // skips the line below the table's head
   const std::map<outlet::FieldType, std::string> types = {
       {outlet::FieldType::kU8, "u8"},
       {outlet::FieldType::kU16, "u16"},

@@ -1,5 +1,5 @@
-// The encoding against another implementation of RFC 8949, Qt's, in both directions and to the very
-// types: what we write is, byte by byte, what Qt writes, and what Qt writes we read.
+// Agreement with Qt's implementation of RFC 8949: both write the same bytes, and messages written
+// by Qt are decoded.
 #include <wire_test/messages.hpp>
 
 #include <QByteArray>
@@ -40,7 +40,7 @@ std::vector<std::uint64_t> head_of(const Downlink& message) {
   return {static_cast<std::uint64_t>(message.kind), kSequence};
 }
 
-// How many items of the message these are: what a map or an array holds is part of it.
+// Number of items of the message's array. The contents of a map or array belong to its item.
 std::size_t items_of(const std::vector<Field>& fields) {
   std::int64_t items = 0;
   std::int64_t inner = 0;
@@ -53,7 +53,7 @@ std::size_t items_of(const std::vector<Field>& fields) {
   return static_cast<std::size_t>(items);
 }
 
-// The field at `next`, with what it holds; `next` is then behind it.
+// Writes the field at `next` with its contents, and advances `next` past it.
 void write_all(QCborStreamWriter& writer, const std::vector<Field>& fields, std::size_t& next) {
   const Field& field = fields[next++];
   const bool map = field.type == Field::Type::kMap;
@@ -112,7 +112,7 @@ void expect_we_read_qt(const Message& message) {
   EXPECT_EQ(fields_of(back), fields_of(message));
 }
 
-TEST(QtAgreement, QtWritesTheSameBytesAndWeReadThem) {
+TEST(QtAgreement, QtWritesTheSameBytesAndTheyAreDecoded) {
   for (const Uplink& message : many_uplinks(kTimes)) {
     expect_we_read_qt(message);
   }
@@ -121,9 +121,9 @@ TEST(QtAgreement, QtWritesTheSameBytesAndWeReadThem) {
   }
 }
 
-TEST(QtAgreement, FloatsInQtsShortestFormAreNotOurs) {
-  // QCborValue may write 50.0 as a float of 16 bits, which the protocol does not have: another
-  // implementation must be told to write 32.
+TEST(QtAgreement, FloatsInQtsShortestFormAreRefused) {
+  // QCborValue may write 50.0 as a 16-bit float, which the protocol does not allow. Implementations
+  // with Qt must select 32 bits.
   Uplink message;
   std::uint32_t sequence = 0;
   const auto bytes = [](QCborValue::EncodingOptions options) {
@@ -139,8 +139,8 @@ TEST(QtAgreement, FloatsInQtsShortestFormAreNotOurs) {
   EXPECT_EQ(message.lse.loss_mw, 50.0F);
 }
 
-// Whatever bytes we take for a message, Qt takes for well-formed CBOR of the same length.
-TEST(QtAgreement, NothingThatQtRefusesIsAMessage) {
+// Bytes that are decoded as a message must be well-formed CBOR of the same length for Qt.
+TEST(QtAgreement, BytesThatQtRefusesAreNotDecoded) {
   std::mt19937 random(11);
   int taken = 0;
   const std::vector<Uplink> messages = many_uplinks(20);
@@ -157,14 +157,14 @@ TEST(QtAgreement, NothingThatQtRefusesIsAMessage) {
     ++taken;
     QCborParserError error;
     (void)QCborValue::fromCbor(to_qt(bytes), &error);
-    // In an item that is passed over; well-formed all the same (RFC 8949, §5.3.1).
+    // Occurs in skipped items, which are well-formed all the same (RFC 8949, §5.3.1).
     if (error.error == QCborError::InvalidUtf8String) {
       continue;
     }
     ASSERT_EQ(error.error, QCborError::NoError) << hex(bytes);
     ASSERT_EQ(error.offset, static_cast<qsizetype>(bytes.size())) << hex(bytes);
   }
-  EXPECT_GT(taken, 20'000);  // about a third; else this would test nothing
+  EXPECT_GT(taken, 20'000);  // about a third; otherwise the test has no effect
 }
 
 }  // namespace

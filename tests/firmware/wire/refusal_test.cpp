@@ -1,5 +1,4 @@
-// What is no message is told from what is one, wherever the fault lies; what later versions add is
-// passed over.
+// Malformed messages are refused wherever the defect is; additions of later versions are ignored.
 #include <wire_test/messages.hpp>
 
 #include <gtest/gtest.h>
@@ -28,7 +27,7 @@ Decoded decode_settings(const Bytes& bytes) {
   return decode(bytes.data(), bytes.size(), settings);
 }
 
-// A well-formed message of each kind, and what reads it.
+// A well-formed message and its decoder.
 struct Case {
   Bytes bytes;
   Decoded (*decode)(const Bytes&);
@@ -48,7 +47,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-// The items of an array, each by itself.
+// The encoded items of an array.
 std::vector<Bytes> items_of(const Bytes& message) {
   cbor::Reader reader(message.data(), message.size());
   std::size_t count = 0;
@@ -79,7 +78,7 @@ Bytes array_of(const std::vector<Bytes>& items) {
   return joined(head, items);
 }
 
-// What each case is read as when its items are changed so.
+// Decodes each case with its items changed.
 template <class Change>
 void expect_changed(Decoded expected, Change change) {
   for (const Case& one : cases()) {
@@ -106,7 +105,7 @@ const std::vector<Bytes> kAnyItem = {
     {0xFB, 0x3F, 0xF0, 0, 0, 0, 0, 0, 0},
 };
 
-TEST(Refusal, AMessageCutAnywhereIsMalformed) {
+TEST(Refusal, ATruncatedMessageIsMalformed) {
   for (const Case& one : cases()) {
     ASSERT_EQ(one.decode(one.bytes), Decoded::kOk);
     for (std::size_t length = 0; length < one.bytes.size(); ++length) {
@@ -116,7 +115,7 @@ TEST(Refusal, AMessageCutAnywhereIsMalformed) {
   }
 }
 
-TEST(Refusal, BytesBehindTheMessageMakeItMalformed) {
+TEST(Refusal, BytesAfterTheMessageMakeItMalformed) {
   for (const std::uint8_t extra : Bytes{0x00, 0x80, 0xF6, 0xFF}) {
     expect_changed(Decoded::kMalformed, [extra](const std::vector<Bytes>& items) {
       return joined(array_of(items), {{extra}});
@@ -124,7 +123,7 @@ TEST(Refusal, BytesBehindTheMessageMakeItMalformed) {
   }
 }
 
-TEST(Refusal, AMessageThatLacksItsLastItemsIsMalformed) {
+TEST(Refusal, AMessageWithMissingItemsIsMalformed) {
   for (const Case& one : cases()) {
     std::vector<Bytes> items = items_of(one.bytes);
     while (!items.empty()) {
@@ -134,9 +133,8 @@ TEST(Refusal, AMessageThatLacksItsLastItemsIsMalformed) {
   }
 }
 
-// Every item replaced by one of every other type. Where the type is right the value may be in
-// range, and the message then is one; of another type never.
-TEST(Refusal, AnItemOfAnotherTypeIsMalformedOrOfAnUnknownKind) {
+// Replaces every item by one of every other type.
+TEST(Refusal, AnItemOfAnotherTypeIsMalformed) {
   const auto type_of = [](const Bytes& item) {
     const int major = item[0] >> 5;
     if (item[0] == 0xF4 || item[0] == 0xF5) {
@@ -163,7 +161,7 @@ TEST(Refusal, AnItemOfAnotherTypeIsMalformedOrOfAnUnknownKind) {
   }
 }
 
-TEST(Refusal, ExtraItemsOfAnyTypeArePassedOver) {
+TEST(Refusal, ExtraItemsOfAnyTypeAreIgnored) {
   for (std::size_t extras = 1; extras <= kAnyItem.size(); ++extras) {
     expect_changed(Decoded::kOk, [extras](std::vector<Bytes> items) {
       items.insert(items.end(), kAnyItem.begin(),
@@ -173,7 +171,7 @@ TEST(Refusal, ExtraItemsOfAnyTypeArePassedOver) {
   }
 }
 
-TEST(Refusal, IllFormedExtraItemsAndNestedBombsAreMalformed) {
+TEST(Refusal, IllFormedOrDeeplyNestedExtraItemsAreMalformed) {
   for (const Bytes& extra : {Bytes{0x9F, 0xFF}, Bytes{0x5F, 0x40, 0xFF}, Bytes{0xFF}, Bytes{0x1C},
                              Bytes{0xF8, 0x14}, Bytes{0x41}, Bytes(10000, 0x81)}) {
     expect_changed(Decoded::kMalformed, [&extra](std::vector<Bytes> items) {
@@ -190,7 +188,7 @@ TEST(Refusal, AnArrayOfIndefiniteLengthIsMalformed) {
   });
 }
 
-TEST(Refusal, AnArrayThatPromisesMoreThanThereIsIsMalformed) {
+TEST(Refusal, AnArrayWithTooLargeACountIsMalformed) {
   for (const Bytes& head :
        {Bytes{0x9B, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF},
         Bytes{0x9B, 0, 0, 0, 1, 0, 0, 0, 3}, Bytes{0x9A, 0xFF, 0xFF, 0xFF, 0xFF}}) {
@@ -199,7 +197,7 @@ TEST(Refusal, AnArrayThatPromisesMoreThanThereIsIsMalformed) {
   }
 }
 
-TEST(Refusal, WhatIsNoArrayIsMalformed) {
+TEST(Refusal, AnItemOtherThanAnArrayIsMalformed) {
   for (const Bytes& item : kAnyItem) {
     EXPECT_EQ(decode_uplink(item), Decoded::kMalformed) << hex(item);
     EXPECT_EQ(decode_downlink(item), Decoded::kMalformed) << hex(item);
@@ -207,7 +205,7 @@ TEST(Refusal, WhatIsNoArrayIsMalformed) {
   }
 }
 
-TEST(Refusal, AMessageOfAnUnknownKindIsToldFromAMalformedOne) {
+TEST(Refusal, AnUnknownKindIsDistinguishedFromAMalformedMessage) {
   // Kinds 0, one above the last, 255, 2^64 − 1, and any fields.
   for (const Bytes& kind : {Bytes{0x00}, Bytes{0x0F}, Bytes{0x18, 0xFF}, kAnyItem[1]}) {
     EXPECT_EQ(decode_uplink(array_of({kind, {0x01}})), Decoded::kUnknownKind);
@@ -221,7 +219,7 @@ TEST(Refusal, AMessageOfAnUnknownKindIsToldFromAMalformedOne) {
       << "a byte too many";
 }
 
-// Replaces the last field of a message by an integer.
+// Replaces a field of a message by an integer, and decodes it.
 Decoded with_field(const Uplink& message, std::size_t field, std::uint64_t value) {
   std::vector<Bytes> items = items_of(encoded(message, kAnySequence));
   Bytes number(9);
@@ -232,7 +230,7 @@ Decoded with_field(const Uplink& message, std::size_t field, std::uint64_t value
   return decode_uplink(array_of(items));
 }
 
-TEST(Refusal, EnumeratorsBeyondTheirRangeAreMalformed) {
+TEST(Refusal, EnumeratorsOutOfRangeAreMalformed) {
   struct Range {
     UplinkKind kind;
     std::size_t field;
@@ -256,7 +254,7 @@ TEST(Refusal, EnumeratorsBeyondTheirRangeAreMalformed) {
   }
 }
 
-TEST(Refusal, NumbersBeyondTheirFieldAreMalformed) {
+TEST(Refusal, NumbersOutOfRangeAreMalformed) {
   std::mt19937 random(9);
   const Uplink decision = uplink(UplinkKind::kDecision, Fill::kLowest, random);
   EXPECT_EQ(with_field(decision, 2, 0xFFFF), Decoded::kOk);
@@ -272,7 +270,7 @@ TEST(Refusal, NumbersBeyondTheirFieldAreMalformed) {
   EXPECT_EQ(decode_downlink({0x82, 0x03, 0x1B, 0, 0, 0, 1, 0, 0, 0, 0}), Decoded::kMalformed);
 }
 
-// A settings message and settings by themselves, with this map.
+// Decodes a settings message with this map, and the map alone.
 void expect_settings(const Bytes& map, Decoded expected, const char* what) {
   EXPECT_EQ(decode_downlink(array_of({{0x01}, {0x05}, map})), expected) << what;
   EXPECT_EQ(decode_settings(map), expected) << what;
@@ -282,22 +280,22 @@ void expect_settings(const Bytes& map, Decoded expected, const char* what) {
   }
 }
 
-TEST(Refusal, SettingsOfWrongTypesTwiceOrWithoutAKeyAreMalformed) {
+TEST(Refusal, SettingsWithWrongTypesOrDuplicateKeysAreMalformed) {
   expect_settings({0xA1, 0x10, 0x0A}, Decoded::kOk, "lse_samples 10");
-  expect_settings({0xA1, 0x10, 0xFA, 0, 0, 0, 0}, Decoded::kMalformed, "a float in place of it");
+  expect_settings({0xA1, 0x10, 0xFA, 0, 0, 0, 0}, Decoded::kMalformed, "a float for an integer");
   expect_settings({0xA1, 0x10, 0x20}, Decoded::kMalformed, "a negative number");
   expect_settings({0xA1, 0x10, 0x19, 0x01, 0x00}, Decoded::kMalformed, "256 in eight bits");
-  expect_settings({0xA2, 0x10, 0x0A, 0x10, 0x0A}, Decoded::kMalformed, "twice the same");
+  expect_settings({0xA2, 0x10, 0x0A, 0x10, 0x0A}, Decoded::kMalformed, "a duplicate key");
   expect_settings({0xA2, 0x10, 0x0A, 0x18, 0x10, 0x0B}, Decoded::kMalformed,
-                  "twice, by another form of the key");
+                  "a duplicate key in another form");
   expect_settings({0xA1, 0x61, 'x', 0x0A}, Decoded::kMalformed, "a text for a key");
   expect_settings({0xA1, 0x06, 0x0A}, Decoded::kMalformed, "an integer for a float");
-  expect_settings({0x82, 0x10, 0x0A}, Decoded::kMalformed, "an array in place of the map");
+  expect_settings({0x82, 0x10, 0x0A}, Decoded::kMalformed, "an array instead of the map");
   expect_settings({0xBB, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x10, 0x0A},
-                  Decoded::kMalformed, "a map that promises more");
+                  Decoded::kMalformed, "a map with too large a count");
 }
 
-TEST(Refusal, SettingsWithAnUnknownKeyAreAMessageThatSaysSo) {
+TEST(Refusal, SettingsWithAnUnknownKeyDecodeWithAnError) {
   for (const Bytes& value : kAnyItem) {
     const Bytes map = joined({0xA2, 0x18, 0xC8}, {value, {0x10, 0x0C}});
     const Bytes bytes = array_of({{0x01}, {0x05}, map});
@@ -305,12 +303,12 @@ TEST(Refusal, SettingsWithAnUnknownKeyAreAMessageThatSaysSo) {
     std::uint32_t sequence = 0;
     ASSERT_EQ(decode(bytes.data(), bytes.size(), message, sequence), Decoded::kOk) << hex(bytes);
     EXPECT_EQ(message.settings_error, outlet::SettingsError::kUnknownField);
-    EXPECT_EQ(message.settings.lse_samples, 12) << "what follows is read";
-    EXPECT_EQ(decode_settings(map), Decoded::kMalformed) << "kept by another firmware";
+    EXPECT_EQ(message.settings.lse_samples, 12) << "later keys are read";
+    EXPECT_EQ(decode_settings(map), Decoded::kMalformed) << "stored by another firmware";
   }
 }
 
-TEST(Refusal, ConditionsAreARowsTwoNumbersForAsManyAsThereIsRoomFor) {
+TEST(Refusal, ConditionsHaveTwoNumbersPerRowAndAtMost32Rows) {
   const auto conditions = [](std::size_t numbers) {
     Bytes map = {0xA1, 0x0A, 0x98, static_cast<std::uint8_t>(numbers)};
     for (std::size_t i = 0; i < numbers; ++i) {

@@ -1,4 +1,4 @@
-// What is encoded and decoded again is the same message, bit for bit; how long messages can be.
+// Encoding and decoding give the same message, bit for bit; lengths of messages.
 #include <wire_test/messages.hpp>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ void expect_round_trips(const std::vector<Message>& messages) {
   }
 }
 
-TEST(RoundTrip, EveryKindIsTheSameBitForBit) {
+TEST(RoundTrip, EveryKindIsDecodedBitForBit) {
   expect_round_trips(many_uplinks(kRoundTrips));
   expect_round_trips(many_downlinks(kRoundTrips));
 }
@@ -52,7 +52,7 @@ TEST(RoundTrip, SampleCountKeepsAllSixtyFourBits) {
   }
 }
 
-// Every kind is walked by the sample messages, so that a new kind cannot be forgotten here.
+// The sample messages cover every kind, so that a new kind is tested, too.
 TEST(RoundTrip, EveryKindHasANameAndFields) {
   EXPECT_EQ(uplink_kinds().size(), 14U);
   for (const UplinkKind kind : uplink_kinds()) {
@@ -79,7 +79,8 @@ TEST(RoundTrip, SettingsKeepTheirDigest) {
     ASSERT_EQ(decode(bytes.data(), bytes.size(), back), Decoded::kOk);
     EXPECT_EQ(fields_of(back), fields_of(settings));
     EXPECT_EQ(encoded(back), bytes);
-    // Of the many NaNs one is left on the wire; settings with a NaN are refused in any case.
+    // The wire has a single NaN, so that the digest of settings with another NaN changes. Such
+    // settings are refused in any case.
     if (i == 0) {
       EXPECT_EQ(outlet::digest(back), outlet::digest(settings));
     }
@@ -89,7 +90,7 @@ TEST(RoundTrip, SettingsKeepTheirDigest) {
   }
 }
 
-TEST(RoundTrip, SettingsThatAreLeftOutHaveTheirDefaults) {
+TEST(RoundTrip, MissingSettingsHaveTheirDefaults) {
   const Bytes bytes = {0x83, 0x01, 0x05, 0xA1, 0x10, 0x18, 0x1E};  // lse_samples 30
   Downlink message;
   std::uint32_t sequence = 0;
@@ -100,7 +101,7 @@ TEST(RoundTrip, SettingsThatAreLeftOutHaveTheirDefaults) {
   EXPECT_EQ(fields_of(message.settings), fields_of(expected));
 }
 
-TEST(RoundTrip, EachSettingHasAKeyOfItsOwn) {
+TEST(RoundTrip, EachSettingHasAUniqueKey) {
   std::set<int> keys;
   for (const outlet::Field& field : outlet::kSettingsFields) {
     keys.insert(field.key);
@@ -109,17 +110,17 @@ TEST(RoundTrip, EachSettingHasAKeyOfItsOwn) {
   EXPECT_EQ(keys.count(0), 0U);
 }
 
-TEST(RoundTrip, AnyNaNIsWrittenAsTheOneOfTheProtocol) {
+TEST(RoundTrip, EveryNaNIsEncodedAsTheProtocolsNaN) {
   std::mt19937 random(1);
   Uplink message = uplink(UplinkKind::kLse, Fill::kNaN, random);
   message.sample = 5;
   EXPECT_EQ(hex(encoded(message, 1)), "84 05 01 05 fa 7f c0 00 00");
 }
 
-TEST(RoundTrip, HelloOfAnotherVersionIsReadAsFarAsItsId) {
+TEST(RoundTrip, HelloOfAnotherVersionIsReadUpToItsId) {
   std::mt19937 random(1);
   Uplink message = uplink(UplinkKind::kHello, Fill::kHighest, random);
-  // [1, 3, 9, version 9, "a-7", what this version knows nothing of]
+  // [1, 3, 9, version 9, "a-7", fields unknown to this version]
   const Bytes bytes = {0x87, 0x01, 0x03, 0x09, 0x09, 0x63, 'a', '-', '7', 0xF6, 0xA0};
   std::uint32_t sequence = 0;
   ASSERT_EQ(decode(bytes.data(), bytes.size(), message, sequence), Decoded::kOk);
@@ -148,7 +149,7 @@ TEST(Length, SettingsWithAllRowsAreTheLongestMessage) {
   EXPECT_EQ(longest_of(many_downlinks(kRoundTrips)), kLongestOfThisVersion);
 }
 
-TEST(Length, ABufferTooShortIsRefusedWhateverItsLength) {
+TEST(Length, ABufferThatIsTooShortIsRefused) {
   std::mt19937 random(4);
   for (const UplinkKind kind : uplink_kinds()) {
     const Uplink message = uplink(kind, Fill::kLongest, random);

@@ -12,7 +12,7 @@ using Order = Sequence::Order;
 struct Step {
   std::uint32_t number;
   Order order;
-  std::uint32_t missed = 0;  // of what is new
+  std::uint32_t missed = 0;  // checked unless a duplicate
 };
 
 void expect_orders(Sequence& sequence, const std::vector<Step>& steps) {
@@ -29,27 +29,27 @@ void expect_orders(const std::vector<Step>& steps) {
   expect_orders(sequence, steps);
 }
 
-TEST(Sequence, TakesTheFirstWhateverItsNumber) {
+TEST(Sequence, AcceptsAnyFirstNumber) {
   for (const std::uint32_t first : {0U, 1U, 77U, 0x80000000U, 0xFFFFFFFFU}) {
     expect_orders({{first, Order::kNext}, {first + 1, Order::kNext}});
   }
 }
 
-TEST(Sequence, CountsWhatAGapLeavesOut) {
+TEST(Sequence, CountsTheNumbersMissingInAGap) {
   expect_orders(
       {{0, Order::kNext}, {2, Order::kGap, 1}, {3, Order::kNext}, {1004, Order::kGap, 1000}});
 }
 
-TEST(Sequence, DropsWhatComesTwiceOrLate) {
+TEST(Sequence, DropsDuplicateAndLateMessages) {
   expect_orders({{10, Order::kNext},
                  {10, Order::kDuplicate},
                  {9, Order::kDuplicate},
                  {13, Order::kGap, 2},
-                 {12, Order::kDuplicate},  // reordered: its place was told as lost
+                 {12, Order::kDuplicate},  // reordered: already counted as lost
                  {14, Order::kNext}});     // a duplicate changes nothing
 }
 
-TEST(Sequence, GoesOnBeyondTheGreatestNumber) {
+TEST(Sequence, WrapsAfterTheLargestNumber) {
   expect_orders({{0xFFFFFFFEU, Order::kNext},
                  {0xFFFFFFFFU, Order::kNext},
                  {0, Order::kNext},
@@ -57,7 +57,7 @@ TEST(Sequence, GoesOnBeyondTheGreatestNumber) {
                  {1, Order::kNext}});
 }
 
-TEST(Sequence, CountsAGapOverTheGreatestNumber) {
+TEST(Sequence, CountsAGapAcrossTheWrap) {
   expect_orders({{0xFFFFFFFEU, Order::kNext}, {1, Order::kGap, 2}});
 }
 
@@ -66,7 +66,7 @@ TEST(Sequence, HalfTheNumbersAreAheadAndHalfBehind) {
   expect_orders({{0, Order::kNext}, {0x80000001U, Order::kDuplicate}});
 }
 
-TEST(Sequence, TakesAnyNumberAfterARestart) {
+TEST(Sequence, AcceptsAnyNumberAfterARestart) {
   Sequence sequence;
   expect_orders(sequence, {{5000, Order::kNext}, {0, Order::kDuplicate}});
   sequence.restart();

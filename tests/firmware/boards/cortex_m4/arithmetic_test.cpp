@@ -1,5 +1,5 @@
-// One stream of samples, one firmware: in process, as a process on a serial line, on the emulated
-// Cortex-M4F at -O2 and at -Os.
+// Bit identity of the firmware: the same samples in process, in gs-outlet on a serial line, and on
+// the emulated Cortex-M4F at -O2 and -Os.
 #include "emulated_outlet.hpp"
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
@@ -63,7 +63,7 @@ Outcome in_process(const wire::Hello& as) {
     bool usable() const override { return true; }
   };
   Collector collector;
-  Keeps area;
+  Keeps storage;
   app::Application app;
   app::MessageEndpoint endpoint(app, collector);
   app::Identity identity;
@@ -72,7 +72,7 @@ Outcome in_process(const wire::Hello& as) {
   identity.instance = as.instance;
   identity.build = as.build;
   identity.capabilities = as.capabilities;
-  EXPECT_TRUE(app.start(Mains({steady(50.0, 50.0)}).hardware(), identity, &area, endpoint));
+  EXPECT_TRUE(app.start(Mains({steady(50.0, 50.0)}).hardware(), identity, &storage, endpoint));
   app.receive(settings_message(ieee24_settings()), endpoint);
   app.feed(stream().data(), stream().size(), endpoint);
   app.receive(downlink(wire::DownlinkKind::kAskStatus), endpoint);
@@ -96,8 +96,8 @@ class BitIdentity : public testing::Test {
     line.send(downlink(wire::DownlinkKind::kAskSelfTest));
     line.wait_for(UplinkKind::kSelfTest);
     Outcome outcome;
-    for (const Letter& letter : line.letters()) {
-      add(outcome, letter.uplink, letter.bytes);
+    for (const ReceivedMessage& message : line.messages()) {
+      add(outcome, message.uplink, message.bytes);
     }
     return outcome;
   }
@@ -108,17 +108,17 @@ class BitIdentity : public testing::Test {
   EmulatedOutlet outlet_;
 };
 
-TEST(Fingerprint, IsTheKnownOneInProcess) {
+TEST(Fingerprint, InProcessEqualsTheConstant) {
   EXPECT_EQ(app::arithmetic_fingerprint(), app::kFingerprint);
 }
 
 class SameArithmetic : public BitIdentity, public testing::WithParamInterface<const char*> {};
 
-TEST_P(SameArithmetic, SaysByteForByteWhatTheOneInProcessSays) {
+TEST_P(SameArithmetic, SendsTheSameBytesAsInProcess) {
   const Outcome there = emulated(GetParam());
   const Outcome here = in_process();
   ASSERT_GE(stream().size(), 100'000U);
-  // The stream has all of it happen.
+  // The samples must cause every kind of message.
   for (const UplinkKind kind :
        {UplinkKind::kHello, UplinkKind::kSettingsAnswer, UplinkKind::kMeasurement,
         UplinkKind::kEvent, UplinkKind::kLse, UplinkKind::kEstimate, UplinkKind::kDecision,
@@ -134,11 +134,11 @@ TEST_P(SameArithmetic, SaysByteForByteWhatTheOneInProcessSays) {
 
 TEST_P(SameArithmetic, ThePinChangesAtTheSampleOfTheRelayMessage) {
   emulated(GetParam());
-  const auto told = outlet_.line().of(UplinkKind::kRelay);
-  ASSERT_EQ(told.size(), 1U);
+  const auto reported = outlet_.line().of(UplinkKind::kRelay);
+  ASSERT_EQ(reported.size(), 1U);
   ASSERT_EQ(outlet_.terminals().edges, 1U);
   EXPECT_EQ(outlet_.terminals().edge[0].closed, 0U);
-  EXPECT_EQ(outlet_.terminals().edge[0].sample, told[0].uplink.sample);
+  EXPECT_EQ(outlet_.terminals().edge[0].sample, reported[0].uplink.sample);
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, SameArithmetic,
@@ -149,9 +149,8 @@ INSTANTIATE_TEST_SUITE_P(Programs, SameArithmetic,
                                                                    : "M4AtOs");
                          });
 
-// The check above sees what it must: an image whose compiler was let contract multiplication and
-// addition.
-TEST_F(BitIdentity, IsLostWithContractionAndTheSelfTestTells) {
+// Proves the check above: this image is compiled with contraction of multiplication and addition.
+TEST_F(BitIdentity, ContractionChangesMessagesAndFailsTheSelfTest) {
   const Outcome there = emulated(GSBENCH_M4_IMAGE_CONTRACTED);
   const Outcome here = in_process();
   EXPECT_NE(there.messages, here.messages);

@@ -1,7 +1,7 @@
 # cmake -DNM=nm -DIMAGE=a.elf -DCODE_BYTES=n -DRAM_BYTES=n -P budget.cmake
 #
-# Fails where an image takes more than its budgets (code: what stands in flash, data's image too; RAM:
-# data, zeros and the reserved stack), or has in it what firmware must do without.
+# Fails if an image exceeds its budgets or contains a forbidden symbol: heap, exceptions, libm. Code:
+# everything in flash, with the initial values of data. RAM: data, bss and the reserved stack.
 execute_process(
   COMMAND ${NM} ${IMAGE}
   OUTPUT_VARIABLE symbols
@@ -18,15 +18,15 @@ foreach(symbol IN LISTS symbols)
   endif()
 endforeach()
 if(NOT gs_code_bytes OR NOT gs_ram_bytes)
-  message(FATAL_ERROR "${IMAGE} does not say how large it is")
+  message(FATAL_ERROR "${IMAGE} lacks the symbols gs_code_bytes and gs_ram_bytes")
 endif()
 message("${IMAGE}: ${gs_code_bytes} bytes of code, ${gs_ram_bytes} bytes of RAM")
 if(forbidden)
-  message(FATAL_ERROR "it needs ${forbidden}")
+  message(FATAL_ERROR "forbidden symbols: ${forbidden}")
 endif()
 if(gs_code_bytes GREATER CODE_BYTES)
-  message(FATAL_ERROR "more code than ${CODE_BYTES} bytes")
+  message(FATAL_ERROR "more code than its budget of ${CODE_BYTES} bytes")
 endif()
 if(gs_ram_bytes GREATER RAM_BYTES)
-  message(FATAL_ERROR "more RAM than ${RAM_BYTES} bytes")
+  message(FATAL_ERROR "more RAM than its budget of ${RAM_BYTES} bytes")
 endif()

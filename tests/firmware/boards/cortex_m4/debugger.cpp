@@ -13,7 +13,7 @@ namespace {
 
 constexpr unsigned kLinkRegister = 14;
 constexpr unsigned kProgramCounter = 15;
-constexpr std::uint32_t kThumb = 1;  // in an address to return to
+constexpr std::uint32_t kThumb = 1;  // bit in a return address
 
 std::string hex(std::uint32_t value, int digits = 2) {
   std::array<char, 16> text = {};
@@ -21,7 +21,7 @@ std::string hex(std::uint32_t value, int digits = 2) {
   return text.data();
 }
 
-// Registers go over the line in the processor's order of bytes.
+// The protocol transfers registers in the processor's byte order.
 std::string as_in_memory(std::uint32_t value) {
   std::string text;
   for (int shift = 0; shift < 32; shift += 8) {
@@ -36,7 +36,7 @@ Debugger::Debugger(const Machine& machine)
     : connection_(gsbench::transport::make_transport(machine.debugger())) {
   demand(connection_->open());
   ask("?");
-  // qemu writes single registers only for who has read what registers there are.
+  // qemu accepts writes of single registers only after the client has read the register list.
   ask("qXfer:features:read:target.xml:0,ff");
 }
 
@@ -56,7 +56,7 @@ std::string Debugger::ask(const std::string& packet) {
   send("$" + packet + "#" + hex(sum & 0xFFU));
   for (;;) {
     std::string answer = next_packet(packet);
-    // That the machine has stopped is told when it has, in the middle of anything.
+    // A stop reply can arrive between other packets.
     if (packet == "?" || packet == "c" || answer.empty() || answer[0] != 'T') {
       return answer;
     }
@@ -105,7 +105,7 @@ std::vector<std::uint8_t> Debugger::memory(std::uint32_t address, std::size_t co
 
 void Debugger::demand_ok(const std::string& packet) {
   if (ask(packet) != "OK") {
-    throw std::runtime_error("the debugger does not obey " + packet);
+    throw std::runtime_error("qemu refused the debugger's packet " + packet);
   }
 }
 
@@ -140,7 +140,7 @@ void Debugger::call(std::uint32_t function, std::uint32_t argument, std::uint32_
   const std::string stopped_at = ask("p" + hex(kProgramCounter, 1));
   demand_ok("z" + breakpoint);
   if (stopped_at != as_in_memory(return_to)) {
-    throw std::runtime_error("did not return but is at " + stopped_at);
+    throw std::runtime_error("the function did not return; program counter " + stopped_at);
   }
 }
 
@@ -149,7 +149,7 @@ std::uint32_t address_of_symbol(const std::string& image, const std::string& sym
   // "20004000 B gs_stack_top"
   const std::size_t found = all.find(" " + symbol + "\n");
   if (found == std::string::npos) {
-    throw std::runtime_error("no " + symbol + " in " + image);
+    throw std::runtime_error("symbol " + symbol + " not found in " + image);
   }
   return static_cast<std::uint32_t>(std::stoul(all.substr(found - 10, 8), nullptr, 16));
 }

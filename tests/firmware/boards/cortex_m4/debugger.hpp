@@ -1,4 +1,5 @@
-// qemu's end of gdb's remote protocol: to look into an emulated processor and to lead it astray.
+// Client of gdb's remote protocol in qemu: reads an emulated processor's memory and changes its
+// execution.
 #pragma once
 
 #include "machine.hpp"
@@ -9,7 +10,7 @@
 
 namespace gs::test {
 
-// The machine stands still in its scope.
+// The machine is halted in its scope.
 class Debugger {
  public:
   explicit Debugger(const Machine& machine);
@@ -20,8 +21,8 @@ class Debugger {
   std::vector<std::uint8_t> memory(std::uint32_t address, std::size_t count);
   void write(std::uint32_t address, const std::vector<std::uint8_t>& bytes);
   void go_to(std::uint32_t address);
-  // Runs a function until it returns to `return_to`, where there must be no code that it runs on
-  // its way. The machine is then far from what it was about.
+  // Runs a function until it returns to `return_to`, an address that the function itself must not
+  // execute. The machine's previous execution is not restored.
   void call(std::uint32_t function, std::uint32_t argument, std::uint32_t return_to);
 
  private:
@@ -35,7 +36,7 @@ class Debugger {
   std::string received_;
 };
 
-// The address of a symbol in an image, by `nm`. With parameters where it is a function in C++.
+// The address of a symbol in an image, by `nm`. A C++ function needs its parameter list.
 std::uint32_t address_of_symbol(const std::string& image, const std::string& symbol);
 
 }  // namespace gs::test

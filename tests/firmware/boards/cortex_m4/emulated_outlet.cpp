@@ -16,18 +16,17 @@ void Line::send(const wire::Downlink& message) {
 void Line::read_for(std::chrono::milliseconds patience) {
   Message received;
   demand(transport_.receive(received, Clock::now() + patience));
-  for (const Message& message : wire::test::frames_in(reader_, received)) {
-    if (message.empty()) {
-      throw std::runtime_error("a bad frame from the outlet");
+  for (const Message& bytes : wire::test::frames_in(reader_, received)) {
+    if (bytes.empty()) {
+      throw std::runtime_error("the outlet sent a bad frame");
     }
-    Letter letter;
-    letter.bytes = message;
+    ReceivedMessage message;
+    message.bytes = bytes;
     std::uint32_t sequence = 0;
-    if (wire::decode(message.data(), message.size(), letter.uplink, sequence) !=
-        wire::Decoded::kOk) {
-      throw std::runtime_error("a message from the outlet that does not decode");
+    if (wire::decode(bytes.data(), bytes.size(), message.uplink, sequence) != wire::Decoded::kOk) {
+      throw std::runtime_error("the outlet sent a message that cannot be decoded");
     }
-    letters_.push_back(letter);
+    messages_.push_back(message);
   }
 }
 
@@ -35,33 +34,35 @@ void Line::read_until(const std::function<bool()>& enough, const std::string& wh
   const auto end = Clock::now() + kPatience;
   while (!enough()) {
     if (Clock::now() > end) {
-      throw std::runtime_error("waited in vain for " + what);
+      throw std::runtime_error("timeout while waiting for " + what);
     }
     read_for(std::chrono::milliseconds(100));
   }
 }
 
-std::vector<Letter> Line::of(wire::UplinkKind kind) const {
-  std::vector<Letter> some;
-  std::copy_if(letters_.begin(), letters_.end(), std::back_inserter(some),
-               [&](const Letter& letter) { return letter.uplink.kind == kind; });
+std::vector<ReceivedMessage> Line::of(wire::UplinkKind kind) const {
+  std::vector<ReceivedMessage> some;
+  std::copy_if(messages_.begin(), messages_.end(), std::back_inserter(some),
+               [&](const ReceivedMessage& message) { return message.uplink.kind == kind; });
   return some;
 }
 
-Letter Line::wait_for(wire::UplinkKind kind, std::size_t first) {
+ReceivedMessage Line::wait_for(wire::UplinkKind kind, std::size_t first) {
   const auto find = [&] {
     return std::find_if(
-        letters_.begin() + static_cast<std::ptrdiff_t>(std::min(first, letters_.size())),
-        letters_.end(), [&](const Letter& letter) { return letter.uplink.kind == kind; });
+        messages_.begin() + static_cast<std::ptrdiff_t>(std::min(first, messages_.size())),
+        messages_.end(),
+        [&](const ReceivedMessage& message) { return message.uplink.kind == kind; });
   };
-  read_until([&] { return find() != letters_.end(); }, wire::to_string(kind));
+  read_until([&] { return find() != messages_.end(); }, wire::to_string(kind));
   return *find();
 }
 
 bool Line::has_error(wire::ErrorCode code) const {
   const auto errors = of(wire::UplinkKind::kError);
-  return std::any_of(errors.begin(), errors.end(),
-                     [&](const Letter& letter) { return letter.uplink.error.code == code; });
+  return std::any_of(errors.begin(), errors.end(), [&](const ReceivedMessage& message) {
+    return message.uplink.error.code == code;
+  });
 }
 
 void EmulatedOutlet::start(const std::string& program) {
@@ -82,7 +83,7 @@ void EmulatedOutlet::start(const std::string& program) {
              program};
   }
   line_.reset();
-  file_.ring();  // takes the connection of the one before
+  file_.ring();  // accepts a pending connection of the previous process
   machine_ = std::make_unique<Machine>(words);
   line_ = std::make_unique<Line>(machine_->line());
 }

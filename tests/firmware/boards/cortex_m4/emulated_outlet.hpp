@@ -1,4 +1,4 @@
-// An outlet on an emulated Cortex-M4F, or as a process of this machine, as the bench meets one:
+// An outlet on an emulated Cortex-M4F or as a process of this machine, with the bench's interfaces:
 // terminals in shared memory, a doorbell and a link.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace gs::test {
 
 using Message = std::vector<std::uint8_t>;  // CBOR
 
-struct Letter {
+struct ReceivedMessage {
   wire::Uplink uplink;
   Message bytes;
 };
@@ -29,30 +29,30 @@ class Line {
   explicit Line(gsbench::transport::Transport& transport) : transport_(transport) {}
 
   void send(const wire::Downlink& message);
-  // Reads what comes until `enough` says so; throws after kPatience.
+  // Reads messages until `enough` returns true; throws after kPatience.
   void read_until(const std::function<bool()>& enough, const std::string& what);
   void read_for(std::chrono::milliseconds patience);
 
-  const std::vector<Letter>& letters() const { return letters_; }
-  std::vector<Letter> of(wire::UplinkKind kind) const;
-  // The newest of the kind once it is there, among those from `first` on.
-  Letter wait_for(wire::UplinkKind kind, std::size_t first = 0);
+  const std::vector<ReceivedMessage>& messages() const { return messages_; }
+  std::vector<ReceivedMessage> of(wire::UplinkKind kind) const;
+  // Waits for the first message of the kind at index `first` or later.
+  ReceivedMessage wait_for(wire::UplinkKind kind, std::size_t first = 0);
   bool has_error(wire::ErrorCode code) const;
 
  private:
   gsbench::transport::Transport& transport_;
   wire::FrameReader reader_;
-  std::vector<Letter> letters_;
+  std::vector<ReceivedMessage> messages_;
   std::uint32_t sequence_ = 0;
 };
 
 class EmulatedOutlet {
  public:
-  // Switches it on, with the terminals as they are. `program`: a board's image, or gs-outlet.
+  // Starts it with the current contents of the terminals. `program`: a board's image, or gs-outlet.
   void start(const std::string& program);
   void kill() { machine_->kill(); }
 
-  // In blocks, never more than half a ring ahead, until all are taken. The link is read meanwhile.
+  // Plays blocks, at most half a ring ahead, until all are taken. Reads the link meanwhile.
   void play(const std::vector<std::int16_t>& samples);
   void ring_doorbell() { file_.ring(); }
 
@@ -62,7 +62,7 @@ class EmulatedOutlet {
 
  private:
   gsbench::test::TemporaryFolder folder_;
-  // As it comes from the factory.
+  // Factory state: no settings in the flash.
   gsbench::emulation::SharedMemoryFile file_ =
       gsbench::test::demand(gsbench::emulation::SharedMemoryFile::create(
           folder_.path().string(), {"outlet-7", 77, 8000, 50, gsbench::models::kCounts_per_pu}));

@@ -1,4 +1,4 @@
-// The program that an outlet's firmware runs as, and the bench's end of its serial line.
+// The program that runs an outlet's firmware, and the bench's end of its serial line.
 #pragma once
 
 #include <test_support/demand.hpp>
@@ -16,21 +16,22 @@
 
 namespace gs::test {
 
-// Nothing here takes longer: what does hangs, and the test says so.
+// Timeout of every wait.
 constexpr std::chrono::seconds kPatience{30};
 
 class Machine {
  public:
-  // `words`: qemu-system-arm, whose first serial port is the line, or gs-outlet, and arguments.
+  // `words`: program and arguments; qemu-system-arm, whose first serial port is the line, or
+  // gs-outlet.
   explicit Machine(std::vector<std::string> words);
   ~Machine() { kill(); }
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
   gsbench::transport::Transport& line() { return *line_; }
-  // Of qemu: where it listens for a debugger, a transport's port.
+  // The transport port on which qemu listens for a debugger.
   std::string debugger() const;
-  // As a loss of power: no signal handler runs.
+  // Like a loss of power: no signal handler runs.
   void kill() { child_->kill(); }
 
  private:

@@ -1,4 +1,4 @@
-// The emulated outlet as a whole: what it says, keeps and does when things go wrong.
+// The complete emulated outlet: messages, stored settings, and behaviour on failures.
 #include "debugger.hpp"
 #include "emulated_outlet.hpp"
 #include <firmware_test/mains.hpp>
@@ -38,14 +38,14 @@ class Mps2 : public testing::Test {
     outlet_.start(GSBENCH_M4_IMAGE);
     hello_ = outlet_.line().wait_for(UplinkKind::kHello).uplink.hello;
   }
-  // The pin changes just after it is told.
+  // The pin changes just after the relay message.
   void wait_for_edges(std::uint32_t count) {
     outlet_.line().read_until([&] { return outlet_.terminals().edges == count; },
                               "edge " + std::to_string(count) + " of the pin");
   }
   wire::Status status() {
     Line& line = outlet_.line();
-    const std::size_t first = line.letters().size();
+    const std::size_t first = line.messages().size();
     line.send(downlink(wire::DownlinkKind::kAskStatus));
     return line.wait_for(UplinkKind::kStatus, first).uplink.status;
   }
@@ -54,7 +54,7 @@ class Mps2 : public testing::Test {
   wire::Hello hello_;
 };
 
-TEST_F(Mps2, IntroducesItselfAsItsTerminalsSay) {
+TEST_F(Mps2, HelloHasTheIdentityInTheTerminals) {
   start();
   EXPECT_STREQ(hello_.id, "outlet-7");
   EXPECT_STREQ(hello_.board, "mps2-an386");
@@ -82,7 +82,7 @@ TEST_F(Mps2, ThePinFollowsCommandsAndIsClosedAgainAfterALossOfPower) {
   EXPECT_EQ(outlet_.terminals().starts, 2U);
 }
 
-TEST_F(Mps2, ACrystalThatDoesNotStartIsToldAndFoundByTheSelfTest) {
+TEST_F(Mps2, ACrystalThatDoesNotStartIsReportedAlsoByTheSelfTest) {
   outlet_.terminals().crystal_fails = 1;
   start();
   Line& line = outlet_.line();
@@ -91,20 +91,20 @@ TEST_F(Mps2, ACrystalThatDoesNotStartIsToldAndFoundByTheSelfTest) {
   EXPECT_EQ(line.wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
             std::uint32_t{wire::kClock});
   EXPECT_TRUE(line.has_error(wire::ErrorCode::kClock));
-  for (const Letter& letter : line.of(UplinkKind::kMeasurement)) {
-    EXPECT_EQ(letter.uplink.measurement.validity, outlet::Validity::kInvalid);
+  for (const ReceivedMessage& message : line.of(UplinkKind::kMeasurement)) {
+    EXPECT_EQ(message.uplink.measurement.validity, outlet::Validity::kInvalid);
   }
   EXPECT_EQ(outlet_.terminals().edges, 0U);
 }
 
-TEST_F(Mps2, TheSelfTestFindsAConverterThatGivesNoSamples) {
+TEST_F(Mps2, TheSelfTestDetectsAnAdcWithoutSamples) {
   start();
   outlet_.line().send(downlink(wire::DownlinkKind::kAskSelfTest));
   EXPECT_EQ(outlet_.line().wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
             std::uint32_t{wire::kAdc});
 }
 
-TEST_F(Mps2, CountsTheSamplesThatABenchTooFarAheadWroteOver) {
+TEST_F(Mps2, CountsSamplesThatTheBenchOverwrote) {
   start();
   constexpr std::uint32_t kAhead = shared_memory_io::kRingSamples + 1000;
   outlet_.terminals().written = outlet_.terminals().written + kAhead;
@@ -114,10 +114,10 @@ TEST_F(Mps2, CountsTheSamplesThatABenchTooFarAheadWroteOver) {
   EXPECT_EQ(status().samples_lost, kAhead - shared_memory_io::kRingSamples / 2);
   outlet_.line().read_until(
       [&] { return outlet_.terminals().taken == outlet_.terminals().written; },
-      "the samples that are left to be taken");
+      "the outlet to take the remaining samples");
 }
 
-TEST_F(Mps2, SettingsOutliveALossOfPower) {
+TEST_F(Mps2, SettingsSurviveALossOfPower) {
   start();
   outlet_.line().send(settings_of(5));
   const auto answer = outlet_.line().wait_for(UplinkKind::kSettingsAnswer).uplink.settings_answer;
@@ -128,9 +128,9 @@ TEST_F(Mps2, SettingsOutliveALossOfPower) {
   EXPECT_EQ(hello_.settings_digest, outlet::digest(settings_of(5).settings));
 }
 
-// Power goes at random while settings come: what is in force at the next start is what was
-// acknowledged last, or something newer that was sent.
-TEST_F(Mps2, ALossOfPowerAtAnyMomentLeavesSettingsThatWereSent) {
+// Power is lost at random while settings arrive. At the next start the settings last acknowledged,
+// or newer ones that were sent, must be in force.
+TEST_F(Mps2, ALossOfPowerAtAnyMomentLeavesValidSettings) {
   constexpr int kCuts = 30;
   std::mt19937 random(1);
   std::map<std::uint32_t, std::uint32_t> digests = {{0, 0}};  // by version
@@ -151,29 +151,29 @@ TEST_F(Mps2, ALossOfPowerAtAnyMomentLeavesSettingsThatWereSent) {
     line.read_for(std::chrono::milliseconds(100));
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 20'000));
     outlet_.kill();
-    // What it said before it died.
-    for (std::size_t had = line.letters().size() + 1; line.letters().size() != had;) {
-      had = line.letters().size();
+    // Reads what it sent before power was lost.
+    for (std::size_t had = line.messages().size() + 1; line.messages().size() != had;) {
+      had = line.messages().size();
       line.read_for(std::chrono::milliseconds(20));
     }
-    for (const Letter& letter : line.of(UplinkKind::kSettingsAnswer)) {
-      ASSERT_TRUE(letter.uplink.settings_answer.kept);
-      acknowledged = std::max(acknowledged, letter.uplink.settings_answer.version);
+    for (const ReceivedMessage& message : line.of(UplinkKind::kSettingsAnswer)) {
+      ASSERT_TRUE(message.uplink.settings_answer.kept);
+      acknowledged = std::max(acknowledged, message.uplink.settings_answer.version);
     }
     if (acknowledged < sent) {
       ++cut_short;
     }
   }
   EXPECT_GT(acknowledged, 0U);
-  EXPECT_GT(cut_short, 0) << "each outlet had kept all of its settings before it died";
+  EXPECT_GT(cut_short, 0) << "each outlet had stored all settings before power was lost";
 }
 
-TEST_F(Mps2, TheWatchdogRestartsAFirmwareThatHangsAndTheRestartIsTold) {
+TEST_F(Mps2, TheWatchdogRestartsHangingFirmwareWhichReportsIt) {
   start();
   Line& line = outlet_.line();
   line.send(settings_of(3));
   line.wait_for(UplinkKind::kSettingsAnswer);
-  const std::size_t before = line.letters().size();
+  const std::size_t before = line.messages().size();
   Debugger(outlet_.machine()).go_to(address_of_symbol(GSBENCH_M4_IMAGE, "gs_hang"));
   const auto hello = line.wait_for(UplinkKind::kHello, before).uplink.hello;
   EXPECT_EQ(hello.settings_version, 3U);
@@ -182,8 +182,8 @@ TEST_F(Mps2, TheWatchdogRestartsAFirmwareThatHangsAndTheRestartIsTold) {
   EXPECT_EQ(outlet_.terminals().starts, 2U);
 }
 
-// The watchdog's whole time and half of it again.
-TEST_F(Mps2, AnOutletThatOnlyWaitsIsLeftAloneByItsWatchdog) {
+// 1.5 times the watchdog's reset time.
+TEST_F(Mps2, TheWatchdogDoesNotResetAnIdleOutlet) {
   start();
   outlet_.line().read_for(std::chrono::milliseconds(15'000));
   EXPECT_EQ(status().reports, 0U);
@@ -191,8 +191,9 @@ TEST_F(Mps2, AnOutletThatOnlyWaitsIsLeftAloneByItsWatchdog) {
   EXPECT_FALSE(outlet_.line().has_error(wire::ErrorCode::kWatchdog));
 }
 
-// Everything that goes deep: settings, kept ones at a start, self test, a decision, every command.
-TEST_F(Mps2, TheStackKeepsAnEighthInReserve) {
+// Exercises the deepest calls: settings, stored settings at start-up, self test, a decision, every
+// downlink message.
+TEST_F(Mps2, TheStackHasAnEighthInReserve) {
   start();
   outlet_.line().send(settings_of(1));
   outlet_.line().wait_for(UplinkKind::kSettingsAnswer);
@@ -218,7 +219,7 @@ TEST_F(Mps2, TheStackKeepsAnEighthInReserve) {
   std::cout << "stack: " << stack.size() - free << " of " << stack.size() << " bytes used\n";
   RecordProperty("stack_bytes_used", static_cast<int>(stack.size() - free));
   EXPECT_GE(free, stack.size() / 8);
-  EXPECT_LT(free, stack.size() / 2) << "was it painted, and did anything run?";
+  EXPECT_LT(free, stack.size() / 2) << "no fill pattern, or no code ran";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The STM32F405's image in qemu's machine with that chip, which has its memories and USARTs, but
-// neither clocks nor DMA, flash that cannot be programmed, and no unique id.
+// The STM32F405's image in qemu's netduinoplus2. The emulated chip has memories and USARTs, but no
+// clocks, no DMA and no unique id, and its flash cannot be programmed.
 #include "emulated_outlet.hpp"
 #include <firmware_test/settings.hpp>
 #include <wire_test/downlinks.hpp>
@@ -17,7 +17,7 @@ class Stm32 : public testing::Test {
   Line line_{machine_.line()};
 };
 
-TEST_F(Stm32, ComesUpWithoutAClockThatStartsAndSaysSo) {
+TEST_F(Stm32, StartsWithoutAClockAndReportsIt) {
   const auto hello = line_.wait_for(UplinkKind::kHello).uplink.hello;
   EXPECT_STREQ(hello.board, "stm32f405");
   EXPECT_STREQ(hello.id, "stm32-00000000");
@@ -28,18 +28,18 @@ TEST_F(Stm32, ComesUpWithoutAClockThatStartsAndSaysSo) {
   EXPECT_FALSE(line_.has_error(wire::ErrorCode::kWatchdog));
 }
 
-TEST_F(Stm32, ItsSelfTestFindsWhatTheEmulatorLacksAndThatItsArithmeticIsRight) {
+TEST_F(Stm32, TheSelfTestReportsOnlyTheMissingClockAndAdc) {
   line_.wait_for(UplinkKind::kHello);
   line_.send(wire::test::downlink(wire::DownlinkKind::kAskSelfTest));
   EXPECT_EQ(line_.wait_for(UplinkKind::kSelfTest).uplink.self_test.failed,
             wire::kClock | wire::kAdc);
 }
 
-TEST_F(Stm32, FollowsSettingsThatItsFlashDoesNotTakeAndSaysSo) {
+TEST_F(Stm32, AppliesSettingsThatItsFlashCannotStoreAndReportsAnError) {
   line_.wait_for(UplinkKind::kHello);
   line_.wait_for(UplinkKind::kError);
   const wire::Downlink message = wire::test::settings_message(ieee24_settings());
-  const std::size_t before = line_.letters().size();
+  const std::size_t before = line_.messages().size();
   line_.send(message);
   const auto answer = line_.wait_for(UplinkKind::kSettingsAnswer).uplink.settings_answer;
   EXPECT_EQ(answer.error, outlet::SettingsError::kNone);

@@ -23,7 +23,7 @@ outlet::Settings settings(std::uint32_t version) {
   outlet::Settings settings = test::ieee24_settings();
   settings.version = version;
   settings.accumulated_mw = 10.0F * static_cast<float>(version);
-  // Of different lengths, so that the CRC stands in different places.
+  // Different lengths, so that the CRC is at different offsets.
   settings.condition_rows = static_cast<std::uint8_t>(settings.condition_rows - version % 3);
   return settings;
 }
@@ -43,20 +43,20 @@ std::uint32_t version_in(Flash& flash) {
   return loaded ? loaded->version : 0;
 }
 
-// Power goes at each step of keeping version 3 over version 2 in turn. Returns at how many of the
-// steps neither of them was there afterwards, whole.
+// Cuts power at each step of storing version 3 over version 2. Returns the number of steps after
+// which neither version was valid.
 template <class FlashUnderTest>
 int steps_that_leave_neither(const Load& load_after) {
   int neither = 0;
   for (int step = 0;; ++step) {
     FlashUnderTest flash;
-    FlashSettingsStorage area(flash);
-    EXPECT_TRUE(area.keep(settings(1)));
-    if (!area.keep(settings(2))) {
+    FlashSettingsStorage storage(flash);
+    EXPECT_TRUE(storage.keep(settings(1)));
+    if (!storage.keep(settings(2))) {
       ++neither;
     }
     flash.cut_power_after(step);
-    const bool kept = area.keep(settings(3));
+    const bool kept = storage.keep(settings(3));
     const bool finished = flash.has_power();
     flash.restore_power();
     const auto found = load_after(flash);
@@ -66,7 +66,7 @@ int steps_that_leave_neither(const Load& load_after) {
       ++neither;
     }
     if (finished) {
-      EXPECT_GT(step, 100) << "the set has more than 50 words, two steps each";
+      EXPECT_GT(step, 100) << "a set has more than 50 words of two steps each";
       return neither;
     }
   }
@@ -75,7 +75,7 @@ int steps_that_leave_neither(const Load& load_after) {
 class StoredSettings : public testing::Test {
  protected:
   SimulatedFlash flash_;
-  FlashSettingsStorage area_{flash_};
+  FlashSettingsStorage storage_{flash_};
 };
 
 TEST(SettingsStorage, IsEmptyAndUsableWhenNew) {
@@ -84,13 +84,13 @@ TEST(SettingsStorage, IsEmptyAndUsableWhenNew) {
   EXPECT_TRUE(FlashSettingsStorage(flash).usable());
 }
 
-TEST_F(StoredSettings, GivesBackTheNewestSet) {
+TEST_F(StoredSettings, LoadsTheNewestSet) {
   for (std::uint32_t version = 1; version <= 5; ++version) {
-    ASSERT_TRUE(area_.keep(settings(version)));
+    ASSERT_TRUE(storage_.keep(settings(version)));
     const auto found = load(flash_);
     ASSERT_TRUE(found);
     EXPECT_EQ(outlet::digest(*found), outlet::digest(settings(version)));
-    EXPECT_TRUE(area_.usable());
+    EXPECT_TRUE(storage_.usable());
   }
   // Both slots share the wear.
   EXPECT_EQ(flash_.erases(0), 3);
@@ -101,23 +101,23 @@ TEST(SettingsStorage, ALossOfPowerAtAnyStepLeavesTheOldOrTheNewSet) {
   EXPECT_EQ(steps_that_leave_neither<SimulatedFlash>(load), 0);
 }
 
-TEST(SettingsStorage, TheNextSetIsKeptWhereverPowerWentBefore) {
+TEST(SettingsStorage, StoresTheNextSetAfterALossOfPowerAtAnyStep) {
   for (int step = 0;; ++step) {
     SimulatedFlash flash;
-    FlashSettingsStorage area(flash);
-    ASSERT_TRUE(area.keep(settings(1)));
+    FlashSettingsStorage storage(flash);
+    ASSERT_TRUE(storage.keep(settings(1)));
     flash.cut_power_after(step);
-    area.keep(settings(2));
+    storage.keep(settings(2));
     const bool finished = flash.has_power();
     flash.restore_power();
-    ASSERT_TRUE(area.usable()) << step;
-    // Again, and power goes again: what is there must not be given up for it.
+    ASSERT_TRUE(storage.usable()) << step;
+    // A second loss of power must not destroy the valid set.
     const std::uint32_t before = version_in(flash);
     flash.cut_power_after(step / 2);
-    area.keep(settings(3));
+    storage.keep(settings(3));
     flash.restore_power();
     ASSERT_GE(version_in(flash), before) << step;
-    ASSERT_TRUE(area.keep(settings(4))) << step;
+    ASSERT_TRUE(storage.keep(settings(4))) << step;
     ASSERT_EQ(version_in(flash), 4U) << step;
     if (finished) {
       break;
@@ -125,12 +125,12 @@ TEST(SettingsStorage, TheNextSetIsKeptWhereverPowerWentBefore) {
   }
 }
 
-TEST(SettingsStorage, ALossOfPowerWhileTheFirstSetIsKeptLeavesNoneOrIt) {
+TEST(SettingsStorage, ALossOfPowerWhileStoringTheFirstSetLeavesItOrNone) {
   for (int step = 0;; ++step) {
     SimulatedFlash flash;
-    FlashSettingsStorage area(flash);
+    FlashSettingsStorage storage(flash);
     flash.cut_power_after(step);
-    area.keep(settings(1));
+    storage.keep(settings(1));
     const bool finished = flash.has_power();
     flash.restore_power();
     EXPECT_LE(version_in(flash), 1U);
@@ -141,7 +141,7 @@ TEST(SettingsStorage, ALossOfPowerWhileTheFirstSetIsKeptLeavesNoneOrIt) {
   }
 }
 
-// What the checks above must catch, seen to be caught.
+// Proofs of the checks above: deliberate defects must be detected.
 
 class ErasesTheOtherSlot final : public SimulatedFlash {
  public:
@@ -151,7 +151,7 @@ class ErasesTheOtherSlot final : public SimulatedFlash {
   }
 };
 
-TEST(SettingsStorage, ErasingTheSlotInUseIsCaught) {
+TEST(SettingsStorage, ErasingTheSlotInUseIsDetected) {
   EXPECT_GT(steps_that_leave_neither<ErasesTheOtherSlot>(load), 0);
 }
 
@@ -172,42 +172,42 @@ std::optional<outlet::Settings> load_without_crc(Flash& flash) {
   return found;
 }
 
-TEST(SettingsStorage, BelievingASetWithoutItsCrcIsCaught) {
+TEST(SettingsStorage, LoadingWithoutTheCrcIsDetected) {
   EXPECT_GT(steps_that_leave_neither<SimulatedFlash>(load_without_crc), 0);
 }
 
-TEST(SettingsStorage, GoesBackToTheOldSetWhereABitOfTheNewOneRots) {
+TEST(SettingsStorage, LoadsTheOldSetIfABitOfTheNewOneIsCorrupt) {
   for (std::size_t offset = 0; offset < 64; offset += 4) {
     SimulatedFlash flash;
-    FlashSettingsStorage area(flash);
-    ASSERT_TRUE(area.keep(settings(1)));
-    ASSERT_TRUE(area.keep(settings(2)));
+    FlashSettingsStorage storage(flash);
+    ASSERT_TRUE(storage.keep(settings(1)));
+    ASSERT_TRUE(storage.keep(settings(2)));
     flash.word(1, offset) ^= 1U << (offset % 32);
     EXPECT_EQ(version_in(flash), 1U) << offset;
   }
 }
 
-TEST_F(StoredSettings, IsNotUsableWhereTheOnlySetRots) {
-  ASSERT_TRUE(area_.keep(settings(1)));
+TEST_F(StoredSettings, IsNotUsableIfTheOnlySetIsCorrupt) {
+  ASSERT_TRUE(storage_.keep(settings(1)));
   flash_.word(0, 40) ^= 4U;
   EXPECT_FALSE(load(flash_));
-  EXPECT_FALSE(area_.usable());
-  EXPECT_TRUE(area_.keep(settings(2)));
-  EXPECT_TRUE(area_.usable());
+  EXPECT_FALSE(storage_.usable());
+  EXPECT_TRUE(storage_.keep(settings(2)));
+  EXPECT_TRUE(storage_.usable());
 }
 
-TEST_F(StoredSettings, FlashThatRefusesToProgramKeepsTheOldSetAndSaysSo) {
-  ASSERT_TRUE(area_.keep(settings(1)));
+TEST_F(StoredSettings, AProgrammingFailureIsReportedAndLeavesTheOldSet) {
+  ASSERT_TRUE(storage_.keep(settings(1)));
   flash_.refuse_to_program(true);
-  EXPECT_FALSE(area_.keep(settings(2)));
-  EXPECT_FALSE(area_.keep(settings(3)));
+  EXPECT_FALSE(storage_.keep(settings(2)));
+  EXPECT_FALSE(storage_.keep(settings(3)));
   EXPECT_EQ(version_in(flash_), 1U);
   flash_.refuse_to_program(false);
-  EXPECT_TRUE(area_.keep(settings(4)));
+  EXPECT_TRUE(storage_.keep(settings(4)));
   EXPECT_EQ(version_in(flash_), 4U);
 }
 
-// A cell that reads 0 whatever is written: of the magic's lowest bit, which is 1.
+// The lowest bit of the magic, which is 1, always reads 0.
 class HasAStuckBit final : public SimulatedFlash {
  public:
   bool program(int slot, std::size_t offset, std::uint32_t value) override {
@@ -215,15 +215,15 @@ class HasAStuckBit final : public SimulatedFlash {
   }
 };
 
-TEST(SettingsStorage, ASetThatReadsBackOtherwiseIsNotKept) {
+TEST(SettingsStorage, StoringFailsIfTheFlashReadsBackDifferently) {
   HasAStuckBit flash;
-  FlashSettingsStorage area(flash);
-  ASSERT_TRUE(area.keep(settings(1)));
-  EXPECT_FALSE(area.keep(settings(2)));
+  FlashSettingsStorage storage(flash);
+  ASSERT_TRUE(storage.keep(settings(1)));
+  EXPECT_FALSE(storage.keep(settings(2)));
   EXPECT_EQ(version_in(flash), 1U);
 }
 
-// Words of a whole slot, its CRC behind them, with one changed on the way.
+// Changes one word of a valid slot and updates the CRC.
 void rewrite(SimulatedFlash& flash, int slot, std::size_t changed_at, std::uint32_t changed) {
   const std::uint32_t length = flash.read(slot, 8);
   outlet::Crc32 crc;
@@ -240,22 +240,22 @@ void rewrite(SimulatedFlash& flash, int slot, std::size_t changed_at, std::uint3
   flash.word(slot, at) = crc.value();
 }
 
-TEST_F(StoredSettings, TheOlderSetIsTakenWhereTheNewestIsWholeButNotReadable) {
-  ASSERT_TRUE(area_.keep(settings(1)));
-  ASSERT_TRUE(area_.keep(settings(2)));
-  rewrite(flash_, 1, kSettingsAt, 0);  // as another firmware's, of another form
+TEST_F(StoredSettings, LoadsTheOlderSetIfTheNewestCannotBeDecoded) {
+  ASSERT_TRUE(storage_.keep(settings(1)));
+  ASSERT_TRUE(storage_.keep(settings(2)));
+  rewrite(flash_, 1, kSettingsAt, 0);  // like another firmware's format
   EXPECT_EQ(version_in(flash_), 1U);
 }
 
-TEST_F(StoredSettings, TheNewestIsFoundWhereSequenceNumbersWrap) {
-  ASSERT_TRUE(area_.keep(settings(1)));
-  // As after 2^32 − 1 sets: the slot anew with the last number and its CRC.
+TEST_F(StoredSettings, FindsTheNewestSetWhenSequenceNumbersWrap) {
+  ASSERT_TRUE(storage_.keep(settings(1)));
+  // As after 2^32 − 1 sets.
   rewrite(flash_, 0, kSequenceAt, 0xFFFFFFFFU);
   ASSERT_EQ(version_in(flash_), 1U);
-  ASSERT_TRUE(area_.keep(settings(2)));
+  ASSERT_TRUE(storage_.keep(settings(2)));
   EXPECT_EQ(flash_.read(1, kSequenceAt), 0U);
   EXPECT_EQ(version_in(flash_), 2U);
-  ASSERT_TRUE(area_.keep(settings(3)));
+  ASSERT_TRUE(storage_.keep(settings(3)));
   EXPECT_EQ(version_in(flash_), 3U);
 }
 

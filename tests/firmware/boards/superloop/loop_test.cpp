@@ -35,7 +35,7 @@ class FakeBoard final : public Board {
       Uplink message;
       std::uint32_t sequence = 0;
       EXPECT_EQ(wire::decode(frame.data(), frame.size(), message, sequence), wire::Decoded::kOk);
-      said.push_back(message);
+      sent.push_back(message);
     }
     return true;
   }
@@ -66,7 +66,7 @@ class FakeBoard final : public Board {
   void feed_watchdog() override { ++watchdog_fed; }
   bool adc_idle() const override { return rests; }
 
-  std::vector<Uplink> of(UplinkKind kind) const { return wire::test::of_kind(said, kind); }
+  std::vector<Uplink> of(UplinkKind kind) const { return wire::test::of_kind(sent, kind); }
   std::vector<wire::ErrorCode> errors() const {
     std::vector<wire::ErrorCode> codes;
     for (const Uplink& message : of(UplinkKind::kError)) {
@@ -77,7 +77,7 @@ class FakeBoard final : public Board {
 
   std::deque<std::int16_t> samples;
   std::deque<std::uint8_t> incoming;
-  std::vector<Uplink> said;
+  std::vector<Uplink> sent;
   std::vector<Edge> edges;
   std::size_t taken = 0;
   std::uint32_t lost_next = 0;
@@ -119,12 +119,12 @@ class LoopTest : public testing::Test {
 
   FakeBoard board_;
   test::SimulatedFlash flash_;
-  settings_storage::FlashSettingsStorage area_{flash_};
-  Loop loop_{board_, area_};
+  settings_storage::FlashSettingsStorage storage_{flash_};
+  Loop loop_{board_, storage_};
   std::uint32_t sequence_ = 0;
 };
 
-TEST_F(LoopTest, TakesAMillisecondOfSamplesATurn) {
+TEST_F(LoopTest, TakesOneMillisecondOfSamplesPerTurn) {
   ASSERT_TRUE(start());
   play(0.0, 0.1);
   EXPECT_EQ(turn_until_idle(), 100);
@@ -134,54 +134,54 @@ TEST_F(LoopTest, TakesAMillisecondOfSamplesATurn) {
 TEST_F(LoopTest, ChangesTheRelayAtTheSampleOfTheDecision) {
   ASSERT_TRUE(start());
   send(wire::test::settings_message(test::ieee24_settings()));
-  // Out of step with the blocks that come: where reports end is what counts.
+  // Shifts reports relative to the blocks of samples: the relay must change at the end of a report.
   board_.samples.assign(3, 0);
   loop_.turn();
   play(500.0, 4.0);
   turn_until_idle();
-  const auto told = board_.of(UplinkKind::kRelay);
-  ASSERT_EQ(told.size(), 1U);
+  const auto reported = board_.of(UplinkKind::kRelay);
+  ASSERT_EQ(reported.size(), 1U);
   ASSERT_EQ(board_.edges.size(), 2U);
   EXPECT_FALSE(board_.edges[1].closed);
-  EXPECT_EQ(board_.edges[1].sample, told[0].sample);
+  EXPECT_EQ(board_.edges[1].sample, reported[0].sample);
 }
 
-TEST_F(LoopTest, StartsWithTheSettingsThatWereKept) {
+TEST_F(LoopTest, StartsWithTheStoredSettings) {
   outlet::Settings kept = test::ieee24_settings();
   kept.version = 41;
-  ASSERT_TRUE(area_.keep(kept));
+  ASSERT_TRUE(storage_.keep(kept));
   ASSERT_TRUE(start());
-  ASSERT_EQ(board_.said.size(), 1U);
-  EXPECT_EQ(board_.said[0].hello.settings_version, 41U);
-  EXPECT_EQ(board_.said[0].hello.settings_digest, outlet::digest(kept));
+  ASSERT_EQ(board_.sent.size(), 1U);
+  EXPECT_EQ(board_.sent[0].hello.settings_version, 41U);
+  EXPECT_EQ(board_.sent[0].hello.settings_digest, outlet::digest(kept));
 }
 
-TEST_F(LoopTest, TellsKeptSettingsThatAreRefused) {
+TEST_F(LoopTest, ReportsStoredSettingsThatAreRefused) {
   outlet::Settings kept = test::ieee24_settings();
   kept.switch_off_hz = 10.0F;
-  ASSERT_TRUE(area_.keep(kept));
+  ASSERT_TRUE(storage_.keep(kept));
   ASSERT_TRUE(start());
-  EXPECT_EQ(board_.said[0].hello.settings_version, 0U);
+  EXPECT_EQ(board_.sent[0].hello.settings_version, 0U);
   EXPECT_THAT(board_.errors(), ElementsAre(wire::ErrorCode::kSettingsStorage));
 }
 
-TEST_F(LoopTest, TellsAfterItsHelloWhatWentWrongBefore) {
+TEST_F(LoopTest, ReportsStartUpErrorsAfterItsHello) {
   ASSERT_TRUE(start(true, true));
-  EXPECT_EQ(board_.said[0].kind, UplinkKind::kHello);
+  EXPECT_EQ(board_.sent[0].kind, UplinkKind::kHello);
   EXPECT_THAT(board_.errors(), ElementsAre(wire::ErrorCode::kClock, wire::ErrorCode::kWatchdog));
 }
 
-TEST_F(LoopTest, TellsNoErrorAfterAGoodStart) {
+TEST_F(LoopTest, ReportsNoErrorAfterANormalStart) {
   ASSERT_TRUE(start());
   EXPECT_THAT(board_.errors(), IsEmpty());
 }
 
-TEST_F(LoopTest, FeedsTheWatchdogOnlyWhileSamplesCome) {
+TEST_F(LoopTest, FeedsTheWatchdogOnlyWhileSamplesArrive) {
   ASSERT_TRUE(start());
   play(0.0, 0.01);
   turn_until_idle();
   EXPECT_EQ(board_.watchdog_fed, 10);
-  // Talking does not make up for an ADC that stands still.
+  // Messages do not replace samples.
   for (int i = 0; i < 5; ++i) {
     send(wire::test::ping(1));
     loop_.turn();
@@ -193,7 +193,7 @@ TEST_F(LoopTest, FeedsTheWatchdogOnlyWhileSamplesCome) {
   EXPECT_EQ(board_.watchdog_fed, 11);
 }
 
-TEST_F(LoopTest, SamplesAreTakenBetweenTheMessagesOfAFlood) {
+TEST_F(LoopTest, TakesSamplesDuringAFloodOfBytes) {
   ASSERT_TRUE(start());
   board_.incoming.assign(100'000, 0);  // empty frames
   play(0.0, 0.01);
@@ -204,7 +204,7 @@ TEST_F(LoopTest, SamplesAreTakenBetweenTheMessagesOfAFlood) {
   EXPECT_FALSE(board_.incoming.empty());
 }
 
-TEST_F(LoopTest, TimeGoesOnOverLostSamples) {
+TEST_F(LoopTest, LostSamplesCountInTimeStamps) {
   ASSERT_TRUE(start());
   play(0.0, 0.016);
   turn_until_idle();
@@ -218,7 +218,7 @@ TEST_F(LoopTest, TimeGoesOnOverLostSamples) {
   EXPECT_EQ(measured[1].sample, 1256U);
 }
 
-TEST_F(LoopTest, AFullLineDropsMessagesAndCountsThem) {
+TEST_F(LoopTest, DropsAndCountsMessagesWhileTheLineIsFull) {
   ASSERT_TRUE(start());
   board_.line_full = true;
   play(0.0, 0.16);
@@ -232,13 +232,13 @@ TEST_F(LoopTest, AFullLineDropsMessagesAndCountsThem) {
   EXPECT_EQ(status[0].status.reports, 10U);
 }
 
-TEST_F(LoopTest, OnlyTurnsOnHardwareItCannotServe) {
+TEST_F(LoopTest, DoesNothingOnUnsupportedHardware) {
   StartUp start_up;
   start_up.hardware.sample_rate_hz = 44100;
   EXPECT_FALSE(loop_.start(start_up));
   play(0.0, 0.1);
   turn_until_idle();
-  EXPECT_THAT(board_.said, IsEmpty());
+  EXPECT_THAT(board_.sent, IsEmpty());
   EXPECT_THAT(board_.edges, testing::SizeIs(1));
 }
 

@@ -7,7 +7,7 @@
 namespace gs::superloop {
 namespace {
 
-TEST(ByteRing, GivesBytesBackInOrderRoundAndRound) {
+TEST(ByteRing, ReturnsBytesInOrder) {
   ByteRing<8> ring;
   std::uint8_t next_in = 0;
   std::uint8_t next_out = 0;
@@ -25,7 +25,7 @@ TEST(ByteRing, GivesBytesBackInOrderRoundAndRound) {
   EXPECT_FALSE(ring.take(byte));
 }
 
-TEST(ByteRing, TakesAMessageWholeOrNotAtAll) {
+TEST(ByteRing, TakesAllBytesOrNone) {
   ByteRing<8> ring;
   const std::array<std::uint8_t, 5> message = {1, 2, 3, 4, 5};
   EXPECT_TRUE(ring.put(message.data(), message.size()));
@@ -46,7 +46,7 @@ void put(Queue& queue, std::int16_t first) {
   queue.put(block.data(), 4);
 }
 
-TEST(SampleQueue, GivesSamplesBackInOrderRoundAndRound) {
+TEST(SampleQueue, ReturnsSamplesInOrder) {
   Queue queue;
   std::int16_t next_in = 0;
   std::int16_t next_out = 0;
@@ -66,7 +66,7 @@ TEST(SampleQueue, GivesSamplesBackInOrderRoundAndRound) {
   EXPECT_EQ(next_out, 400);
 }
 
-TEST(SampleQueue, TellsWhatWasLostBetweenWhatCameBeforeAndAfter) {
+TEST(SampleQueue, ReportsLostSamplesAtTheirPlace) {
   Queue queue;
   for (std::int16_t first = 0; first < 24; first = static_cast<std::int16_t>(first + 4)) {
     put(queue, first);  // the last two do not fit

@@ -50,7 +50,7 @@ std::shared_ptr<const waveform::ReferenceSignal> ramp(double from_hz, double to_
 
 PlayedOutlet::PlayedOutlet(const MainsSpec& spec) : mains(spec) {
   if (!outlet::configure(mains.hardware(), config)) {
-    throw std::logic_error("hardware not served");
+    throw std::logic_error("hardware not supported by the firmware");
   }
 }
 

@@ -1,4 +1,4 @@
-// What an outlet's ADC would deliver: a synthesised voltage with noise, rounded to counts.
+// Simulated samples of an outlet's ADC: a synthesised voltage with noise, rounded to counts.
 #pragma once
 
 #include <cstdint>
@@ -39,21 +39,21 @@ class Mains {
 std::shared_ptr<const gsbench::waveform::ReferenceSignal> steady(double nominal_hz,
                                                                  double frequency_hz);
 
-// Held at the first frequency until `at_s`, then linear to the last one, which is held.
+// Constant from_hz until `at_s`, then a ramp to to_hz, which stays constant.
 std::shared_ptr<const gsbench::waveform::ReferenceSignal> ramp(double from_hz, double to_hz,
                                                                double at_s, double hz_per_s);
 
-// An outlet at a mains, without settings where none are given. Throws std::logic_error where the
-// firmware does not serve its hardware or refuses the settings.
+// An outlet connected to simulated mains, with or without settings. The constructor throws
+// std::logic_error if the firmware does not support the hardware or refuses the settings.
 struct PlayedOutlet {
   using Each = std::function<void(const outlet::Report&)>;
 
   explicit PlayedOutlet(const MainsSpec& spec);
   PlayedOutlet(const MainsSpec& spec, const outlet::Settings& settings);
 
-  // The first `duration_s` seconds, each report given to `each`.
+  // Plays the first `duration_s` seconds; calls `each` with each report.
   void play(double duration_s, const Each& each);
-  // From one tick to before another.
+  // Plays the ticks from … end − 1.
   void play(std::int64_t from, std::int64_t end, const Each& each);
 
   Mains mains;
@@ -61,11 +61,11 @@ struct PlayedOutlet {
   outlet::State state;
 };
 
-// The reports of an outlet with these settings from its start-up on.
+// The reports of an outlet with these settings, from its start-up.
 std::vector<outlet::Report> reports_of(const MainsSpec& spec, double duration_s,
                                        const outlet::Settings& settings);
 
-// When a report was made, and the instant that its frequency is of.
+// The time of a report, and the instant to which its frequency belongs.
 constexpr double report_s(const outlet::Report& report) {
   return 0.016 * (static_cast<double>(report.number) + 1.0);
 }

@@ -11,7 +11,7 @@
 
 namespace gs::test {
 
-// As one plant, calibrated to the paper's threshold of 351.9 MW.
+// Reduced to one plant, calibrated to the paper's threshold of 351.9 MW.
 inline gsbench::grid::Grid ieee24() {
   gsbench::grid::Grid grid;
   grid.base_mw = 2745.0;
@@ -30,7 +30,7 @@ inline outlet::Response response_of(const gsbench::grid::SfrModel& model) {
   return response;
 }
 
-// An outlet that sheds from 351.9 + 100 MW lost on, with 49.0 Hz behind it.
+// An outlet that sheds at a loss of 351.9 + 100 MW or more, and switches off below 49.0 Hz.
 inline outlet::Settings ieee24_settings() {
   const gsbench::grid::Grid grid = ieee24();
   const gsbench::grid::SfrModel model(grid);

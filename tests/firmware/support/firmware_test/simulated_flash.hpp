@@ -1,5 +1,5 @@
-// Flash that behaves as flash does, and loses power at a step of the test's choosing: each erase
-// and each programming takes several, and leaves in between what a real one may leave.
+// Simulated flash that can lose power at any step. An erase and the programming of a word take
+// several steps, with the intermediate states that real flash may have.
 #pragma once
 
 #include <settings_storage/settings_storage.hpp>
@@ -20,7 +20,7 @@ class SimulatedFlash : public settings_storage::Flash {
     }
   }
 
-  // After so many more steps nothing is written any more; returns how many were taken till then.
+  // Ignores all writes after this many more steps.
   void cut_power_after(int steps) { steps_left_ = steps; }
   void restore_power() { steps_left_ = kAlways; }
   bool has_power() const { return steps_left_ > 0; }
@@ -33,7 +33,7 @@ class SimulatedFlash : public settings_storage::Flash {
 
   bool erase(int slot) override {
     ++erases_.at(static_cast<std::size_t>(slot));
-    // Not from front to back: words lose their charge as they please.
+    // Words are erased in a scattered order.
     for (int step = 0; step < kEraseSteps; ++step) {
       if (!take_step()) {
         return true;
@@ -51,7 +51,7 @@ class SimulatedFlash : public settings_storage::Flash {
     if (refuses_) {
       return false;
     }
-    // Half of the bits, then the other half; only ever from 1 to 0.
+    // Programs half of the bits, then the other half; from 1 to 0 only.
     for (const std::uint32_t not_yet : {0x5A5A5A5AU, 0U}) {
       if (!take_step()) {
         return true;

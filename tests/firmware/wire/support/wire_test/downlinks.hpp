@@ -1,4 +1,4 @@
-// What a bench says to an outlet, and those of its answers that are of one kind.
+// Downlink messages for tests, and a filter of uplink messages by kind.
 #pragma once
 
 #include <algorithm>

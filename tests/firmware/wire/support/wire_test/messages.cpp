@@ -67,7 +67,7 @@ struct Collector {
   }
 };
 
-// Random numbers not by std::uniform_int_distribution, whose values differ between libraries.
+// Does not use std::uniform_int_distribution, whose values differ between libraries.
 class Filler {
  public:
   Filler(Fill fill, std::mt19937& random) : fill_(fill), random_(random) {}
@@ -87,7 +87,7 @@ class Filler {
       case Fill::kAnything:
         break;
     }
-    // As many small numbers as large ones, so that each length on the wire comes to pass.
+    // Small numbers are as frequent as large ones, so that each encoded length occurs.
     const std::uint32_t bits = static_cast<std::uint32_t>(random_()) >> below(32);
     return static_cast<T>(bits);
   }
@@ -168,7 +168,7 @@ class Filler {
   std::mt19937& random_;
 };
 
-// Of this protocol version, its only field of 16 bits: of another's there are no more fields.
+// Fixes protocol_version, the only 16-bit field: a hello of another version has no further fields.
 class HelloFiller : public Filler {
  public:
   using Filler::Filler;
@@ -178,7 +178,7 @@ class HelloFiller : public Filler {
 
 constexpr Fill kFixedFills[] = {Fill::kLowest, Fill::kHighest, Fill::kLongest, Fill::kNaN};
 
-// The result of encode() in the form of a vector.
+// Result of encode() as a vector.
 template <class Encode>
 Bytes bytes_from(Encode encode, std::size_t capacity) {
   Bytes bytes(capacity);
