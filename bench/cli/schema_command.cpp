@@ -67,8 +67,8 @@ ordered_json shape_of(const keys::Key& key) {
               {"minLength", 1},
               {"maxLength", key.longest},
               {"pattern", "^[A-Za-z0-9_.-]+$"}};
-    case keys::Type::kWord:
-      return {{"type", "string"}, {"enum", key.words}};
+    case keys::Type::kChoice:
+      return {{"type", "string"}, {"enum", key.choices}};
     case keys::Type::kArray:
       return array_of(schema_of(key.inner.front()));
     case keys::Type::kRow:

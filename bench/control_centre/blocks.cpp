@@ -7,7 +7,8 @@
 namespace gsbench::control_centre {
 namespace {
 
-// The paper's sum runs over i, its own index; what is meant is j = 1 … i−1, the blocks already off.
+// The paper's sum runs over its own index i; the sum over j = 1 … i−1 is meant, the blocks that are
+// already off.
 double eq17_hz(const grid::Grid& grid, double less_important_mw, double power_mw) {
   return grid.threshold_hz -
          power_mw / (grid.damping_pu * (grid.load_mw - less_important_mw)) * grid.nominal_hz;
@@ -22,9 +23,10 @@ double accumulated_mw(double less_important_mw, double group_mw, Accumulation ac
 std::vector<BlockSetting> block_settings(const grid::Grid& grid, Accumulation accumulation) {
   grid::check(grid);
   if (!grid.blocks.empty() && grid.damping_pu == 0.0) {
-    throw grid::GridError("system.damping_pu", -1,
-                          "damping_pu is 0: must be above 0 where there are blocks, as their "
-                          "switching-off frequency, eq. (17), divides by it");
+    throw grid::GridError(
+        "system.damping_pu", -1,
+        "damping_pu is 0; it must be above 0 if there are blocks, because eq. (17) "
+        "divides by it");
   }
   std::vector<BlockSetting> settings;
   double less_important_mw = 0.0;
@@ -33,8 +35,8 @@ std::vector<BlockSetting> block_settings(const grid::Grid& grid, Accumulation ac
     if (switch_off <= 0.0) {
       throw grid::GridError(
           "block.power_mw", static_cast<int>(settings.size()),
-          fmt::format("block {} \"{}\": power_mw is {}: its switching-off frequency, eq. (17), "
-                      "would be {} Hz: must be so small that it is above 0",
+          fmt::format("block {} \"{}\": power_mw is {}, which gives a switching-off frequency, "
+                      "eq. (17), of {} Hz; it must be smaller, so that the frequency is above 0",
                       settings.size() + 1, block.id, block.power_mw, switch_off));
     }
     settings.push_back({block.id, block.power_mw,
@@ -49,18 +51,18 @@ double switch_off_hz(const grid::Grid& grid, double less_important_mw, double po
   if (!(less_important_mw >= 0.0 && power_mw >= 0.0 &&
         less_important_mw + power_mw <= grid.load_mw)) {
     throw std::invalid_argument(
-        fmt::format("power_mw is {} behind {} MW that are shed before: neither must be negative, "
-                    "and their sum at most load_mw, {}",
+        fmt::format("power_mw is {} and the load that is shed before is {} MW; both must be at "
+                    "least 0, and their sum at most {} (load_mw)",
                     power_mw, less_important_mw, grid.load_mw));
   }
   if (power_mw == 0.0) {
-    return grid.threshold_hz;  // no load, nothing to wait for
+    return grid.threshold_hz;  // eq. (17) without own load, also for damping_pu = 0
   }
   const double switch_off = eq17_hz(grid, less_important_mw, power_mw);
   if (!(switch_off > 0.0)) {
     throw std::invalid_argument(
-        fmt::format("power_mw is {} with damping_pu {}: its switching-off frequency, eq. (17), "
-                    "would be {} Hz and must be above 0",
+        fmt::format("power_mw is {} and damping_pu {}, which gives a switching-off frequency, "
+                    "eq. (17), of {} Hz; it must be above 0",
                     power_mw, grid.damping_pu, switch_off));
   }
   return switch_off;

@@ -18,17 +18,18 @@
 namespace gsbench::control_centre {
 namespace {
 
-// The LSE's standard deviation as a part of the threshold loss: noise and the tracker's memory
-// together, from runs of 320 … 1000 MW.
+// Standard deviation of the LSE per threshold loss: noise and the tracker's lag together, from runs
+// with 320 … 1000 MW.
 constexpr double kLseSpread = 0.25;
 
 void set_conditions(const grid::Grid& grid, const grid::SfrModel& model,
                     gs::outlet::Settings& settings) {
   const std::vector<Condition> rows = conditions(model, grid.threshold_hz, grid.condition_row_hz);
   if (rows.size() > gs::outlet::kMaxConditions) {
-    throw std::invalid_argument("condition_row_hz makes " + std::to_string(rows.size()) +
-                                " load-shedding conditions; an outlet keeps " +
-                                std::to_string(gs::outlet::kMaxConditions) + " at most");
+    throw std::invalid_argument(
+        fmt::format("condition_row_hz is {}, which gives {} load-shedding conditions; an outlet "
+                    "stores at most {}: increase condition_row_hz",
+                    grid.condition_row_hz, rows.size(), gs::outlet::kMaxConditions));
   }
   settings.condition_rows = static_cast<std::uint8_t>(rows.size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -37,7 +38,7 @@ void set_conditions(const grid::Grid& grid, const grid::SfrModel& model,
   }
 }
 
-// In place of what is there. Out of the field's range by itself it is refused here, by name.
+// Replaces the value of a field; refuses a value outside the field's range.
 struct Override {
   double value;
   float nominal_hz;
@@ -48,7 +49,7 @@ struct Override {
     if (!whole || !gs::outlet::within(field.range, static_cast<float>(value), nominal_hz)) {
       const double scale = field.range.of_nominal ? static_cast<double>(nominal_hz) : 1.0;
       throw std::invalid_argument(fmt::format(
-          "{} is {}; outlets take {} from {}{:g} to {}{:g} {}", field.name, value,
+          "{} is {}; it must be {} from {}{:g} to {}{:g} {}", field.name, value,
           std::is_floating_point_v<T> ? "a number" : "a whole number",
           field.range.without_least ? "above " : "", static_cast<double>(field.range.least) * scale,
           field.range.without_most ? "below " : "", static_cast<double>(field.range.most) * scale,
@@ -57,7 +58,8 @@ struct Override {
     member = static_cast<T>(value);
   }
   void rows(const gs::outlet::Field& field, gs::outlet::ConditionRow*, std::uint8_t&) const {
-    throw std::invalid_argument(fmt::format("{} follow from the grid", field.name));
+    throw std::invalid_argument(
+        fmt::format("{} cannot be set; they are derived from the grid", field.name));
   }
 };
 
@@ -67,7 +69,7 @@ void set(gs::outlet::Settings& settings, const std::string& name, Override value
       std::find_if(std::begin(fields), std::end(fields),
                    [&](const gs::outlet::Field& one) { return one.name == name; });
   if (field == std::end(fields)) {
-    throw std::invalid_argument(name + " is no setting of an outlet");
+    throw std::invalid_argument(name + " is not a setting of an outlet");
   }
   gs::outlet::visit_field(settings, *field, value);
 }
@@ -91,7 +93,7 @@ struct Description {
 
 double switch_off_of(const grid::Grid& grid, const Wishes& wishes) {
   const double power_mw = wishes.power_mw.value_or(wishes.accumulated_mw);
-  // What accumulated_mw() adds, taken off again.
+  // The inverse of accumulated_mw().
   const double less_important_mw = wishes.accumulated_mw - accumulated_mw(0.0, power_mw);
   return switch_off_hz(grid, less_important_mw, power_mw);
 }

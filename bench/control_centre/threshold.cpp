@@ -13,7 +13,7 @@ namespace gsbench::control_centre {
 double threshold_mw(const grid::SfrModel& model, double threshold_hz) {
   if (!(threshold_hz > 0.0 && threshold_hz < model.nominal_hz())) {
     throw std::invalid_argument(
-        fmt::format("threshold_hz is {}: must be above 0 and below the nominal frequency, {}",
+        fmt::format("threshold_hz is {}; it must be above 0 and below {} (nominal frequency)",
                     threshold_hz, model.nominal_hz()));
   }
   return (model.nominal_hz() - threshold_hz) /
@@ -22,11 +22,11 @@ double threshold_mw(const grid::SfrModel& model, double threshold_hz) {
 
 namespace {
 
-// Lowest frequency after a loss at 0 of which some is shed at delay_s, to a tenth of a millihertz.
+// Lowest frequency after a loss at t = 0 with shed_mw shed at delay_s, to 0.1 mHz.
 double nadir_with_shedding_hz(const grid::SfrModel& model, double loss_mw, double shed_mw,
                               double delay_s) {
   const grid::FrequencyResponse response(model, {{0.0, loss_mw}, {delay_s, -shed_mw}});
-  // It falls until the shedding at least, then turns at once or later, as one loss does.
+  // The frequency falls at least until delay_s and turns then, or later as after a single loss.
   const double last_s = delay_s + 20.0 / model.omega_n();
   double lowest_hz = response.frequency_hz(delay_s);
   constexpr double kStep_s = 0.005;
@@ -37,8 +37,8 @@ double nadir_with_shedding_hz(const grid::SfrModel& model, double loss_mw, doubl
   return lowest_hz;
 }
 
-// From f_n down to f_s. Each edge is counted from f_n, not added up, and the last is f_s itself:
-// what is left of a row by rounding alone is no row.
+// Edges from f_n down to f_s. Each is computed from f_n, so that rounding errors do not add up. The
+// last is f_s itself; a remainder due to rounding does not make a row.
 std::vector<double> row_edges_hz(double nominal_hz, double threshold_hz, double row_hz) {
   constexpr double kSliverOfARow = 1e-6;
   const double rows = (nominal_hz - threshold_hz) / row_hz;
@@ -57,7 +57,8 @@ double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, 
                               double delay_s) {
   const double instant_mw = threshold_mw(model, threshold_hz);
   if (!(loss_mw >= 0.0 && delay_s >= 0.0)) {
-    throw std::invalid_argument("loss and delay must not be negative");
+    throw std::invalid_argument(
+        fmt::format("loss_mw is {} and delay_s {}; both must be at least 0", loss_mw, delay_s));
   }
   if (loss_mw <= instant_mw || delay_s == 0.0) {
     return instant_mw;
@@ -65,7 +66,7 @@ double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, 
   if (nadir_with_shedding_hz(model, loss_mw, loss_mw, delay_s) < threshold_hz) {
     return 0.0;
   }
-  double enough_mw = 0.0;  // as a threshold
+  double enough_mw = 0.0;  // a threshold that keeps the nadir
   double too_high_mw = instant_mw;
   for (int i = 0; i < 50 && too_high_mw - enough_mw > 1e-4; ++i) {
     const double middle_mw = 0.5 * (enough_mw + too_high_mw);
@@ -84,7 +85,7 @@ std::vector<Condition> conditions(const grid::SfrModel& model, double threshold_
   const double loss_mw = threshold_mw(model, threshold_hz);
   if (!(row_hz >= grid::kLowestConditionRow_hz)) {
     throw std::invalid_argument(
-        fmt::format("row_hz is {}: must be at least {}", row_hz, grid::kLowestConditionRow_hz));
+        fmt::format("row_hz is {}; it must be at least {}", row_hz, grid::kLowestConditionRow_hz));
   }
   const grid::TurningPoint turn = grid::turning_point(model);
   const std::vector<double> edges = row_edges_hz(model.nominal_hz(), threshold_hz, row_hz);
@@ -94,7 +95,7 @@ std::vector<Condition> conditions(const grid::SfrModel& model, double threshold_
     const double t_s = grid::time_at_depth_s(model, turn, depth);
     rows.push_back({edges[i], edges[i - 1], loss_mw * model.unit_rocof_hz_s(t_s)});
   }
-  // The threshold loss turns at f_s, or comes to rest there: its ROCOF is 0 by definition of ΔP_s.
+  // After the threshold loss the frequency turns or settles at f_s: ROCOF is 0 there.
   rows.push_back({threshold_hz, edges[edges.size() - 2], 0.0});
   return rows;
 }

@@ -5,19 +5,22 @@
 namespace gsbench::grid {
 namespace {
 
-// One row of the grid file's table `table`; `who` names it to the reader.
+// One entry of the grid file's table `table`; `name` identifies it in messages.
 struct Place {
   std::string table;
   int index;
-  std::string who;
+  std::string name;
 
-  [[noreturn]] void refuse(const std::string& key, double value, const std::string& why) const {
-    throw GridError(table + "." + key, index, fmt::format("{}{} is {}: {}", who, key, value, why));
+  // `correction`: what would be right.
+  [[noreturn]] void refuse(const std::string& key, double value,
+                           const std::string& correction) const {
+    throw GridError(table + "." + key, index,
+                    fmt::format("{}{} is {}; it must be {}", name, key, value, correction));
   }
   void require(const std::string& key, double value, const Limits& limits) const {
     const bool holds = value >= limits.low && value <= limits.high;  // never for NaN
     if (!holds) {
-      refuse(key, value, fmt::format("must be from {} to {}", limits.low, limits.high));
+      refuse(key, value, fmt::format("from {} to {}", limits.low, limits.high));
     }
   }
 };
@@ -28,7 +31,7 @@ void check_system(const Grid& grid) {
   system.require("threshold_hz", grid.threshold_hz, kFrequency_hz);
   if (grid.threshold_hz >= grid.nominal_hz) {
     system.refuse("threshold_hz", grid.threshold_hz,
-                  fmt::format("must be below nominal_hz, {}", grid.nominal_hz));
+                  fmt::format("below {} (nominal_hz)", grid.nominal_hz));
   }
   system.require("base_mw", grid.base_mw, kPower_mw);
   system.require("load_mw", grid.load_mw, kPower_mw);
@@ -41,7 +44,7 @@ void check_system(const Grid& grid) {
 
 void check_plants(const Grid& grid) {
   if (grid.plants.empty()) {
-    throw GridError("plant", -1, "no plant: a grid must have at least one in operation");
+    throw GridError("plant", -1, "the grid has no plant; it must have at least one in operation");
   }
   for (std::size_t i = 0; i < grid.plants.size(); ++i) {
     const Plant& plant = grid.plants[i];
@@ -62,7 +65,8 @@ void check_blocks(const Grid& grid) {
     place.require("power_mw", block.power_mw, kPower_mw);
     if (less_important_mw + block.power_mw > grid.load_mw) {
       place.refuse("power_mw", block.power_mw,
-                   fmt::format("all blocks together must not exceed load_mw, {}", grid.load_mw));
+                   fmt::format("at most {}, so that all blocks together do not exceed {} (load_mw)",
+                               grid.load_mw - less_important_mw, grid.load_mw));
     }
     less_important_mw += block.power_mw;
   }

@@ -15,9 +15,9 @@ double depth_at(const SfrModel& model, double t_s) {
   return -model.unit_deviation_hz(t_s) / model.gain_hz_per_mw();
 }
 
-// Where eq. (12) is zero: g0·C + (omega_n² − sigma·g0)·S = 0 and, with g0 = omega_n²·T_R,
-// S/C = T_R/(sigma·T_R − 1). S/C is tan(√d·t)/√d when underdamped, which is eq. (13), t itself at
-// zeta = 1, and tanh(√−d·t)/√−d when overdamped, which stays below 1/√−d and may not get there.
+// The zero of eq. (12): g0·C + (omega_n² − sigma·g0)·S = 0 and, with g0 = omega_n²·T_R,
+// S/C = T_R/(sigma·T_R − 1). Underdamped, S/C is tan(√d·t)/√d, which gives eq. (13). At zeta = 1 it
+// is t. Overdamped, it is tanh(√−d·t)/√−d, which stays below 1/√−d: there may be no zero.
 double time_of_turn_s(const SfrModel& model) {
   const double sigma = model.sigma_per_s();
   const double d = model.discriminant_per_s2();
@@ -29,7 +29,7 @@ double time_of_turn_s(const SfrModel& model) {
   }
   const double spread = std::sqrt(-d);
   const double slow = omega_n_squared / (sigma + spread);
-  const double lead = slow * reheat_s - 1.0;  // the zero at −1/T_R is slower than either pole
+  const double lead = slow * reheat_s - 1.0;  // > 0 if the zero at −1/T_R is slower than both poles
   if (lead <= 0.0) {
     return kNever;
   }
@@ -47,8 +47,8 @@ TurningPoint turning_point(const SfrModel& model) {
     return {kNever, 1.0};
   }
   const double depth = depth_at(model, t_s);
-  // At F_H = 1 the zero cancels a pole and rounding alone decides whether there is a turn. What
-  // undershoots the end value by less than the rounding of the three terms of eq. (6) has none.
+  // At F_H = 1 the zero cancels a pole, and only rounding decides whether there is a turning point.
+  // An undershoot below the rounding error of the three terms of eq. (6) does not count as one.
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   if (depth < 1.0 + kRounding) {
     return {kNever, 1.0};
@@ -65,8 +65,8 @@ double time_at_depth_s(const SfrModel& model, const TurningPoint& turn, double d
       after_s *= 2.0;
     }
   }
-  // Bisection down to neighbouring numbers: the limb is monotone, and no slope near the turn, where
-  // it vanishes, can mislead it.
+  // Bisection down to neighbouring numbers. The limb is monotone; methods that use the slope would
+  // fail near the turning point, where it is zero.
   for (;;) {
     const double middle_s = 0.5 * (before_s + after_s);
     if (middle_s <= before_s || middle_s >= after_s) {
@@ -78,7 +78,7 @@ double time_at_depth_s(const SfrModel& model, const TurningPoint& turn, double d
 
 Nadir nadir(const SfrModel& model, double loss_mw) {
   if (!(loss_mw >= 0.0)) {
-    throw std::invalid_argument(fmt::format("loss_mw is {}: must be 0 or above", loss_mw));
+    throw std::invalid_argument(fmt::format("loss_mw is {}; it must be at least 0", loss_mw));
   }
   const TurningPoint turn = turning_point(model);
   return {turn.t_s, model.nominal_hz() - loss_mw * model.gain_hz_per_mw() * turn.depth};

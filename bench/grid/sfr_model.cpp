@@ -22,8 +22,9 @@ Modes modes_at(const SfrModel& model, double t_s) {
     const double decay = std::exp(-sigma * t_s);
     return {decay * std::cos(omega_r * t_s), decay * std::sin(omega_r * t_s) / omega_r};
   }
-  // cosh and sinh would overflow where the decay outweighs them: both are written with the slow
-  // pole taken out. It is a quotient, as sigma − spread cancels for a far overdamped grid.
+  // cosh and sinh could overflow although their product with the decay is small, so the slow pole
+  // is factored out. It is computed as a quotient, because sigma − spread loses digits far from
+  // critical damping.
   const double spread = std::sqrt(-d);
   const double slow = model.omega_n() * model.omega_n() / (sigma + spread);
   const double decay = std::exp(-slow * t_s);
@@ -40,7 +41,7 @@ double inertia_of_all_s(const Grid& grid) {  // eq. (2)
 }
 
 double droop_of_all_pu(const Grid& grid) {
-  double regulation_mw = 0.0;  // power that all governors together add, per unit of frequency
+  double regulation_mw = 0.0;  // of all governors together, per unit of frequency
   for (const Plant& plant : grid.plants) {
     regulation_mw += plant.rating_mw / plant.droop_pu;
   }
@@ -86,8 +87,8 @@ double SfrModel::unit_rocof_hz_s(double t_s) const {
   return -gain_ * (g0_ * mode.c + (omega_n_ * omega_n_ - sigma_ * g0_) * mode.s);
 }
 
-// With A = e^(−sigma·t)·C and B = e^(−sigma·t)·S, A' = −sigma·A − d·B and B' = A − sigma·B; solving
-// the two for A and B gives their integrals, and with those that of the deviation.
+// With A = e^(−sigma·t)·C and B = e^(−sigma·t)·S: A' = −sigma·A − d·B and B' = A − sigma·B. Solved
+// for A and B, these give the integrals of A and B, and so the integral of the deviation.
 double SfrModel::unit_phase_cycles(double t_s) const {
   if (t_s < 0.0) {
     return 0.0;
@@ -109,7 +110,7 @@ std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& mode
   const double sine = omega_r * reheat_s;
   // Eq. (7): its radicand is (1 − T_R·sigma)² + (T_R·omega_r)² over 1 − zeta².
   const double alpha = std::hypot(cosine, sine) * model.omega_n() / omega_r;
-  // Eq. (9): both angles lie in (0, π), where the paper's tan⁻¹ would leave the quadrant open.
+  // Eq. (9): both angles are in (0, π). The paper's tan⁻¹ does not determine the quadrant.
   const double phi1 = std::atan2(sine, cosine);
   const double phi2 = std::atan2(omega_r, -model.sigma_per_s());
   return UnderdampedParameters{alpha, omega_r, phi1 - phi2, phi1};
@@ -119,8 +120,9 @@ FrequencyResponse::FrequencyResponse(SfrModel model, std::vector<PowerChange> ch
     : model_(std::move(model)), changes_(std::move(changes)) {
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     if (!std::isfinite(changes_[i].at_s) || !std::isfinite(changes_[i].power_mw)) {
-      throw std::invalid_argument(fmt::format("power change {}: {} MW at {} s: both must be finite",
-                                              i + 1, changes_[i].power_mw, changes_[i].at_s));
+      throw std::invalid_argument(
+          fmt::format("power change {} is {} MW at {} s; both must be finite", i + 1,
+                      changes_[i].power_mw, changes_[i].at_s));
     }
   }
 }

@@ -1,4 +1,4 @@
-// What the declarations alone can say of a document.
+// Checks of a document that need the declarations only.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace gsbench::keys {
 namespace {
 
-// An id as outlets and brokers take it: letters, digits, '-', '_', '.'.
+// Outlets and brokers accept these characters in an id: letters, digits, '-', '_', '.'.
 bool is_identifier(const std::string& text, std::size_t longest) {
   return !text.empty() && text.size() <= longest &&
          std::all_of(text.begin(), text.end(), [](char c) {
@@ -39,7 +39,7 @@ std::string wanted(const Key& key) {
       return fmt::format("a whole number from {:.0f} to {:.0f}", key.range.low, key.range.high);
     case Type::kText:
     case Type::kId:
-    case Type::kWord:
+    case Type::kChoice:
     case Type::kTextOrTable:
       return "a text in quotes";
     case Type::kArray:
@@ -58,8 +58,7 @@ std::string remedy(const Key& key) {
   if (!key.remedy.empty()) {
     return key.remedy;
   }
-  return key.type == Type::kNumber ? "a number must be given: " + key.range.describe()
-                                   : wanted(key);
+  return key.type == Type::kNumber ? "a number, " + key.range.describe() : wanted(key);
 }
 
 }  // namespace
@@ -76,7 +75,7 @@ void Table::check() const {
   for (const Entry& entry : *entries) {
     if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
       refuse(entry.at, fmt::format("unknown key \"{}\" in {}{}", entry.key, label(),
-                                   suggestion(entry.key, known, "its keys")));
+                                   suggestion(entry.key, known, "valid keys")));
     }
   }
   for (const Key& key : declared_->inner) {
@@ -104,7 +103,7 @@ void Table::check(const Key& key, const Value& value) const {
       return Table(*document_, value, key, path_of(key.name)).check();
     case Type::kText:
     case Type::kId:
-    case Type::kWord:
+    case Type::kChoice:
       return check_text(key, value);
     case Type::kArray:
     case Type::kRow:
@@ -133,9 +132,8 @@ void Table::check_number(const Key& key, const Value& value) const {
     refuse(value.at,
            fmt::format("{} is {}; it must be {}", key.name, number, key.range.describe()));
   } else if (std::holds_alternative<std::string>(value.data)) {
-    refuse(value.at, fmt::format("{} is {}; it must be a plain number, in the unit that its name "
-                                 "says",
-                                 key.name, describe(value)));
+    refuse(value.at, fmt::format("{} is {}; it must be a number, without quotes and unit", key.name,
+                                 describe(value)));
   }
   refuse_type(key, value);
 }
@@ -146,17 +144,17 @@ void Table::check_text(const Key& key, const Value& value) const {
     refuse_type(key, value);
   }
   if (text->empty()) {
-    refuse(value.at, fmt::format("{} is an empty text", key.name));
+    refuse(value.at, fmt::format("{} is an empty text; it must not be empty", key.name));
   }
   if (key.type == Type::kId && !is_identifier(*text, key.longest)) {
-    refuse(value.at, fmt::format("{} is \"{}\"; it must be of letters, digits, '-', '_' and '.', "
-                                 "at most {} of them",
+    refuse(value.at, fmt::format("{} is \"{}\"; it must consist of 1 to {} letters, digits, '-', "
+                                 "'_' and '.'",
                                  key.name, *text, key.longest));
   }
-  if (key.type == Type::kWord &&
-      std::find(key.words.begin(), key.words.end(), *text) == key.words.end()) {
+  if (key.type == Type::kChoice &&
+      std::find(key.choices.begin(), key.choices.end(), *text) == key.choices.end()) {
     refuse(value.at, fmt::format("{} is \"{}\"{}", key.name, *text,
-                                 suggestion(*text, key.words, "what it can be")));
+                                 suggestion(*text, key.choices, "valid values")));
   }
 }
 
@@ -170,7 +168,7 @@ void Table::check_items(const Key& key, const Value& value) const {
                                  items->size(), wanted(key)));
   }
   if (items->empty()) {
-    refuse(value.at, fmt::format("{} is empty; leave it out, or give {}", key.name, wanted(key)));
+    refuse(value.at, fmt::format("{} is empty; omit it, or give {}", key.name, wanted(key)));
   }
   for (std::size_t i = 0; i < items->size(); ++i) {
     const Value& item = (*items)[i];

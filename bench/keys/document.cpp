@@ -10,7 +10,7 @@
 namespace gsbench::keys {
 namespace {
 
-// Ours are five deep.
+// The files of this project are nested five deep.
 constexpr std::size_t kDeepestNesting = 64;
 
 Position position_of(const toml::source_region& region) {
@@ -49,9 +49,9 @@ Value convert(const toml::node& node) {
   return value;
 }
 
-// Refuses what is nested too deeply before the TOML library sees it, as that follows tables within
-// tables by recursion: each dot of a key is one more table, and so is each bracket. Dots of numbers
-// count as well, until the next comma; no number has more than one.
+// Refuses too deep nesting before the TOML library parses the text: its recursion would overflow
+// the stack. Each dot of a key and each bracket is one level. The dot of a number counts as well,
+// until the next comma.
 class NestingCheck {
  public:
   NestingCheck(const std::string& text, const std::string& path) : text_(text), path_(path) {}
@@ -97,7 +97,7 @@ class NestingCheck {
     if (++depth_ > kDeepestNesting) {
       throw error_at(
           path_, {line_, static_cast<int>(at_ - line_start_) + 1},
-          fmt::format("tables within tables, {} deep; {} at most", depth_, kDeepestNesting));
+          fmt::format("nested {} levels deep; the maximum is {}", depth_, kDeepestNesting));
     }
   }
 
@@ -108,7 +108,7 @@ class NestingCheck {
 
   void leave() {
     if (dots_.size() == 1) {
-      return;  // the library will say so
+      return;  // the TOML library reports it
     }
     depth_ -= dots_.back() + 1;
     dots_.pop_back();
@@ -122,7 +122,7 @@ class NestingCheck {
     line_start_ = at_ + 1;
   }
 
-  // A text in quotes of either kind, on one line or, in three quotes, on several.
+  // A text in single or double quotes, or in three of them, which may span lines.
   void skip_text(char quote) {
     const std::string three(3, quote);
     const bool long_text = text_.compare(at_, 3, three) == 0;
@@ -130,7 +130,7 @@ class NestingCheck {
     for (; at_ < text_.size(); ++at_) {
       if (text_[at_] == '\n') {
         if (!long_text) {
-          return;  // the library will say so
+          return;  // the TOML library reports it
         }
         ++line_;
         line_start_ = at_ + 1;
@@ -138,7 +138,7 @@ class NestingCheck {
         ++at_;
       } else if (long_text ? text_.compare(at_, 3, three) == 0 : text_[at_] == quote) {
         at_ += long_text ? 3 : 1;
-        // A long text may end in one or two quotes of its own.
+        // A text in three quotes may itself end in one or two quotes.
         for (int own = 0; long_text && own < 2 && at_ < text_.size() && text_[at_] == quote;
              ++own) {
           ++at_;
@@ -153,15 +153,15 @@ class NestingCheck {
   std::size_t at_ = 0;
   int line_ = 1;
   std::size_t line_start_ = 0;
-  std::size_t depth_ = 0;  // of all that is open, and the dots in there
-  // Of the key in hand: outside all brackets, then within each that is open.
+  std::size_t depth_ = 0;  // open brackets and the dots counted
+  // Dots of the current key: outside all brackets, then within each open bracket.
   std::vector<std::size_t> dots_ = {0};
 };
 
 struct Describe {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
-  // With a decimal point, so that 8000.0 does not read like the whole number it should have been.
+  // With a decimal point, so that a message shows why 8000.0 is not a whole number.
   std::string operator()(double value) const {
     const std::string digits = fmt::format("{}", value);
     return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
@@ -182,7 +182,7 @@ Document parse_toml(const std::string& text, const std::string& path) {
     return {path, convert(toml::parse(text))};
   } catch (const toml::parse_error& error) {
     throw error_at(path, position_of(error.source()),
-                   fmt::format("not well-formed TOML: {}", error.description()));
+                   fmt::format("invalid TOML: {}", error.description()));
   }
 }
 

@@ -34,20 +34,20 @@ bool Range::holds(double value) const {
 }
 
 std::string Range::describe() const {
-  std::string words;
+  std::string text;
   if (std::isfinite(low)) {
-    words = fmt::format("{} {}", low_open ? "above" : "at least", low);
+    text = fmt::format("{} {}", low_open ? "above" : "at least", low);
   }
   if (std::isfinite(high)) {
-    if (!words.empty()) {
-      words += " and ";
+    if (!text.empty()) {
+      text += " and ";
     }
-    words += fmt::format("{} {}", high_open ? "below" : "at most", high);
+    text += fmt::format("{} {}", high_open ? "below" : "at most", high);
   }
-  if (words.empty()) {
-    words = "a finite number";
+  if (text.empty()) {
+    text = "a finite number";
   }
-  return note.empty() ? words : fmt::format("{} ({})", words, note);
+  return note.empty() ? text : fmt::format("{} ({})", text, note);
 }
 
 Key number(std::string name, std::string unit, Range range, std::string meaning) {
@@ -66,8 +66,9 @@ Key id(std::string name, std::size_t longest, std::string meaning) {
   return Key{Type::kId, std::move(name), std::move(meaning)}.with(&Key::longest, longest);
 }
 
-Key word(std::string name, std::vector<std::string> words, std::string meaning) {
-  return Key{Type::kWord, std::move(name), std::move(meaning)}.with(&Key::words, std::move(words));
+Key choice(std::string name, std::vector<std::string> choices, std::string meaning) {
+  return Key{Type::kChoice, std::move(name), std::move(meaning)}.with(&Key::choices,
+                                                                      std::move(choices));
 }
 
 Key array(std::string name, Key item, std::string meaning) {

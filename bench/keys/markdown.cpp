@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kHead = "| key | unit | range | default | meaning |\n|---|---|---|---|---|\n";
 
-// "0.05", "8000"; a power of ten from 10⁴ on and below 10⁻³ as such: "10⁷".
+// "0.05", "8000"; powers of ten from 10⁴ up and below 10⁻³ as "10⁷".
 std::string figure(double value) {
   static const std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -25,7 +25,7 @@ std::string figure(double value) {
   return value == std::floor(value) ? fmt::format("{:.0f}", value) : fmt::format("{}", value);
 }
 
-std::string in_words(const Range& range) {
+std::string range_text(const Range& range) {
   const bool low = std::isfinite(range.low);
   const bool high = std::isfinite(range.high);
   if (low && high && range.low == -range.high) {
@@ -34,17 +34,17 @@ std::string in_words(const Range& range) {
   if (low && high && !range.low_open && !range.high_open) {
     return figure(range.low) + " … " + figure(range.high);
   }
-  std::string words;
+  std::string text;
   if (low) {
-    words = (range.low_open ? "above " : "from ") + figure(range.low);
+    text = (range.low_open ? "above " : "from ") + figure(range.low);
   }
   if (low && high) {
-    words += ", ";
+    text += ", ";
   }
   if (high) {
-    words += (range.high_open ? "below " : "at most ") + figure(range.high);
+    text += (range.high_open ? "below " : "at most ") + figure(range.high);
   }
-  return words;
+  return text;
 }
 
 std::string permitted(const Key& key) {
@@ -54,13 +54,13 @@ std::string permitted(const Key& key) {
   switch (key.type) {
     case Type::kNumber:
     case Type::kWhole:
-      return in_words(key.range);
+      return range_text(key.range);
     case Type::kText:
       return "text";
     case Type::kId:
       return fmt::format("letters, digits, `-`, `_`, `.`; at most {}", key.longest);
-    case Type::kWord:
-      return fmt::format("`{}`", fmt::join(key.words, "`, `"));
+    case Type::kChoice:
+      return fmt::format("`{}`", fmt::join(key.choices, "`, `"));
     case Type::kArray: {
       const std::string item = permitted(key.inner.front());
       return item.front() == '`' ? fmt::format("`[{}, …]`", item.substr(1, item.size() - 2))
@@ -92,8 +92,8 @@ std::string default_of(const Key& key) {
   if (const auto* number = std::get_if<double>(&key.fallback)) {
     return figure(*number);
   }
-  if (const auto* word = std::get_if<std::string>(&key.fallback)) {
-    return "`" + *word + "`";
+  if (const auto* text = std::get_if<std::string>(&key.fallback)) {
+    return "`" + *text + "`";
   }
   return "none";
 }

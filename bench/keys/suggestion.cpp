@@ -9,7 +9,7 @@
 namespace gsbench::keys {
 namespace {
 
-// Levenshtein's distance: insertions, deletions and replacements of one character.
+// Levenshtein distance: insertions, deletions and replacements of one character.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -25,23 +25,23 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-// "duration" for "duration_s": a forgotten unit is the likeliest slip here, and no short distance.
-bool is_stem_of(const std::string& word, const std::string& known) {
-  return !word.empty() && known.compare(0, word.size(), word) == 0 && known[word.size()] == '_';
+// "duration" for "duration_s": a forgotten unit is the most likely mistake, but a long distance.
+bool is_stem_of(const std::string& name, const std::string& known) {
+  return !name.empty() && known.compare(0, name.size(), name) == 0 && known[name.size()] == '_';
 }
 
 }  // namespace
 
-std::string suggestion(const std::string& word, const std::vector<std::string>& known,
+std::string suggestion(const std::string& name, const std::vector<std::string>& known,
                        const std::string& what) {
-  constexpr std::size_t kLongestWord = 100;  // longer ones are no slip, and cost time
+  constexpr std::size_t kLongestName = 100;  // longer ones are not misspellings, and cost time
   const std::string* best = nullptr;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : known) {
-    if (word.size() > kLongestWord) {
+    if (name.size() > kLongestName) {
       break;
     }
-    const std::size_t d = is_stem_of(word, candidate) ? 1 : distance(word, candidate);
+    const std::size_t d = is_stem_of(name, candidate) ? 1 : distance(name, candidate);
     if (d < best_distance) {
       best_distance = d;
       best = &candidate;

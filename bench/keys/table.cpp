@@ -29,7 +29,7 @@ const Key& Table::declared(const std::string& key) const {
   const auto found =
       std::find_if(keys.begin(), keys.end(), [&](const Key& known) { return known.name == key; });
   if (found == keys.end()) {
-    throw std::logic_error("no such key is declared: " + key);
+    throw std::logic_error("key is not declared: " + key);
   }
   return *found;
 }
@@ -69,8 +69,8 @@ void Table::refuse(const std::string& key, const std::string& message) const {
   refuse(at(key), message);
 }
 
-void Table::refuse_missing(const std::string& key, const std::string& what) const {
-  refuse(value_->at, fmt::format("{} lacks \"{}\": {}", label(), key, what));
+void Table::refuse_missing(const std::string& key, const std::string& remedy) const {
+  refuse(value_->at, fmt::format("missing key \"{}\" in {}; give {}", key, label(), remedy));
 }
 
 std::optional<double> Table::find_number(const std::string& key, const Range& narrower) const {
@@ -110,8 +110,8 @@ std::vector<double> Table::numbers(const std::string& key) const {
   return found;
 }
 
-std::vector<Word> Table::words(const std::string& key) const {
-  std::vector<Word> found;
+std::vector<PlacedText> Table::texts(const std::string& key) const {
+  std::vector<PlacedText> found;
   for (const Value& item : items(key)) {
     found.push_back({std::get<std::string>(item.data), item.at});
   }

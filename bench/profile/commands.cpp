@@ -7,30 +7,30 @@
 namespace gsbench::profile {
 namespace {
 
+using keys::PlacedText;
 using keys::Table;
-using keys::Word;
 
-// Ids of the outlets that `words` name, by id or by group, each once and in the plan's order.
-std::vector<std::string> named_outlets(const Table& table, const std::vector<Word>& words,
+// Ids of the outlets that `names` selects by id or by group, each once, in the plan's order.
+std::vector<std::string> named_outlets(const Table& table, const std::vector<PlacedText>& names,
                                        const std::vector<Outlet>& outlets) {
-  const auto names = [](const Word& word, const Outlet& outlet) {
-    return word.text == outlet.id || word.text == outlet.group;
+  const auto selects = [](const PlacedText& name, const Outlet& outlet) {
+    return name.text == outlet.id || name.text == outlet.group;
   };
-  for (const Word& word : words) {
+  for (const PlacedText& name : names) {
     if (std::none_of(outlets.begin(), outlets.end(),
-                     [&](const Outlet& outlet) { return names(word, outlet); })) {
+                     [&](const Outlet& outlet) { return selects(name, outlet); })) {
       auto known = groups_of(outlets);
       for (const Outlet& outlet : outlets) {
         known.push_back(outlet.id);
       }
-      table.refuse(word.at, fmt::format("no outlet or group \"{}\"{}", word.text,
-                                        keys::suggestion(word.text, known, "groups and outlets")));
+      table.refuse(name.at, fmt::format("unknown outlet or group \"{}\"{}", name.text,
+                                        keys::suggestion(name.text, known, "groups and outlets")));
     }
   }
   std::vector<std::string> ids;
   for (const Outlet& outlet : outlets) {
-    if (std::any_of(words.begin(), words.end(),
-                    [&](const Word& word) { return names(word, outlet); })) {
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const PlacedText& name) { return selects(name, outlet); })) {
       ids.push_back(outlet.id);
     }
   }
@@ -40,12 +40,13 @@ std::vector<std::string> named_outlets(const Table& table, const std::vector<Wor
 }  // namespace
 
 keys::Key command_keys() {
-  return keys::tables("command", "What the control centre sends while the run is on.",
-                      {time_in_run("when the control centre sends it"),
-                       keys::array("outlets", keys::text("", ""), "to whom")
+  return keys::tables("command", "Commands that the control centre sends during the run.",
+                      {time_in_run("time at which the control centre sends the command"),
+                       keys::array("outlets", keys::text("", ""), "recipients of the command")
                            .permits("array of groups or ids")
                            .or_else("all"),
-                       keys::word("switch", {"off", "on"}, "what").require("\"off\" or \"on\"")});
+                       keys::choice("switch", {"off", "on"}, "commanded state of the relay")
+                           .require("\"off\" or \"on\"")});
 }
 
 std::vector<Command> read_commands(const Table& top, const std::vector<Outlet>& outlets,
@@ -54,7 +55,7 @@ std::vector<Command> read_commands(const Table& top, const std::vector<Outlet>& 
   for (const Table& table : top.tables("command")) {
     Command command;
     command.at_s = table.number("at_s", within_run(duration_s));
-    command.outlets = named_outlets(table, table.words("outlets"), outlets);
+    command.outlets = named_outlets(table, table.texts("outlets"), outlets);
     command.switch_on = table.text("switch") == "on";
     commands.push_back(std::move(command));
   }

@@ -6,14 +6,14 @@
 namespace gsbench::profile {
 namespace {
 
-// Limits of each single harmonic in public supply from the 2nd on, % of the fundamental, test
-// pattern after EN 50160. All at once they make a total distortion of 11.3 %, where EN 50160 allows
-// 8 % in all: harder than a supply that keeps to it can be.
+// Limits of the single harmonics in public supply, % of the fundamental, from the 2nd order on;
+// test pattern after EN 50160. Together they give a total distortion of 11.3 %. EN 50160 allows
+// 8 %, so the pattern is worse than any compliant supply.
 constexpr double kEn50160_pct[] = {2.0, 5.0, 1.0, 6.0, 0.5, 5.0, 0.5, 1.5, 0.5, 3.5, 0.5, 3.0,
                                    0.5, 0.5, 0.5, 2.0, 0.5, 1.5, 0.5, 0.5, 0.5, 1.5, 0.5, 1.5};
 
-// Successive multiples of the golden angle never bunch: no instant of the cycle sees the peaks of
-// many orders together.
+// Multiples of the golden angle spread the phases evenly, so that the peaks of many orders do not
+// coincide.
 constexpr double kGoldenAngle_deg = 137.50776405003785;
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace gsbench::profile {
 namespace {
 
+using keys::PlacedText;
 using keys::Table;
-using keys::Word;
 
 const measures::Measure& find_measure(const Table& table, const std::string& name) {
   if (const measures::Measure* found = measures::find(name)) {
@@ -31,47 +31,49 @@ std::string read_unit(const Table& table, const measures::Measure& measure) {
   }
   const auto units = measures::units_like(measure.unit);
   if (measure.unit.empty()) {
-    table.refuse("unit", fmt::format("{} has no unit; leave it out", measure.name));
+    table.refuse("unit", fmt::format("{} has no unit; omit unit", measure.name));
   }
   if (!table.has("unit")) {
     table.refuse_missing("unit",
-                         fmt::format("{} is in {}", measure.name, fmt::join(units, " or ")));
+                         fmt::format("the unit of {}: {}", measure.name, fmt::join(units, " or ")));
   }
-  table.refuse("unit", fmt::format("{} is not in \"{}\"; its unit must be {}", measure.name, unit,
+  table.refuse("unit", fmt::format("unit is \"{}\"; for {} it must be {}", unit, measure.name,
                                    fmt::join(units, " or ")));
 }
 
-void read_word_limit(const Table& table, const measures::Measure& measure,
+void read_text_limit(const Table& table, const measures::Measure& measure,
                      Expectation& expectation) {
   for (const char* key : {"min", "max"}) {
     if (table.has(key)) {
-      table.refuse(key, fmt::format("{} is a word, not a number; it takes equals", measure.name));
+      table.refuse(key, fmt::format("{} is a text, not a number; give equals in place of {}",
+                                    measure.name, key));
     }
   }
   expectation.equals = table.find_text("equals");
   if (!expectation.equals) {
-    table.refuse_missing("equals", fmt::format("the word that {} must be", measure.name));
+    table.refuse_missing("equals", fmt::format("the value that {} must have", measure.name));
   }
-  const auto& words = measure.words;
-  if (std::count(words.begin(), words.end(), *expectation.equals) == 0) {
+  const auto& texts = measure.words;
+  if (std::count(texts.begin(), texts.end(), *expectation.equals) == 0) {
     table.refuse("equals",
                  fmt::format("equals is \"{}\"{}", *expectation.equals,
-                             keys::suggestion(*expectation.equals, words, "what it can be")));
+                             keys::suggestion(*expectation.equals, texts, "valid values")));
   }
 }
 
 void read_number_limits(const Table& table, const measures::Measure& measure,
                         Expectation& expectation) {
   if (table.has("equals")) {
-    table.refuse("equals", fmt::format("{} is a number; it takes min and max", measure.name));
+    table.refuse("equals", fmt::format("{} is a number; give min, max or both in place of equals",
+                                       measure.name));
   }
   expectation.min = table.find_number("min");
   expectation.max = table.find_number("max");
   if (!expectation.min && !expectation.max) {
-    table.refuse_missing("min", fmt::format("min, max or both, of {}", measure.name));
+    table.refuse_missing("min", fmt::format("min, max or both, the limits of {}", measure.name));
   }
   if (expectation.min && expectation.max && *expectation.min > *expectation.max) {
-    table.refuse("min", fmt::format("min is {}, above max {}: nothing could pass", *expectation.min,
+    table.refuse("min", fmt::format("min is {}; it must be at most {} (max)", *expectation.min,
                                     *expectation.max));
   }
 }
@@ -79,12 +81,12 @@ void read_number_limits(const Table& table, const measures::Measure& measure,
 std::vector<std::string> read_groups(const Table& table, const std::vector<Outlet>& outlets) {
   const auto known = groups_of(outlets);
   std::vector<std::string> groups;
-  for (const Word& word : table.words("outlets")) {
-    if (std::find(known.begin(), known.end(), word.text) == known.end()) {
-      table.refuse(word.at, fmt::format("no group \"{}\"{}", word.text,
-                                        keys::suggestion(word.text, known, "groups")));
+  for (const PlacedText& group : table.texts("outlets")) {
+    if (std::find(known.begin(), known.end(), group.text) == known.end()) {
+      table.refuse(group.at, fmt::format("unknown group \"{}\"{}", group.text,
+                                         keys::suggestion(group.text, known, "groups")));
     }
-    groups.push_back(word.text);
+    groups.push_back(group.text);
   }
   return groups;
 }
@@ -94,23 +96,23 @@ std::vector<std::string> read_groups(const Table& table, const std::vector<Outle
 keys::Key expect_keys() {
   return keys::tables(
              "expect",
-             "At least one: limits, declared before the run. A measurement without a limit is "
-             "reported for information.",
-             {keys::text("measure", "what is judged; `gsbench measures` lists them")
-                  .permits("a name of the catalogue")
-                  .require(),
+             "Limits of the measured values; at least one. Measures without a limit are reported "
+             "for information.",
+             {keys::text("measure", "quantity to check; `gsbench measures` lists all")
+                  .permits("name of a measure")
+                  .require("the name of a measure, as listed by `gsbench measures`"),
               keys::text("unit", "unit of `min` and `max`")
-                  .permits("the measure's, or one that converts into it")
-                  .or_else("required, where the measure has one"),
-              keys::number("min", "`unit`", {}, "inclusive; `min`, `max` or both"),
-              keys::number("max", "`unit`", {}, "inclusive"),
-              keys::text("equals", "what a measure that is a word must be")
-                  .permits("a word")
-                  .or_else("required for words"),
-              keys::array("outlets", keys::text("", ""), "whose")
+                  .permits("unit of the measure, or one that converts to it")
+                  .or_else("required if the measure has a unit"),
+              keys::number("min", "`unit`", {},
+                           "lowest accepted value, inclusive; give `min`, `max` or both"),
+              keys::number("max", "`unit`", {}, "highest accepted value, inclusive"),
+              keys::text("equals", "required value of a measure that is a text")
+                  .or_else("required if the measure is a text"),
+              keys::array("outlets", keys::text("", ""), "groups that the limit applies to")
                   .permits("array of groups")
                   .or_else("all")})
-      .require("at least one [[expect]]: a run without limits proves nothing");
+      .require("at least one [[expect]], the limits of the run");
 }
 
 std::vector<Expectation> read_expectations(const Table& top, const std::vector<Outlet>& outlets) {
@@ -121,7 +123,7 @@ std::vector<Expectation> read_expectations(const Table& top, const std::vector<O
     const measures::Measure& measure = find_measure(table, expectation.measure);
     expectation.unit = read_unit(table, measure);
     if (measure.is_word()) {
-      read_word_limit(table, measure, expectation);
+      read_text_limit(table, measure, expectation);
     } else {
       read_number_limits(table, measure, expectation);
     }

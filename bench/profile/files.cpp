@@ -25,7 +25,7 @@ constexpr const char* kExtension = ".toml";
 constexpr const char* kGridsFolder = "grids";
 constexpr const char* kStationsFolder = "stations";
 
-// Room for break points each second of the longest run, and half as much again.
+// Enough for a frequency point each second of the longest run, with a margin of one half.
 constexpr std::uintmax_t kLargestFile = 4U << 20U;
 
 std::string chosen_folder() {
@@ -33,13 +33,14 @@ std::string chosen_folder() {
   return chosen != nullptr ? chosen : "";
 }
 
-// profiles_folder(), and the user's own unless $GSBENCH_PROFILES names the one to use.
+// profiles_folder(), and the user's own folder unless $GSBENCH_PROFILES is set.
 std::vector<fs::path> folders() {
   std::vector<fs::path> all = {profiles_folder()};
   std::error_code error;
   if (!fs::is_directory(all[0], error)) {
     throw ConfigurationError(
-        fmt::format("{}: no such folder of profiles; GSBENCH_PROFILES can name another",
+        fmt::format("{}: the folder of profiles does not exist; set GSBENCH_PROFILES to one that "
+                    "does",
                     all[0].string()));
   }
   const fs::path own = installation::user_data("profiles");
@@ -53,9 +54,9 @@ bool is_toml_path(const std::string& name) {
   return fs::path(name).extension() == kExtension;
 }
 
-// Adds every .toml file below `folder`, named by its path in there without the extension.
+// Adds every .toml file below `folder`; the name is its relative path without the extension.
 void add_files_below(const fs::path& folder, std::vector<NamedFile>& found) {
-  std::error_code ignored;  // a folder that does not exist holds nothing
+  std::error_code ignored;  // a missing folder is treated as empty
   for (fs::recursive_directory_iterator at(folder, ignored), end; at != end;
        at.increment(ignored)) {
     if (at->path().extension() != kExtension || !at->is_regular_file(ignored)) {
@@ -66,7 +67,8 @@ void add_files_below(const fs::path& folder, std::vector<NamedFile>& found) {
   }
 }
 
-// Every .toml file below `part` of folders(), by name. Throws ConfigurationError if two have one name.
+// Every .toml file below `part` of folders(), sorted by name. Throws ConfigurationError if two have
+// the same name.
 std::vector<NamedFile> all_files(const fs::path& part) {
   std::vector<NamedFile> found;
   for (const fs::path& folder : folders()) {
@@ -79,7 +81,7 @@ std::vector<NamedFile> all_files(const fs::path& part) {
                          [](const NamedFile& a, const NamedFile& b) { return a.name == b.name; });
   if (twin != found.end()) {
     throw ConfigurationError(
-        fmt::format("{} and {} have the same name: rename one", twin->path, (twin + 1)->path));
+        fmt::format("{} and {} have the same name; rename one", twin->path, (twin + 1)->path));
   }
   return found;
 }
@@ -93,10 +95,10 @@ std::vector<std::string> names_of(const std::vector<NamedFile>& files) {
   return names;
 }
 
-// Of a name that is none of `known`.
+// Message for a name that is not in `known`.
 std::string not_found(const std::string& kind, const std::string& name, const std::string& where,
                       const std::vector<NamedFile>& known, const std::string& known_kind) {
-  return fmt::format("no {} \"{}\"{}{} (a file of your own is given by its path, ending in .toml)",
+  return fmt::format("unknown {} \"{}\"{}{} (for your own file, give its path, ending in .toml)",
                      kind, name, where, keys::suggestion(name, names_of(known), known_kind));
 }
 
@@ -104,7 +106,7 @@ NamedFile find_file(const std::string& name_or_path, const std::string& kind,
                     const std::string& where, std::vector<NamedFile> (*all)()) {
   if (is_toml_path(name_or_path)) {
     if (!is_regular_file(name_or_path)) {
-      throw ConfigurationError(fmt::format("{}: no such {} file", name_or_path, kind));
+      throw ConfigurationError(fmt::format("{}: the {} file does not exist", name_or_path, kind));
     }
     return {fs::path(name_or_path).stem().string(), name_or_path};
   }
@@ -148,12 +150,12 @@ std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::s
   return std::nullopt;
 }
 
-std::string no_such_grid(const std::string& name_or_path) {
-  return not_found("grid", name_or_path, "", all_grids(), "shipped grids");
+std::string unknown_grid(const std::string& name_or_path) {
+  return not_found("grid", name_or_path, "", all_grids(), "grids");
 }
 
 std::string profile_name(const std::string& path) {
-  std::error_code ignored;  // what cannot be resolved is not below the folder
+  std::error_code ignored;  // a path that cannot be resolved is not below a folder
   const fs::path file = fs::weakly_canonical(path, ignored);
   for (const fs::path& folder : folders()) {
     fs::path name = file.lexically_relative(fs::weakly_canonical(folder, ignored));
@@ -169,7 +171,7 @@ std::string resolve(const std::string& path, const std::string& beside) {
 }
 
 bool is_regular_file(const std::string& path) {
-  std::error_code ignored;  // what cannot be looked at cannot be read
+  std::error_code ignored;  // a file that cannot be accessed cannot be read either
   return fs::is_regular_file(path, ignored);
 }
 
@@ -177,15 +179,14 @@ std::string read_file(const std::string& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!is_regular_file(path) || !file) {
-    throw ConfigurationError(
-        fmt::format("{}: cannot be read: {}", path,
-                    errno != 0 ? std::strerror(errno) : "it is no regular file"));
+    throw ConfigurationError(fmt::format("{}: cannot be read: {}", path,
+                                         errno != 0 ? std::strerror(errno) : "not a regular file"));
   }
   std::error_code ignored;
   const std::uintmax_t bytes = fs::file_size(path, ignored);
   if (bytes > kLargestFile) {
-    throw ConfigurationError(
-        fmt::format("{}: {} bytes; a profile or grid has {} at most", path, bytes, kLargestFile));
+    throw ConfigurationError(fmt::format("{}: the file has {} bytes; it must have at most {}", path,
+                                         bytes, kLargestFile));
   }
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
@@ -208,11 +209,11 @@ std::string sha256(const std::string& text) {
 
 std::vector<NamedFile> all_profiles() {
   auto files = all_files("");
-  const auto is_no_profile = [](const NamedFile& file) {
+  const auto is_grid_or_station = [](const NamedFile& file) {
     const fs::path folder = *fs::path(file.name).begin();
     return folder == kGridsFolder || folder == kStationsFolder;
   };
-  files.erase(std::remove_if(files.begin(), files.end(), is_no_profile), files.end());
+  files.erase(std::remove_if(files.begin(), files.end(), is_grid_or_station), files.end());
   return files;
 }
 

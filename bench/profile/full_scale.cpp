@@ -11,7 +11,7 @@ namespace {
 
 using keys::Table;
 
-// Product of the amplitude steps that are on at t_s, just before it where `before`.
+// Product of the amplitude steps that are active at t_s; with `before`, just before t_s.
 double step_level(const std::vector<waveform::AmplitudeStep>& steps, double t_s, bool before) {
   double level = 1.0;
   for (const waveform::AmplitudeStep& step : steps) {
@@ -24,12 +24,12 @@ double step_level(const std::vector<waveform::AmplitudeStep>& steps, double t_s,
 
 struct Peak {
   double t_s = 0.0;
-  double recorded_pu = 1.0;  // of the recording
-  double level = 1.0;        // of the amplitude steps
+  double recorded_pu = 1.0;  // voltage of the recording
+  double level = 1.0;        // product of the amplitude steps
 };
 
-// When the fundamental is greatest. Voltages go straight between the signal's points and levels
-// stand still between steps, so that it is at one of those instants.
+// The greatest amplitude of the fundamental. Recorded voltages are linear between points, and
+// levels are constant between steps, so the maximum is at one of these instants.
 Peak greatest_amplitude(const Stimulus& stimulus, const waveform::ReferenceSignal& reference) {
   std::vector<double> instants = {0.0};
   for (const recording::TracePoint& point : stimulus.points) {
@@ -39,7 +39,7 @@ Peak greatest_amplitude(const Stimulus& stimulus, const waveform::ReferenceSigna
     instants.push_back(step.at_s);
     instants.push_back(step.at_s + step.duration_s);
   }
-  std::sort(instants.begin(), instants.end());  // the first of several is told
+  std::sort(instants.begin(), instants.end());  // so that the first of equal maxima is reported
   Peak peak;
   peak.level = step_level(stimulus.signal.amplitude_steps, 0.0, false);
   peak.recorded_pu = reference.voltage_pu(0.0);
@@ -58,8 +58,8 @@ Peak greatest_amplitude(const Stimulus& stimulus, const waveform::ReferenceSigna
   return peak;
 }
 
-// Lowest and highest voltage of a period with its harmonics, whose phases go with the
-// fundamental's: at 1 MHz, less than 10⁻⁴ of the 50th harmonic is missed between samples.
+// Lowest and highest voltage of a period with its harmonics. Sampling at 1 MHz misses less than
+// 10⁻⁴ of the 50th harmonic between samples.
 std::pair<double, double> extremes_of_a_period(const std::vector<waveform::Harmonic>& harmonics,
                                                double nominal_hz) {
   constexpr std::int64_t kFineRate_hz = 1000000;
@@ -73,7 +73,7 @@ std::pair<double, double> extremes_of_a_period(const std::vector<waveform::Harmo
   return {static_cast<double>(*lowest), static_cast<double>(*highest)};
 }
 
-// What to point at where a signal goes too high: what adds most to it.
+// Position of the key that contributes most to a voltage above full scale.
 keys::Position cause_of(const Table& signal, const Stimulus& stimulus, const Peak& peak) {
   if (peak.level > 1.0) {
     const auto& steps = stimulus.signal.amplitude_steps;
@@ -112,8 +112,8 @@ void check_full_scale(const Table& signal, const Stimulus& stimulus,
     return;
   }
   const std::string message = fmt::format(
-      "the voltage reaches {:.4g} pu (at {:.6g} s, with harmonics and offset); a source plays {} "
-      "pu at most",
+      "the voltage reaches {:.4g} p.u. at {:.6g} s, harmonics and offset included; it must be at "
+      "most {} p.u.",
       reached_pu, peak.t_s, kFullScale_pu);
   if (stimulus.recording.replaces_profile && amplitude_pu > 1.0) {
     throw keys::ConfigurationError(fmt::format("{}: {}", stimulus.recording.path, message));

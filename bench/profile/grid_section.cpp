@@ -25,61 +25,67 @@ Key number(const char* name, const char* unit, const grid::Limits& limits, const
 std::vector<Key> system_keys() {
   const grid::Grid defaults;
   return {
-      keys::number("nominal_hz", "Hz", keys::between(50.0, 60.0), "f_n")
+      keys::number("nominal_hz", "Hz", keys::between(50.0, 60.0), "f_n: nominal frequency")
           .permits("50 or 60")
           .require(),
-      number("threshold_hz", "Hz", grid::kFrequency_hz, "f_s: the nadir must not be below it")
+      number("threshold_hz", "Hz", grid::kFrequency_hz, "f_s: lowest permitted nadir")
           .permits("0.001 … below nominal")
           .require(),
-      number("base_mw", "MW", grid::kPower_mw, "S_B, base of D, H and R").require(),
-      number("load_mw", "MW", grid::kPower_mw, "P_L of eq. (17)").require(),
-      number("damping_pu", "p.u.", grid::kDamping_pu, "D")
-          .permits("0 … 1000; above 0 where there are blocks")
+      number("base_mw", "MW", grid::kPower_mw, "S_B: base power of D, H and R").require(),
+      number("load_mw", "MW", grid::kPower_mw, "P_L: total load, for eq. (17)").require(),
+      number("damping_pu", "p.u.", grid::kDamping_pu, "D: load damping")
+          .permits("0 … 1000; above 0 if there are blocks")
           .require(),
-      number("gain_km", "", grid::kGain, "K_m").by_default(defaults.gain_km),
-      number("reheat_fraction", "", grid::kFraction, "F_H").by_default(defaults.reheat_fraction),
-      number("reheat_s", "s", grid::kTime_s, "T_R").by_default(defaults.reheat_s),
-      number("condition_row_hz", "Hz", grid::kConditionRow_hz, "height of a row of Table 1")
-          .permits("0.001 … 1000; in a profile: at most 32 rows")
+      number("gain_km", "", grid::kGain, "K_m: mechanical power gain").by_default(defaults.gain_km),
+      number("reheat_fraction", "", grid::kFraction,
+             "F_H: fraction of the power from the high-pressure turbine")
+          .by_default(defaults.reheat_fraction),
+      number("reheat_s", "s", grid::kTime_s, "T_R: reheat time constant")
+          .by_default(defaults.reheat_s),
+      number("condition_row_hz", "Hz", grid::kConditionRow_hz,
+             "frequency step between the rows of Table 1")
+          .permits("0.001 … 1000; used in a profile: at most 32 rows")
           .by_default(defaults.condition_row_hz),
   };
 }
 
-// [[plant]], [[block]] and [reference]: of a grid file, and of a grid in place.
+// [[plant]], [[block]] and [reference], of a grid file or of an inline grid.
 std::vector<Key> part_keys() {
   return {
       keys::tables(
-          "plant", "At least one: the plants in operation.",
-          {keys::text("id", "its name").require(),
+          "plant", "The plants in operation; at least one.",
+          {keys::text("id", "name of the plant").require(),
            number("rating_mw", "MW", grid::kPower_mw, "rated power").require(),
-           number("inertia_s", "s", grid::kTime_s, "H on its own rating").require(),
-           number("droop_pu", "p.u.", grid::kDroop_pu, "R on its own rating")
-               .or_else("required, or the next"),
+           number("inertia_s", "s", grid::kTime_s, "H: inertia constant on the plant's rating")
+               .require(),
+           number("droop_pu", "p.u.", grid::kDroop_pu, "R: governor droop on the plant's rating")
+               .or_else("required, or `inverse_droop_pu`"),
            keys::number("inverse_droop_pu", "p.u.",
                         keys::between(1.0 / grid::kDroop_pu.high, 1.0 / grid::kDroop_pu.low), "1/R")
-               .or_else("required, or the one before")}),
-      keys::tables("block", "Load blocks, the least important first.",
-                   {keys::text("id", "its name").require(),
-                    number("power_mw", "MW", grid::kPower_mw, "its load")
-                        .permits("10⁻⁶ … 10⁷; all blocks together at most `load_mw`, and eq. (17) "
-                                 "above 0 Hz")
+               .or_else("required, or `droop_pu`")}),
+      keys::tables("block", "Load blocks in the order of shedding, the least important first.",
+                   {keys::text("id", "name of the block").require(),
+                    number("power_mw", "MW", grid::kPower_mw, "load of the block")
+                        .permits("10⁻⁶ … 10⁷; all blocks together at most `load_mw`; switching-off "
+                                 "frequency of eq. (17) above 0 Hz")
                         .require()}),
       keys::table(
-          "reference", "What a publication prints for this grid, for reports to compare with.",
+          "reference",
+          "Published values for this grid. Reports compare the computed ones with them.",
           {keys::text("source", "the publication").require(),
            number("t_nadir_s", "s", grid::kTime_s, "time of the nadir after the threshold loss"),
            number("threshold_mw", "MW", grid::kPower_mw, "threshold loss"),
            keys::array("condition_rocof_hz_s", number("", "Hz/s", grid::kConditionRocof_hz_s, ""),
-                       "Table 1's limits, from f_n down"),
-           keys::text("note", "why figures differ")}),
+                       "ROCOF limits of Table 1, from f_n downwards"),
+           keys::text("note", "why the computed values differ")}),
   };
 }
 
 void read_system(const Table& table, grid::Grid& grid) {
   grid.nominal_hz = table.number("nominal_hz");
   if (grid.nominal_hz != 50.0 && grid.nominal_hz != 60.0) {
-    table.refuse("nominal_hz", fmt::format("nominal_hz is {}; outlets are made for 50 and for 60",
-                                           grid.nominal_hz));
+    table.refuse("nominal_hz",
+                 fmt::format("nominal_hz is {}; it must be 50 or 60", grid.nominal_hz));
   }
   grid.threshold_hz = table.number("threshold_hz");
   grid.base_mw = table.number("base_mw");
@@ -99,10 +105,10 @@ grid::Plant read_plant(const Table& table) {
   const auto inverse = table.find_number("inverse_droop_pu");
   const auto droop = table.find_number("droop_pu");
   if (inverse && droop) {
-    table.refuse("droop_pu", "give droop_pu or inverse_droop_pu, not both");
+    table.refuse("droop_pu", "both droop_pu and inverse_droop_pu are given; give only one");
   }
   if (!inverse && !droop) {
-    table.refuse_missing("droop_pu", "a number, or inverse_droop_pu");
+    table.refuse_missing("droop_pu", "droop_pu or inverse_droop_pu");
   }
   plant.droop_pu = droop ? *droop : 1.0 / *inverse;
   return plant;
@@ -118,7 +124,7 @@ grid::Reference read_reference(const Table& table) {
   return reference;
 }
 
-// Where in the file the field of a GridError is; where its table would begin, if there is none.
+// Position of a GridError's field in the file, or of the table that should hold it.
 keys::Position position_of(const Table& holder, const grid::GridError& error) {
   const auto dot = error.field.find('.');
   const std::string part = error.field.substr(0, dot);
@@ -149,7 +155,7 @@ grid::Grid read_parts(const Table& holder, std::string name, std::string title,
     grid.reference = read_reference(holder.table("reference"));
   }
   try {
-    control_centre::block_settings(grid);  // checks the grid, too
+    control_centre::block_settings(grid);  // also checks the grid
   } catch (const grid::GridError& error) {
     holder.refuse(position_of(holder, error), error.what());
   }
@@ -160,11 +166,12 @@ grid::Grid read_parts(const Table& holder, std::string name, std::string title,
 
 const Key& grid_keys() {
   static const Key keys = [] {
-    Key file = keys::table("a grid file", "",
-                           {keys::text("title", "one line for lists and reports").require(),
-                            keys::text("source", "where the figures come from").require(),
-                            keys::table("system", "The parameters of the model.", system_keys())
-                                .require("the grid's parameters")});
+    Key file = keys::table(
+        "a grid file", "",
+        {keys::text("title", "title in lists and reports, one line").require(),
+         keys::text("source", "origin of the figures").require(),
+         keys::table("system", "Parameters of the frequency response model.", system_keys())
+             .require("[system] with the parameters of the grid")});
     for (Key& part : part_keys()) {
       file.inner.push_back(std::move(part));
     }
@@ -175,26 +182,28 @@ const Key& grid_keys() {
 
 Key grid_section_keys() {
   Key section =
-      keys::table("grid", "The power system, and what happens in it.",
+      keys::table("grid", "The power system and its disturbances.",
                   {keys::text_or_table(
                        "system",
-                       "a shipped grid (`\"ieee24\"`), a path ending in `.toml` relative to the "
-                       "profile, or the grid in place: `[grid.system]`, `[[grid.plant]]`, "
+                       "a shipped grid (`\"ieee24\"`), the path of a `.toml` file relative to the "
+                       "profile, or an inline grid: `[grid.system]`, `[[grid.plant]]`, "
                        "`[[grid.block]]`, `[grid.reference]`, with the keys of [a grid](#a-grid)",
                        system_keys())
                        .described_in("a grid")
                        .require("a grid's name (\"ieee24\"), its path, or [grid.system]")})
-          .require("the power system: [grid] system = \"ieee24\"");
+          .require("the power system, e.g. [grid] system = \"ieee24\"");
   for (Key& part : part_keys()) {
-    part.meaning = "of a grid in place";
+    part.meaning = "part of an inline grid";
     section.inner.push_back(part.described_in("a grid"));
   }
-  section.inner.push_back(keys::tables(
-      "loss", "Steps of the power balance, superposed (eq. 10). None: the frequency stays nominal.",
-      {time_in_run("when"),
-       keys::number("power_mw", "MW", {}, "lost generation; negative: shed load")
-           .permits("± the grid's load, not 0; their sum at any time too")
-           .require()}));
+  section.inner.push_back(
+      keys::tables("loss",
+                   "Steps of the power balance, superposed (eq. 10). Without losses the frequency "
+                   "stays nominal.",
+                   {time_in_run("time of the loss"),
+                    keys::number("power_mw", "MW", {}, "lost generation; negative: shed load")
+                        .permits("± the grid's load, not 0; the same for the sum at any time")
+                        .require()}));
   return section;
 }
 
@@ -216,15 +225,15 @@ grid::Grid read_grid_section(const Table& section, const std::string& title,
   const std::string name = section.text("system");
   for (const char* part : {"plant", "block", "reference"}) {
     if (section.has(part)) {
-      section.refuse(part, fmt::format("{} belongs to a grid in place ([grid.system]); this "
-                                       "profile takes the grid \"{}\"",
+      section.refuse(part, fmt::format("{} is only valid with an inline grid ([grid.system]), but "
+                                       "system is \"{}\"; omit one of the two",
                                        part, name));
     }
   }
   const auto folder = std::filesystem::path(section.document().path).parent_path().string();
   const auto file = find_grid(name, folder);
   if (!file) {
-    section.refuse("system", no_such_grid(name));
+    section.refuse("system", unknown_grid(name));
   }
   return read_grid_file(*file);
 }
@@ -239,8 +248,8 @@ void check_conditions(const Table& section, const grid::Grid& grid) {
   const keys::Position at = section.holds_table("system")
                                 ? section.table("system").at("condition_row_hz")
                                 : section.at("system");
-  section.refuse(at, fmt::format("rows of {} Hz make {} load-shedding conditions; an outlet keeps "
-                                 "{} at most: condition_row_hz must be greater",
+  section.refuse(at, fmt::format("condition_row_hz is {}, which gives {} load-shedding conditions; "
+                                 "an outlet stores at most {}: increase condition_row_hz",
                                  grid.condition_row_hz, rows, gs::outlet::kMaxConditions));
 }
 

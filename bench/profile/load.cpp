@@ -9,7 +9,7 @@
 namespace gsbench::profile {
 namespace {
 
-// Whatever the waveform refuses beyond what the sections have checked.
+// Reports what the waveform library refuses after the sections have been checked.
 void check_playable(const Plan& plan) {
   try {
     (void)plan.synthesizer();
@@ -22,7 +22,7 @@ void check_playable(const Plan& plan) {
 
 keys::Key time_in_run(const char* meaning) {
   return keys::number("at_s", "s", keys::at_least(0.0), meaning)
-      .permits("0 … before the end")
+      .permits("0 … before the end of the run")
       .require();
 }
 
@@ -33,10 +33,10 @@ keys::Range within_run(double duration_s) {
 const keys::Key& profile_keys() {
   static const keys::Key keys = keys::table(
       "a profile", "",
-      {keys::text("title", "one line for lists and reports").require(),
-       keys::text("source", "where the case comes from").require(),
+      {keys::text("title", "title in lists and reports, one line").require(),
+       keys::text("source", "origin of the test case: publication, standard, event").require(),
        keys::whole("seed", "", 0, static_cast<double>(kLargestSeed),
-                   "of noise and all else that is random; `--seed` overrides it")
+                   "seed of the noise and of all other random values; `--seed` overrides it")
            .permits("0 … 2⁵³")
            .by_default(1),
        grid_section_keys(), signal_keys(), outlet_keys(), command_keys(), expect_keys()});
@@ -81,7 +81,7 @@ Plan load_profile(const std::string& name, const Overrides& overrides) {
 grid::Grid load_grid(const std::string& name) {
   const auto file = find_grid(name, "");
   if (!file) {
-    throw ConfigurationError(no_such_grid(name));
+    throw ConfigurationError(unknown_grid(name));
   }
   return read_grid_file(*file);
 }

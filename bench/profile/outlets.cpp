@@ -18,10 +18,10 @@ using keys::Key;
 using keys::Range;
 using keys::Table;
 
-constexpr std::int64_t kMostOutlets = 1000;  // of one run; studies of more have no profile
+constexpr std::int64_t kMostOutlets = 1000;  // in one run; larger studies do not use profiles
 constexpr std::size_t kLongestId = 64;
 
-// As it is written: 0.1f is 0.1.
+// The shortest decimal number that is this float: 0.1f gives 0.1.
 double decimal(float value) {
   return std::stod(fmt::format("{}", value));
 }
@@ -40,16 +40,16 @@ Key key_of(const Field& field) {
           ? keys::whole(field.name, field.unit, range.low, range.high, field.meaning)
       : field.range.of_nominal
           ? keys::number(field.name, field.unit, keys::above(0.0), field.meaning)
-                .permits(fmt::format("{} of nominal … below nominal, in single precision too",
+                .permits(fmt::format("{} of nominal … below nominal, also in single precision",
                                      range.low))
           : keys::number(field.name, field.unit, range, field.meaning);
   return key.or_else(
       field.otherwise != nullptr
           ? field.otherwise
-          : fmt::format("firmware's, {:g}", control_centre::described({}).at(field.name)));
+          : fmt::format("firmware: {:g}", control_centre::described({}).at(field.name)));
 }
 
-// In the outlets' single precision, too.
+// Checks the range also in single precision, which the outlets use.
 void read_setting(const Table& table, const Field& field, double nominal_hz,
                   std::map<std::string, double>& settings) {
   const auto value = field.type == FieldType::kFloat
@@ -60,8 +60,8 @@ void read_setting(const Table& table, const Field& field, double nominal_hz,
   }
   const auto single = static_cast<float>(*value);
   if (!gs::outlet::within(field.range, single, static_cast<float>(nominal_hz))) {
-    table.refuse(field.name, fmt::format("{} is {}; in the outlets' single precision that is {}, "
-                                         "which is out of its range",
+    table.refuse(field.name, fmt::format("{} is {}; outlets use single precision, in which it is "
+                                         "{} and out of range",
                                          field.name, *value, single));
   }
   settings[field.name] = *value;
@@ -72,7 +72,7 @@ control_centre::Wishes read_wishes(const Table& table, const grid::Grid& grid) {
   const Range load = {0.0, grid.load_mw, false, false, "the grid's load"};
   wishes.accumulated_mw = table.number("accumulated_mw", load);
   const Range block = {0.0, 2.0 * wishes.accumulated_mw, true, false,
-                       "twice accumulated_mw, which counts half of the outlet's own block"};
+                       "twice accumulated_mw, which includes half of the outlet's own block"};
   wishes.power_mw = table.find_number("power_mw", block);
   for (const Field& field : kSettingsFields) {
     if (field.meaning != nullptr) {
@@ -87,24 +87,25 @@ control_centre::Wishes read_wishes(const Table& table, const grid::Grid& grid) {
 Key outlet_keys() {
   Key outlets = keys::tables(
       "outlet",
-      "At least one. What is left out the control centre derives from the grid, or the "
-      "firmware's default stands.",
-      {keys::whole("count", "", 1, kMostOutlets, "so many alike")
-           .permits("1 … 1000 in all")
+      "The outlets under test; at least one. Omitted settings are derived from the grid by the "
+      "control centre, or keep the firmware's default.",
+      {keys::whole("count", "", 1, kMostOutlets, "number of outlets with these settings")
+           .permits("1 … 1000 in total")
            .by_default(1),
-       keys::id("id", kLongestId, "its name; with `count` above 1 the names are `id-1`, `id-2`, …")
+       keys::id("id", kLongestId,
+                "name of the outlet; with `count` above 1 the names are `id-1`, `id-2`, …")
            .or_else("`outlet-N`"),
-       keys::id("group", kLongestId, "what limits and commands refer to")
+       keys::id("group", kLongestId, "name by which limits and commands refer to these outlets")
            .permits("as `id`")
-           .or_else("`id`; without: `all`"),
+           .or_else("`id`, or `all` without an id"),
        keys::number("accumulated_mw", "MW", keys::at_least(0.0),
-                    "P^A as sent: load that is shed before it and half of its own block "
-                    "(all of it where you want eq. (11) as printed)")
+                    "P^A: load that is shed before the outlet, plus half of its own block (for "
+                    "eq. (11) as printed: plus the whole block)")
            .permits("0 … the grid's load")
            .by_default(0.0),
        keys::number("power_mw", "MW", keys::above(0.0),
-                    "power of its own block, for eq. (17); half of it is taken to be counted in "
-                    "`accumulated_mw`")
+                    "load of the outlet's own block, for eq. (17); `accumulated_mw` includes half "
+                    "of it")
            .permits("above 0, at most twice `accumulated_mw`")
            .or_else("`accumulated_mw`")});
   for (const Field& field : kSettingsFields) {
@@ -128,18 +129,19 @@ std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid) {
       table.refuse(table.at(), error.what());
     }
     if (outlets.size() + static_cast<std::size_t>(count) > kMostOutlets) {
-      table.refuse(table.at(), fmt::format("more than {} outlets in all", kMostOutlets));
+      table.refuse(table.at(),
+                   fmt::format("{} outlets in total; a profile has at most {}",
+                               outlets.size() + static_cast<std::size_t>(count), kMostOutlets));
     }
     for (std::int64_t i = 1; i <= count; ++i) {
-      // Outlets without an id of their own are numbered through the whole profile.
+      // Outlets without an id are numbered throughout the profile.
       const std::string id = !prefix      ? fmt::format("outlet-{}", outlets.size() + 1)
                              : count == 1 ? *prefix
                                           : fmt::format("{}-{}", *prefix, i);
       const auto same = [&](const Outlet& other) { return other.id == id; };
       if (std::any_of(outlets.begin(), outlets.end(), same)) {
-        table.refuse(
-            prefix ? table.at("id") : table.at(),
-            fmt::format("there is an outlet \"{}\" already; give this one another id", id));
+        table.refuse(prefix ? table.at("id") : table.at(),
+                     fmt::format("two outlets have the id \"{}\"; give this one another id", id));
       }
       outlets.push_back({id, group, settings});
     }

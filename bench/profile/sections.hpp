@@ -1,4 +1,4 @@
-// The sections of a profile, a file each: what it may say, and how it is read.
+// The sections of a profile, one source file each: declared keys and reading.
 #pragma once
 
 #include <string>
@@ -11,28 +11,28 @@
 
 namespace gsbench::profile {
 
-// A run's records are held in memory, 130 MB an outlet for this long; longer times are studied over
-// many seeds.
+// The records of a run are kept in memory: 130 MB per outlet for this duration. Longer times are
+// studied with several seeds.
 constexpr double kLongestRun_s = 1.0e5;
-// An outlet has 96 ms to answer to its settings.
+// An outlet has 96 ms to acknowledge its settings.
 constexpr double kShortestRun_s = 0.1;
 
-// at_s: an instant before the end of the run.
+// at_s: a time before the end of the run.
 keys::Key time_in_run(const char* meaning);
 keys::Range within_run(double duration_s);
 
-// [grid]: from a file of its own, or in place.
+// [grid]: from a file, or inline.
 keys::Key grid_section_keys();
 grid::Grid read_grid_file(const NamedFile& file);
-// `title` and `source` are the profile's, for a grid that it holds.
+// `title` and `source`: the profile's, used for an inline grid.
 grid::Grid read_grid_section(const keys::Table& section, const std::string& title,
                              const std::string& source);
-// Refuses a grid that asks for more load-shedding conditions than outlets keep; on its own such a
-// grid is fine.
+// Refuses a grid with more load-shedding conditions than an outlet stores. The grid file alone is
+// valid.
 void check_conditions(const keys::Table& section, const grid::Grid& grid);
 
-// [signal] and [[grid.loss]]: what is played. `skip_recording`: another recording is going to take
-// the place of [signal.trace], whose file need not be there then.
+// [signal] and [[grid.loss]]. `skip_recording`: another recording replaces [signal.trace], whose
+// file need not exist then.
 keys::Key signal_keys();
 Stimulus read_stimulus(const keys::Table& signal, const keys::Table& grid_section,
                        const grid::Grid& grid, bool skip_recording);
@@ -41,27 +41,27 @@ std::vector<waveform::Harmonic> en50160_harmonics();
 // [signal.trace]: sets the stimulus's points, recording and duration.
 keys::Key trace_keys();
 void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus);
-// The whole recording in place of whatever happens in the stimulus so far; what the signal is made
-// of (noise, harmonics, DC offset) stays.
+// Replaces losses, points, amplitude steps and phase jumps by the whole recording; noise, harmonics
+// and DC offset stay.
 void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
                           double nominal_hz, Stimulus& stimulus);
 
-// What every source can play, per unit of the nominal amplitude (peak).
+// Full scale of every source, per unit of the nominal peak amplitude.
 constexpr double kFullScale_pu = 1.5;
-// Refuses what a source could not play. Noise is not counted: an outlet's input clips it.
+// Refuses a signal beyond full scale. Noise is not counted: an outlet's input clips it.
 void check_full_scale(const keys::Table& signal, const Stimulus& stimulus,
                       const waveform::ReferenceSignal& reference);
 
-// [[outlet]]: who listens, and with which settings.
+// [[outlet]]: the outlets and their settings.
 keys::Key outlet_keys();
 std::vector<Outlet> read_outlets(const keys::Table& top, const grid::Grid& grid);
 
-// [[command]]: what the control centre orders during the run.
+// [[command]]: commands of the control centre during the run.
 keys::Key command_keys();
 std::vector<Command> read_commands(const keys::Table& top, const std::vector<Outlet>& outlets,
                                    double duration_s);
 
-// [[expect]]: the limits that the run is judged by.
+// [[expect]]: the limits of the run.
 keys::Key expect_keys();
 std::vector<Expectation> read_expectations(const keys::Table& top,
                                            const std::vector<Outlet>& outlets);

@@ -18,19 +18,19 @@ constexpr std::int64_t kHighestRate_hz = 32000;
 constexpr int kHighestOrder = 50;
 constexpr double kLevelMax_pct = 100.0 * kFullScale_pu;
 
-const char* const kWhereFrom =
-    "Where the frequency comes from: `[[grid.loss]]`, `frequency` or `[signal.trace]`, and only "
-    "one of them. A source plays 1.5 p.u. of the nominal amplitude (peak) at most: a signal whose "
-    "amplitude, with steps, a recording's voltage, harmonics and offset, would go beyond is "
-    "refused; noise is not counted, as an outlet's input clips it.";
+const char* const kSignalMeaning =
+    "The voltage that the source plays. Its frequency comes from one of `[[grid.loss]]`, "
+    "`frequency` and `[signal.trace]`. The voltage must stay within ± 1.5 p.u. of the nominal peak "
+    "amplitude, including amplitude steps, recorded voltage, harmonics and offset. Noise is not "
+    "counted, because an outlet's input clips it.";
 
 Key harmonics_key() {
   return keys::array("harmonics",
                      keys::row({keys::whole("order", "", 2, kHighestOrder, ""),
                                 keys::number("pct", "%", keys::between(0.0, 100.0), ""),
                                 keys::number("deg", "degrees", keys::between(-360.0, 360.0), "")}),
-                     "order 2 … 50 and below half the sample rate; % of the fundamental, 0 … 100; "
-                     "phase ± 360 at the fundamental's zero phase");
+                     "order 2 … 50, below half the sample rate; amplitude in % of the fundamental, "
+                     "0 … 100; phase when the fundamental's phase is 0, ± 360");
 }
 
 Key frequency_key() {
@@ -38,37 +38,37 @@ Key frequency_key() {
       "frequency",
       keys::row({keys::number("t_s", "s", keys::at_least(0.0), ""),
                  keys::number("hz", "Hz", keys::above(0.0), "")}),
-      "break points in ascending time, 0.5 … 1.5 of nominal; monotone cubics between "
-      "them, constant before the first and after the last");
+      "frequency points in ascending time, 0.5 … 1.5 of nominal; monotone cubic interpolation, "
+      "constant before the first point and after the last");
 }
 
 Key amplitude_step_keys() {
-  return keys::tables("amplitude_step", "Dips, swells, interruptions. Several at once multiply.",
-                      {time_in_run("from the first sample at or after it"),
-                       keys::number("duration_s", "s", keys::above(0.0), "for how long")
-                           .permits("above 0, to the end of the run")
+  return keys::tables("amplitude_step",
+                      "Dips, swells and interruptions. Overlapping steps multiply.",
+                      {time_in_run("start: the first sample at or after this time"),
+                       keys::number("duration_s", "s", keys::above(0.0), "duration of the step")
+                           .permits("above 0, ending within the run")
                            .or_else("to the end"),
                        keys::number("level_pct", "%", keys::between(0.0, kLevelMax_pct),
-                                    "what is left of the amplitude; 0 is an interruption")
+                                    "remaining amplitude; 0 is an interruption")
                            .require()});
 }
 
 Key phase_jump_keys() {
-  return keys::tables("phase_jump", "Steps of the phase.",
-                      {time_in_run("from the first sample at or after it"),
+  return keys::tables("phase_jump", "Steps of the phase angle.",
+                      {time_in_run("the first sample at or after this time"),
                        keys::number("degrees", "degrees", keys::between(-180.0, 180.0),
-                                    "by how much the phase steps ahead")
+                                    "phase step; positive: phase advance")
                            .require()});
 }
 
 std::int64_t read_sample_rate(const Table& signal) {
   const std::int64_t rate_hz = signal.whole("sample_rate_hz");
   if (rate_hz % kRateStep_hz != 0) {
-    const bool whole_reports = rate_hz * 16 % 1000 == 0;
     signal.refuse("sample_rate_hz",
-                  fmt::format("sample_rate_hz is {}: {} ms is no whole number of samples; it must "
-                              "be a multiple of {}",
-                              rate_hz, whole_reports ? 1 : 16, kRateStep_hz));
+                  fmt::format("sample_rate_hz is {}; it must be a multiple of {}, so that 1 ms and "
+                              "16 ms are whole numbers of samples",
+                              rate_hz, kRateStep_hz));
   }
   return rate_hz;
 }
@@ -81,11 +81,15 @@ std::vector<waveform::Harmonic> read_harmonics(const Table& signal, double nomin
       return other.order == harmonic.order;
     };
     if (std::any_of(harmonics.begin(), harmonics.end(), same)) {
-      signal.refuse(at, fmt::format("order {} is there twice", harmonic.order));
+      signal.refuse(at, fmt::format("harmonic order {} is given twice; give each order once, "
+                                    "including those of harmonic_set",
+                                    harmonic.order));
     }
     if (harmonic.order * nominal_hz >= rate_hz / 2.0) {
-      signal.refuse(at, fmt::format("order {} lies at {} Hz, not below half of sample_rate_hz",
-                                    harmonic.order, harmonic.order * nominal_hz));
+      signal.refuse(at,
+                    fmt::format("harmonic order {} is at {} Hz; it must be below {} Hz (half of "
+                                "sample_rate_hz)",
+                                harmonic.order, harmonic.order * nominal_hz, rate_hz / 2.0));
     }
     harmonics.push_back(harmonic);
   };
@@ -102,7 +106,7 @@ std::vector<waveform::Harmonic> read_harmonics(const Table& signal, double nomin
 
 std::vector<recording::TracePoint> read_points(const Table& signal, double nominal_hz,
                                                double duration_s) {
-  // Far beyond what any system survives; what lies outside is a slip of the pen.
+  // Far beyond what any power system survives: a value outside is a typing error.
   const Range plausible = keys::between(0.5 * nominal_hz, 1.5 * nominal_hz);
   const Range run = {0.0, duration_s, false, false, "the run's duration"};
   std::vector<recording::TracePoint> points;
@@ -113,7 +117,8 @@ std::vector<recording::TracePoint> read_points(const Table& signal, double nomin
     }
     if (!points.empty() && t_s <= points.back().t_s) {
       signal.refuse(row.at[0],
-                    fmt::format("t_s is {} after {}; times must ascend", t_s, points.back().t_s));
+                    fmt::format("t_s is {}; it must be above {}, the time of the previous point",
+                                t_s, points.back().t_s));
     }
     if (!plausible.holds(row.values[1])) {
       signal.refuse(row.at[1],
@@ -133,8 +138,8 @@ std::vector<waveform::AmplitudeStep> read_amplitude_steps(const Table& signal, d
                                        table.number("level_pct")};
     if (table.has("duration_s") && step.at_s + step.duration_s > duration_s) {
       table.refuse("duration_s",
-                   fmt::format("the step ends at {} s, after the run's {} s; leave duration_s out "
-                               "for a step that lasts to the end",
+                   fmt::format("the step ends at {} s, after the end of the run at {} s; omit "
+                               "duration_s for a step that lasts to the end",
                                step.at_s + step.duration_s, duration_s));
     }
     steps.push_back(step);
@@ -158,7 +163,8 @@ std::vector<grid::PowerChange> read_losses(const Table& grid_section, const grid
     const Range up_to_load = {-grid.load_mw, grid.load_mw, false, false, "the grid's load"};
     const double power_mw = table.number("power_mw", up_to_load);
     if (power_mw == 0.0) {
-      table.refuse("power_mw", "power_mw is 0: no loss at all; leave it out");
+      table.refuse("power_mw",
+                   "power_mw is 0; it must be above 0 (lost generation) or below 0 (shed load)");
     }
     losses.push_back({at_s, power_mw});
   }
@@ -169,19 +175,18 @@ std::vector<grid::PowerChange> read_losses(const Table& grid_section, const grid
   for (const grid::PowerChange& loss : losses) {
     balance_mw += loss.power_mw;
     if (std::abs(balance_mw) > grid.load_mw) {
-      grid_section.refuse("loss", fmt::format("the losses add up to {} MW by {} s, more than the "
-                                              "grid's load of {} MW",
+      grid_section.refuse("loss", fmt::format("the losses add up to {} MW at {} s; their sum must "
+                                              "stay within ± {} MW (the grid's load)",
                                               balance_mw, loss.at_s, grid.load_mw));
     }
   }
   return losses;
 }
 
-// Just one thing can say how the frequency goes.
 void refuse_second_source(const Table& signal, const Table& grid_section) {
   const char* message =
-      "the frequency comes from [[grid.loss]], from frequency points or from a recording; this "
-      "profile gives more than one of them";
+      "the frequency has more than one source; give only one of [[grid.loss]], frequency and "
+      "[signal.trace]";
   if (signal.has("trace") && (signal.has("frequency") || grid_section.has("loss"))) {
     signal.refuse("trace", message);
   }
@@ -194,32 +199,32 @@ void refuse_second_source(const Table& signal, const Table& grid_section) {
 
 Key signal_keys() {
   return keys::table(
-             "signal", kWhereFrom,
+             "signal", kSignalMeaning,
              {keys::number("duration_s", "s", keys::between(kShortestRun_s, kLongestRun_s),
                            "length of the run")
-                  .or_else("required; of a recording: all of it"),
+                  .or_else("required; with a recording: its length"),
               keys::whole("sample_rate_hz", "Hz", kRateStep_hz, kHighestRate_hz,
-                          "so that 1 ms and 16 ms are whole numbers of samples")
+                          "sample rate; 1 ms and 16 ms are then whole numbers of samples")
                   .permits("1000 … 32000, a multiple of 1000")
                   .by_default(8000),
               keys::number("noise_pct", "%", keys::between(0.0, 100.0),
-                           "white noise, RMS, of the nominal amplitude (peak)")
+                           "white noise, RMS, in % of the nominal peak amplitude")
                   .by_default(0.0),
               harmonics_key(),
-              keys::word(
+              keys::choice(
                   "harmonic_set", {"en50160"},
-                  "orders 2 … 25, each at its own limit after EN 50160, all at once: 11.3 % "
-                  "in all, where the standard allows 8 %. Phases are multiples of the golden "
-                  "angle. Adds to `harmonics`"),
+                  "orders 2 … 25, each at its limit of EN 50160: a total distortion of 11.3 %, "
+                  "where the standard allows 8 %. Phases are multiples of the golden angle. Is "
+                  "added to `harmonics`"),
               frequency_key(),
               keys::number("dc_offset_pct", "%", keys::between(-100.0, 100.0),
-                           "of the nominal amplitude (peak)")
+                           "DC offset in % of the nominal peak amplitude")
                   .by_default(0.0),
               keys::number("initial_phase_deg", "degrees", keys::between(-360.0, 360.0),
                            "phase at the start")
                   .by_default(0.0),
               amplitude_step_keys(), phase_jump_keys(), trace_keys()})
-      .require("what is played: [signal] duration_s = …");
+      .require("the signal to play, e.g. [signal] duration_s = 6.0");
 }
 
 Stimulus read_stimulus(const Table& signal, const Table& grid_section, const grid::Grid& grid,
@@ -231,7 +236,7 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
   const auto duration_s = signal.find_number("duration_s");
   if (!signal.has("trace")) {
     if (!duration_s) {
-      signal.refuse_missing("duration_s", "the length of the run, in seconds");
+      signal.refuse_missing("duration_s", "the length of the run in seconds");
     }
     stimulus.duration_s = *duration_s;
   } else if (skip_recording) {
@@ -239,8 +244,9 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
   } else {
     read_trace_section(signal, grid.nominal_hz, stimulus);
     if (duration_s && *duration_s > stimulus.duration_s) {
-      signal.refuse("duration_s", fmt::format("duration_s is {}; the recording ends at {} s",
-                                              *duration_s, stimulus.duration_s));
+      signal.refuse("duration_s",
+                    fmt::format("duration_s is {}; it must be at most {} (the recording's length)",
+                                *duration_s, stimulus.duration_s));
     }
     stimulus.duration_s = duration_s.value_or(stimulus.duration_s);
   }

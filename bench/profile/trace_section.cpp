@@ -15,27 +15,27 @@ std::vector<recording::TracePoint> read_recording(const std::string& path,
                                                   const recording::TraceColumns& columns) {
   try {
     return recording::read_trace(path, columns);
-  } catch (const std::runtime_error& error) {  // its message names file, line and column
+  } catch (const std::runtime_error& error) {  // its message contains file, line and column
     throw ConfigurationError(error.what());
   }
 }
 
-// A recording is held to what break points and durations in a profile are held to.
+// The same limits as for the frequency points and the duration of a profile.
 void check(const std::vector<recording::TracePoint>& points, const std::string& path,
            double nominal_hz) {
   const double length_s = points.back().t_s;
   const bool is_short = length_s < kShortestRun_s;
   if (is_short || !(length_s <= kLongestRun_s)) {
-    throw ConfigurationError(fmt::format("{}: {} s long; a run takes {} s at {}", path, length_s,
-                                         is_short ? kShortestRun_s : kLongestRun_s,
-                                         is_short ? "least" : "most"));
+    throw ConfigurationError(fmt::format("{}: the recording is {} s long; it must be at {} {} s",
+                                         path, length_s, is_short ? "least" : "most",
+                                         is_short ? kShortestRun_s : kLongestRun_s));
   }
   for (const recording::TracePoint& point : points) {
     if (!(point.frequency_hz >= 0.5 * nominal_hz && point.frequency_hz <= 1.5 * nominal_hz)) {
       throw ConfigurationError(fmt::format(
-          "{}: {} Hz at {} s from its start: half to one and a half of the nominal {} Hz "
-          "can be played",
-          path, point.frequency_hz, point.t_s, nominal_hz));
+          "{}: the frequency is {} Hz at {} s from the start; it must be {} … {} Hz (0.5 … 1.5 of "
+          "nominal)",
+          path, point.frequency_hz, point.t_s, 0.5 * nominal_hz, 1.5 * nominal_hz));
     }
   }
 }
@@ -54,21 +54,22 @@ void use(std::vector<recording::TracePoint> points, Recording recording, double 
 keys::Key trace_keys() {
   return keys::table(
       "trace",
-      "A recording as CSV with a header line. `--trace` on the command line plays another in place "
-      "of all frequency, amplitude steps and phase jumps of the profile, and to its end. A row "
-      "with `NaN` in a column in use is a gap: it is left out, and the curve runs on through its "
-      "neighbours. A recording lasts 0.1 … 10⁵ s and stays within 0.5 … 1.5 of nominal. Records "
-      "and reports keep its name, its columns and the SHA-256 of its content.",
-      {keys::text("file", "path relative to the profile").require(),
-       keys::text("time", "column with seconds, or date and time of day").require(),
-       keys::text("frequency", "column with Hz").require(),
-       keys::text("voltage", "column with RMS voltage").or_else("none: nominal"),
-       keys::number("nominal_voltage", "as the column", keys::above(0.0), "what is 1 p.u.")
-           .or_else("the column's median"),
+      "A recording as CSV with a header line. It must be 0.1 … 10⁵ s long and stay within 0.5 … "
+      "1.5 "
+      "of nominal. A row with `NaN` in a used column is skipped, and the curve is interpolated "
+      "across the gap. Run records and reports contain the file name, the columns and the SHA-256 "
+      "of the content. `--trace` on the command line plays another recording in full length, in "
+      "place of the profile's frequency, amplitude steps and phase jumps.",
+      {keys::text("file", "path of the CSV file, relative to the profile").require(),
+       keys::text("time", "name of the time column: seconds, or date and time of day").require(),
+       keys::text("frequency", "name of the frequency column, in Hz").require(),
+       keys::text("voltage", "name of the RMS voltage column").or_else("none: nominal voltage"),
+       keys::number("nominal_voltage", "as the column", keys::above(0.0), "voltage of 1 p.u.")
+           .or_else("median of the column"),
        keys::number("from_s", "s", keys::at_least(0.0),
-                    "rows before it are left out; the first that is left is time 0")
+                    "first time to play; the run starts at the first row from here on")
            .by_default(0.0),
-       keys::number("until_s", "s", keys::above(0.0), "rows after it are left out")
+       keys::number("until_s", "s", keys::above(0.0), "last time to play")
            .permits("above `from_s`")
            .or_else("to the end")});
 }
@@ -83,12 +84,14 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
   columns.voltage = table.find_text("voltage").value_or("");
   columns.nominal_voltage = table.find_number("nominal_voltage").value_or(0.0);
   if (columns.voltage.empty() && table.has("nominal_voltage")) {
-    table.refuse("nominal_voltage", "nominal_voltage needs the column: voltage = \"…\"");
+    table.refuse("nominal_voltage",
+                 "nominal_voltage is given without a voltage column; give voltage = \"…\", or omit "
+                 "nominal_voltage");
   }
   const double from_s = table.number("from_s");
   const auto until_s = table.find_number("until_s", keys::above(from_s));
   if (!is_regular_file(path)) {
-    table.refuse("file", fmt::format("no recording {}", path));
+    table.refuse("file", fmt::format("file is \"{}\"; there is no file {}", file, path));
   }
 
   auto points = read_recording(path, columns);
@@ -101,7 +104,7 @@ void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& 
     table.refuse(table.has("from_s")    ? "from_s"
                  : table.has("until_s") ? "until_s"
                                         : "file",
-                 fmt::format("less than two rows of {} are left to play", path));
+                 fmt::format("from_s and until_s leave fewer than two rows of {} to play", path));
   }
   const double first_s = points.front().t_s;
   for (recording::TracePoint& point : points) {
@@ -114,14 +117,14 @@ void replace_by_recording(const std::string& path, const recording::TraceColumns
                           double nominal_hz, Stimulus& stimulus) {
   if (columns.time.empty() || columns.frequency.empty()) {
     throw ConfigurationError(
-        "--trace needs --trace-time and --trace-frequency: the columns' names");
+        "--trace requires --trace-time and --trace-frequency, the names of the columns");
   }
   if (!is_regular_file(path)) {
-    throw ConfigurationError(fmt::format("{}: no such recording", path));
+    throw ConfigurationError(fmt::format("{}: the recording does not exist", path));
   }
   auto points = read_recording(path, columns);
   if (points.size() < 2) {
-    throw ConfigurationError(fmt::format("{}: less than two rows to play", path));
+    throw ConfigurationError(fmt::format("{}: fewer than two rows to play", path));
   }
   stimulus.losses.clear();
   stimulus.signal.amplitude_steps.clear();

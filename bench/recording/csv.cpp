@@ -72,7 +72,7 @@ Cell CsvReader::read_cell() {
     advance();
   }
   if (!at_line_end() && text_[at_] != ',') {
-    throw CsvError(here_, "text after a closing quote: a comma or the end of the line must follow");
+    throw CsvError(here_, "text after a closing quote; it must be followed by a comma or line end");
   }
   return cell;
 }
@@ -101,7 +101,7 @@ std::string CsvReader::read_quoted() {
       return trimmed(text);
     }
   }
-  throw CsvError(opened, "a quote that is never closed");
+  throw CsvError(opened, "this quote is not closed; add a closing quote");
 }
 
 }  // namespace gsbench::recording

@@ -1,6 +1,6 @@
-// Comma-separated values after RFC 4180, with the place of each cell for messages: quoted cells may
-// hold commas, line breaks and doubled quotes; lines end in LF or CRLF; a byte-order mark is passed
-// over, as are empty lines.
+// Reads comma-separated values (RFC 4180) with the position of each cell for messages. Quoted cells
+// may contain commas, line breaks and doubled quotes. Lines end in LF or CRLF. A byte-order mark
+// and empty lines are skipped.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct Place {
 };
 
 struct Cell {
-  std::string text;  // without quotes, and without blanks around
+  std::string text;  // without quotes and surrounding blanks
   Place place;
 };
 
@@ -29,12 +29,12 @@ struct CsvError : std::runtime_error {
 
 class CsvReader {
  public:
-  explicit CsvReader(std::string_view text);  // which must outlive the reader
+  explicit CsvReader(std::string_view text);  // the text must outlive the reader
 
-  // The next row that is not empty, into `row`; false at the end of the text. Throws CsvError.
+  // Reads the next row that is not empty; false at the end of the text. Throws CsvError.
   bool next(std::vector<Cell>& row);
 
-  // Just past the row that was read last.
+  // Position just after the row that was read last.
   const Place& row_end() const { return row_end_; }
 
  private:

@@ -9,7 +9,7 @@
 namespace gsbench::recording {
 namespace {
 
-// Takes a text apart from the left; once something is not as it should be, `good` stays false.
+// Parses a text from the left; after the first error good_ stays false.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : rest_(text) {}
@@ -38,7 +38,7 @@ class Scanner {
     return true;
   }
 
-  // Jan … Dec, in any case: 1 … 12.
+  // Jan … Dec, upper or lower case, as 1 … 12.
   int month_name() {
     constexpr std::array<std::string_view, 12> kNames = {"jan", "feb", "mar", "apr", "may", "jun",
                                                          "jul", "aug", "sep", "oct", "nov", "dec"};
@@ -55,7 +55,7 @@ class Scanner {
     return 0;
   }
 
-  // ".5" as 0.5; nothing as 0.
+  // ".5" as 0.5; without a point 0.
   double fraction() {
     if (rest_.empty() || rest_.front() != '.') {
       return 0.0;
@@ -130,7 +130,7 @@ std::optional<Instant> parse_date_and_time(std::string_view text) {
   if (!scanner.good_and_done()) {
     return std::nullopt;
   }
-  // Brings what there is not, such as 30 February, to what there is.
+  // timegm() changes a date that does not exist, such as 30 February, to one that does.
   std::tm real = time;
   instant.whole_s = timegm(&real) - 60 * offset_minutes;
   const bool exists = real.tm_mon == time.tm_mon && real.tm_mday == time.tm_mday &&

@@ -1,4 +1,4 @@
-// Numbers and points in time as recordings write them, the same in every locale.
+// Parses numbers and times of recordings, independent of the locale.
 #pragma once
 
 #include <charconv>
@@ -9,7 +9,7 @@
 
 namespace gsbench::recording {
 
-// The whole text as a finite number.
+// The number, if the whole text is a finite one.
 inline std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
   const char* end = text.data() + text.size();
@@ -21,11 +21,11 @@ inline std::optional<double> parse_number(std::string_view text) {
 }
 
 struct Instant {
-  // Only instants of one kind can be compared.
+  // Only instants of the same kind can be compared.
   enum class Kind { kSeconds, kLocal, kZoned };
 
   Kind kind = Kind::kSeconds;
-  std::int64_t whole_s = 0;  // since an origin of the kind's own
+  std::int64_t whole_s = 0;  // since an origin that depends on the kind
   double fraction_s = 0.0;   // in [0, 1)
 
   double seconds_since(const Instant& start) const {
@@ -34,7 +34,7 @@ struct Instant {
 };
 
 // "12.5" · "28-Apr-2025 11:00:02" · "2025-04-28 11:00:02.5" · "2025-04-28T11:00:02Z" or with an
-// offset such as "+02:00". Nothing where the text is none of them, or no such time exists.
+// offset such as "+02:00". nullopt for other texts and for times that do not exist.
 std::optional<Instant> parse_instant(std::string_view text);
 
 }  // namespace gsbench::recording

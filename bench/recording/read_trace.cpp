@@ -28,7 +28,7 @@ std::string file_text(const std::string& path) {
     errno = 0;
     text << file.rdbuf();
   }
-  // A folder opens like a file and fails at the first read only; an empty file fails without errno.
+  // A folder can be opened and fails at the first read; an empty file fails without errno.
   if (!file.is_open() || (text.fail() && errno != 0)) {
     throw CsvError({}, "cannot be read: " + std::generic_category().message(errno));
   }
@@ -48,11 +48,12 @@ std::size_t column_of(const std::string& name, const Row& header) {
   const auto found = std::find_if(header.begin(), header.end(), is_it);
   if (found == header.end()) {
     throw CsvError(header.front().place,
-                   fmt::format("no column `{}`; there are {}", name, column_list(header)));
+                   fmt::format("no column `{}`; the columns are {}", name, column_list(header)));
   }
   const auto again = std::find_if(found + 1, header.end(), is_it);
   if (again != header.end()) {
-    throw CsvError(again->place, fmt::format("a second column `{}`: which one is meant?", name));
+    throw CsvError(again->place,
+                   fmt::format("a second column `{}`; the name must be unique", name));
   }
   return static_cast<std::size_t>(found - header.begin());
 }
@@ -60,22 +61,24 @@ std::size_t column_of(const std::string& name, const Row& header) {
 double number_in(const Cell& cell) {
   const std::optional<double> number = parse_number(cell.text);
   if (!number) {
-    throw CsvError(cell.place, fmt::format("`{}` is not a finite number", cell.text));
+    throw CsvError(
+        cell.place,
+        fmt::format("`{}` is not a finite number; it must be one, or `NaN` for a gap", cell.text));
   }
   return *number;
 }
 
-// How recorders mark what they did not measure.
+// Recorders mark missing measurements like this.
 bool is_gap(const Cell& cell) {
   return cell.text == "NaN" || cell.text == "nan" || cell.text == "NAN";
 }
 
-// Reads rows one by one and holds what one row must have in common with those before.
+// Reads the rows one by one and checks each against the previous ones.
 class TraceReader {
  public:
   TraceReader(std::string_view text, const TraceColumns& columns) : csv_(text) {
     if (!csv_.next(header_)) {
-      throw CsvError({}, "empty: a row of column names is needed");
+      throw CsvError({}, "the file is empty; it must start with a row of column names");
     }
     time_ = column_of(columns.time, header_);
     frequency_ = column_of(columns.frequency, header_);
@@ -99,12 +102,12 @@ class TraceReader {
           {t_s, frequency_in(frequency), voltage != nullptr ? voltage_in(*voltage) : 1.0});
     }
     if (points.empty()) {
-      throw CsvError(csv_.row_end(), "no row of data below the column names");
+      throw CsvError(csv_.row_end(), "no data below the column names; at least one row is needed");
     }
     return points;
   }
 
-  // Where a fault of the voltage column as a whole is to be looked for.
+  // Position for errors of the voltage column as a whole.
   Place voltage_place() const { return header_[*voltage_].place; }
 
  private:
@@ -112,30 +115,33 @@ class TraceReader {
     if (column < row.size()) {
       return row[column];
     }
-    throw CsvError(csv_.row_end(), fmt::format("a row of {} cells has none for column {}, `{}`",
-                                               row.size(), column + 1, header_[column].text));
+    throw CsvError(csv_.row_end(),
+                   fmt::format("the row has {} cells; it must have at least {}, up to column `{}`",
+                               row.size(), column + 1, header_[column].text));
   }
 
   double time_in(const Cell& cell) {
     const std::optional<Instant> instant = parse_instant(cell.text);
     if (!instant) {
       throw CsvError(cell.place,
-                     fmt::format("`{}` is no time: seconds, `28-Apr-2025 11:00:02`, "
-                                 "`2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z` is wanted",
+                     fmt::format("`{}` is not a time; it must be seconds, `28-Apr-2025 11:00:02`, "
+                                 "`2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`",
                                  cell.text));
     }
     if (!start_) {
       start_ = instant;
     }
     if (instant->kind != start_->kind) {
-      throw CsvError(cell.place, fmt::format("time `{}` is written in another way than the first: "
-                                             "the two cannot be compared",
+      throw CsvError(cell.place, fmt::format("time `{}` has another format than the first; all "
+                                             "must have the same",
                                              cell.text));
     }
     const double t_s = instant->seconds_since(*start_);
     if (last_t_s_ && t_s <= *last_t_s_) {
       throw CsvError(cell.place,
-                     fmt::format("time `{}` is not later than that of the row before", cell.text));
+                     fmt::format("time `{}` is not later than in the previous row; times must "
+                                 "increase",
+                                 cell.text));
     }
     last_t_s_ = t_s;
     return t_s;
@@ -144,7 +150,8 @@ class TraceReader {
   static double frequency_in(const Cell& cell) {
     const double frequency_hz = number_in(cell);
     if (frequency_hz <= 0.0) {
-      throw CsvError(cell.place, fmt::format("frequency {} Hz: must be above 0", frequency_hz));
+      throw CsvError(cell.place,
+                     fmt::format("the frequency is {} Hz; it must be above 0", frequency_hz));
     }
     return frequency_hz;
   }
@@ -152,7 +159,8 @@ class TraceReader {
   static double voltage_in(const Cell& cell) {
     const double voltage = number_in(cell);
     if (voltage < 0.0) {
-      throw CsvError(cell.place, fmt::format("RMS voltage {}: must not be negative", voltage));
+      throw CsvError(cell.place,
+                     fmt::format("the RMS voltage is {}; it must be at least 0", voltage));
     }
     return voltage;
   }
@@ -187,9 +195,9 @@ std::vector<TracePoint> points_in(const std::string& text, const TraceColumns& c
       columns.nominal_voltage == 0.0 ? median_voltage(points) : columns.nominal_voltage;
   if (!std::isfinite(nominal) || nominal <= 0.0) {
     throw CsvError(reader.voltage_place(),
-                   fmt::format("nominal voltage {} of `{}`: must be finite and above 0 (the median "
-                               "of the column where none is given)",
-                               nominal, columns.voltage));
+                   fmt::format("the nominal voltage of `{}` is {}; it must be finite and above 0 "
+                               "(default: the median of the column)",
+                               columns.voltage, nominal));
   }
   for (TracePoint& point : points) {
     point.voltage_pu /= nominal;

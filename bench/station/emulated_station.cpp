@@ -80,24 +80,26 @@ emulation::HardwareOptions read_emulated(const keys::Table& top, const std::stri
 StationKind emulated_kind() {
   return {
       "emulated",
-      "processes that the bench starts and ends",
-      {keys::text("image", "emulated: the firmware image of the boards in qemu")
+      "firmware processes that the bench starts and stops",
+      {keys::text("image", "firmware image of the boards in QEMU; emulated stations only")
            .permits("path")
            .or_else("the firmware that comes with gsbench"),
        keys::tables(
            "outlet",
-           "1 … 64, emulated stations only. A profile with more outlets is cut to what is there, "
-           "some of each group; one with more groups than there are outlets is refused.",
-           {keys::id("id", kLongestId, "its name: each once, and not `bench`")
-                .require("what the outlet is called: id = \"m4-1\""),
-            keys::word("board", emulated_boards(),
-                       "a Cortex-M4F in qemu, or the firmware as a process")
+           "1 … 64 outlets, emulated stations only. If a profile has more outlets than the "
+           "station, "
+           "only some of each group are used. A profile with more groups than the station has "
+           "outlets is refused.",
+           {keys::id("id", kLongestId, "name of the outlet; unique, and not `bench`")
+                .require("the name of the outlet, e.g. id = \"m4-1\""),
+            keys::choice("board", emulated_boards(),
+                         "`mps2-an386`: a Cortex-M4F in QEMU; `host`: the firmware as a process")
                 .by_default("host"),
-            keys::word("link", {"serial", "mqtt"},
-                       "how it is reached; boards in qemu have no radio")
+            keys::choice("link", {"serial", "mqtt"},
+                         "connection to the bench; boards in QEMU support `serial` only")
                 .by_default("serial"),
             keys::number("crystal_ppm", "ppm", keys::between(-kMost_ppm, kMost_ppm),
-                         "by how much its sample clock is fast")
+                         "frequency error of the sample clock; positive: fast")
                 .by_default(0.0)})},
       [](const keys::Table& top, StationFile& file) {
         const emulation::HardwareOptions options = read_emulated(top, file.path);

@@ -34,7 +34,7 @@ bool is_broker_url(const std::string& url) {
 
 std::vector<std::string> outlet_ids(const keys::Table& table) {
   std::vector<std::string> ids;
-  for (const keys::Word& word : table.words("outlets")) {
+  for (const keys::PlacedText& word : table.texts("outlets")) {
     if (std::count(ids.begin(), ids.end(), word.text) > 0) {
       table.refuse(word.at, fmt::format("outlet \"{}\" is named already", word.text));
     }
@@ -56,7 +56,7 @@ void read_mqtt(const keys::Table& table, const std::string& file_path, PhysicalO
   };
   mqtt.ca_file = beside(table.find_text("ca_file"));
   if (begins_with(mqtt.url, "mqtts://") && mqtt.ca_file.empty()) {
-    table.refuse_missing("ca_file", "the certificate that vouches for the broker: ca_file = …");
+    table.refuse_missing("ca_file", "the CA certificate that verifies the broker: ca_file = …");
   }
   mqtt.user = table.find_text("user").value_or("");
   mqtt.outlets = outlet_ids(table);
@@ -67,7 +67,7 @@ void read_physical(const keys::Table& top, StationFile& file) {
   PhysicalOutlets outlets;
   if (top.has("serial")) {
     const keys::Table serial = top.table("serial");
-    for (const keys::Word& port : serial.words("ports")) {
+    for (const keys::PlacedText& port : serial.texts("ports")) {
       outlets.serial.ports.push_back(port.text);
     }
     outlets.serial.baud = static_cast<int>(serial.whole("baud"));
@@ -76,7 +76,7 @@ void read_physical(const keys::Table& top, StationFile& file) {
     read_mqtt(top.table("mqtt"), file.path, outlets);
   }
   if (outlets.serial.ports.empty() && outlets.mqtt.url.empty()) {
-    top.refuse_missing("serial", "where the outlets are: [serial] or [mqtt]");
+    top.refuse_missing("serial", "[serial] or [mqtt]");
   }
   file.reachable = std::move(outlets);
   file.make_station = [path = file.path](const profile::Plan&,
@@ -99,30 +99,33 @@ std::string first_line(const std::string& path) {
 }  // namespace
 
 StationKind physical_kind() {
-  return {"physical",
-          "outlets that are there",
-          {keys::table("serial", "Physical stations only, which need this or the next.",
-                       {keys::array("ports", keys::text("", ""),
-                                    "one outlet on each; one that does not answer is at fault")
-                            .permits("array of device paths or `tcp://host:port`, at least one")
-                            .require("the ports: ports = [\"/dev/ttyUSB0\"]"),
-                        keys::whole("baud", "bit/s", 9600, 4000000, "of serial ports")
-                            .by_default(transport::kBaud)}),
-           keys::table(
-               "mqtt", "Physical stations only.",
-               {keys::text("url", "the broker")
-                    .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
-                    .require(),
-                keys::text("ca_file", "the certificate that vouches for it")
-                    .permits("path")
-                    .or_else("required with `mqtts`"),
-                keys::text("user", "the bench's name there"),
-                keys::text("password_file", "holds its password in the first line").permits("path"),
-                keys::array("outlets", keys::id("", kLongestId, ""),
-                            "one that is named and not there is at fault")
-                    .permits("array of ids, each once")
-                    .or_else("all that are found")})},
-          read_physical};
+  return {
+      "physical",
+      "existing outlets that the bench connects to",
+      {keys::table("serial",
+                   "Outlets on serial ports. Physical stations only; they have `[serial]`, "
+                   "`[mqtt]` or both.",
+                   {keys::array("ports", keys::text("", ""),
+                                "ports with one outlet each; no answer on a port is a fault")
+                        .permits("array of device paths or `tcp://host:port`, at least one")
+                        .require("the ports, e.g. ports = [\"/dev/ttyUSB0\"]"),
+                    keys::whole("baud", "bit/s", 9600, 4000000, "baud rate of the serial ports")
+                        .by_default(transport::kBaud)}),
+       keys::table(
+           "mqtt", "Outlets behind an MQTT broker. Physical stations only.",
+           {keys::text("url", "address of the broker")
+                .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
+                .require(),
+            keys::text("ca_file", "CA certificate to verify the broker with")
+                .permits("path")
+                .or_else("required with `mqtts`"),
+            keys::text("user", "user name of the bench at the broker"),
+            keys::text("password_file", "file with the password in its first line").permits("path"),
+            keys::array("outlets", keys::id("", kLongestId, ""),
+                        "outlets to use; a listed outlet that is not found is a fault")
+                .permits("array of ids, each once")
+                .or_else("all that are found")})},
+      read_physical};
 }
 
 std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets) {

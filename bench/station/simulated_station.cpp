@@ -43,10 +43,10 @@ class SimulatedStation final : public Station {
 }  // namespace
 
 StationKind simulated_kind() {
-  return {
-      "simulated", "outlets in the bench's process", {}, [](const keys::Table&, StationFile& file) {
-        file.make_station = simulated_station;
-      }};
+  return {"simulated",
+          "outlets inside the bench's process",
+          {},
+          [](const keys::Table&, StationFile& file) { file.make_station = simulated_station; }};
 }
 
 std::unique_ptr<Station> simulated_station(const profile::Plan& plan,

@@ -52,12 +52,12 @@ keys::Key declared() {
   std::vector<keys::Key> own;
   for (const StationKind& kind : station_kinds()) {
     names.push_back(kind.name);
-    meaning += (meaning.empty() ? "" : "; ") + kind.meaning;
+    meaning += (meaning.empty() ? "`" : "; `") + kind.name + "`: " + kind.meaning;
     own.insert(own.end(), kind.keys.begin(), kind.keys.end());
   }
   std::vector<keys::Key> all = {
-      keys::text("title", "one line for lists").require(),
-      keys::word("kind", names, meaning).require("kind = " + alternatives(names))};
+      keys::text("title", "title in lists, one line").require(),
+      keys::choice("kind", names, meaning).require("kind = " + alternatives(names))};
   all.insert(all.end(), own.begin(), own.end());
   return keys::table("a station", "", std::move(all));
 }

@@ -17,14 +17,15 @@ constexpr std::int64_t kHighestRate_hz = 1'000'000;
 void check_within(const std::string& what, double value, double low, double high) {
   if (!std::isfinite(value) || value < low || value > high) {
     throw std::invalid_argument(
-        high < kInfinity ? fmt::format("{} {}: must be from {} to {}", what, value, low, high)
-                         : fmt::format("{} {}: must be finite and not below {}", what, value, low));
+        high < kInfinity
+            ? fmt::format("{} is {}; it must be from {} to {}", what, value, low, high)
+            : fmt::format("{} is {}; it must be finite and at least {}", what, value, low));
   }
 }
 
 void check_finite(const std::string& what, double value) {
   if (!std::isfinite(value)) {
-    throw std::invalid_argument(fmt::format("{} {}: must be finite", what, value));
+    throw std::invalid_argument(fmt::format("{} is {}; it must be finite", what, value));
   }
 }
 
@@ -36,11 +37,11 @@ void check_harmonics(const SignalSpec& spec, double nominal_hz, std::int64_t sam
     check_within(name + ": amplitude in %", harmonic.amplitude_pct, 0, 100);
     check_finite(name + ": phase in degrees", harmonic.phase_deg);
     if (!orders.insert(harmonic.order).second) {
-      throw std::invalid_argument(name + " is given twice");
+      throw std::invalid_argument(name + " is given twice; give each order once");
     }
     if (harmonic.order * nominal_hz >= 0.5 * static_cast<double>(sample_rate_hz)) {
       throw std::invalid_argument(
-          fmt::format("{} of {} Hz is {} Hz: must lie below half of the sample rate of {} Hz", name,
+          fmt::format("{} of {} Hz is {} Hz; it must be below half the sample rate of {} Hz", name,
                       nominal_hz, harmonic.order * nominal_hz, sample_rate_hz));
     }
   }
@@ -51,8 +52,7 @@ void check_harmonics(const SignalSpec& spec, double nominal_hz, std::int64_t sam
 void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz) {
   if (sample_rate_hz <= 0 || sample_rate_hz % 1000 != 0 || sample_rate_hz > kHighestRate_hz) {
     throw std::invalid_argument(
-        fmt::format("sample rate {} Hz: must be a whole multiple of 1000 Hz up to {} Hz, for which "
-                    "16 ms is a whole number of samples",
+        fmt::format("sample rate is {} Hz; it must be a multiple of 1000 Hz, at most {} Hz",
                     sample_rate_hz, kHighestRate_hz));
   }
   check_within("nominal frequency in Hz", nominal_hz, 1,
@@ -62,7 +62,7 @@ void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample
     check_within("amplitude step: time in s", step.at_s, 0, kInfinity);
     if (!(step.duration_s > 0.0)) {
       throw std::invalid_argument(
-          fmt::format("amplitude step: duration in s {}: must be above 0", step.duration_s));
+          fmt::format("amplitude step: duration in s is {}; it must be above 0", step.duration_s));
     }
     check_within("amplitude step: level in %", step.level_pct, 0, 1000);
   }

@@ -4,8 +4,8 @@
 
 namespace gsbench::waveform {
 
-// Throws std::invalid_argument with the value and what would be right, where `spec`, the nominal
-// frequency or the sample rate is not as synthesizer.hpp says.
+// Throws std::invalid_argument, with the value and what would be right, if `spec`, the nominal
+// frequency or the sample rate is outside the limits of synthesizer.hpp.
 void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz);
 
 }  // namespace gsbench::waveform

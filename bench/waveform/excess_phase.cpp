@@ -7,8 +7,7 @@
 namespace gsbench::waveform {
 namespace {
 
-// The polynomial p(u), u = 0 … 1, less p(0), that has these values, slopes and curvatures at its
-// ends.
+// Coefficients of p(u) − p(0), u = 0 … 1, from values, slopes and curvatures at both ends.
 struct End {
   double value, slope, curvature;
 };
@@ -37,7 +36,7 @@ ExcessPhase::ExcessPhase(const ReferenceSignal& reference, std::int64_t sample_r
 
 ExcessPhase::Edge ExcessPhase::edge_at(const Corner& corner) const {
   const double t_s = corner.position / sample_rate_hz_;
-  // Whichever way the position was rounded, the corner lies between the two.
+  // The corner is between the two, whether its position was rounded up or down.
   const double before_s =
       std::nextafter(std::min(t_s, corner.first_s), -std::numeric_limits<double>::infinity());
   return {corner.position, t_s, before_s, std::max(t_s, corner.last_s)};

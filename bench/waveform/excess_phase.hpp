@@ -1,6 +1,6 @@
-// The phase to play: that of the nominal frequency, and what the reference adds to it between two
-// instants without a corner in between, as polynomials: evaluating the reference itself at every
-// sample would cost more than everything else together.
+// The phase of the samples: the phase of the nominal frequency plus the excess phase of the
+// reference. The excess is approximated by polynomials between corners, because evaluating the
+// reference at every sample would cost more than the rest of the synthesis.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace gsbench::waveform {
 
-// Phase of the nominal frequency at a tick, by integers only: it is as exact after a thousand hours
-// as at the start.
+// Phase of the nominal frequency at a tick, in integer arithmetic, so that the error does not grow
+// with time.
 class NominalPhase {
  public:
-  // A double is mantissa·2^exponent: nominal/rate is a fraction of integers. nominal_hz >= 1.
+  // A double is mantissa·2^exponent, so nominal/rate is a fraction of integers. nominal_hz >= 1.
   NominalPhase(double nominal_hz, std::int64_t sample_rate_hz) {
     int exponent = 0;
     const double mantissa = std::frexp(nominal_hz, &exponent);
@@ -24,7 +24,7 @@ class NominalPhase {
     denominator_ = static_cast<Wide>(sample_rate_hz) << (kMantissaBits - exponent);
   }
 
-  // Within [0, 1], rounded from the exact fraction of a cycle. tick >= 0.
+  // The exact fraction of a cycle, rounded; within [0, 1]. tick >= 0.
   double cycles_at(std::int64_t tick) const {
     const Wide remainder = static_cast<Wide>(tick) * numerator_ % denominator_;
     return static_cast<double>(remainder) / static_cast<double>(denominator_);
@@ -38,10 +38,11 @@ class NominalPhase {
   Wide denominator_ = 1;  // < 2⁷³ for rates up to 1 MHz
 };
 
-// Over positions start … start+length, in samples from tick 0; u runs from 0 to 1.
-// The quintic takes phase, frequency and ROCOF of the reference at both ends. Between break points,
-// where f is a cubic, that is exact; else its error is h⁶/46080·|d⁵f/dt⁵|: for h = 16 ms and the
-// 1/s rates of a power system below 10⁻¹² cycles.
+// A piece without corners, from position start to start+length, in samples from tick 0; u runs from
+// 0 to 1. The quintic has the phase, frequency and ROCOF of the reference at both ends. Between
+// frequency points f is a cubic and the quintic is exact. Otherwise its error is
+// h⁶/46080·|d⁵f/dt⁵|: below 10⁻¹² cycles for h = 16 ms and the time constants of a power system,
+// about 1 s.
 struct SmoothPiece {
   double start;
   double length;
@@ -57,23 +58,23 @@ class ExcessPhase {
   ExcessPhase(const ReferenceSignal& reference,
               std::int64_t sample_rate_hz);  // `reference` must outlive this
 
-  // An instant that a piece begins or ends at. At a corner ROCOF differs on its two sides.
+  // The start or end of a piece. At a corner, ROCOF differs on its two sides.
   struct Edge {
     double position;  // in samples from tick 0
     double t_s;
-    double before_s;  // where the reference's left-hand limit is to be had
-    double after_s;   // the right-hand one
+    double before_s;  // time for the left-hand limit of the reference
+    double after_s;   // time for the right-hand limit
   };
 
   Edge edge_at(std::int64_t tick) const;
 
-  // The corner that comes next after `edge`, or the end of the block.
+  // The next corner after `edge`, or the end of the block.
   Edge next_edge(const Edge& edge, std::int64_t block_end_tick) const;
 
   SmoothPiece piece(const Edge& from, const Edge& to) const;
 
  private:
-  // ReferenceSignal's corners that fall on one position once it is rounded.
+  // Corners of the ReferenceSignal that have the same position after rounding.
   struct Corner {
     double position;  // in samples from tick 0
     double first_s;

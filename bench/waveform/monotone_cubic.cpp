@@ -10,9 +10,9 @@ bool same_sign(double a, double b) {
   return (a > 0.0 && b > 0.0) || (a < 0.0 && b < 0.0);
 }
 
-// Fritsch & Butland (1984): the weighted harmonic mean of the secants either side, and zero at a
-// turn. It lies within three times the smaller one, which Fritsch & Carlson (1980) ask of a
-// monotone piece.
+// Fritsch & Butland (1984): the weighted harmonic mean of the secants on both sides, zero at an
+// extremum. It is at most three times the smaller secant, which Fritsch & Carlson (1980) require of
+// a monotone piece.
 double inner_slope(double width_left, double secant_left, double width_right, double secant_right) {
   if (!same_sign(secant_left, secant_right)) {
     return 0.0;
@@ -22,7 +22,7 @@ double inner_slope(double width_left, double secant_left, double width_right, do
   return (weight_left + weight_right) / (weight_left / secant_left + weight_right / secant_right);
 }
 
-// At an end: the parabola through three points, held within the same bounds.
+// At an end: the slope of the parabola through three points, limited to the same bounds.
 double end_slope(double width, double secant, double next_width, double next_secant) {
   const double slope =
       ((2.0 * width + next_width) * secant - width * next_secant) / (width + next_width);
@@ -55,7 +55,7 @@ std::vector<double> monotone_slopes(const std::vector<double>& widths,
   return slopes;
 }
 
-// Neumaier's sum: the error does not grow with the number of terms.
+// Neumaier summation: the error does not grow with the number of terms.
 class CompensatedSum {
  public:
   void add(double term) {

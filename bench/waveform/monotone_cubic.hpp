@@ -1,5 +1,5 @@
-// Piecewise cubic through given points that never leaves the range of two neighbours, with its
-// exact slope and integral. Held constant outside the points.
+// Piecewise cubic through given points that stays within the range of neighbouring points, with its
+// exact slope and integral. Constant outside the points.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct Knot {
 
 class MonotoneCubic {
  public:
-  // knots: at least one, x strictly ascending, all finite.
+  // knots: at least one, x strictly increasing, all finite.
   explicit MonotoneCubic(const std::vector<Knot>& knots);
 
   double value(double x) const;
@@ -27,7 +27,7 @@ class MonotoneCubic {
     double x, y, slope, quadratic, cubic, integral_to_here;
   };
 
-  const Piece* piece_at(double x) const;  // nullptr before the first knot
+  const Piece* piece_at(double x) const;  // nullptr if x is before the first knot
 
   std::vector<Piece> pieces_;
 };

@@ -15,29 +15,29 @@ namespace {
 void check(const recording::TracePoint& point, const recording::TracePoint* before,
            std::size_t number) {
   const auto refuse = [number](const char* what, double value, const char* wanted) {
-    throw std::invalid_argument(fmt::format("point {}: {} {} {}", number, what, value, wanted));
+    throw std::invalid_argument(fmt::format("point {}: {} is {} {}", number, what, value, wanted));
   };
   if (!std::isfinite(point.t_s)) {
-    refuse("time", point.t_s, "s: must be finite");
+    refuse("time", point.t_s, "s; it must be finite");
   }
   if (before != nullptr && point.t_s <= before->t_s) {
-    refuse("time", point.t_s, "s: must be later than the point before");
+    refuse("time", point.t_s, "s; it must be later than the previous point");
   }
   if (!std::isfinite(point.frequency_hz) || point.frequency_hz <= 0.0) {
-    refuse("frequency", point.frequency_hz, "Hz: must be finite and above 0");
+    refuse("frequency", point.frequency_hz, "Hz; it must be finite and above 0");
   }
   if (!std::isfinite(point.voltage_pu) || point.voltage_pu < 0.0) {
-    refuse("voltage", point.voltage_pu, "pu: must be finite and not negative");
+    refuse("voltage", point.voltage_pu, "p.u.; it must be finite and at least 0");
   }
 }
 
 void check(double nominal_hz, const std::vector<recording::TracePoint>& points) {
   if (!std::isfinite(nominal_hz) || nominal_hz <= 0.0) {
     throw std::invalid_argument(
-        fmt::format("nominal frequency {} Hz: must be finite and above 0", nominal_hz));
+        fmt::format("nominal frequency is {} Hz; it must be finite and above 0", nominal_hz));
   }
   if (points.empty()) {
-    throw std::invalid_argument("no frequency points: at least one is needed");
+    throw std::invalid_argument("no frequency points; at least one is needed");
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     check(points[i], i == 0 ? nullptr : &points[i - 1], i + 1);
@@ -83,7 +83,7 @@ class PointReference final : public ReferenceSignal {
     return from.voltage_pu + fraction * (next->voltage_pu - from.voltage_pu);
   }
 
-  // The second derivative of the cubic jumps at each point.
+  // The second derivative of the cubic is discontinuous at each point.
   std::vector<double> corners_s() const override {
     std::vector<double> corners;
     corners.reserve(points_.size());
@@ -96,7 +96,7 @@ class PointReference final : public ReferenceSignal {
  private:
   double nominal_hz_;
   std::vector<recording::TracePoint> points_;
-  MonotoneCubic deviation_hz_;  // from nominal, so that its integral stays small
+  MonotoneCubic deviation_hz_;  // from nominal, so that the integral stays small
   double cycles_at_zero_;
 };
 

@@ -7,8 +7,7 @@
 namespace gsbench::waveform {
 namespace {
 
-// Times closer than this are one: what is left of decimal fractions after some arithmetic in
-// doubles.
+// Times closer than this are equal: rounding errors of decimal fractions in doubles.
 constexpr double kSameTime_s = 1e-9;
 
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();

@@ -1,4 +1,4 @@
-// What a signal's amplitude steps and phase jumps amount to at each tick.
+// Combined amplitude steps and phase jumps of a signal at each tick.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace gsbench::waveform {
 
-// The signal from `from_tick` on, until the next entry.
+// Valid from `from_tick` until the next entry.
 struct ScheduleEntry {
   std::int64_t from_tick;
-  double level;          // product of the amplitude steps that hold; 1 is nominal
+  double level;          // product of the active amplitude steps; 1 is nominal
   double offset_cycles;  // initial phase and jumps so far, within [0, 1)
 };
 
@@ -25,7 +25,7 @@ class Schedule {
   std::int64_t end_tick(std::size_t index) const;
 
  private:
-  std::vector<ScheduleEntry> entries_;  // the first one from tick 0 on, ascending
+  std::vector<ScheduleEntry> entries_;  // ascending; the first one is at tick 0
 };
 
 }  // namespace gsbench::waveform

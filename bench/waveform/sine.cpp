@@ -7,7 +7,7 @@
 namespace gsbench::waveform {
 namespace {
 
-// To the nearest whole number, for |x| < 2⁵¹: what is added leaves no bits for the fraction.
+// To the nearest whole number, for |x| < 2⁵¹: the added constant leaves no bits for the fraction.
 inline double nearest(double x) {
   constexpr double kShift = 0x1.8p52;
   return (x + kShift) - kShift;
@@ -44,8 +44,8 @@ inline float scaled(const Stretch& s, double u, double value) {
   return static_cast<float>((s.amplitude + u * s.amplitude_slope) * value + s.offset);
 }
 
-// z·(d₁ + z·(d₂ + …)) by Horner's rule with z = e^(iθ): as stable as each term by itself, where the
-// recurrence of the cosines loses digits near θ = 0. All samples advance by an order together.
+// z·(d₁ + z·(d₂ + …)) by Horner's rule with z = e^(iθ). It is as stable as each term alone; the
+// recurrence of cosines would lose digits near θ = 0. Each step adds one order to all samples.
 constexpr int kBatch = 64;
 
 void render_batch(const Stretch& stretch, const std::vector<Phasor>& series, int first, int count,

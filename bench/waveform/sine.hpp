@@ -1,5 +1,6 @@
-// Samples of one stretch of the signal, in loops written for SIMD and without libm: each sample is
-// computed by itself, so that neither the cut nor the width of the vectors touches a bit of it.
+// Samples of one stretch of the signal, in loops for SIMD and without libm. Each sample is computed
+// independently, so that the result does not depend on the division into stretches or on the vector
+// width.
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 
 namespace gsbench::waveform {
 
-// With x the sample's number in the block and u = (x − start)·per_length:
+// With x the index of the sample in the block and u = (x − start)·per_length:
 // phase = base_cycles + x·cycles_per_sample + Σ cycles[k]·u^(k+1), amplitude = amplitude + u·slope.
 struct Stretch {
   double base_cycles;
@@ -20,14 +21,14 @@ struct Stretch {
   double offset;
 };
 
-// Entry k is (cosine, sine) of harmonic k's phase at the fundamental's zero phase, times its
-// amplitude per unit of the fundamental's; entry 0 is not used, entry 1 is the fundamental.
+// Entry k of a series: (cosine, sine) of harmonic k's phase at the fundamental's zero phase, times
+// its amplitude per unit of the fundamental. Entry 0 is not used, entry 1 is the fundamental.
 struct Phasor {
   double real = 0.0;
   double imaginary = 0.0;
 };
 
-// Samples first … first+count−1 of the block.
+// Write samples first … first+count−1 of the block to out.
 void render_sine(const Stretch& stretch, int first, int count, float* out);
 void render_harmonics(const Stretch& stretch, const std::vector<Phasor>& series, int first,
                       int count, float* out);

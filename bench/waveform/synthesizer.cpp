@@ -21,7 +21,7 @@ std::shared_ptr<const ReferenceSignal> checked(std::shared_ptr<const ReferenceSi
                                                const SignalSpec& spec,
                                                std::int64_t sample_rate_hz) {
   if (reference == nullptr) {
-    throw std::invalid_argument("a signal needs a reference");
+    throw std::invalid_argument("the signal has no reference");
   }
   check_signal(spec, reference->nominal_hz(), sample_rate_hz);
   return reference;
@@ -55,8 +55,8 @@ struct Synthesizer::Impl {
         series(harmonic_series(spec.harmonics)),
         offset(spec.dc_offset_pct / 100.0) {}
 
-  // What every sample of a block has in common. Blocks stand on a fixed grid, so that a sample is
-  // computed from the same numbers whatever stretch of time is asked for.
+  // Common values of all samples of a block. Blocks have fixed boundaries, so that a sample is
+  // computed from the same numbers for any requested range.
   struct Block {
     std::int64_t first_tick;
     std::int64_t end_tick;
@@ -109,7 +109,7 @@ void Synthesizer::Impl::render_block(const Block& block, std::int64_t from, std:
   ExcessPhase::Edge edge = excess_phase.edge_at(block.first_tick);
   while (from < end) {
     const ExcessPhase::Edge next = excess_phase.next_edge(edge, block.end_tick);
-    // A sample right at a corner belongs to the piece that begins there.
+    // A sample at a corner belongs to the piece that begins there.
     const std::int64_t piece_end =
         std::min(end, static_cast<std::int64_t>(std::ceil(next.position)));
     if (from < piece_end) {
@@ -127,7 +127,7 @@ Synthesizer::Synthesizer(std::shared_ptr<const ReferenceSignal> reference, const
 
 void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out) const {
   if (first_tick < 0) {
-    throw std::invalid_argument(fmt::format("tick {}: a signal begins at tick 0", first_tick));
+    throw std::invalid_argument(fmt::format("first_tick is {}; it must be at least 0", first_tick));
   }
   const std::int64_t end_tick = first_tick + static_cast<std::int64_t>(count);
   for (std::int64_t tick = first_tick; tick < end_tick;) {

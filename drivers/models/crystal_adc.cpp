@@ -15,7 +15,7 @@ CrystalAdc::CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stre
 void CrystalAdc::take(const float* voltage_pu, std::size_t count,
                       std::vector<std::int16_t>& samples) {
   if (first_held_ == 0 && held_.empty() && count > 0) {
-    // What was before the first sample, for the cubic.
+    // The cubic needs a sample before the first one.
     held_.push_back(voltage_pu[0]);
     first_held_ = -1;
   }

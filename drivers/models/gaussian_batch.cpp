@@ -18,7 +18,7 @@ inline float float_of(std::uint32_t bits) {
   return value;
 }
 
-// ln u for normal u > 0, to 1.5·10⁻⁷ of the result: the exponent apart, then Cephes' logf
+// ln u for normal u > 0, relative error 1.5·10⁻⁷: the exponent is separated, then Cephes' logf
 // polynomial on √½ … √2.
 inline float natural_log(float u) {
   constexpr std::uint32_t kSqrtHalfBits = 0x3f3504f3;
@@ -40,16 +40,16 @@ inline float natural_log(float u) {
   return (p * x * square - 0.5f * square + x) + static_cast<float>(exponent) * kLn2;
 }
 
-// Two words to two normals by Box–Muller. The radius takes 39 bits, so that the tails are there to
-// 7.4 sigma and beyond 6 sigma still come from over eight thousand levels; the angle takes 24.
+// Two words to two normal values by Box–Muller. The radius uses 39 bits, so that the tails reach
+// 7.4 sigma and have over eight thousand levels beyond 6 sigma; the angle uses 24 bits.
 inline void box_muller(std::uint32_t word0, std::uint32_t word1, float& first, float& second) {
   const auto upper = static_cast<float>(static_cast<std::int32_t>(word0 >> 1));
   const auto lower = static_cast<float>(static_cast<std::int32_t>(word1 & 0xffu));
   const float u = (upper + (lower + 0.5f) * 0x1p-8f) * 0x1p-31f;  // 2⁻⁴⁰ … 1
   const float radius = std::sqrt(-2.0f * natural_log(u));
 
-  // The angle lies in one of four quadrants, each centred on an axis: sine and cosine are needed
-  // within ±45° only (Cephes' polynomials, 10⁻⁷), then turned by whole right angles.
+  // The angle is in one of four quadrants, each centred on an axis: sine and cosine are computed
+  // within ±45° (Cephes' polynomials, 10⁻⁷), then rotated by multiples of 90°.
   const auto within = static_cast<std::int32_t>((word1 >> 8) & 0x3fffffu);
   constexpr float kStep_rad = 1.57079633f * 0x1p-22f;
   const float x = (static_cast<float>(within - (1 << 21)) + 0.5f) * kStep_rad;
@@ -59,7 +59,7 @@ inline void box_muller(std::uint32_t word0, std::uint32_t word1, float& first, f
   const float cosine =
       ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
       0.5f * z + 1.0f;
-  // Branches would keep the loop from SIMD, so the turn is done on the bits: swap, and flip signs.
+  // Branches would prevent vectorisation, so the rotation is done on the bits: swap, flip signs.
   const std::uint32_t quarter_turn = 0u - ((word1 >> 30) & 1u);
   const std::uint32_t half_turn_sign = word1 & 0x80000000u;
   const std::uint32_t swapped = (bits_of(cosine) ^ bits_of(sine)) & quarter_turn;

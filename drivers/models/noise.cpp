@@ -23,8 +23,8 @@ void add_gaussian(const Stream& stream, std::uint64_t first, std::size_t count, 
 }
 
 double uniform(const Stream& stream, std::uint64_t n) {
-  // Gaussian values use the blocks below 2⁶²; the upper half of the counter is for uniform ones, so
-  // that a stream that is asked for both gives independent values.
+  // Gaussian values use the blocks below 2⁶², uniform values the upper half of the counter, so that
+  // both are independent in the same stream.
   constexpr std::uint64_t kUniformBlocks = std::uint64_t{1} << 63;
   const auto block = philox_block(stream, kUniformBlocks | n);
   const std::uint64_t bits = (std::uint64_t{block.v[0]} << 32 | block.v[1]) >> 11;

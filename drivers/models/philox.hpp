@@ -1,5 +1,4 @@
-// Philox 4×32-10 as this library counts with it: the seed is the key; block number, purpose and
-// index are the counter.
+// Philox 4×32-10 with the seed as key, and block number, purpose and index as counter.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +19,14 @@ inline r123::Philox4x32::ctr_type philox_block(const Stream& stream, std::uint64
   return r123::Philox4x32{}(counter, key);
 }
 
-// The arithmetic of Gaussian noise: a batch of blocks at a time, in loops that a compiler turns
-// into SIMD. Each lane is computed by itself, in the same order of operations, so that the width of
-// the machine's vectors does not touch a bit of the result.
+// Gaussian noise is computed for a batch of blocks at a time, in loops that the compiler
+// vectorises. Each lane has the same order of operations, so the result does not depend on the
+// vector width.
 constexpr std::size_t kBlocksInBatch = 16;
 constexpr std::size_t kValuesInBatch = 4 * kBlocksInBatch;
 
-// Values 64·batch … 64·batch+63 of the stream's standard normals. Value i of the batch comes from
-// word i/16 of block 16·batch + i%16, an order that needs no shuffling between SIMD lanes.
+// Standard normal values 64·batch … 64·batch+63 of the stream. Value i of the batch comes from word
+// i/16 of block 16·batch + i%16, so that no shuffling between SIMD lanes is needed.
 void gaussian_batch(const Stream& stream, std::uint64_t batch, float* values);
 
 }  // namespace gsbench::models

@@ -11,7 +11,7 @@
 namespace gsbench::models {
 namespace {
 
-constexpr std::size_t kAtOnce = 32;  // streams in a loop that a compiler turns into SIMD
+constexpr std::size_t kAtOnce = 32;  // streams in one loop that the compiler vectorises
 constexpr std::size_t kWords = 4;    // of a block
 
 Stream nth(const Stream& first, std::size_t i) {
@@ -49,8 +49,8 @@ struct Product {
   return _mm256_set1_epi32(static_cast<std::int32_t>(value));
 }
 
-// The same, eight counters in a vector: Random123's own a compiler does not turn into SIMD. Blocks
-// come by kAtOnce, so that none carries into the upper word.
+// The same with eight counters in a vector, because compilers do not vectorise Random123's code.
+// Blocks come in groups of kAtOnce, so that none carries into the upper word.
 [[gnu::target("avx2")]] void fill_avx2(const Stream& first, std::uint64_t block,
                                        std::uint32_t stream_step, std::uint32_t block_step,
                                        Words& words) {

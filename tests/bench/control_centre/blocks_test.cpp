@@ -19,14 +19,14 @@ grid::Grid grid_of(std::vector<grid::Block> blocks) {
   return grid;
 }
 
-TEST(Accumulation, CountsHalfOfTheOwnGroupAndByEquationElevenAllOfIt) {
+TEST(Accumulation, IncludesHalfOfTheOwnGroupOrAllOfItByEquation11) {
   EXPECT_EQ(accumulated_mw(100.0, 30.0), 115.0);
   EXPECT_EQ(accumulated_mw(100.0, 30.0, Accumulation::kWholeGroup), 130.0);
 }
 
-// Requirements spread evenly over equal blocks, each of which goes off where the requirement is
-// above its P^A.
-TEST(Accumulation, ByHalfShedsWhatIsRequiredOnAverageByTheWholeHalfABlockLess) {
+// Required powers spread evenly over equal blocks; each block is shed if the required power exceeds
+// its P^A. With the whole group in P^A, half a block too little is shed.
+TEST(Accumulation, OfHalfTheGroupShedsTheRequiredPowerOnAverage) {
   const grid::Grid grid = grid_of(std::vector<grid::Block>(10, {"of ten", 20.0}));
   for (const bool whole : {false, true}) {
     double error_mw = 0.0;
@@ -44,7 +44,7 @@ TEST(Accumulation, ByHalfShedsWhatIsRequiredOnAverageByTheWholeHalfABlockLess) {
   }
 }
 
-TEST(BlockSettings, AccumulatePowerAndShedTheLoadThatIsStillThere) {
+TEST(BlockSettings, AccumulatePowerAndReferEquation17ToTheRemainingLoad) {
   const auto settings = block_settings(grid_of({{"a", 50.0}, {"b", 100.0}, {"c", 25.0}}));
   ASSERT_EQ(settings.size(), 3u);
   EXPECT_EQ(settings[0].id, "a");
@@ -59,28 +59,29 @@ TEST(BlockSettings, AccumulatePowerAndShedTheLoadThatIsStillThere) {
   EXPECT_NEAR(settings[2].switch_off_hz, 49.229729729730, 1e-12);
 }
 
-TEST(BlockSettings, AreNoneForAGridWithoutBlocks) {
+TEST(BlockSettings, AreEmptyForAGridWithoutBlocks) {
   EXPECT_TRUE(block_settings(grid::ieee24()).empty());
 }
 
-TEST(BlockSettings, RefuseAGridThatMakesNoSense) {
+TEST(BlockSettings, RefuseAnInvalidGrid) {
   grid::Grid grid = grid_of({{"a", -50.0}});
   const auto settings = [&] { (void)block_settings(grid); };
   expect_refused(settings, "block.power_mw", 0, "power_mw is -50");
   grid = grid_of({{"a", 5.0}, {"b", 50.0}});
   grid.damping_pu = 0.02;
-  expect_refused(settings, "block.power_mw", 1, "its switching-off frequency, eq. (17), would be");
+  expect_refused(settings, "block.power_mw", 1,
+                 "which gives a switching-off frequency, eq. (17), of -");
   grid.damping_pu = 0.0;
   expect_refused(settings, "system.damping_pu", -1,
-                 "damping_pu is 0: must be above 0 where there are blocks");
+                 "damping_pu is 0; it must be above 0 if there are blocks");
 }
 
-TEST(SwitchOffFrequency, IsThatOfTheBlockBehindTheSameLoad) {
+TEST(SwitchOffFrequency, EqualsThatOfABlockWithTheSamePowers) {
   const grid::Grid grid = grid_of({{"a", 50.0}, {"b", 100.0}});
   EXPECT_EQ(switch_off_hz(grid, 50.0, 100.0), block_settings(grid)[1].switch_off_hz);
 }
 
-TEST(SwitchOffFrequency, RefusesPowersThatCannotBe) {
+TEST(SwitchOffFrequency, RefusesInvalidPowers) {
   const grid::Grid grid = grid::ieee24();
   const double nan = std::nan("");
   EXPECT_THROW(switch_off_hz(grid, 100.0, -1.0), std::invalid_argument);
@@ -90,7 +91,7 @@ TEST(SwitchOffFrequency, RefusesPowersThatCannotBe) {
   EXPECT_THROW(switch_off_hz(grid, 100.0, nan), std::invalid_argument);
 }
 
-TEST(SwitchOffFrequency, OfNoLoadIsTheThresholdEvenWithoutDamping) {
+TEST(SwitchOffFrequency, IsTheThresholdWithoutLoadEvenWithoutDamping) {
   grid::Grid grid = grid::ieee24();
   grid.damping_pu = 0.0;
   EXPECT_EQ(switch_off_hz(grid, 0.0, 0.0), grid.threshold_hz);

@@ -37,11 +37,11 @@ TEST(OutletSettings, AreDerivedFromTheGrid) {
   EXPECT_EQ(s.response.initial_slope_per_s, static_cast<float>(model.initial_slope_per_s()));
   EXPECT_EQ(s.largest_loss_mw, static_cast<float>(grid.base_mw));
   EXPECT_EQ(s.accumulated_mw, 100.0F);
-  // Printed in the paper, ±0.1 for what it rounds.
+  // As in the paper, within its rounding.
   EXPECT_NEAR(static_cast<double>(s.threshold_mw), 351.92, 0.1);
 }
 
-TEST(OutletSettings, CarryEachRowOfTheConditions) {
+TEST(OutletSettings, ContainEachRowOfTheConditions) {
   const grid::Grid grid = grid::ieee24();
   const auto rows = conditions(grid::SfrModel(grid), grid.threshold_hz, grid.condition_row_hz);
   const Settings s = settings_of({});
@@ -53,7 +53,7 @@ TEST(OutletSettings, CarryEachRowOfTheConditions) {
   }
 }
 
-TEST(OutletSettings, LeaveTheFirmwaresDefaultsWhereNothingIsWished) {
+TEST(OutletSettings, KeepTheFirmwaresDefaultsIfNothingIsRequested) {
   const Settings defaults;
   const Settings s = settings_of({});
   EXPECT_EQ(s.condition_hits, defaults.condition_hits);
@@ -70,8 +70,8 @@ Wishes with(const std::string& setting, double value) {
   return wishes;
 }
 
-// Each field of the list but the conditions: no number is its own to be set by hand.
-TEST(OutletSettings, TakeWhatIsWished) {
+// Each field except the conditions, which cannot be set.
+TEST(OutletSettings, TakeTheRequestedValueOfEachField) {
   for (const gs::outlet::Field& field : gs::outlet::kSettingsFields) {
     if (field.type == gs::outlet::FieldType::kRows) {
       continue;
@@ -84,7 +84,7 @@ TEST(OutletSettings, TakeWhatIsWished) {
   }
 }
 
-TEST(OutletSettings, AreThoseOfTheBlockWithTheSamePowers) {
+TEST(OutletSettings, HaveTheSwitchOffFrequencyOfABlockWithTheSamePowers) {
   grid::Grid grid = grid::ieee24();
   grid.blocks = {{"a", 50.0}, {"b", 100.0}, {"c", 25.0}};
   for (const BlockSetting& block : block_settings(grid)) {
@@ -95,14 +95,15 @@ TEST(OutletSettings, AreThoseOfTheBlockWithTheSamePowers) {
   }
 }
 
-TEST(OutletSettings, SwitchOffFrequencyTakesTheOwnBlockForAsLargeAsTheAccumulatedPower) {
+TEST(OutletSettings, AssumeABlockAsLargeAsTheAccumulatedPower) {
   EXPECT_EQ(settings_of(behind(100.0)).switch_off_hz,
             static_cast<float>(switch_off_hz(grid::ieee24(), 50.0, 100.0)));
   EXPECT_EQ(settings_of(behind(0.0)).switch_off_hz, 49.5F);
 }
 
-// A threshold raised out of reach, as the backup's test has it, must not blunt the estimate.
-TEST(OutletSettings, EstimatesSpreadIsThatOfTheGridNotOfTheWishedThreshold) {
+// A threshold above any loss, as in the profile of the backup criterion, must not change the
+// estimate.
+TEST(OutletSettings, DeriveTheSpreadOfTheEstimateFromTheGridNotTheRequestedThreshold) {
   EXPECT_EQ(settings_of(with("threshold_mw", 2000.0)).loss_sigma_mw, settings_of({}).loss_sigma_mw);
 }
 
@@ -110,23 +111,24 @@ std::string refusal(const Wishes& wishes, const grid::Grid& grid = grid::ieee24(
   return test::refusal_of<std::invalid_argument>([&] { (void)outlet_settings(grid, wishes, 1); });
 }
 
-TEST(OutletSettings, NameTheSettingAndItsRangeWhereItIsOutside) {
+TEST(OutletSettings, AreRefusedOutsideTheirRange) {
   EXPECT_EQ(refusal(with("switch_off_hz", 39.0)),
-            "switch_off_hz is 39; outlets take a number from 40 to below 50 Hz");
+            "switch_off_hz is 39; it must be a number from 40 to below 50 Hz");
   EXPECT_EQ(refusal(with("event_drop_hz", 2.0)),
-            "event_drop_hz is 2; outlets take a number from 0 to 1 Hz");
+            "event_drop_hz is 2; it must be a number from 0 to 1 Hz");
   EXPECT_EQ(refusal(with("threshold_mw", -1.0)),
-            "threshold_mw is -1; outlets take a number from above 0 to 1e+09 MW");
+            "threshold_mw is -1; it must be a number from above 0 to 1e+09 MW");
   EXPECT_THAT(refusal(with("lse_samples", 2.5)), HasSubstr("a whole number from 2 to 64"));
-  EXPECT_THAT(refusal(with("event_drops_hz", 5.0)), HasSubstr("event_drops_hz is no setting"));
-  EXPECT_THAT(refusal(with("conditions", 5.0)), HasSubstr("conditions follow from the grid"));
-  // A count must not wrap round into one that would do.
+  EXPECT_THAT(refusal(with("event_drops_hz", 5.0)), HasSubstr("event_drops_hz is not a setting"));
+  EXPECT_THAT(refusal(with("conditions", 5.0)),
+              HasSubstr("conditions cannot be set; they are derived from the grid"));
+  // A count must not overflow into a valid one.
   EXPECT_THAT(refusal(with("condition_hits", 65536.0 + 20.0)),
               HasSubstr("condition_hits is 65556"));
   EXPECT_THAT(refusal(with("ekf_samples", -246.0)), HasSubstr("ekf_samples is -246"));
 }
 
-TEST(OutletSettings, NameTheReasonWhereTheFirmwareRefusesThemTogether) {
+TEST(OutletSettings, AreRefusedWithTheReasonOfTheFirmware) {
   EXPECT_THAT(refusal(with("loss_sigma_mw", 3000.0)),
               HasSubstr(to_string(gs::outlet::SettingsError::kEstimator)));
   Wishes wishes = behind(100.0);
@@ -134,19 +136,19 @@ TEST(OutletSettings, NameTheReasonWhereTheFirmwareRefusesThemTogether) {
   EXPECT_THAT(refusal(wishes), HasSubstr("power_mw is 201"));
 }
 
-TEST(OutletSettings, RefuseMoreConditionsThanAnOutletKeeps) {
+TEST(OutletSettings, RefuseMoreConditionsThanAnOutletStores) {
   grid::Grid grid = grid::ieee24();
   grid.condition_row_hz = 0.5 / gs::outlet::kMaxConditions;
   EXPECT_EQ(refusal({}, grid), "");
   grid.condition_row_hz = 0.5 / (gs::outlet::kMaxConditions + 1);
   EXPECT_THAT(refusal({}, grid),
-              AllOf(HasSubstr("condition_row_hz"), HasSubstr("33"), HasSubstr("32 at most")));
+              AllOf(HasSubstr("condition_row_hz"), HasSubstr("33"), HasSubstr("at most 32")));
 }
 
-TEST(DescribedSettings, AreAllThatWereSent) {
+TEST(DescribedSettings, ContainEveryField) {
   const Settings s = settings_of(behind(100.0));
   const auto all = described(s);
-  // Of the conditions their number and two figures a row.
+  // The conditions are their number and two values per row.
   EXPECT_EQ(all.size(), std::size(gs::outlet::kSettingsFields) + 20U);
   EXPECT_EQ(all.at("version"), 1.0);
   EXPECT_EQ(all.at("accumulated_mw"), 100.0);
@@ -154,7 +156,7 @@ TEST(DescribedSettings, AreAllThatWereSent) {
   EXPECT_EQ(all.at("condition_rows"), 10.0);
   EXPECT_EQ(all.at("condition_01_from_hz"), static_cast<double>(s.conditions[0].from_hz));
   EXPECT_EQ(all.at("condition_10_rocof_below_hz_s"), 0.0);
-  // The judge asks for it.
+  // The judge needs it.
   EXPECT_EQ(all.at("event_drop_hz"), static_cast<double>(s.event_drop_hz));
 }
 

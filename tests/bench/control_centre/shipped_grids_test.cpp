@@ -45,8 +45,8 @@ double largest_difference_from_print_hz_s(const grid::Grid& grid) {
   return largest;
 }
 
-// How far each stands from Table 1, which is why there are two.
-TEST(ShippedGrids, CarryTableOneThatOnlyTheCalibratedSystemReproduces) {
+// The difference from Table 1 is the reason for shipping two grids.
+TEST(ShippedGrids, ReproduceTable1OnlyWithTheCalibratedSystem) {
   EXPECT_LT(largest_difference_from_print_hz_s(profile::load_grid("ieee24")), 3e-4);
   EXPECT_NEAR(largest_difference_from_print_hz_s(profile::load_grid("ieee24-by-unit")), 0.0232,
               kFourDecimals);
@@ -58,14 +58,13 @@ TEST(ShippedGrids, HaveBlocksToShedAfterTheLossOf500Mw) {
   EXPECT_GT(blocks.back().accumulated_mw, 500.0 - 351.92);
 }
 
-TEST(ShippedGrids, HaveASixtyHertzSystemOfTextbookConstants) {
+TEST(ShippedGrids, HaveA60HzSystemWithTextbookConstants) {
   const grid::Grid grid = profile::load_grid("island-60hz");
   const grid::SfrModel model(grid);
   EXPECT_EQ(grid.nominal_hz, 60.0);
-  EXPECT_NEAR(model.inertia_s(), 4.0, 0.05)
-      << "inertia by kind of plant, about the 4 s of the book";
+  EXPECT_NEAR(model.inertia_s(), 4.0, 0.05) << "near the 4 s of Anderson and Mirheydar";
   EXPECT_DOUBLE_EQ(model.droop_pu(), 0.05);
-  // A threshold worth defending: more than a small unit, less than a large one.
+  // A useful threshold: more than a small unit, less than a large one.
   const double threshold = threshold_mw(model, grid.threshold_hz);
   EXPECT_GT(threshold, 200.0);
   EXPECT_LT(threshold, 1000.0);

@@ -14,13 +14,13 @@ namespace {
 
 using grid::kTwoDecimals;
 
-TEST(Threshold, IsThatOfTheCalibratedIeee24BusSystem) {
+TEST(Threshold, HasTheKnownValueForTheCalibratedIeee24BusSystem) {
   const double threshold = threshold_mw(grid::SfrModel(grid::ieee24()), 49.5);
   EXPECT_NEAR(threshold, 351.92, kTwoDecimals);
-  EXPECT_NEAR(threshold, 351.90, 0.1) << "the paper's, to the accuracy of the calibration";
+  EXPECT_NEAR(threshold, 351.90, 0.1) << "value of the paper, within the calibration's accuracy";
 }
 
-TEST(Threshold, IsTheLossWhoseNadirIsTheThresholdFrequency) {
+TEST(Threshold, IsTheLossWithANadirAtTheThresholdFrequency) {
   for (const grid::Grid& grid : {grid::ieee24(), grid::overdamped_grid(), grid::grid_of_zeta(1.0),
                                  grid::first_order_grid()}) {
     const grid::SfrModel model(grid);
@@ -38,11 +38,11 @@ TEST(Threshold, RefusesAFrequencyThatIsNotBelowNominal) {
   }
 }
 
-TEST(KLse, IsThatOfTheIeee24BusSystem) {
+TEST(KLse, HasTheKnownValueForTheIeee24BusSystem) {
   EXPECT_NEAR(k_lse_mw_per_hz_s(grid::SfrModel(grid::ieee24())), -1011.92, kTwoDecimals);
 }
 
-TEST(KLse, TurnsTheFirstSlopeIntoTheLoss) {
+TEST(KLse, ConvertsTheInitialRocofToTheLoss) {
   for (const grid::Grid& grid :
        {grid::ieee24(), grid::overdamped_grid(), grid::grid_of_zeta(1.0)}) {
     const grid::SfrModel model(grid);
@@ -60,30 +60,30 @@ double lowest_hz(const grid::SfrModel& model, double loss_mw, double shed_mw, do
   return lowest;
 }
 
-TEST(ThresholdForDelay, IsThePapersWhereNothingIsLate) {
+TEST(ThresholdForDelay, EqualsThePapersThresholdWithoutDelayOrShedding) {
   const grid::SfrModel model(grid::ieee24());
   EXPECT_DOUBLE_EQ(threshold_for_delay_mw(model, 49.5, 500.0, 0.0), threshold_mw(model, 49.5));
   EXPECT_DOUBLE_EQ(threshold_for_delay_mw(model, 49.5, 300.0, 1.0), threshold_mw(model, 49.5));
 }
 
-// The paper's own threshold does not: 49.486 Hz after 0.96 s.
-TEST(ThresholdForDelay, KeepsTheNadirWhateverTheDelay) {
+// The paper's threshold does not: 49.486 Hz for a delay of 0.96 s.
+TEST(ThresholdForDelay, KeepsTheNadirAtTheThresholdFrequencyForAnyDelay) {
   const grid::SfrModel model(grid::ieee24());
   EXPECT_LT(lowest_hz(model, 500.0, 500.0 - threshold_mw(model, 49.5), 0.96), 49.487);
   for (const double delay_s : {0.2, 0.64, 0.96}) {
     for (const double loss_mw : {400.0, 500.0, 600.0}) {
-      const double reported_mw = threshold_for_delay_mw(model, 49.5, loss_mw, delay_s);
-      EXPECT_NEAR(lowest_hz(model, loss_mw, loss_mw - reported_mw, delay_s), 49.5, 2e-4)
+      const double corrected_mw = threshold_for_delay_mw(model, 49.5, loss_mw, delay_s);
+      EXPECT_NEAR(lowest_hz(model, loss_mw, loss_mw - corrected_mw, delay_s), 49.5, 2e-4)
           << loss_mw << " MW, " << delay_s << " s";
     }
   }
 }
 
-TEST(ThresholdForDelay, IsZeroWhereNoSheddingHelps) {
+TEST(ThresholdForDelay, IsZeroIfNoSheddingSuffices) {
   EXPECT_EQ(threshold_for_delay_mw(grid::SfrModel(grid::ieee24()), 49.5, 2000.0, 5.0), 0.0);
 }
 
-TEST(ThresholdForDelay, RefusesWhatMakesNoSense) {
+TEST(ThresholdForDelay, RefusesInvalidArguments) {
   const grid::SfrModel model(grid::ieee24());
   EXPECT_THROW(threshold_for_delay_mw(model, 49.5, -1.0, 1.0), std::invalid_argument);
   EXPECT_THROW(threshold_for_delay_mw(model, 49.5, 500.0, -1.0), std::invalid_argument);

@@ -10,7 +10,7 @@
 namespace gsbench::grid {
 namespace {
 
-TEST(ClosedForm, HasThePaperParametersOfTheIeee24BusSystem) {
+TEST(ClosedForm, HasThePapersParametersForTheIeee24BusSystem) {
   const SfrModel model(ieee24());
   const auto parameters = underdamped_parameters(model, 8.0);
   ASSERT_TRUE(parameters);
@@ -21,7 +21,7 @@ TEST(ClosedForm, HasThePaperParametersOfTheIeee24BusSystem) {
 }
 
 // α·sin(∅) = −1 makes eq. (6) start from zero; α·ω_n·sin(∅1) is the slope of eq. (16).
-TEST(ClosedForm, HasPaperParametersThatFitTheModelForEveryUnderdampedGrid) {
+TEST(ClosedForm, HasParametersConsistentWithTheModelForEveryUnderdampedGrid) {
   for (double zeta = 0.6; zeta < 1.0; zeta += 0.05) {
     const SfrModel model(grid_of_zeta(zeta));
     const auto parameters = underdamped_parameters(model, 8.0);
@@ -34,17 +34,17 @@ TEST(ClosedForm, HasPaperParametersThatFitTheModelForEveryUnderdampedGrid) {
   }
 }
 
-TEST(ClosedForm, HasNoPaperParametersForAnOverdampedGrid) {
+TEST(ClosedForm, HasNoParametersForAnOverdampedGrid) {
   EXPECT_FALSE(underdamped_parameters(SfrModel(overdamped_grid()), 8.0));
 }
 
-TEST(Nadir, IsThatOfTheIeee24BusSystem) {
+TEST(Nadir, HasTheKnownValueForTheIeee24BusSystem) {
   const Nadir lowest = nadir(SfrModel(ieee24()), 500.0);
   EXPECT_NEAR(lowest.t_s, 3.761, kThreeDecimals);
   EXPECT_NEAR(lowest.frequency_hz, 49.290, kThreeDecimals);
 }
 
-TEST(Nadir, IsThatOfAnOverdampedGrid) {
+TEST(Nadir, HasTheKnownValueForAnOverdampedGrid) {
   const Nadir lowest = nadir(SfrModel(overdamped_grid()), 100.0);
   EXPECT_NEAR(lowest.t_s, 1.45, kTwoDecimals);
   EXPECT_NEAR(lowest.frequency_hz, 49.402, kThreeDecimals);
@@ -55,14 +55,14 @@ TEST(Nadir, ChangesSmoothlyThroughCriticalDamping) {
   for (const double step : {1e-15, 1e-12, 1e-9, 1e-6}) {
     for (const double zeta : {1.0 - step, 1.0 + step}) {
       const Nadir lowest = nadir(SfrModel(grid_of_zeta(zeta)), 100.0);
-      // Time and depth move by less than ten times their size per unit of zeta.
+      // Time and depth change by less than ten times their value per unit of zeta.
       EXPECT_NEAR(lowest.t_s, critical.t_s, critical.t_s * (10.0 * step + 1e-13)) << zeta;
       EXPECT_NEAR(lowest.frequency_hz, critical.frequency_hz, 10.0 * step + 1e-13) << zeta;
     }
   }
 }
 
-TEST(Nadir, IsTheEndValueWhereThereIsNoTurn) {
+TEST(Nadir, IsTheFinalValueWithoutATurningPoint) {
   const SfrModel model(first_order_grid());
   const Nadir lowest = nadir(model, 100.0);
   EXPECT_EQ(lowest.t_s, std::numeric_limits<double>::infinity());
@@ -70,7 +70,7 @@ TEST(Nadir, IsTheEndValueWhereThereIsNoTurn) {
 }
 
 // A slow prime mover with a short lag: both poles are slower than the zero at −1/T_R.
-TEST(Nadir, IsTheEndValueWhereBothPolesAreSlowerThanTheReheat) {
+TEST(Nadir, IsTheFinalValueIfBothPolesAreSlowerThanTheReheat) {
   Grid grid = overdamped_grid();
   grid.damping_pu = 0.0;
   grid.gain_km = 0.1;
@@ -90,7 +90,7 @@ TEST(Nadir, IsProportionalToTheLoss) {
               6.0 * (50.0 - nadir(model, 100.0).frequency_hz), 1e-13);
 }
 
-TEST(Nadir, RefusesALossThatIsNone) {
+TEST(Nadir, RefusesANegativeOrNaNLoss) {
   const SfrModel model(ieee24());
   EXPECT_THROW(nadir(model, -1.0), std::invalid_argument);
   EXPECT_THROW(nadir(model, std::nan("")), std::invalid_argument);

@@ -35,7 +35,7 @@ TEST(FrequencyResponse, IsAlwaysNominalWithoutAChange) {
   EXPECT_EQ(response.excess_cycles(5.0), 0.0);
 }
 
-TEST(FrequencyResponse, BottomsAndSettlesWhereALossOf500MwDoes) {
+TEST(FrequencyResponse, HasTheKnownNadirAndFinalValueForALossOf500Mw) {
   const FrequencyResponse response(SfrModel(ieee24()), {{0.0, 500.0}});
   EXPECT_NEAR(lowest_hz(response), 49.290, 0.5e-3);
   EXPECT_NEAR(response.frequency_hz(1000.0), 49.609, 0.5e-3);
@@ -46,7 +46,7 @@ TEST(FrequencyResponse, SuperposesChanges) {
   const FrequencyResponse one(model, {{1.0, 500.0}}), other(model, {{1.7, -148.0}});
   const FrequencyResponse both(model, {{1.7, -148.0}, {1.0, 500.0}});
   for (double t_s = 0.0; t_s < 10.0; t_s += 0.1) {
-    // One rounding of 50 Hz a sum.
+    // One rounding of 50 Hz per sum.
     EXPECT_NEAR(both.frequency_hz(t_s), one.frequency_hz(t_s) + other.frequency_hz(t_s) - 50.0,
                 3e-14);
     EXPECT_NEAR(both.rocof_hz_s(t_s), one.rocof_hz_s(t_s) + other.rocof_hz_s(t_s), 1e-15);
@@ -54,7 +54,7 @@ TEST(FrequencyResponse, SuperposesChanges) {
   }
 }
 
-TEST(FrequencyResponse, FallsDeeperTheGreaterTheLoss) {
+TEST(FrequencyResponse, FallsDeeperAfterALargerLoss) {
   const SfrModel model(overdamped_grid());
   for (double t_s = 0.1; t_s < 10.0; t_s += 0.1) {
     double before_hz = 50.0;
@@ -66,8 +66,8 @@ TEST(FrequencyResponse, FallsDeeperTheGreaterTheLoss) {
   }
 }
 
-// 148.34 MW is what the paper's million outlets shed after 500 MW (§6.5); each delay costs depth.
-TEST(FrequencyResponse, ToSheddingBottomsLowerTheLaterItComes) {
+// 148.34 MW: the power that the paper's million outlets shed after a loss of 500 MW (§6.5).
+TEST(FrequencyResponse, HasALowerNadirTheLaterTheShedding) {
   for (const auto& [delay_s, expected_hz] :
        std::map<double, double>{{0.0, 49.5004}, {0.64, 49.4948}, {0.96, 49.4860}, {1.2, 49.4754}}) {
     const FrequencyResponse response(SfrModel(ieee24()), {{0.0, 500.0}, {delay_s, -148.34}});

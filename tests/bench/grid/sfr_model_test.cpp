@@ -17,11 +17,11 @@ TEST(SfrModel, HasTheParametersOfTheCalibratedIeee24BusSystem) {
   EXPECT_NEAR(model.zeta(), 0.75352, kFiveDecimals);
 }
 
-TEST(SfrModel, FollowsTheClosedFormOfThePaperWhereItExists) {
+TEST(SfrModel, EqualsTheClosedFormOfThePaperIfUnderdamped) {
   const SfrModel model(ieee24());
   const double damping = model.zeta() * model.omega_n();
-  // The paper's parameters to five decimals; half a unit of the last digit of each, times t = 10 s
-  // at most in ω_r·t, stays below 1e-4 of the end value.
+  // The paper's parameters to five decimals. Their rounding, times up to t = 10 s in ω_r·t, changes
+  // the result by less than 1e-4 of the final value.
   const double alpha = 3.82075, omega_r = 0.26115, phi = -0.26481;
   for (double t_s = 0.0; t_s <= 10.0; t_s += 0.5) {
     const double eq6 = -model.gain_hz_per_mw() *
@@ -30,7 +30,7 @@ TEST(SfrModel, FollowsTheClosedFormOfThePaperWhereItExists) {
   }
 }
 
-TEST(SfrModel, SettlesAtTheDeviationOfEquationThree) {
+TEST(SfrModel, SettlesAtTheFinalValueOfEquation3) {
   const SfrModel model(ieee24());
   EXPECT_NEAR(50.0 + 500.0 * model.unit_deviation_hz(1000.0), 49.609, kThreeDecimals);
 }
@@ -52,19 +52,19 @@ TEST(SfrModel, IsAtRestBeforeTheLoss) {
   }
 }
 
-TEST(SfrModel, BeginsToFallAsTheInertiaAloneLetsIt) {
+TEST(SfrModel, HasAnInitialRocofThatDependsOnInertiaOnly) {
   const Grid grid = ieee24();
   const SfrModel model(grid);
   EXPECT_EQ(model.unit_deviation_hz(0.0), 0.0);
   EXPECT_EQ(model.unit_phase_cycles(0.0), 0.0);
-  // Swing equation at t = 0: f_n/(2·H·S_B), whatever the governors do.
+  // Swing equation at t = 0: f_n/(2·H·S_B), independent of the governors.
   EXPECT_NEAR(model.unit_rocof_hz_s(0.0), -50.0 / (2.0 * 9.2160655737704923 * 2745.0), 1e-16);
 }
 
 TEST(SfrModel, DependsOnTheBaseOnlyThroughTheDamping) {
   Grid other = ieee24();
   other.base_mw = 1000.0;
-  other.damping_pu *= 2745.0 / 1000.0;  // the same megawatts a hertz
+  other.damping_pu *= 2745.0 / 1000.0;  // the same MW/Hz
   const SfrModel model(ieee24()), on_other_base(other);
   for (double t_s = 0.0; t_s < 30.0; t_s += 0.7) {
     EXPECT_NEAR(model.unit_deviation_hz(t_s), on_other_base.unit_deviation_hz(t_s),
@@ -72,15 +72,15 @@ TEST(SfrModel, DependsOnTheBaseOnlyThroughTheDamping) {
   }
 }
 
-TEST(SfrModel, HasZetaOneWhereTheExampleIsMadeForIt) {
+TEST(SfrModel, HasTheZetaThatTheExampleGridIsMadeFor) {
   for (const double zeta : {0.6, 0.999, 1.0, 1.001, 5.0}) {
     EXPECT_NEAR(SfrModel(grid_of_zeta(zeta)).zeta(), zeta, 1e-14);
   }
 }
 
-// Whether d comes out above, below or at zero is rounding at zeta = 1: the three forms must agree.
-// A response moves by about its own size per unit of zeta.
-TEST(SfrModel, RunsSmoothlyThroughCriticalDamping) {
+// At zeta = 1, rounding decides whether d is above, below or at zero: the three forms must agree. A
+// response changes by about its own size per unit of zeta.
+TEST(SfrModel, ChangesSmoothlyThroughCriticalDamping) {
   const SfrModel critical(grid_of_zeta(1.0));
   for (const double step : {1e-15, 1e-13, 1e-10, 1e-7, 1e-4}) {
     for (const double zeta : {1.0 - step, 1.0 + step}) {
@@ -107,10 +107,10 @@ class AnyDamping : public ::testing::TestWithParam<double> {
   SfrModel model{grid_of_zeta(GetParam())};
 };
 
-// Five-point formulas: their error is h⁴/30 times the fifth derivative, itself at most the fastest
-// rate to the fifth; with h a thousandth of the fastest time constant that is below 1e-13, and
-// rounding of 1e-16 over h weighs 1e-12 of the value.
-TEST_P(AnyDamping, RocofIsTheDerivativeOfTheDeviationAndThatOfThePhase) {
+// Five-point formulas: their error is h⁴/30 times the fifth derivative, which is at most the fifth
+// power of the fastest rate. With h a thousandth of the fastest time constant it is below 1e-13,
+// and a rounding of 1e-16 divided by h is 1e-12 of the value.
+TEST_P(AnyDamping, HasRocofAndDeviationAsDerivativesOfDeviationAndPhase) {
   const double fastest = 2.0 * model.sigma_per_s() + model.initial_slope_per_s();
   const double h_s = 1e-3 / fastest;
   const double slope_hz_s = model.gain_hz_per_mw() * model.initial_slope_per_s();
@@ -123,7 +123,7 @@ TEST_P(AnyDamping, RocofIsTheDerivativeOfTheDeviationAndThatOfThePhase) {
                 slope([this](double t) { return model.unit_deviation_hz(t); }, t_s),
                 1e-11 * fastest * model.gain_hz_per_mw() + 1e-11 * slope_hz_s)
         << t_s;
-    // The phase reaches 20 s times the deviation: its rounding weighs as much more.
+    // The phase reaches 20 s times the deviation, and its rounding error as well.
     EXPECT_NEAR(model.unit_deviation_hz(t_s),
                 slope([this](double t) { return model.unit_phase_cycles(t); }, t_s),
                 1e-11 * fastest * 20.0 * model.gain_hz_per_mw())
@@ -131,7 +131,7 @@ TEST_P(AnyDamping, RocofIsTheDerivativeOfTheDeviationAndThatOfThePhase) {
   }
 }
 
-TEST_P(AnyDamping, StaysFiniteAndSettlesHowLongSoever) {
+TEST_P(AnyDamping, SettlesAndStaysFiniteUpTo1e9s) {
   for (const double t_s : {1e3, 1e5, 1e9}) {
     EXPECT_NEAR(model.unit_deviation_hz(t_s), -model.gain_hz_per_mw(),
                 1e-15 * model.gain_hz_per_mw());

@@ -1,6 +1,5 @@
-// Each declared key of each file is used by a text below and documented, and each of its slips is
-// refused at its place: a wrong type, a value below and above its range, a misspelt name, and its
-// absence.
+// Each declared key of each file is used by a text below and documented. Each mistake is refused at
+// its position: a wrong type, a value below or above the range, a misspelt name, a missing key.
 #include <profile_test/texts.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -32,7 +31,7 @@ using testing::StartsWith;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The grid in place of a profile, as a file of its own.
+// The inline grid of a profile, as a grid file.
 std::string grid_file() {
   const std::string text = kLossesInPlace;
   const auto from = text.find("[grid.system]");
@@ -66,7 +65,7 @@ outlets = ["a"]
 struct File {
   const char* name;
   const Key& (*declared)();
-  std::vector<std::string> texts;  // that together use every key
+  std::vector<std::string> texts;  // together they use every key
   std::function<void(const std::string& path)> load;
 };
 
@@ -76,7 +75,7 @@ void PrintTo(const File& file, std::ostream* stream) {
 
 using Visit = std::function<void(const Key& key, const keys::Entry& entry)>;
 
-// Every entry of a document beside its declaration.
+// Visits every entry of a document with its declaration.
 void walk(const keys::Value& value, const Key& table, const Visit& visit) {
   if (const auto* items = std::get_if<keys::Array>(&value.data)) {
     for (const keys::Value& item : *items) {
@@ -86,7 +85,7 @@ void walk(const keys::Value& value, const Key& table, const Visit& visit) {
   }
   const auto* entries = std::get_if<keys::Entries>(&value.data);
   if (entries == nullptr) {
-    return;  // a name in place of a table
+    return;  // a name instead of a table
   }
   for (const keys::Entry& entry : *entries) {
     const auto key = std::find_if(table.inner.begin(), table.inner.end(),
@@ -117,7 +116,7 @@ class EveryKey : public testing::TestWithParam<File> {
     return message.substr(path.size() + 1);
   }
 
-  // Each value of the texts that is no table.
+  // Each value of the texts except tables.
   void for_each_value(
       const std::function<void(const std::string&, const Key&, const keys::Entry&)>& use) const {
     for (const std::string& text : GetParam().texts) {
@@ -133,7 +132,7 @@ class EveryKey : public testing::TestWithParam<File> {
   const gsbench::test::TemporaryFolder folder_;
 };
 
-// `text` with the rest of a line replaced from the place on.
+// `text` with the rest of a line replaced from the position on.
 std::string spoilt(const std::string& text, keys::Position at, const std::string& by) {
   std::istringstream lines(text);
   std::string out;
@@ -150,7 +149,7 @@ std::string place(keys::Position at) {
   return fmt::format("{}:{}: ", at.line, at.column);
 }
 
-// Values out of the declared range; none for what has none.
+// Values outside the declared range; empty without a range.
 std::vector<std::string> out_of_range(const Key& key) {
   std::vector<std::string> values;
   const auto add = [&](double bound, bool open, double outwards) {
@@ -168,8 +167,8 @@ std::vector<std::string> out_of_range(const Key& key) {
   if (keys::is_number(key)) {
     values.insert(values.end(), {"nan", "inf", "-inf"});
   }
-  if (key.type == Type::kWord) {
-    values = {"\"" + key.words.front() + "x\""};
+  if (key.type == Type::kChoice) {
+    values = {"\"" + key.choices.front() + "x\""};
   }
   if (key.type == Type::kId) {
     values = {"\"a b\"", "\"" + std::string(key.longest + 1, 'a') + "\""};
@@ -177,7 +176,7 @@ std::vector<std::string> out_of_range(const Key& key) {
   return values;
 }
 
-TEST_P(EveryKey, IsUsedByTheTexts) {
+TEST_P(EveryKey, IsUsedByTheseTests) {
   std::set<const Key*> used;
   for (const std::string& text : GetParam().texts) {
     ASSERT_EQ(refusal_of(text), "");
@@ -195,12 +194,12 @@ TEST_P(EveryKey, IsUsedByTheTexts) {
   expect_used(GetParam().declared());
 }
 
-TEST_P(EveryKey, IsRefusedWhereItsTypeIsWrongAndOutsideItsRange) {
+TEST_P(EveryKey, IsRefusedWithAWrongTypeOrOutsideItsRange) {
   int outside = 0;
   for_each_value([&](const std::string& text, const Key& key, const keys::Entry& entry) {
     std::vector<std::string> wrong = out_of_range(key);
     outside += static_cast<int>(wrong.size());
-    wrong.insert(wrong.end(), {"true", "2025-04-28", "{}"});  // no key takes these
+    wrong.insert(wrong.end(), {"true", "2025-04-28", "{}"});  // valid for no key
     wrong.emplace_back(keys::is_number(key) ? "\"6\"" : "6");
     for (const std::string& value : wrong) {
       EXPECT_THAT(refusal_of(spoilt(text, entry.value.at, value)),
@@ -211,7 +210,7 @@ TEST_P(EveryKey, IsRefusedWhereItsTypeIsWrongAndOutsideItsRange) {
   EXPECT_GT(outside, 2);
 }
 
-TEST_P(EveryKey, IsSuggestedWhereItsNameIsMisspelt) {
+TEST_P(EveryKey, IsSuggestedIfItsNameIsMisspelt) {
   for_each_value([&](const std::string& text, const Key& key, const keys::Entry& entry) {
     EXPECT_THAT(refusal_of(spoilt(text, entry.at, key.name + "x = 1")),
                 testing::AllOf(StartsWith(place(entry.at) + "unknown key"),
@@ -219,25 +218,26 @@ TEST_P(EveryKey, IsSuggestedWhereItsNameIsMisspelt) {
   });
 }
 
-TEST_P(EveryKey, IsMissedWhereItIsRequired) {
+TEST_P(EveryKey, IsReportedIfItIsRequiredAndMissing) {
   int required = 0;
   for_each_value([&](const std::string& text, const Key& key, const keys::Entry& entry) {
     if (!key.required) {
       return;
     }
-    EXPECT_THAT(refusal_of(spoilt(text, entry.at, "")), HasSubstr(" lacks \"" + key.name + "\": "));
+    EXPECT_THAT(refusal_of(spoilt(text, entry.at, "")),
+                HasSubstr("missing key \"" + key.name + "\" in "));
     ++required;
   });
   EXPECT_GT(required, 2);
 }
 
-TEST_P(EveryKey, IsDocumented) {
+TEST_P(EveryKey, IsDocumentedInTheReadme) {
   std::ifstream file(GSBENCH_SOURCE_DIR "/profiles/README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
   const std::string command = fmt::format("gsbench schema {} --markdown", GetParam().name);
   EXPECT_THAT(readme, HasSubstr("<!-- " + command + " -->\n" +
                                 keys::markdown(GetParam().declared()) + "<!-- end -->"))
-      << "replace it by what `" << command << "` prints";
+      << "replace the table with the output of `" << command << "`";
 }
 
 const File kFiles[] = {

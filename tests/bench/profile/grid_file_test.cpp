@@ -1,4 +1,4 @@
-// Grids from files of their own.
+// Grids from grid files.
 #include <profile_test/texts.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -24,9 +24,9 @@ inertia_s = 4.0
 droop_pu = 0.05
 )";
 
-const std::string kBesideIt = replaced(kMinimal, "ieee24", "small.toml");
+const std::string kProfileBesideIt = replaced(kMinimal, "ieee24", "small.toml");
 
-TEST(GridFile, IsNamedByItsFileAndHasTheDocumentedDefaults) {
+TEST(GridFile, GivesItsNameAndTheDocumentedDefaults) {
   const gsbench::test::TemporaryFolder folder;
   const grid::Grid grid = load_grid(folder.write("small.toml", kGrid));
   EXPECT_EQ(grid.name, "small");
@@ -45,19 +45,19 @@ TEST(GridFile, IsNamedByItsFileAndHasTheDocumentedDefaults) {
 TEST(GridFile, IsFoundBesideTheProfile) {
   const gsbench::test::TemporaryFolder folder;
   folder.write("small.toml", kGrid);
-  EXPECT_EQ(load_profile(folder.write("case.toml", kBesideIt)).grid.title, "Small");
+  EXPECT_EQ(load_profile(folder.write("case.toml", kProfileBesideIt)).grid.title, "Small");
 }
 
-TEST(GridFile, RefusedInsideAProfileNamesTheGridsFile) {
+TEST(GridFile, IsNamedInTheRefusalOfAProfile) {
   const gsbench::test::TemporaryFolder folder;
   folder.write("small.toml", replaced(kGrid, "damping_pu = 1.0", "damping_pu = -1"));
-  EXPECT_THAT(refusal(kBesideIt, folder.file("case.toml")),
+  EXPECT_THAT(refusal(kProfileBesideIt, folder.file("case.toml")),
               StartsWith(folder.file("small.toml") + ":8:14: "));
 }
 
-TEST(GridName, UnknownIsRefusedWithASuggestion) {
+TEST(GridName, IsRefusedWithASuggestionIfUnknown) {
   EXPECT_THAT(gsbench::test::refusal_of<ConfigurationError>([] { (void)load_grid("ieee42"); }),
-              testing::HasSubstr("no grid \"ieee42\"; did you mean \"ieee24\"?"));
+              testing::HasSubstr("unknown grid \"ieee42\"; did you mean \"ieee24\"?"));
 }
 
 }  // namespace

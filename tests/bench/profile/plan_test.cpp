@@ -1,4 +1,4 @@
-// A plan's reference and samples are those of its profile.
+// A plan's reference signal and samples follow its profile.
 #include <profile_test/texts.hpp>
 
 #include <gtest/gtest.h>
@@ -8,12 +8,12 @@
 namespace gsbench::profile::test {
 namespace {
 
-TEST(Plan, CountsItsDurationInTicks) {
+TEST(Plan, GivesItsDurationInTicks) {
   EXPECT_EQ(parse(kMinimal).duration_ticks(), 48000);
   EXPECT_EQ(parse(kLossesInPlace).duration_ticks(), 40000);
 }
 
-TEST(Plan, LossesFollowTheGridsResponse) {
+TEST(Plan, FollowsTheResponseOfTheGridToLosses) {
   const Plan plan = parse(kLossesInPlace);
   const grid::SfrModel model(plan.grid);
   const auto reference = plan.reference();
@@ -25,34 +25,34 @@ TEST(Plan, LossesFollowTheGridsResponse) {
               1e-12);
 }
 
-TEST(Plan, WithoutLossesStaysAtNominal) {
+TEST(Plan, StaysAtNominalWithoutLosses) {
   const auto reference = parse(kMinimal).reference();
   EXPECT_EQ(reference->frequency_hz(0.0), 50.0);
   EXPECT_EQ(reference->frequency_hz(6.0), 50.0);
   EXPECT_EQ(reference->rocof_hz_s(3.0), 0.0);
 }
 
-TEST(Plan, PointsPassThroughEachPoint) {
+TEST(Plan, PassesThroughEachFrequencyPoint) {
   const auto reference = parse(kPoints).reference();
   EXPECT_EQ(reference->nominal_hz(), 50.0);
   EXPECT_NEAR(reference->frequency_hz(2.0), 49.5, 1e-12);  // rounding of a cubic
   EXPECT_NEAR(reference->frequency_hz(6.0), 49.8, 1e-12);
 }
 
-TEST(Plan, OnePointIsAConstantFrequency) {
+TEST(Plan, HasAConstantFrequencyWithOnePoint) {
   const Plan plan =
       parse(replaced(kPoints, "[[0.0, 50.0], [2.0, 49.5], [6.0, 49.8]]", "[[0.0, 47.5]]"));
   EXPECT_EQ(plan.reference()->frequency_hz(5.0), 47.5);
 }
 
-TEST(Plan, SynthesizesWithTheSignalOfTheProfile) {
+TEST(Plan, SynthesizesTheOffsetAndInitialPhaseOfTheProfile) {
   const Plan plan =
       parse(replaced(kMinimal, "6.0", "6.0\ndc_offset_pct = 25\ninitial_phase_deg = 90"));
   const waveform::Synthesizer synthesizer = plan.synthesizer();
   EXPECT_EQ(synthesizer.sample_rate_hz(), 8000);
   float first = 0.0F;
   synthesizer.render(0, 1, &first);
-  // Either extreme of the unit sine, and the offset; 1e-6 is float's rounding with room to spare.
+  // An extreme of the unit sine, without the offset; 1e-6 is above the rounding of float.
   EXPECT_NEAR(static_cast<double>(std::abs(first - 0.25F)), 1.0, 1e-6);
 }
 

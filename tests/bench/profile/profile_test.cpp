@@ -1,4 +1,4 @@
-// What a profile says is what its plan holds.
+// A plan holds the values of its profile.
 #include <profile_test/texts.hpp>
 
 #include <cmath>
@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-TEST(Profile, MinimalOneHasTheDocumentedDefaults) {
+TEST(Profile, HasTheDocumentedDefaults) {
   const Plan plan = parse(kMinimal);
   EXPECT_EQ(plan.seed, 1u);
   EXPECT_EQ(plan.grid.name, "ieee24");
@@ -35,11 +35,11 @@ TEST(Profile, KeepsItsTextAndDigest) {
   EXPECT_EQ(plan.text, kMinimal);
   EXPECT_EQ(plan.path, "test.toml");
   EXPECT_EQ(plan.name, "test");
-  // Worked out by another implementation (coreutils' sha256sum).
+  // From coreutils' sha256sum.
   EXPECT_EQ(plan.sha256, "a6b7454ae887c8a32fb06930460c9a746a37d032fe7351c1efaa52a15beadcb3");
 }
 
-TEST(Profile, HoldsTheHeadAndTheGridInPlace) {
+TEST(Profile, HoldsTitleSourceSeedAndInlineGrid) {
   const Plan plan = parse(kLossesInPlace);
   EXPECT_EQ(plan.title, "Losses in a grid in place");
   EXPECT_EQ(plan.source, "Somewhere");
@@ -71,7 +71,7 @@ TEST(Profile, HoldsTheHeadAndTheGridInPlace) {
   EXPECT_EQ(grid.reference.note, "Why they differ");
 }
 
-TEST(Profile, HoldsTheSignalWithLossesInTheOrderOfTime) {
+TEST(Profile, HoldsTheSignalWithLossesSortedByTime) {
   const Stimulus stimulus = parse(kLossesInPlace).stimulus;
   EXPECT_EQ(stimulus.duration_s, 10.0);
   EXPECT_EQ(stimulus.sample_rate_hz, 4000);
@@ -102,7 +102,7 @@ TEST(Profile, AddsListedHarmonicsToTheSet) {
   EXPECT_EQ(harmonics[25].phase_deg, -10.0);
 }
 
-TEST(Profile, SetOfEn50160HoldsEachLimitAtOnce) {
+TEST(Profile, HasEachHarmonicOfTheEn50160SetAtItsLimit) {
   const auto harmonics = parse(kLossesInPlace).stimulus.signal.harmonics;
   double squares = 0.0;
   for (int i = 0; i < 24; ++i) {
@@ -112,7 +112,7 @@ TEST(Profile, SetOfEn50160HoldsEachLimitAtOnce) {
   }
   EXPECT_EQ(harmonics[5 - 2].amplitude_pct, 6.0);
   EXPECT_EQ(harmonics[24 - 2].amplitude_pct, 0.5);
-  // The root sum of squares of the standard's table, by hand: √128.25.
+  // Root of the sum of squares of the standard's limits, by hand: √128.25.
   EXPECT_NEAR(std::sqrt(squares), 11.325, 5e-4);
 }
 
@@ -143,7 +143,7 @@ TEST(Profile, GivesEachOutletItsSettings) {
   EXPECT_TRUE(plan.outlets[3].settings.settings.empty());
 }
 
-TEST(Profile, PutsCommandsInTheOrderOfTimeAndResolvesGroups) {
+TEST(Profile, SortsCommandsByTimeAndResolvesGroups) {
   const auto commands = parse(kLossesInPlace).commands;
   ASSERT_THAT(commands, SizeIs(2));
   EXPECT_EQ(commands[0].at_s, 6.0);
@@ -153,7 +153,7 @@ TEST(Profile, PutsCommandsInTheOrderOfTimeAndResolvesGroups) {
   EXPECT_THAT(commands[1].outlets, ElementsAre("shed-1", "shed-2", "shed-3", "alone"));
 }
 
-TEST(Profile, HoldsLimitsInTheUnitTheyWereGivenIn) {
+TEST(Profile, KeepsTheGivenUnitOfLimits) {
   const auto expectations = parse(kLossesInPlace).expectations;
   ASSERT_THAT(expectations, SizeIs(2));
   EXPECT_EQ(expectations[0].measure, "event.delay");
@@ -167,7 +167,7 @@ TEST(Profile, HoldsLimitsInTheUnitTheyWereGivenIn) {
   EXPECT_THAT(expectations[1].groups, IsEmpty());
 }
 
-TEST(Profile, HoldsBreakPoints) {
+TEST(Profile, HoldsFrequencyPoints) {
   const Stimulus stimulus = parse(kPoints).stimulus;
   ASSERT_THAT(stimulus.points, SizeIs(3));
   EXPECT_EQ(stimulus.points[1].t_s, 2.0);
@@ -176,7 +176,7 @@ TEST(Profile, HoldsBreakPoints) {
   EXPECT_TRUE(stimulus.losses.empty());
 }
 
-TEST(Profile, TakesTheSeedOfTheCommandLineInPlaceOfItsOwn) {
+TEST(Profile, TakesTheSeedFromTheCommandLineIfGiven) {
   Overrides overrides;
   overrides.seed = 42;
   EXPECT_EQ(parse_profile(kLossesInPlace, "test.toml", overrides).seed, 42u);

@@ -1,4 +1,4 @@
-// Recordings as the stimulus: of the profile, and of the command line in its place.
+// Recordings as the stimulus, given in the profile or on the command line.
 #include <profile_test/texts.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -34,7 +34,7 @@ class Recording : public testing::Test {
   std::string refusal_here(const std::string& text, const Overrides& overrides = {}) const {
     return refusal(text, path("case.toml"), overrides);
   }
-  // The message behind the profile's path.
+  // The message without the profile's path.
   std::string refusal_of_one_with(const std::string& what, const std::string& by) const {
     const std::string message = refusal_here(replaced(kRecording, what, by));
     EXPECT_THAT(message, StartsWith(path("case.toml") + ":"));
@@ -62,9 +62,9 @@ TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
   EXPECT_NEAR(plan.reference()->frequency_hz(2.0), 49.7, 1e-12);  // rounding of a cubic
 }
 
-TEST_F(Recording, IsKnownByItsNameColumnsAndContent) {
+TEST_F(Recording, HasItsNameColumnsAndDigestInThePlan) {
   const profile::Recording own = parse_here(kRecording).stimulus.recording;
-  EXPECT_EQ(own.file, "recording.csv") << "as the profile names it";
+  EXPECT_EQ(own.file, "recording.csv") << "as given in the profile";
   EXPECT_EQ(own.columns.voltage, "u");
   EXPECT_EQ(own.sha256, "4fa5e3a1c3d7576c5d86a01f68b4974c7a3055ae4491f197a1af73e00d069837");
   EXPECT_FALSE(own.replaces_profile);
@@ -77,29 +77,31 @@ TEST_F(Recording, IsKnownByItsNameColumnsAndContent) {
   EXPECT_EQ(parse(kMinimal).stimulus.recording.file, "");
 }
 
-TEST_F(Recording, IsPlayedToItsEndWhereTheProfileGivesNoDuration) {
+TEST_F(Recording, IsPlayedToItsEndWithoutADuration) {
   EXPECT_EQ(parse_here(replaced(kRecording, "duration_s = 2.0", "")).stimulus.duration_s, 3.0);
 }
 
-TEST_F(Recording, IsRefusedAtThePlaceInTheProfile) {
+TEST_F(Recording, IsRefusedAtThePositionInTheProfile) {
   EXPECT_EQ(refusal_of_one_with("duration_s = 2.0", "duration_s = 3.5"),
-            "6:14: duration_s is 3.5; the recording ends at 3 s");
+            "6:14: duration_s is 3.5; it must be at most 3 (the recording's length)");
   EXPECT_EQ(refusal_of_one_with("recording.csv", "none.csv"),
-            "8:8: no recording " + path("none.csv"));
+            "8:8: file is \"none.csv\"; there is no file " + path("none.csv"));
   EXPECT_EQ(refusal_of_one_with("voltage = \"u\"", ""),
-            "12:19: nominal_voltage needs the column: voltage = \"…\"");
+            "12:19: nominal_voltage is given without a voltage column; give voltage = \"…\", or "
+            "omit nominal_voltage");
   EXPECT_EQ(refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
-            "13:10: less than two rows of " + path("recording.csv") + " are left to play");
+            "13:10: from_s and until_s leave fewer than two rows of " + path("recording.csv") +
+                " to play");
   EXPECT_EQ(refusal_of_one_with("until_s = 4.0", "until_s = 0.5"),
             "14:11: until_s is 0.5; it must be above 1");
 }
 
-TEST_F(Recording, WithoutTheNamedColumnIsRefusedByItsOwnName) {
+TEST_F(Recording, IsNamedInTheRefusalIfAColumnIsMissing) {
   EXPECT_THAT(refusal_here(replaced(kRecording, "frequency = \"f\"", "frequency = \"g\"")),
               StartsWith(path("recording.csv") + ":1:"));
 }
 
-TEST_F(Recording, OfTheCommandLineTakesThePlaceOfWhateverHappens) {
+TEST_F(Recording, OfTheCommandLineReplacesLossesStepsAndJumps) {
   folder_.write("long.csv", std::string(kCsv) + "20,49.5,230\n");
   const Stimulus stimulus = parse_here(kLossesInPlace, replay("long.csv")).stimulus;
   EXPECT_EQ(stimulus.duration_s, 20.0);
@@ -110,33 +112,34 @@ TEST_F(Recording, OfTheCommandLineTakesThePlaceOfWhateverHappens) {
   EXPECT_EQ(stimulus.noise_pct, 0.5);
 }
 
-TEST_F(Recording, OfTheCommandLineTakesThePlaceOfOneThatIsNotThere) {
+TEST_F(Recording, OfTheCommandLineReplacesAMissingOne) {
   const Plan plan =
       parse_here(replaced(kRecording, "recording.csv", "none.csv"), replay("recording.csv"));
   EXPECT_EQ(plan.stimulus.recording.path, path("recording.csv"));
   EXPECT_EQ(plan.stimulus.duration_s, 5.0);
 }
 
-TEST_F(Recording, WithAVoltageBeyondFullScaleIsRefused) {
+TEST_F(Recording, IsRefusedWithAVoltageBeyondFullScale) {
   EXPECT_EQ(refusal_of_one_with("nominal_voltage = 230.0", "nominal_voltage = 150.0"),
-            "7:1: the voltage reaches 1.533 pu (at 0 s, with harmonics and offset); a source plays "
-            "1.5 pu at most");
+            "7:1: the voltage reaches 1.533 p.u. at 0 s, harmonics and offset included; it must be "
+            "at most 1.5 p.u.");
   Overrides overrides = replay("recording.csv");
   overrides.trace_columns = {"t", "f", "u", 150.0};
   EXPECT_THAT(refusal_here(kMinimal, overrides),
-              StartsWith(path("recording.csv") + ": the voltage reaches 1.533 pu (at 0 s"));
+              StartsWith(path("recording.csv") + ": the voltage reaches 1.533 p.u. at 0 s"));
 }
 
-TEST_F(Recording, OfTheCommandLineIsRefusedByItsOwnName) {
+TEST_F(Recording, OfTheCommandLineIsNamedInItsRefusal) {
   folder_.write("short.csv", "t,f\n0,50\n0.09,50\n");
   EXPECT_EQ(refusal_here(kMinimal, replay("short.csv")),
-            path("short.csv") + ": 0.09 s long; a run takes 0.1 s at least");
-  EXPECT_EQ(refusal_here(kMinimal, replay("none.csv")), path("none.csv") + ": no such recording");
+            path("short.csv") + ": the recording is 0.09 s long; it must be at least 0.1 s");
+  EXPECT_EQ(refusal_here(kMinimal, replay("none.csv")),
+            path("none.csv") + ": the recording does not exist");
   folder_.write("bad.csv", "t,f\n0,50\n1,fifty\n");
   EXPECT_THAT(refusal_here(kMinimal, replay("bad.csv")), StartsWith(path("bad.csv") + ":3:"));
 }
 
-TEST_F(Recording, EndsBeforeACommandIsRefused) {
+TEST_F(Recording, IsRefusedIfItEndsBeforeACommand) {
   const std::string text = std::string(kMinimal) + "[[command]]\nat_s = 5.5\nswitch = \"off\"\n";
   EXPECT_EQ(refusal_here(text), "");
   EXPECT_THAT(refusal_here(text, replay("recording.csv")),

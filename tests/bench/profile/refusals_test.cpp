@@ -1,4 +1,4 @@
-// Each slip in a profile has its own message and exact place.
+// Each mistake in a profile has its own message with the exact position.
 #include <profile_test/texts.hpp>
 
 #include <vector>
@@ -8,165 +8,181 @@
 namespace gsbench::profile::test {
 namespace {
 
-struct Slip {
-  const char* what;     // is replaced …
-  const char* by;       // … by this
+struct Mistake {
+  const char* what;     // text to replace …
+  const char* by;       // … and its replacement
   const char* message;  // line:column: what is wrong, and what would be right
 };
 
-void expect_refused(const std::string& text, const std::vector<Slip>& slips) {
+void expect_refused(const std::string& text, const std::vector<Mistake>& mistakes) {
   ASSERT_EQ(refusal(text), "");
-  for (const auto& [what, by, message] : slips) {
+  for (const auto& [what, by, message] : mistakes) {
     EXPECT_EQ(refusal(replaced(text, what, by)), std::string("test.toml:") + message) << by;
   }
 }
 
-const std::vector<Slip> kOfMinimal = {
+const std::vector<Mistake> kOfMinimal = {
     {"duration_s = 6.0", "duration_s = = 6.0",
-     "6:14: not well-formed TOML: Error while parsing value: could not determine value type"},
+     "6:14: invalid TOML: Error while parsing value: could not determine value type"},
     {"max = 0", "max = 0\nmax = 1",
-     "11:7: not well-formed TOML: Error while parsing key-value pair: cannot redefine existing "
-     "integer 'max'"},
-    {"title = \"A test\"", "", "1:1: a profile lacks \"title\": a text in quotes"},
-    {"\"A test\"", "\"\"", "1:9: title is an empty text"},
+     "11:7: invalid TOML: Error while parsing key-value pair: cannot redefine existing integer "
+     "'max'"},
+    {"title = \"A test\"", "", "1:1: missing key \"title\" in a profile; give a text in quotes"},
+    {"\"A test\"", "\"\"", "1:9: title is an empty text; it must not be empty"},
     {"source", "colour = 1\nsource",
-     "2:1: unknown key \"colour\" in a profile; its keys are: title, source, seed, grid, signal, "
+     "2:1: unknown key \"colour\" in a profile; valid keys are: title, source, seed, grid, signal, "
      "outlet, command, expect"},
     {"[[outlet]]", "[[oulet]]",
      "7:3: unknown key \"oulet\" in a profile; did you mean \"outlet\"?"},
     {"[grid]\nsystem = \"ieee24\"", "",
-     "1:1: a profile lacks \"grid\": the power system: [grid] system = \"ieee24\""},
+     "1:1: missing key \"grid\" in a profile; give the power system, e.g. [grid] system = "
+     "\"ieee24\""},
     {"system = \"ieee24\"", "",
-     "3:1: [grid] lacks \"system\": a grid's name (\"ieee24\"), its path, or [grid.system]"},
+     "3:1: missing key \"system\" in [grid]; give a grid's name (\"ieee24\"), its path, or "
+     "[grid.system]"},
     {"ieee24", "ieee25",
-     "4:10: no grid \"ieee25\"; did you mean \"ieee24\"? (a file of your own is given by its path, "
+     "4:10: unknown grid \"ieee25\"; did you mean \"ieee24\"? (for your own file, give its path, "
      "ending in .toml)"},
     {"ieee24", "ieee24.toml",
-     "4:10: no grid \"ieee24.toml\"; shipped grids are: ieee24, ieee24-by-unit, island-60hz (a "
-     "file of your own is given by its path, ending in .toml)"},
+     "4:10: unknown grid \"ieee24.toml\"; grids are: ieee24, ieee24-by-unit, island-60hz "
+     "(for your own file, give its path, ending in .toml)"},
     {"\"ieee24\"", "24", "4:10: system is 24; it must be a text in quotes"},
     {"[signal]", "[[grid.block]]\nid = \"a\"\npower_mw = 1\n[signal]",
-     "5:1: block belongs to a grid in place ([grid.system]); this profile takes the grid "
-     "\"ieee24\""},
+     "5:1: block is only valid with an inline grid ([grid.system]), but system is \"ieee24\"; omit "
+     "one of the two"},
     {"[signal]\nduration_s = 6.0", "",
-     "1:1: a profile lacks \"signal\": what is played: [signal] duration_s = …"},
+     "1:1: missing key \"signal\" in a profile; give the signal to play, e.g. [signal] duration_s "
+     "= 6.0"},
     {"[signal]\nduration_s = 6.0", "[[signal]]\nduration_s = 6.0",
      "5:1: [signal] must be a table, not an array"},
-    {"[[outlet]]", "", "1:1: a profile lacks \"outlet\": at least one [[outlet]]"},
+    {"[[outlet]]", "", "1:1: missing key \"outlet\" in a profile; give at least one [[outlet]]"},
     {"[[outlet]]", "[outlet]", "7:1: outlet is a table; it must be an array of tables"},
     {"[[expect]]\nmeasure = \"event.count\"\nmax = 0", "",
-     "1:1: a profile lacks \"expect\": at least one [[expect]]: a run without limits proves "
-     "nothing"},
-    {"max = 0", "max = 0\nunit = \"s\"", "11:8: event.count has no unit; leave it out"},
-    {"max = 0", "", "8:1: [[expect]] lacks \"min\": min, max or both, of event.count"},
-    {"max = 0", "equals = \"0\"", "10:10: event.count is a number; it takes min and max"},
+     "1:1: missing key \"expect\" in a profile; give at least one [[expect]], the limits of the "
+     "run"},
+    {"measure = \"event.count\"", "",
+     "8:1: missing key \"measure\" in [[expect]]; give the name of a measure, as listed by "
+     "`gsbench measures`"},
+    {"max = 0", "max = 0\nunit = \"s\"", "11:8: event.count has no unit; omit unit"},
+    {"max = 0", "",
+     "8:1: missing key \"min\" in [[expect]]; give min, max or both, the limits of event.count"},
+    {"max = 0", "equals = \"0\"",
+     "10:10: event.count is a number; give min, max or both in place of equals"},
     {"duration_s", "duration",
      "6:1: unknown key \"duration\" in [signal]; did you mean \"duration_s\"?"},
     {"event.count", "tracker.eror.rms",
      "9:11: unknown measure \"tracker.eror.rms\"; did you mean \"tracker.error.rms\"?"},
     {"duration_s = 6.0", "",
-     "5:1: [signal] lacks \"duration_s\": the length of the run, in seconds"},
+     "5:1: missing key \"duration_s\" in [signal]; give the length of the run in seconds"},
     {"6.0", "\"6 s\"",
-     "6:14: duration_s is the text \"6 s\"; it must be a plain number, in the unit that its name "
-     "says"},
+     "6:14: duration_s is the text \"6 s\"; it must be a number, without quotes and unit"},
     {"6.0", "6.0\nsample_rate_hz = 11025",
-     "7:18: sample_rate_hz is 11025: 16 ms is no whole number of samples; it must be a multiple of "
-     "1000"},
+     "7:18: sample_rate_hz is 11025; it must be a multiple of 1000, so that 1 ms and 16 ms are "
+     "whole numbers of samples"},
     {"6.0", "6.0\nsample_rate_hz = 12500",
-     "7:18: sample_rate_hz is 12500: 1 ms is no whole number of samples; it must be a multiple of "
-     "1000"},
+     "7:18: sample_rate_hz is 12500; it must be a multiple of 1000, so that 1 ms and 16 ms are "
+     "whole numbers of samples"},
     {"6.0", "6.0\nsample_rate_hz = 8000.0",
      "7:18: sample_rate_hz is 8000.0; it must be a whole number from 1000 to 32000"},
 };
 
-const std::vector<Slip> kOfLosses = {
+const std::vector<Mistake> kOfLosses = {
     // Disturbances.
     {"[28, 1.0, -10.0]", "[28, 1.0]",
      "43:31: an item of harmonics is an array of 2 values; it must be [order, pct, deg]"},
     {"[28, 1.0, -10.0]", "28", "43:31: an item of harmonics is 28; it must be [order, pct, deg]"},
     {"[28,", "[2.5,", "43:32: order is 2.5; it must be a whole number from 2 to 50"},
-    {"[28,", "[26,", "43:32: order 26 is there twice"},
-    {"[28,", "[5,", "43:32: order 5 is there twice"},
-    {"[28,", "[34,", "43:32: order 34 lies at 2040 Hz, not below half of sample_rate_hz"},
+    {"[28,", "[26,",
+     "43:32: harmonic order 26 is given twice; give each order once, including those of "
+     "harmonic_set"},
+    {"[28,", "[5,",
+     "43:32: harmonic order 5 is given twice; give each order once, including those of "
+     "harmonic_set"},
+    {"[28,", "[34,",
+     "43:32: harmonic order 34 is at 2040 Hz; it must be below 2000 Hz (half of sample_rate_hz)"},
     {"1.0, -10.0", "-1.0, -10.0", "43:36: pct is -1; it must be at least 0 and at most 100"},
     {"-10.0", "-370.0", "43:41: deg is -370; it must be at least -360 and at most 360"},
     {"[[26, 5.0, 90.0], [28, 1.0, -10.0]]", "[]",
-     "43:13: harmonics is empty; leave it out, or give an array of [order, pct, deg]"},
-    // The figures are those of sin θ + Σ a sin(kθ + φ) over a period, worked out elsewhere.
+     "43:13: harmonics is empty; omit it, or give an array of [order, pct, deg]"},
+    // Maxima of sin θ + Σ a sin(kθ + φ) over a period, from an independent calculation.
     {"level_pct = 40.0", "level_pct = 140.0",
-     "47:1: the voltage reaches 1.587 pu (at 5 s, with harmonics and offset); a source plays 1.5 "
-     "pu at most"},
+     "47:1: the voltage reaches 1.587 p.u. at 5 s, harmonics and offset included; it must be at "
+     "most 1.5 p.u."},
     {"at_s = 8.0\nlevel_pct = 0.0",
      "at_s = 6.0\nlevel_pct = 130.0\n[[signal.amplitude_step]]\nat_s = 7.0\nlevel_pct = 110",
-     "51:1: the voltage reaches 1.62 pu (at 7 s, with harmonics and offset); a source plays 1.5 pu "
-     "at most"},
+     "51:1: the voltage reaches 1.62 p.u. at 7 s, harmonics and offset included; it must be at "
+     "most 1.5 p.u."},
     {"5.0, 90.0", "60.0, 90.0",
-     "43:13: the voltage reaches 1.682 pu (at 0 s, with harmonics and offset); a source plays 1.5 "
-     "pu at most"},
+     "43:13: the voltage reaches 1.682 p.u. at 0 s, harmonics and offset included; it must be at "
+     "most 1.5 p.u."},
     {"dc_offset_pct = 0.25", "dc_offset_pct = -90",
-     "45:17: the voltage reaches 1.951 pu (at 0 s, with harmonics and offset); a source plays 1.5 "
-     "pu at most"},
+     "45:17: the voltage reaches 1.951 p.u. at 0 s, harmonics and offset included; it must be at "
+     "most 1.5 p.u."},
     {"at_s = 8.0", "at_s = 10.0",
      "52:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
     {"duration_s = 1.5", "duration_s = 5.5",
-     "49:14: the step ends at 10.5 s, after the run's 10 s; leave duration_s out for a step that "
-     "lasts to the end"},
+     "49:14: the step ends at 10.5 s, after the end of the run at 10 s; omit duration_s for a step "
+     "that lasts to the end"},
     {"level_pct = 40.0", "",
-     "47:1: [[signal.amplitude_step]] lacks \"level_pct\": a number must be given: at least 0 and "
+     "47:1: missing key \"level_pct\" in [[signal.amplitude_step]]; give a number, at least 0 and "
      "at most 150"},
     {"at_s = 3.0", "at_s = 12.0",
      "55:8: at_s is 12; it must be at least 0 and below 10 (the run's duration)"},
     {"at_s = 4.0", "at_s = 40.0",
      "34:8: at_s is 40; it must be at least 0 and below 10 (the run's duration)"},
-    {"power_mw = 100.0", "power_mw = 0", "38:12: power_mw is 0: no loss at all; leave it out"},
+    {"power_mw = 100.0", "power_mw = 0",
+     "38:12: power_mw is 0; it must be above 0 (lost generation) or below 0 (shed load)"},
     {"power_mw = 100.0", "power_mw = 900",
      "38:12: power_mw is 900; it must be at least -800 and at most 800 (the grid's load)"},
     {"power_mw = -50.0", "power_mw = 750.0",
-     "33:1: the losses add up to 850 MW by 4 s, more than the grid's load of 800 MW"},
+     "33:1: the losses add up to 850 MW at 4 s; their sum must stay within ± 800 MW (the grid's "
+     "load)"},
     {"harmonic_set", "frequency = [[0, 60]]\nharmonic_set",
-     "44:13: the frequency comes from [[grid.loss]], from frequency points or from a recording; "
-     "this profile gives more than one of them"},
+     "44:13: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
+     "[signal.trace]"},
     {"[[signal.phase_jump]]",
      "[signal.trace]\nfile = \"r\"\ntime = \"t\"\nfrequency = \"f\"\n[[signal.phase_jump]]",
-     "54:1: the frequency comes from [[grid.loss]], from frequency points or from a recording; "
-     "this profile gives more than one of them"},
+     "54:1: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
+     "[signal.trace]"},
     // Limits.
     {"unit = \"s\"", "unit = \"MW\"",
-     "83:8: event.delay is not in \"MW\"; its unit must be s or ms or us"},
+     "83:8: unit is \"MW\"; for event.delay it must be s or ms or us"},
     {"unit = \"s\"", "unit = \"seconds\"",
-     "83:8: event.delay is not in \"seconds\"; its unit must be s or ms or us"},
-    {"unit = \"s\"", "", "81:1: [[expect]] lacks \"unit\": event.delay is in s or ms or us"},
-    {"min = 0.03", "min = 0.3", "84:7: min is 0.3, above max 0.16: nothing could pass"},
+     "83:8: unit is \"seconds\"; for event.delay it must be s or ms or us"},
+    {"unit = \"s\"", "",
+     "81:1: missing key \"unit\" in [[expect]]; give the unit of event.delay: s or ms or us"},
+    {"min = 0.03", "min = 0.3", "84:7: min is 0.3; it must be at most 0.16 (max)"},
     {"outlets = [\"early\"]", "outlets = [\"erly\"]",
-     "86:12: no group \"erly\"; did you mean \"early\"?"},
+     "86:12: unknown group \"erly\"; did you mean \"early\"?"},
     {"outlets = [\"early\"]", "outlets = []",
-     "86:11: outlets is empty; leave it out, or give an array of texts in quotes"},
+     "86:11: outlets is empty; omit it, or give an array of texts in quotes"},
     {"outlets = [\"early\"]", "outlets = [1]",
      "86:12: an item of outlets is 1; it must be a text in quotes"},
-    {"equals = \"open\"", "max = 1", "89:7: relay.end is a word, not a number; it takes equals"},
-    {"equals = \"open\"", "", "87:1: [[expect]] lacks \"equals\": the word that relay.end must be"},
+    {"equals = \"open\"", "max = 1",
+     "89:7: relay.end is a text, not a number; give equals in place of max"},
+    {"equals = \"open\"", "",
+     "87:1: missing key \"equals\" in [[expect]]; give the value that relay.end must have"},
     {"equals = \"open\"", "equals = \"opne\"", "89:10: equals is \"opne\"; did you mean \"open\"?"},
     // Outlets and commands.
-    {"count = 2", "count = 998", "72:1: more than 1000 outlets in all"},
+    {"count = 2", "count = 998", "72:1: 1002 outlets in total; a profile has at most 1000"},
     {"id = \"alone\"", "id = \"shed-2\"",
-     "71:6: there is an outlet \"shed-2\" already; give this one another id"},
+     "71:6: two outlets have the id \"shed-2\"; give this one another id"},
     {"id = \"alone\"", "id = \"all alone\"",
-     "71:6: id is \"all alone\"; it must be of letters, digits, '-', '_' and '.', at most 64 of "
-     "them"},
+     "71:6: id is \"all alone\"; it must consist of 1 to 64 letters, digits, '-', '_' and '.'"},
     {"accumulated_mw = 100.0", "accumulated_mw = 801",
      "61:18: accumulated_mw is 801; it must be at least 0 and at most 800 (the grid's load)"},
     {"power_mw = 40.0", "power_mw = 240.0",
      "62:12: power_mw is 240; it must be above 0 and at most 200 (twice accumulated_mw, which "
-     "counts half of the outlet's own block)"},
+     "includes half of the outlet's own block)"},
     {"id = \"alone\"", "id = \"alone\"\naccumulated_mw = 300.0",
      "70:1: the firmware refuses these settings: switching-off frequency not from 80 % of nominal "
      "to below nominal"},
     {"threshold_mw = 200.0", "threshold_mw = 1e-300",
-     "63:16: threshold_mw is 1e-300; in the outlets' single precision that is 0, which is out of "
-     "its range"},
+     "63:16: threshold_mw is 1e-300; outlets use single precision, in which it is 0 and out of "
+     "range"},
     {"switch_off_hz = 58.5", "switch_off_hz = 59.9999999",
-     "64:17: switch_off_hz is 59.9999999; in the outlets' single precision that is 60, which is "
-     "out of its range"},
+     "64:17: switch_off_hz is 59.9999999; outlets use single precision, in which it is 60 and out "
+     "of range"},
     {"switch_off_hz = 58.5", "switch_off_hz = 60",
      "64:17: switch_off_hz is 60; it must be at least 48 and below 60 (the grid's nominal_hz)"},
     {"switch_off_hz = 58.5", "switch_off_hz = 47.9",
@@ -174,62 +190,63 @@ const std::vector<Slip> kOfLosses = {
     {"[[command]]\nat_s = 7.0", "[[command]]\nat_s = 10.5",
      "75:8: at_s is 10.5; it must be at least 0 and below 10 (the run's duration)"},
     {"\"alone\", \"early\"", "\"alone\", \"shed-4\"",
-     "76:21: no outlet or group \"shed-4\"; did you mean \"shed-1\"?"},
+     "76:21: unknown outlet or group \"shed-4\"; did you mean \"shed-1\"?"},
     {"[\"alone\", \"early\"]", "[]",
-     "76:11: outlets is empty; leave it out, or give an array of texts in quotes"},
-    {"switch = \"off\"", "", "78:1: [[command]] lacks \"switch\": \"off\" or \"on\""},
-    // The grid in place.
-    {"nominal_hz = 60.0", "nominal_hz = 55.0",
-     "5:14: nominal_hz is 55; outlets are made for 50 and for 60"},
+     "76:11: outlets is empty; omit it, or give an array of texts in quotes"},
+    {"switch = \"off\"", "", "78:1: missing key \"switch\" in [[command]]; give \"off\" or \"on\""},
+    // The inline grid.
+    {"nominal_hz = 60.0", "nominal_hz = 55.0", "5:14: nominal_hz is 55; it must be 50 or 60"},
     {"condition_row_hz = 0.1", "condition_row_hz = 0.02",
-     "13:20: rows of 0.02 Hz make 35 load-shedding conditions; an outlet keeps 32 at most: "
-     "condition_row_hz must be greater"},
+     "13:20: condition_row_hz is 0.02, which gives 35 load-shedding conditions; an outlet stores "
+     "at most 32: increase condition_row_hz"},
     {"threshold_hz = 59.3", "threshold_hz = 60.5",
-     "6:16: threshold_hz is 60.5: must be below nominal_hz, 60"},
+     "6:16: threshold_hz is 60.5; it must be below 60 (nominal_hz)"},
     {"droop_pu = 0.04", "droop_pu = 0.04\ninverse_droop_pu = 25",
-     "23:12: give droop_pu or inverse_droop_pu, not both"},
+     "23:12: both droop_pu and inverse_droop_pu are given; give only one"},
     {"droop_pu = 0.04", "",
-     "19:1: [[grid.plant]] lacks \"droop_pu\": a number, or inverse_droop_pu"},
+     "19:1: missing key \"droop_pu\" in [[grid.plant]]; give droop_pu or inverse_droop_pu"},
     {"[-0.5, 0.0]", "[-0.5, inf]",
      "31:31: an item of condition_rocof_hz_s is inf; it must be at least -1000 and at most 0"},
 };
 
-const std::vector<Slip> kOfPoints = {
-    {"[6.0, 49.8]", "[2.0, 49.8]", "7:41: t_s is 2 after 2; times must ascend"},
+const std::vector<Mistake> kOfPoints = {
+    {"[6.0, 49.8]", "[2.0, 49.8]",
+     "7:41: t_s is 2; it must be above 2, the time of the previous point"},
     {"[6.0, 49.8]", "[6.5, 49.8]",
      "7:41: t_s is 6.5; it must be at least 0 and at most 6 (the run's duration)"},
     {"[2.0, 49.5]", "[2.0, 4.95]", "7:33: hz is 4.95; it must be at least 25 and at most 75"},
     {"[2.0, 49.5]", "[2.0, \"49.5\"]",
-     "7:33: hz is the text \"49.5\"; it must be a plain number, in the unit that its name says"},
+     "7:33: hz is the text \"49.5\"; it must be a number, without quotes and unit"},
     {"[[outlet]]", "[signal.trace]\nfile = \"r\"\ntime = \"t\"\nfrequency = \"f\"\n[[outlet]]",
-     "8:1: the frequency comes from [[grid.loss]], from frequency points or from a recording; this "
-     "profile gives more than one of them"},
+     "8:1: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
+     "[signal.trace]"},
     {"[[outlet]]",
      "dc_offset_pct = 20.0\n[[signal.amplitude_step]]\nat_s = 1.0\nduration_s = 3.0\n"
      "level_pct = 140.0\n[[outlet]]",
-     "9:1: the voltage reaches 1.6 pu (at 1 s, with harmonics and offset); a source plays 1.5 pu "
-     "at most"},
+     "9:1: the voltage reaches 1.6 p.u. at 1 s, harmonics and offset included; it must be at most "
+     "1.5 p.u."},
 };
 
-TEST(Refusal, NamesPlaceAndRemedy) {
+TEST(Refusal, GivesThePositionAndTheCorrection) {
   expect_refused(kMinimal, kOfMinimal);
   expect_refused(kLossesInPlace, kOfLosses);
   expect_refused(kPoints, kOfPoints);
 }
 
-TEST(Refusal, OfAGridWithoutPlants) {
+TEST(Refusal, OfAGridWithoutPlantsIsAtTheGrid) {
   std::string text = kLossesInPlace;
   const auto first = text.find("[[grid.plant]]");
   text.erase(first, text.find("[[grid.block]]") - first);
-  EXPECT_EQ(refusal(text), "test.toml:4:1: no plant: a grid must have at least one in operation");
+  EXPECT_EQ(refusal(text),
+            "test.toml:4:1: the grid has no plant; it must have at least one in operation");
 }
 
-TEST(Refusal, TakesNoLongerOnAnEndlessWord) {
+TEST(Refusal, IsNotSlowForAVeryLongName) {
   EXPECT_THAT(refusal(replaced(kMinimal, "event.count", std::string(1000000, 'x'))),
               testing::HasSubstr("measures are: tracker.delay, "));
 }
 
-TEST(Nesting, OfTablesByDotsOrBracketsIsRefusedBeforeItCouldOverflowTheStack) {
+TEST(Nesting, BeyondTheMaximumIsRefusedBeforeItOverflowsTheStack) {
   const auto repeated = [](const std::string& piece, int times) {
     std::string text;
     for (int i = 0; i < times; ++i) {
@@ -237,17 +254,17 @@ TEST(Nesting, OfTablesByDotsOrBracketsIsRefusedBeforeItCouldOverflowTheStack) {
     }
     return text;
   };
-  const std::string says = "tables within tables, 65 deep; 64 at most";
-  EXPECT_EQ(refusal(repeated("a.", 50000) + "b = 1\n"), "test.toml:1:130: " + says);
-  EXPECT_EQ(refusal("[" + repeated("a.", 50000) + "b]\n"), "test.toml:1:129: " + says);
-  EXPECT_EQ(refusal("x = " + repeated("[", 50000)), "test.toml:1:69: " + says);
-  EXPECT_EQ(refusal("x = " + repeated("{a = ", 50000)), "test.toml:1:325: " + says);
-  EXPECT_EQ(refusal("x = 1\ny = " + repeated("{a.b.c = ", 50000)), "test.toml:2:196: " + says);
-  // A long text that ends in a quote of its own.
-  EXPECT_EQ(refusal(R"(x = ["""q"""", )" + repeated("[", 50000)), "test.toml:1:79: " + says);
+  const std::string message = "nested 65 levels deep; the maximum is 64";
+  EXPECT_EQ(refusal(repeated("a.", 50000) + "b = 1\n"), "test.toml:1:130: " + message);
+  EXPECT_EQ(refusal("[" + repeated("a.", 50000) + "b]\n"), "test.toml:1:129: " + message);
+  EXPECT_EQ(refusal("x = " + repeated("[", 50000)), "test.toml:1:69: " + message);
+  EXPECT_EQ(refusal("x = " + repeated("{a = ", 50000)), "test.toml:1:325: " + message);
+  EXPECT_EQ(refusal("x = 1\ny = " + repeated("{a.b.c = ", 50000)), "test.toml:2:196: " + message);
+  // A text in three quotes that itself ends in a quote.
+  EXPECT_EQ(refusal(R"(x = ["""q"""", )" + repeated("[", 50000)), "test.toml:1:79: " + message);
 }
 
-TEST(Nesting, CountsNoDotsOrBracketsOfTextsCommentsAndNumbers) {
+TEST(Nesting, IgnoresDotsAndBracketsInTextsCommentsAndNumbers) {
   const std::string dots(1000, '.');
   const std::string brackets(1000, '[');
   const std::string escaped = "\\\"" + dots;

@@ -1,4 +1,4 @@
-// The shipped profiles and grids: all load, and are found by name and by path.
+// The shipped profiles and grids are valid, and are found by name and by path.
 #include <profile_test/texts.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -29,7 +29,7 @@ std::vector<std::string> profile_names() {
   return names;
 }
 
-// $GSBENCH_PROFILES for the length of a test.
+// Sets GSBENCH_PROFILES during a test.
 class ProfilesElsewhere {
  public:
   explicit ProfilesElsewhere(const fs::path& folder) {
@@ -48,7 +48,7 @@ TEST_P(Shipped, LoadsUnderItsName) {
   EXPECT_NO_THROW((void)plan.synthesizer());
 }
 
-TEST_P(Shipped, LimitsEveryOutlet) {
+TEST_P(Shipped, HasRelayLimitsForEveryOutlet) {
   const Plan plan = load_profile(GetParam());
   for (const Outlet& outlet : plan.outlets) {
     const auto limits = [&](const std::string& measure) {
@@ -60,7 +60,7 @@ TEST_P(Shipped, LimitsEveryOutlet) {
                     std::find(groups.begin(), groups.end(), outlet.group) != groups.end());
           });
     };
-    // Whatever the case is about, it must say how the relay ends and how often it switched.
+    // Every profile must limit the final state of the relay and the number of its operations.
     EXPECT_TRUE(limits("relay.end")) << outlet.id;
     EXPECT_TRUE(limits("relay.edges")) << outlet.id;
   }
@@ -76,7 +76,7 @@ std::string test_name(const testing::TestParamInfo<std::string>& profile) {
 
 INSTANTIATE_TEST_SUITE_P(Profile, Shipped, testing::ValuesIn(profile_names()), test_name);
 
-TEST(ShippedProfiles, AreThese) {
+TEST(ShippedProfiles, AreListedInAlphabeticalOrder) {
   EXPECT_THAT(profile_names(),
               testing::ElementsAre("disturbances/dead-bus", "disturbances/dips",
                                    "disturbances/harmonics", "disturbances/phase-jump",
@@ -85,22 +85,22 @@ TEST(ShippedProfiles, AreThese) {
                                    "regression/backup", "regression/command", "regression/steady"));
 }
 
-TEST(ShippedProfiles, AreNamedAlsoWhenGivenByPath) {
+TEST(ShippedProfiles, KeepTheirNamesWhenGivenByPath) {
   const std::string path = profiles_folder() + "/paper/loss-500mw.toml";
   EXPECT_EQ(load_profile(path).name, "paper/loss-500mw");
 }
 
-TEST(ShippedProfiles, MisspeltAreSuggested) {
+TEST(ShippedProfiles, AreSuggestedForAMisspeltName) {
   EXPECT_THAT(refusal_of_name("paper/loss-500"), HasSubstr("did you mean \"paper/loss-500mw\"?"));
   EXPECT_THAT(refusal_of_name("nonesuch"), HasSubstr("profiles are: disturbances/dead-bus, "));
-  EXPECT_EQ(refusal_of_name("none/such.toml"), "none/such.toml: no such profile file");
+  EXPECT_EQ(refusal_of_name("none/such.toml"), "none/such.toml: the profile file does not exist");
 }
 
-TEST(ShippedProfiles, AGridIsNoProfile) {
-  EXPECT_THAT(refusal_of_name("grids/ieee24"), StartsWith("no profile \"grids/ieee24\" in "));
+TEST(ShippedProfiles, DoNotIncludeGrids) {
+  EXPECT_THAT(refusal_of_name("grids/ieee24"), StartsWith("unknown profile \"grids/ieee24\" in "));
 }
 
-TEST(ShippedGrids, AreTheseAndLoad) {
+TEST(ShippedGrids, AreListedAndValid) {
   const auto names = list_grids();
   EXPECT_THAT(names, testing::ElementsAre("ieee24", "ieee24-by-unit", "island-60hz"));
   for (const std::string& name : names) {
@@ -126,27 +126,27 @@ TEST(ProfilesFolder, IsTakenFromTheEnvironment) {
   EXPECT_EQ(profiles[1].title, "A test");
 }
 
-TEST(ProfilesFolder, ThatIsMissingIsRefused) {
+TEST(ProfilesFolder, IsRefusedIfItDoesNotExist) {
   const ProfilesElsewhere elsewhere("nowhere/at/all");
-  const std::string says = "nowhere/at/all: no such folder of profiles";
-  EXPECT_THAT(refusal_of_name("paper/loss-500mw"), StartsWith(says));
+  const std::string message = "nowhere/at/all: the folder of profiles does not exist";
+  EXPECT_THAT(refusal_of_name("paper/loss-500mw"), StartsWith(message));
   EXPECT_THROW(list_profiles(), ConfigurationError);
   EXPECT_THROW(list_grids(), ConfigurationError);
 }
 
-TEST(ProfileFile, ThatIsHugeIsRefusedUnread) {
+TEST(ProfileFile, IsRefusedUnreadIfItIsTooLarge) {
   const TemporaryFolder folder;
   const std::string path = folder.write("huge.toml", kMinimal);
   fs::resize_file(path, std::uintmax_t{1} << 40U);  // sparse
   EXPECT_EQ(refusal_of_name(path),
-            path + ": 1099511627776 bytes; a profile or grid has 4194304 at most");
+            path + ": the file has 1099511627776 bytes; it must have at most 4194304");
 }
 
-TEST(ProfileFile, ThatIsAFolderIsRefused) {
+TEST(ProfileFile, IsRefusedIfItIsAFolder) {
   const TemporaryFolder folder;
   fs::create_directory(folder.file("folder.toml"));
   EXPECT_EQ(refusal_of_name(folder.file("folder.toml")),
-            folder.file("folder.toml") + ": no such profile file");
+            folder.file("folder.toml") + ": the profile file does not exist");
 }
 
 }  // namespace

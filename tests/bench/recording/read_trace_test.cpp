@@ -49,23 +49,23 @@ TEST_F(ReadTrace, TakesColumnsInAnyOrderAndTimeFromTheFirstRow) {
   EXPECT_EQ(points[1].voltage_pu, 0.5);
 }
 
-TEST_F(ReadTrace, HasNominalVoltageThroughoutWithoutAVoltageColumn) {
+TEST_F(ReadTrace, HasNominalVoltageWithoutAVoltageColumn) {
   EXPECT_EQ(read("t,f\n0,50\n", columns_).at(0).voltage_pu, 1.0);
 }
 
-TEST_F(ReadTrace, TakesTheMedianForTheNominalVoltageWhereNoneIsGiven) {
+TEST_F(ReadTrace, TakesTheMedianAsDefaultOfTheNominalVoltage) {
   const auto points = read("t,f,v\n0,50,400\n1,50,8\n2,50,404\n", with_voltage_);
   EXPECT_EQ(points[0].voltage_pu, 1.0);
   EXPECT_EQ(points[1].voltage_pu, 0.02);
 }
 
-TEST_F(ReadTrace, KeepsADeadBusWithItsPrintedFrequency) {
+TEST_F(ReadTrace, KeepsTheRecordedFrequencyOfADeadBus) {
   const auto points = read("t,f,v\n0,50,230\n1,47.4,0\n2,40,230\n", with_voltage_);
   EXPECT_EQ(points[1].voltage_pu, 0.0);
   EXPECT_EQ(points[1].frequency_hz, 47.4);
 }
 
-TEST_F(ReadTrace, PassesOverGapsOfTheRecordingButNotOverTheirTime) {
+TEST_F(ReadTrace, SkipsGapsButChecksTheirTime) {
   const auto points =
       read("t,f,v\n0,50,230\n1,NaN,230\n2,50,nan\n3,NaN,NaN\n4,49,230\n", with_voltage_);
   ASSERT_EQ(points.size(), 2u);
@@ -74,7 +74,7 @@ TEST_F(ReadTrace, PassesOverGapsOfTheRecordingButNotOverTheirTime) {
   expect_refused("t,f\n0,50\n5,NaN\n4,50\n", columns_, "4:1", "time `4` is not later");
 }
 
-TEST_F(ReadTrace, UnderstandsQuotesCarriageReturnsByteOrderMarksBlanksAndEmptyLines) {
+TEST_F(ReadTrace, AcceptsQuotesCarriageReturnsByteOrderMarksBlanksAndEmptyLines) {
   const auto points = read(
       "\xef\xbb\xbf\"t\",\"f, in \"\"Hz\"\"\",note\r\n0 ,\t50 ,\"two\nlines\"\r\n\r\n\"1\",49.9,x",
       {"t", "f, in \"Hz\"", "", 0.0});
@@ -110,28 +110,28 @@ TEST_F(ReadTrace, ReadsDatesAndTimes) {
   }
 }
 
-TEST_F(ReadTrace, RefusesWhatIsNoTime) {
+TEST_F(ReadTrace, RefusesInvalidTimes) {
   for (const char* time :
        {"", "noon", "28-Apr-2025", "2025-13-01 00:00:00", "2025-02-29 00:00:00",
         "29-Feb-2025 00:00:00", "2025-04-28 24:00:00", "2025-04-28 11:60:00", "2025-04-28 11:00:60",
         "2025-04-28 11:00:02.", "2025-04-28 11:00:02x", "2025-04-28T11:00:02+2",
         "28-Abr-2025 11:00:00", "nan", "inf", "1e300", "12 s"}) {
-    expect_refused("f,t\n50," + std::string(time) + "\n", columns_, "2:4", "is no time");
+    expect_refused("f,t\n50," + std::string(time) + "\n", columns_, "2:4", "is not a time");
   }
 }
 
-TEST_F(ReadTrace, RefusesTimeThatRunsBackOrStands) {
+TEST_F(ReadTrace, RefusesTimesThatDoNotIncrease) {
   expect_refused("t,f\n0,50\n2,50\n1,50\n", columns_, "4:1", "time `1` is not later");
   expect_refused("t,f\n0,50\n0,50\n", columns_, "3:1", "time `0` is not later");
 }
 
-TEST_F(ReadTrace, RefusesTimesOfDifferentKinds) {
-  expect_refused("t,f\n0,50\n2025-04-28 11:00:00,50\n", columns_, "3:1", "another way");
+TEST_F(ReadTrace, RefusesTimesOfDifferentFormats) {
+  expect_refused("t,f\n0,50\n2025-04-28 11:00:00,50\n", columns_, "3:1", "another format");
   expect_refused("t,f\n2025-04-28 11:00:00,50\n2025-04-28T11:00:01Z,50\n", columns_, "3:1",
-                 "another way");
+                 "another format");
 }
 
-TEST_F(ReadTrace, RefusesValuesThatAreNoNumbers) {
+TEST_F(ReadTrace, RefusesValuesThatAreNotNumbers) {
   for (const char* value : {"", "fifty", "50,1", "50 Hz", "inf", "-nan", "0x32", "1e999"}) {
     expect_refused("t,f\n0,\"" + std::string(value) + "\"\n", columns_, "2:3",
                    "`" + std::string(value) + "` is not a finite number");
@@ -139,44 +139,44 @@ TEST_F(ReadTrace, RefusesValuesThatAreNoNumbers) {
 }
 
 TEST_F(ReadTrace, RefusesValuesOutOfRange) {
-  expect_refused("t,f\n0,50\n1,0\n", columns_, "3:3", "frequency 0 Hz: must be above 0");
-  expect_refused("t,f,v\n0,50,-1\n", with_voltage_, "2:6", "RMS voltage -1");
+  expect_refused("t,f\n0,50\n1,0\n", columns_, "3:3", "the frequency is 0 Hz; it must be above 0");
+  expect_refused("t,f,v\n0,50,-1\n", with_voltage_, "2:6", "the RMS voltage is -1");
 }
 
-TEST_F(ReadTrace, RefusesANominalVoltageThatIsNone) {
-  expect_refused("t,f,v\n0,50,0\n", with_voltage_, "1:5", "nominal voltage 0 of `v`");
+TEST_F(ReadTrace, RefusesANominalVoltageThatIsNotAbove0) {
+  expect_refused("t,f,v\n0,50,0\n", with_voltage_, "1:5", "the nominal voltage of `v` is 0");
   for (const double nominal : {-230.0, std::numeric_limits<double>::quiet_NaN()}) {
     expect_refused("t,f,v\n0,50,230\n", {"t", "f", "v", nominal}, "1:5",
                    "must be finite and above 0");
   }
 }
 
-TEST_F(ReadTrace, NamesTheColumnsThereAreWhereOneIsMissing) {
-  expect_refused("time,f\n0,50\n", columns_, "1:1", "no column `t`; there are `time`, `f`");
+TEST_F(ReadTrace, ListsTheColumnsIfOneIsMissing) {
+  expect_refused("time,f\n0,50\n", columns_, "1:1", "no column `t`; the columns are `time`, `f`");
   expect_refused("t,f\n0,50\n", with_voltage_, "1:1", "no column `v`");
   expect_refused("t,f,f\n0,50,50\n", columns_, "1:5", "a second column `f`");
 }
 
 TEST_F(ReadTrace, RefusesARowThatIsTooShort) {
   expect_refused("t,x,f\n0,1,50\n1,2\n", columns_, "3:4",
-                 "a row of 2 cells has none for column 3, `f`");
+                 "the row has 2 cells; it must have at least 3, up to column `f`");
 }
 
-TEST_F(ReadTrace, RefusesBrokenQuotes) {
-  expect_refused("t,f\n0,\"50\n", columns_, "2:3", "never closed");
+TEST_F(ReadTrace, RefusesInvalidQuotes) {
+  expect_refused("t,f\n0,\"50\n", columns_, "2:3", "not closed");
   expect_refused("t,f\n0,\"50\"1\n", columns_, "2:7", "after a closing quote");
 }
 
-TEST_F(ReadTrace, CountsLinesThroughQuotedLineBreaks) {
+TEST_F(ReadTrace, CountsQuotedLineBreaksAsLines) {
   expect_refused("t,f,n\n0,50,\"a\nb\"\n1,x,c\n", columns_, "4:3", "`x` is not");
 }
 
 TEST_F(ReadTrace, RefusesAFileWithoutData) {
   expect_refused("", columns_, "1:1", "empty");
-  expect_refused("t,f\n", columns_, "1:4", "no row of data");
+  expect_refused("t,f\n", columns_, "1:4", "no data below");
 }
 
-TEST_F(ReadTrace, NamesAFileThatCannotBeRead) {
+TEST_F(ReadTrace, RefusesAFileThatCannotBeRead) {
   EXPECT_THAT([&] { return read_trace(path_, columns_); },
               ThrowsMessage<std::runtime_error>(
                   AllOf(StartsWith(path_ + ":1:1: "), HasSubstr("No such file"))));

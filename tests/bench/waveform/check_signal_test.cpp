@@ -15,7 +15,7 @@ using testing::ThrowsMessage;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A signal of which a single thing is said.
+// A signal with the value of one field.
 template <class Field>
 SignalSpec with(Field SignalSpec::*field, Field value) {
   SignalSpec spec;
@@ -23,24 +23,24 @@ SignalSpec with(Field SignalSpec::*field, Field value) {
   return spec;
 }
 
-TEST(RefusedSignal, IsNamedWithItsValue) {
+TEST(CheckSignal, RefusesWithFieldAndValue) {
   const std::pair<SignalSpec, const char*> refused[] = {
-      {with(&SignalSpec::harmonics, {{1, 1, 0}}), "harmonic order 1: must be"},
-      {with(&SignalSpec::harmonics, {{51, 1, 0}}), "harmonic order 51"},
+      {with(&SignalSpec::harmonics, {{1, 1, 0}}), "harmonic order is 1; it must be"},
+      {with(&SignalSpec::harmonics, {{51, 1, 0}}), "harmonic order is 51"},
       {with(&SignalSpec::harmonics, {{3, 1, 0}, {5, 1, 0}, {3, 2, 0}}),
        "harmonic 3 is given twice"},
       {with(&SignalSpec::harmonics, {{40, 1, 0}}),
-       "harmonic 40 of 50 Hz is 2000 Hz: must lie below half of the sample rate of 4000"},
-      {with(&SignalSpec::harmonics, {{3, -1, 0}}), "harmonic 3: amplitude in % -1"},
+       "harmonic 40 of 50 Hz is 2000 Hz; it must be below half the sample rate of 4000"},
+      {with(&SignalSpec::harmonics, {{3, -1, 0}}), "harmonic 3: amplitude in % is -1"},
       {with(&SignalSpec::harmonics, {{3, 1, kNan}}), "harmonic 3: phase"},
-      {with(&SignalSpec::amplitude_steps, {{-1, 1, 50}}), "amplitude step: time in s -1"},
-      {with(&SignalSpec::amplitude_steps, {{1, 0, 50}}), "duration in s 0: must be above 0"},
-      {with(&SignalSpec::amplitude_steps, {{1, kNan, 50}}), "duration in s nan"},
-      {with(&SignalSpec::amplitude_steps, {{1, 1, -5}}), "amplitude step: level in % -5"},
-      {with(&SignalSpec::phase_jumps, {{kInfinity, 5}}), "phase jump: time in s inf"},
-      {with(&SignalSpec::phase_jumps, {{1, kNan}}), "phase jump: degrees nan"},
-      {with(&SignalSpec::dc_offset_pct, 101.0), "DC offset in % 101"},
-      {with(&SignalSpec::initial_phase_deg, kInfinity), "initial phase in degrees inf"},
+      {with(&SignalSpec::amplitude_steps, {{-1, 1, 50}}), "amplitude step: time in s is -1"},
+      {with(&SignalSpec::amplitude_steps, {{1, 0, 50}}), "duration in s is 0; it must be above 0"},
+      {with(&SignalSpec::amplitude_steps, {{1, kNan, 50}}), "duration in s is nan"},
+      {with(&SignalSpec::amplitude_steps, {{1, 1, -5}}), "amplitude step: level in % is -5"},
+      {with(&SignalSpec::phase_jumps, {{kInfinity, 5}}), "phase jump: time in s is inf"},
+      {with(&SignalSpec::phase_jumps, {{1, kNan}}), "phase jump: degrees is nan"},
+      {with(&SignalSpec::dc_offset_pct, 101.0), "DC offset in % is 101"},
+      {with(&SignalSpec::initial_phase_deg, kInfinity), "initial phase in degrees is inf"},
   };
   for (const auto& [spec, message] : refused) {
     const auto synthesizer = [&spec = spec] {
@@ -50,7 +50,7 @@ TEST(RefusedSignal, IsNamedWithItsValue) {
   }
 }
 
-TEST(SampleRate, MustMakeSixteenMillisecondsAWholeNumberOfSamples) {
+TEST(SampleRate, MustBeAMultipleOf1000Hz) {
   for (const std::int64_t rate_hz : {-8000, 0, 999, 1500, 44100, 8001, 1'001'000}) {
     EXPECT_THAT([&] { const Synthesizer synthesizer(constant(50.0, 50.0), {}, rate_hz); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("sample rate")))
@@ -61,11 +61,11 @@ TEST(SampleRate, MustMakeSixteenMillisecondsAWholeNumberOfSamples) {
   }
 }
 
-TEST(Signal, NeedsATruth) {
+TEST(Signal, RequiresAReference) {
   EXPECT_THROW(Synthesizer(nullptr, {}, 8000), std::invalid_argument);
 }
 
-TEST(Signal, DoesNotBeginBeforeTickZero) {
+TEST(Signal, RefusesTicksBeforeZero) {
   const Synthesizer synthesizer(constant(50.0, 50.0), {}, 8000);
   EXPECT_THROW(render(synthesizer, -1, 10), std::invalid_argument);
 }

@@ -1,5 +1,5 @@
-// A recorded collapse is played as it was: falling frequency, then a dead bus, whatever the
-// recording goes on to say of a frequency there.
+// A recorded collapse is played as recorded: falling frequency, then a dead bus, even if the
+// recording still contains frequencies there.
 #include "example_references.hpp"
 #include <test_support/collapse_recordings.hpp>
 
@@ -18,7 +18,7 @@ std::vector<recording::TracePoint> read(const std::string& path) {
       path, {test::kCollapseTime, test::kCollapseFrequency, test::kCollapseVoltage, 0.0});
 }
 
-TEST(RecordedCollapse, IsReadAsItIsWritten) {
+TEST(RecordedCollapse, IsReadWithTheRecordedFrequencies) {
   const test::TemporaryFolder folder;
   for (const test::CollapseRecording& collapse : test::collapse_recordings(folder)) {
     SCOPED_TRACE(collapse.path);
@@ -32,7 +32,7 @@ TEST(RecordedCollapse, IsReadAsItIsWritten) {
   }
 }
 
-TEST(RecordedCollapse, IsPlayedWithADeadBusAsOne) {
+TEST(RecordedCollapse, IsPlayedWithoutVoltageOnTheDeadBus) {
   const test::TemporaryFolder folder;
   for (const test::CollapseRecording& collapse : test::collapse_recordings(folder)) {
     SCOPED_TRACE(collapse.path);

@@ -1,4 +1,4 @@
-// ReferenceSignals that several tests play.
+// Reference signals for several tests.
 #pragma once
 
 #include <memory>
@@ -35,7 +35,7 @@ inline std::vector<float> render(const Synthesizer& synthesizer, std::int64_t fi
   return samples;
 }
 
-// Orders and amplitudes in % of EN 50160, each at a phase of its own.
+// Orders and amplitudes of EN 50160, in %, each with a different phase.
 inline std::vector<Harmonic> en50160_harmonics() {
   std::vector<Harmonic> harmonics = {{3, 5.0, 0},  {5, 6.0, 0},  {7, 5.0, 0},  {9, 1.5, 0},
                                      {11, 3.5, 0}, {13, 3.0, 0}, {15, 0.5, 0}, {17, 2.0, 0},

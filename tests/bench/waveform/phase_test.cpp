@@ -1,6 +1,6 @@
-// The phase of the samples against the exact formula, to better than a billionth of a cycle.
-// Samples are floats, but those near a zero crossing have a fine grain: for |x| < 0.02 rounding
-// moves the phase by at most 2⁻³⁰/2π = 1.5·10⁻¹⁰ cycles.
+// Compares the phase of the samples with the exact formula, to better than 10⁻⁹ cycles. Samples are
+// floats, but near a zero crossing their resolution is fine: for |x| < 0.02 rounding changes the
+// phase by at most 2⁻³⁰/2π = 1.5·10⁻¹⁰ cycles.
 #include "example_references.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ double fraction(double cycles) {
   return cycles - std::floor(cycles);
 }
 
-// Largest phase error in cycles of samples near a crossing, of which there must be some.
+// Largest phase error, in cycles, of the samples near a zero crossing; there must be some.
 template <typename ExactCycles>
 double phase_error(const std::vector<float>& samples, std::int64_t first_tick,
                    const ExactCycles& exact_cycles) {
@@ -37,8 +37,8 @@ double phase_error(const std::vector<float>& samples, std::int64_t first_tick,
   return largest;
 }
 
-// Of a reference with a whole nominal frequency. Sixteen initial phases shift the crossings, so
-// that one falls into every part of each block.
+// For a reference whose nominal frequency is a whole number. Sixteen initial phases shift the zero
+// crossings, so that they cover every part of each block.
 double phase_error(const std::shared_ptr<const ReferenceSignal>& reference, std::int64_t rate_hz,
                    double from_s, double to_s) {
   const auto nominal_hz = static_cast<std::int64_t>(reference->nominal_hz());
@@ -73,14 +73,15 @@ TEST(Phase, IsExactAfterAThousandHoursOffNominal) {
   const auto exact = [](std::int64_t tick) {
     return static_cast<double>(tick * 401 % 64000) / 64000.0;
   };
-  // 450 000 cycles in excess, known to 6·10⁻¹¹ each way.
+  // An excess of 450 000 cycles, known within ± 6·10⁻¹¹.
   EXPECT_LT(
       phase_error(render(synthesizer, kThousandHours + 77, 16000), kThousandHours + 77, exact),
       kTolerableCycles);
 }
 
-TEST(Phase, IsExactForANominalFrequencyThatIsNoWholeNumber) {
-  // 16.7 Hz as a double is 16.7 + 7.1·10⁻¹⁶ Hz: over 1000 hours 3·10⁻⁹ cycles, which are its own.
+TEST(Phase, IsExactForAFractionalNominalFrequency) {
+  // 16.7 Hz as a double is 16.7 + 7.1·10⁻¹⁶ Hz, which is 3·10⁻⁹ cycles over 1000 hours: the exact
+  // value must be computed from the double.
   const Synthesizer synthesizer(constant(16.7, 16.7), {}, 8000);
   const auto nominal_hz = static_cast<long double>(16.7);
   const auto exact = [nominal_hz](std::int64_t tick) {
@@ -91,14 +92,14 @@ TEST(Phase, IsExactForANominalFrequencyThatIsNoWholeNumber) {
             kTolerableCycles);
 }
 
-// Losses at a sample, at the edge of a block, and between samples; 3 s fall, then the recovery.
-TEST(Phase, FollowsALossOf500MegawattsWhereverItFallsInABlock) {
+// Losses at a sample, at the edge of a block, and between samples; the fall and the recovery.
+TEST(Phase, FollowsALossOf500MwAtAnyPositionInABlock) {
   for (const double at_s : {3.0, 3.0001, 3.00017, 3.0079999, 3.008, 3.3}) {
     EXPECT_LT(phase_error(loss_of_500_mw(at_s), 8000, 2.9, 10.0), kTolerableCycles) << at_s;
   }
 }
 
-// The next time after 3 s whose place in samples, once it is rounded, stands for another time.
+// The first time after 3 s whose rounded position in samples satisfies `is_wanted`.
 template <typename IsWanted>
 double time_after_3_s(const IsWanted& is_wanted) {
   double t_s = 3.0;
@@ -108,7 +109,7 @@ double time_after_3_s(const IsWanted& is_wanted) {
   return t_s;
 }
 
-TEST(Phase, FollowsALossWhosePlaceInSamplesIsRounded) {
+TEST(Phase, FollowsALossWithARoundedPosition) {
   const double down_s =
       time_after_3_s([](double t_s, double rounded_s) { return rounded_s < t_s; });
   const double up_s = time_after_3_s([](double t_s, double rounded_s) { return rounded_s > t_s; });
@@ -116,7 +117,7 @@ TEST(Phase, FollowsALossWhosePlaceInSamplesIsRounded) {
   EXPECT_LT(phase_error(loss_of_500_mw(up_s), 8000, 2.9, 4.0), kTolerableCycles);
 }
 
-TEST(Phase, FollowsLossesThatRoundingMakesOneAndThoseThatAreOne) {
+TEST(Phase, FollowsLossesAtTheSamePositionWithAndWithoutRounding) {
   const double later_s =
       time_after_3_s([](double t_s, double rounded_s) { return rounded_s < t_s; });
   const double earlier_s = std::nextafter(later_s, 0.0);
@@ -136,7 +137,7 @@ TEST(Phase, FollowsACascadeOnAWeakOverdampedGrid) {
   EXPECT_LT(phase_error(reference, 8000, 0.9, 4.0), kTolerableCycles);
 }
 
-TEST(Phase, FollowsRampsOf10HertzASecondAtEverySampleRate) {
+TEST(Phase, FollowsRampsOf10HzPerSecondAtEverySampleRate) {
   const std::shared_ptr<const ReferenceSignal> reference =
       reference_from_points(50.0, {{0.5003, 50.0}, {1.0003, 55.0}, {2.0003, 45.0}, {2.1, 45.0}});
   for (const std::int64_t rate_hz : {4000, 8000, 10000, 48000, 192000}) {
@@ -144,7 +145,7 @@ TEST(Phase, FollowsRampsOf10HertzASecondAtEverySampleRate) {
   }
 }
 
-TEST(Phase, FollowsPointsCloserThanABlockAndThanASample) {
+TEST(Phase, FollowsPointsCloserThanABlockOrASample) {
   std::vector<recording::TracePoint> points;
   points.reserve(402);
   for (int i = 0; i < 400; ++i) {

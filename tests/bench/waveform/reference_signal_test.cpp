@@ -21,7 +21,7 @@ std::vector<recording::TracePoint> random_points(unsigned seed) {
   std::vector<recording::TracePoint> points;
   double t_s = -10.0;
   for (int i = 0; i < 20; ++i) {
-    // Some points repeat the frequency before: a plateau must stay one.
+    // Some points repeat the previous frequency: a plateau must remain one.
     const bool plateau = i > 0 && generator() % 4 == 0;
     points.push_back({t_s, plateau ? points.back().frequency_hz : frequency_hz(generator)});
     t_s += step_s(generator);
@@ -29,7 +29,7 @@ std::vector<recording::TracePoint> random_points(unsigned seed) {
   return points;
 }
 
-// What rounding leaves of 55 Hz after some ten operations.
+// Rounding error of 55 Hz after about ten operations.
 constexpr double kRounding_hz = 1e-12;
 
 TEST(PointReference, PassesThroughEachPointExactly) {
@@ -42,7 +42,7 @@ TEST(PointReference, PassesThroughEachPointExactly) {
   }
 }
 
-TEST(PointReference, IsMonotoneBetweenNeighboursAndNeverOvershoots) {
+TEST(PointReference, IsMonotoneBetweenPointsWithoutOvershoot) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const auto points = random_points(seed);
     const auto reference = reference_from_points(50.0, points);
@@ -62,7 +62,7 @@ TEST(PointReference, IsMonotoneBetweenNeighboursAndNeverOvershoots) {
   }
 }
 
-TEST(PointReference, FollowsPchipOfMatlabAndSciPy) {
+TEST(PointReference, EqualsPchipOfMatlabAndSciPy) {
   // Slopes by hand: at t = 1 (widths 1 and 2, secants −1 and −0.25) (5+4)/(5/−1+4/−0.25) = −3/7;
   // at t = 0 ((2+2)·(−1) + 0.25)/3 = −1.25; at t = 3 ((4+1)·(−0.25) + 2)/3 = 0.25, of the wrong
   // sign, hence 0.
@@ -70,7 +70,7 @@ TEST(PointReference, FollowsPchipOfMatlabAndSciPy) {
   EXPECT_NEAR(reference->rocof_hz_s(0.0), -1.25, kRounding_hz);
   EXPECT_NEAR(reference->rocof_hz_s(1.0), -3.0 / 7.0, kRounding_hz);
   EXPECT_NEAR(reference->rocof_hz_s(3.0 - 1e-9), 0.0, 1e-8);  // |d²f/dt²| < 1 there, times 1e-9 s
-  // Midway: the mean of the ends plus width/8 of the difference of the slopes.
+  // In the middle: the mean of the ends plus width/8 times the difference of the slopes.
   EXPECT_NEAR(reference->frequency_hz(0.5), 49.5 + (-1.25 + 3.0 / 7.0) / 8.0, kRounding_hz);
 }
 
@@ -82,7 +82,7 @@ TEST(PointReference, IsAStraightLineThroughTwoPoints) {
   }
 }
 
-TEST(PointReference, IsHeldBeforeTheFirstAndAfterTheLastPoint) {
+TEST(PointReference, IsConstantBeforeTheFirstAndAfterTheLastPoint) {
   const auto reference = reference_from_points(50.0, {{1.0, 50.5}, {2.0, 49.0}});
   EXPECT_EQ(reference->frequency_hz(0.0), 50.5);
   EXPECT_EQ(reference->rocof_hz_s(0.5), 0.0);
@@ -110,16 +110,16 @@ TEST(PointReference, IntegratesItsFrequencyExactlyFromZero) {
   }
 }
 
-// A sum of a million terms in plain double arithmetic would be off by some 10⁻⁷ here.
+// A plain sum of a million doubles would have an error of about 10⁻⁷ here.
 TEST(PointReference, DoesNotDriftOverAMillionPoints) {
   std::vector<recording::TracePoint> points;
   for (int i = 0; i <= 1'000'000; ++i) {
     points.push_back({static_cast<double>(i), i % 2 == 0 ? 50.1 : 50.7});
   }
   const auto reference = reference_from_points(50.0, points);
-  // Turns at each point: slopes vanish, so that each piece integrates to the mean of its ends, save
-  // the first and last, whose end slope of three points is held to 0 as well or not: compare inner
-  // ones. 0.4 in doubles is (50.1 + 50.7)/2 − 50 to 4·10⁻¹⁵, a million times over 4·10⁻⁹.
+  // Each point is an extremum with slope zero, so each piece integrates to the mean of its ends.
+  // The first and last piece may have another end slope: only inner ones are compared. In doubles,
+  // 0.4 equals (50.1 + 50.7)/2 − 50 within 4·10⁻¹⁵, which is 4·10⁻⁹ for a million pieces.
   const double cycles = reference->excess_cycles(999'999.0) - reference->excess_cycles(1.0);
   EXPECT_NEAR(cycles, 0.4 * 999'998.0, 5e-9);
 }
@@ -129,7 +129,7 @@ TEST(PointReference, HasACornerAtEachPoint) {
   EXPECT_THAT(reference->corners_s(), ElementsAre(1.0, 2.0, 2.5));
 }
 
-TEST(PointReference, InterpolatesTheVoltageOfATraceLinearly) {
+TEST(PointReference, InterpolatesTheVoltageLinearly) {
   const auto reference =
       reference_from_points(50.0, {{0.0, 50.0, 1.0}, {2.0, 49.0, 0.0}, {4.0, 48.0, 0.2}});
   EXPECT_EQ(reference->voltage_pu(-1.0), 1.0);
@@ -139,15 +139,15 @@ TEST(PointReference, InterpolatesTheVoltageOfATraceLinearly) {
   EXPECT_EQ(reference->voltage_pu(9.0), 0.2);
 }
 
-TEST(PointReference, RefusesPointsThatMakeNoSenseWithTheirValue) {
+TEST(PointReference, RefusesInvalidPointsWithTheirValue) {
   const std::pair<std::vector<recording::TracePoint>, const char*> refused[] = {
       {{}, "at least one"},
-      {{{0, 50, 1}, {1, 50, 1}, {1, 49, 1}}, "point 3: time 1 s"},
-      {{{0, 50, 1}, {-1, 50, 1}}, "point 2: time -1 s"},
-      {{{std::nan(""), 50, 1}}, "point 1: time nan s"},
-      {{{0, 0, 1}}, "point 1: frequency 0 Hz"},
-      {{{0, HUGE_VAL, 1}}, "point 1: frequency inf Hz"},
-      {{{0, 50, -0.1}}, "point 1: voltage -0.1 pu"}};
+      {{{0, 50, 1}, {1, 50, 1}, {1, 49, 1}}, "point 3: time is 1 s"},
+      {{{0, 50, 1}, {-1, 50, 1}}, "point 2: time is -1 s"},
+      {{{std::nan(""), 50, 1}}, "point 1: time is nan s"},
+      {{{0, 0, 1}}, "point 1: frequency is 0 Hz"},
+      {{{0, HUGE_VAL, 1}}, "point 1: frequency is inf Hz"},
+      {{{0, 50, -0.1}}, "point 1: voltage is -0.1 p.u."}};
   for (const auto& [points, message] : refused) {
     EXPECT_THAT([points = points] { return reference_from_points(50.0, points); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
@@ -156,10 +156,10 @@ TEST(PointReference, RefusesPointsThatMakeNoSenseWithTheirValue) {
       [] {
         return reference_from_points(0.0, {{0, 50, 1}});
       },
-      ThrowsMessage<std::invalid_argument>(HasSubstr("nominal frequency 0 Hz")));
+      ThrowsMessage<std::invalid_argument>(HasSubstr("nominal frequency is 0 Hz")));
 }
 
-TEST(LossReference, IsTheFrequencyResponseOfTheGrid) {
+TEST(LossReference, EqualsTheFrequencyResponseOfTheGrid) {
   const grid::FrequencyResponse response(ieee24(), {{3.0, 500.0}, {4.0, -120.0}});
   const auto reference = reference_from_losses(ieee24(), {{3.0, 500.0}, {4.0, -120.0}});
   EXPECT_EQ(reference->nominal_hz(), 50.0);
@@ -176,10 +176,10 @@ TEST(LossReference, HasACornerAtEachLossInOrderOfTime) {
   EXPECT_THAT(reference->corners_s(), ElementsAre(3.0, 4.0));
 }
 
-TEST(LossReference, CountsPhaseFromZeroEvenAfterALossBeforeTheStart) {
+TEST(LossReference, CountsExcessPhaseFromZeroAfterALossBeforeTheStart) {
   const auto reference = reference_from_losses(ieee24(), {{-2.0, 500.0}});
   EXPECT_EQ(reference->excess_cycles(0.0), 0.0);
-  // Some 0.6 Hz below nominal by then; the trapezoid's error is 0.01²/12·|df/dt| < 2·10⁻⁶.
+  // About 0.6 Hz below nominal; the error of the trapezoidal rule is 0.01²/12·|df/dt| < 2·10⁻⁶.
   EXPECT_NEAR(reference->excess_cycles(0.01),
               0.005 * (reference->frequency_hz(0.0) + reference->frequency_hz(0.01) - 100.0), 2e-6);
   EXPECT_LT(reference->frequency_hz(0.0), 49.5);

@@ -1,4 +1,4 @@
-// Cost of one sample at 8 kHz, in blocks of 16 ms as a run asks for them.
+// Time per sample at 8 kHz, in blocks of 16 ms as in a run.
 #include "example_references.hpp"
 
 #include <array>
@@ -15,7 +15,7 @@ void play(benchmark::State& state, const Synthesizer& synthesizer) {
   for (auto _ : state) {
     synthesizer.render(tick, samples.size(), samples.data());
     benchmark::DoNotOptimize(samples);
-    tick = (tick + 128) % 480'000;  // a minute, over and over
+    tick = (tick + 128) % 480'000;  // repeats after a minute
     rendered += 128;
   }
   state.counters["time_per_sample"] = benchmark::Counter(

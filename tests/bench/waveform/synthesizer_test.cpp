@@ -14,10 +14,11 @@ namespace gsbench::waveform {
 namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
-// A float near 1 is rounded by 6·10⁻⁸; the sine polynomial's 1.4·10⁻¹¹ does not show beside it.
+// The rounding of a float near 1 is 6·10⁻⁸; the error of the sine polynomial, 1.4·10⁻¹¹, is
+// negligible.
 constexpr double kFloat = 1.2e-7;
 
-// A little of everything, with instants on and off samples and blocks.
+// All features, with times at and between samples and block boundaries.
 SignalSpec busy_signal() {
   SignalSpec spec;
   spec.harmonics = en50160_harmonics();
@@ -41,7 +42,7 @@ bool same_bits(const std::vector<float>& a, const float* b) {
   return std::memcmp(a.data(), b, a.size() * sizeof(float)) == 0;
 }
 
-TEST(Synthesizer, DoesNotDependOnHowTheRunIsCut) {
+TEST(Synthesizer, DoesNotDependOnTheDivisionIntoBlocks) {
   for (const SignalSpec& spec : {SignalSpec{}, busy_signal()}) {
     const Synthesizer synthesizer(busy_reference(), spec, 8000);
     const std::vector<float> whole = render(synthesizer, 0, 8000);
@@ -88,7 +89,7 @@ std::complex<double> sine_at(const std::vector<float>& samples, double frequency
   return sum * std::complex<double>(0.0, 2.0 / static_cast<double>(samples.size()));
 }
 
-TEST(Synthesizer, PutsEachHarmonicAtItsMultipleOfTheTrueFrequency) {
+TEST(Synthesizer, PutsEachHarmonicAtItsMultipleOfTheActualFrequency) {
   SignalSpec spec;
   spec.harmonics = en50160_harmonics();
   spec.harmonics.push_back({50, 2.5, -120.0});
@@ -110,7 +111,7 @@ TEST(Synthesizer, PutsEachHarmonicAtItsMultipleOfTheTrueFrequency) {
   }
 }
 
-TEST(Synthesizer, TakesAJumpWithTheFirstSampleAtOrAfterItsTime) {
+TEST(Synthesizer, AppliesAPhaseJumpFromTheFirstSampleAtOrAfterItsTime) {
   SignalSpec shifted;
   shifted.initial_phase_deg = 20.0;
   const std::vector<float> before = render({constant(50, 50), {}, 8000}, 0, 8000);
@@ -131,7 +132,7 @@ TEST(Synthesizer, TakesAJumpWithTheFirstSampleAtOrAfterItsTime) {
   }
 }
 
-TEST(Synthesizer, AddsJumpsUpAndTurnsHarmonicsAlong) {
+TEST(Synthesizer, AddsPhaseJumpsAndShiftsHarmonicsInProportion) {
   SignalSpec spec;
   spec.harmonics = {{3, 10.0, 15.0}};
   SignalSpec jumped = spec;
@@ -141,7 +142,7 @@ TEST(Synthesizer, AddsJumpsUpAndTurnsHarmonicsAlong) {
   EXPECT_EQ(render({constant(50, 50), jumped, 8000}, 1600, 1600), expected);
 }
 
-TEST(Synthesizer, ScalesTheWholeSignalDuringADipAndMultipliesOverlappingOnes) {
+TEST(Synthesizer, ScalesTheWholeSignalDuringDipsAndMultipliesOverlappingOnes) {
   SignalSpec spec;
   spec.harmonics = {{5, 6.0, 180.0}};
   const std::vector<float> plain = render({constant(50, 50), spec, 8000}, 0, 8000);
@@ -161,7 +162,7 @@ TEST(Synthesizer, ScalesTheWholeSignalDuringADipAndMultipliesOverlappingOnes) {
   }
 }
 
-TEST(Synthesizer, AddsDcUnscaledByDips) {
+TEST(Synthesizer, DoesNotScaleTheDcOffsetDuringDips) {
   SignalSpec spec;
   spec.dc_offset_pct = -2.0;
   spec.amplitude_steps = {{0.0, kForever, 0.0}};
@@ -170,7 +171,7 @@ TEST(Synthesizer, AddsDcUnscaledByDips) {
   }
 }
 
-TEST(Synthesizer, FollowsTheVoltageOfARecordingBetweenItsPoints) {
+TEST(Synthesizer, FollowsTheRecordedVoltageBetweenPoints) {
   const std::shared_ptr<const ReferenceSignal> reference = reference_from_points(
       50.0, {{0.0, 50.0, 1.0}, {0.1, 50.0, 0.8}, {0.13333, 50.0, 0.0}, {0.5, 50.0, 0.02}});
   const std::vector<float> plain = render({constant(50, 50), {}, 8000}, 0, 8000);
@@ -183,7 +184,7 @@ TEST(Synthesizer, FollowsTheVoltageOfARecordingBetweenItsPoints) {
   }
 }
 
-TEST(Synthesizer, TakesManyStepsAsOfFlicker) {
+TEST(Synthesizer, AcceptsThousandsOfAmplitudeSteps) {
   SignalSpec spec;
   for (int i = 0; i < 20'000; ++i) {
     spec.amplitude_steps.push_back({0.1 * i, 0.05, 99.0});

@@ -36,8 +36,8 @@ std::vector<std::int16_t> converted(const std::vector<float>& voltage, double pp
   return samples;
 }
 
-// Amplitude and phase of a part of the samples at this frequency, through a Hann window, so that a
-// part of a period more does not matter.
+// Amplitude and phase of some samples at this frequency, with a Hann window, so that an incomplete
+// period does not matter.
 std::complex<double> correlation(const std::vector<std::int16_t>& samples, std::size_t from,
                                  std::size_t count, double frequency_hz) {
   std::complex<double> sum;
@@ -49,7 +49,7 @@ std::complex<double> correlation(const std::vector<std::int16_t>& samples, std::
   return sum * (2.0 / static_cast<double>(count));
 }
 
-// By the outlet's own samples, from the phase's advance between the first and the last second.
+// Frequency in the outlet's own samples, from the phase difference between first and last second.
 double measured_hz(const std::vector<std::int16_t>& samples, double about_hz) {
   const auto second = static_cast<std::size_t>(kRate_hz);
   const std::size_t last = samples.size() - second;
@@ -58,26 +58,26 @@ double measured_hz(const std::vector<std::int16_t>& samples, double about_hz) {
   return about_hz + turned / (2.0 * kPi) * kRate_hz / static_cast<double>(last);
 }
 
-class Crystals : public testing::TestWithParam<double> {};
+class CrystalAdcAt : public testing::TestWithParam<double> {};
 
-// A crystal that is fast makes more samples in the same time: the mains look slower to it.
-TEST_P(Crystals, SeesTheMainsByItsOwnSamples) {
+// A fast crystal takes more samples in the same time, so the mains frequency appears lower.
+TEST_P(CrystalAdcAt, SeesTheMainsFrequencyRelativeToItsCrystal) {
   const double ppm = GetParam();
   const auto samples = converted(sine(50.0, 1.0, 80000), ppm, 128);
-  // Rounding to counts of 1/20000 leaves 1e-8 Hz over nine seconds; single precision's position
-  // between two samples leaves less.
+  // Rounding to counts of 1/20000 gives 1e-8 Hz over nine seconds; the single-precision position
+  // between two samples gives less.
   EXPECT_NEAR(measured_hz(samples, 50.0), 50.0 / (1.0 + 1e-6 * ppm), 2e-7);
-  // The last two source samples still wait for the next block.
+  // The last two source samples are kept for the next block.
   EXPECT_NEAR(static_cast<double>(samples.size()), (80000.0 - 2.0) * (1.0 + 1e-6 * ppm), 2.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ppm, Crystals, testing::Values(-1000.0, -60.0, 0.0, 200.0));
+INSTANTIATE_TEST_SUITE_P(Ppm, CrystalAdcAt, testing::Values(-1000.0, -60.0, 0.0, 200.0));
 
-TEST(CrystalAdc, HasTheHarmonicsRightBetweenTheSamples) {
+TEST(CrystalAdc, InterpolatesHarmonicsCorrectly) {
   const auto samples = converted(sine(500.0, 1.0, 80000), 200.0, 128);
   const double amplitude = std::abs(correlation(samples, 0, 40000, 500.0 / 1.0002));
-  // A cubic at a sixteenth of the sampling rate is 3e-4 low in the middle between two samples and
-  // right at them; the drift passes through all positions.
+  // At a sixteenth of the sampling rate, a cubic is 3e-4 too low in the middle between two samples
+  // and exact at the samples; the drift passes through all positions.
   EXPECT_NEAR(amplitude / static_cast<double>(kCounts_per_pu), 1.0, 5e-4);
 }
 
@@ -89,7 +89,7 @@ TEST(CrystalAdc, DoesNotDependOnTheBlocks) {
   EXPECT_EQ(converted(voltage, 200.0, 128, 0.01F), once);
 }
 
-TEST(CrystalAdc, WithACrystalThatIsRightTakesTheSourcesSamples) {
+TEST(CrystalAdc, TakesTheSamplesOfTheSourceWithAnExactCrystal) {
   const auto voltage = sine(50.0, 1.0, 1000);
   const auto samples = converted(voltage, 0.0, 100);
   ASSERT_EQ(samples.size(), 998U);
@@ -98,7 +98,7 @@ TEST(CrystalAdc, WithACrystalThatIsRightTakesTheSourcesSamples) {
   }
 }
 
-TEST(CrystalAdc, AddsNoiseOfTheRmsThatIsAsked) {
+TEST(CrystalAdc, AddsNoiseOfTheGivenRms) {
   constexpr double kRms_pu = 0.01;
   constexpr std::size_t kTicks = 80000;
   const auto samples =
@@ -112,7 +112,7 @@ TEST(CrystalAdc, AddsNoiseOfTheRmsThatIsAsked) {
   EXPECT_NEAR(rms_pu, kRms_pu, 0.0125 * kRms_pu);
 }
 
-TEST(CrystalAdc, StopsAtItsFullScale) {
+TEST(CrystalAdc, SaturatesAtFullScale) {
   const auto samples = converted({2.0F, 2.0F, 2.0F, 2.0F, -2.0F, -2.0F, -2.0F, -2.0F}, 0.0, 8);
   ASSERT_EQ(samples.size(), 6U);
   EXPECT_EQ(samples.front(), 32767);

@@ -1,6 +1,6 @@
-// That the noise is what it is called: normal, white, and independent from stream to stream. Limits
-// are five standard errors of each statistic unless said otherwise: for a fair generator one in
-// 1.7 million would miss them, and the seed is fixed.
+// The noise is normally distributed, white, and independent from stream to stream. Limits are five
+// standard errors of each statistic unless stated otherwise: a correct generator exceeds them once
+// in 1.7 million, and the seed is fixed.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -32,7 +32,7 @@ double mean_of_product(const std::vector<float>& a, const std::vector<float>& b,
   return sum / static_cast<double>(a.size() - lag);
 }
 
-TEST(GaussianStatistics, FirstFourMomentsAreThoseOfTheStandardNormal) {
+TEST(GaussianStatistics, HasTheFirstFourMomentsOfTheStandardNormalDistribution) {
   double sum[4] = {};
   for (const float value : gaussians(0)) {
     double power = 1.0;
@@ -56,14 +56,15 @@ TEST(GaussianStatistics, FollowsTheNormalDistributionFunction) {
     const double below = static_cast<double>(i) / kCount;
     distance = std::max({distance, cdf - below, below + 1.0 / kCount - cdf});
   }
-  // Kolmogorov–Smirnov: P(√n·D > 2.5) = 2·e^(−2·2.5²) = 7·10⁻⁶; below 0.2 it would be too good.
+  // Kolmogorov–Smirnov: P(√n·D > 2.5) = 2·e^(−2·2.5²) = 7·10⁻⁶. Below 0.2 the values would be too
+  // regular.
   EXPECT_LT(distance * std::sqrt(static_cast<double>(kCount)), 2.5);
   EXPECT_GT(distance * std::sqrt(static_cast<double>(kCount)), 0.2);
 }
 
-// Tails decide about false events in a thousand hours: counts beyond 3, 4 and 5 sigma in 64 million
-// values are Poisson with the expectation of the normal law, and the largest lies where it should.
-TEST(GaussianStatistics, TailsAreThere) {
+// The tails determine the false events in a thousand hours. The counts beyond 3, 4 and 5 sigma in
+// 64 million values are Poisson-distributed with the expectation of the normal distribution.
+TEST(GaussianStatistics, HasTheTailsOfTheNormalDistribution) {
   constexpr std::size_t kBlock = 1 << 16;
   constexpr std::size_t kBlocks = 1000;
   std::size_t beyond[3] = {};
@@ -90,9 +91,9 @@ TEST(GaussianStatistics, TailsAreThere) {
   EXPECT_LT(largest, 6.7);
 }
 
-// Every value of a pair shares its radius with another one; squares show a dependence that the
-// values themselves would hide. Lags cover the batch of 64, its quarters and the 16 ms of 8 kHz.
-TEST(GaussianStatistics, IsWhiteAndSoAreItsSquares) {
+// The two values of a Box–Muller pair share a radius; their squares show a dependence that the
+// values would not. Lags cover the batch of 64, its quarters and the 16 ms at 8 kHz.
+TEST(GaussianStatistics, HasUncorrelatedValuesAndSquares) {
   const std::vector<float> values = gaussians(2);
   std::vector<float> squares(values.size());
   std::transform(values.begin(), values.end(), squares.begin(),
@@ -104,7 +105,7 @@ TEST(GaussianStatistics, IsWhiteAndSoAreItsSquares) {
   }
 }
 
-TEST(GaussianStatistics, NeighbouringStreamsAreIndependent) {
+TEST(GaussianStatistics, HasIndependentNeighbouringStreams) {
   const std::vector<float> one = gaussians(3);
   const std::vector<float> next = gaussians(4);
   for (const std::size_t lag : {0, 1, 4, 16, 64}) {

@@ -1,4 +1,4 @@
-// Reproducibility: what value n depends on, and on what it must not.
+// Reproducibility: value n depends on stream and n only.
 #include "philox.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::uint64_t fnv1a(const std::vector<float>& values) {
 
 constexpr Stream kStream{20250428, kTest, 7};
 
-TEST(GaussianNoise, DoesNotDependOnHowTheRunIsCut) {
+TEST(GaussianNoise, DoesNotDependOnTheDivisionIntoBlocks) {
   const std::vector<float> whole = gaussians(kStream, 0, 1000);
   for (std::size_t first = 0; first < 200; ++first) {
     for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{63},
@@ -64,21 +64,21 @@ TEST(GaussianNoise, IsTheSameOnEveryThread) {
   EXPECT_EQ(alone, together);
 }
 
-// Records are compared byte for byte from machine to machine and year to year: a change here makes
-// every stored record of a seeded run irreproducible.
-TEST(GaussianNoise, KeepsItsValuesForGood) {
+// Run records are compared byte for byte between machines and versions: if the values change,
+// stored records are no longer reproducible.
+TEST(GaussianNoise, KeepsItsValuesAcrossVersions) {
   EXPECT_EQ(fnv1a(gaussians({1, kSourceNoise, 0}, 0, 1000000)), 7008929407730788073u);
 }
 
-TEST(GaussianNoise, GoesOnPastTheFirst32BitsOfTheCount) {
-  const std::uint64_t far = (std::uint64_t{1} << 36) - 100;  // 2³² batches of 16 blocks further on
+TEST(GaussianNoise, ContinuesBeyond32BitsOfTheCounter) {
+  const std::uint64_t far = (std::uint64_t{1} << 36) - 100;  // after 2³² batches of 16 blocks
   const std::vector<float> whole = gaussians(kStream, far, 200);
   EXPECT_EQ(gaussians(kStream, far + 100, 100),
             std::vector<float>(whole.begin() + 100, whole.end()));
   EXPECT_NE(gaussians(kStream, far + 100, 100), gaussians(kStream, 0, 100));
 }
 
-TEST(GaussianNoise, DiffersWithSeedPurposeAndIndex) {
+TEST(GaussianNoise, DependsOnSeedPurposeAndIndex) {
   const std::vector<float> base = gaussians({1, kTest, 0}, 0, 100);
   EXPECT_NE(base, gaussians({2, kTest, 0}, 0, 100));
   EXPECT_NE(base, gaussians({1 + (std::uint64_t{1} << 32), kTest, 0}, 0, 100));
@@ -95,23 +95,23 @@ TEST(GaussianNoise, IsScaledBySigmaAndAddedToTheSignal) {
   }
 }
 
-TEST(GaussianNoise, LeavesTheSignalAloneForACountOfZero) {
+TEST(GaussianNoise, DoesNotChangeTheSignalForACountOfZero) {
   float untouched = 3.0f;
   add_gaussian(kStream, 17, 0, 1.0f, &untouched);
   EXPECT_EQ(untouched, 3.0f);
 }
 
-// The known answer of the Random123 distribution (kat_vectors, philox4x32 10: counter and key all
-// ones) begins 408f276d 41c83b0e: the generator underneath is the one that was proved.
-TEST(Uniform, GivesThePublishedAnswerOfPhilox) {
+// The published test vector of Random123 (kat_vectors, philox4x32 10: counter and key all ones)
+// begins with 408f276d 41c83b0e.
+TEST(Uniform, GivesThePublishedTestVectorOfPhilox) {
   const std::uint32_t ones = std::numeric_limits<std::uint32_t>::max();
   const Stream stream{std::numeric_limits<std::uint64_t>::max(), ones, ones};
-  // Uniform values count in the upper half: n = 2⁶³ − 1 is block 2⁶⁴ − 1.
+  // Uniform values use the upper half of the counter: n = 2⁶³ − 1 is block 2⁶⁴ − 1.
   const double value = uniform(stream, std::numeric_limits<std::uint64_t>::max() >> 1);
   EXPECT_EQ(value, static_cast<double>(0x408f276d41c83b0eu >> 11) / 0x1p53);
 }
 
-TEST(Uniform, LiesInTheHalfOpenUnitIntervalEvenly) {
+TEST(Uniform, IsEvenlyDistributedFrom0To1) {
   constexpr int kCells = 100;
   constexpr int kValues = 1000000;
   std::array<int, kCells> cells{};
@@ -132,8 +132,8 @@ TEST(Uniform, LiesInTheHalfOpenUnitIntervalEvenly) {
 }
 
 }  // namespace
-// Many streams side by side against Random123's own, one counter at a time.
-TEST(UniformNoise, OfManyStreamsIsThatOfEach) {
+// Compares many streams at once with Random123, one counter at a time.
+TEST(UniformNoise, IsTheSameForManyStreamsAtOnce) {
   constexpr std::size_t kStreams = 50;
   constexpr std::size_t kSamples = 11;
   const Stream first = {0x123456789abcdefULL, kTest, 4000000000U};
@@ -149,7 +149,7 @@ TEST(UniformNoise, OfManyStreamsIsThatOfEach) {
   }
 }
 
-TEST(UniformNoise, IsTheSameHoweverItIsCut) {
+TEST(UniformNoise, DoesNotDependOnTheDivisionIntoBlocks) {
   const Stream stream = {7, kTest, 3};
   std::vector<float> whole(1000, 0.0F);
   add_uniform(stream, 0, whole.size(), 1.0F, whole.data());
@@ -168,7 +168,7 @@ TEST(UniformNoise, IsTheSameHoweverItIsCut) {
   EXPECT_NEAR(sum / 1000.0, 0.0, 0.06);  // three standard deviations
 }
 
-TEST(GaussianNoise, OfManyStreamsIsThatOfEach) {
+TEST(GaussianNoise, IsTheSameForManyStreamsAtOnce) {
   const Stream first = {9, kTest, 100};
   std::vector<float> values(3 * 70, 0.0F);
   add_gaussian_to_each(first, 3, 70, 0.5F, values.data());

@@ -28,7 +28,7 @@ bool same(const std::vector<ContactEdge>& a, const std::vector<ContactEdge>& b) 
                     });
 }
 
-TEST(RelayModel, ContactMovesWithinTheOperateTimesBoundsAndUsesThemWhole) {
+TEST(RelayModel, MovesTheContactWithinTheRangeOfOperateTimesAndUsesAllOfIt) {
   const RelayParameters p;
   double shortest_ms = 1e9;
   double longest_ms = 0.0;
@@ -41,12 +41,12 @@ TEST(RelayModel, ContactMovesWithinTheOperateTimesBoundsAndUsesThemWhole) {
   const double half_tick_ms = 0.5 / kTicks_per_ms;
   EXPECT_GE(shortest_ms, p.operate_ms - p.operate_spread_ms - half_tick_ms);
   EXPECT_LE(longest_ms, p.operate_ms + p.operate_spread_ms + half_tick_ms);
-  // Of 2000 uniform draws the chance that none falls in the outer 2 % is 10⁻¹⁷.
+  // The probability that none of 2000 uniform values is in the outer 2 % is 10⁻¹⁷.
   EXPECT_LT(shortest_ms, p.operate_ms - 0.96 * p.operate_spread_ms + half_tick_ms);
   EXPECT_GT(longest_ms, p.operate_ms + 0.96 * p.operate_spread_ms - half_tick_ms);
 }
 
-TEST(RelayModel, OpensWithoutABounce) {
+TEST(RelayModel, DoesNotBounceOnOpening) {
   for (std::uint64_t n = 0; n < kChanges; ++n) {
     const std::vector<ContactEdge> opening = edges(n, false);
     ASSERT_EQ(opening.size(), 1U);
@@ -54,7 +54,7 @@ TEST(RelayModel, OpensWithoutABounce) {
   }
 }
 
-TEST(RelayModel, BouncesOnClosingFromNeverToTheLargestNumberAndRestsClosed) {
+TEST(RelayModel, BouncesOnClosingUpToTheLargestNumberAndEndsClosed) {
   const RelayParameters p;
   std::set<std::size_t> bounces;
   for (std::uint64_t n = 0; n < kChanges; ++n) {
@@ -73,8 +73,8 @@ TEST(RelayModel, BouncesOnClosingFromNeverToTheLargestNumberAndRestsClosed) {
   EXPECT_EQ(bounces, (std::set<std::size_t>{0, 1, 2, 3}));
 }
 
-// As RelayParameters asks for: at the lowest sample rate too, where a tick is a millisecond.
-TEST(RelayModel, BouncesAreOverBeforeTheNextChangeCanBegin) {
+// Required by RelayParameters, also at the lowest sample rate, where a tick is a millisecond.
+TEST(RelayModel, StopsBouncingBeforeTheNextOperationCanBegin) {
   const RelayParameters p;
   for (const std::int64_t rate_hz : {1000, 8000, 32000}) {
     for (std::uint64_t n = 0; n < kChanges; ++n) {
@@ -95,7 +95,7 @@ TEST(RelayModel, IsAPureFunctionOfItsArguments) {
   }
 }
 
-TEST(RelayModel, DiffersFromChangeToChangeAndFromRelayToRelay) {
+TEST(RelayModel, DiffersBetweenOperationsAndBetweenRelays) {
   const Stream other{kRelayStream.seed, kRelayStream.purpose, 1};
   int same_as_next = 0;
   int same_as_other = 0;
@@ -103,7 +103,7 @@ TEST(RelayModel, DiffersFromChangeToChangeAndFromRelayToRelay) {
     same_as_next += same(edges(n, false), edges(n + 1, false)) ? 1 : 0;
     same_as_other += same(edges(n, false), edges(n, false, other)) ? 1 : 0;
   }
-  // 24 ticks of spread: 4 of 100 agree by chance, with a standard deviation of 2.
+  // With a spread of 24 ticks, 4 of 100 agree by chance, with a standard deviation of 2.
   EXPECT_LT(same_as_next, 15);
   EXPECT_LT(same_as_other, 15);
 }

@@ -1,4 +1,4 @@
-// The fall of the frequency after a loss, up to its turn, per unit of the deviation in the end.
+// The fall of the frequency after a loss, up to its turning point, per unit of the final deviation.
 #pragma once
 
 #include <grid/sfr_model.hpp>
@@ -6,22 +6,22 @@
 namespace gsbench::grid {
 
 struct TurningPoint {
-  double t_s;    // +infinity where the frequency falls to its end value without a turn
-  double depth;  // lowest deviation over that in the end, >= 1
+  double t_s;    // +infinity if the frequency falls to its final value without a turning point
+  double depth;  // largest deviation per final deviation, >= 1
 };
 
 TurningPoint turning_point(const SfrModel& model);
 
-// When the falling limb passes `depth`, 0 < depth < turn.depth.
+// Time at which the falling limb passes `depth`, 0 < depth < turn.depth.
 double time_at_depth_s(const SfrModel& model, const TurningPoint& turn, double depth);
 
 struct Nadir {
-  double t_s;  // +infinity where the frequency falls to its end value without a turn
+  double t_s;  // +infinity if the frequency falls to its final value without a turning point
   double frequency_hz;
 };
 
-// Lowest frequency after one loss at t = 0, eq. (13), (14). Throws std::invalid_argument for a
-// negative loss, which has a highest frequency instead.
+// Lowest frequency after one loss at t = 0, eq. (13), (14). Throws std::invalid_argument if loss_mw
+// is negative or NaN.
 Nadir nadir(const SfrModel& model, double loss_mw);
 
 }  // namespace gsbench::grid

@@ -1,5 +1,5 @@
-// A power system as the frequency response model sees it: plants, load, and what is wanted of the
-// control. Pure data: bench/profile fills it from a grid file, SfrModel and bench/control_centre
+// A power system for the frequency response model: plants, load, load blocks and the threshold
+// frequency. Data only: bench/profile reads it from a grid file, SfrModel and bench/control_centre
 // use it.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace gsbench::grid {
 
-// One generator in operation. Tripped ones are left out (eq. 2).
+// One generator in operation. Tripped generators are not included (eq. 2).
 struct Plant {
   std::string id;
   double rating_mw = 0.0;  // > 0
@@ -19,32 +19,32 @@ struct Plant {
   double droop_pu = 0.0;   // R on its own rating, > 0
 };
 
-// A load block in order of importance, the least important first (§4.1).
+// A load block. Blocks are ordered by importance, the least important first (§4.1).
 struct Block {
   std::string id;
   double power_mw = 0.0;  // > 0
 };
 
-// What a publication prints for this grid, to be shown beside our own figures.
+// Published values for this grid, for comparison with the computed ones.
 struct Reference {
   std::string source;
   std::optional<double> t_nadir_s;
   std::optional<double> threshold_mw;
-  std::vector<double> condition_rocof_hz_s;  // row by row, from f_n down; empty: none printed
-  std::string note;                          // why figures differ, for the reader of a report
+  std::vector<double> condition_rocof_hz_s;  // row by row, from f_n down; empty: not published
+  std::string note;                          // why computed values differ, for reports
 };
 
-// Of the rows of Table 1: no outlet resolves less than a millihertz.
+// Smallest row height of Table 1: outlets do not resolve less than a millihertz.
 constexpr double kLowestConditionRow_hz = 0.001;
 
 struct Grid {
   std::string name;
   std::string title;
   std::string source;
-  std::string path;                // of the file, as opened; empty where it is in none
-  std::string sha256;              // of the file's text, hexadecimal; empty where it is in no file
+  std::string path;                // of the grid file, as opened; empty for an inline grid
+  std::string sha256;              // of the file's text, hexadecimal; empty for an inline grid
   double nominal_hz = 50.0;        // f_n, the frequency before the contingency; > 0
-  double threshold_hz = 49.5;      // f_s, the nadir that must not be undershot; 0 < f_s < f_n
+  double threshold_hz = 49.5;      // f_s, the lowest permitted nadir; 0 < f_s < f_n
   double base_mw = 0.0;            // S_B, base of D, H and R; > 0
   double load_mw = 0.0;            // P_L of eq. (17); > 0
   double damping_pu = 0.0;         // D >= 0
@@ -63,25 +63,24 @@ struct PowerChange {
   double power_mw = 0.0;
 };
 
-// A grid that makes no sense. what() names the field, its value and what would be right; field and
-// index let whoever read the grid from a file point at the line.
+// An invalid grid. what() gives the field, its value and what would be right. With field and index
+// the reader of a grid file finds the position.
 struct GridError : std::invalid_argument {
   GridError(std::string field_path, int position, const std::string& message)
       : std::invalid_argument(message), field(std::move(field_path)), index(position) {}
 
   // Table and key as in a grid file: "system.damping_pu", "plant.inertia_s", "block.power_mw",
-  // "reference.condition_rocof_hz_s"; only "plant" where there is none at all.
+  // "reference.condition_rocof_hz_s"; "plant" if the grid has no plant.
   std::string field;
-  int index;  // from 0, of the plant, the block or the reference's row; -1 where there is but one
+  int index;  // of the plant, the block or the reference's row, from 0; -1 for other fields
 };
 
-// Throws GridError for the first field that is not finite, outside its range, or at odds with
-// another. The ranges reach far beyond any real system: they catch a wrong unit (W for MW) and keep
-// the model's arithmetic finite.
+// Throws GridError for the first field that is not finite, out of range, or inconsistent with
+// another. The ranges are far wider than any real system: they detect a wrong unit (W instead of
+// MW) and keep the model's arithmetic finite.
 void check(const Grid& grid);
 
-// What is permitted of a grid's fields, both ends included. No power system comes near the ends; a
-// value past them was given in another unit.
+// Permitted ranges of a grid's fields, both ends included.
 struct Limits {
   double low;
   double high;

@@ -4,8 +4,8 @@
 // With sigma = zeta·omega_n and d = omega_n² − sigma² the response to a unit step of lost power is
 //   deviation(t) = −K·[1 − e^(−sigma·t)·C(t) + (g0 − sigma)·e^(−sigma·t)·S(t)]
 // where C = cos(√d·t), S = sin(√d·t)/√d for d > 0, their limits for d = 0, cosh and sinh for d < 0,
-// K = R/(D·R + K_m) and g0 = omega_n²·T_R. For zeta < 1 that is eq. (6): α·sin(∅) = −1 always.
-// Eq. (3) of the paper misprints its denominator: it is s² + 2·zeta·omega_n·s + omega_n².
+// K = R/(D·R + K_m) and g0 = omega_n²·T_R. For zeta < 1 this is eq. (6), because α·sin(∅) = −1.
+// The denominator of eq. (3) is misprinted in the paper: it is s² + 2·zeta·omega_n·s + omega_n².
 #pragma once
 
 #include <optional>
@@ -17,8 +17,7 @@ namespace gsbench::grid {
 
 class SfrModel {
  public:
-  // Throws std::invalid_argument naming the field, its value and what would be right, where the
-  // grid makes no sense.
+  // Throws GridError if the grid is invalid.
   explicit SfrModel(const Grid& grid);
 
   double inertia_s() const { return inertia_s_; }     // H, eq. (2), on base_mw
@@ -41,7 +40,7 @@ class SfrModel {
   double inertia_s_, droop_pu_, omega_n_, zeta_, sigma_, d_, g0_, gain_, nominal_hz_, base_mw_;
 };
 
-// The paper's closed-form parameters of eq. (7)–(9), (12); they exist for zeta < 1 only.
+// The paper's closed-form parameters of eq. (7)–(9), (12).
 struct UnderdampedParameters {
   double alpha;
   double omega_r;  // rad/s
@@ -49,18 +48,20 @@ struct UnderdampedParameters {
   double phi1;     // rad, in (0, π)
 };
 
+// nullopt for zeta >= 1, where they do not exist. reheat_s: T_R of the model's grid.
 std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& model, double reheat_s);
 
-// Several changes superposed, eq. (10).
+// Several power changes superposed, eq. (10).
 class FrequencyResponse {
  public:
+  // Throws std::invalid_argument if a time or power is not finite.
   FrequencyResponse(SfrModel model, std::vector<PowerChange> changes);
 
   double frequency_hz(double t_s) const {
     return model_.nominal_hz() + sum(&SfrModel::unit_deviation_hz, t_s);
   }
   double rocof_hz_s(double t_s) const { return sum(&SfrModel::unit_rocof_hz_s, t_s); }
-  // Phase beyond nominal·t, in cycles: ∫ (f − f_n), exact, 0 before the first change.
+  // ∫ (f − f_n) dt in cycles, exact; 0 before the first change.
   double excess_cycles(double t_s) const { return sum(&SfrModel::unit_phase_cycles, t_s); }
 
   const SfrModel& model() const { return model_; }

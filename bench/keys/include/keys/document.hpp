@@ -1,5 +1,5 @@
-// A TOML file as plain values, each with its place in the file, and the error that names such a
-// place. Only document.cpp knows the TOML library.
+// A TOML file as plain values, each with its position in the file, and the error that names a
+// position. Only document.cpp uses the TOML library.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace gsbench::keys {
 
-// Bad usage, profile, grid, station or settings: exit code 2. what() is the whole message:
-// `file:line:column: what, and what would be right`.
+// Wrong usage, profile, grid, station or settings; exit code 2. what() is the complete message:
+// `file:line:column: what is wrong, and what would be right`.
 class ConfigurationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// The end of a message on a word that is none of `known`: `; did you mean "x"?` where one is near,
-// else `; <what> are: a, b, c`.
-std::string suggestion(const std::string& word, const std::vector<std::string>& known,
+// The end of a message about a name that is not in `known`: `; did you mean "x"?` if one is
+// similar, otherwise `; <what> are: a, b, c`.
+std::string suggestion(const std::string& name, const std::vector<std::string>& known,
                        const std::string& what);
 
 struct Position {
@@ -31,7 +31,7 @@ struct Entry;
 struct Value;
 using Array = std::vector<Value>;
 using Entries = std::vector<Entry>;  // of a table, in the order of the file
-struct DateOrTime {};                // none of our keys is one: all that matters is that it is
+struct DateOrTime {};                // no key has this type: its value is not needed
 
 struct Value {
   std::variant<bool, std::int64_t, double, std::string, DateOrTime, Array, Entries> data;
@@ -45,11 +45,11 @@ struct Entry {
 };
 
 struct Document {
-  std::string path;  // for messages, and for what the file names by a relative path
+  std::string path;  // for messages, and the base of relative paths in the file
   Value root;        // holds Entries
 };
 
-// Throws ConfigurationError where the text is not well-formed TOML.
+// Throws ConfigurationError if the text is not valid TOML.
 Document parse_toml(const std::string& text, const std::string& path);
 
 ConfigurationError error_at(const std::string& path, Position at, const std::string& message);

@@ -1,6 +1,7 @@
-// What a file may say: each key is declared once, with its name, type, unit, range, default and
-// meaning. From the declarations come what is read and refused (keys/table.hpp), the tables of
-// profiles/README.md (markdown()) and the JSON Schema for editors (`gsbench schema`).
+// Declarations of the keys of a file: each key is declared once, with its name, type, unit, range,
+// default and meaning. The declarations are used to read and check files (keys/table.hpp), to
+// print the tables of profiles/README.md (markdown()) and to print the JSON Schema for editors
+// (`gsbench schema`).
 #pragma once
 
 #include <cstddef>
@@ -12,13 +13,13 @@
 
 namespace gsbench::keys {
 
-// What is permitted of a number. NaN and infinities never are.
+// The permitted range of a number. NaN and infinities are never permitted.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;   // low itself is not permitted
   bool high_open = false;  // high itself is not permitted
-  std::string note = {};   // where the limit comes from, for messages
+  std::string note = {};   // the origin of the limit, for messages
 
   bool holds(double value) const;
   std::string describe() const;  // "above 0 and at most 100"
@@ -30,15 +31,15 @@ Range between(double low, double high);
 
 enum class Type {
   kNumber,
-  kWhole,  // a number without a fraction
-  kText,   // never empty
-  kId,     // a text that is an identifier
-  kWord,   // a text, one of `words`
-  kArray,  // of what `inner` declares, at least one
-  kRow,    // an array of as many values as `inner` declares
+  kWhole,   // a number without a fraction
+  kText,    // never empty
+  kId,      // a text that is an identifier
+  kChoice,  // a text, one of `choices`
+  kArray,   // at least one item, declared by `inner`
+  kRow,     // an array with one value for each key of `inner`
   kTable,
   kTables,       // an array of tables
-  kTextOrTable,  // a name, or the thing itself in place
+  kTextOrTable,  // a name, or the table that the name would refer to
 };
 
 using Default = std::variant<std::monostate, double, std::string>;
@@ -48,20 +49,20 @@ struct Key {
   std::string name;
   std::string meaning;
   std::string unit = {};
-  Range range = {};                     // of a number, whatever else the file says
-  std::size_t longest = 0;              // of an id, characters
-  std::vector<std::string> words = {};  // of a word
-  std::vector<Key> inner = {};  // of a table its keys, of an array its item, of a row its columns
+  Range range = {};                       // of a number, independent of other keys
+  std::size_t longest = 0;                // of an id, characters
+  std::vector<std::string> choices = {};  // the permitted texts of a choice
+  std::vector<Key> inner = {};            // keys of a table, item of an array, columns of a row
 
   bool required = false;
-  std::string remedy = {};  // of a required key: what to write, for messages
-  Default fallback = {};    // where it is fixed
-  // For documents, where type, range and fallback do not say it all.
+  std::string remedy = {};  // of a required key: what to give, for messages
+  Default fallback = {};    // the default, if it is a fixed value
+  // For README and schema, if type, range and fallback do not suffice.
   std::string permitted = {};
-  std::string otherwise = {};     // what stands where the key is left out
-  std::string described_at = {};  // the section of a table's keys, where it is another's
+  std::string otherwise = {};     // description of the default
+  std::string described_at = {};  // of a table: the section that documents its keys
 
-  // The same key with another value of that field.
+  // A copy of the key with another value of the field.
   template <class T>
   Key with(T Key::*field, T value) const {
     Key key = *this;
@@ -90,8 +91,8 @@ Key number(std::string name, std::string unit, Range range, std::string meaning)
 Key whole(std::string name, std::string unit, double low, double high, std::string meaning);
 Key text(std::string name, std::string meaning);
 Key id(std::string name, std::size_t longest, std::string meaning);
-Key word(std::string name, std::vector<std::string> words, std::string meaning);
-// `item` declares each item; what it is called in messages follows from `name`.
+Key choice(std::string name, std::vector<std::string> choices, std::string meaning);
+// `item` declares each item; messages call it "an item of <name>".
 Key array(std::string name, Key item, std::string meaning);
 Key row(std::vector<Key> columns);  // an item of an array
 Key table(std::string name, std::string meaning, std::vector<Key> inner);
@@ -99,12 +100,12 @@ Key tables(std::string name, std::string meaning, std::vector<Key> inner);
 Key text_or_table(std::string name, std::string meaning, std::vector<Key> inner);
 
 bool is_number(const Key& key);
-bool is_table(const Key& key);  // or an array of them, or a table in place of a text
+bool is_table(const Key& key);  // kTable, kTables or kTextOrTable
 
-// "[signal]", "[[outlet]]"; `path`: of the tables around it and its own name, joined by dots.
+// "[signal]", "[[outlet]]". `path`: names of the enclosing tables and its own, joined by dots.
 std::string header_of(const Key& table, const std::string& path);
 
-// For profiles/README.md: a table of the keys, then a section for each table within, in the order
+// For profiles/README.md: a table of the keys, then a section for each inner table, in the order
 // of declaration.
 std::string markdown(const Key& format);
 

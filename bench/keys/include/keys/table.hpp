@@ -1,6 +1,6 @@
-// Reading a document by its declared keys. All that the declarations say of the whole document is
-// checked when it is opened: unknown and missing keys, types, ranges. The rest, where one value
-// depends on another, is left to the reader.
+// Reads a document according to its declared keys. Opening a document checks everything that is
+// declared: unknown and missing keys, types, ranges. Limits that depend on other values are checked
+// by the caller.
 #pragma once
 
 #include <cstdint>
@@ -19,51 +19,51 @@ struct Row {
   std::vector<Position> at;  // of each value
 };
 
-struct Word {
+struct PlacedText {
   std::string text;
   Position at;
 };
 
-// One table of a document. The document and the declaration must outlive it. Asked for a key that
-// is not declared, or not of the type, it throws std::logic_error.
+// One table of a document. The document and the declaration must outlive it. Asking for an
+// undeclared key throws std::logic_error.
 class Table {
  public:
-  // The whole document. `declared.name` is what messages call it: "a profile". Throws
-  // ConfigurationError with the first place that is not as declared.
+  // The whole document. `declared.name` is its name in messages: "a profile". Throws
+  // ConfigurationError for the first violation of the declaration.
   Table(const Document& document, const Key& declared);
 
   bool has(const std::string& key) const { return find(key) != nullptr; }
-  // Where the key's value is; where the table begins, if it lacks the key.
+  // Position of the key's value, or of the table's start if the key is missing.
   Position at(const std::string& key) const;
   Position at() const { return value_->at; }
   const Document& document() const { return *document_; }
 
-  // The value, or the declared default; none where there is neither. `narrower`: what the rest of
-  // the document leaves of the declared range.
+  // The value, or the declared default; nullopt if there is neither. `narrower`: a range within the
+  // declared one that depends on the rest of the document; outside it throws ConfigurationError.
   std::optional<double> find_number(const std::string& key, const Range& narrower = {}) const;
   std::optional<std::int64_t> find_whole(const std::string& key) const;
-  std::optional<std::string> find_text(const std::string& key) const;  // an id or a word, too
-  // The same of keys that are required or have a default.
+  std::optional<std::string> find_text(const std::string& key) const;  // also of kId and kChoice
+  // The same for keys that are required or have a default.
   double number(const std::string& key, const Range& narrower = {}) const {
     return find_number(key, narrower).value();
   }
   std::int64_t whole(const std::string& key) const { return find_whole(key).value(); }
   std::string text(const std::string& key) const { return find_text(key).value(); }
 
-  // Of arrays; empty where the table lacks the key.
+  // Items of an array; empty if the key is missing.
   std::vector<double> numbers(const std::string& key) const;
-  std::vector<Word> words(const std::string& key) const;
+  std::vector<PlacedText> texts(const std::string& key) const;
   std::vector<Row> rows(const std::string& key) const;
 
-  bool holds_table(const std::string& key) const;           // there, and not a text in its place
-  Table table(const std::string& key) const;                // that is there
-  std::vector<Table> tables(const std::string& key) const;  // empty where there is none
+  bool holds_table(const std::string& key) const;           // false for a text in its place
+  Table table(const std::string& key) const;                // the key must be present
+  std::vector<Table> tables(const std::string& key) const;  // empty if the key is missing
 
   // Throw ConfigurationError.
   [[noreturn]] void refuse(Position at, const std::string& message) const;
   [[noreturn]] void refuse(const std::string& key, const std::string& message) const;
-  // A key that must be there and is not; `what` says what it is for.
-  [[noreturn]] void refuse_missing(const std::string& key, const std::string& what) const;
+  // For a missing key; `remedy`: what to give.
+  [[noreturn]] void refuse_missing(const std::string& key, const std::string& remedy) const;
 
  private:
   Table(const Document& document, const Value& value, const Key& declared, std::string path);
@@ -83,7 +83,7 @@ class Table {
   const Document* document_;
   const Value* value_;
   const Key* declared_;
-  std::string path_;  // "grid.plant"; empty: the document
+  std::string path_;  // "grid.plant"; empty for the document
 };
 
 }  // namespace gsbench::keys

@@ -1,5 +1,5 @@
-// Where profiles, grids and stations are on disk: the shipped ones, and the user's own in
-// $XDG_DATA_HOME/gsbench/profiles. If $GSBENCH_PROFILES is set, that folder takes the place of both.
+// Finds and reads the files of profiles, grids and stations: the shipped ones, and the user's own in
+// $XDG_DATA_HOME/gsbench/profiles. If $GSBENCH_PROFILES is set, that folder replaces both.
 #pragma once
 
 #include <optional>
@@ -13,30 +13,31 @@ struct NamedFile {
   std::string path;
 };
 
-// Throw ConfigurationError where there is no such file.
-std::string find_profile(const std::string& name_or_path);  // its path
+// Throw ConfigurationError if the file does not exist.
+std::string find_profile(const std::string& name_or_path);  // returns the path
 NamedFile find_station(const std::string& name_or_path);
 
-// `folder`: what a relative path is relative to.
+// `folder`: the base of a relative path. nullopt if the file does not exist.
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder);
-std::string no_such_grid(const std::string& name_or_path);
+std::string unknown_grid(const std::string& name_or_path);  // the message for it
 
-// "paper/loss-500mw" for a shipped or own profile, else the file's name without extension.
+// "paper/loss-500mw" for a shipped or own profile, otherwise the file name without extension.
 std::string profile_name(const std::string& path);
 
-// `path` as it stands, where it is absolute; else below the folder that `beside` is in.
+// An absolute `path` unchanged; a relative one below the folder of the file `beside`.
 std::string resolve(const std::string& path, const std::string& beside);
 
 bool is_regular_file(const std::string& path);
 
-// Throws ConfigurationError where it is no readable regular file.
+// Throws ConfigurationError if it is not a readable regular file of at most 4 MiB.
 std::string read_file(const std::string& path);
 
-// Hexadecimal. Of a file: throws ConfigurationError where it cannot be read.
+// Hexadecimal. sha256_of_file throws ConfigurationError if the file cannot be read.
 std::string sha256(const std::string& text);
 std::string sha256_of_file(const std::string& path);
 
-// By name. Throw ConfigurationError if there is no folder of profiles, or two files have one name.
+// Sorted by name. Throw ConfigurationError if the folder of profiles does not exist, or two files
+// have the same name.
 std::vector<NamedFile> all_profiles();
 std::vector<NamedFile> all_grids();
 std::vector<NamedFile> all_stations();

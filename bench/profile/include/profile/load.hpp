@@ -1,6 +1,7 @@
-// Profiles and grids from TOML files. Strict: an unknown key, a wrong type or unit, a value out of
-// range, a missing grid: all are refused with `file:line:column: what, and what would be right`.
-// profiles/README.md documents every key.
+// Reads profiles and grids from TOML files. Strict: an unknown key, a wrong type or unit, a value
+// out of range or a missing grid throws ConfigurationError with the message
+// `file:line:column: what is wrong, and what would be right`. profiles/README.md documents all
+// keys.
 #pragma once
 
 #include <cstdint>
@@ -18,30 +19,30 @@ namespace gsbench::profile {
 
 using keys::ConfigurationError;
 
-// $GSBENCH_PROFILES if set, else the folder of the shipped profiles.
+// $GSBENCH_PROFILES if set, otherwise the folder of the shipped profiles.
 std::string profiles_folder();
 
-// Seeds are 0 … this: whole numbers that every reader of JSON keeps exactly.
+// Seeds are 0 … 2⁵³, which every JSON reader represents exactly.
 constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 
-// What the command line says in place of the profile.
+// Values of the command line that replace those of the profile.
 struct Overrides {
   std::optional<std::uint64_t> seed;
-  // Replays this recording, whole, in place of the profile's frequency, amplitude steps and phase
-  // jumps; noise, harmonics and DC offset stay. Empty: none.
+  // Plays this recording in full length in place of the profile's frequency, amplitude steps and
+  // phase jumps; noise, harmonics and DC offset stay. Empty: none.
   std::string trace_path;
   recording::TraceColumns trace_columns;
 };
 
-// `name`: a shipped profile ("paper/loss-500mw") or a path to a .toml file.
+// `name`: a shipped profile ("paper/loss-500mw") or the path of a .toml file.
 Plan load_profile(const std::string& name, const Overrides& overrides = {});
 
-// The same of a text, such as a run record keeps; grids and recordings it names by a relative path
-// are looked for beside `path`.
+// The same for a text, e.g. from a run record. Relative paths of grids and recordings are relative
+// to the folder of `path`.
 Plan parse_profile(const std::string& text, const std::string& path,
                    const Overrides& overrides = {});
 
-// `name`: a shipped grid ("ieee24") or a path to a .toml file.
+// `name`: a shipped grid ("ieee24") or the path of a .toml file.
 grid::Grid load_grid(const std::string& name);
 
 struct ProfileSummary {
@@ -49,14 +50,14 @@ struct ProfileSummary {
   std::string title;
 };
 
-// In alphabetical order. A profile that cannot be read is listed with the reason for its title.
+// In alphabetical order. The title of an unreadable profile is the reason.
 std::vector<ProfileSummary> list_profiles();
 std::vector<ProfileSummary> summaries_of(
     const std::vector<NamedFile>& files,
     const std::function<std::string(const NamedFile&)>& read_title);
 std::vector<std::string> list_grids();
 
-// What the files may say: every key, with unit, range and default.
+// Declarations of all keys, with unit, range and default.
 const keys::Key& profile_keys();
 const keys::Key& grid_keys();
 

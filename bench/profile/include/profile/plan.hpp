@@ -1,5 +1,5 @@
-// A checked profile: everything a run needs, in SI units, immutable from here on. A profile that
-// does not make sense never becomes a Plan (see load_profile).
+// A checked profile: everything a run needs. load_profile() creates it from a valid profile only,
+// and nothing changes it afterwards.
 #pragma once
 
 #include <control_centre/outlet_settings.hpp>
@@ -17,52 +17,51 @@
 
 namespace gsbench::profile {
 
-// A CSV recording that is played.
+// A CSV recording to play.
 struct Recording {
-  std::string file;    // as the profile or the command line names it
+  std::string file;    // as given in the profile or on the command line
   std::string path;    // as opened
-  std::string sha256;  // of its content, hexadecimal
+  std::string sha256;  // of the content, hexadecimal
   recording::TraceColumns columns;
-  bool replaces_profile = false;  // the command line gave it in place of the profile's own signal
+  bool replaces_profile = false;  // given on the command line in place of the profile's signal
 };
 
 struct Stimulus {
-  // Where the frequency comes from: one of the two at most.
-  std::vector<grid::PowerChange> losses;  // [[grid.loss]]
-  // Of [signal] frequency = [[t, hz], …], or of [signal.trace], already read.
-  std::vector<recording::TracePoint> points;
-  Recording recording;  // that the points are from
+  // Source of the frequency: at most one of losses and points is not empty.
+  std::vector<grid::PowerChange> losses;      // [[grid.loss]]
+  std::vector<recording::TracePoint> points;  // [signal] frequency or [signal.trace]
+  Recording recording;                        // the origin of the points, if it is a recording
   waveform::SignalSpec signal;
   double duration_s = 0.0;             // > 0
   std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000
-  double noise_pct = 0.0;              // white, RMS, of the nominal amplitude (peak)
+  double noise_pct = 0.0;              // white, RMS, % of the nominal peak amplitude
 
   float noise_rms_pu() const { return static_cast<float>(noise_pct / 100.0); }
 };
 
 struct Outlet {
   std::string id;     // unique in the plan
-  std::string group;  // the [[outlet]] table it came from
+  std::string group;  // of its [[outlet]] table
   control_centre::Wishes settings;
 };
 
-// Groups of these outlets, each once, in the order of the profile.
+// The groups of these outlets, each once, in the order of the profile.
 std::vector<std::string> groups_of(const std::vector<Outlet>& outlets);
 
-// A command of the control centre, criterion (3) of §5.5.
+// A command of the control centre: criterion (3) of §5.5.
 struct Command {
   double at_s = 0.0;
   std::vector<std::string> outlets;  // ids; empty: all
   bool switch_on = false;            // false: off
 };
 
-// A limit, declared before the run: [[expect]].
+// A limit of a measured value: [[expect]].
 struct Expectation {
-  std::string measure;        // a name of the judge's catalogue
-  std::string unit;           // as the catalogue has it, or one it converts
+  std::string measure;        // a name of the catalogue of measures
+  std::string unit;           // unit of the measure, or one that converts to it
   std::optional<double> min;  // in `unit`, inclusive
   std::optional<double> max;
-  std::optional<std::string> equals;  // for measurements that are words: "open"
+  std::optional<std::string> equals;  // for measures that are texts: "open"
   std::vector<std::string> groups;    // outlets of these groups; empty: all
   int line = 0;                       // in the profile, for messages
 };
@@ -70,9 +69,9 @@ struct Expectation {
 struct Plan {
   std::string name;  // "paper/loss-500mw"
   std::string title;
-  std::string source;  // where the case comes from
+  std::string source;  // origin of the test case
   std::string path;    // of the profile file, as opened
-  std::string text;    // of the profile file, whole
+  std::string text;    // content of the profile file
   std::string sha256;  // of text, hexadecimal
   grid::Grid grid;
   Stimulus stimulus;

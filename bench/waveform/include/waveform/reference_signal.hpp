@@ -1,5 +1,4 @@
-// The frequency that is played, as an exact function of time. Everything measured is compared with
-// this and with nothing else.
+// The played frequency as an exact function of time. All measurements are compared with it.
 #pragma once
 
 #include <memory>
@@ -18,23 +17,23 @@ class ReferenceSignal {
   virtual double rocof_hz_s(double t_s) const = 0;
   // ∫ (f − nominal) dt from t = 0, in cycles; exact, so that phase never drifts.
   virtual double excess_cycles(double t_s) const = 0;
-  // Amplitude that the recording itself prescribes, per unit of nominal; 1 where it prescribes
-  // none. Continuous, and linear between corners.
+  // Amplitude of the recording, per unit of nominal; 1 if it has none. Continuous, and linear
+  // between corners.
   virtual double voltage_pu(double t_s) const = 0;
-  // Times at which f or one of its derivatives jumps, ascending: interpolation must not reach
-  // across them. f itself is continuous; rocof_hz_s at a corner is the right-hand limit.
+  // Times at which a derivative of f is discontinuous, ascending: interpolation must not span them.
+  // f itself is continuous; rocof_hz_s at a corner is the right-hand limit.
   virtual std::vector<double> corners_s() const = 0;
 };
 
-// A negative time in a loss list is a loss before the start: phase still counts from t = 0.
+// A negative time is a loss before the start; the excess phase still counts from t = 0.
 std::unique_ptr<ReferenceSignal> reference_from_losses(grid::SfrModel model,
                                                        std::vector<grid::PowerChange> losses);
 
-// Monotone cubic interpolation (Fritsch–Carlson, with the slopes of Fritsch and Butland as in
-// MATLAB's and SciPy's pchip): it passes through each point and overshoots none. Held constant
-// before the first and after the last. Throws std::invalid_argument where there is no point, times
-// do not ascend, or a value is not finite and positive; a voltage may be zero, and is interpolated
-// linearly.
+// Monotone cubic interpolation (Fritsch–Carlson, with the slopes of Fritsch and Butland, as pchip
+// in MATLAB and SciPy): it passes through each point without overshoot. Constant before the first
+// point and after the last. Voltages are interpolated linearly. Throws std::invalid_argument if
+// there is no point, times do not increase, or a value is not finite and positive; a voltage may be
+// zero.
 std::unique_ptr<ReferenceSignal> reference_from_points(double nominal_hz,
                                                        std::vector<recording::TracePoint> points);
 

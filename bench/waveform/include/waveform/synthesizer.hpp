@@ -1,7 +1,7 @@
-// Voltage samples of a signal, sample n a pure function of n: however a run is cut into blocks, and
-// on however many threads, the samples are the same to the last bit.
+// Voltage samples of a signal. Sample n is a pure function of n: the samples are bit-identical for
+// any division into blocks and any number of threads.
 //
-// An instant (of a step or a jump) takes effect with the first sample at or after it; one within a
+// A step or jump takes effect with the first sample at or after its time. A time within a
 // nanosecond of a sample is at that sample, so that 0.1 s + 0.2 s is 0.3 s.
 #pragma once
 
@@ -19,15 +19,15 @@ struct Harmonic {
   double phase_deg;      // at the fundamental's zero phase
 };
 
-// From at_s on, the amplitude is `level_pct` of what it was, for duration_s (infinity: to the end).
-// Several at once multiply. 0 % is an interruption. Harmonics go with the fundamental.
+// Multiplies the amplitude by `level_pct` from at_s, for duration_s (infinity: to the end).
+// Overlapping steps multiply. 0 % is an interruption. Harmonics are scaled with the fundamental.
 struct AmplitudeStep {
   double at_s;        // >= 0
   double duration_s;  // > 0
   double level_pct;   // 0 … 1000
 };
 
-// From at_s on, the fundamental's phase is that much further on, harmonic k's k times as much.
+// Advances the phase of the fundamental from at_s, and that of harmonic k by k times as much.
 struct PhaseJump {
   double at_s;  // >= 0
   double degrees;
@@ -37,25 +37,25 @@ struct SignalSpec {
   std::vector<Harmonic> harmonics;
   std::vector<AmplitudeStep> amplitude_steps;
   std::vector<PhaseJump> phase_jumps;
-  double dc_offset_pct = 0.0;  // of the nominal amplitude (peak); −100 … 100, never scaled
+  double dc_offset_pct = 0.0;  // of the nominal peak amplitude; −100 … 100; not scaled by steps
   double initial_phase_deg = 0.0;
 };
 
 class Synthesizer {
  public:
-  // sample_rate_hz: a whole multiple of 1000 up to 1 000 000, so that 1 ms and 16 ms are whole
-  // numbers of samples. Throws std::invalid_argument otherwise, or where a spec value is out of
-  // range or not finite.
+  // sample_rate_hz: a multiple of 1000, at most 1 000 000, so that 1 ms and 16 ms are whole numbers
+  // of samples. Throws std::invalid_argument otherwise, and if a value of spec is out of range or
+  // not finite, or reference is null.
   Synthesizer(std::shared_ptr<const ReferenceSignal> reference, const SignalSpec& spec,
               std::int64_t sample_rate_hz);
 
-  // Samples first_tick … first_tick+count−1 into out, per unit of the nominal amplitude (peak).
-  // first_tick >= 0, or std::invalid_argument. Cheapest in whole blocks of 16 ms.
-  // Noise is not added here: each source adds it (drivers/source), since a source may have a
-  // channel for each outlet. Thread-safe: const and without shared mutable state.
+  // Writes samples first_tick … first_tick+count−1 to out, per unit of the nominal peak amplitude.
+  // Throws std::invalid_argument if first_tick < 0. Fastest in whole blocks of 16 ms. Noise is not
+  // included: each source (drivers/source) adds it, because a source may have a channel for each
+  // outlet. Thread-safe: const and without shared mutable state.
   void render(std::int64_t first_tick, std::size_t count, float* out) const;
 
-  // Of the fundamental, per unit of nominal: the recording's times the amplitude steps.
+  // Amplitude of the fundamental, per unit of nominal: recorded voltage times amplitude steps.
   double amplitude_pu(std::int64_t tick) const;
 
   std::int64_t sample_rate_hz() const;
@@ -66,8 +66,8 @@ class Synthesizer {
   std::shared_ptr<const Impl> impl_;
 };
 
-// The first tick at or after t_s, an instant within a nanosecond of a sample being at that sample;
-// the largest one for times past the end of counting.
+// The first tick at or after t_s. A time within a nanosecond of a sample is at that sample. Times
+// beyond the range of ticks give the largest tick.
 std::int64_t tick_at(double t_s, std::int64_t sample_rate_hz);
 
 }  // namespace gsbench::waveform

@@ -1,4 +1,4 @@
-// The ADC of an outlet that is not hardware: simulated or emulated.
+// The ADC of a simulated or emulated outlet.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace gsbench::models {
 constexpr double kFullScale_pu = 1.5;
 constexpr float kCounts_per_pu = static_cast<float>(32767.0 / kFullScale_pu);
 
-// It ends at its rails; rounding is to the nearest count.
+// Saturates at full scale and rounds to the nearest count.
 inline std::int16_t adc_counts(float voltage_pu, float counts_per_pu) {
   const float counts = std::min(std::max(voltage_pu * counts_per_pu, -32768.0F), 32767.0F);
   return static_cast<std::int16_t>(counts + (counts < 0.0F ? -0.5F : 0.5F));

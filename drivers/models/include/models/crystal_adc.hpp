@@ -1,6 +1,6 @@
-// An outlet's ADC on its own crystal: the source's samples, read where the outlet's clock has its
-// own. Between samples a cubic through the four nearest, right within
-// 1e-5 of the amplitude at the 10th harmonic of 50 Hz and 8 kHz.
+// An outlet's ADC on its own crystal: resamples the source's samples at the times of the outlet's
+// clock. Interpolates with a cubic through the four nearest samples; the error is below 1e-5 of the
+// amplitude at the 10th harmonic of 50 Hz and 8 kHz.
 #pragma once
 
 #include <cstddef>
@@ -13,24 +13,24 @@ namespace gsbench::models {
 
 class CrystalAdc {
  public:
-  // `ppm`: by how much the crystal is fast. Noise is the outlet's own, drawn for each of its
-  // samples.
+  // `ppm`: frequency error of the crystal, positive if fast. noise_rms_pu: noise added to each of
+  // the outlet's samples, from the stream `noise`.
   CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stream noise);
 
-  // Takes the source's next samples; appends the outlet's own that they make.
+  // Takes the next samples of the source and appends the resulting samples of the outlet.
   void take(const float* voltage_pu, std::size_t count, std::vector<std::int16_t>& samples);
 
-  // Where on the source's ticks the outlet's n-th sample is, from the first that take() gave.
+  // Position of the outlet's n-th sample, in ticks of the source, both from 0.
   double tick_of(double sample) const { return sample / rate_; }
 
  private:
-  double rate_;  // samples a tick
+  double rate_;  // samples per tick
   float counts_per_pu_;
   float noise_rms_pu_;
   Stream noise_;
   std::int64_t made_ = 0;        // samples so far
   std::int64_t first_held_ = 0;  // tick of held_[0]
-  std::vector<float> held_;      // the source's samples that are still needed
+  std::vector<float> held_;      // samples of the source that are still needed
   std::vector<float> volts_;
 };
 

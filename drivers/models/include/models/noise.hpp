@@ -1,6 +1,6 @@
 // Counter-based random numbers (Philox 4×32-10, Random123): value n of a stream is a pure function
-// of (seed, stream, n), on any machine, thread and cut of the work. No libm is involved, so that
-// the last bit does not hang on the C library either.
+// of (seed, stream, n), independent of machine, thread and division of the work. No libm is used,
+// so the last bit does not depend on the C library.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@ namespace gsbench::models {
 // Streams keep independent uses of one seed apart.
 struct Stream {
   std::uint64_t seed = 0;
-  std::uint32_t purpose = 0;  // what it is for: see `Purpose`
-  std::uint32_t index = 0;    // which one: the outlet's or trajectory's number
+  std::uint32_t purpose = 0;  // a `Purpose`
+  std::uint32_t index = 0;    // number of the outlet or trajectory
 };
 
 enum Purpose : std::uint32_t {
@@ -28,12 +28,11 @@ enum Purpose : std::uint32_t {
 void add_gaussian(const Stream& stream, std::uint64_t first, std::size_t count, float sigma,
                   float* out);
 
-// out[i] += a value uniform within ±half_width, first+i of the stream. A stream is asked for
-// uniform or for Gaussian values, not for both.
+// out[i] += a uniform value within ±half_width, value first+i of the stream.
 void add_uniform(const Stream& stream, std::uint64_t first, std::size_t count, float half_width,
                  float* out);
 
-// Many streams at once, for trajectories that are computed side by side, with the same values:
+// The same values for many streams at once, for trajectories that are computed in parallel:
 // out[sample·streams + i] += value `sample` of stream first.index + i.
 void add_uniform_to_each(const Stream& first, std::size_t streams, std::size_t samples,
                          float half_width, float* out);

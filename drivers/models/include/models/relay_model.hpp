@@ -1,4 +1,4 @@
-// A relay's contact: it follows its coil some milliseconds later and bounces when it closes.
+// The contact of a relay: it follows the coil after some milliseconds and bounces when it closes.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace gsbench::models {
 
-// The bounces of one change are over before the next can begin:
+// The bounces of one operation must end before the next can begin:
 // 2·largest_bounces·bounce_ms < operate_ms − operate_spread_ms.
 struct RelayParameters {
   double operate_ms = 8.0;         // coil to contact, mean
   double operate_spread_ms = 1.5;  // ± of it, uniform
   int largest_bounces = 3;         // pairs of edges on closing
-  double bounce_ms = 0.4;          // longest gap between two of them
+  double bounce_ms = 0.4;          // longest time between two edges
 };
 
 struct ContactEdge {
@@ -22,8 +22,8 @@ struct ContactEdge {
   bool closed;
 };
 
-// The contact edges that follow a change of the coil, the n-th of this relay; ascending in time,
-// the last of them the lasting one. A pure function of its arguments.
+// The contact edges after the n-th operation of this relay's coil, ascending in time; the last edge
+// is the final state. A pure function of its arguments.
 std::vector<ContactEdge> contact_edges(const RelayParameters& parameters, const Stream& stream,
                                        std::uint64_t n, std::int64_t coil_tick, bool closes,
                                        std::int64_t sample_rate_hz);

@@ -1,5 +1,5 @@
 // Runtime dispatch, AVX2 or baseline: code is built twice, for AVX2 and for any machine. Everything
-// is inlined into the two, so that no code for the one is ever called by the other.
+// is inlined into both versions, so that neither calls code of the other.
 #pragma once
 
 namespace gsbench::models {

@@ -1,4 +1,4 @@
-// Grids whose figures are known from print or from other arithmetic.
+// Grids with results that are known from publications or independent calculations.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace gsbench::grid {
 
-// Half a unit of the last digit that an expected figure is given with.
+// Half a unit of the last digit of an expected value.
 inline constexpr double kFiveDecimals = 0.5e-5;
 inline constexpr double kFourDecimals = 0.5e-4;
 inline constexpr double kThreeDecimals = 0.5e-3;
@@ -40,9 +40,9 @@ inline Grid overdamped_grid() {
   return grid;
 }
 
-// The same but for the inertia, at which zeta is `zeta`: with u = 1/(2H), X = D + K_m·F_H/R and
-// Z = D + K_m/R, (1/T_R + u·X)² = 4·zeta²·u·Z/T_R. There are two such
-// inertias, of which this is the lower, and none below zeta = 0.58.
+// The same with the inertia that gives `zeta`: with u = 1/(2H), X = D + K_m·F_H/R and
+// Z = D + K_m/R, (1/T_R + u·X)² = 4·zeta²·u·Z/T_R. The lower of two solutions; none below
+// zeta = 0.58.
 inline Grid grid_of_zeta(double zeta) {
   Grid grid = overdamped_grid();
   const double x = 1.0 + 0.95 * 0.3 * 20.0;
@@ -54,8 +54,8 @@ inline Grid grid_of_zeta(double zeta) {
   return grid;
 }
 
-// Without a turn: a turbine whose steam all comes promptly leaves a first-order response, as the
-// zero of the reheat then cancels a pole.
+// Without a turning point: without reheat delay (F_H = 1) the zero cancels a pole, which leaves a
+// first-order response.
 inline Grid first_order_grid() {
   Grid grid = overdamped_grid();
   grid.reheat_fraction = 1.0;

@@ -1,4 +1,4 @@
-// Profiles to test with, and ways to spoil them.
+// Profiles for tests, and functions to introduce mistakes into them.
 #pragma once
 
 #include <test_support/refusal.hpp>
@@ -9,7 +9,7 @@
 
 namespace gsbench::profile::test {
 
-// The least that is a profile.
+// The smallest valid profile.
 inline constexpr const char* kMinimal = R"(title = "A test"
 source = "None"
 [grid]
@@ -22,7 +22,7 @@ measure = "event.count"
 max = 0
 )";
 
-// These three use every key there is, and none at its default.
+// The following three use every key, each with a value other than its default.
 inline constexpr const char* kLossesInPlace = R"(title = "Losses in a grid in place"
 source = "Somewhere"
 seed = 7
@@ -147,7 +147,7 @@ measure = "event.count"
 max = 0
 )";
 
-// `text` with the first occurrence of `what` replaced; fails loudly where there is none.
+// `text` with the first occurrence of `what` replaced; throws std::out_of_range without one.
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
   return text.replace(text.find(what), what.size(), by);
 }
@@ -156,7 +156,7 @@ inline Plan parse(const std::string& text) {
   return parse_profile(text, "test.toml");
 }
 
-// The message that the profile is refused with; empty where it is not.
+// The message of the refusal; empty if the profile is accepted.
 inline std::string refusal(const std::string& text, const std::string& path = "test.toml",
                            const Overrides& overrides = {}) {
   return gsbench::test::refusal_of<ConfigurationError>(
