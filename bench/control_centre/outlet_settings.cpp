@@ -91,10 +91,10 @@ struct Description {
   }
 };
 
-double switch_off_of(const grid::Grid& grid, const Wishes& wishes) {
-  const double power_mw = wishes.power_mw.value_or(wishes.accumulated_mw);
+double switch_off_of(const grid::Grid& grid, const RequestedSettings& requested) {
+  const double power_mw = requested.power_mw.value_or(requested.accumulated_mw);
   // The inverse of accumulated_mw().
-  const double less_important_mw = wishes.accumulated_mw - accumulated_mw(0.0, power_mw);
+  const double less_important_mw = requested.accumulated_mw - accumulated_mw(0.0, power_mw);
   return switch_off_hz(grid, less_important_mw, power_mw);
 }
 
@@ -115,16 +115,16 @@ gs::outlet::Settings grid_settings(const grid::Grid& grid) {
   return settings;
 }
 
-gs::outlet::Settings outlet_settings(const grid::Grid& grid, const Wishes& wishes,
+gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
                                      std::uint32_t version) {
   const auto nominal_hz = static_cast<float>(grid.nominal_hz);
   gs::outlet::Settings settings = grid_settings(grid);
   settings.version = version;
-  set(settings, "accumulated_mw", {wishes.accumulated_mw, nominal_hz});
-  if (wishes.settings.count("switch_off_hz") == 0) {
-    settings.switch_off_hz = static_cast<float>(switch_off_of(grid, wishes));
+  set(settings, "accumulated_mw", {requested.accumulated_mw, nominal_hz});
+  if (requested.settings.count("switch_off_hz") == 0) {
+    settings.switch_off_hz = static_cast<float>(switch_off_of(grid, requested));
   }
-  for (const auto& [name, value] : wishes.settings) {
+  for (const auto& [name, value] : requested.settings) {
     set(settings, name, {value, nominal_hz});
   }
   const gs::outlet::SettingsError error = gs::outlet::validate(settings, nominal_hz);

@@ -49,7 +49,7 @@ Value convert(const toml::node& node) {
   return value;
 }
 
-// Refuses too deep nesting before the TOML library parses the text: its recursion would overflow
+// Refuses nesting that is too deep before the TOML library parses it: its recursion would overflow
 // the stack. Each dot of a key and each bracket is one level. The dot of a number counts as well,
 // until the next comma.
 class NestingCheck {

@@ -107,7 +107,7 @@ keys::Key expect_keys() {
               keys::number("min", "`unit`", {},
                            "lowest accepted value, inclusive; give `min`, `max` or both"),
               keys::number("max", "`unit`", {}, "highest accepted value, inclusive"),
-              keys::text("equals", "required value of a measure that is a text")
+              keys::text("equals", "required value, for measures that are texts")
                   .or_else("required if the measure is a text"),
               keys::array("outlets", keys::text("", ""), "groups that the limit applies to")
                   .permits("array of groups")

@@ -67,19 +67,19 @@ void read_setting(const Table& table, const Field& field, double nominal_hz,
   settings[field.name] = *value;
 }
 
-control_centre::Wishes read_wishes(const Table& table, const grid::Grid& grid) {
-  control_centre::Wishes wishes;
+control_centre::RequestedSettings read_requested(const Table& table, const grid::Grid& grid) {
+  control_centre::RequestedSettings requested;
   const Range load = {0.0, grid.load_mw, false, false, "the grid's load"};
-  wishes.accumulated_mw = table.number("accumulated_mw", load);
-  const Range block = {0.0, 2.0 * wishes.accumulated_mw, true, false,
+  requested.accumulated_mw = table.number("accumulated_mw", load);
+  const Range block = {0.0, 2.0 * requested.accumulated_mw, true, false,
                        "twice accumulated_mw, which includes half of the outlet's own block"};
-  wishes.power_mw = table.find_number("power_mw", block);
+  requested.power_mw = table.find_number("power_mw", block);
   for (const Field& field : kSettingsFields) {
     if (field.meaning != nullptr) {
-      read_setting(table, field, grid.nominal_hz, wishes.settings);
+      read_setting(table, field, grid.nominal_hz, requested.settings);
     }
   }
-  return wishes;
+  return requested;
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ std::vector<Outlet> read_outlets(const Table& top, const grid::Grid& grid) {
     const std::int64_t count = table.whole("count");
     const auto prefix = table.find_text("id");
     const std::string group = table.find_text("group").value_or(prefix.value_or("all"));
-    const control_centre::Wishes settings = read_wishes(table, grid);
+    const control_centre::RequestedSettings settings = read_requested(table, grid);
     try {
       control_centre::outlet_settings(grid, settings, 1);
     } catch (const std::invalid_argument& error) {

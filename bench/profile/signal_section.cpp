@@ -43,22 +43,22 @@ Key frequency_key() {
 }
 
 Key amplitude_step_keys() {
-  return keys::tables("amplitude_step",
-                      "Dips, swells and interruptions. Overlapping steps multiply.",
-                      {time_in_run("start: the first sample at or after this time"),
-                       keys::number("duration_s", "s", keys::above(0.0), "duration of the step")
-                           .permits("above 0, ending within the run")
-                           .or_else("to the end"),
-                       keys::number("level_pct", "%", keys::between(0.0, kLevelMax_pct),
-                                    "remaining amplitude; 0 is an interruption")
-                           .require()});
+  return keys::tables(
+      "amplitude_step", "Dips, swells and interruptions. Overlapping steps multiply.",
+      {time_in_run("start; takes effect from the first sample at or after this time"),
+       keys::number("duration_s", "s", keys::above(0.0), "duration of the step")
+           .permits("above 0, ending within the run")
+           .or_else("to the end"),
+       keys::number("level_pct", "%", keys::between(0.0, kLevelMax_pct),
+                    "remaining amplitude; 0 is an interruption")
+           .require()});
 }
 
 Key phase_jump_keys() {
   return keys::tables("phase_jump", "Steps of the phase angle.",
-                      {time_in_run("the first sample at or after this time"),
+                      {time_in_run("time; takes effect from the first sample at or after it"),
                        keys::number("degrees", "degrees", keys::between(-180.0, 180.0),
-                                    "phase step; positive: phase advance")
+                                    "size of the phase step; positive: advance")
                            .require()});
 }
 
@@ -204,24 +204,24 @@ Key signal_keys() {
                            "length of the run")
                   .or_else("required; with a recording: its length"),
               keys::whole("sample_rate_hz", "Hz", kRateStep_hz, kHighestRate_hz,
-                          "sample rate; 1 ms and 16 ms are then whole numbers of samples")
+                          "sampling rate of the signal")
                   .permits("1000 … 32000, a multiple of 1000")
                   .by_default(8000),
               keys::number("noise_pct", "%", keys::between(0.0, 100.0),
-                           "white noise, RMS, in % of the nominal peak amplitude")
+                           "white noise, RMS, relative to the nominal peak amplitude")
                   .by_default(0.0),
               harmonics_key(),
               keys::choice(
                   "harmonic_set", {"en50160"},
-                  "orders 2 … 25, each at its limit of EN 50160: a total distortion of 11.3 %, "
-                  "where the standard allows 8 %. Phases are multiples of the golden angle. Is "
-                  "added to `harmonics`"),
+                  "orders 2 … 25, each at its limit of EN 50160, in addition to `harmonics`; total "
+                  "distortion 11.3 %, above the standard's limit of 8 %; phases are multiples of "
+                  "the golden angle"),
               frequency_key(),
               keys::number("dc_offset_pct", "%", keys::between(-100.0, 100.0),
-                           "DC offset in % of the nominal peak amplitude")
+                           "DC offset, relative to the nominal peak amplitude")
                   .by_default(0.0),
               keys::number("initial_phase_deg", "degrees", keys::between(-360.0, 360.0),
-                           "phase at the start")
+                           "phase of the fundamental at the start")
                   .by_default(0.0),
               amplitude_step_keys(), phase_jump_keys(), trace_keys()})
       .require("the signal to play, e.g. [signal] duration_s = 6.0");

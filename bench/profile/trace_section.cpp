@@ -67,9 +67,9 @@ keys::Key trace_keys() {
        keys::number("nominal_voltage", "as the column", keys::above(0.0), "voltage of 1 p.u.")
            .or_else("median of the column"),
        keys::number("from_s", "s", keys::at_least(0.0),
-                    "first time to play; the run starts at the first row from here on")
+                    "start of the part to play; the first row in it becomes time 0")
            .by_default(0.0),
-       keys::number("until_s", "s", keys::above(0.0), "last time to play")
+       keys::number("until_s", "s", keys::above(0.0), "end of the part to play")
            .permits("above `from_s`")
            .or_else("to the end")});
 }

@@ -16,14 +16,14 @@ using gs::outlet::Settings;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-Settings settings_of(const Wishes& wishes) {
-  return outlet_settings(grid::ieee24(), wishes, 1);
+Settings settings_of(const RequestedSettings& requested) {
+  return outlet_settings(grid::ieee24(), requested, 1);
 }
 
-Wishes behind(double accumulated_mw) {
-  Wishes wishes;
-  wishes.accumulated_mw = accumulated_mw;
-  return wishes;
+RequestedSettings behind(double accumulated_mw) {
+  RequestedSettings requested;
+  requested.accumulated_mw = accumulated_mw;
+  return requested;
 }
 
 TEST(OutletSettings, AreDerivedFromTheGrid) {
@@ -64,10 +64,10 @@ TEST(OutletSettings, KeepTheFirmwaresDefaultsIfNothingIsRequested) {
   EXPECT_EQ(s.tracker.innovation_gate_rad, defaults.tracker.innovation_gate_rad);
 }
 
-Wishes with(const std::string& setting, double value) {
-  Wishes wishes;
-  wishes.settings[setting] = value;
-  return wishes;
+RequestedSettings with(const std::string& setting, double value) {
+  RequestedSettings requested;
+  requested.settings[setting] = value;
+  return requested;
 }
 
 // Each field except the conditions, which cannot be set.
@@ -78,9 +78,10 @@ TEST(OutletSettings, TakeTheRequestedValueOfEachField) {
     }
     const double default_value = described(settings_of({})).at(field.name);
     const bool whole = field.type != gs::outlet::FieldType::kFloat;
-    const double wished = whole ? default_value + 1.0 : 0.999 * default_value + 1e-6;
-    const auto all = described(settings_of(with(field.name, wished)));
-    EXPECT_EQ(all.at(field.name), static_cast<double>(static_cast<float>(wished))) << field.name;
+    const double requested_value = whole ? default_value + 1.0 : 0.999 * default_value + 1e-6;
+    const auto all = described(settings_of(with(field.name, requested_value)));
+    EXPECT_EQ(all.at(field.name), static_cast<double>(static_cast<float>(requested_value)))
+        << field.name;
   }
 }
 
@@ -88,9 +89,9 @@ TEST(OutletSettings, HaveTheSwitchOffFrequencyOfABlockWithTheSamePowers) {
   grid::Grid grid = grid::ieee24();
   grid.blocks = {{"a", 50.0}, {"b", 100.0}, {"c", 25.0}};
   for (const BlockSetting& block : block_settings(grid)) {
-    Wishes wishes = behind(block.accumulated_mw);
-    wishes.power_mw = block.power_mw;
-    EXPECT_EQ(outlet_settings(grid, wishes, 1).switch_off_hz,
+    RequestedSettings requested = behind(block.accumulated_mw);
+    requested.power_mw = block.power_mw;
+    EXPECT_EQ(outlet_settings(grid, requested, 1).switch_off_hz,
               static_cast<float>(block.switch_off_hz));
   }
 }
@@ -107,8 +108,9 @@ TEST(OutletSettings, DeriveTheSpreadOfTheEstimateFromTheGridNotTheRequestedThres
   EXPECT_EQ(settings_of(with("threshold_mw", 2000.0)).loss_sigma_mw, settings_of({}).loss_sigma_mw);
 }
 
-std::string refusal(const Wishes& wishes, const grid::Grid& grid = grid::ieee24()) {
-  return test::refusal_of<std::invalid_argument>([&] { (void)outlet_settings(grid, wishes, 1); });
+std::string refusal(const RequestedSettings& requested, const grid::Grid& grid = grid::ieee24()) {
+  return test::refusal_of<std::invalid_argument>(
+      [&] { (void)outlet_settings(grid, requested, 1); });
 }
 
 TEST(OutletSettings, AreRefusedOutsideTheirRange) {
@@ -131,9 +133,9 @@ TEST(OutletSettings, AreRefusedOutsideTheirRange) {
 TEST(OutletSettings, AreRefusedWithTheReasonOfTheFirmware) {
   EXPECT_THAT(refusal(with("loss_sigma_mw", 3000.0)),
               HasSubstr(to_string(gs::outlet::SettingsError::kEstimator)));
-  Wishes wishes = behind(100.0);
-  wishes.power_mw = 201.0;
-  EXPECT_THAT(refusal(wishes), HasSubstr("power_mw is 201"));
+  RequestedSettings requested = behind(100.0);
+  requested.power_mw = 201.0;
+  EXPECT_THAT(refusal(requested), HasSubstr("power_mw is 201"));
 }
 
 TEST(OutletSettings, RefuseMoreConditionsThanAnOutletStores) {

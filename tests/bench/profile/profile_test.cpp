@@ -130,7 +130,7 @@ TEST(Profile, NamesAndNumbersItsOutlets) {
 
 TEST(Profile, GivesEachOutletItsSettings) {
   const Plan plan = parse(kLossesInPlace);
-  const control_centre::Wishes& settings = plan.outlets[2].settings;
+  const control_centre::RequestedSettings& settings = plan.outlets[2].settings;
   EXPECT_EQ(settings.accumulated_mw, 100.0);
   EXPECT_EQ(settings.power_mw, 40.0);
   EXPECT_EQ(settings.settings, (std::map<std::string, double>{{"threshold_mw", 200.0},

@@ -14,7 +14,7 @@ namespace gsbench::control_centre {
 
 // Requested settings of one outlet. Settings that are not requested are derived from the grid or
 // are the firmware's defaults.
-struct Wishes {
+struct RequestedSettings {
   double accumulated_mw = 0.0;             // P^A as sent, >= 0
   std::optional<double> power_mw;          // of its own block; P^A includes half of it
   std::map<std::string, double> settings;  // by the names in outlet/settings.hpp
@@ -29,7 +29,7 @@ gs::outlet::Settings grid_settings(const grid::Grid& grid);
 // All settings of one outlet. f^B is that of a block of power_mw (default: accumulated_mw), half of
 // which is included in accumulated_mw; without load it is the threshold frequency. Throws
 // std::invalid_argument, also if the firmware would refuse the settings.
-gs::outlet::Settings outlet_settings(const grid::Grid& grid, const Wishes& wishes,
+gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
                                      std::uint32_t version);
 
 // Every field by its name, for the run record; the conditions as condition_rows,

@@ -42,7 +42,7 @@ struct Stimulus {
 struct Outlet {
   std::string id;     // unique in the plan
   std::string group;  // of its [[outlet]] table
-  control_centre::Wishes settings;
+  control_centre::RequestedSettings settings;
 };
 
 // The groups of these outlets, each once, in the order of the profile.
