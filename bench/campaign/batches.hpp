@@ -1,4 +1,4 @@
-// A campaign's trajectories in batches of kLanes, so many batches a block of its work.
+// A campaign's trajectories in batches of kLanes, several of which make a block of its work.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@ namespace gsbench::campaign {
 
 constexpr std::size_t kTrajectoriesInBlock = 64 * kLanes;
 
-// The same clean samples in each lane, in the kernel's order (kernel.hpp).
+// Copies the noise-free samples to each lane, in the order of kernel.hpp.
 inline void spread(const float* clean, std::size_t samples, float* values) {
   for (std::size_t k = 0; k < samples; ++k) {
     std::fill_n(values + k * kLanes, kLanes, clean[k]);
   }
 }
 
-// What trajectories first … first + kLanes − 1 measure: the clean samples with each one's own
-// noise. `Options`: seed, distribution, noise_hz and trajectories.
+// The measurements of trajectories first … first + kLanes − 1: the noise-free samples plus the
+// noise of each trajectory. `Options` has seed, distribution, noise_hz and trajectories.
 template <class Options>
 void measure(const Options& options, const float* clean, std::size_t samples, std::uint64_t first,
              float* values) {
@@ -33,8 +33,9 @@ void measure(const Options& options, const float* clean, std::size_t samples, st
         static_cast<float>(options.noise_hz), values);
 }
 
-// All trajectories. `clean` has the samples of a batch; `each` is given what a batch measured, the
-// number of its first trajectory and how many they are, and histograms to add to.
+// Runs all trajectories. `clean` returns the noise-free samples of a batch. `each` gets the
+// measurements of a batch, the number of its first trajectory, the number of its trajectories, and
+// the histograms to add to.
 template <class Options, class Clean, class Each>
 void run_batches(const Options& options, std::size_t samples, const Clean& clean, const Each& each,
                  const Execution& execution, Histograms& histograms) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include <campaign/conditions.hpp>
 #include <campaign/kernel.hpp>
 #include <grid/sfr_model.hpp>
@@ -14,14 +16,19 @@ namespace {
 
 void check(const ConditionOptions& options) {
   const Counting& counting = options.counting;
-  demand(counting.window >= 2 && counting.window <= 64, "a line takes 2 … 64 samples");
-  demand(counting.first >= 0 && counting.first <= 1000, "counting begins within 1000 samples");
-  demand(counting.count >= 1 && counting.count <= 1000, "1 … 1000 lines count");
+  demand(counting.window >= 2 && counting.window <= 64,
+         fmt::format("a slope over {} samples is not over 2 … 64", counting.window));
+  demand(counting.first >= 0 && counting.first <= 1000,
+         fmt::format("the first sample that counts, {}, is not within 0 … 1000", counting.first));
+  demand(counting.count >= 1 && counting.count <= 1000,
+         fmt::format("{} slopes that count are not within 1 … 1000", counting.count));
   demand(counting.more_than >= 0 && counting.more_than < counting.count,
-         "hits must be able to exceed the number above which load shedding is needed");
-  demand(options.noise_hz >= 0.0 && options.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
+         fmt::format("{} slopes cannot have more than {} hits; it must be within 0 … {}",
+                     counting.count, counting.more_than, counting.count - 1));
+  demand(options.noise_hz >= 0.0 && options.noise_hz <= 1.0,
+         fmt::format("a noise of {:g} Hz is not within 0 … 1 Hz", options.noise_hz));
   demand(options.trajectories > 0 && options.trajectories <= kMostTrajectories,
-         "there must be 1 … 2^32 trajectories");
+         fmt::format("{} trajectories are not within 1 … 2^32", options.trajectories));
 }
 
 }  // namespace
@@ -38,7 +45,7 @@ ConditionResult count_conditions(const grid::Grid& grid, const ConditionOptions&
   const grid::SfrModel model(grid);
   const gs::outlet::Settings settings = control_centre::grid_settings(grid);
   const auto nominal_hz = static_cast<float>(grid.nominal_hz);
-  // Lines may reach back before the loss.
+  // The first lines may start before the loss.
   const int before = std::max(0, options.counting.window - 1 - options.counting.first);
   Counting counted = options.counting;
   counted.first += before;

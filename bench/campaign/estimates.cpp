@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include <campaign/estimates.hpp>
 #include <campaign/kernel.hpp>
 #include <grid/sfr_model.hpp>
@@ -15,21 +17,29 @@
 namespace gsbench::campaign {
 namespace {
 
-// A loss anywhere in a report: so many instants in turn, which no sum over them feels.
+// A loss between reports has one of that many equidistant instants, batch by batch.
 constexpr std::size_t kInstants = 64;
 
 enum : std::size_t { kLse, kEkf };
 
 void check(const EstimateOptions& options) {
-  demand(options.loss_mw > 0.0 && std::isfinite(options.loss_mw), "the loss must be above 0 MW");
-  demand(options.noise_hz >= 0.0 && options.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
+  demand(options.loss_mw > 0.0 && std::isfinite(options.loss_mw),
+         fmt::format("a loss of {:g} MW is not above 0", options.loss_mw));
+  demand(options.noise_hz >= 0.0 && options.noise_hz <= 1.0,
+         fmt::format("a noise of {:g} Hz is not within 0 … 1 Hz", options.noise_hz));
   demand(options.parameter_error >= 0.0 && options.parameter_error <= 0.5,
-         "the parameters' error must be within 0 … 0.5");
-  demand(options.paper_loss_sigma_mw > 0.0 && options.paper_loss_sigma_mw <= 1.0e5 &&
-             options.paper_t_x_sigma_s > 0.0 && options.paper_t_x_sigma_s <= 0.5,
-         "the paper's EKF starts with deviations above 0, of 100 000 MW and 0.5 s at most");
+         fmt::format("a parameter error of {:g} is not within 0 … 0.5", options.parameter_error));
+  demand(options.paper_loss_sigma_mw > 0.0 && options.paper_loss_sigma_mw <= 1.0e5,
+         fmt::format("the start of the paper's EKF: a standard deviation of LSE of {:g} MW is not "
+                     "above 0 and at most 100000 MW",
+                     options.paper_loss_sigma_mw));
+  demand(
+      options.paper_t_x_sigma_s > 0.0 && options.paper_t_x_sigma_s <= 0.5,
+      fmt::format("the start of the paper's EKF: a standard deviation of the instant of {:g} s is "
+                  "not above 0 and at most 0.5 s",
+                  options.paper_t_x_sigma_s));
   demand(options.trajectories > 0 && options.trajectories <= kMostTrajectories,
-         "there must be 1 … 2^32 trajectories");
+         fmt::format("{} trajectories are not within 1 … 2^32", options.trajectories));
 }
 
 // The frequency's deviation at each sample, for each instant of the loss.
@@ -58,7 +68,7 @@ class CleanSignal {
   std::vector<float> deviations_hz_;
 };
 
-// G_1, G_2, ω_n, ω_r and ∅ in turn: by which part of itself each is off.
+// The relative errors of G_1, G_2, ω_n, ω_r and ∅.
 using Errors = std::array<Lanes, 5>;
 
 Errors make_errors(const EstimateOptions& options, std::uint64_t batch) {
@@ -74,11 +84,11 @@ Errors make_errors(const EstimateOptions& options, std::uint64_t batch) {
 }
 
 template <class Parameter>
-Parameter off_by(float value, const Parameter& error) {
+Parameter with_error(float value, const Parameter& error) {
   return (error + 1.0F) * value;
 }
 
-// The estimators of one study, with all that does not change from batch to batch.
+// The estimators of a campaign, with the parameters common to all batches.
 class Estimators {
  public:
   Estimators(const grid::Grid& grid, const grid::SfrModel& model, const EstimateOptions& options,
@@ -124,26 +134,28 @@ class Estimators {
 
  private:
   PaperModel<Lanes> paper_with(const Errors& e) const {
-    return {off_by(paper_.gain_hz_per_mw, e[0]),
-            // G_2 is off by itself, and G_1 with it.
-            off_by(paper_.alpha, e[1]) * (1.0F / (e[0] + 1.0F)), off_by(paper_.sigma_per_s, e[2]),
-            off_by(paper_.omega_r, e[3]), off_by(paper_.phi, e[4])};
+    return {with_error(paper_.gain_hz_per_mw, e[0]),
+            // alpha = G_2/G_1 has the errors of both.
+            with_error(paper_.alpha, e[1]) * (1.0F / (e[0] + 1.0F)),
+            with_error(paper_.sigma_per_s, e[2]), with_error(paper_.omega_r, e[3]),
+            with_error(paper_.phi, e[4])};
   }
 
-  // An experiment: no control centre sends this. The five contradict one another once they are off:
-  // f begins at f_0, so that G_2·sin ∅ = −G_1, and ω_r = ω_n·√(1 − ζ²). An outlet is sent four
-  // numbers, which cannot; here these are made of G_1, G_2 and ω_n, twice each, by the mean, with
-  // weights where the errors are unequal.
+  // An experiment; a control centre does not send this. With independent errors the five parameters
+  // contradict two relations: f starts at f_0, so that G_2·sin ∅ = −G_1, and ω_r = ω_n·√(1 − ζ²).
+  // The four parameters of an outlet cannot. Here they are computed from G_1, G_2 and ω_n, each of
+  // which follows from the five in two ways: the mean of both is used, weighted if their errors
+  // differ.
   gs::outlet::ResponseOf<Lanes> response_with(const Errors& e) const {
-    constexpr float kOwn = 0.66F;  // the other comes by way of ∅ and has twice the variance
+    constexpr float kOwn = 0.66F;  // the other follows from ∅, too, and has twice the variance
     constexpr float kOther = 1.0F - kOwn;
-    const Lanes phi = off_by(paper_.phi, e[4]);
+    const Lanes phi = with_error(paper_.phi, e[4]);
     const Lanes sine = gs::outlet::sine(phi);
-    const Lanes g_1 = off_by(paper_.gain_hz_per_mw, e[0]);
-    const Lanes g_2 = off_by(paper_.gain_hz_per_mw * paper_.alpha, e[1]);
+    const Lanes g_1 = with_error(paper_.gain_hz_per_mw, e[0]);
+    const Lanes g_2 = with_error(paper_.gain_hz_per_mw * paper_.alpha, e[1]);
     const Lanes gain = g_1 * kOwn - g_2 * sine * kOther;
     const Lanes oscillation = g_2 * kOwn - g_1 / sine * kOther;
-    const Lanes pace = (e[2] + e[3]) * 0.5F + 1.0F;  // of both ω
+    const Lanes pace = (e[2] + e[3]) * 0.5F + 1.0F;  // the mean of both ω
     const Lanes omega_r = pace * paper_.omega_r;
     gs::outlet::ResponseOf<Lanes> response;
     response.gain_hz_per_mw = gain * (1.0F + excess_);
@@ -155,9 +167,8 @@ class Estimators {
   }
 
   // An estimate divides by the response, and the mean of a reciprocal is above the reciprocal of
-  // the mean by the relative variance. That is taken off, by how far the parameters may be off: to
-  // first order it is the sum of what each of them does alone, its square by 3 for a
-  // uniform error.
+  // the mean by the relative variance. Returns that variance for the given parameter error, to
+  // first order: the sum of the squares of each error's effect, by 3 for a uniform distribution.
   float reciprocal_excess(const CleanSignal& clean) const {
     float alone[5][kLanes] = {};
     Errors errors;

@@ -15,8 +15,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// With values within twice the range, a step count is below 2²³ and its square below 2⁴⁶: sums of
-// 10⁹ of them, the squares' lower 32 bits and the rest apart, stay below 2⁶³.
+// For values within twice the range, the number of steps is below 2²³ and its square below 2⁴⁶.
+// Sums of 10⁹ values stay below 2⁶³, as the lower 32 bits of the squares are summed separately.
 Histogram::Histogram(double low, double high, std::size_t bins)
     : low_(low),
       width_((high - low) / static_cast<double>(bins)),
@@ -26,7 +26,7 @@ Histogram::Histogram(double low, double high, std::size_t bins)
       smallest_(kInfinity),
       largest_(-kInfinity) {
   if (!(high > low) || bins == 0) {
-    throw std::invalid_argument("a histogram needs a range and bins");
+    throw std::invalid_argument("a histogram must have high > low and at least one bin");
   }
 }
 
@@ -55,7 +55,7 @@ void Histogram::add(double value) {
 
 void Histogram::merge(const Histogram& other) {
   if (other.low_ != low_ || other.width_ != width_ || other.bins_ != bins_) {
-    throw std::invalid_argument("histograms of different bins do not add up");
+    throw std::invalid_argument("histograms with different bins cannot be merged");
   }
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     counts_[i] += other.counts_[i];

@@ -13,7 +13,7 @@ std::uint64_t run_blocks(std::uint64_t blocks, const Execution& execution, const
   std::atomic<std::uint64_t> next{range.first};
   std::mutex mutex;
   std::uint64_t done = 0;
-  // Of one thread, with histograms of its own: it takes blocks until none are left.
+  // One thread, with its own histograms: takes blocks until none are left.
   const auto shift = [&](std::size_t) {
     Histograms own = empty;
     try {
@@ -25,7 +25,7 @@ std::uint64_t run_blocks(std::uint64_t blocks, const Execution& execution, const
                         static_cast<double>(range.end - range.first));
       }
     } catch (...) {
-      next = range.end;  // the other threads begin no more
+      next = range.end;  // the other threads start no more blocks
       throw;
     }
     const std::lock_guard<std::mutex> lock(mutex);

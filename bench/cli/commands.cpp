@@ -73,22 +73,21 @@ void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& dist
   add_choice(command, "--noise-distribution", distribution,
              {{"uniform", campaign::NoiseDistribution::kUniform},
               {"gaussian", campaign::NoiseDistribution::kGaussian}},
-             "How measured frequencies are off");
+             "Distribution of the noise of the measured frequency");
 }
 
 void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation) {
   add_choice(command, "--accumulated", accumulation,
              {{"half", control_centre::Accumulation::kHalfGroup},
               {"whole", control_centre::Accumulation::kWholeGroup}},
-             "How much of its own group counts in the power that an outlet compares with, P^A: "
-             "half, right on average, or the whole, eq. (11)");
+             "Part of an outlet's own group in P^A: half, or whole as in eq. (11)");
 }
 
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {
   add_choice(command, "--loss-instant", instant,
              {{"on-report", campaign::LossInstant::kOnReport},
               {"between-reports", campaign::LossInstant::kBetweenReports}},
-             "A whole report before the first measurement, or anywhere in it");
+             "Loss a whole report before the first measurement, or at any instant");
 }
 
 }  // namespace gsbench::cli

@@ -39,38 +39,38 @@ int run_reproduce(const ReproduceArguments& arguments) {
   });
 }
 
-// What the paper leaves open.
+// Options for the choices that the paper leaves open.
 void add_choices(CLI::App& command, paper::Choices& choices) {
   add_noise_distribution(command, choices.noise_distribution);
   add_loss_instant(command, choices.loss_instant);
   campaign::Counting& counting = choices.counting;
   add_with_default(command, "--rocof-window", counting.window,
-                   "Table 2, the paper's way: samples in a slope")
+                   "Table 2, paper's method: samples in each slope")
       ->check(CLI::Range(2, 64));
   add_with_default(command, "--count-from", counting.first,
-                   "The same: sample from which on conditions are counted")
+                   "Table 2, paper's method: first sample with a slope that counts")
       ->check(CLI::Range(0, 1000));
   add_with_default(command, "--count-lines", counting.count,
-                   "The same: how many samples are counted")
+                   "Table 2, paper's method: number of slopes that count")
       ->check(CLI::Range(1, 1000));
   add_with_default(command, "--hits-above", counting.more_than,
-                   "The same: hits above which load shedding is needed")
+                   "Table 2, paper's method: more hits than that mean shedding")
       ->check(CLI::Range(0, 1000));
   add_with_default(command, "--ekf-loss-sigma", choices.ekf_loss_sigma_mw,
-                   "The paper's EKF starts with this standard deviation of LSE, MW");
+                   "Start of the paper's EKF: standard deviation of LSE, MW");
   add_with_default(command, "--ekf-instant-sigma", choices.ekf_t_x_sigma_s,
-                   "And with this standard deviation of the loss's instant, s");
+                   "Start of the paper's EKF: standard deviation of the instant, s");
 }
 
 std::string list_of_items() {
-  std::string text = "What can be reproduced:\n";
+  std::string text = "Sections:\n";
   for (const paper::Item& item : paper::items()) {
     text += "  " + item.id + std::string(10 - item.id.size(), ' ') + item.title + '\n';
   }
   return text +
          "\n"
          "Examples:\n"
-         "  gsbench reproduce -o paper.html               all of it, a million trajectories\n"
+         "  gsbench reproduce -o paper.html            all sections, a million trajectories\n"
          "  gsbench reproduce --only table4,table5 --n 10000000 --seed 7\n"
          "  gsbench reproduce --only table2 --rocof-window 8 --count-lines 38 --json\n"
          "  gsbench reproduce --noise-distribution gaussian --loss-instant between-reports";
@@ -80,15 +80,16 @@ std::string list_of_items() {
 
 void add_reproduce(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "reproduce", "The paper's tables and figures, computed again and set beside what it prints",
+      "reproduce", "Compute the paper's tables and figures again and print them beside the paper's",
       run_reproduce);
-  command.add_option("--only", arguments.options.only, "Comma-separated sections, instead of all")
+  command.add_option("--only", arguments.options.only, "Comma-separated sections (default: all)")
       ->delimiter(',');
-  add_with_default(command, "--n", arguments.options.trajectories, "Trajectories of each campaign")
+  add_with_default(command, "--n", arguments.options.trajectories,
+                   "Number of trajectories of each campaign")
       ->check(CLI::Range(std::uint64_t{1}, campaign::kMostTrajectories));
-  add_with_default(command, "--seed", arguments.options.seed, "Of all random numbers")
+  add_with_default(command, "--seed", arguments.options.seed, "Seed of all random numbers")
       ->check(kSeeds);
-  add_with_default(command, "--grid", arguments.grid, "A shipped grid, or a .toml file");
+  add_with_default(command, "--grid", arguments.grid, "Shipped grid or .toml file");
   add_choices(command, arguments.options.choices);
   add_accumulation(command, arguments.options.accumulation);
   add_page_options(command, arguments.output);

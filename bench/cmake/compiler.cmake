@@ -1,17 +1,16 @@
-# Warnings are errors and C++17 is used in full, so an older compiler would fail with something
-# obscure: say it here instead.
+# Warnings are errors and all of C++17 is used; an older compiler would fail with an obscure message.
 if(NOT ((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
         OR (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)))
   message(
     FATAL_ERROR
-      "gsbench builds with g++ 12 or clang++ 14 and later; this is "
-      "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} (${CMAKE_CXX_COMPILER}).")
+      "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} (${CMAKE_CXX_COMPILER}) is not supported; "
+      "gsbench needs g++ 12 or clang++ 14, or later.")
 endif()
 
 find_program(GSBENCH_CCACHE ccache)
 if(GSBENCH_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_C_COMPILER_LAUNCHER ${GSBENCH_CCACHE})
-  # It takes precompiled headers only where it is told that they depend on no macro and no clock.
+  # Without this, ccache does not cache compilations that use precompiled headers.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${GSBENCH_CCACHE})
 endif()
 

@@ -1,6 +1,6 @@
-# One target and one include root per folder: a folder `bench/grid` becomes the target
-# `bench_grid` whose public headers are `bench/grid/include/grid/*.hpp`. What a folder does not
-# name under DEPENDS it cannot include.
+# One target and one include root per folder: the folder `bench/grid` is the target `bench_grid`, with
+# the public headers `bench/grid/include/grid/*.hpp`. A folder can include only the targets that it
+# names under DEPENDS or PRIVATE.
 
 add_library(gs_warnings INTERFACE)
 target_compile_options(
@@ -12,12 +12,12 @@ target_compile_options(
             -Wdouble-promotion
             -Werror)
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # A unity file includes a room's sources, whose anonymous namespaces g++ then takes for a header's.
+  # A unity file includes the sources of a folder; g++ then takes their anonymous namespaces for those
+  # of a header.
   target_compile_options(gs_warnings INTERFACE -Wno-subobject-linkage)
 endif()
 
-# Contraction into fused multiply-add would let two machines disagree in the last bit; every
-# target, firmware and bench alike, does without.
+# No fused multiply-add in firmware or bench: with it, two processors could differ in the last bit.
 add_library(gs_arithmetic INTERFACE)
 target_compile_options(gs_arithmetic INTERFACE -ffp-contract=off)
 
@@ -38,13 +38,13 @@ function(gs_library name)
   endif()
 endfunction()
 
-# What is built once and run once need not be optimised: what takes long is in the rooms under test.
+# Test code is compiled more often than its run time matters; the libraries under test are optimised.
 set(GSBENCH_TEST_OPTIONS
     -O0
     CACHE STRING "Compiler options of the tests alone")
 
-# gs_precompiled(TARGET HEADERS <a> … | REUSE_FROM other): headers compiled once, for one target or
-# for several with the same options. g++ with ccache must name them in its preprocessed text.
+# gs_precompiled(TARGET HEADERS <a> … | REUSE_FROM other): precompiled headers for a target, or those
+# of another target with the same options. ccache needs -fpch-preprocess with g++.
 function(gs_precompiled target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "REUSE_FROM" "HEADERS")
   if(arg_REUSE_FROM)
@@ -58,9 +58,9 @@ function(gs_precompiled target)
 endfunction()
 
 # gs_test(NAME SOURCES a.cpp … DEPENDS targets [LABEL …] [TIMEOUT s] [THREADS]): a GoogleTest
-# program, one CTest test a case. Those that have a label (`slow`, `end-to-end`) are not built for
-# the sanitizers; a slow suite keeps a short form without it. THREADS: for the thread sanitizer, too,
-# which sees only these. One label for each: gtest_discover_tests() loses a second.
+# program with one CTest test for each case. Programs with a LABEL (`slow`, `end-to-end`) are not built
+# for the sanitizers; a slow suite has a short form without a label. THREADS: built for the thread
+# sanitizer as well. Only one label for each program: gtest_discover_tests() loses a second one.
 add_custom_target(sanitized_tests)
 add_custom_target(threaded_tests)
 function(gs_test name)
@@ -79,7 +79,7 @@ function(gs_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main gs_arithmetic
                                         gs_warnings)
-  # -fPIC as Qt asks for it: of all, so that one set of precompiled headers fits.
+  # Qt needs -fPIC; all tests have it, so that they can share the precompiled headers.
   target_compile_options(${name} PRIVATE -fPIC ${GSBENCH_TEST_OPTIONS})
   gs_precompiled(${name} REUSE_FROM test_precompiled)
   target_compile_definitions(${name} PRIVATE GSBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
@@ -90,8 +90,8 @@ function(gs_test name)
     PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABEL}")
 endfunction()
 
-# gs_performance_test(NAME SOURCES a.cpp … DEPENDS targets): a program that measures speed and
-# fails where it falls short. Run by `./dev perf` only, alone, so that nothing else skews it.
+# gs_performance_test(NAME SOURCES a.cpp … DEPENDS targets): a program that measures speed and fails
+# below a limit. `./dev perf` runs it, one program at a time so that others do not affect the result.
 function(gs_performance_test name)
   find_package(benchmark REQUIRED)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS")

@@ -9,7 +9,7 @@
 namespace gsbench::fleet {
 namespace {
 
-constexpr double kCourse_s = 0.02;
+constexpr double kResultStep_s = 0.02;
 
 }  // namespace
 
@@ -43,15 +43,15 @@ ScenarioResult Balance::result(const grid::Grid& grid, double duration_s, Shed s
   result.shed = std::move(shed);
   result.shed.power_mw = shed_mw_;
   const double loss_mw = changes_.front().power_mw;
-  result.wanted_mw =
+  result.required_mw =
       std::max(loss_mw - control_centre::threshold_mw(model_, grid.threshold_hz), 0.0);
   result.first_action_s = first_s_;
   result.last_action_s = last_s_;
   double lowest_hz = 0.0;
-  const auto looks = static_cast<std::size_t>(duration_s / kLook_s);
-  const auto each = static_cast<std::size_t>(std::llround(kCourse_s / kLook_s));
-  for (std::size_t i = 0; i <= looks; ++i) {
-    const double t_s = kLook_s * static_cast<double>(i);
+  const auto steps = static_cast<std::size_t>(duration_s / kStep_s);
+  const auto each = static_cast<std::size_t>(std::llround(kResultStep_s / kStep_s));
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double t_s = kStep_s * static_cast<double>(i);
     const double now_hz = deviation_hz(t_s);
     if (now_hz < lowest_hz) {
       lowest_hz = now_hz;

@@ -1,4 +1,4 @@
-// The grid with all that has happened to its power so far.
+// The grid's frequency after all changes of power so far.
 #pragma once
 
 #include <limits>
@@ -12,19 +12,19 @@ namespace gsbench::fleet {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRelay_s = 1e-3 * models::RelayParameters{}.operate_ms;
-constexpr double kLook_s = 0.002;  // of relays, and for the nadir
+constexpr double kStep_s = 0.002;  // step of the relays and of the search for the nadir
 
 class Balance {
  public:
   Balance(const grid::SfrModel& model, double loss_mw)
       : model_(model), changes_({{0.0, loss_mw}}) {}
 
-  void shed(double at_s, double power_mw);  // nothing for 0 MW
+  void shed(double at_s, double power_mw);  // 0 MW is not an action
 
   double deviation_hz(double t_s) const;
-  double excess_cycles(double t_s) const;  // ∫ of that
+  double excess_cycles(double t_s) const;  // its integral
 
-  // Course, nadir and what was done, up to duration_s. `shed`: by whom; its power is set here.
+  // Frequency, nadir and actions up to duration_s. `shed`: the outlets; its power is set here.
   ScenarioResult result(const grid::Grid& grid, double duration_s, Shed shed) const;
 
  private:

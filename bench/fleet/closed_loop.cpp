@@ -26,7 +26,7 @@ constexpr std::size_t kOutletsInBlock = 50;
 struct Outlet {
   gs::outlet::Config config;
   gs::outlet::State state;
-  std::size_t skipped = 0;  // samples before its first: outlets report at instants of their own
+  std::size_t skipped = 0;  // samples before its first: outlets report at different instants
   double event_s = kNone;
   double loss_mw = kNone;
 };
@@ -63,12 +63,12 @@ class Loop {
       if (!gs::outlet::configure(hardware_, outlet.config) ||
           apply(outlet.config, outlet.state, settings) != gs::outlet::SettingsError::kNone) {
         throw std::invalid_argument(
-            fmt::format("the firmware refuses the settings of group {}", group + 1));
+            fmt::format("the firmware rejects the settings of group {}", group + 1));
       }
     }
   }
 
-  // False where it was stopped.
+  // Returns false if it was stopped.
   bool play() {
     const auto blocks =
         static_cast<std::size_t>((kBeforeLoss_s + options_.duration_s) / campaign::kReport_s);
@@ -188,13 +188,17 @@ std::optional<ClosedLoopResult> play_closed_loop(const grid::Grid& grid, const F
                                                  const ClosedLoopOptions& options,
                                                  const campaign::Execution& execution) {
   campaign::demand(fleet.outlets() <= kMostInClosedLoop,
-                   fmt::format("a closed loop takes up to {} outlets; these are {}",
-                               kMostInClosedLoop, fleet.outlets()));
+                   fmt::format("a closed loop has at most {} outlets, not {}", kMostInClosedLoop,
+                               fleet.outlets()));
   campaign::demand(options.loss_mw > 0.0 && options.loss_mw <= grid.base_mw,
-                   "the loss must be above 0 and no more than the generation left");
-  campaign::demand(options.noise_pct >= 0.0 && options.noise_pct <= 20.0,
-                   "the noise on the voltage must be within 0 … 20 %");
-  campaign::demand(options.duration_s >= 1.0 && options.duration_s <= 300.0, "it lasts 1 … 300 s");
+                   fmt::format("a loss of {:g} MW is not above 0 and at most {:g} MW, the grid's "
+                               "base power",
+                               options.loss_mw, grid.base_mw));
+  campaign::demand(
+      options.noise_pct >= 0.0 && options.noise_pct <= 20.0,
+      fmt::format("a noise of {:g} % of the voltage is not within 0 … 20 %", options.noise_pct));
+  campaign::demand(options.duration_s >= 1.0 && options.duration_s <= 300.0,
+                   fmt::format("a duration of {:g} s is not within 1 … 300 s", options.duration_s));
   Loop loop(grid, fleet, options, execution);
   return loop.play() ? std::optional(loop.result()) : std::nullopt;
 }

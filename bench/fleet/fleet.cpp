@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 #include <campaign/work.hpp>
 #include <fleet/fleet.hpp>
 #include <models/noise.hpp>
@@ -11,10 +13,14 @@ namespace gsbench::fleet {
 Fleet make_fleet(const FleetOptions& options) {
   campaign::demand(options.groups > 0 && options.per_group > 0 &&
                        options.groups <= kMostOutlets / options.per_group,
-                   "a fleet has 1 … 100 000 000 outlets");
-  campaign::demand(options.least_w >= 0.0 && options.most_w > 0.0 &&
-                       options.most_w >= options.least_w && options.most_w <= 1e9,
-                   "appliances take 0 … 1 000 000 000 W, the least no more than the most");
+                   fmt::format("a fleet of {} × {} outlets: it must have 1 … {}", options.groups,
+                               options.per_group, kMostOutlets));
+  campaign::demand(
+      options.least_w >= 0.0 && options.most_w > 0.0 && options.most_w >= options.least_w &&
+          options.most_w <= 1e9,
+      fmt::format("an appliance has {:g} … {:g} W: its least power must be at least 0, its "
+                  "most above 0 and at most 10⁹ W",
+                  options.least_w, options.most_w));
   Fleet fleet;
   fleet.per_group = options.per_group;
   fleet.power_w.reserve(options.groups * options.per_group);

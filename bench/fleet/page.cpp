@@ -1,4 +1,4 @@
-// Pages of `gsbench fleet`.
+// The page of `gsbench fleet`.
 #include <control_centre/threshold.hpp>
 
 #include <cmath>
@@ -21,28 +21,28 @@ using campaign::NoiseDistribution;
 using record::kNoFigure;
 
 constexpr std::size_t kClosedLoopOutlets = 1000;
-constexpr double kToDecide_s = 0.8;  // from an event to an open relay
+constexpr double kEventToAction_s = 0.8;  // from an outlet's event to its open relay
 constexpr double kLossParts[] = {0.9, 1.0, 1.1, 1.2, 1.42, 1.7, 2.0};  // of the threshold
 
+constexpr const char* kGridSense = "Grid Sense";
 constexpr std::pair<Control, const char*> kControls[] = {
     {Control::kNone, "no control"},
-    {Control::kGridSense, "Grid Sense, by each outlet's estimate"},
+    {Control::kGridSense, kGridSense},
     {Control::kSwitchOff, "switching-off frequencies alone"},
     {Control::kCentral, "central control"},
-    {Control::kUfls, "under-frequency load shedding"}};
+    {Control::kUfls, "under-frequency relays"}};
 
-record::FigureRow row_of(const std::string& name, const ScenarioResult& result) {
-  const bool outlets = !result.shed.off_in_group.empty();
+record::FigureRow shed_row(const std::string& name, const Shed& shed) {
+  const bool outlets = !shed.off_in_group.empty();
   const auto count = [&](std::size_t value) {
     return outlets ? static_cast<double>(value) : kNoFigure;
   };
-  return {name,
-          {result.shed.power_mw, count(result.shed.outlets), count(result.shed.first_partly),
-           count(result.shed.end_partly + 1), result.first_action_s, result.last_action_s,
-           result.nadir_hz, result.nadir_s, result.end_hz}};
+  return {
+      name,
+      {shed.power_mw, count(shed.outlets), count(shed.first_partly), count(shed.end_partly + 1)}};
 }
 
-// What keeps the nadir where outlets act that late.
+// The threshold with which outlets that act that late keep the nadir at f_s.
 double delay_aware_threshold_mw(const grid::Grid& grid, const ScenarioOptions& options,
                                 double last_action_s) {
   return control_centre::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz,
@@ -51,24 +51,38 @@ double delay_aware_threshold_mw(const grid::Grid& grid, const ScenarioOptions& o
 
 record::PageSection controls(const grid::Grid& grid, const Study& study, const Fleet& fleet,
                              const Execution& execution) {
-  record::FigureTable table = {
-      "The shed load fed back into the grid, each outlet at its own instant",
+  record::FigureTable shed = {
+      "Load shed",
       "",
-      {"shed, MW", "outlets off", "wholly off up to", "wholly on from", "first action, s",
-       "last action, s", "nadir, Hz", "at, s", "end, Hz"}};
-  record::CurvePlot plot = {"The frequency.", "s", "Hz"};
+      {{"shed, MW", 2},
+       {"outlets off"},
+       {"last group all off", 0, 1.0},
+       {"first group all on", 0, 1.0, static_cast<double>(fleet.groups())}}};
+  record::FigureTable actions = {
+      "Actions and frequency; the load shed acts back on the grid's frequency",
+      "",
+      {{"first action, s", 3},
+       {"last action, s", 3},
+       {"nadir, Hz", 3},
+       {"nadir at, s", 3},
+       {"end, Hz", 3}}};
+  record::CurvePlot plot = {"The frequency of the grid.", "s", "Hz"};
   record::CurvePlot groups = {"Outlets off in each group.", "group", "outlets"};
   groups.steps = true;
+  std::vector<std::string> notes;
   ScenarioOptions options = study.scenario;
   double last_action_s = kNoFigure;
-  double wanted_mw = 0.0;
+  double required_mw = 0.0;
   const auto add = [&](const std::string& name) {
     auto result = play(grid, fleet, options, execution);
     if (result) {
-      table.rows.push_back(row_of(name, *result));
+      shed.rows.push_back(shed_row(name, result->shed));
+      actions.rows.push_back({name,
+                              {result->first_action_s, result->last_action_s, result->nadir_hz,
+                               result->nadir_s, result->end_hz}});
       plot.x = result->t_s;
       plot.curves.push_back({name, result->frequency_hz});
-      wanted_mw = result->wanted_mw;
+      required_mw = result->required_mw;
     }
     return result;
   };
@@ -88,29 +102,34 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
   if (study.delay_aware && std::isfinite(last_action_s)) {
     options.control = Control::kGridSense;
     options.threshold_mw = delay_aware_threshold_mw(grid, options, last_action_s);
-    add(fmt::format("Grid Sense, threshold {:.2f} MW for the delay", options.threshold_mw));
+    add(fmt::format("{}, threshold {:.2f} MW", kGridSense, options.threshold_mw));
+    notes.push_back(
+        fmt::format("The threshold of {:.2f} MW allows for the delay of the outlets' last action.",
+                    options.threshold_mw));
   }
-  return {{table},
+  notes.insert(notes.begin(),
+               fmt::format("Required: {:.2f} MW, the loss above the threshold by eq. (15), which "
+                           "assumes that load is shed at once. The load-shedding conditions and an "
+                           "outlet's check of its own estimate are not part of this model.",
+                           required_mw));
+  return {{shed, actions},
           {plot, groups},
-          {fmt::format("Wanted are {:.2f} MW, the loss above the threshold by eq. (15), which "
-                       "takes shedding to be instant. The load-shedding conditions and an outlet's "
-                       "own flag on its estimate are not played here.",
-                       wanted_mw)},
+          notes,
           fmt::format("After a loss of {:g} MW", study.scenario.loss_mw),
           "controls"};
 }
 
-// Over losses and something else. `figure` may have none.
+// By loss and another parameter. `figure` returns kNoFigure for an empty cell.
 template <class Figure>
-record::FigureTable heat_map(const std::string& caption, const std::string& unit,
+record::FigureTable heat_map(const std::string& caption, int decimals,
                              const std::vector<double>& losses_mw,
                              const std::vector<double>& columns, const Figure& figure) {
-  record::FigureTable table = {caption, "loss", {}, {}, true, unit};
+  record::FigureTable table = {caption, "loss", {}, {}, true};
   for (const double column : columns) {
-    table.columns.push_back(fmt::format("{:g}", column));
+    table.columns.push_back({fmt::format("{:g}", column), decimals});
   }
   for (const double loss_mw : losses_mw) {
-    record::FigureRow row = {fmt::format("{:.6g} MW", loss_mw), {}};
+    record::FigureRow row = {fmt::format("{:.5g} MW", loss_mw), {}};
     for (const double column : columns) {
       row.figures.push_back(figure(loss_mw, column));
     }
@@ -137,6 +156,8 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
                           const Execution& execution) {
   const Sweep& over = *study.sweep;
   const std::vector<double> losses_mw = losses_of(grid, over);
+  const char* const noise =
+      study.scenario.distribution == NoiseDistribution::kUniform ? "half width" : "σ";
   std::vector<record::FigureTable> tables;
   const auto all = static_cast<double>(losses_mw.size() * over.noises_hz.size()) *
                    static_cast<double>(over.delays_s.size());
@@ -154,36 +175,39 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
       if (!result) {
         return kNoFigure;
       }
-      beyond_mw.try_emplace({loss_mw, noise_hz}, result->shed.power_mw - result->wanted_mw);
+      beyond_mw.try_emplace({loss_mw, noise_hz}, result->shed.power_mw - result->required_mw);
       return result->nadir_hz;
     };
-    tables.push_back(heat_map(
-        fmt::format("Nadir, Hz, over noise (± or σ, Hz); every outlet {:g} s later", delay_s), "Hz",
-        losses_mw, over.noises_hz, nadir_hz));
+    tables.push_back(
+        heat_map(fmt::format("Nadir, Hz, by loss and noise ({}, Hz); outlets delayed by {:g} s",
+                             noise, delay_s),
+                 3, losses_mw, over.noises_hz, nadir_hz));
   }
-  // Who sheds hardly depends on when.
-  tables.push_back(heat_map("Shed beyond what is wanted, MW, over noise (± or σ, Hz)", "MW",
-                            losses_mw, over.noises_hz, [&](double loss_mw, double noise_hz) {
-                              const auto cell = beyond_mw.find({loss_mw, noise_hz});
-                              return cell != beyond_mw.end() ? cell->second : kNoFigure;
-                            }));
+  // Shown for one delay only: it hardly depends on the delay.
+  tables.push_back(heat_map(
+      fmt::format("Load shed above the required power, MW, by loss and noise ({}, Hz)", noise), 2,
+      losses_mw, over.noises_hz, [&](double loss_mw, double noise_hz) {
+        const auto cell = beyond_mw.find({loss_mw, noise_hz});
+        return cell != beyond_mw.end() ? cell->second : kNoFigure;
+      }));
   ScenarioOptions central = study.scenario;
   central.control = Control::kCentral;
-  tables.push_back(heat_map(fmt::format("Central control in its place, which knows the loss after "
-                                        "{:g} s: nadir, Hz, over its communication delay, s",
-                                        central.central_decision_s),
-                            "Hz", losses_mw, over.delays_s, [&](double loss_mw, double delay_s) {
-                              central.loss_mw = loss_mw;
-                              central.central_delay_s = delay_s;
-                              const auto result = play(grid, fleet, central, quiet(execution));
-                              return result ? result->nadir_hz : kNoFigure;
-                            }));
-  return {tables, {}, {}, "Loss, noise and delay", "sweep"};
+  tables.push_back(
+      heat_map(fmt::format("Central control, which knows the loss after {:g} s: nadir, "
+                           "Hz, by loss and communication delay, s",
+                           central.central_decision_s),
+               3, losses_mw, over.delays_s, [&](double loss_mw, double delay_s) {
+                 central.loss_mw = loss_mw;
+                 central.central_delay_s = delay_s;
+                 const auto result = play(grid, fleet, central, quiet(execution));
+                 return result ? result->nadir_hz : kNoFigure;
+               }));
+  return {tables, {}, {}, "Sweep over loss, noise and delay", "sweep"};
 }
 
 record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
                                 const Execution& execution) {
-  // As much power as the fleet has, by a thousand outlets that take more each.
+  // The fleet's power in a thousand outlets, each with a larger appliance.
   FleetOptions few = study.fleet;
   const double outlets = static_cast<double>(few.groups) * static_cast<double>(few.per_group);
   few.groups = kClosedLoopOutlets;
@@ -197,49 +221,51 @@ record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
   options.seed = study.fleet.seed;
   record::FigureTable table = {"1 % white noise on each outlet's voltage",
                                "",
-                               {"threshold by eq. (15)", "threshold for the delay"}};
-  record::CurvePlot plot = {"The frequency.", "s", "Hz"};
-  for (const std::string& column : table.columns) {
+                               {{"threshold by eq. (15)"}, {"threshold for the delay"}}};
+  record::CurvePlot plot = {"The frequency of the grid.", "s", "Hz"};
+  for (const record::FigureColumn& column : table.columns) {
     const auto result = play_closed_loop(grid, fleet, options, execution);
     if (!result) {
       break;
     }
     const ScenarioResult& scenario = result->scenario;
-    const std::pair<const char*, double> figures[] = {
-        {"wanted, MW", scenario.wanted_mw},
-        {"shed, MW", scenario.shed.power_mw},
-        {"outlets off", static_cast<double>(scenario.shed.outlets)},
-        {"outlets that detected the loss", static_cast<double>(result->events)},
-        {"events before the loss", static_cast<double>(result->false_events)},
-        {"last event, s", result->latest_event_s},
-        {"estimates, mean, MW", result->loss_mw.mean()},
-        {"estimates, σ, MW", result->loss_mw.standard_deviation()},
-        {"first action, s", scenario.first_action_s},
-        {"last action, s", scenario.last_action_s},
-        {"nadir, Hz", scenario.nadir_hz},
-        {"at, s", scenario.nadir_s},
-        {"end, Hz", scenario.end_hz}};
-    for (std::size_t i = 0; i < std::size(figures); ++i) {
+    const record::FigureRow rows[] = {
+        {"required, MW", {scenario.required_mw}, 2},
+        {"shed, MW", {scenario.shed.power_mw}, 2},
+        {"outlets off", {static_cast<double>(scenario.shed.outlets)}},
+        {"outlets that detected the loss", {static_cast<double>(result->events)}},
+        {"outlets with an event before it", {static_cast<double>(result->false_events)}},
+        {"last event, s", {result->latest_event_s}, 3},
+        {"estimates, mean, MW", {result->loss_mw.mean()}, 2},
+        {"estimates, σ, MW", {result->loss_mw.standard_deviation()}, 2},
+        {"first action, s", {scenario.first_action_s}, 3},
+        {"last action, s", {scenario.last_action_s}, 3},
+        {"nadir, Hz", {scenario.nadir_hz}, 3},
+        {"nadir at, s", {scenario.nadir_s}, 3},
+        {"end, Hz", {scenario.end_hz}, 3}};
+    for (std::size_t i = 0; i < std::size(rows); ++i) {
       if (table.rows.size() <= i) {
-        table.rows.push_back({figures[i].first, {}});
+        table.rows.push_back(rows[i]);
+      } else {
+        table.rows[i].figures.push_back(rows[i].figures[0]);
       }
-      table.rows[i].figures.push_back(figures[i].second);
     }
     plot.x = scenario.t_s;
-    plot.curves.push_back({column, scenario.frequency_hz});
+    plot.curves.push_back({column.name, scenario.frequency_hz});
     options.threshold_mw =
-        delay_aware_threshold_mw(grid, study.scenario, result->latest_event_s + kToDecide_s);
+        delay_aware_threshold_mw(grid, study.scenario, result->latest_event_s + kEventToAction_s);
   }
-  return {{table},
-          {plot},
-          {"By eq. (15) the nadir comes to lie below f_s, and with it below switching-off "
-           "frequencies: outlets that had decided to stay on go off after all. A threshold that "
-           "reckons with the delay spares most of them."},
-          fmt::format("{} outlets with the whole firmware, from the voltage on", fleet.outlets()),
-          "closed-loop"};
+  return {
+      {table},
+      {plot},
+      {"With the threshold by eq. (15) the nadir is below f_s, and with it below switching-off "
+       "frequencies: outlets that had decided to stay on switch off after all. A threshold that "
+       "allows for the delay avoids most of that."},
+      fmt::format("{} outlets with the whole firmware, from the voltage on", fleet.outlets()),
+      "closed-loop"};
 }
 
-// Before anything is played: a sweep may take minutes.
+// Before the first simulation: a sweep may take minutes.
 void check(const grid::Grid& grid, const Study& study) {
   const auto demand_within = [](const std::vector<double>& values, double least, double most,
                                 const char* what) {
@@ -266,13 +292,14 @@ record::Page make_page(const grid::Grid& grid, const Study& study,
   page.title =
       fmt::format("{} outlets of {:.1f} MW on {}", fleet.outlets(), fleet.power_mw, grid.name);
   page.subtitle = grid.title;
-  page.facts = {{"loss", fmt::format("{:g} MW", study.scenario.loss_mw)},
-                {"noise", fmt::format("{} {:g} Hz",
-                                      study.scenario.distribution == NoiseDistribution::kGaussian
-                                          ? "Gaussian, σ ="
-                                          : "uniform, ±",
-                                      study.scenario.noise_hz)},
-                {"seed", std::to_string(study.fleet.seed)}};
+  page.facts = {
+      {"loss", fmt::format("{:g} MW", study.scenario.loss_mw)},
+      {"noise of the measured frequency",
+       fmt::format("{}{:g} Hz",
+                   study.scenario.distribution == NoiseDistribution::kGaussian ? "Gaussian, σ = "
+                                                                               : "uniform ±",
+                   study.scenario.noise_hz)},
+      {"seed", std::to_string(study.fleet.seed)}};
   page.sections = {controls(grid, study, fleet, execution)};
   if (study.closed_loop) {
     page.sections.push_back(closed_loop(grid, study, execution));
@@ -281,7 +308,8 @@ record::Page make_page(const grid::Grid& grid, const Study& study,
     page.sections.push_back(sweep(grid, study, fleet, execution));
   }
   if (stopped(execution)) {
-    page.facts.emplace_back("stopped", "what was under way is left out; the page is not whole");
+    page.facts.emplace_back("stopped",
+                            "unfinished simulations are left out; the page is incomplete");
   }
   return page;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include <campaign/kernel.hpp>
 #include <drivers/workers.hpp>
 #include <fleet/scenario.hpp>
@@ -27,7 +29,7 @@ using gs::outlet::Settings;
 
 constexpr double kMeasuring_s = gs::outlet::kFrontEndDelay_ms / 1000.0;
 
-// Outlets measure at so many instants of a report in turn, a batch of kLanes each.
+// Outlets measure at that many different instants of a report, a batch of kLanes at each.
 constexpr std::size_t kInstants = 64;
 constexpr std::size_t kChunk = kInstants * kLanes;
 
@@ -37,16 +39,20 @@ double instant_s(std::size_t instant) {
 
 void check(const grid::Grid& grid, const ScenarioOptions& o) {
   demand(o.loss_mw > 0.0 && o.loss_mw <= grid.base_mw,
-         "the loss must be above 0 and no more than the generation left");
-  demand(o.noise_hz >= 0.0 && o.noise_hz <= 1.0, "the noise must be within 0 … 1 Hz");
-  demand(o.duration_s >= 1.0 && o.duration_s <= 300.0, "it lasts 1 … 300 s");
+         fmt::format("a loss of {:g} MW is not above 0 and at most {:g} MW, the grid's base power",
+                     o.loss_mw, grid.base_mw));
+  demand(o.noise_hz >= 0.0 && o.noise_hz <= 1.0,
+         fmt::format("a noise of {:g} Hz is not within 0 … 1 Hz", o.noise_hz));
+  demand(o.duration_s >= 1.0 && o.duration_s <= 300.0,
+         fmt::format("a duration of {:g} s is not within 1 … 300 s", o.duration_s));
   for (const double delay_s :
        {o.further_delay_s, o.central_delay_s, o.central_decision_s, o.ufls_delay_s}) {
-    demand(delay_s >= 0.0 && delay_s <= 300.0, "delays must be within 0 … 300 s");
+    demand(delay_s >= 0.0 && delay_s <= 300.0,
+           fmt::format("a delay of {:g} s is not within 0 … 300 s", delay_s));
   }
 }
 
-// The outlets of a fleet, measurement after measurement.
+// The outlets of a fleet, advanced by one measurement at a time.
 class Outlets {
  public:
   Outlets(const grid::Grid& grid, const Fleet& fleet, const ScenarioOptions& options,
@@ -72,7 +78,7 @@ class Outlets {
     }
   }
 
-  // Report `report` of every outlet, the first one being report 0 and within 16 ms of the loss.
+  // Takes one report of every outlet. Report 0 is within 16 ms after the loss.
   void take(int report, Balance& balance) {
     double deviation_hz[kInstants];
     for (std::size_t i = 0; i < kInstants; ++i) {
@@ -99,7 +105,7 @@ class Outlets {
     return kReport_s * static_cast<double>(report) + instant_s(instant);
   }
 
-  // Of the first measurement of what came after the loss.
+  // The number of the first report that measures the time after the loss.
   static int first_after(std::size_t instant) {
     return static_cast<int>(std::ceil((kMeasuring_s - instant_s(instant)) / kReport_s));
   }
@@ -188,7 +194,7 @@ class Outlets {
   std::vector<float> switch_off_hz_;  // of each group, as a deviation
   float highest_switch_off_hz_ = 0.0F;
   std::vector<std::uint8_t> off_;
-  std::vector<double> shed_mw_;  // in the report in hand, by chunk and instant
+  std::vector<double> shed_mw_;  // in the current report, by chunk and instant
 };
 
 void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance& balance) {
@@ -196,9 +202,9 @@ void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance
       (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
       grid.nominal_hz;
   int stage = 0;
-  const auto looks = static_cast<int>(options.duration_s / kLook_s);
-  for (int look = 0; look < looks && stage < 5; ++look) {
-    const double t_s = kLook_s * look;
+  const auto steps = static_cast<int>(options.duration_s / kStep_s);
+  for (int step = 0; step < steps && stage < 5; ++step) {
+    const double t_s = kStep_s * step;
     while (stage < 5 && balance.deviation_hz(t_s) < first_hz - options.ufls_step_hz * stage) {
       balance.shed(t_s + options.ufls_delay_s, options.ufls_part * grid.load_mw);
       ++stage;

@@ -1,4 +1,4 @@
-// What follows from the grid alone.
+// Sections that follow from the grid alone.
 #include "sections.hpp"
 #include <control_centre/threshold.hpp>
 
@@ -23,12 +23,12 @@ PageSection fig8_and_13(Study& study, const Execution& /*execution*/) {
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   const grid::Nadir lowest = grid::nadir(model, threshold_mw);
   const record::FigureTable table = {
-      "The loss that the frequency just bears",
+      "The threshold loss: the largest after which no load has to be shed",
       "",
-      {"paper", "gsbench"},
-      {{"threshold loss, MW", {grid.reference.threshold_mw.value_or(kNoFigure), threshold_mw}},
-       {"its nadir, s", {grid.reference.t_nadir_s.value_or(kNoFigure), lowest.t_s}},
-       {"its nadir, Hz", {kNoFigure, lowest.frequency_hz}}}};
+      {{"paper"}, {"gsbench"}},
+      {{"threshold loss, MW", {grid.reference.threshold_mw.value_or(kNoFigure), threshold_mw}, 1},
+       {"time of its nadir, s", {grid.reference.t_nadir_s.value_or(kNoFigure), lowest.t_s}, 2},
+       {"its nadir, Hz", {kNoFigure, lowest.frequency_hz}, 3}}};
   record::CurvePlot plot = {"The frequency after the threshold loss and after 500 MW.", "s", "Hz"};
   record::Curve at_threshold{"threshold loss", {}};
   record::Curve at_500{"500 MW", {}};
@@ -51,11 +51,11 @@ PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
   const grid::SfrModel model(grid);
   record::FigureTable table = {"ROCOF below which the condition is met, Hz/s",
                                "from … to, Hz",
-                               {"paper", "gsbench", "difference"},
+                               {{"paper", 4}, {"gsbench", 4}, {"difference", 4}},
                                {}};
   const auto rows = control_centre::conditions(model, grid.threshold_hz, grid.condition_row_hz);
   const std::vector<double>& printed = grid.reference.condition_rocof_hz_s;
-  record::CurvePlot plot = {"The conditions as outlets hold them.", "Hz", "Hz/s"};
+  record::CurvePlot plot = {"The conditions that an outlet is sent.", "Hz", "Hz/s"};
   plot.steps = true;
   record::Curve limits{"ROCOF limit", {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -68,7 +68,7 @@ PageSection fig9_and_table1(Study& study, const Execution& /*execution*/) {
     limits.y.push_back(row->rocof_below_hz_s);
   }
   plot.curves = {limits};
-  return {{table}, {plot}, {"A row holds the ROCOF of its lower edge, as Table 1 does."}};
+  return {{table}, {plot}, {"As in Table 1, a row has the ROCOF at its lower edge."}};
 }
 
 PageSection fig14(Study& study, const Execution& /*execution*/) {
@@ -76,8 +76,8 @@ PageSection fig14(Study& study, const Execution& /*execution*/) {
   const grid::SfrModel model(grid);
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   record::CurvePlot plot = {
-      "ROCOF over the deviation of the frequency, until the nadir; the higher the loss, the lower "
-      "the ROCOF at any frequency.",
+      "ROCOF against the frequency deviation, up to the nadir. The larger the loss, the lower the "
+      "ROCOF at any frequency.",
       "Hz below nominal", "Hz/s"};
   constexpr double kStep_hz = 0.005;
   constexpr int kStepsBelow = 180;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -21,6 +23,8 @@ using campaign::NoiseDistribution;
 using record::FigureTable;
 using record::kNoFigure;
 
+constexpr int kMostDecimals_pu = 4;  // 0.01 MW
+
 struct PrintedRange {
   double from_pu;
   double to_pu;
@@ -32,26 +36,31 @@ double within_pct(const Histogram& estimates, double percent) {
   return 100.0 * estimates.share_between(kLoss_mw - span, kLoss_mw + span);
 }
 
-// A share of what was computed, in the ranges that the paper prints.
+// The shares of the estimates in the ranges that the paper prints.
 FigureTable ranges(const std::vector<PrintedRange>& printed, const std::string& first_name,
                    const Histogram& first, const std::string& second_name,
                    const Histogram& second) {
   FigureTable table = {
-      "Share of the estimates, %", "range, p.u.", {"paper", first_name, second_name}, {}};
+      "Share of the estimates, %", "range, p.u.", {{"paper", 4}, {first_name}, {second_name}}, {}};
   for (const PrintedRange& range : printed) {
     const double from_mw = kPu_mw * range.from_pu;
     const double to_mw = kPu_mw * range.to_pu;
-    table.rows.push_back({fmt::format("{:g} … {:g}", range.from_pu, range.to_pu),
+    table.rows.push_back({fmt::format("{:.1f} … {:.1f}", range.from_pu, range.to_pu),
                           {range.percent, 100.0 * first.share_between(from_mw, to_mw),
                            100.0 * second.share_between(from_mw, to_mw)}});
   }
+  const auto number = [](const Histogram& estimates) {
+    return static_cast<std::uint64_t>(estimates.count() + estimates.missing());
+  };
+  set_share_decimals(table, 1, 100.0, number(first));
+  set_share_decimals(table, 2, 100.0, number(second));
   return table;
 }
 
-// Of the range the plot shows, an n-th of a p.u. a step.
+// The shares in steps of step_mw.
 record::CurvePlot plot_of(const std::string& caption, double from_mw, double to_mw, double step_mw,
                           const std::vector<std::pair<std::string, Histogram>>& of) {
-  record::CurvePlot plot = {caption, "MW", "share a step, %"};
+  record::CurvePlot plot = {caption, "MW", "share per step, %"};
   plot.steps = true;
   const auto steps = std::lround((to_mw - from_mw) / step_mw);
   for (long step = 0; step <= steps; ++step) {
@@ -76,19 +85,43 @@ record::FigureRow figures_row(const std::string& name, const EstimateResult& res
                kLoss_mw * 100.0}};
 }
 
-FigureTable figures_table(const std::string& caption) {
-  return {caption,
-          "",
-          {"within 4 %, %", "beyond 10 %, %", "mean, p.u.", "σ, p.u.", "σ by the bound",
-           "largest error, %"},
-          {}};
+enum : std::size_t { kWithin4, kBeyond10, kMean, kSigma, kSigmaByBound };
+
+// With the decimals that so many trajectories support.
+FigureTable figures_table(const std::string& caption, std::vector<record::FigureRow> rows,
+                          std::uint64_t trajectories) {
+  FigureTable table = {caption,
+                       "",
+                       {{"within 4 %, %"},
+                        {"beyond 10 %, %"},
+                        {"mean, p.u."},
+                        {"σ, p.u."},
+                        {"σ/bound"},
+                        {"largest error, %", 1}},
+                       std::move(rows)};
+  set_share_decimals(table, kWithin4, 100.0, trajectories);
+  set_share_decimals(table, kBeyond10, 100.0, trajectories);
+  double sigma_pu = 0.0;
+  double sigma_by_bound = 0.0;
+  for (const record::FigureRow& row : table.rows) {
+    sigma_pu = std::fmax(sigma_pu, row.figures[kSigma]);
+    sigma_by_bound = std::fmax(sigma_by_bound, row.figures[kSigmaByBound]);
+  }
+  const auto n = static_cast<double>(trajectories);
+  table.columns[kMean].decimals = decimals_of(sigma_pu / std::sqrt(n), kMostDecimals_pu);
+  table.columns[kSigma].decimals = decimals_of(sigma_pu / std::sqrt(2.0 * n), kMostDecimals_pu);
+  table.columns[kSigmaByBound].decimals = decimals_of(sigma_by_bound / std::sqrt(2.0 * n), 3);
+  return table;
 }
 
-// How much the answer moves over what the paper leaves open.
+// How much the result depends on the choices that the paper leaves open.
 FigureTable over_choices(Study& study, const Execution& execution, double parameter_error) {
-  FigureTable table = figures_table("The same, over what the paper leaves open");
+  std::vector<record::FigureRow> rows;
   int n = 0;
   for (const Mode mode : {Mode::kPaper, Mode::kFirmware}) {
+    const char* const name = mode == Mode::kPaper    ? kPaperMethod
+                             : parameter_error > 0.0 ? "experiment"
+                                                     : "firmware";
     for (const NoiseDistribution distribution :
          {NoiseDistribution::kUniform, NoiseDistribution::kGaussian}) {
       for (const LossInstant instant : {LossInstant::kOnReport, LossInstant::kBetweenReports}) {
@@ -96,9 +129,8 @@ FigureTable over_choices(Study& study, const Execution& execution, double parame
         choice.distribution = distribution;
         choice.instant = instant;
         const EstimateResult& result = study.result(choice, nth_of(execution, n++, 9));
-        table.rows.push_back(figures_row(
-            name_of(mode, parameter_error) + ", " + text_of(distribution) + ", " + text_of(instant),
-            result));
+        rows.push_back(figures_row(
+            fmt::format("{}, {}, {}", name, name_of(distribution), text_of(instant)), result));
       }
     }
   }
@@ -106,9 +138,15 @@ FigureTable over_choices(Study& study, const Execution& execution, double parame
   careless.paper_loss_sigma_mw = 0.3 * study.grid.base_mw;
   careless.paper_t_x_sigma_s = 0.05;
   const EstimateResult& result = study.result(careless, nth_of(execution, n, 9));
-  table.rows.push_back(figures_row(
-      std::string(kPaperWay) + ", EKF started with 0.3 of all power and 50 ms", result));
-  return table;
+  rows.push_back(
+      figures_row(fmt::format("{}, EKF start σ {:g} MW and {:g} ms", kPaperMethod,
+                              careless.paper_loss_sigma_mw, 1000.0 * careless.paper_t_x_sigma_s),
+                  result));
+  return figures_table(
+      "The same for each choice that the paper leaves open: uniform ±0.01 Hz or Gaussian σ = 0.01 "
+      "Hz "
+      "noise, loss on a report or between reports",
+      std::move(rows), study.options.trajectories);
 }
 
 }  // namespace
@@ -127,28 +165,36 @@ PageSection table3(Study& study, const Execution& execution) {
                               {2, 3, 0.4463}},
                              text_of(NoiseDistribution::kUniform), uniform.lse_mw,
                              text_of(NoiseDistribution::kGaussian), gaussian.lse_mw);
+  const int decimals = decimals_of(gaussian.lse_mw.standard_deviation() / kPu_mw /
+                                       std::sqrt(static_cast<double>(gaussian.trajectories)),
+                                   kMostDecimals_pu);
   const FigureTable figures = {
       "LSE over ten measurements",
       "",
       table.columns,
-      {{"mean, p.u.", {kNoFigure, uniform.lse_mw.mean() / kPu_mw, gaussian.lse_mw.mean() / kPu_mw}},
+      {{"mean, p.u.",
+        {kNoFigure, uniform.lse_mw.mean() / kPu_mw, gaussian.lse_mw.mean() / kPu_mw},
+        decimals},
        {"σ, p.u.",
         {kNoFigure, uniform.lse_mw.standard_deviation() / kPu_mw,
-         gaussian.lse_mw.standard_deviation() / kPu_mw}}}};
+         gaussian.lse_mw.standard_deviation() / kPu_mw},
+        decimals}}};
   const record::CurvePlot plot =
       plot_of("Estimates of 500 MW by LSE.", 200.0, 800.0, 5.0,
               {{"uniform", uniform.lse_mw}, {"Gaussian", gaussian.lse_mw}});
-  return {{table, figures},
-          {plot},
-          {"LSE is the same in both ways. The paper's table has a standard deviation of about 0.80 "
-           "p.u. and a mean of 4.91: no reading of \"a random noise within ±0.01 Hz\" that was "
-           "tried gives exactly it. On average LSE finds less than 5 p.u., since eq. (18) takes "
-           "the slope of the first instant and LSE that of the first 160 ms."}};
+  return {
+      {table, figures},
+      {plot},
+      {"Paper's method and firmware have the same LSE. The paper's table has a standard "
+       "deviation of about 0.80 p.u. and a mean of 4.91 p.u.; none of the readings of \"a random "
+       "noise within ±0.01 Hz\" that were tried gives exactly this table. The mean of LSE is "
+       "below 5 p.u. because eq. (18) needs the slope at the instant of the loss and LSE "
+       "measures that of the first 160 ms."}};
 }
 
 PageSection fig16(Study& study, const Execution& /*execution*/) {
   const grid::Grid& grid = study.grid;
-  record::CurvePlot plot = {"Estimates of three losses of 500 MW as measurements come in.",
+  record::CurvePlot plot = {"Estimates of 500 MW after each measurement, in three trajectories.",
                             "s after the loss", "MW"};
   const gs::outlet::Settings settings = campaign::estimate_settings(grid);
   for (std::size_t k = 1; k <= campaign::kSamples; ++k) {
@@ -169,66 +215,74 @@ PageSection fig16(Study& study, const Execution& /*execution*/) {
 
 PageSection table4(Study& study, const Execution& execution) {
   const FigureTable choices = over_choices(study, execution, 0.0);
-  const EstimateResult& paper_way = study.result(study.campaign(Mode::kPaper), quiet(execution));
+  const EstimateResult& paper_method = study.result(study.campaign(Mode::kPaper), quiet(execution));
   const EstimateResult& firmware = study.result(study.campaign(Mode::kFirmware), quiet(execution));
-  FigureTable table = figures_table("EKF over forty measurements after LSE over ten, " +
-                                    text_of(study.options.choices.noise_distribution));
-  table.rows = {{"paper", {92.38, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
-                figures_row(kPaperWay, paper_way),
-                figures_row(kFirmware, firmware),
-                {"Cramér–Rao bound, instant unknown",
-                 {kNoFigure, kNoFigure, kNoFigure, firmware.bound_mw / kPu_mw, 1.0, kNoFigure}}};
+  const FigureTable table = figures_table(
+      "EKF over forty measurements after LSE over ten, " +
+          text_of(study.options.choices.noise_distribution),
+      {{"paper", {92.38, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
+       figures_row(kPaperMethod, paper_method),
+       figures_row(kFirmware, firmware),
+       {"Cramér–Rao bound, instant unknown",
+        {kNoFigure, kNoFigure, kNoFigure, firmware.bound_mw / kPu_mw, 1.0, kNoFigure}}},
+      study.options.trajectories);
   const FigureTable shares = ranges({{5.2, 5.4, 3.6692},
                                      {5.0, 5.2, 50.3811},
                                      {4.8, 5.0, 41.9954},
                                      {4.6, 4.8, 3.9086},
                                      {4.4, 4.6, 0.0457}},
-                                    kPaperWay, paper_way.ekf_mw, kFirmware, firmware.ekf_mw);
+                                    kPaperMethod, paper_method.ekf_mw, kFirmware, firmware.ekf_mw);
   const record::CurvePlot plot =
       plot_of("Estimates of 500 MW by EKF.", 460.0, 540.0, 0.5,
-              {{kPaperWay, paper_way.ekf_mw}, {kFirmware, firmware.ekf_mw}});
+              {{kPaperMethod, paper_method.ekf_mw}, {kFirmware, firmware.ekf_mw}});
   return {{shares, table, choices},
           {plot},
-          {"The innovation is that of the full model, f − h(X), where eq. (28) as printed has its "
-           "linearisation. The firmware is given the report after the loss as its event and the "
-           "exact frequency before it, where an outlet detects its event some 120 ms later and "
-           "measures that frequency; what outlets find from the voltage on is Fig. 19 and `gsbench "
-           "study`. The firmware's EKF is given the last four of LSE's measurements, too, and a "
-           "spread of the instant: the bound is that of all fifty measurements where nothing is "
-           "known of the instant, and may be passed."}};
+          {"The innovation is that of the full model, f − h(X); eq. (28) as printed has its "
+           "linearisation.",
+           "The firmware gets the first report after the loss as its event, and the exact "
+           "frequency before it. An outlet detects its event about 120 ms later and measures that "
+           "frequency: Fig. 19 and `gsbench study` show its estimates from the voltage on.",
+           "The bound is that of all fifty measurements without knowledge of the instant. The "
+           "firmware may pass it: its EKF also gets the last four of LSE's measurements and a "
+           "standard deviation of the instant."}};
 }
 
 PageSection table5(Study& study, const Execution& execution) {
   constexpr double kError = 0.05;
   const FigureTable choices = over_choices(study, execution, kError);
-  const EstimateResult& paper_way =
+  const EstimateResult& paper_method =
       study.result(study.campaign(Mode::kPaper, kError), quiet(execution));
   const EstimateResult& firmware =
       study.result(study.campaign(Mode::kFirmware, kError), quiet(execution));
-  FigureTable table = figures_table("EKF where each parameter is off by up to 5 %, " +
-                                    text_of(study.options.choices.noise_distribution));
-  table.rows = {{"paper", {72.33, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
-                figures_row(kPaperWay, paper_way),
-                figures_row(kReconciled, firmware)};
-  const FigureTable shares = ranges({{5.6, 6.0, 0.0364},
-                                     {5.4, 5.6, 1.4662},
-                                     {5.2, 5.4, 13.5019},
-                                     {5.0, 5.2, 37.6247},
-                                     {4.8, 5.0, 35.7036},
-                                     {4.6, 4.8, 10.7807},
-                                     {4.4, 4.6, 0.8698},
-                                     {4.0, 4.4, 0.0167}},
-                                    kPaperWay, paper_way.ekf_mw, kReconciled, firmware.ekf_mw);
+  const FigureTable table =
+      figures_table("EKF with an error of up to 5 % in each parameter, " +
+                        text_of(study.options.choices.noise_distribution),
+                    {{"paper", {72.33, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure}},
+                     figures_row(kPaperMethod, paper_method),
+                     figures_row(kReconciled, firmware)},
+                    study.options.trajectories);
+  const FigureTable shares =
+      ranges({{5.6, 6.0, 0.0364},
+              {5.4, 5.6, 1.4662},
+              {5.2, 5.4, 13.5019},
+              {5.0, 5.2, 37.6247},
+              {4.8, 5.0, 35.7036},
+              {4.6, 4.8, 10.7807},
+              {4.4, 4.6, 0.8698},
+              {4.0, 4.4, 0.0167}},
+             kPaperMethod, paper_method.ekf_mw, kReconciled, firmware.ekf_mw);
   return {
       {shares, table, choices},
       {},
-      {"G_1, G_2, ω_n, ω_r and ∅ are each off by a part of themselves, uniform within ±5 % and "
-       "independent. The paper's way uses the five as they are, although they then contradict one "
-       "another. The other column is an experiment that nothing ships: an outlet is sent four "
-       "numbers that cannot contradict, and here they are reconciled from the five by what must "
-       "hold between them (f begins at f_0; ω_r = ω_n·√(1 − ζ²)), which halves some of the errors, "
-       "less what the mean of a reciprocal is too high by. No control centre does that: it sends "
-       "what follows from the grid's file. The bound is that of exact parameters."}};
+      {"G_1, G_2, ω_n, ω_r and ∅ have independent relative errors, uniform within ±5 %. The "
+       "paper's "
+       "method uses the five as they are, although they then contradict one another.",
+       "The experiment is not part of any product. An outlet is sent four parameters that cannot "
+       "contradict one another; here they are computed from the five erroneous ones by the "
+       "relations between them (f starts at f_0; ω_r = ω_n·√(1 − ζ²)), which halves some of the "
+       "errors, and the bias of a mean of reciprocals is taken off. A control centre does not do "
+       "that: it sends the parameters that follow from the grid's file.",
+       "The bound is that for exact parameters."}};
 }
 
 }  // namespace gsbench::paper

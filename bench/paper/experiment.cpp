@@ -1,4 +1,4 @@
-// The 500 MW experiment of §6.4, as a run kept it.
+// The 500 MW experiment of §6.4, from the record of its run.
 #include "sections.hpp"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ using record::kNoFigure;
 using record::OutletRecord;
 using record::RunRecord;
 
-constexpr double kBefore_s = 0.5;  // of the loss, on the plots
-constexpr double kAfter_s = 1.5;
+constexpr double kBefore_s = 0.5;  // the plots start that long before the loss
+constexpr double kAfter_s = 1.5;   // and end that long after it
 
 double measured(const OutletRecord& outlet, const char* name) {
   const record::MeasurementResult* result = record::find_measurement(outlet, name);
@@ -30,10 +30,10 @@ std::int64_t loss_tick(const RunRecord& run) {
 
 record::FigureTable outlets_of(const RunRecord& run) {
   record::FigureTable table = {
-      "After the loss, by 1 % noise on each outlet's voltage",
+      "Times after the loss and estimates, with 1 % noise on each outlet's voltage",
       "outlet",
-      {"event, ms", "LSE, MW", "decision, ms", "ΔP, MW", "error, %", "relay, ms"},
-      // §6.4; the times are those of §6.5: 160 ms to detect, 160 for LSE, 640 for EKF.
+      {{"event, ms"}, {"LSE, MW"}, {"decision, ms"}, {"ΔP, MW", 1}, {"error, %", 2}, {"relay, ms"}},
+      // §6.4; the times are from §6.5: 160 ms to detect the event, 160 ms LSE, 640 ms EKF.
       {{"paper", {160.0, 310.0, 960.0, kNoFigure, kNoFigure, kNoFigure}}}};
   for (const OutletRecord& outlet : run.outlets) {
     table.rows.push_back({outlet.id,
@@ -47,11 +47,11 @@ record::FigureTable outlets_of(const RunRecord& run) {
 std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecord& outlet) {
   const auto rate = static_cast<double>(run.sample_rate_hz);
   const std::int64_t loss = loss_tick(run);
-  record::CurvePlot frequency = {"The reference frequency, and as " + outlet.id + " measured it.",
+  record::CurvePlot frequency = {"The reference frequency and that measured by " + outlet.id + ".",
                                  "s after the loss", "Hz"};
   record::Curve reference{"reference", {}};
   record::Curve seen{"measured", {}};
-  record::CurvePlot loss_mw = {"What " + outlet.id + " estimated, LSE first.", "s after the loss",
+  record::CurvePlot loss_mw = {"The estimates of " + outlet.id + ", LSE first.", "s after the loss",
                                "MW"};
   record::Curve estimated{"ΔP", {}};
   std::size_t next = 0;
@@ -80,17 +80,16 @@ std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecor
 
 PageSection fig19(Study& study, const Execution& execution) {
   if (!study.options.play_experiment) {
-    return {{}, {}, {"Not played."}};
+    return {{}, {}, {"Not run."}};
   }
   const RunRecord run = study.options.play_experiment(execution);
   std::vector<std::string> paragraphs = {
-      "Profile " + run.profile + ", on grid " + run.grid +
-          " and with its own noise whatever is chosen for other sections, on station " +
-          run.station + ": " + to_string(run.verdict) +
+      "Profile " + run.profile + " on grid " + run.grid + ", station " + run.station +
+          ", with the profile's own noise: " + to_string(run.verdict) +
           (run.verdict_reason.empty() ? "." : ", " + run.verdict_reason + "."),
-      "By 1 % noise the slope that LSE sees is bent by the tracker's memory: the paper's outlet "
-      "found 310 MW, ours finds more than 500, since it learns a slope by passing it. The EKF "
-      "forgets that start."};
+      "With 1 % noise the memory of the frequency tracker bends the slope that LSE measures. The "
+      "paper's outlet found 310 MW; this one finds more than 500 MW, because its tracker "
+      "overshoots a change of slope. The EKF corrects the start."};
   std::vector<record::CurvePlot> plots;
   if (!run.outlets.empty()) {
     plots = curves_of(run, run.outlets.front());

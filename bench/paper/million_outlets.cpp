@@ -28,7 +28,7 @@ Fleet fleet_of(const Study& study, Accumulation accumulation) {
   return make_fleet(all);
 }
 
-// As many as there are outlets, whatever was asked for elsewhere.
+// One for each outlet; the number of trajectories of the options does not apply here.
 std::vector<float> estimates_of(const Study& study, Mode mode, double parameter_error,
                                 std::size_t outlets, const Execution& execution) {
   campaign::EstimateOptions all = study.campaign(mode, parameter_error);
@@ -41,11 +41,11 @@ std::vector<float> estimates_of(const Study& study, Mode mode, double parameter_
   return estimates;
 }
 
-record::FigureRow shed_row(const std::string& name, const Shed& shed, double wanted_mw) {
-  return {
-      name,
-      {shed.power_mw, 100.0 * (shed.power_mw / wanted_mw - 1.0), static_cast<double>(shed.outlets),
-       static_cast<double>(shed.first_partly), static_cast<double>(shed.end_partly + 1)}};
+record::FigureRow shed_row(const std::string& name, const Shed& shed, double required_mw) {
+  return {name,
+          {shed.power_mw, 100.0 * (shed.power_mw / required_mw - 1.0),
+           static_cast<double>(shed.outlets), static_cast<double>(shed.first_partly),
+           static_cast<double>(shed.end_partly + 1)}};
 }
 
 }  // namespace
@@ -54,18 +54,22 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
   const grid::Grid& grid = study.grid;
   int n = 0;
   const double threshold_mw = control_centre::threshold_mw(grid::SfrModel(grid), grid.threshold_hz);
-  const double wanted_mw = kLoss_mw - threshold_mw;
+  const double required_mw = kLoss_mw - threshold_mw;
+  const Fleet by_eq_11 = fleet_of(study, Accumulation::kWholeGroup);
+  const Fleet by_choice = fleet_of(study, study.options.accumulation);
   record::FigureTable table = {
-      "Shed after 500 MW, by the estimates of Fig. 17 and of Table 5",
+      "Load shed after the loss of 500 MW, with the estimates of Fig. 17 and of Table 5",
       "",
-      {"MW", "off what is wanted, %", "outlets", "wholly off up to group", "wholly on from group"},
-      {{"wanted", {wanted_mw, 0.0, kNoFigure, kNoFigure, kNoFigure}},
+      {{"shed, MW", 2},
+       {"error, %", 2},
+       {"outlets off"},
+       {"last group all off", 0, 1.0},
+       {"first group all on", 0, 1.0, static_cast<double>(by_choice.groups())}},
+      {{"required", {required_mw, 0.0, kNoFigure, kNoFigure, kNoFigure}},
        {"paper, §6.5.1", {148.34, 100.0 * (148.34 / 148.1 - 1.0), 164793, 118, 199}},
        {"paper, §6.5.2 (Table 5)",
         {148.97, 100.0 * (148.97 / 148.1 - 1.0), 165540, kNoFigure, kNoFigure}}}};
   record::CurvePlot power = {"Accumulated power of the groups (Fig. 20).", "group", "MW"};
-  const Fleet by_eq_11 = fleet_of(study, Accumulation::kWholeGroup);
-  const Fleet by_choice = fleet_of(study, study.options.accumulation);
   for (std::size_t group = 0; group < by_choice.groups(); ++group) {
     power.x.push_back(static_cast<double>(group + 1));
   }
@@ -78,13 +82,13 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
       const auto estimates =
           estimates_of(study, mode, error, fleet.outlets(), nth_of(execution, n++, 4));
       if (stopped(execution)) {
-        continue;  // not all outlets have one
+        continue;  // not every outlet has an estimate
       }
       const Shed shed = shed_by_estimates(fleet, estimates, static_cast<float>(threshold_mw));
-      table.rows.push_back(
-          shed_row(name_of(mode, error) + (error > 0.0 ? ", 5 % off" : ""), shed, wanted_mw));
+      table.rows.push_back(shed_row(name_of(mode, error) + (error > 0.0 ? ", errors of 5 %" : ""),
+                                    shed, required_mw));
       if (mode == Mode::kFirmware) {
-        record::Curve curve{error > 0.0 ? "parameters 5 % off" : "exact parameters", {}};
+        record::Curve curve{error > 0.0 ? "parameters with errors of 5 %" : "exact parameters", {}};
         for (const std::uint32_t count : shed.off_in_group) {
           curve.y.push_back(static_cast<double>(count));
         }
@@ -95,21 +99,27 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
   groups.steps = true;
   return {{table},
           {power, groups},
-          {"P^A, the power that an outlet compares with, is by eq. (11) in the paper's way: all up "
-           "to and with its own group, so that on average half a group too little is shed, 0.45 MW "
-           "here. Outlets are sent half of the own group in its place, which goes off where the "
-           "requirement passes its middle; --accumulated whole plays these, too, by eq. (11)."}};
+          {"P^A is the power that an outlet compares with the power to be shed. The paper's method "
+           "takes it by eq. (11): all groups up to and including the outlet's own, so that on "
+           "average half a group too little is shed, 0.45 MW here. Outlets are sent half of their "
+           "own group instead: the group goes off if the power to be shed passes its middle. With "
+           "--accumulated whole the firmware's rows use eq. (11), too."}};
 }
 
 PageSection fig22(Study& study, const Execution& execution) {
   const grid::Grid& grid = study.grid;
   const Fleet fleet = fleet_of(study, study.options.accumulation);
   record::FigureTable table = {
-      "After 500 MW, the shed load fed back into the grid",
+      "After the loss of 500 MW; the load shed acts back on the grid's frequency",
       "",
-      {"shed, MW", "first action, s", "last action, s", "nadir, Hz", "at, s", "end, Hz"},
+      {{"shed, MW", 2},
+       {"first action, s", 3},
+       {"last action, s", 3},
+       {"nadir, Hz", 3},
+       {"nadir at, s", 3},
+       {"end, Hz", 3}},
       {}};
-  record::CurvePlot plot = {"The frequency.", "s", "Hz"};
+  record::CurvePlot plot = {"The frequency of the grid.", "s", "Hz"};
   fleet::ScenarioOptions choice;
   choice.loss_mw = kLoss_mw;
   choice.distribution = study.options.choices.noise_distribution;
@@ -133,12 +143,13 @@ PageSection fig22(Study& study, const Execution& execution) {
   if (plain && std::isfinite(plain->last_action_s)) {
     choice.threshold_mw = control_centre::threshold_for_delay_mw(
         grid::SfrModel(grid), grid.threshold_hz, kLoss_mw, plain->last_action_s);
-    add("with a threshold for the delay");
+    add("threshold for the delay");
   }
   return {{table},
           {plot},
-          {"Eq. (15) takes shedding to be instant: with the outlets' delay the nadir comes to lie "
-           "a little below f_s. A threshold for the delay and this loss keeps it."}};
+          {"Eq. (15) assumes that load is shed at once. Outlets act later, so that the nadir is a "
+           "little below f_s. A threshold computed for this delay and this loss keeps the nadir at "
+           "f_s."}};
 }
 
 }  // namespace gsbench::paper

@@ -9,24 +9,24 @@
 namespace gsbench::paper {
 namespace {
 
-struct Chapter {
+struct Section {
   const char* id;
   const char* title;
   PageSection (*make)(Study&, const Execution&);
 };
 
-constexpr Chapter kChapters[] = {
-    {"fig13", "Fig. 8 and 13: the frequency after a loss (§4.2, §6.1)", fig8_and_13},
+constexpr Section kSections[] = {
+    {"fig13", "Fig. 8 and 13: frequency after a loss (§4.2, §6.1)", fig8_and_13},
     {"table1", "Fig. 9 and Table 1: load-shedding conditions (§4.3, §6.2)", fig9_and_table1},
     {"fig14", "Fig. 14: ROCOF and frequency for several losses (§6.2)", fig14},
-    {"table2", "Table 2: is load shedding needed? (§6.2)", table2},
-    {"table3", "Fig. 15 and Table 3: LSE (§6.3.1)", table3},
-    {"fig16", "Fig. 16: one estimate as it goes (§6.3.2)", fig16},
-    {"table4", "Fig. 17 and Table 4: EKF (§6.3.2)", table4},
-    {"table5", "Table 5: EKF with wrong parameters (§6.3.3)", table5},
+    {"table2", "Table 2: decisions whether load shedding is needed (§6.2)", table2},
+    {"table3", "Fig. 15 and Table 3: estimates by LSE (§6.3.1)", table3},
+    {"fig16", "Fig. 16: estimates after each measurement (§6.3.2)", fig16},
+    {"table4", "Fig. 17 and Table 4: estimates by EKF (§6.3.2)", table4},
+    {"table5", "Table 5: estimates by EKF with wrong parameters (§6.3.3)", table5},
     {"fig19", "Fig. 19: the 500 MW experiment, from the voltage on (§6.4)", fig19},
     {"fig21", "Fig. 20 and 21: a million outlets (§6.5.1, §6.5.2)", fig20_and_21},
-    {"fig22", "Fig. 22: the frequency with and without Grid Sense (§6.5.1)", fig22},
+    {"fig22", "Fig. 22: frequency with and without Grid Sense (§6.5.1)", fig22},
 };
 
 bool wanted(const Options& options, const std::string& id) {
@@ -36,13 +36,13 @@ bool wanted(const Options& options, const std::string& id) {
 
 void check(const Options& options) {
   std::vector<std::string> ids;
-  for (const Chapter& chapter : kChapters) {
-    ids.emplace_back(chapter.id);
+  for (const Section& section : kSections) {
+    ids.emplace_back(section.id);
   }
   for (const std::string& id : options.only) {
     campaign::demand(
         std::find(ids.begin(), ids.end(), id) != ids.end(),
-        fmt::format("\"{}\" cannot be reproduced; there are {}", id, fmt::join(ids, ", ")));
+        fmt::format("unknown section \"{}\"; the sections are {}", id, fmt::join(ids, ", ")));
   }
 }
 
@@ -52,11 +52,11 @@ std::vector<std::pair<std::string, std::string>> facts(const grid::Grid& grid,
   return {{"grid", grid.name + ": " + grid.title},
           {"trajectories", std::to_string(options.trajectories)},
           {"seed", std::to_string(options.seed)},
-          {"noise", text_of(choices.noise_distribution)},
-          {"instant", text_of(choices.loss_instant)},
-          {"the paper's conditions", text_of(choices.counting)},
-          {"the paper's EKF starts with",
-           fmt::format("{:g} MW for LSE, {:g} ms for the instant", choices.ekf_loss_sigma_mw,
+          {"noise of the measured frequency", text_of(choices.noise_distribution)},
+          {"instant of the loss", text_of(choices.loss_instant)},
+          {"load-shedding conditions, paper's method", text_of(choices.counting)},
+          {"EKF start, paper's method",
+           fmt::format("σ of LSE {:g} MW, σ of the instant {:g} ms", choices.ekf_loss_sigma_mw,
                        1000.0 * choices.ekf_t_x_sigma_s)}};
 }
 
@@ -64,8 +64,8 @@ std::vector<std::pair<std::string, std::string>> facts(const grid::Grid& grid,
 
 std::vector<Item> items() {
   std::vector<Item> items;
-  for (const Chapter& chapter : kChapters) {
-    items.push_back({chapter.id, chapter.title});
+  for (const Section& section : kSections) {
+    items.push_back({section.id, section.title});
   }
   return items;
 }
@@ -76,15 +76,17 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
   page.title = "The paper's tables and figures, computed again";
   page.subtitle =
       "Xiang et al., Distributed Frequency Emergency Control with Coordinated Edge Intelligence. "
-      "\"Paper\" is what it prints; \"paper's way\" are its equations and its course of things; "
-      "\"firmware at a known event\" is the code that outlets run, given the report after the loss "
-      "as its event and the frequency before it, which outlets detect and measure: event_drops 1 "
-      "and event_lag_s 0, where they ship with 5 and 0.008. \"Experiment\" is what nothing ships.";
+      "\"Paper\": the printed figure. \"Paper's method\": its equations and procedure. \"Firmware, "
+      "known event\": the estimators of the outlets, which get the first report after the loss as "
+      "their event and the exact frequency before it (event_drops 1, event_lag_s 0; an outlet "
+      "ships "
+      "with 5 and 0.008, and detects the event and measures that frequency itself). "
+      "\"Experiment\": not part of any product.";
   page.facts = facts(grid, options);
   Study study{grid, options};
-  std::vector<Chapter> chosen;
-  std::copy_if(std::begin(kChapters), std::end(kChapters), std::back_inserter(chosen),
-               [&](const Chapter& chapter) { return wanted(options, chapter.id); });
+  std::vector<Section> chosen;
+  std::copy_if(std::begin(kSections), std::end(kSections), std::back_inserter(chosen),
+               [&](const Section& section) { return wanted(options, section.id); });
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     PageSection section = chosen[i].make(
         study, nth_of(execution, static_cast<int>(i), static_cast<int>(chosen.size())));
@@ -92,7 +94,7 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
     section.title = chosen[i].title;
     page.sections.push_back(section);
     if (stopped(execution)) {
-      page.facts.emplace_back("stopped", "in " + section.id + ", which is not whole");
+      page.facts.emplace_back("stopped", "in " + section.id + ", which is incomplete");
       break;
     }
   }

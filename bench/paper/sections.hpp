@@ -1,7 +1,8 @@
-// The sections of one reproduction, and what they share: grid, options, and the campaigns played so
-// far.
+// The sections of one reproduction, and what they share: grid, options and the campaigns computed
+// so far.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <tuple>
@@ -18,18 +19,18 @@ constexpr double kLoss_mw = 500.0;
 constexpr double kPu_mw = 100.0;  // the paper's unit
 constexpr double kNoise_hz = 0.01;
 
-// How columns and rows are named. The firmware's estimators and conditions are the shipped code,
-// but no outlet runs with an event that is known to the report.
-constexpr const char* kPaperWay = "paper's way";
-constexpr const char* kFirmware = "firmware at a known event";
-constexpr const char* kReconciled = "experiment: firmware, parameters reconciled";
+// Names of columns and rows. The firmware's estimators and conditions are the shipped code, but an
+// outlet has to detect the event, which is known here.
+constexpr const char* kPaperMethod = "paper's method";
+constexpr const char* kFirmware = "firmware, known event";
+constexpr const char* kReconciled = "experiment: reconciled parameters";
 
 struct Study {
-  // A campaign of 500 MW and ±0.01 Hz by the options' choices.
+  // The options for a campaign with 500 MW and ±0.01 Hz.
   campaign::EstimateOptions campaign(campaign::Mode mode, double parameter_error = 0.0) const;
 
-  // Each campaign is played once, whichever tables want it. `campaign` is as the above but for
-  // mode, distribution, instant, errors and start.
+  // Computes each campaign once, whichever tables need it. `campaign` is the above with another
+  // mode, distribution, instant, error or EKF start.
   const campaign::EstimateResult& result(const campaign::EstimateOptions& campaign,
                                          const Execution& execution);
 
@@ -41,16 +42,26 @@ struct Study {
       results = {};
 };
 
-// A row's or column's name by what it was computed with.
+// The name of a row or column.
 std::string name_of(campaign::Mode mode, double parameter_error = 0.0);
+std::string name_of(campaign::NoiseDistribution distribution);  // "uniform"
 std::string text_of(campaign::NoiseDistribution distribution);  // "uniform ±0.01 Hz"
-std::string text_of(campaign::LossInstant instant);             // "loss on a report"
+std::string text_of(campaign::LossInstant instant);             // "on a report"
 std::string text_of(const campaign::Counting& counting);
 
-// The n-th of so many parts of the work: its progress is a part of the whole's.
+// How many decimals a figure with this standard error supports: the last one has the error's order
+// of magnitude.
+int decimals_of(double standard_error, int most);
+
+// Sets the decimals of a column of shares, 0 … whole, by their largest standard error √(p(1 − p)/n)
+// for n trajectories; that of a share of 0 or 1 is taken as 1/n.
+void set_share_decimals(record::FigureTable& table, std::size_t column, double whole,
+                        std::uint64_t trajectories);
+
+// Part n of `all` equal parts of the work: scales its progress to that of the whole.
 Execution nth_of(const Execution& execution, int n, int all);
 
-// One function a section, or a few that share their figures.
+// One function for each section, or for a few that share their figures.
 PageSection fig8_and_13(Study& study, const Execution& execution);
 PageSection fig9_and_table1(Study& study, const Execution& execution);
 PageSection fig14(Study& study, const Execution& execution);

@@ -1,5 +1,10 @@
 #include "sections.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
 namespace gsbench::paper {
 
 using campaign::EstimateOptions;
@@ -35,7 +40,11 @@ const EstimateResult& Study::result(const EstimateOptions& campaign, const Execu
 }
 
 std::string name_of(Mode mode, double parameter_error) {
-  return mode == Mode::kPaper ? kPaperWay : parameter_error > 0.0 ? kReconciled : kFirmware;
+  return mode == Mode::kPaper ? kPaperMethod : parameter_error > 0.0 ? kReconciled : kFirmware;
+}
+
+std::string name_of(NoiseDistribution distribution) {
+  return distribution == NoiseDistribution::kUniform ? "uniform" : "Gaussian";
 }
 
 std::string text_of(NoiseDistribution distribution) {
@@ -43,13 +52,31 @@ std::string text_of(NoiseDistribution distribution) {
 }
 
 std::string text_of(LossInstant instant) {
-  return instant == LossInstant::kOnReport ? "loss on a report" : "loss between reports";
+  return instant == LossInstant::kOnReport ? "on a report" : "between reports";
 }
 
 std::string text_of(const campaign::Counting& counting) {
-  return "slope over " + std::to_string(counting.window) + ", from sample " +
-         std::to_string(counting.first) + " on, " + std::to_string(counting.count) +
-         " lines, more than " + std::to_string(counting.more_than) + " hits";
+  return fmt::format("slope over {} samples, {} slopes from sample {}, > {} hits", counting.window,
+                     counting.count, counting.first, counting.more_than);
+}
+
+int decimals_of(double standard_error, int most) {
+  if (!(standard_error > 0.0)) {
+    return most;
+  }
+  return std::clamp(-static_cast<int>(std::floor(std::log10(standard_error))), 0, most);
+}
+
+void set_share_decimals(record::FigureTable& table, std::size_t column, double whole,
+                        std::uint64_t trajectories) {
+  constexpr int kMost = 6;
+  const auto n = static_cast<double>(trajectories);
+  double largest = 1.0 / n;
+  for (const record::FigureRow& row : table.rows) {
+    const double share = row.figures[column] / whole;
+    largest = std::fmax(largest, std::sqrt(share * (1.0 - share) / n));
+  }
+  table.columns[column].decimals = decimals_of(whole * largest, kMost);
 }
 
 Execution nth_of(const Execution& execution, int n, int all) {

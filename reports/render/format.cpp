@@ -20,6 +20,13 @@ std::string without_negative_zero(std::string text) {
   return text;
 }
 
+std::string not_finite(double value) {
+  if (std::isnan(value)) {
+    return "–";
+  }
+  return value > 0.0 ? "∞" : "-∞";
+}
+
 int magnitude(double value) {
   return static_cast<int>(std::floor(std::log10(std::abs(value))));
 }
@@ -38,11 +45,8 @@ std::string rounded_up(double uncertainty) {
 }  // namespace
 
 std::string figure(double value, int significant) {
-  if (std::isnan(value)) {
-    return "–";
-  }
-  if (std::isinf(value)) {
-    return value > 0.0 ? "∞" : "-∞";
+  if (!std::isfinite(value)) {
+    return not_finite(value);
   }
   if (value == 0.0) {
     return "0";
@@ -66,6 +70,14 @@ std::string figure_within(double value, double uncertainty) {
     return figure(value);
   }
   return without_negative_zero(fmt::format("{:.{}f}", value, decimals_of(uncertainty)));
+}
+
+std::string fixed(double value, int decimals) {
+  if (!std::isfinite(value)) {
+    return not_finite(value);
+  }
+  return without_negative_zero(
+      fmt::format("{:.{}f}", value, std::clamp(decimals, 0, kMostDecimals)));
 }
 
 std::string with_unit(const std::string& text, const std::string& unit) {

@@ -15,6 +15,9 @@ std::string figure(double value, int significant = 5);
 // figure() has it.
 std::string figure_within(double value, double uncertainty);
 
+// That many decimals, 0 … 9; "–" for NaN.
+std::string fixed(double value, int decimals);
+
 std::string with_unit(const std::string& text, const std::string& unit);
 
 // "≤ 160 ms", "-4 … 4 %", "open"; empty where nothing was asked.

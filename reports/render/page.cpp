@@ -2,6 +2,7 @@
 #include "html_elements.hpp"
 #include "json_text.hpp"
 #include "templates.hpp"
+#include "text_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,17 +17,25 @@ namespace {
 using record::FigureRow;
 using record::FigureTable;
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+constexpr std::size_t kColumns = 100;  // of a terminal's line
+constexpr std::size_t kIndent = 2;     // of what stands below a heading
+constexpr std::size_t kHanging = 4;    // of its further lines
+
+std::string text_of(const FigureTable& table, const FigureRow& row, std::size_t i) {
+  const double value = row.figures[i];
+  const record::FigureColumn& column = table.columns[i];
+  if (value < column.least || value > column.most) {
+    return "none";
+  }
+  return fixed(value, row.decimals.value_or(column.decimals));
 }
 
-// Frequencies to a millihertz, whatever their column or row names after its comma; all else to six
-// digits.
-std::string text_of(const FigureTable& table, const FigureRow& row, std::size_t column) {
-  const double value = row.figures[column];
-  const bool in_hz = table.unit == "Hz" || ends_with(row.name, ", Hz") ||
-                     (column < table.columns.size() && ends_with(table.columns[column], ", Hz"));
-  return in_hz && std::isfinite(value) ? fmt::format("{:.3f}", value) : figure(value, 6);
+std::vector<std::string> names_of(const FigureTable& table) {
+  std::vector<std::string> names;
+  for (const record::FigureColumn& column : table.columns) {
+    names.push_back(column.name);
+  }
+  return names;
 }
 
 Json table_json(const FigureTable& table) {
@@ -34,7 +43,7 @@ Json table_json(const FigureTable& table) {
     return Json{{"name", row.name}, {"figures", row.figures}};
   };
   return {{"caption", table.caption},
-          {"columns", table.columns},
+          {"columns", names_of(table)},
           {"rows", array_of(table.rows, row_json)}};
 }
 
@@ -58,7 +67,7 @@ Json section_json(const record::PageSection& section) {
           {"plots", array_of(section.plots, plot_json)}};
 }
 
-// The lowest of a heat map is blue, the highest red.
+// From blue for the lowest figure of the table to red for the highest.
 std::string heat_of(const FigureTable& table, double figure) {
   double low = record::kNoFigure;
   double high = record::kNoFigure;
@@ -76,10 +85,14 @@ std::string heat_of(const FigureTable& table, double figure) {
 }
 
 object table_data(const FigureTable& table) {
+  List columns;
+  for (const std::string& name : names_of(table)) {
+    columns.push_back(name);
+  }
   List rows;
   for (const FigureRow& row : table.rows) {
     List cells;
-    for (std::size_t i = 0; i < row.figures.size(); ++i) {
+    for (std::size_t i = 0; i < row.figures.size() && i < table.columns.size(); ++i) {
       cells.push_back(
           object{{"figure", text_of(table, row, i)}, {"style", heat_of(table, row.figures[i])}});
     }
@@ -87,22 +100,26 @@ object table_data(const FigureTable& table) {
   }
   return {{"caption", table.caption},
           {"first", table.first_column},
-          {"columns", List(table.columns.begin(), table.columns.end())},
+          {"columns", columns},
           {"rows", rows}};
 }
 
+void append_wrapped(const std::string& paragraph, std::string& text) {
+  text += wrapped(std::string(kIndent, ' ') + paragraph, kColumns, kHanging) + '\n';
+}
+
 void append_table(const FigureTable& table, std::string& text) {
-  std::vector<std::vector<std::string>> rows(1, {table.first_column});
-  rows[0].insert(rows[0].end(), table.columns.begin(), table.columns.end());
+  std::vector<std::vector<std::string>> rows(1, names_of(table));
+  rows[0].insert(rows[0].begin(), table.first_column);
   for (const FigureRow& row : table.rows) {
     rows.push_back({row.name});
     for (std::size_t i = 0; i < row.figures.size() && i < table.columns.size(); ++i) {
       rows.back().push_back(text_of(table, row, i));
     }
   }
-  text += "  " + table.caption + "\n";
-  for (const std::string& line : aligned(rows)) {
-    text += "  " + line + "\n";
+  append_wrapped(table.caption, text);
+  for (const std::string& line : table_lines(rows, kColumns - kIndent)) {
+    text += std::string(kIndent, ' ') + line + '\n';
   }
 }
 
@@ -119,17 +136,25 @@ std::string json(const record::Page& page) {
 }
 
 std::string terminal(const record::Page& page) {
-  std::string text = page.title + "\n";
+  std::string text = wrapped(page.title, kColumns, kIndent) + '\n';
+  if (!page.subtitle.empty()) {
+    append_wrapped(page.subtitle, text);
+  }
   for (const auto& [name, value] : page.facts) {
-    text += fmt::format("  {}: {}\n", name, value);
+    append_wrapped(name + ": " + value, text);
   }
   for (const record::PageSection& section : page.sections) {
-    text += "\n" + section.title + "\n";
+    text += '\n' + wrapped(section.title, kColumns, kIndent) + '\n';
     for (const FigureTable& table : section.tables) {
+      text += &table == &section.tables.front() ? "" : "\n";
       append_table(table, text);
     }
+    text += section.tables.empty() || section.paragraphs.empty() ? "" : "\n";
     for (const std::string& paragraph : section.paragraphs) {
-      text += "  " + paragraph + "\n";
+      append_wrapped(paragraph, text);
+    }
+    if (section.tables.empty() && !section.plots.empty()) {
+      append_wrapped("Curves only: they are in the HTML report.", text);
     }
   }
   return text;

@@ -15,7 +15,6 @@
 #include <gmock/gmock.h>
 
 #include <render/file.hpp>
-#include <render/page.hpp>
 #include <render/render.hpp>
 
 namespace gsbench::render {
@@ -24,27 +23,12 @@ namespace {
 using record::RunRecord;
 using record::Verdict;
 using ::testing::AllOf;
-using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-// A nadir that is rounded to 49.4875 would be read as 49.488.
-TEST(PageOfFigures, RoundsFrequenciesOnceToAMillihertz) {
-  record::Page page;
-  page.sections.resize(1);
-  page.sections[0].tables = {{"", "", {"shed, MW", "nadir, Hz"}, {{"", {148.170249, 49.487474}}}},
-                             {"", "", {"gsbench"}, {{"its nadir, Hz", {49.500473}}}},
-                             {"", "", {"0.01"}, {{"500 MW", {49.999512}}}, true, "Hz"}};
-  for (const std::string& text : {terminal(page), html(page)}) {
-    EXPECT_THAT(text, AllOf(HasSubstr("148.17"), HasSubstr("49.487"), HasSubstr("49.500"),
-                            HasSubstr("50.000")));
-    EXPECT_THAT(text, Not(AnyOf(HasSubstr("49.4875"), HasSubstr("49.5005"))));
-  }
-}
 
 TEST(Figure, HasSignificantDigitsWithoutTrailingZeros) {
   EXPECT_EQ(figure(351.92), "351.92");

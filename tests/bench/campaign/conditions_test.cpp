@@ -1,5 +1,5 @@
-// Table 2 in a short form: each of its cells at least as good as printed, by what outlets ship
-// with.
+// Table 2 with fewer trajectories: with the shipped settings each cell is at least as good as the
+// paper's.
 #include <test_support/ieee24.hpp>
 
 #include <stdexcept>
@@ -28,13 +28,13 @@ ConditionResult play(const ConditionOptions& options, std::size_t threads = 2) {
   return count_conditions(ieee24(), options, execution);
 }
 
-TEST(ConditionCampaign, WithoutNoiseALossAboveTheThresholdAloneIsShedFor) {
+TEST(ConditionCampaign, WithoutNoiseOnlyALossAboveTheThresholdNeedsShedding) {
   EXPECT_EQ(play(cell(380.0, 0.0)).probability(), 1.0);
   EXPECT_EQ(play(cell(320.0, 0.0)).probability(), 0.0);
 }
 
-TEST(ConditionCampaign, EveryCellOfTable2IsAtLeastAsGoodAsPrinted) {
-  // As many trajectories as let the printed figure be missed by eight of them.
+TEST(ConditionCampaign, EveryCellOfTable2IsAtLeastAsGoodAsThePapers) {
+  // The paper's probability allows eight wrong decisions in a million trajectories.
   const ConditionResult rarely_missed = play(cell(380.0, 0.005, 1000000));
   EXPECT_GE(rarely_missed.probability(), 0.999992);
   EXPECT_NEAR(rarely_missed.hits.mean(), 36.85, 0.05);
@@ -45,16 +45,16 @@ TEST(ConditionCampaign, EveryCellOfTable2IsAtLeastAsGoodAsPrinted) {
   EXPECT_LE(play(cell(320.0, 0.010)).probability(), 0.117682);
 }
 
-// Mutants of the shipped setting, which the limits above must see.
-TEST(ConditionCampaign, AHigherOrLowerCountOfHitsIsWorseThanPrinted) {
-  ConditionOptions mutant = cell(380.0, 0.005);
-  mutant.counting.more_than = 30;
-  EXPECT_LT(play(mutant).probability(), 0.999);
-  mutant = cell(320.0, 0.010);
-  mutant.counting.more_than = 15;
-  EXPECT_GT(play(mutant).probability(), 0.3);
-  mutant.noise_hz = 0.005;
-  EXPECT_GT(play(mutant).probability(), 0.01);
+// Wrong settings, to show that the limits above are tight enough.
+TEST(ConditionCampaign, AHigherOrLowerNumberOfHitsIsWorseThanThePapers) {
+  ConditionOptions wrong = cell(380.0, 0.005);
+  wrong.counting.more_than = 30;
+  EXPECT_LT(play(wrong).probability(), 0.999);
+  wrong = cell(320.0, 0.010);
+  wrong.counting.more_than = 15;
+  EXPECT_GT(play(wrong).probability(), 0.3);
+  wrong.noise_hz = 0.005;
+  EXPECT_GT(play(wrong).probability(), 0.01);
 }
 
 TEST(ConditionCampaign, IsTheSameOnAnyNumberOfThreads) {
@@ -66,7 +66,7 @@ TEST(ConditionCampaign, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-TEST(ConditionCampaign, RefusesWhatMakesNoSense) {
+TEST(ConditionCampaign, RejectsCountingOutOfRange) {
   ConditionOptions options = cell(380.0, 0.01);
   options.counting.window = 1;
   EXPECT_THROW(play(options), std::invalid_argument);

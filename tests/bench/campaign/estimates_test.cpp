@@ -1,5 +1,5 @@
-// The estimators over many trajectories: the paper's Tables 3, 4 and 5 in a short form, with the
-// limits that the whole of it is held to.
+// The estimators over many trajectories: the paper's Tables 3, 4 and 5 with fewer trajectories and
+// the limits required of the full campaign.
 #include <test_support/ieee24.hpp>
 
 #include <cmath>
@@ -16,7 +16,8 @@ namespace {
 
 using test::ieee24;
 
-EstimateOptions a_short(Mode mode, NoiseDistribution distribution = NoiseDistribution::kUniform) {
+EstimateOptions small_campaign(Mode mode,
+                               NoiseDistribution distribution = NoiseDistribution::kUniform) {
   EstimateOptions options;
   options.mode = mode;
   options.distribution = distribution;
@@ -40,60 +41,60 @@ double within(const EstimateResult& result, double part) {
   return result.ekf_mw.share_between(500.0 * (1.0 - part), 500.0 * (1.0 + part));
 }
 
-// ±0.01 Hz: σ of LSE by hand, K_LSE·σ/(T·√(n(n² − 1)/12)) = 1011.9·0.005774/(0.016·9.083).
-TEST(EstimateCampaign, TheLseSpreadsAsItsFormulaSays) {
-  const EstimateResult result = play(a_short(Mode::kFirmware));
+// ±0.01 Hz: σ of LSE is K_LSE·σ/(T·√(n(n² − 1)/12)) = 1011.9·0.005774/(0.016·9.083).
+TEST(EstimateCampaign, TheLseHasTheStandardDeviationOfItsFormula) {
+  const EstimateResult result = play(small_campaign(Mode::kFirmware));
   EXPECT_NEAR(result.lse_mw.standard_deviation(), 40.2, 0.6);
   EXPECT_NEAR(result.lse_mw.mean(), 479.4, 1.0);
 }
 
-TEST(EstimateCampaign, UniformNoiseIsBornAsInTable4AndBetter) {
+TEST(EstimateCampaign, UniformNoiseGivesAtLeastTheAccuracyOfTable4) {
   for (const Mode mode : {Mode::kPaper, Mode::kFirmware}) {
     SCOPED_TRACE(mode == Mode::kPaper ? "paper" : "firmware");
-    const EstimateResult result = play(a_short(mode));
+    const EstimateResult result = play(small_campaign(mode));
     EXPECT_GE(within(result, 0.04), 0.999);
     EXPECT_EQ(within(result, 0.10), 1.0);
     EXPECT_NEAR(result.ekf_mw.mean(), 500.0, 0.5);
   }
 }
 
-TEST(EstimateCampaign, GaussianNoiseOfTheSameFigureIsBornToo) {
+TEST(EstimateCampaign, GaussianNoiseGivesAtLeastTheAccuracyOfTable4) {
   for (const LossInstant instant : {LossInstant::kOnReport, LossInstant::kBetweenReports}) {
-    EstimateOptions options = a_short(Mode::kFirmware, NoiseDistribution::kGaussian);
+    EstimateOptions options = small_campaign(Mode::kFirmware, NoiseDistribution::kGaussian);
     options.instant = instant;
     EXPECT_GE(within(play(options), 0.04), 0.99);
   }
 }
 
-// LSE and EKF see all fifty between them. A start for the instant is worth something, too, so that
-// the bound without it may be passed.
-TEST(EstimateCampaign, ItsSpreadIsNearTheBoundForAllSamples) {
+// LSE and EKF together use all fifty samples. The EKF also starts with an estimate of the instant,
+// so that it may pass the bound for an unknown instant.
+TEST(EstimateCampaign, TheStandardDeviationIsNearTheBoundForAllSamples) {
   for (const NoiseDistribution distribution :
        {NoiseDistribution::kUniform, NoiseDistribution::kGaussian}) {
     SCOPED_TRACE(distribution == NoiseDistribution::kUniform ? "uniform" : "Gaussian");
-    const EstimateResult result = play(a_short(Mode::kFirmware, distribution));
+    const EstimateResult result = play(small_campaign(Mode::kFirmware, distribution));
     EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * result.bound_mw);
     EXPECT_GE(result.ekf_mw.standard_deviation(), 0.95 * result.bound_mw);
   }
 }
 
-TEST(EstimateCampaign, WrongParametersAreBornAsInTable5AndBetter) {
-  EstimateOptions options = a_short(Mode::kFirmware);
+TEST(EstimateCampaign, WrongParametersGiveAtLeastTheAccuracyOfTable5) {
+  EstimateOptions options = small_campaign(Mode::kFirmware);
   options.parameter_error = 0.05;
   EXPECT_GE(within(play(options), 0.04), 0.77);
 }
 
-// By another program, in other arithmetic: 3.585 MW for samples 1 … 50, 5.006 for 1 … 40.
-TEST(EstimateCampaign, TheBoundIsTheKnownOne) {
+// Reference values from an independent program: 3.585 MW for samples 1 … 50, 5.006 for 1 … 40.
+TEST(EstimateCampaign, TheBoundEqualsAnIndependentCalculation) {
   const double sigma_hz = 0.01 / std::sqrt(3.0);
   EXPECT_NEAR(cramer_rao_mw(ieee24(), 500.0, 1, 50, sigma_hz), 3.585, 0.001);
   EXPECT_NEAR(cramer_rao_mw(ieee24(), 500.0, 1, 40, sigma_hz), 5.006, 0.001);
 }
 
 TEST(EstimateCampaign, IsTheSameOnAnyNumberOfThreads) {
-  const EstimateResult one = play(a_short(Mode::kFirmware), 1);
+  const EstimateResult one = play(small_campaign(Mode::kFirmware), 1);
   for (const std::size_t threads : {2U, 3U}) {
-    const EstimateResult other = play(a_short(Mode::kFirmware), threads);
+    const EstimateResult other = play(small_campaign(Mode::kFirmware), threads);
     EXPECT_EQ(other.ekf_mw.mean(), one.ekf_mw.mean());
     EXPECT_EQ(other.ekf_mw.standard_deviation(), one.ekf_mw.standard_deviation());
     for (std::size_t bin = 0; bin < one.ekf_mw.bins(); ++bin) {
@@ -103,10 +104,10 @@ TEST(EstimateCampaign, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-// One of three processes.
-class Shard final : public Reduction {
+// The range of one of three processes.
+class OneOfThree final : public Reduction {
  public:
-  explicit Shard(std::uint64_t number) : number_(number) {}
+  explicit OneOfThree(std::uint64_t number) : number_(number) {}
   Range share(std::uint64_t blocks) const override {
     return {blocks * number_ / 3, blocks * (number_ + 1) / 3};
   }
@@ -116,14 +117,14 @@ class Shard final : public Reduction {
   std::uint64_t number_;
 };
 
-TEST(EstimateCampaign, ShardsAddUpToTheSameBitsAndWhatIsKeptForEachOutletStaysWhole) {
-  const EstimateOptions options = a_short(Mode::kFirmware);
+TEST(EstimateCampaign, ProcessesAddUpToTheSameBitsAndASinkGetsAllTrajectories) {
+  const EstimateOptions options = small_campaign(Mode::kFirmware);
   const EstimateResult whole = play(options);
   Histogram sum(whole.ekf_mw.low(), 1000.0, whole.ekf_mw.bins());
   for (std::uint64_t number = 0; number < 3; ++number) {
-    const Shard shard(number);
+    const OneOfThree process(number);
     Execution execution;
-    execution.reduction = &shard;
+    execution.reduction = &process;
     const EstimateResult part = estimate(ieee24(), options, execution);
     EXPECT_LT(part.trajectories, options.trajectories);
     sum.merge(part.ekf_mw);
@@ -138,8 +139,8 @@ TEST(EstimateCampaign, ShardsAddUpToTheSameBitsAndWhatIsKeptForEachOutletStaysWh
   EXPECT_EQ(sum.largest(), whole.ekf_mw.largest());
 }
 
-TEST(EstimateCampaign, ATrajectoryIsTheSameWhateverTheirNumber) {
-  EstimateOptions options = a_short(Mode::kFirmware);
+TEST(EstimateCampaign, ATrajectoryDoesNotDependOnTheNumberOfTrajectories) {
+  EstimateOptions options = small_campaign(Mode::kFirmware);
   const auto first = trajectory(ieee24(), options, 12345);
   options.trajectories = 100000;
   EXPECT_EQ(trajectory(ieee24(), options, 12345), first);
@@ -148,9 +149,9 @@ TEST(EstimateCampaign, ATrajectoryIsTheSameWhateverTheirNumber) {
   EXPECT_NE(trajectory(ieee24(), options, 12345), first);
 }
 
-// A campaign's lanes against the firmware as an outlet runs it, float by float.
-TEST(EstimateCampaign, EachTrajectoryIsEstimatedAsAnOutletWouldToTheLastBit) {
-  EstimateOptions options = a_short(Mode::kFirmware);
+// The vectorised estimators against the firmware's, which an outlet runs with single floats.
+TEST(EstimateCampaign, EveryEstimateEqualsAnOutletsToTheLastBit) {
+  EstimateOptions options = small_campaign(Mode::kFirmware);
   options.instant = LossInstant::kBetweenReports;
   options.trajectories = 2000;
   std::vector<float> estimates(options.trajectories);
@@ -170,8 +171,8 @@ TEST(EstimateCampaign, EachTrajectoryIsEstimatedAsAnOutletWouldToTheLastBit) {
   }
 }
 
-TEST(EstimateCampaign, AStoppedOneTellsWhatItDid) {
-  EstimateOptions options = a_short(Mode::kFirmware);
+TEST(EstimateCampaign, WhenStoppedReturnsTheTrajectoriesSoFar) {
+  EstimateOptions options = small_campaign(Mode::kFirmware);
   options.trajectories = 10000000;
   std::atomic<bool> stop{false};
   Execution execution;
@@ -182,7 +183,7 @@ TEST(EstimateCampaign, AStoppedOneTellsWhatItDid) {
   EXPECT_LT(result.trajectories, options.trajectories);
 }
 
-TEST(EstimateCampaign, RefusesWhatMakesNoSense) {
+TEST(EstimateCampaign, RejectsOptionsOutOfRange) {
   for (const double bad : {0.0, -1.0, std::nan("")}) {
     EstimateOptions options;
     options.loss_mw = bad;

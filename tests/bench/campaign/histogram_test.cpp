@@ -27,7 +27,7 @@ TEST(Histogram, MeanAndDeviationAreThoseOfTheValues) {
   EXPECT_EQ(histogram.largest(), 90.0);
 }
 
-TEST(Histogram, ASmallSpreadFarFromTheMiddleIsKept) {
+TEST(Histogram, KeepsASmallDeviationFarFromTheMiddle) {
   Histogram histogram(0.0, 1000.0, 20000);
   for (int i = 0; i < 1000; ++i) {
     histogram.add(i % 2 == 0 ? 899.0 : 901.0);
@@ -35,7 +35,7 @@ TEST(Histogram, ASmallSpreadFarFromTheMiddleIsKept) {
   EXPECT_NEAR(histogram.standard_deviation(), 1.0005, 1e-3);
 }
 
-TEST(Histogram, CountsWhatLiesWithinEdgesAndWhatLiesOutside) {
+TEST(Histogram, CountsValuesWithinEdgesAndOutside) {
   const Histogram histogram = of({-5.0, 10.0, 19.99, 20.0, 99.99, 100.0, 1000.0});
   EXPECT_EQ(histogram.count(), 7);
   EXPECT_EQ(histogram.count_between(10.0, 20.0), 2);
@@ -45,14 +45,14 @@ TEST(Histogram, CountsWhatLiesWithinEdgesAndWhatLiesOutside) {
   EXPECT_EQ(histogram.largest(), 1000.0);
 }
 
-TEST(Histogram, WhatIsMissingCountsAsOutsideEveryShare) {
+TEST(Histogram, MissingValuesAreOutsideEveryShare) {
   const Histogram histogram = of({50.0, std::numeric_limits<double>::quiet_NaN()});
   EXPECT_EQ(histogram.count(), 1);
   EXPECT_EQ(histogram.missing(), 1);
   EXPECT_DOUBLE_EQ(histogram.share_between(0.0, 100.0), 0.5);
 }
 
-TEST(Histogram, QuantilesAreTheBinsThatHoldThem) {
+TEST(Histogram, AQuantileIsTheMiddleOfItsBin) {
   Histogram histogram(0.0, 100.0, 1000);
   for (int i = 0; i < 1000; ++i) {
     histogram.add(0.1 * i + 0.05);
@@ -63,7 +63,7 @@ TEST(Histogram, QuantilesAreTheBinsThatHoldThem) {
   EXPECT_NEAR(histogram.quantile(1.0), 99.95, 0.051);
 }
 
-TEST(Histogram, PartsAddUpToTheWholeInAnyOrder) {
+TEST(Histogram, PartsMergeToTheSameResultInAnyOrder) {
   Histogram whole(0.0, 100.0, 1000);
   std::vector<Histogram> parts(7, whole);
   for (int i = 0; i < 10000; ++i) {
@@ -84,7 +84,7 @@ TEST(Histogram, PartsAddUpToTheWholeInAnyOrder) {
   }
 }
 
-TEST(Histogram, OfNothingHasNoFigures) {
+TEST(Histogram, WithoutValuesAllFiguresAreNaN) {
   const Histogram histogram = of({});
   EXPECT_TRUE(std::isnan(histogram.mean()));
   EXPECT_TRUE(std::isnan(histogram.standard_deviation()));
@@ -92,7 +92,7 @@ TEST(Histogram, OfNothingHasNoFigures) {
   EXPECT_TRUE(std::isnan(histogram.share_between(0.0, 100.0)));
 }
 
-TEST(Histogram, OfDifferentBinsDoNotAddUp) {
+TEST(Histogram, RejectsMergingDifferentBinsAndAnEmptyRange) {
   Histogram histogram = of({1.0});
   EXPECT_THROW(histogram.merge(Histogram(0.0, 100.0, 999)), std::invalid_argument);
   EXPECT_THROW(Histogram(1.0, 1.0, 10), std::invalid_argument);

@@ -28,7 +28,7 @@ TEST(Work, EveryBlockIsDoneOnceOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Work, ProgressRunsToTheEnd) {
+TEST(Work, ProgressRisesToOne) {
   Histograms histograms = one();
   Execution execution;
   execution.threads = 3;
@@ -41,7 +41,7 @@ TEST(Work, ProgressRunsToTheEnd) {
   EXPECT_EQ(last, 1.0);
 }
 
-TEST(Work, WhatWasDoneBeforeAStopCounts) {
+TEST(Work, WhenStoppedKeepsTheBlocksDone) {
   Histograms histograms = one();
   std::atomic<bool> stop{false};
   Execution execution;
@@ -57,7 +57,7 @@ TEST(Work, WhatWasDoneBeforeAStopCounts) {
   EXPECT_EQ(histograms[0].count(), 10);
 }
 
-TEST(Work, WhatABlockThrowsReachesTheCaller) {
+TEST(Work, RethrowsAnExceptionOfABlock) {
   Histograms histograms = one();
   Execution execution;
   execution.threads = 2;
@@ -72,17 +72,17 @@ TEST(Work, WhatABlockThrowsReachesTheCaller) {
                std::runtime_error);
 }
 
-// Of several processes, each does its share; whoever implements that adds them up.
+// One of several processes: computes its range and adds up the results of all.
 class SecondHalf final : public Reduction {
  public:
   Range share(std::uint64_t blocks) const override { return {blocks / 2, blocks}; }
   void add_up(Histograms& histograms, std::uint64_t& blocks_done) const override {
-    histograms[0].add(0.0);  // of another process
+    histograms[0].add(0.0);  // the result of another process
     ++blocks_done;
   }
 };
 
-TEST(Work, IsSharedOutAndAddedUpByTheReduction) {
+TEST(Work, TheReductionChoosesTheBlocksAndAddsUpTheResults) {
   Histograms histograms = one();
   const SecondHalf reduction;
   Execution execution;

@@ -1,4 +1,4 @@
-// The whole firmware from the voltage on, with what it sheds fed back.
+// The whole firmware from the voltage on; the load that it sheds acts back on the frequency.
 #include <test_support/ieee24.hpp>
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using campaign::Execution;
 
-ClosedLoopResult play_loop(double loss_mw, double reported_mw, std::size_t threads = 2) {
+ClosedLoopResult play_loop(double loss_mw, double threshold_mw, std::size_t threads = 2) {
   FleetOptions few;
   few.groups = 100;
   few.per_group = 1;
@@ -18,17 +18,18 @@ ClosedLoopResult play_loop(double loss_mw, double reported_mw, std::size_t threa
   few.most_w = 1.8e7;
   ClosedLoopOptions options;
   options.loss_mw = loss_mw;
-  options.threshold_mw = reported_mw;
+  options.threshold_mw = threshold_mw;
   options.duration_s = 2.0;
   Execution execution;
   execution.threads = threads;
   return play_closed_loop(test::ieee24(), make_fleet(few), options, execution).value();
 }
 
-// Of a hundred blocks of up to 18 MW: the amount is right to half of one.
-constexpr double kHalfABlock_mw = 9.0;
+// The fleet has a hundred blocks of up to 18 MW, so that the power shed is right within half a
+// block.
+constexpr double kHalfBlock_mw = 9.0;
 
-TEST(ClosedLoop, EachOutletDetectsTheLossAndTogetherTheyShedForItAndNoMore) {
+TEST(ClosedLoop, EveryOutletDetectsTheLossAndTheFleetShedsTheRequiredPower) {
   const ClosedLoopResult result = play_loop(500.0, 0.0);
   EXPECT_EQ(result.events, 100U);
   EXPECT_EQ(result.false_events, 0U);
@@ -36,16 +37,16 @@ TEST(ClosedLoop, EachOutletDetectsTheLossAndTogetherTheyShedForItAndNoMore) {
   EXPECT_LT(result.latest_event_s, 0.16);
   EXPECT_EQ(result.loss_mw.count(), 100);
   EXPECT_NEAR(result.loss_mw.mean(), 500.0, 5.0);
-  EXPECT_NEAR(result.scenario.shed.power_mw, result.scenario.wanted_mw, kHalfABlock_mw);
+  EXPECT_NEAR(result.scenario.shed.power_mw, result.scenario.required_mw, kHalfBlock_mw);
   EXPECT_GT(result.scenario.first_action_s, 0.85);
   EXPECT_LT(result.scenario.last_action_s, 0.96);
 }
 
-TEST(ClosedLoop, ALowerThresholdShedsAsMuchMore) {
-  EXPECT_NEAR(play_loop(500.0, 200.0).scenario.shed.power_mw, 300.0, kHalfABlock_mw);
+TEST(ClosedLoop, ALowerThresholdIncreasesThePowerShed) {
+  EXPECT_NEAR(play_loop(500.0, 200.0).scenario.shed.power_mw, 300.0, kHalfBlock_mw);
 }
 
-TEST(ClosedLoop, BelowTheThresholdNobodyShedsByItsEstimate) {
+TEST(ClosedLoop, NoOutletShedsForALossBelowTheThreshold) {
   const ClosedLoopResult result = play_loop(300.0, 0.0);
   EXPECT_EQ(result.events, 100U);
   EXPECT_NEAR(result.loss_mw.mean(), 300.0, 5.0);

@@ -1,4 +1,4 @@
-// A fleet, and what of it is shed under each control.
+// A fleet, and the load that it sheds under each control.
 #include <control_centre/threshold.hpp>
 #include <test_support/ieee24.hpp>
 
@@ -19,7 +19,7 @@ using test::ieee24;
 
 constexpr float kThreshold_mw = 351.92F;
 
-// As many MW as the paper's, by fewer outlets that take more each.
+// The power of the paper's fleet in fewer, larger outlets.
 Fleet small_fleet(Accumulation accumulation = Accumulation::kHalfGroup) {
   FleetOptions options;
   options.per_group = 20;
@@ -29,7 +29,7 @@ Fleet small_fleet(Accumulation accumulation = Accumulation::kHalfGroup) {
   return make_fleet(options);
 }
 
-TEST(Fleet, HoldsItsGroupsInOrderWithTheirPower) {
+TEST(Fleet, HasTheAccumulatedPowerOfItsGroupsInOrder) {
   const Fleet fleet = small_fleet(Accumulation::kWholeGroup);
   ASSERT_EQ(fleet.outlets(), 20000U);
   ASSERT_EQ(fleet.groups(), 1000U);
@@ -44,18 +44,18 @@ TEST(Fleet, HoldsItsGroupsInOrderWithTheirPower) {
   }
 }
 
-TEST(Fleet, ShedsByItsEstimatesUpToTheRequirement) {
+TEST(Fleet, ShedsTheRequiredPowerByItsEstimates) {
   const Fleet fleet = small_fleet();
   const std::vector<float> exact(fleet.outlets(), 500.0F);
   const Shed shed = shed_by_estimates(fleet, exact, kThreshold_mw);
-  EXPECT_NEAR(shed.power_mw, 148.08, 0.5);  // to half a group
+  EXPECT_NEAR(shed.power_mw, 148.08, 0.5);  // within half a group
   EXPECT_EQ(shed.first_partly, shed.end_partly);
   EXPECT_EQ(shed.outlets, 20 * shed.first_partly);
   const std::vector<float> none(fleet.outlets(), 351.0F);
   EXPECT_EQ(shed_by_estimates(fleet, none, kThreshold_mw).outlets, 0U);
 }
 
-TEST(Fleet, RefusesWhatMakesNoSense) {
+TEST(Fleet, RejectsOptionsOutOfRange) {
   FleetOptions options;
   options.groups = 0;
   EXPECT_THROW(make_fleet(options), std::invalid_argument);
@@ -67,19 +67,19 @@ TEST(Fleet, RefusesWhatMakesNoSense) {
   EXPECT_THROW(make_fleet(options), std::invalid_argument);
 }
 
-ScenarioResult play_control(Control control, double loss_mw = 500.0, double reported_mw = 0.0,
+ScenarioResult play_control(Control control, double loss_mw = 500.0, double threshold_mw = 0.0,
                             std::size_t threads = 2) {
   static const Fleet fleet = small_fleet();
   ScenarioOptions options;
   options.control = control;
   options.loss_mw = loss_mw;
-  options.threshold_mw = reported_mw;
+  options.threshold_mw = threshold_mw;
   campaign::Execution execution;
   execution.threads = threads;
   return play(ieee24(), fleet, options, execution).value();
 }
 
-TEST(Scenario, WithoutControlTheFrequencyFallsAsTheModelSays) {
+TEST(Scenario, WithoutControlTheFrequencyFollowsTheModel) {
   const ScenarioResult result = play_control(Control::kNone);
   EXPECT_NEAR(result.nadir_hz, 49.290, 0.001);
   EXPECT_NEAR(result.nadir_s, 3.761, 0.003);
@@ -87,45 +87,45 @@ TEST(Scenario, WithoutControlTheFrequencyFallsAsTheModelSays) {
   EXPECT_TRUE(std::isnan(result.first_action_s));
 }
 
-TEST(Scenario, OutletsShedWhatIsWantedWithinASecond) {
+TEST(Scenario, OutletsShedTheRequiredPowerWithinASecond) {
   const ScenarioResult result = play_control(Control::kGridSense);
-  EXPECT_NEAR(result.shed.power_mw, result.wanted_mw, 0.01 * result.wanted_mw);
+  EXPECT_NEAR(result.shed.power_mw, result.required_mw, 0.01 * result.required_mw);
   EXPECT_GT(result.first_action_s, 0.85);
   EXPECT_LT(result.last_action_s, 0.96);
   EXPECT_GT(result.nadir_hz, 49.48);
   EXPECT_LT(result.nadir_hz, 49.50);
 }
 
-TEST(Scenario, BelowTheThresholdNobodySheds) {
+TEST(Scenario, NoOutletShedsForALossBelowTheThreshold) {
   EXPECT_LT(play_control(Control::kGridSense, 320.0).shed.power_mw, 0.1);
 }
 
-TEST(Scenario, AThresholdThatKnowsOfTheDelayKeepsTheNadir) {
+TEST(Scenario, ADelayAwareThresholdKeepsTheNadirAboveTheLimit) {
   const grid::SfrModel model(ieee24());
-  const double reported_mw = control_centre::threshold_for_delay_mw(model, 49.5, 500.0, 0.908);
-  EXPECT_LT(reported_mw, control_centre::threshold_mw(model, 49.5));
-  EXPECT_NEAR(play_control(Control::kGridSense, 500.0, reported_mw).nadir_hz, 49.501, 0.001);
+  const double threshold_mw = control_centre::threshold_for_delay_mw(model, 49.5, 500.0, 0.908);
+  EXPECT_LT(threshold_mw, control_centre::threshold_mw(model, 49.5));
+  EXPECT_NEAR(play_control(Control::kGridSense, 500.0, threshold_mw).nadir_hz, 49.501, 0.001);
 }
 
-TEST(Scenario, SwitchingOffAloneComesLaterAndShedsFarTooMuch) {
+TEST(Scenario, SwitchingOffFrequenciesAloneShedLaterAndFarTooMuch) {
   const ScenarioResult result = play_control(Control::kSwitchOff);
   EXPECT_GT(result.first_action_s, 1.2);
-  EXPECT_NEAR(result.shed.power_mw, 892.0, 5.0);  // of 148 MW wanted and 906 there
+  EXPECT_NEAR(result.shed.power_mw, 892.0, 5.0);  // 148 MW required, 906 MW in the fleet
 }
 
-TEST(Scenario, ACentralControllerShedsTheRightAmountTooLate) {
+TEST(Scenario, ACentralControllerShedsTheRequiredPowerTooLate) {
   const ScenarioResult result = play_control(Control::kCentral);
-  EXPECT_NEAR(result.shed.power_mw, result.wanted_mw, 1e-6);
+  EXPECT_NEAR(result.shed.power_mw, result.required_mw, 1e-6);
   EXPECT_DOUBLE_EQ(result.first_action_s, 1.9);
   EXPECT_LT(result.nadir_hz, play_control(Control::kGridSense).nadir_hz);
 }
 
-TEST(Scenario, RelaysActBelowTheirFrequencyAlone) {
+TEST(Scenario, RelaysActOnlyBelowTheirFrequency) {
   EXPECT_EQ(play_control(Control::kUfls).shed.power_mw, 0.0);
   const ScenarioResult result = play_control(Control::kUfls, 900.0);
   EXPECT_NEAR(result.shed.power_mw, 0.05 * ieee24().load_mw, 1e-6);  // one stage
   EXPECT_LT(result.nadir_hz, 49.0);
-  EXPECT_GT(result.nadir_hz, 48.8);  // where the next would act
+  EXPECT_GT(result.nadir_hz, 48.8);  // the frequency of the next stage
 }
 
 TEST(Scenario, IsTheSameOnAnyNumberOfThreads) {
@@ -138,7 +138,7 @@ TEST(Scenario, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Scenario, RefusesWhatMakesNoSense) {
+TEST(Scenario, RejectsALossOutOfRange) {
   EXPECT_THROW(play_control(Control::kNone, 0.0), std::invalid_argument);
   EXPECT_THROW(play_control(Control::kNone, 1e5), std::invalid_argument);
 }

@@ -1,5 +1,5 @@
-// How surely the load-shedding conditions tell a loss above the threshold from one below (§6.2,
-// Table 2).
+// The probability that the load-shedding conditions ask for shedding after a loss above or below
+// the threshold (§6.2, Table 2).
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace gsbench::campaign {
 
-// What the paper leaves open, as an outlet has it.
+// How conditions are counted, which the paper leaves open. The defaults are the shipped firmware's.
 struct Counting {
   int window = 8;      // samples in the line whose slope is the ROCOF
   int first = 10;      // samples after the loss before the first line that counts
   int count = 40;      // lines that count
-  int more_than = 20;  // hits from which on load shedding is needed
+  int more_than = 20;  // with more hits, load shedding is needed
 };
 
 struct ConditionOptions {
@@ -26,8 +26,8 @@ struct ConditionOptions {
 };
 
 struct ConditionResult {
-  std::uint64_t trajectories = 0;  // done
-  std::uint64_t needed = 0;        // of these, in which load shedding was found needed
+  std::uint64_t trajectories = 0;  // computed
+  std::uint64_t needed = 0;        // trajectories in which load shedding was needed
   Histogram hits;
 
   double probability() const {
@@ -35,7 +35,7 @@ struct ConditionResult {
   }
 };
 
-// As outlets ship.
+// The shipped firmware's.
 Counting shipped_counting(const grid::Grid& grid);
 
 // Throws as estimate() does.

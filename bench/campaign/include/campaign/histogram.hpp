@@ -1,6 +1,7 @@
-// The distribution of one figure over a campaign, kept in whole numbers alone: a histogram, and
-// sums in units far below what matters. Whole numbers add up to the same in any order, so that
-// neither threads nor processes leave a trace, and their memory does not grow with the campaign.
+// The distribution of one figure over a campaign: a histogram, and sums for mean and standard
+// deviation. All are integers (the sums in very small units), so that the result does not depend on
+// the order of additions, and with it not on threads or processes. The memory does not grow with
+// the number of values.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +12,23 @@ namespace gsbench::campaign {
 
 class Histogram {
  public:
-  // From low to high in that many equal bins; what lies outside is counted below and above. Exact
-  // up to 10⁹ values within twice the range.
+  // From low to high in equal bins; values outside are counted as below or above. Exact for up to
+  // 10⁹ values within twice the range. Throws std::invalid_argument unless high > low and bins > 0.
   Histogram(double low, double high, std::size_t bins);
 
-  void add(double value);  // a NaN counts as missing
-  void merge(const Histogram& other);
+  void add(double value);              // a NaN counts as missing
+  void merge(const Histogram& other);  // throws std::invalid_argument for different bins
 
   std::int64_t count() const;  // without the missing
   std::int64_t missing() const { return counts_[kMissing]; }
-  double mean() const;                // NaN where there is none
-  double standard_deviation() const;  // NaN below two
+  double mean() const;                // NaN without a value
+  double standard_deviation() const;  // NaN for fewer than two values
   double smallest() const { return smallest_; }
   double largest() const { return largest_; }
-  // Values in [from, to), both on edges of bins. The missing are in none.
+  // Values in [from, to), both on edges of bins. Missing values are in no bin.
   std::int64_t count_between(double from, double to) const;
-  double share_between(double from, double to) const;  // of all, the missing too
-  // p in 0 … 1: the middle of the bin that it falls into.
+  double share_between(double from, double to) const;  // of all values, missing ones included
+  // p: 0 … 1. The middle of the bin of that quantile; NaN without a value.
   double quantile(double p) const;
 
   double low() const { return low_; }
@@ -40,7 +41,7 @@ class Histogram {
   double low_;
   double width_;
   std::size_t bins_;
-  double unit_;  // of what is summed
+  double unit_;  // of the sums
   std::vector<std::int64_t> counts_;
   double smallest_;
   double largest_;

@@ -1,5 +1,5 @@
-// The firmware's estimators over a batch of trajectories, kLanes at a time. Values stand sample by
-// sample: that of sample k and lane i at [k·kLanes + i].
+// The firmware's estimators for a batch of kLanes trajectories. Arrays of values are ordered by
+// sample: that of sample k and lane i is at [k·kLanes + i].
 #pragma once
 
 #include <campaign/conditions.hpp>
@@ -12,7 +12,7 @@ namespace gsbench::campaign {
 
 struct PaperStart {
   gs::outlet::EkfSettings ekf;
-  float t_x_s = 0.0f;  // against the first sample
+  float t_x_s = 0.0f;  // relative to the first sample
 };
 
 struct Estimates {
@@ -20,24 +20,25 @@ struct Estimates {
   float ekf_mw[kLanes];
 };
 
-// As an outlet does from its event on, the first of kSamples being the event's own. `Parameter`:
-// float, or Lanes where each has its own.
+// As an outlet from its event on; the first of kSamples is that of the event. `Parameter` is float,
+// or Lanes if each trajectory has its own parameters.
 template <class Parameter>
 Estimates estimate_as_outlet(const gs::outlet::Settings& settings,
                              const gs::outlet::ResponseOf<Parameter>& response,
                              const float* deviations_hz);
 
-// As the paper has it: LSE, and from its result EKF over the samples that follow.
+// As the paper: LSE, then the EKF, started with the result of LSE, over the following samples.
 template <class Parameter>
 Estimates estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
                             const PaperModel<Parameter>& model, const float* deviations_hz);
 
-// How often the load-shedding conditions are met. There are counted.first + counted.count samples,
-// of which the line of sample k is that of k − window + 1 … k; the first line lies within them.
+// Counts in `hits` how often the load-shedding conditions are met. There are counted.first +
+// counted.count samples. The line of sample k is that through samples k − window + 1 … k; the first
+// line that counts must be within the samples.
 void count_conditions(const gs::outlet::Settings& settings, float nominal_hz,
                       const Counting& counted, const float* deviations_hz, float hits[kLanes]);
 
-// One measurement of each, as many reports after the event's own, which is report 0.
+// Takes one measurement of each trajectory. `report`: reports since that of the event, which is 0.
 void take_report(const gs::outlet::Settings& settings, gs::outlet::LossEstimator<Lanes>& estimator,
                  const float deviation_hz[kLanes], int report);
 

@@ -1,6 +1,6 @@
-// A vector of floats, one trajectory a lane, for the firmware's templates. Every operation is each
-// lane's own, in the firmware's order and without contraction, so that a lane's result is that of
-// an outlet, bit for bit, whatever the width of the machine's vectors.
+// A vector of floats, one trajectory in each lane, for the firmware's templates. Every operation is
+// done lane by lane, in the firmware's order and without contraction, so that a lane's result
+// equals that of an outlet bit for bit, for any vector width of the processor.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@
 
 namespace gsbench::campaign {
 
-constexpr std::size_t kWidth = 8;    // of AVX2; narrower machines take several steps
-constexpr std::size_t kVectors = 4;  // a vector waits for its own results while others compute
+constexpr std::size_t kWidth = 8;  // of AVX2; processors with narrower vectors need several steps
+constexpr std::size_t kVectors =
+    4;  // hides the latency: others compute while one waits for its result
 constexpr std::size_t kLanes = kWidth * kVectors;
 
 using Floats = float __attribute__((vector_size(kWidth * sizeof(float))));
 using Integers = std::int32_t __attribute__((vector_size(kWidth * sizeof(std::int32_t))));
 
-// The alignment that AVX2's moves take for granted: without it said, a compiler for any machine
-// gives half of it.
+// AVX2's aligned moves need this alignment; a compiler for the baseline processor would give half.
 constexpr std::size_t kAlignment = kWidth * sizeof(float);
 struct alignas(kAlignment) Lanes {
   Floats v[kVectors];
 };
 struct alignas(kAlignment) Mask {
-  Integers v[kVectors];  // −1 where it holds, else 0
+  Integers v[kVectors];  // −1 if true, else 0
 };
 
 template <class Result, class Each>
@@ -90,7 +90,8 @@ inline void store(const Lanes& lanes, float* values) {
   std::memcpy(values, &lanes, sizeof lanes);
 }
 
-// The firmware's templates find these beside their own for floats.
+// The firmware's templates find these by argument-dependent lookup, as overloads of those for
+// float.
 inline Lanes select(const Mask& condition, const Lanes& a, const Lanes& b) {
   return each_vector<Lanes>([&](std::size_t i) { return condition.v[i] ? a.v[i] : b.v[i]; });
 }

@@ -1,6 +1,6 @@
-// The frequency after a loss in the paper's own parameters, eq. (20) and (24)–(27), for the
-// firmware's EKF: where the paper puts errors into each of them, they are independent of one
-// another, which an outlet's four settings cannot be.
+// The frequency after a loss in the paper's parameters, eq. (20) and (24)–(27), for the firmware's
+// EKF. The paper adds independent errors to these five parameters, which the four settings of an
+// outlet cannot represent.
 #pragma once
 
 #include <outlet/response.hpp>

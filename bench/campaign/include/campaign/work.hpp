@@ -1,5 +1,5 @@
-// A campaign's work: numbered blocks, on as many threads as there are, added up into histograms.
-// What a block comes to depends on its number alone.
+// A campaign's work: numbered blocks, computed on several threads and added up in histograms. The
+// result of a block depends only on its number.
 #pragma once
 
 #include <atomic>
@@ -15,9 +15,9 @@ namespace gsbench::campaign {
 
 using Histograms = std::vector<Histogram>;
 
-// How a campaign is shared out among processes: shard k of N takes a slice of the blocks. Only
-// histograms go through it, whose parts add up to the same bits in any order; what is kept for each
-// outlet stays in its process. As it stands: there is one process.
+// How a campaign is distributed over processes: process k of N takes a range of the blocks. Only
+// histograms are combined, whose sum does not depend on the order; results kept for each outlet
+// stay in their process. This base class stands for a single process.
 class Reduction {
  public:
   struct Range {
@@ -25,14 +25,15 @@ class Reduction {
     std::uint64_t end;
   };
   virtual ~Reduction() = default;
-  virtual Range share(std::uint64_t blocks) const { return {0, blocks}; }  // this process's
-  // Of all processes, in each.
+  // The blocks of this process.
+  virtual Range share(std::uint64_t blocks) const { return {0, blocks}; }
+  // Replaces both by the sum over all processes, in each of them.
   virtual void add_up(Histograms& /*histograms*/, std::uint64_t& /*blocks_done*/) const {}
 };
 
 inline const Reduction kOneProcess{};
 
-// Throws std::invalid_argument with that message unless it holds.
+// Throws std::invalid_argument with the message `otherwise` unless the condition holds.
 inline void demand(bool holds, const std::string& otherwise) {
   if (!holds) {
     throw std::invalid_argument(otherwise);
@@ -41,8 +42,8 @@ inline void demand(bool holds, const std::string& otherwise) {
 
 struct Execution {
   std::size_t threads = 1;
-  const std::atomic<bool>* stop = nullptr;    // after the blocks in hand
-  std::function<void(double part)> progress;  // from any thread, one at a time
+  const std::atomic<bool>* stop = nullptr;    // when set, no new block is started
+  std::function<void(double part)> progress;  // 0 … 1; called on any thread, one call at a time
   const Reduction* reduction = &kOneProcess;
 };
 
@@ -56,7 +57,7 @@ inline void report_progress(const Execution& execution, double done, double all)
   }
 }
 
-// The same, for a part whose progress is told by whoever asks for it.
+// The same without progress, for a part whose caller reports the progress.
 inline Execution quiet(const Execution& execution) {
   Execution silent = execution;
   silent.progress = nullptr;
@@ -65,8 +66,8 @@ inline Execution quiet(const Execution& execution) {
 
 using Block = std::function<void(std::uint64_t block, Histograms& own)>;
 
-// Adds the blocks up into `histograms`, which come empty. Returns how many blocks were done: all,
-// unless it was stopped. Rethrows what a block throws.
+// Adds the results of all blocks to `histograms`, which must be empty. Blocks until done or
+// stopped; returns the number of blocks done. Rethrows an exception of a block.
 std::uint64_t run_blocks(std::uint64_t blocks, const Execution& execution, const Block& work,
                          Histograms& histograms);
 

@@ -1,6 +1,6 @@
-// A fleet of outlets with the whole firmware, from the voltage on: each samples the mains with
-// noise of its own, and what it sheds changes the mains for all. Small fleets: a thousand outlets
-// take a second of processor time for three seconds played.
+// A fleet of outlets with the whole firmware, from the voltage on. Each outlet samples the mains
+// with its own noise, and the load that it sheds changes the frequency for all. For small fleets: a
+// thousand outlets need a second of processor time for three simulated seconds.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,23 @@ namespace gsbench::fleet {
 struct ClosedLoopOptions {
   double loss_mw = 500.0;
   double noise_pct = 1.0;     // σ of white noise on the voltage, % of its amplitude
-  double threshold_mw = 0.0;  // that outlets are told; 0: the grid's
-  double duration_s = 20.0;   // from the loss on, which comes after a second
+  double threshold_mw = 0.0;  // in the outlets' settings; 0: the grid's
+  double duration_s = 20.0;   // after the loss, which is at 1 s
   std::uint64_t seed = 1;
 };
 
 struct ClosedLoopResult {
-  ScenarioResult scenario;       // its times count from the loss
-  std::size_t events = 0;        // outlets that detected one
-  std::size_t false_events = 0;  // before the loss
-  double latest_event_s = 0.0;   // after the loss; NaN where there was none
+  ScenarioResult scenario;       // times count from the loss
+  std::size_t events = 0;        // outlets whose first event is after the loss
+  std::size_t false_events = 0;  // outlets whose first event is before the loss
+  double latest_event_s = 0.0;   // after the loss; NaN without an event
   campaign::Histogram loss_mw;   // estimates at the decision
 };
 
 constexpr std::size_t kMostInClosedLoop = 100000;
 
-// Throws std::invalid_argument for what makes no sense. Nothing where it was stopped before its
-// end.
+// Blocks until the end. Returns nothing if `execution` was stopped before. Throws
+// std::invalid_argument for options out of range, or settings that the firmware rejects.
 std::optional<ClosedLoopResult> play_closed_loop(const grid::Grid& grid, const Fleet& fleet,
                                                  const ClosedLoopOptions& options,
                                                  const campaign::Execution& execution);

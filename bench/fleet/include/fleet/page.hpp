@@ -1,5 +1,5 @@
-// Very many outlets of any grid after a loss: who sheds, how much, when, and how the frequency
-// goes, beside other controls.
+// Very many outlets of any grid after a loss: which outlets shed, how much, when, and the
+// frequency, compared with other controls.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,23 @@
 
 namespace gsbench::fleet {
 
-// Each combination is played.
+// Every combination is simulated.
 struct Sweep {
-  std::vector<double> losses_mw;  // none: 0.9 … 2 times the grid's threshold
+  std::vector<double> losses_mw;  // empty: 0.9 … 2 times the grid's threshold
   std::vector<double> noises_hz = {0.0, 0.005, 0.01, 0.02, 0.05};
-  std::vector<double> delays_s = {0.0, 0.1, 0.2, 0.5, 1.0};  // of outlets beyond their own
+  std::vector<double> delays_s = {0.0, 0.1, 0.2, 0.5, 1.0};  // added to each outlet's own
 };
 
 struct Study {
   FleetOptions fleet;
-  ScenarioOptions scenario;  // its control is each in turn
-  bool delay_aware = false;  // also with a threshold that reckons with the outlets' delay
-  bool closed_loop = false;  // also a thousand outlets with the whole firmware
+  ScenarioOptions scenario;  // `control` is not used: all are simulated
+  bool delay_aware = false;  // adds Grid Sense with a threshold that allows for the outlets' delay
+  bool closed_loop = false;  // adds a thousand outlets with the whole firmware
   std::optional<Sweep> sweep;
 };
 
-// Throws as the campaigns do. Stopped, it holds what was done so far, and says so.
+// Blocks until all is simulated or `execution` is stopped. A stopped page has what was done so far
+// and a fact "stopped". Throws std::invalid_argument for options out of range.
 record::Page make_page(const grid::Grid& grid, const Study& study,
                        const campaign::Execution& execution);
 

@@ -1,12 +1,12 @@
-// A loss of power and what is done about it: by a fleet's outlets, each at the instant of its own
-// decision and by the frequency that it measures, which what others have shed already changes; by a
-// central controller; by under-frequency relays; by nobody.
+// A loss of power and the control that follows: by a fleet's outlets, by a central controller, by
+// under-frequency relays, or none. Each outlet decides at an instant of its own, by the frequency
+// that it measures, which the load shed by other outlets already changes.
 //
-// Outlets measure every 16 ms, each at an instant of its own, the frequency of 28 ms before (the
-// front end's delay) with noise. They detect the loss once its drops are in, the sixth measurement
-// after it, which is what the firmware's detector does behind its tracker (104 … 152 ms); estimate
-// and decide by the firmware's own code 49 measurements later. The firmware's load-shedding
-// conditions and its own flag on an estimate are not in here.
+// Outlets measure every 16 ms, each at its own phase, the frequency of 28 ms before (the delay of
+// the front end), with noise. They detect the loss at the sixth measurement after it, when enough
+// drops have been seen; the firmware's detector behind its tracker does so after 104 … 152 ms.
+// 49 measurements later they estimate the loss and decide, by the firmware's own code. The
+// firmware's load-shedding conditions and its check of the estimate are not part of this model.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ namespace gsbench::fleet {
 enum class Control : std::uint8_t {
   kNone,
   kGridSense,  // each outlet by its own estimate (§5.5, criterion 1)
-  kSwitchOff,  // each outlet below its switching-off frequency alone (criterion 2)
-  kCentral,    // a controller that knows the loss sheds what is wanted, after its delay
+  kSwitchOff,  // each outlet by its switching-off frequency alone (criterion 2)
+  kCentral,    // a controller that knows the loss sheds the required power after its delay
   kUfls,       // under-frequency load shedding by relays
 };
 
@@ -30,32 +30,32 @@ struct ScenarioOptions {
   double loss_mw = 500.0;
   campaign::NoiseDistribution distribution = campaign::NoiseDistribution::kUniform;
   double noise_hz = 0.01;
-  double threshold_mw = 0.0;        // that outlets and controller are told; 0: the grid's
-  double further_delay_s = 0.0;     // of every outlet's action, beyond its relay's
+  double threshold_mw = 0.0;        // of outlets and controller; 0: the grid's
+  double further_delay_s = 0.0;     // of every outlet's action, added to its relay's
   double central_decision_s = 0.9;  // until the controller knows the loss
-  double central_delay_s = 1.0;     // of its commands
-  double ufls_first_hz = 0.0;       // of relays: 0: a fiftieth below nominal (49 Hz)
-  double ufls_step_hz = 0.2;
-  double ufls_part = 0.05;  // of the load, at each of five stages
+  double central_delay_s = 1.0;     // of its commands' communication
+  double ufls_first_hz = 0.0;       // first stage; 0: 0.98 of the nominal frequency (49 Hz)
+  double ufls_step_hz = 0.2;        // between stages
+  double ufls_part = 0.05;          // of the load, at each of five stages
   double ufls_delay_s = 0.15;
   double duration_s = 20.0;
   std::uint64_t seed = 1;
 };
 
 struct ScenarioResult {
-  Shed shed;               // by outlets; for controller and relays the power alone
-  double wanted_mw = 0.0;  // loss above the grid's threshold
+  Shed shed;                 // by outlets; for controller and relays only the power
+  double required_mw = 0.0;  // loss above the grid's threshold, or 0
   double nadir_hz = 0.0;
   double nadir_s = 0.0;
   double end_hz = 0.0;
-  double first_action_s = 0.0;  // NaN where there was none
+  double first_action_s = 0.0;  // NaN without an action
   double last_action_s = 0.0;
-  std::vector<double> t_s;  // the course, every 20 ms
+  std::vector<double> t_s;  // every 20 ms
   std::vector<double> frequency_hz;
 };
 
-// Throws std::invalid_argument for what makes no sense. Nothing where it was stopped before its
-// end.
+// Blocks until the end. Returns nothing if `execution` was stopped before. Throws
+// std::invalid_argument for options out of range.
 std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
                                    const ScenarioOptions& options,
                                    const campaign::Execution& execution);

@@ -1,4 +1,4 @@
-// The paper's §6 computed again: each of its tables and figures beside ours.
+// The tables and figures of the paper's §6, computed again and printed beside its own.
 #pragma once
 
 #include <control_centre/blocks.hpp>
@@ -25,33 +25,34 @@ struct Item {
 // In the paper's order.
 std::vector<Item> items();
 
-// What the paper leaves open, and how it is read here where nobody says otherwise. Tables tell how
-// much they move over it.
+// Choices that the paper leaves open, with the defaults used here. The tables show how much the
+// result depends on each.
 struct Choices {
   campaign::NoiseDistribution noise_distribution =
-      campaign::NoiseDistribution::kUniform;  // of "a noise within ±0.01 Hz"
+      campaign::NoiseDistribution::kUniform;  // "a noise within ±0.01 Hz"
   campaign::LossInstant loss_instant = campaign::LossInstant::kOnReport;
-  // Table 2: the slope over ten samples, counted from the first on for about as long as the paper's
-  // figures tell, more than 15 hits.
+  // Table 2: the slope over ten samples, 36 slopes from the first sample on (read from the paper's
+  // figures), more than 15 hits.
   campaign::Counting counting = {10, 0, 36, 15};
-  // Where the paper's EKF starts: standard deviations of LSE and of t_x.
+  // Start of the paper's EKF: standard deviations of LSE and of t_x.
   double ekf_loss_sigma_mw = 80.0;
   double ekf_t_x_sigma_s = 0.02;
 };
 
 struct Options {
-  std::vector<std::string> only;  // ids; none: all
-  std::uint64_t trajectories = 1000000;
+  std::vector<std::string> only;         // ids of sections; empty: all
+  std::uint64_t trajectories = 1000000;  // of each campaign
   std::uint64_t seed = 1;
   Choices choices;
-  // P^A of the firmware's fleets; the paper's way has eq. (11).
+  // P^A of the firmware's fleets; the paper's method uses eq. (11).
   control_centre::Accumulation accumulation = control_centre::Accumulation::kHalfGroup;
-  // Plays the 500 MW experiment for Fig. 19, from the voltage on. None: not played.
+  // Runs the 500 MW experiment for Fig. 19, from the voltage on. Empty: not run.
   std::function<record::RunRecord(const campaign::Execution&)> play_experiment;
 };
 
-// What was reproduced. Throws std::invalid_argument for an id that there is none of, and as the
-// campaigns do. Stopped, it holds what was done so far, and says so.
+// Computes the chosen sections; blocks until they are done or `execution` is stopped. A stopped
+// page has the sections done so far and a fact "stopped". Throws std::invalid_argument for an
+// unknown id, and as the campaigns do.
 record::Page reproduce(const grid::Grid& grid, const Options& options,
                        const campaign::Execution& execution);
 

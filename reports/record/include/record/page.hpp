@@ -1,7 +1,8 @@
-// What a page of figures and curves holds, whoever worked them out and whatever it is printed as.
+// A page of tables, curves and notes, independent of how it was computed and how it is printed.
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,18 +11,26 @@ namespace gsbench::record {
 
 constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();  // an empty cell
 
+struct FigureColumn {
+  std::string name;
+  int decimals = 0;  // printed; JSON has every figure in full
+  // A figure outside least … most stands for "none" and is printed so.
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+};
+
 struct FigureRow {
   std::string name;
-  std::vector<double> figures;  // one a column; kNoFigure: empty
+  std::vector<double> figures;       // one for each column; kNoFigure: an empty cell
+  std::optional<int> decimals = {};  // in place of the columns', where a row has its own unit
 };
 
 struct FigureTable {
   std::string caption;
-  std::string first_column;  // what its rows are
-  std::vector<std::string> columns;
+  std::string first_column;  // heading of the row names
+  std::vector<FigureColumn> columns;
   std::vector<FigureRow> rows = {};
-  bool heat = false;      // coloured by size
-  std::string unit = {};  // of every figure, where neither columns nor rows name theirs
+  bool heat = false;  // the HTML page colours each cell by its figure
 };
 
 struct Curve {
@@ -43,7 +52,7 @@ struct PageSection {
   std::vector<CurvePlot> plots;
   std::vector<std::string> paragraphs;
   std::string title = {};
-  std::string id = {};  // by which it is asked for: "table4"
+  std::string id = {};  // the name by which a command selects the section: "table4"
 };
 
 struct Page {

@@ -1,5 +1,5 @@
-// For the emulated Cortex-M4F: takes an image's own estimator through many trajectories, as its
-// firmware does through one. Loaded by the debugger beside the image, which it calls by addresses.
+// Runs on the emulated Cortex-M4F: calls the image's estimator for many trajectories. The debugger
+// loads this code beside the image; the image's functions are called by address.
 #include "calls.hpp"
 
 #include <outlet/estimator.hpp>
@@ -15,7 +15,7 @@ T at(std::uint32_t address) {
 
 extern "C" void make_calls(const gs::test::Calls& calls) {
   using gs::outlet::EstimatorState;
-  // Nobody feeds the watchdog or reads the line meanwhile.
+  // Interrupts off: the firmware must not run meanwhile.
   asm volatile("cpsid i" ::: "memory");
   const auto begin = at<decltype(&gs::outlet::begin)>(calls.begin);
   const auto observe = at<decltype(&gs::outlet::observe)>(calls.observe);

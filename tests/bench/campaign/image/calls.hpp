@@ -1,4 +1,5 @@
-// What the processor is told to do, in its memory. Addresses are the emulated board's own.
+// The arguments of make_calls() in the processor's memory. Addresses are those of the emulated
+// board.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 
 namespace gs::test {
 
-// In the board's PSRAM, of which its firmware uses the beginning alone.
+// In the board's PSRAM, above the part that the firmware uses.
 constexpr std::uint32_t kCodeAddress = 0x21800000;
 constexpr std::uint32_t kReturnAddress = 0x21801000;
 constexpr std::uint32_t kDataAddress = 0x21802000;
@@ -17,10 +18,10 @@ struct Calls {
   std::uint32_t observe = 0;
   std::uint32_t settings = 0;
   std::uint32_t line = 0;
-  std::uint32_t deviations_hz = 0;  // trajectory by trajectory
-  std::uint32_t states = 0;         // one a trajectory, in which it ends
+  std::uint32_t deviations_hz = 0;  // all samples of a trajectory, then those of the next
+  std::uint32_t states = 0;         // the final state of each trajectory
   std::uint32_t trajectories = 0;
-  std::uint32_t samples = 0;  // of each
+  std::uint32_t samples = 0;  // of each trajectory
   float nominal_hz = 0.0F;
   outlet::Baseline baseline;
 };

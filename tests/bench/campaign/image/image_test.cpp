@@ -1,4 +1,5 @@
-// The firmware's binary for the Cortex-M4F against a campaign's lanes, trajectory by trajectory.
+// Compares the estimates of the Cortex-M4F image with those of a campaign, trajectory by
+// trajectory.
 #include "calls.hpp"
 #include <cortex_m4/debugger.hpp>
 #include <cortex_m4/emulated_outlet.hpp>
@@ -28,7 +29,7 @@ constexpr std::uint32_t kSamples = gsbench::campaign::kSamples;
 
 using Bytes = std::vector<std::uint8_t>;
 
-// The processor lays these out as this machine does: plain numbers of the same sizes.
+// The layout is the same on both processors: plain numbers of the same sizes.
 template <class T>
 Bytes bytes_of(const T* values, std::size_t count = 1) {
   Bytes bytes(count * sizeof *values);
@@ -52,7 +53,7 @@ std::vector<float> by_campaign(const EstimateOptions& options) {
   return estimates;
 }
 
-// The addresses of what follows one another in the processor's memory.
+// Places data one after another in the processor's memory.
 class Memory {
  public:
   explicit Memory(Debugger& debugger) : debugger_(debugger) {}
@@ -71,7 +72,7 @@ class Memory {
 std::vector<EstimatorState> by_image(const std::string& image, const EstimateOptions& options) {
   EmulatedOutlet outlet;
   outlet.start(image);
-  outlet.line().wait_for(wire::UplinkKind::kHello);  // it runs, its floating point is on
+  outlet.line().wait_for(wire::UplinkKind::kHello);  // it runs, the FPU is on
   Debugger debugger(outlet.machine());
   std::ifstream file(GSBENCH_CALLS, std::ios::binary);
   debugger.write(kCodeAddress, Bytes(std::istreambuf_iterator<char>(file), {}));
@@ -105,7 +106,7 @@ std::vector<EstimatorState> by_image(const std::string& image, const EstimateOpt
   return states;
 }
 
-// How many differ in a bit.
+// Number of estimates that differ in any bit.
 int different(const std::vector<EstimatorState>& there, const std::vector<float>& here) {
   int count = 0;
   for (std::size_t i = 0; i < here.size(); ++i) {
@@ -116,7 +117,7 @@ int different(const std::vector<EstimatorState>& there, const std::vector<float>
 
 class CampaignImage : public testing::TestWithParam<const char*> {};
 
-TEST_P(CampaignImage, EstimatesAThousandTrajectoriesAsTheCampaignToTheLastBit) {
+TEST_P(CampaignImage, EstimatesOfAThousandTrajectoriesEqualTheCampaignsToTheLastBit) {
   for (const NoiseDistribution distribution :
        {NoiseDistribution::kUniform, NoiseDistribution::kGaussian}) {
     const std::vector<EstimatorState> there = by_image(GetParam(), options(distribution));
@@ -135,8 +136,9 @@ INSTANTIATE_TEST_SUITE_P(Boards, CampaignImage,
                            return std::string(image.param) == GSBENCH_M4_IMAGE ? "O2" : "Os";
                          });
 
-// What would go unseen without it: multiplications and additions contracted into one.
-TEST(ContractedCampaignImage, IsSeenToEstimateOtherwise) {
+// An image with fused multiply-add must differ, otherwise the comparison above is not strict
+// enough.
+TEST(ContractedCampaignImage, HasDifferentEstimates) {
   const EstimateOptions uniform = options(NoiseDistribution::kUniform);
   const int count = different(by_image(GSBENCH_M4_IMAGE_CONTRACTED, uniform), by_campaign(uniform));
   std::cout << count << " of " << kTrajectories << " differ\n";
