@@ -18,7 +18,7 @@ struct ReproduceArguments {
   PageOutput output;
 };
 
-record::RunRecord play_experiment(std::uint64_t seed, const campaign::Execution& execution) {
+record::RunRecord run_experiment(std::uint64_t seed, const campaign::Execution& execution) {
   profile::Overrides overrides;
   overrides.seed = seed;
   const profile::Plan plan = profile::load_profile(kExperiment, overrides);
@@ -31,8 +31,8 @@ record::RunRecord play_experiment(std::uint64_t seed, const campaign::Execution&
 int run_reproduce(const ReproduceArguments& arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
   paper::Options options = arguments.options;
-  options.play_experiment = [seed = options.seed](const campaign::Execution& execution) {
-    return play_experiment(seed, execution);
+  options.run_experiment = [seed = options.seed](const campaign::Execution& execution) {
+    return run_experiment(seed, execution);
   };
   return print_page("reproduce", arguments.output, [&](const campaign::Execution& execution) {
     return paper::reproduce(grid, options, execution);

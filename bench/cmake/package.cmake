@@ -1,4 +1,4 @@
-# What is installed beside the programs, and the .deb that CPack makes of it.
+# Files installed beside the programs, and the .deb package.
 include(GNUInstallDirs)
 install(DIRECTORY profiles DESTINATION ${CMAKE_INSTALL_DATADIR}/gsbench)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
@@ -8,7 +8,7 @@ install(
   DESTINATION ${CMAKE_INSTALL_DOCDIR}
   RENAME copyright)
 
-# `./dev package` builds what is packaged; the tests need not be built.
+# `./dev package` builds only the installed targets, not the tests.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "gsbench engineers <gsbench@localhost>")
@@ -21,7 +21,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Emulated stations need them.
+# For emulated stations.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qemu-system-arm, mosquitto, openssl")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS bash-completion)
 include(CPack)

@@ -26,7 +26,7 @@ constexpr std::size_t kOutletsInBlock = 50;
 struct Outlet {
   gs::outlet::Config config;
   gs::outlet::State state;
-  std::size_t skipped = 0;  // samples before its first: outlets report at different instants
+  std::size_t skipped = 0;  // samples before its first report: outlets report at different instants
   double event_s = kNone;
   double loss_mw = kNone;
 };
@@ -69,7 +69,7 @@ class Loop {
   }
 
   // Returns false if it was stopped.
-  bool play() {
+  bool simulate() {
     const auto blocks =
         static_cast<std::size_t>((kBeforeLoss_s + options_.duration_s) / campaign::kReport_s);
     for (std::size_t block = 0; block < blocks; ++block) {
@@ -184,9 +184,9 @@ class Loop {
 
 }  // namespace
 
-std::optional<ClosedLoopResult> play_closed_loop(const grid::Grid& grid, const Fleet& fleet,
-                                                 const ClosedLoopOptions& options,
-                                                 const campaign::Execution& execution) {
+std::optional<ClosedLoopResult> simulate_closed_loop(const grid::Grid& grid, const Fleet& fleet,
+                                                     const ClosedLoopOptions& options,
+                                                     const campaign::Execution& execution) {
   campaign::demand(fleet.outlets() <= kMostInClosedLoop,
                    fmt::format("a closed loop has at most {} outlets, not {}", kMostInClosedLoop,
                                fleet.outlets()));
@@ -200,7 +200,7 @@ std::optional<ClosedLoopResult> play_closed_loop(const grid::Grid& grid, const F
   campaign::demand(options.duration_s >= 1.0 && options.duration_s <= 300.0,
                    fmt::format("a duration of {:g} s is not within 1 … 300 s", options.duration_s));
   Loop loop(grid, fleet, options, execution);
-  return loop.play() ? std::optional(loop.result()) : std::nullopt;
+  return loop.simulate() ? std::optional(loop.result()) : std::nullopt;
 }
 
 }  // namespace gsbench::fleet

@@ -74,7 +74,7 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
   double last_action_s = kNoFigure;
   double required_mw = 0.0;
   const auto add = [&](const std::string& name) {
-    auto result = play(grid, fleet, options, execution);
+    auto result = simulate(grid, fleet, options, execution);
     if (result) {
       shed.rows.push_back(shed_row(name, result->shed));
       actions.rows.push_back({name,
@@ -170,7 +170,7 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
     const auto nadir_hz = [&](double loss_mw, double noise_hz) {
       options.loss_mw = loss_mw;
       options.noise_hz = noise_hz;
-      const auto result = play(grid, fleet, options, quiet(execution));
+      const auto result = simulate(grid, fleet, options, quiet(execution));
       report_progress(execution, ++done, all);
       if (!result) {
         return kNoFigure;
@@ -199,7 +199,7 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
                3, losses_mw, over.delays_s, [&](double loss_mw, double delay_s) {
                  central.loss_mw = loss_mw;
                  central.central_delay_s = delay_s;
-                 const auto result = play(grid, fleet, central, quiet(execution));
+                 const auto result = simulate(grid, fleet, central, quiet(execution));
                  return result ? result->nadir_hz : kNoFigure;
                }));
   return {tables, {}, {}, "Sweep over loss, noise and delay", "sweep"};
@@ -224,7 +224,7 @@ record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
                                {{"threshold by eq. (15)"}, {"threshold for the delay"}}};
   record::CurvePlot plot = {"The frequency of the grid.", "s", "Hz"};
   for (const record::FigureColumn& column : table.columns) {
-    const auto result = play_closed_loop(grid, fleet, options, execution);
+    const auto result = simulate_closed_loop(grid, fleet, options, execution);
     if (!result) {
       break;
     }
@@ -289,8 +289,8 @@ record::Page make_page(const grid::Grid& grid, const Study& study,
   }
   const Fleet fleet = make_fleet(study.fleet);
   record::Page page;
-  page.title =
-      fmt::format("{} outlets of {:.1f} MW on {}", fleet.outlets(), fleet.power_mw, grid.name);
+  page.title = fmt::format("{} outlets with {:.1f} MW in total on grid {}", fleet.outlets(),
+                           fleet.power_mw, grid.name);
   page.subtitle = grid.title;
   page.facts = {
       {"loss", fmt::format("{:g} MW", study.scenario.loss_mw)},

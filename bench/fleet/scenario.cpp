@@ -197,7 +197,7 @@ class Outlets {
   std::vector<double> shed_mw_;  // in the current report, by chunk and instant
 };
 
-void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance& balance) {
+void simulate_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance& balance) {
   const double first_hz =
       (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
       grid.nominal_hz;
@@ -214,8 +214,8 @@ void play_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance
 
 }  // namespace
 
-std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
-                                   const ScenarioOptions& options, const Execution& execution) {
+std::optional<ScenarioResult> simulate(const grid::Grid& grid, const Fleet& fleet,
+                                       const ScenarioOptions& options, const Execution& execution) {
   check(grid, options);
   if (stopped(execution)) {
     return std::nullopt;
@@ -241,7 +241,7 @@ std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
     balance.shed(options.central_decision_s + options.central_delay_s,
                  std::min(options.loss_mw - threshold_mw, fleet.power_mw));
   } else if (options.control == Control::kUfls) {
-    play_relays(grid, options, balance);
+    simulate_relays(grid, options, balance);
   }
   return balance.result(grid, options.duration_s, shed);
 }

@@ -87,7 +87,7 @@ record::FigureRow figures_row(const std::string& name, const EstimateResult& res
 
 enum : std::size_t { kWithin4, kBeyond10, kMean, kSigma, kSigmaByBound };
 
-// With the decimals that so many trajectories support.
+// A table with the decimals that the number of trajectories supports.
 FigureTable figures_table(const std::string& caption, std::vector<record::FigureRow> rows,
                           std::uint64_t trajectories) {
   FigureTable table = {caption,

@@ -79,10 +79,10 @@ std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecor
 }  // namespace
 
 PageSection fig19(Study& study, const Execution& execution) {
-  if (!study.options.play_experiment) {
+  if (!study.options.run_experiment) {
     return {{}, {}, {"Not run."}};
   }
-  const RunRecord run = study.options.play_experiment(execution);
+  const RunRecord run = study.options.run_experiment(execution);
   std::vector<std::string> paragraphs = {
       "Profile " + run.profile + " on grid " + run.grid + ", station " + run.station +
           ", with the profile's own noise: " + to_string(run.verdict) +

@@ -126,7 +126,7 @@ PageSection fig22(Study& study, const Execution& execution) {
   choice.seed = study.options.seed;
   int n = 0;
   const auto add = [&](const std::string& name) {
-    auto result = play(grid, fleet, choice, nth_of(execution, n++, 3));
+    auto result = simulate(grid, fleet, choice, nth_of(execution, n++, 3));
     if (result) {
       table.rows.push_back({name,
                             {result->shed.power_mw, result->first_action_s, result->last_action_s,

@@ -29,7 +29,7 @@ constexpr Section kSections[] = {
     {"fig22", "Fig. 22: frequency with and without Grid Sense (§6.5.1)", fig22},
 };
 
-bool wanted(const Options& options, const std::string& id) {
+bool is_chosen(const Options& options, const std::string& id) {
   return options.only.empty() ||
          std::find(options.only.begin(), options.only.end(), id) != options.only.end();
 }
@@ -86,7 +86,7 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
   Study study{grid, options};
   std::vector<Section> chosen;
   std::copy_if(std::begin(kSections), std::end(kSections), std::back_inserter(chosen),
-               [&](const Section& section) { return wanted(options, section.id); });
+               [&](const Section& section) { return is_chosen(options, section.id); });
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     PageSection section = chosen[i].make(
         study, nth_of(execution, static_cast<int>(i), static_cast<int>(chosen.size())));

@@ -17,9 +17,9 @@ namespace {
 using record::FigureRow;
 using record::FigureTable;
 
-constexpr std::size_t kColumns = 100;  // of a terminal's line
-constexpr std::size_t kIndent = 2;     // of what stands below a heading
-constexpr std::size_t kHanging = 4;    // of its further lines
+constexpr std::size_t kColumns = 100;  // of a line on the terminal
+constexpr std::size_t kIndent = 2;     // of text below a heading
+constexpr std::size_t kHanging = 4;    // of its continuation lines
 
 std::string text_of(const FigureTable& table, const FigureRow& row, std::size_t i) {
   const double value = row.figures[i];

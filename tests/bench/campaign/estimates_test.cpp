@@ -25,7 +25,7 @@ EstimateOptions small_campaign(Mode mode,
   return options;
 }
 
-EstimateResult play(const EstimateOptions& options, std::size_t threads = 2) {
+EstimateResult compute(const EstimateOptions& options, std::size_t threads = 2) {
   Execution execution;
   execution.threads = threads;
   return estimate(ieee24(), options, execution);
@@ -43,7 +43,7 @@ double within(const EstimateResult& result, double part) {
 
 // ±0.01 Hz: σ of LSE is K_LSE·σ/(T·√(n(n² − 1)/12)) = 1011.9·0.005774/(0.016·9.083).
 TEST(EstimateCampaign, TheLseHasTheStandardDeviationOfItsFormula) {
-  const EstimateResult result = play(small_campaign(Mode::kFirmware));
+  const EstimateResult result = compute(small_campaign(Mode::kFirmware));
   EXPECT_NEAR(result.lse_mw.standard_deviation(), 40.2, 0.6);
   EXPECT_NEAR(result.lse_mw.mean(), 479.4, 1.0);
 }
@@ -51,7 +51,7 @@ TEST(EstimateCampaign, TheLseHasTheStandardDeviationOfItsFormula) {
 TEST(EstimateCampaign, UniformNoiseGivesAtLeastTheAccuracyOfTable4) {
   for (const Mode mode : {Mode::kPaper, Mode::kFirmware}) {
     SCOPED_TRACE(mode == Mode::kPaper ? "paper" : "firmware");
-    const EstimateResult result = play(small_campaign(mode));
+    const EstimateResult result = compute(small_campaign(mode));
     EXPECT_GE(within(result, 0.04), 0.999);
     EXPECT_EQ(within(result, 0.10), 1.0);
     EXPECT_NEAR(result.ekf_mw.mean(), 500.0, 0.5);
@@ -62,7 +62,7 @@ TEST(EstimateCampaign, GaussianNoiseGivesAtLeastTheAccuracyOfTable4) {
   for (const LossInstant instant : {LossInstant::kOnReport, LossInstant::kBetweenReports}) {
     EstimateOptions options = small_campaign(Mode::kFirmware, NoiseDistribution::kGaussian);
     options.instant = instant;
-    EXPECT_GE(within(play(options), 0.04), 0.99);
+    EXPECT_GE(within(compute(options), 0.04), 0.99);
   }
 }
 
@@ -72,7 +72,7 @@ TEST(EstimateCampaign, TheStandardDeviationIsNearTheBoundForAllSamples) {
   for (const NoiseDistribution distribution :
        {NoiseDistribution::kUniform, NoiseDistribution::kGaussian}) {
     SCOPED_TRACE(distribution == NoiseDistribution::kUniform ? "uniform" : "Gaussian");
-    const EstimateResult result = play(small_campaign(Mode::kFirmware, distribution));
+    const EstimateResult result = compute(small_campaign(Mode::kFirmware, distribution));
     EXPECT_LE(result.ekf_mw.standard_deviation(), 1.1 * result.bound_mw);
     EXPECT_GE(result.ekf_mw.standard_deviation(), 0.95 * result.bound_mw);
   }
@@ -81,7 +81,7 @@ TEST(EstimateCampaign, TheStandardDeviationIsNearTheBoundForAllSamples) {
 TEST(EstimateCampaign, WrongParametersGiveAtLeastTheAccuracyOfTable5) {
   EstimateOptions options = small_campaign(Mode::kFirmware);
   options.parameter_error = 0.05;
-  EXPECT_GE(within(play(options), 0.04), 0.77);
+  EXPECT_GE(within(compute(options), 0.04), 0.77);
 }
 
 // Reference values from an independent program: 3.585 MW for samples 1 … 50, 5.006 for 1 … 40.
@@ -92,9 +92,9 @@ TEST(EstimateCampaign, TheBoundEqualsAnIndependentCalculation) {
 }
 
 TEST(EstimateCampaign, IsTheSameOnAnyNumberOfThreads) {
-  const EstimateResult one = play(small_campaign(Mode::kFirmware), 1);
+  const EstimateResult one = compute(small_campaign(Mode::kFirmware), 1);
   for (const std::size_t threads : {2U, 3U}) {
-    const EstimateResult other = play(small_campaign(Mode::kFirmware), threads);
+    const EstimateResult other = compute(small_campaign(Mode::kFirmware), threads);
     EXPECT_EQ(other.ekf_mw.mean(), one.ekf_mw.mean());
     EXPECT_EQ(other.ekf_mw.standard_deviation(), one.ekf_mw.standard_deviation());
     for (std::size_t bin = 0; bin < one.ekf_mw.bins(); ++bin) {
@@ -119,7 +119,7 @@ class OneOfThree final : public Reduction {
 
 TEST(EstimateCampaign, ProcessesAddUpToTheSameBitsAndASinkGetsAllTrajectories) {
   const EstimateOptions options = small_campaign(Mode::kFirmware);
-  const EstimateResult whole = play(options);
+  const EstimateResult whole = compute(options);
   Histogram sum(whole.ekf_mw.low(), 1000.0, whole.ekf_mw.bins());
   for (std::uint64_t number = 0; number < 3; ++number) {
     const OneOfThree process(number);
@@ -187,14 +187,14 @@ TEST(EstimateCampaign, RejectsOptionsOutOfRange) {
   for (const double bad : {0.0, -1.0, std::nan("")}) {
     EstimateOptions options;
     options.loss_mw = bad;
-    EXPECT_THROW(play(options), std::invalid_argument);
+    EXPECT_THROW(compute(options), std::invalid_argument);
   }
   EstimateOptions options;
   options.trajectories = 0;
-  EXPECT_THROW(play(options), std::invalid_argument);
+  EXPECT_THROW(compute(options), std::invalid_argument);
   options = {};
   options.noise_hz = -0.1;
-  EXPECT_THROW(play(options), std::invalid_argument);
+  EXPECT_THROW(compute(options), std::invalid_argument);
 }
 
 }  // namespace

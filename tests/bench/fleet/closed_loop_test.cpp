@@ -10,7 +10,7 @@ namespace {
 
 using campaign::Execution;
 
-ClosedLoopResult play_loop(double loss_mw, double threshold_mw, std::size_t threads = 2) {
+ClosedLoopResult simulate_loop(double loss_mw, double threshold_mw, std::size_t threads = 2) {
   FleetOptions few;
   few.groups = 100;
   few.per_group = 1;
@@ -22,7 +22,7 @@ ClosedLoopResult play_loop(double loss_mw, double threshold_mw, std::size_t thre
   options.duration_s = 2.0;
   Execution execution;
   execution.threads = threads;
-  return play_closed_loop(test::ieee24(), make_fleet(few), options, execution).value();
+  return simulate_closed_loop(test::ieee24(), make_fleet(few), options, execution).value();
 }
 
 // The fleet has a hundred blocks of up to 18 MW, so that the power shed is right within half a
@@ -30,7 +30,7 @@ ClosedLoopResult play_loop(double loss_mw, double threshold_mw, std::size_t thre
 constexpr double kHalfBlock_mw = 9.0;
 
 TEST(ClosedLoop, EveryOutletDetectsTheLossAndTheFleetShedsTheRequiredPower) {
-  const ClosedLoopResult result = play_loop(500.0, 0.0);
+  const ClosedLoopResult result = simulate_loop(500.0, 0.0);
   EXPECT_EQ(result.events, 100U);
   EXPECT_EQ(result.false_events, 0U);
   EXPECT_GT(result.latest_event_s, 0.10);
@@ -43,19 +43,19 @@ TEST(ClosedLoop, EveryOutletDetectsTheLossAndTheFleetShedsTheRequiredPower) {
 }
 
 TEST(ClosedLoop, ALowerThresholdIncreasesThePowerShed) {
-  EXPECT_NEAR(play_loop(500.0, 200.0).scenario.shed.power_mw, 300.0, kHalfBlock_mw);
+  EXPECT_NEAR(simulate_loop(500.0, 200.0).scenario.shed.power_mw, 300.0, kHalfBlock_mw);
 }
 
 TEST(ClosedLoop, NoOutletShedsForALossBelowTheThreshold) {
-  const ClosedLoopResult result = play_loop(300.0, 0.0);
+  const ClosedLoopResult result = simulate_loop(300.0, 0.0);
   EXPECT_EQ(result.events, 100U);
   EXPECT_NEAR(result.loss_mw.mean(), 300.0, 5.0);
   EXPECT_EQ(result.scenario.shed.outlets, 0U);
 }
 
 TEST(ClosedLoop, IsTheSameOnAnyNumberOfThreads) {
-  const ClosedLoopResult one = play_loop(500.0, 0.0, 1);
-  const ClosedLoopResult three = play_loop(500.0, 0.0, 3);
+  const ClosedLoopResult one = simulate_loop(500.0, 0.0, 1);
+  const ClosedLoopResult three = simulate_loop(500.0, 0.0, 3);
   EXPECT_EQ(three.scenario.shed.outlets, one.scenario.shed.outlets);
   EXPECT_EQ(three.scenario.nadir_hz, one.scenario.nadir_hz);
   EXPECT_EQ(three.loss_mw.mean(), one.loss_mw.mean());

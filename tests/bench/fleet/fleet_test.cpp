@@ -67,8 +67,8 @@ TEST(Fleet, RejectsOptionsOutOfRange) {
   EXPECT_THROW(make_fleet(options), std::invalid_argument);
 }
 
-ScenarioResult play_control(Control control, double loss_mw = 500.0, double threshold_mw = 0.0,
-                            std::size_t threads = 2) {
+ScenarioResult simulate_control(Control control, double loss_mw = 500.0, double threshold_mw = 0.0,
+                                std::size_t threads = 2) {
   static const Fleet fleet = small_fleet();
   ScenarioOptions options;
   options.control = control;
@@ -76,11 +76,11 @@ ScenarioResult play_control(Control control, double loss_mw = 500.0, double thre
   options.threshold_mw = threshold_mw;
   campaign::Execution execution;
   execution.threads = threads;
-  return play(ieee24(), fleet, options, execution).value();
+  return simulate(ieee24(), fleet, options, execution).value();
 }
 
 TEST(Scenario, WithoutControlTheFrequencyFollowsTheModel) {
-  const ScenarioResult result = play_control(Control::kNone);
+  const ScenarioResult result = simulate_control(Control::kNone);
   EXPECT_NEAR(result.nadir_hz, 49.290, 0.001);
   EXPECT_NEAR(result.nadir_s, 3.761, 0.003);
   EXPECT_EQ(result.shed.power_mw, 0.0);
@@ -88,7 +88,7 @@ TEST(Scenario, WithoutControlTheFrequencyFollowsTheModel) {
 }
 
 TEST(Scenario, OutletsShedTheRequiredPowerWithinASecond) {
-  const ScenarioResult result = play_control(Control::kGridSense);
+  const ScenarioResult result = simulate_control(Control::kGridSense);
   EXPECT_NEAR(result.shed.power_mw, result.required_mw, 0.01 * result.required_mw);
   EXPECT_GT(result.first_action_s, 0.85);
   EXPECT_LT(result.last_action_s, 0.96);
@@ -97,41 +97,41 @@ TEST(Scenario, OutletsShedTheRequiredPowerWithinASecond) {
 }
 
 TEST(Scenario, NoOutletShedsForALossBelowTheThreshold) {
-  EXPECT_LT(play_control(Control::kGridSense, 320.0).shed.power_mw, 0.1);
+  EXPECT_LT(simulate_control(Control::kGridSense, 320.0).shed.power_mw, 0.1);
 }
 
 TEST(Scenario, ADelayAwareThresholdKeepsTheNadirAboveTheLimit) {
   const grid::SfrModel model(ieee24());
   const double threshold_mw = control_centre::threshold_for_delay_mw(model, 49.5, 500.0, 0.908);
   EXPECT_LT(threshold_mw, control_centre::threshold_mw(model, 49.5));
-  EXPECT_NEAR(play_control(Control::kGridSense, 500.0, threshold_mw).nadir_hz, 49.501, 0.001);
+  EXPECT_NEAR(simulate_control(Control::kGridSense, 500.0, threshold_mw).nadir_hz, 49.501, 0.001);
 }
 
 TEST(Scenario, SwitchingOffFrequenciesAloneShedLaterAndFarTooMuch) {
-  const ScenarioResult result = play_control(Control::kSwitchOff);
+  const ScenarioResult result = simulate_control(Control::kSwitchOff);
   EXPECT_GT(result.first_action_s, 1.2);
   EXPECT_NEAR(result.shed.power_mw, 892.0, 5.0);  // 148 MW required, 906 MW in the fleet
 }
 
 TEST(Scenario, ACentralControllerShedsTheRequiredPowerTooLate) {
-  const ScenarioResult result = play_control(Control::kCentral);
+  const ScenarioResult result = simulate_control(Control::kCentral);
   EXPECT_NEAR(result.shed.power_mw, result.required_mw, 1e-6);
   EXPECT_DOUBLE_EQ(result.first_action_s, 1.9);
-  EXPECT_LT(result.nadir_hz, play_control(Control::kGridSense).nadir_hz);
+  EXPECT_LT(result.nadir_hz, simulate_control(Control::kGridSense).nadir_hz);
 }
 
 TEST(Scenario, RelaysActOnlyBelowTheirFrequency) {
-  EXPECT_EQ(play_control(Control::kUfls).shed.power_mw, 0.0);
-  const ScenarioResult result = play_control(Control::kUfls, 900.0);
+  EXPECT_EQ(simulate_control(Control::kUfls).shed.power_mw, 0.0);
+  const ScenarioResult result = simulate_control(Control::kUfls, 900.0);
   EXPECT_NEAR(result.shed.power_mw, 0.05 * ieee24().load_mw, 1e-6);  // one stage
   EXPECT_LT(result.nadir_hz, 49.0);
   EXPECT_GT(result.nadir_hz, 48.8);  // the frequency of the next stage
 }
 
 TEST(Scenario, IsTheSameOnAnyNumberOfThreads) {
-  const ScenarioResult one = play_control(Control::kGridSense, 500.0, 0.0, 1);
+  const ScenarioResult one = simulate_control(Control::kGridSense, 500.0, 0.0, 1);
   for (const std::size_t threads : {2U, 3U}) {
-    const ScenarioResult other = play_control(Control::kGridSense, 500.0, 0.0, threads);
+    const ScenarioResult other = simulate_control(Control::kGridSense, 500.0, 0.0, threads);
     EXPECT_EQ(other.shed.power_mw, one.shed.power_mw);
     EXPECT_EQ(other.nadir_hz, one.nadir_hz);
     EXPECT_EQ(other.shed.off_in_group, one.shed.off_in_group);
@@ -139,8 +139,8 @@ TEST(Scenario, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(Scenario, RejectsALossOutOfRange) {
-  EXPECT_THROW(play_control(Control::kNone, 0.0), std::invalid_argument);
-  EXPECT_THROW(play_control(Control::kNone, 1e5), std::invalid_argument);
+  EXPECT_THROW(simulate_control(Control::kNone, 0.0), std::invalid_argument);
+  EXPECT_THROW(simulate_control(Control::kNone, 1e5), std::invalid_argument);
 }
 
 }  // namespace

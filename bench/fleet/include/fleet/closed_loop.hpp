@@ -30,8 +30,8 @@ constexpr std::size_t kMostInClosedLoop = 100000;
 
 // Blocks until the end. Returns nothing if `execution` was stopped before. Throws
 // std::invalid_argument for options out of range, or settings that the firmware rejects.
-std::optional<ClosedLoopResult> play_closed_loop(const grid::Grid& grid, const Fleet& fleet,
-                                                 const ClosedLoopOptions& options,
-                                                 const campaign::Execution& execution);
+std::optional<ClosedLoopResult> simulate_closed_loop(const grid::Grid& grid, const Fleet& fleet,
+                                                     const ClosedLoopOptions& options,
+                                                     const campaign::Execution& execution);
 
 }  // namespace gsbench::fleet

@@ -56,8 +56,8 @@ struct ScenarioResult {
 
 // Blocks until the end. Returns nothing if `execution` was stopped before. Throws
 // std::invalid_argument for options out of range.
-std::optional<ScenarioResult> play(const grid::Grid& grid, const Fleet& fleet,
-                                   const ScenarioOptions& options,
-                                   const campaign::Execution& execution);
+std::optional<ScenarioResult> simulate(const grid::Grid& grid, const Fleet& fleet,
+                                       const ScenarioOptions& options,
+                                       const campaign::Execution& execution);
 
 }  // namespace gsbench::fleet

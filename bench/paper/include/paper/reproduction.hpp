@@ -47,7 +47,7 @@ struct Options {
   // P^A of the firmware's fleets; the paper's method uses eq. (11).
   control_centre::Accumulation accumulation = control_centre::Accumulation::kHalfGroup;
   // Runs the 500 MW experiment for Fig. 19, from the voltage on. Empty: not run.
-  std::function<record::RunRecord(const campaign::Execution&)> play_experiment;
+  std::function<record::RunRecord(const campaign::Execution&)> run_experiment;
 };
 
 // Computes the chosen sections; blocks until they are done or `execution` is stopped. A stopped

@@ -22,7 +22,7 @@ struct FigureColumn {
 struct FigureRow {
   std::string name;
   std::vector<double> figures;       // one for each column; kNoFigure: an empty cell
-  std::optional<int> decimals = {};  // in place of the columns', where a row has its own unit
+  std::optional<int> decimals = {};  // override the columns', for a row with its own unit
 };
 
 struct FigureTable {
