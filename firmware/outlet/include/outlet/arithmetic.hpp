@@ -16,7 +16,7 @@ inline float root(float x) {
   return __builtin_sqrtf(x);
 }
 
-// a where the condition holds, else b.
+// a if the condition is true, else b.
 inline float select(bool condition, float a, float b) {
   return condition ? a : b;
 }

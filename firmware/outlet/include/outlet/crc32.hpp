@@ -1,5 +1,5 @@
 // CRC-32 of IEEE 802.3: reflected, polynomial 0x04C11DB7; check value for "123456789": 0xCBF43926.
-// Computed bit by bit: a table would cost memory that an outlet does not have to spare.
+// Computed bit by bit, without a table, to save memory.
 #pragma once
 
 #include <cstddef>

@@ -74,7 +74,7 @@ enum class SettingsError : std::uint8_t {
   kAccumulated = 4,
   kSwitchOff = 5,   // below 80 % of nominal, or not below nominal
   kConditions = 6,  // no row, too many, not descending, or a limit above zero
-  kCounts = 7,      // a number of samples out of range
+  kCounts = 7,      // number of samples out of range
   kEvent = 8,       // drop or departure not within 0 … 1 Hz
 
   kEstimator = 9,

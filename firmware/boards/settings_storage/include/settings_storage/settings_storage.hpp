@@ -26,7 +26,7 @@ class Flash {
 };
 
 constexpr int kSlots = 2;
-constexpr std::size_t kSlotBytes = 1024;  // at most used of each slot
+constexpr std::size_t kSlotBytes = 1024;  // bytes used of each slot, at most
 
 class FlashSettingsStorage final : public app::SettingsStorage {
  public:
