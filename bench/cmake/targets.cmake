@@ -87,7 +87,8 @@ function(gs_test name)
   gtest_discover_tests(
     ${name}
     DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABEL}")
+    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABEL}"
+               ENVIRONMENT XDG_DATA_HOME=${PROJECT_BINARY_DIR}/user_data)
 endfunction()
 
 # gs_performance_test(NAME SOURCES a.cpp … DEPENDS targets): a program that measures speed and fails
