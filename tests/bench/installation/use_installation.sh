@@ -13,7 +13,8 @@ expect() { grep --quiet --extended-regexp -- "$2" <<<"$1" || fail "no \"$2\" in:
 
 rm -rf "$prefix"
 cmake --install "$build" --prefix "$prefix/usr" --strip >/dev/null
-found=$(grep --recursive --files-with-matches --fixed-strings --regexp "$source" --regexp "$build" "$prefix" || true)
+found=$(printf '%s\n' "$build" "$source"/{bench,drivers,firmware,profiles,reports} |
+  grep --recursive --files-with-matches --fixed-strings --file=- "$prefix" || true)
 [ -z "$found" ] || fail "paths of the build in $found"
 
 mv "$prefix/usr" "$prefix/opt"  # an installation may be moved
