@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """clang_tidy.py BUILD_FOLDER < list of source files: clang-tidy over those in the compile database.
 
-Files that are compiled together (a unity build) are checked together. What passed is not looked at
-again until one of the files, one of our headers they include, the compile command or a .clang-tidy
-changes: a stamp named by the digest of all these stands in BUILD_FOLDER/clang-tidy.
+Files that are compiled together (a unity build) are checked together. A unit that passed is checked
+again only if one of its files, a header of this tree that they include, the compile command or a
+.clang-tidy has changed: a stamp named by the digest of all these is in BUILD_FOLDER/clang-tidy.
 """
 
 import concurrent.futures
@@ -19,7 +19,7 @@ import sys
 
 
 def our_includes(build, root):
-    """Object file -> files under root it was made from, by ninja's record of the last build."""
+    """Object file -> files under root that it was built from, by ninja's record of the last build."""
     listing = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True)
     made_from, current = {}, None
     for line in listing.stdout.splitlines():
@@ -38,7 +38,7 @@ def object_file(entry):
 
 
 def sources_of(unit):
-    """The files that a translation unit compiles: itself or, of a unity build, those it includes."""
+    """The files that a translation unit compiles: those that a unity file includes, otherwise itself."""
     if "/Unity/unity_" not in str(unit):
         return [unit]
     return [pathlib.Path(path) for path in re.findall(r'^#include "(.*)"$', unit.read_text(), re.MULTILINE)]
@@ -58,7 +58,7 @@ def digest(entry, files):
 
 
 def without_precompiled(entry):
-    """clang cannot read g++'s precompiled headers, and a file is to include what it needs itself."""
+    """clang cannot read g++'s precompiled headers."""
     words = shlex.split(entry["command"])
     for place in [i for i, word in enumerate(words) if word == "-include"][::-1]:
         if words[place + 1].endswith("cmake_pch.hxx"):
@@ -81,7 +81,7 @@ def main():
     entries = json.loads((build / "compile_commands.json").read_text())
     (stamps / "compile_commands.json").write_text(json.dumps([without_precompiled(entry) for entry in entries]))
 
-    todo = {}  # one entry a unit: a file built twice is still one file
+    todo = {}  # one entry for each unit, also if it is built twice
     for entry in entries:
         unit = pathlib.Path(entry["file"])
         sources = sources_of(unit)
