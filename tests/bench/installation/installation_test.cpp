@@ -63,7 +63,8 @@ TEST(UserData, IsEmptyWithoutAHome) {
 }
 
 TEST(Version, IsTheReleaseAndTheGitRevision) {
-  EXPECT_THAT(version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+( \\([0-9a-f]+(-dirty)?\\))?"));
+  EXPECT_THAT(version(),
+              testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+( \\([0-9a-f]+(-dirty)?\\))?"));
 }
 
 }  // namespace
