@@ -48,10 +48,10 @@ TEST(UserData, IsBelowXdgDataHome) {
 
 TEST(UserData, IsBelowHomeByDefault) {
   Environment environment;
-  environment.set("HOME", "/home/anna");
+  environment.set("HOME", "/data/bea");
   for (const char* ignored : {static_cast<const char*>(nullptr), "", "relative/path"}) {
     environment.set("XDG_DATA_HOME", ignored);
-    EXPECT_EQ(user_data("profiles"), "/home/anna/.local/share/gsbench/profiles");
+    EXPECT_EQ(user_data("profiles"), "/data/bea/.local/share/gsbench/profiles");
   }
 }
 
