@@ -66,7 +66,7 @@ void Capture::add(Track& track, const gs::wire::Uplink& message) {
                        to_string(message.relay.cause)});
       break;
     case UplinkKind::kAborted:
-      marks.push_back({tick, "aborted", 0.0, "the voltage went"});
+      marks.push_back({tick, "aborted", 0.0, "voltage lost"});
       break;
   }
 }
@@ -96,7 +96,7 @@ VoltageTrace Capture::voltage_trace(const std::string& id) const {
   VoltageTrace voltage;
   for (const Track::Measurement& measurement : track(id).measurements) {
     voltage.sample.push_back(static_cast<std::uint64_t>(measurement.sample));
-    voltage.voltage_pu.push_back(measurement.said.voltage_pu);
+    voltage.voltage_pu.push_back(measurement.message.voltage_pu);
   }
   return voltage;
 }
@@ -109,26 +109,26 @@ void Capture::move_into(record::OutletRecord& record, const OutletClock& clock,
     return clock.tick_of(static_cast<std::uint64_t>(sample));
   };
   const auto in_run = [&](std::int64_t tick) { return tick >= 0 && tick <= last_tick; };
-  for (const auto& [sample, said] : track.measurements) {
+  for (const auto& [sample, message] : track.measurements) {
     const std::int64_t tick = to_tick(sample);
     if (in_run(tick)) {
       record.trace.tick.push_back(tick);
-      record.trace.frequency_hz.push_back(said.frequency_hz);
-      record.trace.rocof_hz_s.push_back(said.rocof_hz_s);
-      record.trace.voltage_pu.push_back(said.voltage_pu);
-      record.trace.validity.push_back(static_cast<std::uint8_t>(said.validity));
+      record.trace.frequency_hz.push_back(message.frequency_hz);
+      record.trace.rocof_hz_s.push_back(message.rocof_hz_s);
+      record.trace.voltage_pu.push_back(message.voltage_pu);
+      record.trace.validity.push_back(static_cast<std::uint8_t>(message.validity));
     }
   }
-  for (const auto& [sample, event_sample, said] : track.estimates) {
+  for (const auto& [sample, event_sample, message] : track.estimates) {
     const std::int64_t tick = to_tick(sample);
     if (in_run(tick)) {
       const double event_s = static_cast<double>(to_tick(event_sample)) / sample_rate_hz_;
       record.estimates.tick.push_back(tick);
-      record.estimates.loss_mw.push_back(said.loss_mw);
-      record.estimates.loss_sigma_mw.push_back(said.loss_sigma_mw);
+      record.estimates.loss_mw.push_back(message.loss_mw);
+      record.estimates.loss_sigma_mw.push_back(message.loss_sigma_mw);
       record.estimates.t_x_s.push_back(
-          static_cast<float>(event_s + static_cast<double>(said.loss_instant_s)));
-      record.estimates.trusted.push_back(said.trust == Trust::kTrusted ? 1 : 0);
+          static_cast<float>(event_s + static_cast<double>(message.loss_instant_s)));
+      record.estimates.trusted.push_back(message.trust == Trust::kTrusted ? 1 : 0);
     }
   }
   std::vector<record::Mark>& marks = track.marks;
@@ -136,7 +136,7 @@ void Capture::move_into(record::OutletRecord& record, const OutletClock& clock,
     mark.tick = to_tick(mark.tick);
   }
   marks.insert(marks.end(), track.bench_marks.begin(), track.bench_marks.end());
-  // Stable: what one instant brought keeps the order in which it was said, the outlet's word first.
+  // Stable: marks of one tick keep their order, the outlet's reports before those of the bench.
   std::stable_sort(marks.begin(), marks.end(),
                    [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
   std::copy_if(marks.begin(), marks.end(), std::back_inserter(record.marks),

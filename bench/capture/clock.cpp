@@ -8,15 +8,15 @@
 namespace gsbench::capture {
 namespace {
 
-// Of a crystal without temperature compensation, over its range.
+// Tolerance of a crystal without temperature compensation, over its temperature range.
 constexpr double kCrystal_ppm = 100.0;
-// Residuals of readings that carry no noise would promise more than the arithmetic holds.
+// Lower limit of the residuals: readings without noise still have rounding errors.
 constexpr double kLeastSigma = 1e-4;
 constexpr int kIterations = 8;
 constexpr std::size_t kFewestReadings = 6;
 
-// The mean square of what was played, as the outlet forms it, over twice the nominal one's: 1 for
-// calm mains.
+// Squared RMS of the played voltage over the window that the outlet uses, in p.u. of nominal: 1 for
+// steady mains.
 class PlayedSquare {
  public:
   PlayedSquare(const MarkedStretch& stretch, double window_ticks)
@@ -32,7 +32,7 @@ class PlayedSquare {
   double slope_at(double tick) const {
     return 2.0 / window_ticks_ * (square_at(tick) - square_at(tick - window_ticks_));
   }
-  // Does its window end or begin in different voltages than it did a moment before?
+  // True if the window contains exactly one edge of a dip: the RMS value is changing.
   bool in_flank(double tick) const {
     return std::any_of(stretch_.dips.begin(), stretch_.dips.end(), [&](const Dip& dip) {
       const auto holds = [&](std::int64_t edge) {
@@ -69,15 +69,15 @@ struct Line {
   }
 };
 
-Line through(const std::vector<MarkerSeen>& seen, bool with_slope) {
+Line through(const std::vector<FoundMarker>& seen, bool with_slope) {
   Line line;
-  for (const MarkerSeen& marker : seen) {
+  for (const FoundMarker& marker : seen) {
     line.centre_sample += marker.sample / static_cast<double>(seen.size());
     line.tick_at_centre += marker.tick / static_cast<double>(seen.size());
   }
   double product = 0.0;
   double spread = 0.0;
-  for (const MarkerSeen& marker : seen) {
+  for (const FoundMarker& marker : seen) {
     const double from_centre = marker.sample - line.centre_sample;
     product += from_centre * (marker.tick - line.tick_at_centre);
     spread += from_centre * from_centre;
@@ -119,7 +119,7 @@ class Fit {
         line_(start),
         with_slope_(with_slope) {}
 
-  // False where too few readings are left to tell anything by.
+  // False if there are too few readings.
   bool solve() {
     for (int i = 0; i < kIterations; ++i) {
       const Normal n = sum_up();
@@ -145,8 +145,8 @@ class Fit {
     const double parameters = with_slope_ ? 3.0 : 2.0;  // and the gain
     const double sigma2 = std::max(kLeastSigma * kLeastSigma,
                                    n.squares / (static_cast<double>(n.readings) - parameters));
-    // Neighbours share most of their windows, and so their noise: as many as a window holds count
-    // as one.
+    // The windows of adjacent readings overlap, so their noise is correlated: all readings within
+    // one window count as one.
     const double variance = sigma2 * std::max(1.0, trace_.window_samples / spacing());
     if (with_slope_) {
       return {variance * n.slope_slope / n.determinant(),
@@ -177,7 +177,7 @@ class Fit {
   }
 
   Normal sum_up() const {
-    // The outlet's own scale.
+    // Gain error of the outlet.
     double product = 0.0;
     double square = 0.0;
     visit_flanks([&](double, double seen, double played, double) {
@@ -214,30 +214,30 @@ std::int64_t OutletClock::tick_of(std::uint64_t sample) const {
 
 std::optional<Alignment> align(const VoltageTrace& trace, const Markers& markers,
                                double sample_rate_hz) {
-  const MarkersSeen seen = find_markers(trace, markers, sample_rate_hz);
-  if (seen.markers.empty()) {
+  const FoundMarkers found = find_markers(trace, markers, sample_rate_hz);
+  if (found.markers.empty()) {
     return std::nullopt;
   }
-  Fit fit(trace, markers, through(seen.markers, seen.after), seen.after);
+  Fit fit(trace, markers, through(found.markers, found.after), found.after);
   if (!fit.solve()) {
     return std::nullopt;
   }
   const Line& line = fit.line();
   const Covariance covariance = fit.covariance();
-  // Of the run's times the first or the last are known least.
+  // The uncertainty is largest at the start or at the end of the run.
   const double samples_per_tick = 1.0 / line.ticks_per_sample;
   const double to_start = -line.tick_at_centre * samples_per_tick;
   const double to_end =
-      seen.after
+      found.after
           ? (static_cast<double>(markers.after.first_tick) - line.tick_at_centre) * samples_per_tick
           : static_cast<double>(trace.sample.back()) - line.centre_sample;
   const double at_worst = std::max(covariance.sigma_at(to_start), covariance.sigma_at(to_end));
   Alignment alignment;
   alignment.clock = OutletClock(line.centre_sample + to_start, samples_per_tick);
-  alignment.told.drift_ppm = 1e6 * (samples_per_tick - 1.0);
-  alignment.told.drift_uncertainty_ppm = 2e6 * std::sqrt(covariance.slope);
-  // A stamp comes out as a whole tick: the true instant lies up to half of one beside it.
-  alignment.told.uncertainty_ms = 1e3 / sample_rate_hz * (2.0 * at_worst + 0.5);
+  alignment.measured.drift_ppm = 1e6 * (samples_per_tick - 1.0);
+  alignment.measured.drift_uncertainty_ppm = 2e6 * std::sqrt(covariance.slope);
+  // Stamps are rounded to whole ticks: up to half a tick of error.
+  alignment.measured.uncertainty_ms = 1e3 / sample_rate_hz * (2.0 * at_worst + 0.5);
   return alignment;
 }
 

@@ -1,4 +1,4 @@
-// Markers in what an outlet says of its voltage, to within some milliseconds.
+// Finds the marker dips in an outlet's voltage trace, to within some milliseconds.
 #pragma once
 
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace gsbench::capture {
 
-// A marker's middle: by the run, and by the outlet.
-struct MarkerSeen {
+// The middle of a marker dip: in ticks of the run and in samples of the outlet.
+struct FoundMarker {
   double tick = 0.0;
   double sample = 0.0;
 };
 
-struct MarkersSeen {
-  std::vector<MarkerSeen> markers;  // empty: those before the run are not there
-  bool after = false;               // those after it are among them
+struct FoundMarkers {
+  std::vector<FoundMarker> markers;  // empty: the markers before the run were not found
+  bool after = false;                // true: includes the markers after the run
 };
 
-MarkersSeen find_markers(const VoltageTrace& trace, const Markers& markers, double sample_rate_hz);
+FoundMarkers find_markers(const VoltageTrace& trace, const Markers& markers, double sample_rate_hz);
 
 }  // namespace gsbench::capture

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kTolerance_hz = 5e-5;
 constexpr double kTolerance_hz_s = 5e-3;
-// Longest run of entries one line may replace: bounds the work of looking back over it.
+// Limit of the entries that one line may replace; bounds the work of checking them.
 constexpr std::size_t kLongestRun = 2000;
 
-// Whether straight lines from `first` to `last` are right at every entry between them.
-bool line_serves(const record::ReferenceTrace& entries, std::size_t first, std::size_t last) {
+// True if lines from `first` to `last` reproduce every entry between them within the tolerances.
+bool line_fits(const record::ReferenceTrace& entries, std::size_t first, std::size_t last) {
   const auto off_line = [&](const std::vector<double>& y, std::size_t i) {
     const double part = static_cast<double>(entries.tick[i] - entries.tick[first]) /
                         static_cast<double>(entries.tick[last] - entries.tick[first]);
@@ -44,7 +44,7 @@ record::ReferenceTrace reference_trace(const waveform::ReferenceSignal& referenc
   for (const double corner_s : reference.corners_s()) {
     const std::int64_t tick = waveform::tick_at(corner_s, sample_rate_hz);
     if (tick > 0 && tick < duration_ticks) {
-      // One on each side: there the ROCOF jumps.
+      // One on each side, since the ROCOF has a step there.
       ticks.push_back(tick - 1);
       ticks.push_back(tick);
     }
@@ -66,18 +66,18 @@ record::ReferenceTrace reference_trace(const waveform::ReferenceSignal& referenc
   keep(0);
   std::size_t first = 0;
   while (first + 1 < ticks.size()) {
-    // Doubling, then halving: the longest run found costs few looks at each entry.
+    // Exponential, then binary search for the longest line: few checks of each entry.
     std::size_t good = first + 1;
     std::size_t reach = 2;
     while (first + reach < ticks.size() && reach <= kLongestRun &&
-           line_serves(entries, first, first + reach)) {
+           line_fits(entries, first, first + reach)) {
       good = first + reach;
       reach *= 2;
     }
     std::size_t bad = std::min(first + reach, ticks.size());
     while (good + 1 < bad) {
       const std::size_t middle = good + (bad - good) / 2;
-      (line_serves(entries, first, middle) ? good : bad) = middle;
+      (line_fits(entries, first, middle) ? good : bad) = middle;
     }
     keep(good);
     first = good;

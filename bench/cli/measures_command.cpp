@@ -11,10 +11,10 @@ namespace gsbench::cli {
 namespace {
 
 std::string unit_or_words(const measures::Measure& measure) {
-  if (!measure.is_word()) {
+  if (!measure.is_text()) {
     return measure.unit.empty() ? "number" : measure.unit;
   }
-  return fmt::format("{}", fmt::join(measure.words, "|"));
+  return fmt::format("{}", fmt::join(measure.text_values, "|"));
 }
 
 int measures(const bool& json) {
@@ -23,7 +23,7 @@ int measures(const bool& json) {
     for (const measures::Measure& measure : measures::catalogue()) {
       out.push_back({{"name", measure.name},
                      {"unit", measure.unit},
-                     {"words", measure.words},
+                     {"words", measure.text_values},
                      {"definition", measure.definition},
                      {"needs", measure.needs}});
     }

@@ -40,7 +40,7 @@ std::string verdicts_of(const std::map<record::Verdict, std::size_t>& verdicts) 
 
 std::string words_of(const Row& row) {
   std::string text;
-  for (const auto& [word, count] : row.values.words()) {
+  for (const auto& [word, count] : row.values.texts()) {
     text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", count, word);
   }
   return text;
@@ -69,7 +69,7 @@ std::string study_table(const StudyResult& study, const Shares& shares) {
   text += fmt::format("{:>11}{:>11}  {}\n", "mean", "σ", "judged");
   for (const Row& row : study.rows) {
     text += fmt::format("{:<26}{:>7}", row.measure, row.unit);
-    if (!row.values.words().empty()) {
+    if (!row.values.texts().empty()) {
       text += fmt::format("  {}  {}\n", words_of(row), verdicts_of(row.verdicts));
       continue;
     }
@@ -114,8 +114,8 @@ ordered_json study_json(const profile::Plan& plan, std::uint64_t first_seed,
   out["measures"] = ordered_json::array();
   for (const Row& row : study.rows) {
     ordered_json entry = {{"name", row.measure}, {"unit", row.unit}};
-    if (!row.values.words().empty()) {
-      entry["words"] = row.values.words();
+    if (!row.values.texts().empty()) {
+      entry["words"] = row.values.texts();
     } else {
       entry["count"] = row.values.count();
       entry["missing"] = row.values.missing();
@@ -167,7 +167,7 @@ Shares parse_shares(const std::vector<std::string>& texts) {
     if (!is_number || measure == nullptr) {
       refuse_share(text, "write MEASURE=LIMIT, such as ekf.error=4; `gsbench measures` lists them");
     }
-    if (measure->is_word()) {
+    if (measure->is_text()) {
       refuse_share(text, measure->name + " is a word, no number");
     }
     if (limit < 0.0) {

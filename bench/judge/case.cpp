@@ -6,15 +6,15 @@
 namespace gsbench::judge {
 namespace {
 
-// Edges nearer to one another than this are one change and its bounces.
+// Edges that follow each other within this time count as one change with its bounces.
 constexpr double kBounceWindow_ms = 10.0;
 
 template <class Predicate>
 const record::Mark* find_mark(const record::OutletRecord& outlet, std::int64_t from_tick,
-                              Predicate is_it) {
-  const auto found =
-      std::find_if(outlet.marks.begin(), outlet.marks.end(),
-                   [&](const record::Mark& mark) { return mark.tick >= from_tick && is_it(mark); });
+                              Predicate matches) {
+  const auto found = std::find_if(
+      outlet.marks.begin(), outlet.marks.end(),
+      [&](const record::Mark& mark) { return mark.tick >= from_tick && matches(mark); });
   return found == outlet.marks.end() ? nullptr : &*found;
 }
 
@@ -29,8 +29,8 @@ double Case::milliseconds_between(std::int64_t from_tick, std::int64_t to_tick) 
 }
 
 double Case::tracker_delay_s() const {
-  const auto said = outlet.settings.find("tracker_delay_s");
-  return said == outlet.settings.end() ? 0.0 : said->second;
+  const auto setting = outlet.settings.find("tracker_delay_s");
+  return setting == outlet.settings.end() ? 0.0 : setting->second;
 }
 
 std::optional<std::int64_t> Case::first_loss_tick() const {
@@ -54,7 +54,7 @@ double Case::lost_mw(std::int64_t tick) const {
   return sum_mw;
 }
 
-double Case::true_voltage_pu(double t_s) const {
+double Case::reference_voltage_pu(double t_s) const {
   double voltage_pu = reference.voltage_pu(t_s);
   for (const waveform::AmplitudeStep& step : plan.stimulus.signal.amplitude_steps) {
     if (t_s >= step.at_s && t_s < step.at_s + step.duration_s) {
@@ -68,7 +68,7 @@ const record::Mark* Case::first_mark(const std::string& kind, std::int64_t from_
   return find_mark(outlet, from_tick, [&](const record::Mark& mark) { return mark.kind == kind; });
 }
 
-const record::Mark* Case::first_word_open(std::int64_t from_tick) const {
+const record::Mark* Case::first_reported_opening(std::int64_t from_tick) const {
   return find_mark(outlet, from_tick, [](const record::Mark& mark) {
     return mark.kind == "relay.reported" && mark.value < 0.5;
   });

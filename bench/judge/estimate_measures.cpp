@@ -4,21 +4,22 @@ namespace gsbench::judge {
 namespace {
 
 constexpr const char* kDecisionLoss = "decision.loss";
-constexpr const char* kNoDecision = "no decision";
+constexpr const char* kNoLse = "the outlet reported no least-squares estimate (LSE)";
+constexpr const char* kNoDecision = "the outlet reported no decision";
 
-Reading marked(const Case& c, const char* kind, const char* missing) {
+Reading marked(const Case& c, const char* kind, const char* reason) {
   const record::Mark* mark = c.first_mark(kind);
-  return mark == nullptr ? not_done(missing) : number(mark->value);
+  return mark == nullptr ? not_done(reason) : number(mark->value);
 }
 
-Reading relative_error(const Case& c, const char* kind, const char* missing) {
+Reading relative_error(const Case& c, const char* kind, const char* reason) {
   const record::Mark* mark = c.first_mark(kind);
   if (mark == nullptr) {
-    return not_done(missing);
+    return not_done(reason);
   }
   const double lost_mw = c.lost_mw(mark->tick);
   if (!(lost_mw > 0.0)) {
-    return not_known("the profile says of no lost power");
+    return not_known("the profile contains no loss of power before the estimate");
   }
   return number(100.0 * (mark->value / lost_mw - 1.0));
 }
@@ -35,25 +36,25 @@ Reading t_x_error(const Case& c, std::int64_t loss_tick) {
       return number(1e3 * error_s, c.outlet.clock.uncertainty_ms);
     }
   }
-  return not_done("no estimate");
+  return not_done("the outlet reported no EKF estimate before its decision");
 }
 
 Reading decision_delay(const Case& c, std::int64_t loss_tick) {
   return stamped_after(c, loss_tick, c.first_mark("decision", loss_tick),
-                       "no decision after the loss");
+                       "the outlet reported no decision after the loss");
 }
 
 Reading decision_cause(const Case& c) {
-  const record::Mark* opened = c.first_word_open();
-  return word(opened == nullptr ? "none" : opened->text);
+  const record::Mark* opened = c.first_reported_opening();
+  return text(opened == nullptr ? "none" : opened->text);
 }
 
 }  // namespace
 
 Readings estimate_readings() {
   return {
-      {"lse.loss", [](const Case& c) { return marked(c, "lse", "no LSE"); }},
-      {"lse.error", [](const Case& c) { return relative_error(c, "lse", "no LSE"); }},
+      {"lse.loss", [](const Case& c) { return marked(c, "lse", kNoLse); }},
+      {"lse.error", [](const Case& c) { return relative_error(c, "lse", kNoLse); }},
       {"ekf.loss", [](const Case& c) { return marked(c, kDecisionLoss, kNoDecision); }},
       {"ekf.error", [](const Case& c) { return relative_error(c, kDecisionLoss, kNoDecision); }},
       {"ekf.t_x_error", after_loss<t_x_error>},

@@ -5,8 +5,8 @@
 namespace gsbench::judge {
 namespace {
 
-// An event is honest if the true frequency fell by at least half of the least drop that makes one,
-// from its highest to the end, in the half second before the report.
+// An event is justified if the reference, at the event, is below its highest value of the half
+// second before by at least half of the outlet's threshold.
 constexpr double kLookStep_s = 0.016;
 constexpr int kLookSteps = 31;
 
@@ -28,23 +28,24 @@ Reading count(const Case& c) {
 }
 
 Reading false_events(const Case& c) {
-  const auto sent = c.outlet.settings.find("event_drop_hz");
-  if (sent == c.outlet.settings.end()) {
-    return not_known("the record does not say from which drop on the outlet takes an event");
+  const auto setting = c.outlet.settings.find("event_drop_hz");
+  if (setting == c.outlet.settings.end()) {
+    return not_known("the record does not contain the outlet's setting event_drop_hz");
   }
   return number(static_cast<double>(
       std::count_if(c.outlet.marks.begin(), c.outlet.marks.end(), [&](const record::Mark& mark) {
-        return mark.kind == "event" && is_false(c, mark, sent->second);
+        return mark.kind == "event" && is_false(c, mark, setting->second);
       })));
 }
 
 Reading event_delay(const Case& c, std::int64_t loss_tick) {
-  return stamped_after(c, loss_tick, c.first_mark("event", loss_tick), "no event after the loss");
+  return stamped_after(c, loss_tick, c.first_mark("event", loss_tick),
+                       "the outlet reported no event after the loss");
 }
 
 Reading hits(const Case& c) {
   const record::Mark* mark = c.first_mark("decision.hits");
-  return mark == nullptr ? not_done("no decision") : number(mark->value);
+  return mark == nullptr ? not_done("the outlet reported no decision") : number(mark->value);
 }
 
 }  // namespace

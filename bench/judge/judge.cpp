@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kInterrupted = "interrupted before its end";
 
-// Nothing that such a run measured counts.
+// Sets the run and all outlets to ERROR, without measurements.
 void set_error(RunRecord& run, const std::string& reason) {
   run.verdict = Verdict::kError;
   run.verdict_reason = reason;

@@ -16,7 +16,7 @@ MeasurementResult result_of(const measures::Measure& measure, const Reading& rea
   result.name = measure.name;
   result.definition = measure.definition;
   result.value = reading.missing.empty() ? reading.value : kNone;
-  result.word = reading.word;
+  result.text = reading.text;
   result.unit = measure.unit;
   result.low = kNone;
   result.high = kNone;
@@ -31,7 +31,7 @@ bool concerns(const profile::Expectation& expectation, const record::OutletRecor
              expectation.groups.end();
 }
 
-// In the unit that the profile sets its limits in, so that a reader finds his own figures again.
+// The value is converted to the unit of the limits, so that readers recognise their own figures.
 MeasurementResult judged(const profile::Expectation& expectation, const measures::Measure& measure,
                          Reading reading) {
   const double scale = measures::unit_scale(measure.unit, expectation.unit).value_or(kNone);
@@ -42,8 +42,8 @@ MeasurementResult judged(const profile::Expectation& expectation, const measures
   result.unit = expectation.unit;
   result.low = expectation.min.value_or(kNone);
   result.high = expectation.max.value_or(kNone);
-  result.expected_word = expectation.equals.value_or("");
-  const Judgement judgement = measure.is_word() ? judge_word(reading, result.expected_word)
+  result.expected_text = expectation.equals.value_or("");
+  const Judgement judgement = measure.is_text() ? judge_text(reading, result.expected_text)
                                                 : judge_number(reading, result.low, result.high);
   result.verdict = judgement.verdict;
   result.reason = judgement.reason;
@@ -51,7 +51,7 @@ MeasurementResult judged(const profile::Expectation& expectation, const measures
 }
 
 Reading read(const std::string& measure, const Case& c) {
-  return c.outlet.link.empty() && !is_seen(measure)
+  return c.outlet.link.empty() && !is_sensed(measure)
              ? not_known("the outlet has no link: it reports nothing")
              : reading_of(measure)(c);
 }
@@ -69,9 +69,9 @@ std::vector<MeasurementResult> measure(const Case& c) {
     if (const measures::Measure* measure = measures::find(expectation.measure)) {
       results.push_back(judged(expectation, *measure, read(measure->name, c)));
     } else {
-      // A limit that cannot be checked is not dropped: the outlet could pass without it.
+      // A limit that cannot be checked is kept: without it the outlet could pass.
       results.push_back(judged(expectation, {expectation.measure, expectation.unit, "", ""},
-                               not_known("there is no such measure")));
+                               not_known("unknown measure")));
     }
   }
   for (const measures::Measure& measure : measures::catalogue()) {
@@ -93,10 +93,10 @@ void judge_outlet(const profile::Plan& plan, const waveform::ReferenceSignal& re
   bool any_judged = false;
   for (const MeasurementResult& result : outlet.measurements) {
     any_judged = any_judged || result.judged;
-    outlet.verdict = std::max(outlet.verdict, result.verdict);  // PASS where it is not judged
+    outlet.verdict = std::max(outlet.verdict, result.verdict);  // PASS if it is not judged
   }
   if (!any_judged) {
-    // Nothing was expected of it, so nothing was shown.
+    // Without limits, nothing was verified.
     outlet.verdict = std::max(outlet.verdict, Verdict::kInconclusive);
   }
 }

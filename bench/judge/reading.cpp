@@ -21,14 +21,14 @@ Read reading_of(const std::string& measure) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& row) { return row.first == measure; });
   if (found == all.end()) {
-    throw std::logic_error("nothing reads the measure " + measure);
+    throw std::logic_error("no function reads the measure " + measure);
   }
   return found->second;
 }
 
-bool is_seen(const std::string& measure) {
-  static const Readings seen = contact_readings();
-  return std::any_of(seen.begin(), seen.end(),
+bool is_sensed(const std::string& measure) {
+  static const Readings sensed = contact_readings();
+  return std::any_of(sensed.begin(), sensed.end(),
                      [&](const auto& row) { return row.first == measure; });
 }
 
@@ -43,16 +43,16 @@ Reading stamped_after(const Case& c, std::int64_t loss_tick, const record::Mark*
              : number(c.milliseconds_between(loss_tick, mark->tick), c.outlet.clock.uncertainty_ms);
 }
 
-Reading word(std::string text) {
-  return {kNone, std::move(text)};
+Reading text(std::string value) {
+  return {kNone, std::move(value)};
 }
 
-Reading not_done(std::string why) {
-  return {kNone, "", 0.0, std::move(why)};
+Reading not_done(std::string reason) {
+  return {kNone, "", 0.0, std::move(reason)};
 }
 
-Reading not_known(std::string why) {
-  return {kNone, "", 0.0, std::move(why), false};
+Reading not_known(std::string reason) {
+  return {kNone, "", 0.0, std::move(reason), false};
 }
 
 }  // namespace gsbench::judge

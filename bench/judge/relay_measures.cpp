@@ -24,42 +24,42 @@ Reading relay_delay(const Case& c, std::int64_t loss_tick) {
 }
 
 Reading delay_reported(const Case& c, std::int64_t loss_tick) {
-  return stamped_after(c, loss_tick, c.first_word_open(loss_tick),
-                       "the outlet did not say that it opened after the loss");
+  return stamped_after(c, loss_tick, c.first_reported_opening(loss_tick),
+                       "the outlet did not report an opening after the loss");
 }
 
-// From what the outlet stamps to what the bench sees.
-Reading between(const Case& c, const record::Mark& said, std::int64_t seen_tick) {
-  return number(c.milliseconds_between(said.tick, seen_tick),
+// Time from the opening that the outlet reports to the one that the relay sense sees.
+Reading between(const Case& c, const record::Mark& reported, std::int64_t sensed_tick) {
+  return number(c.milliseconds_between(reported.tick, sensed_tick),
                 std::hypot(c.uncertainty.relay_sense_ms, c.outlet.clock.uncertainty_ms));
 }
 
-// From the decision, which the outlet stamps, to the contact, which the bench sees.
 Reading operate_time(const Case& c) {
-  const record::Mark* said = c.first_word_open();
+  const record::Mark* reported = c.first_reported_opening();
   const auto opening = first_opening(c);
-  if (said == nullptr || !opening) {
-    return not_done("the relay was not opened");
+  if (reported == nullptr || !opening) {
+    return not_done("no opening was both sensed and reported");
   }
-  return between(c, *said, *opening);
+  return between(c, *reported, *opening);
 }
 
 Reading report_difference(const Case& c) {
   const std::int64_t from_tick = c.first_loss_tick().value_or(0);
-  const record::Mark* said = c.first_word_open(from_tick);
+  const record::Mark* reported = c.first_reported_opening(from_tick);
   const auto opening = first_opening(c, from_tick);
-  if (said == nullptr && !opening) {
-    return not_done("neither the outlet nor the relay sense reports an opening");
+  if (reported == nullptr && !opening) {
+    return not_done("no opening was sensed or reported");
   }
-  if (said == nullptr || !opening) {
-    return not_done(said == nullptr ? "the contact opened and the outlet did not say so"
-                                    : "the outlet said that it opened and the contact did not");
+  if (reported == nullptr || !opening) {
+    return not_done(reported == nullptr
+                        ? "the contact opened but the outlet did not report it"
+                        : "the outlet reported an opening but the contact did not open");
   }
-  return between(c, *said, *opening);
+  return between(c, *reported, *opening);
 }
 
 Reading end(const Case& c) {
-  return word(contact(c).closed ? "closed" : "open");
+  return text(contact(c).closed ? "closed" : "open");
 }
 
 Reading edges(const Case& c) {
@@ -67,9 +67,9 @@ Reading edges(const Case& c) {
 }
 
 Reading chatter(const Case& c) {
-  const Contact seen = contact(c);
-  int extra = seen.idle_edges;
-  for (const ContactChange& change : seen.changes) {
+  const Contact sensed = contact(c);
+  int extra = sensed.idle_edges;
+  for (const ContactChange& change : sensed.changes) {
     extra += change.edges - 1;
   }
   return number(extra);
@@ -78,7 +78,7 @@ Reading chatter(const Case& c) {
 Reading command_delay(const Case& c) {
   const record::Mark* command = c.first_mark("command");
   if (command == nullptr) {
-    return not_known("the profile sends this outlet no command");
+    return not_known("the profile sends no command to this outlet");
   }
   const bool close = command->value > 0.5;
   for (const ContactChange& change : contact(c).changes) {
@@ -96,30 +96,30 @@ Reading trip_time(const Case& c) {
                  : not_done("the contact did not open");
 }
 
-// What only the relay sense can tell.
+// A measure that requires a relay sense.
 template <Reading (*kRead)(const Case&)>
-Reading seen(const Case& c) {
-  return c.outlet.relay_sensed ? kRead(c) : not_known("no relay sense looks at its contact");
+Reading with_sense(const Case& c) {
+  return c.outlet.relay_sensed ? kRead(c) : not_known("no relay sense is connected to this outlet");
 }
 
 }  // namespace
 
 Readings contact_readings() {
   return {
-      {"relay.delay", seen<after_loss<relay_delay>>},
-      {"relay.end", seen<end>},
-      {"relay.edges", seen<edges>},
-      {"relay.chatter", seen<chatter>},
-      {"command.delay", seen<command_delay>},
-      {"trip.time", seen<trip_time>},
+      {"relay.delay", with_sense<after_loss<relay_delay>>},
+      {"relay.end", with_sense<end>},
+      {"relay.edges", with_sense<edges>},
+      {"relay.chatter", with_sense<chatter>},
+      {"command.delay", with_sense<command_delay>},
+      {"trip.time", with_sense<trip_time>},
   };
 }
 
 Readings relay_readings() {
   return {
       {"relay.delay_reported", after_loss<delay_reported>},
-      {"relay.report_difference", seen<report_difference>},
-      {"relay.operate_time", seen<operate_time>},
+      {"relay.report_difference", with_sense<report_difference>},
+      {"relay.operate_time", with_sense<operate_time>},
   };
 }
 

@@ -9,16 +9,18 @@ namespace {
 
 constexpr std::uint8_t kValid = 1;
 constexpr std::size_t kFewestReports = 10;
-constexpr const char* kValidNaN = "a measurement said to be valid is no number";
+constexpr const char* kValidNaN =
+    "a report marked valid contains a value that is not a finite number";
 
-// Reports after the outlet has had this long to settle after start-up.
+// Time for the tracker to settle after start-up; earlier reports do not count.
 constexpr double kSettle_s = 1.0;
 
-// Below this a bus is dead; a claim counts once it has been so for longer than a tracker's memory.
+// The bus is dead below this voltage. A valid report counts as a false claim once the bus has been
+// dead for longer than the tracker's window.
 constexpr double kDeadBus_pu = 0.10;
 constexpr double kDeadBusStep_s = 0.002;
 constexpr int kDeadBusSteps = 30;
-constexpr double kTrackerMemory_s = kDeadBusSteps * kDeadBusStep_s;
+constexpr double kTrackerWindow_s = kDeadBusSteps * kDeadBusStep_s;
 
 struct Sample {
   double t_s;
@@ -47,13 +49,13 @@ struct ErrorSums {
 using OfSample = double Sample::*;
 using OfReference = double (waveform::ReferenceSignal::*)(double t_s) const;
 
-// Errors of `measured` against the reference so much before, in their unit.
+// Errors of `measured` against the reference `delay_s` before each sample, in the measured unit.
 ErrorSums errors(const waveform::ReferenceSignal& reference, const std::vector<Sample>& samples,
-                 double delay_s, OfSample measured, OfReference true_value) {
+                 double delay_s, OfSample measured, OfReference expected) {
   ErrorSums sums;
   for (const Sample& sample : samples) {
     const double error =
-        sample.*measured - (reference.*true_value)(std::max(sample.t_s - delay_s, 0.0));
+        sample.*measured - (reference.*expected)(std::max(sample.t_s - delay_s, 0.0));
     sums.largest = std::max(sums.largest, std::fabs(error));
     sums.mean += error;
     sums.rms += error * error;
@@ -64,13 +66,13 @@ ErrorSums errors(const waveform::ReferenceSignal& reference, const std::vector<S
   return sums;
 }
 
-Reading error(const Case& c, OfSample measured, OfReference true_value, double ErrorSums::*sum,
+Reading error(const Case& c, OfSample measured, OfReference expected, double ErrorSums::*sum,
               double scale, double uncertainty) {
   const std::vector<Sample> samples = valid_samples(c);
   if (samples.size() < kFewestReports) {
-    return not_done("fewer than 10 valid frequency measurements");
+    return not_done("fewer than 10 valid reports");
   }
-  const ErrorSums sums = errors(c.reference, samples, c.tracker_delay_s(), measured, true_value);
+  const ErrorSums sums = errors(c.reference, samples, c.tracker_delay_s(), measured, expected);
   return std::isfinite(sums.rms) ? number(scale * sums.*sum, uncertainty) : not_done(kValidNaN);
 }
 
@@ -97,7 +99,7 @@ Reading tracker_delay(const Case& c) {
     }
   }
   if (moving.size() < kFewestReports) {
-    return not_known("the true frequency moves too little to tell a delay");
+    return not_known("fewer than 10 valid reports while the reference moves faster than 0.05 Hz/s");
   }
   const auto rms_at = [&](double delay_s) {
     return errors(c.reference, moving, delay_s, &Sample::frequency_hz,
@@ -107,7 +109,7 @@ Reading tracker_delay(const Case& c) {
   if (!std::isfinite(rms_at(0.0))) {
     return not_done(kValidNaN);
   }
-  // The RMS over the delay has one valley: golden section.
+  // The RMS error has one minimum over the delay, so a golden-section search finds it.
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
   double low = 0.0;
   double high = kLongestDelay_s;
@@ -144,9 +146,9 @@ Reading dead_bus_claims(const Case& c) {
   double claims = 0.0;
   for (std::size_t i = 0; i < trace.tick.size(); ++i) {
     const double t_s = c.seconds(trace.tick[i]);
-    bool dead = trace.validity[i] == kValid && t_s > kTrackerMemory_s;
+    bool dead = trace.validity[i] == kValid && t_s > kTrackerWindow_s;
     for (int step = 0; dead && step <= kDeadBusSteps; ++step) {
-      dead = c.true_voltage_pu(t_s - step * kDeadBusStep_s) < kDeadBus_pu;
+      dead = c.reference_voltage_pu(t_s - step * kDeadBusStep_s) < kDeadBus_pu;
     }
     claims += dead ? 1.0 : 0.0;
   }

@@ -10,7 +10,7 @@ using record::Verdict;
 namespace {
 
 Judgement missing(const Reading& reading) {
-  return {reading.outlets_fault ? Verdict::kFail : Verdict::kInconclusive, reading.missing};
+  return {reading.fails ? Verdict::kFail : Verdict::kInconclusive, reading.missing};
 }
 
 }  // namespace
@@ -20,9 +20,9 @@ Judgement judge_number(const Reading& reading, double low, double high) {
     return missing(reading);
   }
   if (!std::isfinite(reading.value) || !(reading.uncertainty >= 0.0)) {
-    return {Verdict::kInconclusive, "the measurement gave no number"};
+    return {Verdict::kInconclusive, "the value or its uncertainty is not a finite number"};
   }
-  // How far inside the nearer limit; negative when outside.
+  // Distance to the nearer limit; negative outside.
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   const double margin = std::min(std::isnan(low) ? kNoLimit : reading.value - low,
                                  std::isnan(high) ? kNoLimit : high - reading.value);
@@ -32,14 +32,14 @@ Judgement judge_number(const Reading& reading, double low, double high) {
   if (margin < -reading.uncertainty) {
     return {Verdict::kFail, "outside its limits"};
   }
-  return {Verdict::kInconclusive, "nearer to its limit than the bench's uncertainty"};
+  return {Verdict::kInconclusive, "closer to a limit than the measurement uncertainty"};
 }
 
-Judgement judge_word(const Reading& reading, const std::string& expected) {
+Judgement judge_text(const Reading& reading, const std::string& expected) {
   if (!reading.missing.empty()) {
     return missing(reading);
   }
-  if (reading.word == expected) {
+  if (reading.text == expected) {
     return {Verdict::kPass, ""};
   }
   return {Verdict::kFail, "expected " + expected};

@@ -9,7 +9,7 @@ namespace {
 struct Unit {
   const char* name;
   const char* dimension;
-  double in_base;  // how many of the dimension's base unit one of it is
+  double in_base;  // one of this unit, in the base unit of its dimension
 };
 
 constexpr std::array<Unit, 16> kUnits = {{

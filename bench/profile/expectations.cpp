@@ -53,7 +53,7 @@ void read_text_limit(const Table& table, const measures::Measure& measure,
   if (!expectation.equals) {
     table.refuse_missing("equals", fmt::format("the value that {} must have", measure.name));
   }
-  const auto& texts = measure.words;
+  const auto& texts = measure.text_values;
   if (std::count(texts.begin(), texts.end(), *expectation.equals) == 0) {
     table.refuse("equals",
                  fmt::format("equals is \"{}\"{}", *expectation.equals,
@@ -122,7 +122,7 @@ std::vector<Expectation> read_expectations(const Table& top, const std::vector<O
     expectation.measure = table.text("measure");
     const measures::Measure& measure = find_measure(table, expectation.measure);
     expectation.unit = read_unit(table, measure);
-    if (measure.is_word()) {
+    if (measure.is_text()) {
       read_text_limit(table, measure, expectation);
     } else {
       read_number_limits(table, measure, expectation);

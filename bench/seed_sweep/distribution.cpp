@@ -23,8 +23,8 @@ void Distribution::add(double value) {
 void Distribution::merge(const Distribution& other) {
   values_.insert(values_.end(), other.values_.begin(), other.values_.end());
   missing_ += other.missing_;
-  for (const auto& [word, count] : other.words_) {
-    words_[word] += count;
+  for (const auto& [text, count] : other.texts_) {
+    texts_[text] += count;
   }
 }
 

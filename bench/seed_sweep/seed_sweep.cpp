@@ -22,7 +22,7 @@ Row& row_of(std::vector<Row>& rows, const std::string& measure, const std::strin
   return rows.back();
 }
 
-// A judged result is in the unit of its limit.
+// A judged result is in the unit of its limit; the study uses the unit of the catalogue.
 double in_unit(const std::string& unit, const record::MeasurementResult& result) {
   return result.value * measures::unit_scale(result.unit, unit).value_or(1.0);
 }
@@ -36,12 +36,12 @@ void take(const record::OutletRecord& outlet, std::uint64_t seed, StudyResult& i
   for (const record::MeasurementResult& result : outlet.measurements) {
     const measures::Measure* measure = measures::find(result.name);
     Row& row = row_of(into.rows, result.name, measure != nullptr ? measure->unit : result.unit);
-    // Several limits on one measure are several results of one value.
+    // A measure with several limits has several results with the same value.
     if (taken.insert(result.name).second) {
-      if (result.word.empty()) {
+      if (result.text.empty()) {
         row.values.add(in_unit(row.unit, result));
       } else {
-        row.values.add_word(result.word);
+        row.values.add_text(result.text);
       }
     }
     if (!result.judged) {
@@ -55,7 +55,7 @@ void take(const record::OutletRecord& outlet, std::uint64_t seed, StudyResult& i
   }
 }
 
-// What one seed adds; small, whatever the length of its run.
+// Runs one seed. The result is small, whatever the duration of the run.
 StudyResult run_seed(profile::Plan plan, std::uint64_t seed, const std::atomic<bool>* stop) {
   plan.seed = seed;
   const std::unique_ptr<station::Station> station = station::simulated_station(plan, {});
@@ -98,22 +98,22 @@ std::size_t place_in_catalogue(const std::string& name) {
 
 StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
   StudyResult study;
-  // Merged in order of the seeds, so that threads leave no trace; those that ended before an
-  // earlier one wait for it.
+  // Results are merged in order of the seeds, so the number of threads does not matter. A seed that
+  // ends before an earlier one waits here.
   std::map<std::uint64_t, StudyResult> waiting;
   std::mutex mutex;
   std::uint64_t merged = 0;
   std::uint64_t finished = 0;
   std::atomic<std::uint64_t> next{0};
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
-  // Of one thread: it takes seeds until none are left.
-  const auto shift = [&](std::size_t) {
+  // Work of one thread: runs seeds until none are left.
+  const auto run_seeds = [&](std::size_t) {
     try {
       for (std::uint64_t index = next++; index < options.seeds && !stopped(); index = next++) {
         StudyResult result = run_seed(plan, options.first_seed + index, options.stop);
         const std::lock_guard<std::mutex> lock(mutex);
         if (stopped()) {
-          return;  // a seed that was stopped half way says nothing
+          return;  // an incomplete seed does not count
         }
         waiting.emplace(index, std::move(result));
         for (; waiting.count(merged) > 0; ++merged) {
@@ -126,14 +126,14 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
         }
       }
     } catch (...) {
-      next = options.seeds;  // the other threads begin no more
+      next = options.seeds;  // the other threads start no more seeds
       throw;
     }
   };
   const std::size_t threads = std::max<std::size_t>(options.threads, 1);
-  drivers::Workers(threads).run(threads, shift);
+  drivers::Workers(threads).run(threads, run_seeds);
   for (const auto& [index, result] : waiting) {
-    merge(result, study);  // behind one that was stopped
+    merge(result, study);  // seeds after one that was stopped
   }
   study.seeds_done = finished;
   study.hours = static_cast<double>(finished) * static_cast<double>(plan.outlets.size()) *
@@ -146,7 +146,7 @@ StudyResult study(const profile::Plan& plan, const StudyOptions& options) {
   }
   if (finished == 0) {
     study.verdict = record::Verdict::kInconclusive;
-    study.first_reason = "no seed was played to its end";
+    study.first_reason = "no seed was completed";
   }
   return study;
 }

@@ -11,16 +11,18 @@ void align(const Station& station, const capture::Markers& markers, capture::Cap
     if (!outlet.link.empty() && !station.outlets_count_ticks()) {
       const auto delay_s = outlet.settings.find("voltage_delay_s");
       if (delay_s == outlet.settings.end()) {
-        continue;  // it was not spoken to: what it said may mean anything
+        continue;  // it was sent no settings, so its reports cannot be interpreted
       }
       capture::VoltageTrace voltage = capture.voltage_trace(outlet.id);
       voltage.window_samples = 2.0 * delay_s->second * rate_hz;
       const auto alignment = capture::align(voltage, markers, rate_hz);
       if (alignment) {
         clock = alignment->clock;
-        outlet.clock = alignment->told;
+        outlet.clock = alignment->measured;
       } else if (!run.interrupted) {
-        note(outlet, "did not show the marks before the run in its voltage: its time is not known");
+        note(outlet,
+             "did not report the marker dips played before the run: its time stamps cannot be "
+             "aligned");
       }
     }
     capture.move_into(outlet, clock, run.duration_ticks);

@@ -18,12 +18,14 @@ void send_settings(const profile::Plan& plan, const profile::Outlet& planned,
   record.firmware = link::version_text(hello.firmware_version);
   if (hello.sample_rate_hz != plan.stimulus.sample_rate_hz ||
       hello.nominal_hz != static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz))) {
-    note(record, "samples at " + std::to_string(hello.sample_rate_hz) + " Hz for mains of " +
-                     std::to_string(hello.nominal_hz) + " Hz, which is not the profile's");
+    note(record, "samples at " + std::to_string(hello.sample_rate_hz) + " Hz for " +
+                     std::to_string(hello.nominal_hz) + " Hz mains; the profile requires " +
+                     std::to_string(plan.stimulus.sample_rate_hz) + " Hz and " +
+                     std::to_string(std::lround(plan.grid.nominal_hz)) + " Hz");
     return;
   }
   record.took_part = true;
-  // An outlet takes no settings that are older than those it has.
+  // An outlet rejects settings with an older version than its own.
   gs::wire::Downlink message;
   message.kind = gs::wire::DownlinkKind::kSettings;
   message.settings =
@@ -36,8 +38,9 @@ void send_settings(const profile::Plan& plan, const profile::Outlet& planned,
   require(link.send(outlet.id, message));
 }
 
-// Of the slots that have a link, in their order.
-std::vector<link::OutletPresence> call(const std::vector<Slot>& slots, Station& station) {
+// Waits for the outlets of all slots that have a link. Keeps the order of the slots.
+std::vector<link::OutletPresence> present_outlets(const std::vector<Slot>& slots,
+                                                  Station& station) {
   std::vector<std::string> named;
   for (const Slot& slot : slots) {
     if (slot.link_id) {
@@ -82,7 +85,7 @@ std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::ve
     throw BenchFault("the profile needs " + std::to_string(plan.outlets.size()) +
                      " outlets; the station has " + std::to_string(slots.size()));
   }
-  const std::vector<link::OutletPresence> present = call(slots, station);
+  const std::vector<link::OutletPresence> present = present_outlets(slots, station);
   auto next = present.begin();
   std::vector<record::OutletRecord> records;
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -96,7 +99,7 @@ std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::ve
     }
     const link::OutletPresence& outlet = *next++;
     if (outlet.where.empty()) {
-      record.link = slots[i].place;  // it did not answer there
+      record.link = slots[i].place;  // it did not answer at this place
     } else {
       record.id = outlet.id;
       record.link = outlet.where;

@@ -17,7 +17,7 @@ namespace gsbench::station {
 namespace {
 
 constexpr double kMost_ppm = 1000.0;
-constexpr std::size_t kMostEmulated = 64;  // processes of one station
+constexpr std::size_t kMostEmulated = 64;  // one process each
 constexpr const char* kBenchUser = "bench";
 
 std::vector<std::string> emulated_boards() {
@@ -37,28 +37,31 @@ std::vector<emulation::HardwareOutlet> read_outlets(const keys::Table& top) {
     emulation::HardwareOutlet outlet;
     outlet.id = table.text("id");
     if (outlet.id == kBenchUser) {
-      table.refuse("id",
-                   fmt::format("\"{}\" is what the bench is called on its broker", outlet.id));
+      table.refuse(
+          "id", fmt::format("\"{}\" is the user name of the bench on its broker; choose another id",
+                            outlet.id));
     }
     outlet.board = table.text("board");
     const bool by_radio = table.text("link") == "mqtt";
     outlet.connection = by_radio ? emulation::Connection::kMqtt : emulation::Connection::kSerial;
     outlet.crystal_ppm = table.number("crystal_ppm");
     if (by_radio && !gs::boards::find(outlet.board.c_str())->has_radio) {
-      table.refuse("link",
-                   fmt::format("link is \"mqtt\"; the board {} has no radio, only \"serial\"",
-                               outlet.board));
+      table.refuse(
+          "link",
+          fmt::format("link is \"mqtt\", but the board {} has no radio; it must be \"serial\"",
+                      outlet.board));
     }
     if (!ids.insert(outlet.id).second) {
-      table.refuse("id", fmt::format("there is an outlet \"{}\" already", outlet.id));
+      table.refuse("id", fmt::format("the id \"{}\" is used twice; it must be unique", outlet.id));
     }
     outlets.push_back(outlet);
   }
   if (outlets.empty()) {
-    top.refuse_missing("outlet", "at least one [[outlet]] to emulate");
+    top.refuse_missing("outlet", "at least one [[outlet]]");
   }
   if (outlets.size() > kMostEmulated) {
-    top.refuse("outlet", fmt::format("more than {} emulated outlets", kMostEmulated));
+    top.refuse("outlet", fmt::format("{} emulated outlets; at most {} are possible", outlets.size(),
+                                     kMostEmulated));
   }
   return outlets;
 }
@@ -71,7 +74,7 @@ emulation::HardwareOptions read_emulated(const keys::Table& top, const std::stri
   if (const auto image = top.find_text("image")) {
     options.image = profile::resolve(*image, file_path);
     if (!profile::is_regular_file(options.image)) {
-      top.refuse("image", fmt::format("image is \"{}\", and there is no such file", *image));
+      top.refuse("image", fmt::format("image is \"{}\", which is not an existing file", *image));
     }
   }
   return options;
@@ -125,7 +128,7 @@ EmulatedStation::EmulatedStation(std::string name, emulation::HardwareOptions op
   hardware_ = hardware.take();
   std::size_t on_cable = 0;
   for (const emulation::HardwareOutlet& outlet : options.outlets) {
-    // On a cable it is known by its port: only what it says there shows who it is.
+    // A serial port does not identify its outlet: only the outlet's messages do.
     const bool by_broker = outlet.connection == emulation::Connection::kMqtt;
     const std::string place =
         by_broker ? hardware_->broker()->url() : hardware_->serial_ports()[on_cable++];
@@ -140,7 +143,7 @@ EmulatedStation::EmulatedStation(std::string name, emulation::HardwareOptions op
   link_ = make_link(reached);
 }
 
-// The link lets go of its ports before they are gone.
+// The link must close its ports before the hardware removes them.
 EmulatedStation::~EmulatedStation() {
   link_->close();
 }

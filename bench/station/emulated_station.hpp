@@ -14,14 +14,13 @@
 
 namespace gsbench::station {
 
-// Outlets and image of a station file, which relative paths in it are beside.
+// The outlets and the image in a station file. Relative paths are relative to `file_path`.
 emulation::HardwareOptions read_emulated(const keys::Table& top, const std::string& file_path);
 
-// Emulated outlets and the links to them, the same as to real ones.
+// Emulated outlets, reached through the same links as physical ones.
 class EmulatedStation final : public Station {
  public:
-  // What the plan and the build say of `options` is filled in. Throws std::runtime_error where it
-  // cannot be set up.
+  // Completes `options` from the plan and the build. Throws std::runtime_error if the set-up fails.
   EmulatedStation(std::string name, emulation::HardwareOptions options, const profile::Plan& plan);
   ~EmulatedStation() override;
 
@@ -30,7 +29,7 @@ class EmulatedStation final : public Station {
   link::Link& link() override { return *link_; }
   relay::RelaySense& relay_sense() override { return hardware_->relay_sense(); }
   std::vector<Slot> slots() const override { return slots_; }
-  // Outlets in a busy machine's processes take their time to come up.
+  // The processes start slowly on a busy machine.
   std::chrono::milliseconds answers_within() const override { return std::chrono::seconds(10); }
   bool outlets_count_ticks() const override { return false; }
   double block_s() const override { return 0.016; }

@@ -1,5 +1,5 @@
-// What goes wrong in a run. With the bench: the run ends. With one outlet: it is that outlet's
-// fault, and the others go on.
+// Faults in a run. A fault of the bench ends the run. A fault of one outlet is noted in its record,
+// and the run continues with the others.
 #pragma once
 
 #include <stdexcept>
@@ -10,12 +10,12 @@
 
 namespace gsbench::station {
 
-// Never leaves run().
+// Caught in run().
 struct BenchFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws BenchFault.
+// Returns the value. Throws BenchFault if `result` is an error.
 template <class T>
 T require(drivers::Result<T> result) {
   if (!result.ok()) {
@@ -24,7 +24,8 @@ T require(drivers::Result<T> result) {
   return result.take();
 }
 
-// The first fault of an outlet stands; later ones often follow from it.
+// Keeps the first fault of an outlet: later ones often follow from it. `fault` is a predicate
+// without its subject: "refused its settings".
 inline void note(record::OutletRecord& outlet, const std::string& fault) {
   if (outlet.fault.empty()) {
     outlet.fault = fault;

@@ -34,11 +34,11 @@ bool is_broker_url(const std::string& url) {
 
 std::vector<std::string> outlet_ids(const keys::Table& table) {
   std::vector<std::string> ids;
-  for (const keys::PlacedText& word : table.texts("outlets")) {
-    if (std::count(ids.begin(), ids.end(), word.text) > 0) {
-      table.refuse(word.at, fmt::format("outlet \"{}\" is named already", word.text));
+  for (const keys::PlacedText& outlet : table.texts("outlets")) {
+    if (std::count(ids.begin(), ids.end(), outlet.text) > 0) {
+      table.refuse(outlet.at, fmt::format("outlet \"{}\" is listed twice", outlet.text));
     }
-    ids.push_back(word.text);
+    ids.push_back(outlet.text);
   }
   return ids;
 }
@@ -48,7 +48,7 @@ void read_mqtt(const keys::Table& table, const std::string& file_path, PhysicalO
   mqtt.url = table.text("url");
   if (!is_broker_url(mqtt.url)) {
     table.refuse("url", fmt::format("url is \"{}\"; it must be mqtts://host:port, or "
-                                    "mqtt://host:port where TLS is not wanted",
+                                    "mqtt://host:port without TLS",
                                     mqtt.url));
   }
   const auto beside = [&](const std::optional<std::string>& path) {
@@ -76,22 +76,23 @@ void read_physical(const keys::Table& top, StationFile& file) {
     read_mqtt(top.table("mqtt"), file.path, outlets);
   }
   if (outlets.serial.ports.empty() && outlets.mqtt.url.empty()) {
-    top.refuse_missing("serial", "[serial] or [mqtt]");
+    top.refuse_missing("serial", "the links to the outlets: [serial], [mqtt] or both");
   }
   file.reachable = std::move(outlets);
   file.make_station = [path = file.path](const profile::Plan&,
                                          const SimulatedOptions&) -> std::unique_ptr<Station> {
     throw profile::ConfigurationError(
         path +
-        ": this station has outlets and no source to play to them; `gsbench devices` and `gsbench "
-        "monitor` work on it");
+        ": this station has no source, so nothing can be played to its outlets; only "
+        "`gsbench devices` and `gsbench monitor` work on it");
   };
 }
 
 std::string first_line(const std::string& path) {
   std::string line;
   if (!std::getline(std::ifstream(path), line)) {
-    throw keys::ConfigurationError(path + ": no password can be read");
+    throw keys::ConfigurationError(path +
+                                   ": cannot read a password from the first line of this file");
   }
   return line;
 }

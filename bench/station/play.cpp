@@ -9,17 +9,17 @@
 namespace gsbench::station {
 namespace {
 
-// An outlet must have answered to its settings so soon after the start.
+// Time after the start by which an outlet must have acknowledged its settings.
 constexpr double kSettingsAnswer_s = 0.096;
 
 void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
   if (outlets.empty()) {
-    throw BenchFault("no outlet is left");
+    throw BenchFault("no outlet takes part");
   }
   if (std::all_of(outlets.begin(), outlets.end(),
                   [](const record::OutletRecord& outlet) { return !outlet.fault.empty(); })) {
     const record::OutletRecord& first = outlets.front();
-    throw BenchFault("outlet " + first.id + " " + first.fault + "; no outlet is left");
+    throw BenchFault("outlet " + first.id + " " + first.fault + "; no outlet takes part");
   }
 }
 
@@ -39,7 +39,7 @@ struct Player {
   bool play() {
     const std::int64_t lead = signal.lead_ticks();
     const std::int64_t end = signal.total_ticks();
-    // Where nothing is played before the run, answers come during its first reports.
+    // Without marker dips before the run, the answers arrive with its first reports.
     const std::int64_t answers_due = std::min(std::max(lead, tick_of(kSettingsAnswer_s)), end);
     std::size_t command = 0;
     require(station.source().start());
@@ -79,7 +79,7 @@ struct Player {
     return signal.lead_ticks() + tick_of(plan.commands[command].at_s);
   }
 
-  // To all that came by the source's tick `now`.
+  // Reads everything that has arrived up to the source's tick `now`.
   void listen(std::int64_t now) {
     happenings.clear();
     edges.clear();
@@ -109,10 +109,10 @@ struct Player {
     message.request = ++requests;
     for (std::size_t i = 0; i < plan.outlets.size(); ++i) {
       const std::string& id = outlets[i].id;
-      const bool is_meant =
+      const bool is_addressed =
           command.outlets.empty() ||
           std::count(command.outlets.begin(), command.outlets.end(), plan.outlets[i].id) > 0;
-      if (is_meant && watch.is_watched(id)) {
+      if (is_addressed && watch.is_watched(id)) {
         require(station.link().send(id, message));
         capture.add_command(id, tick - signal.lead_ticks(), command.switch_on);
       }

@@ -8,9 +8,9 @@
 namespace gsbench::station {
 namespace {
 
-// Dips of about 170 ms by their beginnings. No spacing occurs twice in a row, so that a dip that is
-// missed or another one's is told. The last is far enough from the run for a tracker to be calm
-// again.
+// Marker dips of about 170 ms, by their start times. Consecutive spacings differ, so that a missing
+// or an additional dip is detected. The last one is early enough for a tracker to settle before the
+// run.
 constexpr double kDip_s = 0.170;
 constexpr double kBefore_s[] = {0.500, 0.900, 1.460};
 constexpr double kLead_s = 2.800;
@@ -26,15 +26,15 @@ struct Span {
   double to_s;
 };
 
-struct CalmMains {
+struct SteadyMains {
   std::vector<Span> dips;
   waveform::Synthesizer synthesizer;
 };
 
-// Of one frequency, with dips from zero crossing to zero crossing: the voltage does not leap in
-// between an outlet's samples.
-CalmMains calm_mains(double frequency_hz, double phase_turns, const double (&about_s)[3],
-                     double level, std::int64_t sample_rate_hz) {
+// Mains of constant frequency with dips. The dips start and end at zero crossings, so that the
+// voltage has no step between two samples of an outlet.
+SteadyMains steady_mains(double frequency_hz, double phase_turns, const double (&about_s)[3],
+                         double level, std::int64_t sample_rate_hz) {
   const auto zero_crossing = [&](double t_s) {
     const double half_turns = std::ceil(2.0 * (frequency_hz * t_s + phase_turns));
     return (0.5 * half_turns - phase_turns) / frequency_hz;
@@ -63,20 +63,21 @@ PlayedSignal::PlayedSignal(const profile::Plan& plan, bool with_markers)
   }
   lead_ticks_ = waveform::tick_at(kLead_s, rate_hz);
   tail_ticks_ = waveform::tick_at(kTail_s, rate_hz);
-  // In phase with the run's first sample, and at its frequency: nothing happens at tick 0.
+  // Same phase and frequency as the first sample of the run: no transient at tick 0.
   const double first_hz = plan.reference()->frequency_hz(0.0);
   const double run_turns = plan.stimulus.signal.initial_phase_deg / 360.0;
-  const CalmMains before = calm_mains(first_hz, turns(run_turns - first_hz * kLead_s), kBefore_s,
-                                      markers_.level, rate_hz);
-  const CalmMains after = calm_mains(plan.grid.nominal_hz, 0.0, kAfter_s, markers_.level, rate_hz);
+  const SteadyMains before = steady_mains(first_hz, turns(run_turns - first_hz * kLead_s),
+                                          kBefore_s, markers_.level, rate_hz);
+  const SteadyMains after =
+      steady_mains(plan.grid.nominal_hz, 0.0, kAfter_s, markers_.level, rate_hz);
   parts_.push_back({0, before.synthesizer});
   parts_.push_back({lead_ticks_, plan.synthesizer()});
   parts_.push_back({lead_ticks_ + run_ticks_, after.synthesizer});
 
-  const auto mark = [&](const CalmMains& calm, std::int64_t first_tick, std::int64_t count) {
+  const auto mark = [&](const SteadyMains& mains, std::int64_t first_tick, std::int64_t count) {
     capture::MarkedStretch stretch;
     stretch.first_tick = first_tick - lead_ticks_;
-    for (const Span& dip : calm.dips) {
+    for (const Span& dip : mains.dips) {
       stretch.dips.push_back({stretch.first_tick + waveform::tick_at(dip.from_s, rate_hz),
                               stretch.first_tick + waveform::tick_at(dip.to_s, rate_hz)});
     }

@@ -29,7 +29,7 @@ std::string formatted_utc(const char* format) {
   return {text.data(), length};
 }
 
-// Time and a random part: sorts by time, unique on one machine and off it.
+// Time and a random part: sorts by time and is unique across machines.
 std::string new_run_id() {
   return formatted_utc("%Y%m%dT%H%M%SZ-") + fmt::format("{:08x}", std::random_device()());
 }
@@ -52,7 +52,7 @@ std::string figure(double value, const char* unit) {
   return fmt::format("{:.4g}{}", value, unit);
 }
 
-// What the plan plays, instant by instant.
+// The instants of the stimulus, in order of time.
 std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
   const auto tick = [&plan](double at_s) {
     return waveform::tick_at(at_s, plan.stimulus.sample_rate_hz);
@@ -79,7 +79,7 @@ std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
   return marks;
 }
 
-// What a publication prints for the plan's grid, beside what we work out.
+// Values calculated for the plan's grid, beside those of the publication.
 std::vector<record::Comparison> comparisons(const grid::Grid& grid) {
   const grid::Reference& reference = grid.reference;
   const grid::SfrModel model(grid);
@@ -135,7 +135,7 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
       source.file,     source.sha256,           columns.time,           columns.frequency,
       columns.voltage, columns.nominal_voltage, source.replaces_profile};
   run.station = station.name();
-  // Without the outlets' clocks: those are measured in each run.
+  // Excludes the outlets' clocks, which are measured in each run.
   run.bench_uncertainty.relay_sense_ms = 1e3 * station.relay_sense().alignment().uncertainty_ticks /
                                          static_cast<double>(plan.stimulus.sample_rate_hz);
   run.noise = noise_text(plan, station.source().limits());

@@ -6,7 +6,7 @@
 
 namespace gsbench::station {
 
-// The record gets facts only, faults among them; what they come to is for the judge.
+// The steps before judge() record facts and faults only; the verdicts come from bench/judge.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options) {
   record::RunRecord run = prepare(plan, station);
   const std::vector<Slot> slots = assign(plan.outlets, station.slots());

@@ -1,4 +1,4 @@
-// The steps of a run in their order (run.cpp), and what they share.
+// The steps of a run, in the order in which run.cpp calls them.
 #pragma once
 
 #include <string>
@@ -13,35 +13,34 @@
 
 namespace gsbench::station {
 
-// The head of the record: what is to be played, where and with what. Throws
-// profile::ConfigurationError where the firmware would refuse the settings of an outlet, before
-// anything is touched: that is the profile's mistake.
+// The head of the record: the stimulus, the station and the versions. Throws
+// profile::ConfigurationError, before any device is used, if the firmware would refuse an outlet's
+// settings: that is an error in the profile.
 record::RunRecord prepare(const profile::Plan& plan, Station& station);
 
 std::string utc_now();  // ISO 8601, to the second
 
-// One for each outlet of a plan, in the plan's order: the slot with the outlet's id for its serial
-// number, else the next that no outlet of the plan names. Fewer than outlets where there are no
-// more.
+// One slot for each outlet of a plan, in the plan's order: the slot whose serial number is the
+// outlet's id, otherwise the next slot that no outlet of the plan names. Shorter than `outlets` if
+// there are too few slots.
 std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
                          const std::vector<Slot>& slots);
 
-// Each outlet of the plan gets one of the station's, with its settings: in the plan's order, each
-// in its slot. One that does not answer, was found at fault, or samples otherwise than the plan
-// needs, has that fault and no settings; one without a link has no settings either. Throws
-// BenchFault where there are too few slots.
+// Waits for the outlets in `slots`, assigns them to the outlets of the plan in order and sends
+// their settings. An outlet that does not answer, is faulty or has the wrong sample rate is
+// excluded with that fault. An outlet without a link takes part without settings. Throws BenchFault
+// if there are too few slots.
 std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::vector<Slot>& slots,
                                         Station& station);
 
-// From the first tick to the last. Notes the faults of `outlets` as they come. Throws BenchFault.
-// Returns false where it was stopped from outside.
+// Plays the whole signal and notes the faults of `outlets`. Returns false if `options.stop` ended
+// it. Throws BenchFault.
 bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const PlayedSignal& signal,
           Station& station, const RunOptions& options, std::vector<record::OutletRecord>& outlets,
           capture::Capture& capture);
 
-// Brings what outlets said onto the run's time base, into their records. `markers`: the dips that
-// were played around the run, by which the counts of outlets that count their own samples are
-// aligned.
+// Converts the outlets' reports to the run's time base and moves them into their records. Outlets
+// with their own sample clock are aligned by the marker dips in `markers`.
 void align(const Station& station, const capture::Markers& markers, capture::Capture& capture,
            record::RunRecord& run);
 

@@ -25,7 +25,7 @@ StationFile parse_station(const profile::NamedFile& file) {
     for (const keys::Key& key : kind.keys) {
       if (top.has(key.name)) {
         top.refuse(key.name,
-                   fmt::format("{} means nothing to a station of kind \"{}\"", key.name, of_kind));
+                   fmt::format("{} is not a key of a station of kind \"{}\"", key.name, of_kind));
       }
     }
   }
@@ -80,21 +80,21 @@ std::vector<profile::ProfileSummary> list_stations() {
 }
 
 profile::Plan fit_to_station(const StationFile& station, const profile::Plan& plan) {
-  const std::size_t there = station.outlets.value_or(plan.outlets.size());
-  if (there >= plan.outlets.size()) {
+  const std::size_t available = station.outlets.value_or(plan.outlets.size());
+  if (available >= plan.outlets.size()) {
     return plan;
   }
   const std::vector<std::string> groups = profile::groups_of(plan.outlets);
-  if (groups.size() > there) {
+  if (groups.size() > available) {
     throw profile::ConfigurationError(plan.path + ": has " + std::to_string(groups.size()) +
-                                      " groups of outlets, and the station " + station.name +
-                                      " only " + std::to_string(there) + " outlets");
+                                      " groups of outlets; the station " + station.name +
+                                      " has only " + std::to_string(available) + " outlets");
   }
-  // One of each group in turn.
+  // Round robin over the groups.
   std::vector<bool> taken(plan.outlets.size(), false);
-  for (std::size_t chosen = 0; chosen < there;) {
+  for (std::size_t chosen = 0; chosen < available;) {
     for (const std::string& group : groups) {
-      for (std::size_t i = 0; i < plan.outlets.size() && chosen < there; ++i) {
+      for (std::size_t i = 0; i < plan.outlets.size() && chosen < available; ++i) {
         if (!taken[i] && plan.outlets[i].group == group) {
           taken[i] = true;
           ++chosen;

@@ -1,5 +1,5 @@
-// The kinds of stations that a station file can describe. A new one is its own files and a line in
-// station_file.cpp.
+// The kinds of stations that a station file can describe. A new kind has its own files and one line
+// in station_file.cpp.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@ namespace gsbench::station {
 
 struct StationKind {
   std::string name;             // as `kind` in a station file
-  std::string meaning;          // what its outlets are, for documents
-  std::vector<keys::Key> keys;  // that only this kind has
-  // Fills in what follows `file`'s name, title and path; relative paths in it are beside it.
+  std::string meaning;          // description of its outlets, for the documentation
+  std::vector<keys::Key> keys;  // keys of this kind only
+  // Fills in all of `file` but its name, title and path. Relative paths are relative to file.path.
   void (*read)(const keys::Table& top, StationFile& file);
 };
 
-// One file each.
+// Each in its own file.
 StationKind simulated_kind();
 StationKind emulated_kind();
 StationKind physical_kind();
 
-constexpr std::size_t kLongestId = 32;  // that an outlet can say
+constexpr std::size_t kLongestId = 32;  // limit of the protocol, characters
 
 }  // namespace gsbench::station

@@ -10,11 +10,11 @@
 namespace gsbench::station {
 namespace {
 
-// An outlet reports every 16 ms. A longer silence than a source's buffer and a link's delay explain
-// would pass for good behaviour: an outlet that says nothing has no event either.
+// An outlet reports every 16 ms. This limit is longer than the delays of a source's buffer and of a
+// link. Without it a dead outlet could pass, since it reports no false event either.
 constexpr double kLongestSilence_s = 1.0;
 
-// Bits of gs::wire::SelfTestPart as words, all but the ADC, which may have had no input yet.
+// Names of the failed gs::wire::SelfTestPart, without the ADC, which may not have had input yet.
 std::string failed_parts(std::uint32_t failed) {
   std::string names;
   for (const auto& [part, name] : {std::pair(gs::wire::kArithmetic, "arithmetic"),
@@ -27,9 +27,9 @@ std::string failed_parts(std::uint32_t failed) {
   return names;
 }
 
-// Errors an outlet reports of itself that make its run worthless. That it did not understand the
-// bench shows in what it then does not do.
-bool spoils_a_run(gs::wire::ErrorCode error) {
+// Errors that invalidate the run of the outlet that reports them. Other errors, such as a message
+// that it did not understand, show in its later behaviour.
+bool invalidates_run(gs::wire::ErrorCode error) {
   return error == gs::wire::ErrorCode::kSamplesLost || error == gs::wire::ErrorCode::kWatchdog ||
          error == gs::wire::ErrorCode::kSettingsStorage || error == gs::wire::ErrorCode::kClock;
 }
@@ -50,11 +50,11 @@ void Watch::hear(link::Happenings& happenings, std::int64_t now) {
     const auto found = lives_.find(outlet.id);
     if (found != lives_.end() && found->second.outlet->link != outlet.where) {
       note(*found->second.outlet,
-           "is there twice: the one on " + outlet.where + " says that it is it");
+           "is present twice: the outlet on " + outlet.where + " reports the same id");
       found->second.over = true;
     }
   }
-  const auto is_not_for_the_record = [&](const link::Received& received) {
+  const auto is_discarded = [&](const link::Received& received) {
     const auto found = lives_.find(received.id);
     if (found == lives_.end()) {
       return true;
@@ -62,16 +62,16 @@ void Watch::hear(link::Happenings& happenings, std::int64_t now) {
     const gs::wire::Uplink& message = received.message;
     Life& life = found->second;
     life.heard_tick = now;
-    if (message.kind == gs::wire::UplinkKind::kError && spoils_a_run(message.error.code)) {
-      note(*life.outlet, std::string("reports: ") + gs::wire::to_string(message.error.code));
+    if (message.kind == gs::wire::UplinkKind::kError && invalidates_run(message.error.code)) {
+      note(*life.outlet,
+           std::string("reported the error: ") + gs::wire::to_string(message.error.code));
     }
     life.over = life.over || message.sample < life.newest_sample;
     life.newest_sample = message.sample;
     return life.over;
   };
   std::vector<link::Received>& messages = happenings.messages;
-  messages.erase(std::remove_if(messages.begin(), messages.end(), is_not_for_the_record),
-                 messages.end());
+  messages.erase(std::remove_if(messages.begin(), messages.end(), is_discarded), messages.end());
   for (const auto* faults : {&happenings.left, &happenings.faults}) {
     for (const link::Fault& fault : *faults) {
       if (const auto found = lives_.find(fault.id); found != lives_.end()) {
@@ -85,13 +85,13 @@ void Watch::check_answers(const capture::Capture& capture) {
   for (const auto& [id, life] : lives_) {
     const std::optional<gs::outlet::SettingsError> answer = capture.settings_answer(id);
     if (!answer) {
-      note(*life.outlet, "did not answer to its settings");
+      note(*life.outlet, "did not acknowledge its settings");
     } else if (*answer != gs::outlet::SettingsError::kNone) {
       note(*life.outlet, "refused its settings: " + std::string(gs::outlet::to_string(*answer)));
     }
     const std::string failed = failed_parts(capture.self_test_failed(id));
     if (!failed.empty()) {
-      note(*life.outlet, "fails its self test: " + failed);
+      note(*life.outlet, "failed its self test: " + failed);
     }
   }
 }
@@ -100,7 +100,7 @@ void Watch::check_silence(const capture::Capture& capture, std::int64_t now) {
   for (const auto& [id, life] : lives_) {
     if (now - life.heard_tick > longest_silence_ticks_) {
       note(*life.outlet,
-           "fell silent after its sample " + std::to_string(capture.last_report_sample(id)));
+           "stopped reporting after its sample " + std::to_string(capture.last_report_sample(id)));
     }
   }
 }

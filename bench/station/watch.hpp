@@ -1,5 +1,5 @@
-// Watches over what the outlets of a run say while it is played: who reports an error, leaves,
-// falls silent, restarts, or does not answer to its settings has that fault in its record.
+// Watches the outlets during a run. An outlet that reports an error, leaves, stops reporting,
+// restarts or does not acknowledge its settings gets that fault in its record.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@ namespace gsbench::station {
 
 class Watch {
  public:
-  // Over those that were sent settings.
+  // Watches the outlets that were sent settings.
   Watch(std::vector<record::OutletRecord>& outlets, std::int64_t sample_rate_hz);
 
   bool is_watched(const std::string& id) const { return lives_.count(id) > 0; }
-  // Heard by the source's tick `now`. Takes out of the messages those of outlets that are not
-  // watched, and what an outlet said after it restarted: it counts anew, and nothing aligns that
-  // count.
+  // Processes everything received up to the source's tick `now`. Removes the messages of outlets
+  // that are not watched and all messages after a restart of an outlet: its sample count starts at
+  // 0 again, and that count cannot be aligned.
   void hear(link::Happenings& happenings, std::int64_t now);
   void check_answers(const capture::Capture& capture);
   void check_silence(const capture::Capture& capture, std::int64_t now);
 
  private:
-  // An outlet's count of its samples, from its start-up on.
+  // The time from one start-up of an outlet to the next; its sample count only increases.
   struct Life {
     record::OutletRecord* outlet;
     std::uint64_t newest_sample = 0;

@@ -116,8 +116,8 @@ inline constexpr auto visit_fields<MeasurementResult> = [](auto& result, auto&& 
   visitor("name", result.name);
   visitor("definition", result.definition);
   visitor("value", result.value);
-  visitor("word", result.word);
-  visitor("expected_word", result.expected_word);
+  visitor("text", result.text);
+  visitor("expected_text", result.expected_text);
   visitor("unit", result.unit);
   visitor("low", result.low);
   visitor("high", result.high);

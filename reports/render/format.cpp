@@ -88,8 +88,8 @@ std::string limits(const record::MeasurementResult& result) {
   if (!result.judged) {
     return "";
   }
-  if (!result.expected_word.empty()) {
-    return result.expected_word;
+  if (!result.expected_text.empty()) {
+    return result.expected_text;
   }
   const bool has_low = !std::isnan(result.low);
   const bool has_high = !std::isnan(result.high);
@@ -111,8 +111,8 @@ std::string limits(const record::MeasurementResult& result) {
 }
 
 std::string value_of(const record::MeasurementResult& result) {
-  if (!result.word.empty()) {
-    return result.word;
+  if (!result.text.empty()) {
+    return result.text;
   }
   if (std::isnan(result.value)) {
     return "–";

@@ -12,7 +12,7 @@ namespace {
 using record::Verdict;
 
 std::string shown_value(const record::MeasurementResult& result) {
-  return result.word.empty() ? typographic(valid_text(value_of(result))) : valid_text(result.word);
+  return result.text.empty() ? typographic(valid_text(value_of(result))) : valid_text(result.text);
 }
 
 object key_cell(const record::OutletRecord& outlet, const KeyFigure& key) {

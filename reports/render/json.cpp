@@ -11,13 +11,13 @@ Json text_or_null(const std::string& text) {
 
 Json measurement(const record::MeasurementResult& result) {
   return {{"name", result.name},
-          {"value", result.word.empty() ? Json(result.value) : Json(result.word)},
+          {"value", result.text.empty() ? Json(result.value) : Json(result.text)},
           {"unit", result.unit},
           {"low", result.low},
           {"high", result.high},
           {"uncertainty", result.uncertainty},
           {"judged", result.judged},
-          {"expected_word", text_or_null(result.expected_word)},
+          {"expected_word", text_or_null(result.expected_text)},
           {"verdict", result.judged ? Json(record::to_string(result.verdict)) : Json(nullptr)},
           {"reason", result.reason}};
 }

@@ -30,7 +30,7 @@ constexpr std::array kByImportance = {
 
 bool has_value(const record::OutletRecord& outlet, const KeyFigure& key) {
   const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
-  return result != nullptr && (!result->word.empty() || !std::isnan(result->value));
+  return result != nullptr && (!result->text.empty() || !std::isnan(result->value));
 }
 
 bool is_unreliable(const record::OutletRecord& outlet) {
@@ -62,8 +62,8 @@ std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key) {
   if (result == nullptr) {
     return "–";
   }
-  if (!result->word.empty()) {
-    return result->word;
+  if (!result->text.empty()) {
+    return result->text;
   }
   if (std::isnan(result->value)) {
     return "–";

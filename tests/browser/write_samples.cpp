@@ -28,7 +28,7 @@ RunRecord failing() {
   error.value = -3.98;
   error.uncertainty = 0.05;
   error.verdict = Verdict::kInconclusive;
-  error.reason = "nearer to its limit than the bench's uncertainty";
+  error.reason = "closer to a limit than the measurement uncertainty";
   for (std::size_t i = 250; i < 300; ++i) {
     outlet.trace.validity[i] = 0;
   }

@@ -78,7 +78,7 @@ TEST(Limits, SayWhatWasAsked) {
   EXPECT_EQ(limits(result), "≥ 1 %");
   result.high = 1.0;
   EXPECT_EQ(limits(result), "= 1 %");
-  result.expected_word = "open";
+  result.expected_text = "open";
   EXPECT_EQ(limits(result), "open");
 }
 

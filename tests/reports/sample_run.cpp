@@ -69,8 +69,8 @@ record::MeasurementResult number(const char* name, double value, const char* uni
 
 record::MeasurementResult word(const char* name, const char* value) {
   record::MeasurementResult result = number(name, kNone, "", kNone, kNone, 0.0);
-  result.word = value;
-  result.expected_word = value;
+  result.text = value;
+  result.expected_text = value;
   result.judged = true;
   return result;
 }

@@ -34,7 +34,7 @@ link::Received event(const std::string& outlet, std::int64_t tick) {
   return message;
 }
 
-link::Received relay_word(const std::string& outlet, std::int64_t tick, bool closed) {
+link::Received relay_report(const std::string& outlet, std::int64_t tick, bool closed) {
   link::Received message = received(outlet, tick, UplinkKind::kRelay);
   message.message.relay = {closed, closed ? gs::outlet::Cause::kNone : gs::outlet::Cause::kLoss};
   return message;
@@ -53,20 +53,20 @@ record::OutletRecord taken(Capture& capture, const std::string& outlet) {
   return record;
 }
 
-std::string told(const record::Mark& mark) {
+std::string printed(const record::Mark& mark) {
   return std::to_string(mark.tick) + " " + mark.kind + " " +
          std::to_string(static_cast<int>(mark.value)) + " " + mark.text;
 }
 
-std::vector<std::string> told(const record::OutletRecord& record) {
+std::vector<std::string> printed(const record::OutletRecord& record) {
   std::vector<std::string> all;
   for (const record::Mark& mark : record.marks) {
-    all.push_back(told(mark));
+    all.push_back(printed(mark));
   }
   return all;
 }
 
-TEST(Capture, KeepsMeasurementsAsTheTraceOfTheirOutlet) {
+TEST(Capture, KeepsMeasurementsInTheTraceOfTheirOutlet) {
   Capture capture(kRate_hz);
   capture.add({measurement("a", 128, 50.0F), measurement("b", 128, 49.0F)});
   capture.add({measurement("a", 256, std::numeric_limits<float>::quiet_NaN())});
@@ -82,57 +82,57 @@ TEST(Capture, KeepsMeasurementsAsTheTraceOfTheirOutlet) {
   EXPECT_THAT(taken(capture, "b").trace.frequency_hz, ElementsAre(49.0F));
 }
 
-TEST(Capture, KnowsNoReportOfAnOutletThatHasSaidNothing) {
+TEST(Capture, HasNoReportsOfASilentOutlet) {
   const Capture capture(kRate_hz);
   EXPECT_EQ(capture.last_report_sample("a"), 0);
   EXPECT_FALSE(capture.settings_answer("a"));
 }
 
-TEST(Capture, KeepsWhatHappenedAsMarks) {
+TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
   Capture capture(kRate_hz);
   link::Received lse = received("a", 200, UplinkKind::kLse);
   lse.message.lse = {450.0F};
   link::Received shed = received("a", 300, UplinkKind::kDecision);
   shed.message.decision = {515.0F, 163.0F, 30, Trust::kTrusted, true};
-  capture.add({event("a", 100), lse, shed, relay_word("a", 300, false),
+  capture.add({event("a", 100), lse, shed, relay_report("a", 300, false),
                received("a", 400, UplinkKind::kAborted)});
   capture.add_edge("a", 310, false);
   capture.add_edge("a", 900, true);
   capture.add_command("a", 800, true);
   EXPECT_THAT(
-      told(taken(capture, "a")),
+      printed(taken(capture, "a")),
       ElementsAre("100 event 49 frequency before it, Hz", "200 lse 450 MW", "300 decision 163 shed",
                   "300 decision.loss 515 MW", "300 decision.hits 30 ",
                   std::string("300 decision.trust 1 ") + to_string(Trust::kTrusted),
                   "300 relay.reported 0 loss", "310 relay.sense 0 open",
-                  "400 aborted 0 the voltage went", "800 command 1 switch on",
+                  "400 aborted 0 voltage lost", "800 command 1 switch on",
                   "900 relay.sense 1 closed"));
 }
 
-TEST(Capture, SaysOfADecisionToHoldWhetherTheEstimateWasTrusted) {
+TEST(Capture, MarksADecisionToHoldWithTheReliabilityOfItsEstimate) {
   Capture capture(kRate_hz);
   link::Received hold = received("a", 300, UplinkKind::kDecision);
   hold.message.decision = {515.0F, 163.0F, 3, Trust::kNotYet, false};
   capture.add({hold});
   const record::OutletRecord record = taken(capture, "a");
   EXPECT_EQ(record.marks[0].text, std::string("hold; estimate ") + to_string(Trust::kNotYet));
-  EXPECT_EQ(told(record.marks[3]),
+  EXPECT_EQ(printed(record.marks[3]),
             std::string("300 decision.trust 0 ") + to_string(Trust::kNotYet));
 }
 
-TEST(Capture, BringsMarksIntoTheOrderOfTimeAndLeavesThoseOfOneInstantAsTheyCame) {
+TEST(Capture, SortsMarksByTimeAndKeepsTheOrderWithinOneTick) {
   Capture capture(kRate_hz);
-  capture.add({relay_word("a", 500, false), event("a", 700)});
+  capture.add({relay_report("a", 500, false), event("a", 700)});
   capture.add_edge("a", 600, false);
   capture.add_edge("a", 500, true);
   capture.add_command("a", 400, false);
-  EXPECT_THAT(told(taken(capture, "a")),
+  EXPECT_THAT(printed(taken(capture, "a")),
               ElementsAre("400 command 0 switch off", "500 relay.reported 0 loss",
                           "500 relay.sense 1 closed", "600 relay.sense 0 open",
                           "700 event 49 frequency before it, Hz"));
 }
 
-TEST(Capture, PutsTheInstantOfTheLossOnTheRunsTimeBase) {
+TEST(Capture, ConvertsTheInstantOfTheLossToTheTimeBaseOfTheRun) {
   Capture capture(kRate_hz);
   // An event at 3.12 s, a loss 0.11 s before it; then another event.
   capture.add({event("a", 24960), estimate(25088, -0.11F, Trust::kNotYet),
@@ -149,7 +149,7 @@ TEST(Capture, PutsTheInstantOfTheLossOnTheRunsTimeBase) {
   EXPECT_THAT(estimates.loss_sigma_mw, ElementsAre(8.0F, 8.0F, 8.0F));
 }
 
-TEST(Capture, KeepsTheAnswerToTheSettingsWithItsDigestAsEightDigits) {
+TEST(Capture, KeepsTheAnswerToTheSettingsAndItsDigest) {
   Capture capture(kRate_hz);
   link::Received accepted = received("a", 40, UplinkKind::kSettingsAnswer);
   accepted.message.settings_answer = {gs::outlet::SettingsError::kNone, 1, 0x00C0FFEEU};
@@ -161,7 +161,7 @@ TEST(Capture, KeepsTheAnswerToTheSettingsWithItsDigestAsEightDigits) {
   EXPECT_EQ(taken(capture, "a").settings_digest, "00c0ffee");
 }
 
-TEST(Capture, KeepsWhatTheRecordKnowsOfTheOutletAlready) {
+TEST(Capture, PreservesTheOtherFieldsOfTheRecord) {
   Capture capture(kRate_hz);
   capture.add({event("outlet-7", 100)});
   record::OutletRecord record;
@@ -175,7 +175,7 @@ TEST(Capture, KeepsWhatTheRecordKnowsOfTheOutletAlready) {
   EXPECT_EQ(record.marks.size(), 1U);
 }
 
-TEST(Capture, IsEmptyOnceItsContentIsTaken) {
+TEST(Capture, IsEmptyAfterItsContentIsTaken) {
   Capture capture(kRate_hz);
   capture.add(
       {measurement("a", 128, 50.0F), event("a", 200), estimate(300, 0.0F, Trust::kTrusted)});
@@ -186,14 +186,14 @@ TEST(Capture, IsEmptyOnceItsContentIsTaken) {
   EXPECT_TRUE(again.estimates.tick.empty());
 }
 
-TEST(Capture, KeepsWhatOutletsSayAndDoApart) {
+TEST(Capture, SeparatesTheOutlets) {
   Capture capture(kRate_hz);
   capture.add({measurement("b", 128, 50.0F), event("h", 200), event("a", 300)});
   capture.add_edge("b", 400, false);
-  EXPECT_THAT(told(taken(capture, "a")), ElementsAre("300 event 49 frequency before it, Hz"));
+  EXPECT_THAT(printed(taken(capture, "a")), ElementsAre("300 event 49 frequency before it, Hz"));
 }
 
-TEST(Capture, TakesAHelloForNoMark) {
+TEST(Capture, MakesNoMarkOfAHello) {
   Capture capture(kRate_hz);
   capture.add({received("a", 0, UplinkKind::kHello)});
   EXPECT_TRUE(taken(capture, "a").marks.empty());

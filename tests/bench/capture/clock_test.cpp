@@ -1,4 +1,4 @@
-// The clock of an outlet as dips of the voltage tell it, against the crystal it was given.
+// Measures an outlet's clock from voltage dips and compares it with the configured crystal.
 #include "outlet_voltage.hpp"
 
 #include <algorithm>
@@ -31,16 +31,16 @@ profile::Plan plan_of(double duration_s, const std::string& grid = "ieee24",
       "test.toml");
 }
 
-// Largest difference over the run of where a stamp is from where it was told to be, ms.
+// Largest error of a converted time stamp over the run, ms.
 double error_ms(const Played& played, const OutletClock& clock) {
   double largest_ms = 0.0;
   for (int part = 0; part <= 8; ++part) {
     const double tick = static_cast<double>(played.run_ticks) * part / 8.0;
-    // A count beside it, and where that truly was.
+    // A whole sample near it, and the exact tick of that sample.
     const double sample = std::floor(played.sample_at(tick));
-    const double truly = tick + (sample - played.sample_at(tick)) / played.samples_per_tick;
-    const auto told = static_cast<double>(clock.tick_of(static_cast<std::uint64_t>(sample)));
-    largest_ms = std::max(largest_ms, 1e3 / kTickRate_hz * std::fabs(told - truly));
+    const double exact = tick + (sample - played.sample_at(tick)) / played.samples_per_tick;
+    const auto converted = static_cast<double>(clock.tick_of(static_cast<std::uint64_t>(sample)));
+    largest_ms = std::max(largest_ms, 1e3 / kTickRate_hz * std::fabs(converted - exact));
   }
   return largest_ms;
 }
@@ -56,13 +56,13 @@ struct Totals {
   void add(const Played& played, double ppm, const Alignment& found) {
     const double error = error_ms(played, found.clock);
     ++cases;
-    times_within += error <= found.told.uncertainty_ms ? 1 : 0;
+    times_within += error <= found.measured.uncertainty_ms ? 1 : 0;
     drifts_within +=
-        std::fabs(found.told.drift_ppm - ppm) <= found.told.drift_uncertainty_ppm ? 1 : 0;
+        std::fabs(found.measured.drift_ppm - ppm) <= found.measured.drift_uncertainty_ppm ? 1 : 0;
     largest_error_ms = std::max(largest_error_ms, error);
-    largest_uncertainty_ms = std::max(largest_uncertainty_ms, found.told.uncertainty_ms);
+    largest_uncertainty_ms = std::max(largest_uncertainty_ms, found.measured.uncertainty_ms);
     largest_drift_uncertainty_ppm =
-        std::max(largest_drift_uncertainty_ppm, found.told.drift_uncertainty_ppm);
+        std::max(largest_drift_uncertainty_ppm, found.measured.drift_uncertainty_ppm);
   }
 };
 
@@ -92,28 +92,28 @@ Totals random_cases(int cases, double duration_s, const std::string& grid) {
   return totals;
 }
 
-// k = 2: of normal errors 95.4 % lie within.
+// k = 2: 95.4 % of normally distributed errors are within the uncertainty.
 bool mostly(int within, int cases) {
   return within >= static_cast<int>(std::ceil(0.95 * cases));
 }
 
-// Half a tick of 1/8 ms for the stamp, and three times what 1 % of noise leaves of the flanks.
+// Half a tick of 1/8 ms for the stamp, and three times the effect of 1 % noise on the dip edges.
 constexpr double kMostUncertainty_ms = 0.5;
 
-TEST(OutletClock, LiesWithinItsUncertaintyForCrystalsOfAnyCountAndDrift) {
+TEST(OutletClock, IsWithinItsUncertaintyForAnyStartAndDrift) {
   for (const char* grid : {"ieee24", "island-60hz"}) {
     const Totals totals = random_cases(150, 6.0, grid);
     EXPECT_TRUE(mostly(totals.times_within, totals.cases));
     EXPECT_TRUE(mostly(totals.drifts_within, totals.cases));
     EXPECT_LT(totals.largest_uncertainty_ms, kMostUncertainty_ms);
-    // 0.2 ms over the 8.6 s between the first dip and the last.
+    // 0.2 ms over the 8.6 s from the first to the last dip.
     EXPECT_LT(totals.largest_drift_uncertainty_ppm, 50.0);
-    // And it is not claimed larger than it is: the largest of some hundred errors comes near it.
+    // The uncertainty is not exaggerated: the largest of some hundred errors is close to it.
     EXPECT_GT(totals.largest_error_ms, 0.3 * totals.largest_uncertainty_ms);
   }
 }
 
-TEST(OutletClock, IsKnownTheBetterTheLongerTheRun) {
+TEST(OutletClock, IsMoreAccurateForALongerRun) {
   const Totals brief = random_cases(20, 1.5, "ieee24");
   const Totals lengthy = random_cases(20, 30.0, "ieee24");
   EXPECT_LT(4.0 * lengthy.largest_drift_uncertainty_ppm, brief.largest_drift_uncertainty_ppm);
@@ -131,9 +131,9 @@ class AlignmentTest : public testing::Test {
   }
 
   void expect_within(const Alignment& alignment) const {
-    EXPECT_LE(error_ms(played_, alignment.clock), alignment.told.uncertainty_ms);
-    EXPECT_LE(std::fabs(alignment.told.drift_ppm - kDrift_ppm),
-              alignment.told.drift_uncertainty_ppm);
+    EXPECT_LE(error_ms(played_, alignment.clock), alignment.measured.uncertainty_ms);
+    EXPECT_LE(std::fabs(alignment.measured.drift_ppm - kDrift_ppm),
+              alignment.measured.drift_uncertainty_ppm);
   }
 
   std::size_t reading_at(double tick) const {
@@ -152,8 +152,8 @@ class AlignmentTest : public testing::Test {
   }
 };
 
-TEST_F(AlignmentTest, TellsTheCheckWhereADelayIsTakenTheWrongWay) {
-  // Stamps as if the window came after them, not before: 50 ms off.
+TEST_F(AlignmentTest, DetectsADelayWithTheWrongSign) {
+  // Stamps as if the window came after them instead of before: an error of 50 ms.
   const auto right = found();
   ASSERT_TRUE(right);
   VoltageTrace wrong = played_.trace;
@@ -166,7 +166,7 @@ TEST_F(AlignmentTest, TellsTheCheckWhereADelayIsTakenTheWrongWay) {
   expect_within(*right);
 }
 
-TEST_F(AlignmentTest, IsNotWhereTheMarkersBeforeTheRunAreMissing) {
+TEST_F(AlignmentTest, FailsWithoutTheMarkersBeforeTheRun) {
   const std::size_t second =
       reading_at(static_cast<double>(played_.markers.before.dips[1].from_tick));
   for (std::size_t i = second; i < second + 16; ++i) {
@@ -175,24 +175,24 @@ TEST_F(AlignmentTest, IsNotWhereTheMarkersBeforeTheRunAreMissing) {
   EXPECT_FALSE(found());
 }
 
-TEST_F(AlignmentTest, IsNotWhereTheBusIsDeadOrThereAreNoReadings) {
+TEST_F(AlignmentTest, FailsOnADeadBusAndWithoutReadings) {
   std::fill(played_.trace.voltage_pu.begin(), played_.trace.voltage_pu.end(), 0.0F);
   EXPECT_FALSE(found());
   played_.trace = {};
   EXPECT_FALSE(found());
 }
 
-TEST_F(AlignmentTest, TakesAnyCrystalsDriftWhereTheMarkersAfterTheRunAreMissing) {
+TEST_F(AlignmentTest, AssumesTheToleranceOfACrystalWithoutTheMarkersAfterTheRun) {
   const std::size_t end = reading_at(static_cast<double>(played_.run_ticks));
   lose(end, played_.trace.sample.size() - end);
   const auto alignment = found();
   ASSERT_TRUE(alignment);
-  EXPECT_EQ(alignment->told.drift_ppm, 0.0);
-  EXPECT_DOUBLE_EQ(alignment->told.drift_uncertainty_ppm, 100.0);
+  EXPECT_EQ(alignment->measured.drift_ppm, 0.0);
+  EXPECT_DOUBLE_EQ(alignment->measured.drift_uncertainty_ppm, 100.0);
   expect_within(*alignment);
 }
 
-TEST_F(AlignmentTest, BearsTheLossOfAnyTwoReadings) {
+TEST_F(AlignmentTest, ToleratesTheLossOfAnyTwoReadings) {
   for (const MarkedStretch* stretch : {&played_.markers.before, &played_.markers.after}) {
     for (const Dip& dip : stretch->dips) {
       const Played whole = played_;
@@ -208,7 +208,7 @@ TEST_F(AlignmentTest, BearsTheLossOfAnyTwoReadings) {
   }
 }
 
-TEST_F(AlignmentTest, TakesAnOutletsOwnScaleOfVoltage) {
+TEST_F(AlignmentTest, ToleratesAGainErrorOfTheOutlet) {
   for (float& volts : played_.trace.voltage_pu) {
     volts *= 1.02F;
   }
@@ -223,15 +223,15 @@ std::string step(double at_s, double duration_s, double level_pct) {
          "\nlevel_pct = " + std::to_string(level_pct) + "\n";
 }
 
-TEST(DisturbedRun, IsAlignedAsWell) {
+TEST(DisturbedRun, IsAlignedWithinTheUncertainty) {
   const std::string noise = "noise_pct = 1.0\n";
   const std::pair<double, std::string> runs[] = {
       {4.0, ""},
       {8.0, noise + step(1.0, 0.01, 0.0) + step(2.0, 0.02, 0.0) + step(3.0, 0.2, 40.0) +
                 step(4.0, 0.5, 70.0) + step(5.0, 2.0, 80.0)},
-      // As long and as deep as a marker, and as far apart as two of them.
+      // Dips with the length, depth and spacing of markers.
       {4.0, noise + step(0.5, 0.17, 70.0) + step(1.06, 0.17, 70.0) + step(2.6, 0.17, 70.0)},
-      // A dead bus, a dip at the end.
+      // A dead bus; a dip at the end of the run.
       {8.0, noise + step(1.0, 5.0, 0.0)},
       {4.0, noise + step(3.8, 0.2, 40.0)}};
   for (const auto& [duration_s, signal] : runs) {
@@ -240,10 +240,10 @@ TEST(DisturbedRun, IsAlignedAsWell) {
     const Played played = play(plan_of(duration_s, "ieee24", signal, ""), crystal);
     const auto alignment = align(played.trace, played.markers, kTickRate_hz);
     ASSERT_TRUE(alignment);
-    EXPECT_LE(error_ms(played, alignment->clock), alignment->told.uncertainty_ms);
-    EXPECT_LE(std::fabs(alignment->told.drift_ppm - crystal.ppm),
-              alignment->told.drift_uncertainty_ppm);
-    EXPECT_LT(alignment->told.uncertainty_ms, kMostUncertainty_ms);
+    EXPECT_LE(error_ms(played, alignment->clock), alignment->measured.uncertainty_ms);
+    EXPECT_LE(std::fabs(alignment->measured.drift_ppm - crystal.ppm),
+              alignment->measured.drift_uncertainty_ppm);
+    EXPECT_LT(alignment->measured.uncertainty_ms, kMostUncertainty_ms);
   }
 }
 

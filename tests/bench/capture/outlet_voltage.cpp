@@ -47,8 +47,8 @@ Played play(const profile::Plan& plan, const Crystal& crystal) {
   node.start({static_cast<std::int32_t>(rate_hz),
               static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz)), kCounts_per_pu},
              {}, nullptr, listener);
-  const std::vector<std::int16_t> nothing(static_cast<std::size_t>(crystal.lead_in));
-  node.feed(nothing.data(), nothing.size(), listener);
+  const std::vector<std::int16_t> silence(static_cast<std::size_t>(crystal.lead_in));
+  node.feed(silence.data(), silence.size(), listener);
 
   models::CrystalAdc adc(crystal.ppm, kCounts_per_pu,
                          static_cast<float>(plan.stimulus.noise_rms_pu()),

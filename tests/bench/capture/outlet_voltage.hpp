@@ -1,5 +1,5 @@
-// What an outlet with a crystal of its own says of the voltage that a run plays: the outlet's own
-// firmware over samples of the played signal.
+// The voltage reports of an outlet with its own crystal: the real firmware processes samples of the
+// played signal.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 namespace gsbench::capture::test {
 
 struct Crystal {
-  double ppm = 0.0;           // by how much it is fast
-  std::int64_t lead_in = 0;   // samples that the outlet counted before the source began
-  std::uint64_t started = 0;  // what its count began with
+  double ppm = 0.0;           // rate error, positive if fast
+  std::int64_t lead_in = 0;   // samples before the source starts
+  std::uint64_t started = 0;  // first value of its sample count
   std::uint32_t noise_index = 0;
 };
 
@@ -21,7 +21,7 @@ struct Played {
   VoltageTrace trace;
   std::int64_t run_ticks = 0;
 
-  // Where a count of the outlet's samples truly is on the run's ticks, and the other way round.
+  // Exact sample count of the outlet at a tick of the run.
   double sample_at(double tick) const { return zero_sample + tick * samples_per_tick; }
   double zero_sample = 0.0;
   double samples_per_tick = 1.0;

@@ -11,7 +11,7 @@ namespace {
 using record::MeasurementResult;
 using record::Verdict;
 
-TEST(Judge, GivesLimitAndValueInTheUnitThatTheProfileUses) {
+TEST(Judge, ConvertsValueAndLimitsToTheProfilesUnit) {
   SyntheticCase c = loss_of_500_mw();
   c.plan.expectations = {limits("event.delay", {}, 0.16, "s")};
   const MeasurementResult result = measure(c.view()).front();
@@ -23,8 +23,8 @@ TEST(Judge, GivesLimitAndValueInTheUnitThatTheProfileUses) {
   EXPECT_EQ(result.verdict, Verdict::kPass);
 }
 
-// 120 ms with 0.4 ms of uncertainty, against limits in other units.
-TEST(Judge, ConvertsBeforeItCompares) {
+// The value is 120 ms ± 0.4 ms; the limits are in other units.
+TEST(Judge, ConvertsUnitsBeforeComparing) {
   const SyntheticCase c = loss_of_500_mw();
   EXPECT_EQ(verdict(c, limits("event.delay", {}, 121000.0, "us")), Verdict::kPass);
   EXPECT_EQ(verdict(c, limits("event.delay", {}, 120100.0, "us")), Verdict::kInconclusive);
@@ -35,21 +35,21 @@ TEST(Judge, ConvertsBeforeItCompares) {
   EXPECT_EQ(verdict(c, limits("lse.loss", {}, 440000.0, "kW")), Verdict::kFail);
 }
 
-TEST(Judge, NeverPassesALimitInAUnitThatDoesNotConvert) {
+TEST(Judge, NeverPassesALimitInAnIncompatibleUnit) {
   EXPECT_EQ(verdict(loss_of_500_mw(), limits("event.delay", {}, 1e9, "Hz")),
             Verdict::kInconclusive);
 }
 
-TEST(Judge, NeverDropsALimitToAMeasureItDoesNotKnow) {
+TEST(Judge, KeepsALimitOnAnUnknownMeasure) {
   SyntheticCase c = loss_of_500_mw();
   c.plan.expectations = {limits("event.count", {}, 1.0), limits("event.taste", {}, 1.0)};
   judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kInconclusive);
   EXPECT_EQ(c.outlet.measurements[1].name, "event.taste");
-  EXPECT_EQ(c.outlet.measurements[1].reason, "there is no such measure");
+  EXPECT_EQ(c.outlet.measurements[1].reason, "unknown measure");
 }
 
-TEST(Judge, ListsJudgedMeasuresFirstInTheProfilesOrderAndEveryOtherOnce) {
+TEST(Judge, ListsJudgedMeasuresFirstThenAllOthersOnce) {
   SyntheticCase c = loss_of_500_mw();
   c.plan.expectations = {limits("relay.edges", {}, 1.0), limits("event.count", {}, 1.0),
                          limits("relay.edges", {}, 2.0)};
@@ -66,7 +66,7 @@ TEST(Judge, ListsJudgedMeasuresFirstInTheProfilesOrderAndEveryOtherOnce) {
   }
 }
 
-TEST(Judge, GivesNoVerdictOnWhatIsForInformation) {
+TEST(Judge, GivesNoVerdictOnMeasuresWithoutLimits) {
   SyntheticCase c = loss_of_500_mw();
   c.remove_marks("lse");
   c.plan.expectations = {limits("event.count", {}, 1.0)};
@@ -75,10 +75,10 @@ TEST(Judge, GivesNoVerdictOnWhatIsForInformation) {
   const auto lse = std::find_if(c.outlet.measurements.begin(), c.outlet.measurements.end(),
                                 [](const MeasurementResult& r) { return r.name == "lse.loss"; });
   ASSERT_NE(lse, c.outlet.measurements.end());
-  EXPECT_EQ(lse->reason, "no LSE");
+  EXPECT_EQ(lse->reason, "the outlet reported no least-squares estimate (LSE)");
 }
 
-TEST(Judge, AppliesALimitToTheGroupsItNamesOnly) {
+TEST(Judge, AppliesALimitOnlyToItsGroups) {
   profile::Expectation of_others = limits("event.count", {}, 0.0);
   of_others.groups = {"others", "more"};
   SyntheticCase c = loss_of_500_mw();
@@ -93,13 +93,13 @@ TEST(Judge, AppliesALimitToTheGroupsItNamesOnly) {
   EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
 }
 
-TEST(Judge, AnOutletOfWhichNothingWasExpectedIsInconclusive) {
+TEST(Judge, OutletWithoutLimitsIsInconclusive) {
   profile::Expectation of_others = limits("event.count", {}, 1.0);
   of_others.groups = {"others"};
   EXPECT_EQ(verdict(loss_of_500_mw(), of_others), Verdict::kInconclusive);
 }
 
-TEST(Judge, TheWorstOfItsMeasurementsIsTheOutletsVerdict) {
+TEST(Judge, OutletGetsTheWorstVerdictOfItsMeasurements) {
   SyntheticCase c = loss_of_500_mw();
   // Inconclusive (120 ms ± 0.4), failed, passed.
   c.plan.expectations = {limits("event.delay", {}, 120.0), limits("event.count", {}, 0.0),
@@ -111,13 +111,13 @@ TEST(Judge, TheWorstOfItsMeasurementsIsTheOutletsVerdict) {
   EXPECT_EQ(c.outlet.measurements[2].verdict, Verdict::kPass);
 }
 
-TEST(Judge, AMeasurementThatIsMissingHasNoValueAndItsReason) {
+TEST(Judge, MissingMeasurementHasAReasonAndNoValue) {
   SyntheticCase c = loss_of_500_mw();
   c.remove_marks("lse");
   c.plan.expectations = {limits("lse.loss", {}, 1e9)};
   const MeasurementResult result = measure(c.view()).front();
   EXPECT_TRUE(std::isnan(result.value));
-  EXPECT_EQ(result.reason, "no LSE");
+  EXPECT_EQ(result.reason, "the outlet reported no least-squares estimate (LSE)");
   EXPECT_EQ(result.verdict, Verdict::kFail);
 }
 

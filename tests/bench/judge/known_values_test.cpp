@@ -1,4 +1,4 @@
-// Each measure of the catalogue on a record where its value is known by hand.
+// Checks each measure of the catalogue against a record whose values are calculated by hand.
 
 #include "synthetic_case.hpp"
 
@@ -17,16 +17,15 @@ struct Known {
   double value;
   double tolerance;
   double uncertainty;
-  const char* word = "";
+  const char* text = "";
 };
 
-// A frequency near 50 Hz is kept to 4 µHz in a float, a ROCOF to 30 nHz/s, an instant near 3 s to
-// 0.24 µs: the tolerances of what comes through the traces. What comes from ticks is exact but for
-// the doubles.
+// Tolerances of values from the traces, which are floats: 4 µHz near 50 Hz, 30 nHz/s for a ROCOF,
+// 0.24 µs near 3 s. Values from ticks are exact except for rounding in doubles.
 constexpr double kFrequency_mhz = 0.004;
 constexpr double kExact = 1e-9;
 
-const std::vector<Known>& of_the_loss() {
+const std::vector<Known>& loss_values() {
   static const std::vector<Known> all = {
       {"tracker.error.max", 3.0, kFrequency_mhz, 0.1},
       {"tracker.error.rms", std::sqrt(5.0), kFrequency_mhz, 0.1},
@@ -65,16 +64,16 @@ void expect_known(const SyntheticCase& c, const Known& known) {
   ASSERT_NE(measure, nullptr) << known.measure;
   const Reading reading = reading_of(measure->name)(c.view());
   EXPECT_EQ(reading.missing, "") << known.measure;
-  EXPECT_EQ(reading.word, known.word) << known.measure;
+  EXPECT_EQ(reading.text, known.text) << known.measure;
   EXPECT_NEAR(reading.uncertainty, known.uncertainty, kExact) << known.measure;
-  if (measure->is_word()) {
+  if (measure->is_text()) {
     EXPECT_TRUE(std::isnan(reading.value)) << known.measure;
   } else {
     EXPECT_NEAR(reading.value, known.value, known.tolerance) << known.measure;
   }
 }
 
-// Without the error that the other measures are about, or it would be taken for a delay.
+// Without the errors in the other measures: the fit would take them for a delay.
 SyntheticCase exact_tracker(double delay_s) {
   SyntheticCase c = loss_of_500_mw();
   for (std::size_t i = 0; i < c.outlet.trace.tick.size(); ++i) {
@@ -84,14 +83,14 @@ SyntheticCase exact_tracker(double delay_s) {
   return c;
 }
 
-TEST(KnownValues, OfTheLossAreRead) {
+TEST(KnownValues, AreReadFromTheRecordWithALoss) {
   const SyntheticCase c = loss_of_500_mw();
-  for (const Known& known : of_the_loss()) {
+  for (const Known& known : loss_values()) {
     expect_known(c, known);
   }
 }
 
-TEST(KnownValues, OfTheCommandAreRead) {
+TEST(KnownValues, AreReadFromTheRecordWithACommand) {
   const SyntheticCase c = commanded();
   expect_known(c, {"command.delay", 12.0, kExact, 0.3});
   expect_known(c, {"relay.operate_time", 7.0, kExact, 0.5});
@@ -101,16 +100,16 @@ TEST(KnownValues, OfTheCommandAreRead) {
 }
 
 // The search ends within 0.1 ms; the float adds 4 µHz on 0.4 Hz/s, 0.01 ms.
-TEST(KnownValues, OfTheTrackersDelayIsFoundToATenthOfAMillisecond) {
+TEST(KnownValues, OfTheTrackerDelayAreWithinATenthOfAMillisecond) {
   for (const double delay_s : {0.0, 0.028, 0.1}) {
     expect_known(exact_tracker(delay_s),
                  {"tracker.delay", 1e3 * delay_s, 0.1, std::hypot(0.1, 0.4)});
   }
 }
 
-TEST(KnownValues, AreTestedForEveryMeasureOfTheCatalogue) {
+TEST(KnownValues, CoverEveryMeasureOfTheCatalogue) {
   std::set<std::string> tested = {"command.delay", "tracker.delay"};
-  for (const Known& known : of_the_loss()) {
+  for (const Known& known : loss_values()) {
     tested.insert(known.measure);
   }
   std::set<std::string> all;
@@ -120,7 +119,7 @@ TEST(KnownValues, AreTestedForEveryMeasureOfTheCatalogue) {
   EXPECT_EQ(tested, all);
 }
 
-TEST(Readings, AreThoseOfTheCatalogue) {
+TEST(Readings, CoverExactlyTheMeasuresOfTheCatalogue) {
   std::set<std::string> readings;
   for (const auto& [name, read] : all_readings()) {
     EXPECT_EQ(reading_of(name), read) << name;

@@ -1,4 +1,4 @@
-// What cannot be measured says why, and whose fault it is.
+// A missing measurement has a reason, and is FAIL or INCONCLUSIVE as documented.
 
 #include "synthetic_case.hpp"
 
@@ -14,8 +14,8 @@ using ::testing::HasSubstr;
 
 struct Missing {
   const char* measure;
-  bool outlets_fault;
-  const char* why;
+  bool fails;
+  const char* reason;
   Change change;
 };
 
@@ -42,36 +42,37 @@ void nine_valid_reports(SyntheticCase& c) {
 
 const std::vector<Missing>& all_missing() {
   static const std::vector<Missing> all = {
-      {"tracker.error.max", true, "fewer than 10 valid", nine_valid_reports},
-      {"tracker.error.rms", true, "fewer than 10 valid", nine_valid_reports},
-      {"tracker.bias", true, "fewer than 10 valid", nine_valid_reports},
-      {"tracker.rocof_error.rms", true, "fewer than 10 valid", nine_valid_reports},
-      {"tracker.delay", false, "moves too little",
+      {"tracker.error.max", true, "fewer than 10 valid reports", nine_valid_reports},
+      {"tracker.error.rms", true, "fewer than 10 valid reports", nine_valid_reports},
+      {"tracker.bias", true, "fewer than 10 valid reports", nine_valid_reports},
+      {"tracker.rocof_error.rms", true, "fewer than 10 valid reports", nine_valid_reports},
+      {"tracker.delay", false, "while the reference moves",
        [](SyntheticCase& c) { c.reference = std::make_shared<FallingReference>(1e9); }},
-      {"tracker.delay", false, "moves too little", nine_valid_reports},
+      {"tracker.delay", false, "while the reference moves", nine_valid_reports},
       {"validity.valid_share", true, "fewer than 10 reports after the first second",
        [](SyntheticCase& c) { c.cut_trace(71); }},
-      {"event.false", false, "does not say from which drop",
+      {"event.false", false, "does not contain the outlet's setting event_drop_hz",
        [](SyntheticCase& c) { c.outlet.settings.erase("event_drop_hz"); }},
-      {"event.delay", false, "plays no loss", no_loss},
-      {"event.delay", true, "no event after the loss",
+      {"event.delay", false, "contains no loss", no_loss},
+      {"event.delay", true, "reported no event after the loss",
        [](SyntheticCase& c) { c.move_marks("event", -121); }},
-      {"condition.hits", true, "no decision", without("decision.hits")},
-      {"lse.loss", true, "no LSE", without("lse")},
-      {"lse.error", true, "no LSE", without("lse")},
-      {"lse.error", false, "no lost power", no_loss},
-      {"lse.error", false, "no lost power", [](SyntheticCase& c) { c.move_marks("lse", -300); }},
-      {"ekf.loss", true, "no decision", without("decision.loss")},
-      {"ekf.error", true, "no decision", without("decision.loss")},
-      {"ekf.error", false, "no lost power", no_loss},
-      {"ekf.t_x_error", false, "plays no loss", no_loss},
-      {"ekf.t_x_error", true, "no decision", without("decision")},
-      {"ekf.t_x_error", true, "no estimate",
+      {"condition.hits", true, "reported no decision", without("decision.hits")},
+      {"lse.loss", true, "reported no least-squares estimate", without("lse")},
+      {"lse.error", true, "reported no least-squares estimate", without("lse")},
+      {"lse.error", false, "contains no loss of power before", no_loss},
+      {"lse.error", false, "contains no loss of power before",
+       [](SyntheticCase& c) { c.move_marks("lse", -300); }},
+      {"ekf.loss", true, "reported no decision", without("decision.loss")},
+      {"ekf.error", true, "reported no decision", without("decision.loss")},
+      {"ekf.error", false, "contains no loss of power before", no_loss},
+      {"ekf.t_x_error", false, "contains no loss", no_loss},
+      {"ekf.t_x_error", true, "reported no decision", without("decision")},
+      {"ekf.t_x_error", true, "no EKF estimate",
        [](SyntheticCase& c) { c.outlet.estimates = record::EstimateTrace{}; }},
-      {"decision.delay", false, "plays no loss", no_loss},
-      {"decision.delay", true, "no decision after the loss",
+      {"decision.delay", false, "contains no loss", no_loss},
+      {"decision.delay", true, "reported no decision after the loss",
        [](SyntheticCase& c) { c.move_marks("decision", -921); }},
-      {"relay.delay", false, "plays no loss", no_loss},
+      {"relay.delay", false, "contains no loss", no_loss},
       {"relay.delay", true, "did not open after the loss", without("relay.sense")},
       {"relay.delay", true, "did not open after the loss",
        [](SyntheticCase& c) { c.move_marks("relay.sense", -929); }},
@@ -83,48 +84,49 @@ const std::vector<Missing>& all_missing() {
       {"relay.chatter", false, "no relay sense", no_sense},
       {"command.delay", false, "no relay sense", no_sense},
       {"trip.time", false, "no relay sense", no_sense},
-      {"relay.delay_reported", false, "plays no loss", no_loss},
-      {"relay.delay_reported", true, "did not say that it opened", without("relay.reported")},
-      {"relay.operate_time", true, "was not opened", without("relay.reported")},
-      {"relay.operate_time", true, "was not opened", without("relay.sense")},
-      {"relay.report_difference", true, "opened and the outlet did not say so",
+      {"relay.delay_reported", false, "contains no loss", no_loss},
+      {"relay.delay_reported", true, "did not report an opening", without("relay.reported")},
+      {"relay.operate_time", true, "both sensed and reported", without("relay.reported")},
+      {"relay.operate_time", true, "both sensed and reported", without("relay.sense")},
+      {"relay.report_difference", true, "opened but the outlet did not report it",
        without("relay.reported")},
-      {"relay.report_difference", true, "said that it opened and the contact did not",
+      {"relay.report_difference", true, "reported an opening but the contact did not open",
        without("relay.sense")},
-      {"relay.report_difference", true, "neither",
+      {"relay.report_difference", true, "no opening was sensed or reported",
        [](SyntheticCase& c) {
          c.remove_marks("relay.reported");
          c.remove_marks("relay.sense");
        }},
-      {"command.delay", false, "sends this outlet no command", without("command")},
+      {"command.delay", false, "sends no command to this outlet", without("command")},
       {"command.delay", true, "did not follow the command",
        [](SyntheticCase& c) {
          c.add_mark(2000, "command", 0.0);
          c.remove_marks("relay.sense");
        }},
       {"trip.time", true, "did not open", without("relay.sense")},
-      {"clock.drift", false, "counts the source's own ticks", no_clock},
-      {"clock.uncertainty", false, "counts the source's own ticks", no_clock},
+      {"clock.drift", false, "counts the source's ticks", no_clock},
+      {"clock.uncertainty", false, "counts the source's ticks", no_clock},
   };
   return all;
 }
 
-// A miss of the outlet's fails whatever the limits, one of the bench is inconclusive.
-TEST(MissingMeasurement, SaysWhyAndWhoseFaultItIsAndNeverPasses) {
+// With the widest limits: FAIL if the outlet did not act, INCONCLUSIVE if the bench could not
+// measure.
+TEST(MissingMeasurement, HasAReasonAndNeverPasses) {
   for (const Missing& missing : all_missing()) {
     SyntheticCase c = loss_of_500_mw();
     missing.change(c);
     const Reading reading = c.read(missing.measure);
-    EXPECT_THAT(reading.missing, HasSubstr(missing.why)) << missing.measure;
-    EXPECT_EQ(reading.outlets_fault, missing.outlets_fault) << missing.measure;
+    EXPECT_THAT(reading.missing, HasSubstr(missing.reason)) << missing.measure;
+    EXPECT_EQ(reading.fails, missing.fails) << missing.measure;
     EXPECT_TRUE(std::isnan(reading.value)) << missing.measure;
     EXPECT_EQ(verdict(c, limits(missing.measure, -1e300, 1e300)),
-              missing.outlets_fault ? record::Verdict::kFail : record::Verdict::kInconclusive)
+              missing.fails ? record::Verdict::kFail : record::Verdict::kInconclusive)
         << missing.measure;
   }
 }
 
-TEST(MissingMeasurement, IsTestedForEveryMeasureThatNeedsSomething) {
+TEST(MissingMeasurement, IsTestedForEveryMeasureWithNeeds) {
   std::set<std::string> tested;
   for (const Missing& missing : all_missing()) {
     tested.insert(missing.measure);
@@ -134,8 +136,8 @@ TEST(MissingMeasurement, IsTestedForEveryMeasureThatNeedsSomething) {
   }
 }
 
-// One more report, and there is a value.
-TEST(MissingMeasurement, TenReportsAreEnough) {
+// One report more than in the cases above.
+TEST(MissingMeasurement, HasAValueWithTenReports) {
   SyntheticCase c = loss_of_500_mw();
   c.cut_trace(16);
   EXPECT_EQ(c.read("tracker.error.rms").missing, "");

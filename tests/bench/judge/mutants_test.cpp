@@ -1,4 +1,4 @@
-// Proof that each limit can fail: a record that passes, and the same one spoiled.
+// Shows that each limit can fail: a record passes, and a mutant of it fails.
 
 #include "synthetic_case.hpp"
 
@@ -17,7 +17,7 @@ struct Mutant {
   std::optional<double> max;
   Change spoil;
   const char* equals = nullptr;
-  bool of_command = false;  // of the record with a command, else of the one with a loss
+  bool of_command = false;  // true: the record with a command; false: the one with a loss
 };
 
 Change moved(const char* kind, std::int64_t by_ticks) {
@@ -50,7 +50,7 @@ void wild_rocof(SyntheticCase& c) {
   }
 }
 
-// Says what it measured 50 ms ago.
+// Reports what it measured 50 ms earlier.
 void late_tracker(SyntheticCase& c) {
   for (std::int64_t& tick : c.outlet.trace.tick) {
     tick += 50;
@@ -117,7 +117,7 @@ const std::vector<Mutant>& mutants() {
   return all;
 }
 
-TEST(Mutants, FailWhereTheRecordTheyCameFromPasses) {
+TEST(Mutants, FailAlthoughTheOriginalRecordPasses) {
   for (const Mutant& mutant : mutants()) {
     SyntheticCase c = mutant.of_command ? commanded() : loss_of_500_mw();
     profile::Expectation expectation = limits(mutant.measure, mutant.min, mutant.max);
@@ -141,8 +141,8 @@ TEST(Mutants, ExistForEveryMeasureOfTheCatalogue) {
   }
 }
 
-// What an outlet says is valid and is no number is its fault, in whichever of the measures.
-TEST(Mutants, ANotANumberSaidToBeValidFailsEveryMeasureThatReadsIt) {
+// A valid report must contain numbers: otherwise the outlet fails in every measure that reads them.
+TEST(Mutants, NaNInAValidReportFailsEveryMeasureThatReadsIt) {
   SyntheticCase c = loss_of_500_mw();
   c.outlet.trace.frequency_hz[200] = std::numeric_limits<float>::quiet_NaN();
   c.outlet.trace.rocof_hz_s[200] = std::numeric_limits<float>::infinity();

@@ -7,7 +7,7 @@ namespace {
 
 using record::Verdict;
 
-// Two outlets of which at most one event is expected; the second has two, so that it fails.
+// Two outlets with a limit of one event; the second one has two events and fails.
 class RunVerdict : public testing::Test {
  protected:
   RunVerdict() {
@@ -46,9 +46,9 @@ TEST_F(RunVerdict, IsThatOfTheWorstOutlet) {
   EXPECT_EQ(run_.verdict_reason, "1 of 2 outlets did not pass");
 }
 
-TEST_F(RunVerdict, DoesNotDependOnAnEarlierOne) {
+TEST_F(RunVerdict, DoesNotDependOnAnEarlierVerdict) {
   run_.verdict = Verdict::kError;
-  run_.verdict_reason = "of before";
+  run_.verdict_reason = "an earlier reason";
   run_.outlets[0].verdict = Verdict::kError;
   expect_events(2.0);
   judge(plan_, run_);
@@ -61,7 +61,7 @@ TEST_F(RunVerdict, DoesNotDependOnAnEarlierOne) {
   EXPECT_EQ(run_.verdict_reason, "2 of 2 outlets did not pass");
 }
 
-TEST_F(RunVerdict, OfAFaultyOutletIsErrorThoughItIsMeasured) {
+TEST_F(RunVerdict, IsErrorIfAnOutletIsFaultyAlthoughItIsMeasured) {
   run_.outlets[0].fault = "fell silent";
   judge(plan_, run_);
   EXPECT_EQ(run_.outlets[0].verdict, Verdict::kError);
@@ -71,7 +71,7 @@ TEST_F(RunVerdict, OfAFaultyOutletIsErrorThoughItIsMeasured) {
   EXPECT_EQ(run_.verdict_reason, "2 of 2 outlets did not pass: outlet outlet-1 fell silent");
 }
 
-TEST_F(RunVerdict, OfAnOutletThatTookNoPartIsErrorAndNothingOfItIsMeasured) {
+TEST_F(RunVerdict, IsErrorIfAnOutletIsExcludedAndItIsNotMeasured) {
   run_.outlets[0].took_part = false;
   judge(plan_, run_);
   EXPECT_EQ(run_.outlets[0].verdict, Verdict::kError);
@@ -79,19 +79,19 @@ TEST_F(RunVerdict, OfAnOutletThatTookNoPartIsErrorAndNothingOfItIsMeasured) {
   EXPECT_EQ(run_.verdict, Verdict::kError);
 }
 
-TEST_F(RunVerdict, OfAFaultOfTheBenchIsErrorForAll) {
+TEST_F(RunVerdict, IsErrorForAllOutletsIfTheBenchFails) {
   judge(plan_, run_);
   run_.fault = "the source is gone";
   expect_error("the source is gone");
 }
 
-TEST_F(RunVerdict, OfAnInterruptedRunIsErrorForAll) {
+TEST_F(RunVerdict, IsErrorForAllOutletsIfTheRunIsInterrupted) {
   judge(plan_, run_);
   run_.interrupted = true;
   expect_error("interrupted before its end");
 }
 
-TEST_F(RunVerdict, WithoutOutletsIsError) {
+TEST_F(RunVerdict, IsErrorWithoutOutlets) {
   run_.outlets.clear();
   expect_error("the run has no outlets");
 }

@@ -43,7 +43,7 @@ SyntheticCase quiet(double falls_from_s) {
   c.outlet.took_part = true;
   c.outlet.link = "simulated";
   c.outlet.settings = {{"tracker_delay_s", 0.028}, {"event_drop_hz", 0.020}};
-  // 0.3, 0.4 and 0.5: what depends on two of them is told from what depends on one.
+  // 0.3 and 0.4 combine to 0.5, so a test can distinguish one uncertainty from two combined.
   c.uncertainty.relay_sense_ms = 0.3;
   c.uncertainty.frequency_mhz = 0.1;
   c.outlet.clock = {30.0, 8.0, 0.4};
@@ -111,7 +111,7 @@ SyntheticCase loss_of_500_mw() {
   c.add_mark(3920, "decision.hits", 30.0);
   c.add_mark(3920, "relay.reported", 0.0, "loss");
   c.add_mark(3928, "relay.sense", 0.0, "open");
-  // The last one at the decision is the one that counts, not the last of all.
+  // The measures use the last estimate up to the decision, not the last one of the run.
   c.outlet.estimates.tick = {3296, 3920, 3936};
   c.outlet.estimates.loss_mw = {460.0F, 515.0F, 516.0F};
   c.outlet.estimates.loss_sigma_mw = {80.0F, 8.0F, 8.0F};

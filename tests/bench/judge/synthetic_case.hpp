@@ -1,4 +1,4 @@
-// A record in which every measurement is known by hand, to judge and to spoil.
+// Records in which the value of every measure is known, for judging and for mutants.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ class FallingReference final : public waveform::ReferenceSignal {
   double nominal_hz() const override { return 50.0; }
   double frequency_hz(double t_s) const override;
   double rocof_hz_s(double t_s) const override;
-  double excess_cycles(double) const override { return 0.0; }  // no measurement asks for it
+  double excess_cycles(double) const override { return 0.0; }  // not used by any measure
   double voltage_pu(double) const override { return 1.0; }
   std::vector<double> corners_s() const override { return {from_s_, from_s_ + 1.0}; }
 
@@ -41,26 +41,31 @@ struct SyntheticCase {
   void remove_marks(const std::string& kind);
   void move_marks(const std::string& kind, std::int64_t by_ticks);
   void set_marks(const std::string& kind, double value);
-  // Keeps that many reports, from the first on.
+  // Keeps only the first `reports` reports.
   void cut_trace(std::size_t reports);
 };
 
 using Change = std::function<void(SyntheticCase&)>;
 
-// Six seconds at 1000 samples a second, so that a tick is a millisecond; 500 MW lost at 3 s.
+// A record of six seconds at 1000 samples/s (1 tick = 1 ms) with a loss of 500 MW at 3 s.
 //
-// The outlet's reports come every 16 ms, valid from 0.112 s on but for four around 1.1 s, and are
-// of the reference 28 ms earlier: the frequency 1 mHz too high with 2 mHz more and less in turn,
-// the ROCOF 0.1 Hz/s too high and too low in turn. It detects the event at 3.120 s, has an LSE of
-// 450 MW at 3.280 s, and decides at 3.920 s on 515 MW, lost at 3.010 s, with 30 hits. Its relay is
-// told to open then, and does at 3.928 s. Its clock is 30 ± 8 ppm fast, its stamps good to 0.4 ms.
+// The outlet reports every 16 ms. Reports are valid from 0.112 s on, except for four around 1.1 s.
+// They follow the reference with a delay of 28 ms. The frequency is 1 mHz too high, with
+// alternating errors of ±2 mHz; the ROCOF has alternating errors of ±0.1 Hz/s.
+//
+//   3.120 s  event
+//   3.280 s  LSE: 450 MW
+//   3.920 s  decision: 515 MW lost at 3.010 s, 30 hits; the relay is ordered to open
+//   3.928 s  the contact opens
+//
+// The outlet's clock is 30 ± 8 ppm fast; its time stamps have an uncertainty of 0.4 ms.
 SyntheticCase loss_of_500_mw();
 
-// Without a loss: switched off by command at 2.000 s; ordered to the relay at 2.005 s, open at
-// 2.012 s.
+// A record without a loss: command to switch off at 2.000 s, order to the relay at 2.005 s, contact
+// open at 2.012 s.
 SyntheticCase commanded();
 
-// In the measure's own unit, unless another is named.
+// Limits in the measure's own unit unless `unit` is given.
 profile::Expectation limits(const std::string& measure, std::optional<double> min,
                             std::optional<double> max, const char* unit = nullptr);
 

@@ -18,8 +18,8 @@ Verdict verdict(double value, double uncertainty, double low, double high) {
   return judge_number(number(value, uncertainty), low, high).verdict;
 }
 
-// Quarters throughout: exact in doubles, so that "exactly the uncertainty" is exact.
-TEST(NumberVerdict, PassesInsideByTheUncertaintyAndNoLess) {
+// All values are multiples of 0.25, which doubles represent exactly.
+TEST(NumberVerdict, PassesInsideByAtLeastTheUncertainty) {
   EXPECT_EQ(verdict(15.0, 0.25, 10.0, 20.0), Verdict::kPass);
   EXPECT_EQ(verdict(19.75, 0.25, 10.0, 20.0), Verdict::kPass);
   EXPECT_EQ(verdict(std::nextafter(19.75, 20.0), 0.25, 10.0, 20.0), Verdict::kInconclusive);
@@ -41,20 +41,20 @@ TEST(NumberVerdict, LimitsAreInclusiveWithoutUncertainty) {
   EXPECT_EQ(verdict(std::nextafter(1.0, 2.0), 0.0, 1.0, 1.0), Verdict::kFail);
 }
 
-TEST(NumberVerdict, NeverPassesBetweenLimitsNearerThanTwiceTheUncertainty) {
+TEST(NumberVerdict, NeverPassesIfTheLimitsAreCloserThanTwiceTheUncertainty) {
   for (double value = 9.0; value <= 11.0; value += 0.0625) {
     EXPECT_NE(verdict(value, 0.5, 9.75, 10.25), Verdict::kPass) << value;
   }
 }
 
-TEST(NumberVerdict, KnowsOneLimitOnly) {
+TEST(NumberVerdict, AcceptsASingleLimit) {
   EXPECT_EQ(verdict(-1e300, 0.0, kNone, 5.0), Verdict::kPass);
   EXPECT_EQ(verdict(6.0, 0.0, kNone, 5.0), Verdict::kFail);
   EXPECT_EQ(verdict(1e300, 0.0, 5.0, kNone), Verdict::kPass);
   EXPECT_EQ(verdict(4.0, 0.0, 5.0, kNone), Verdict::kFail);
 }
 
-TEST(NumberVerdict, NeverPassesWhatIsNoNumber) {
+TEST(NumberVerdict, NeverPassesAValueThatIsNotFinite) {
   for (const double value : {kNone, kInfinity, -kInfinity}) {
     for (const double limit : {kNone, -1e300, 1e300, kInfinity}) {
       EXPECT_EQ(verdict(value, 0.0, kNone, limit), Verdict::kInconclusive);
@@ -63,43 +63,43 @@ TEST(NumberVerdict, NeverPassesWhatIsNoNumber) {
   }
 }
 
-TEST(NumberVerdict, NeverPassesWithAnUncertaintyThatMakesNoSense) {
+TEST(NumberVerdict, NeverPassesWithAnInvalidUncertainty) {
   EXPECT_EQ(verdict(5.0, kNone, 0.0, 10.0), Verdict::kInconclusive);
   EXPECT_EQ(verdict(5.0, -1.0, 0.0, 10.0), Verdict::kInconclusive);
   EXPECT_EQ(verdict(5.0, kInfinity, 0.0, 10.0), Verdict::kInconclusive);
 }
 
-TEST(NumberVerdict, SaysWhyItIsNotAPass) {
+TEST(NumberVerdict, HasAReasonUnlessItIsPass) {
   EXPECT_EQ(judge_number(number(5.0), 0.0, 10.0).reason, "");
   EXPECT_THAT(judge_number(number(11.0), 0.0, 10.0).reason, HasSubstr("outside"));
   EXPECT_THAT(judge_number(number(10.0, 1.0), 0.0, 10.0).reason, HasSubstr("uncertainty"));
-  EXPECT_THAT(judge_number(number(kNone), 0.0, 10.0).reason, HasSubstr("no number"));
+  EXPECT_THAT(judge_number(number(kNone), 0.0, 10.0).reason, HasSubstr("not a finite number"));
 }
 
-TEST(MissingVerdict, FailsWhatTheOutletDidNotDoAndLeavesOpenWhatTheBenchCannotTell) {
-  for (const bool is_word : {false, true}) {
+TEST(MissingVerdict, IsFailForTheOutletAndInconclusiveForTheBench) {
+  for (const bool is_text : {false, true}) {
     const auto judged = [&](const Reading& reading) {
-      return is_word ? judge_word(reading, "open") : judge_number(reading, 0.0, 1.0);
+      return is_text ? judge_text(reading, "open") : judge_number(reading, 0.0, 1.0);
     };
-    EXPECT_EQ(judged(not_done("it slept")).verdict, Verdict::kFail);
-    EXPECT_EQ(judged(not_done("it slept")).reason, "it slept");
-    EXPECT_EQ(judged(not_known("too dark")).verdict, Verdict::kInconclusive);
-    EXPECT_EQ(judged(not_known("too dark")).reason, "too dark");
+    EXPECT_EQ(judged(not_done("no report")).verdict, Verdict::kFail);
+    EXPECT_EQ(judged(not_done("no report")).reason, "no report");
+    EXPECT_EQ(judged(not_known("no sensor")).verdict, Verdict::kInconclusive);
+    EXPECT_EQ(judged(not_known("no sensor")).reason, "no sensor");
   }
 }
 
-TEST(MissingVerdict, GoesBeforeAValueThatIsThereAllTheSame) {
+TEST(MissingVerdict, OverridesAValue) {
   Reading reading = number(0.5);
-  reading.missing = "it was of another run";
+  reading.missing = "stale value";
   EXPECT_EQ(judge_number(reading, 0.0, 1.0).verdict, Verdict::kFail);
 }
 
-TEST(WordVerdict, PassesTheExpectedWordOnly) {
-  EXPECT_EQ(judge_word(word("open"), "open").verdict, Verdict::kPass);
-  EXPECT_EQ(judge_word(word("closed"), "open").verdict, Verdict::kFail);
-  EXPECT_EQ(judge_word(word("closed"), "open").reason, "expected open");
-  EXPECT_EQ(judge_word(word("open"), "").verdict, Verdict::kFail);
-  EXPECT_EQ(judge_word(word(""), "open").verdict, Verdict::kFail);
+TEST(TextVerdict, PassesOnlyTheExpectedText) {
+  EXPECT_EQ(judge_text(text("open"), "open").verdict, Verdict::kPass);
+  EXPECT_EQ(judge_text(text("closed"), "open").verdict, Verdict::kFail);
+  EXPECT_EQ(judge_text(text("closed"), "open").reason, "expected open");
+  EXPECT_EQ(judge_text(text("open"), "").verdict, Verdict::kFail);
+  EXPECT_EQ(judge_text(text(""), "open").verdict, Verdict::kFail);
 }
 
 }  // namespace

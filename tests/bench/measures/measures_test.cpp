@@ -1,4 +1,3 @@
-
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -10,7 +9,7 @@
 namespace gsbench::measures {
 namespace {
 
-TEST(Catalogue, NamesEachMeasureOnce) {
+TEST(Catalogue, HasUniqueNames) {
   std::set<std::string> names;
   for (const Measure& measure : catalogue()) {
     EXPECT_TRUE(names.insert(measure.name).second) << measure.name;
@@ -18,25 +17,25 @@ TEST(Catalogue, NamesEachMeasureOnce) {
   EXPECT_FALSE(names.empty());
 }
 
-TEST(Catalogue, DefinesEachMeasureInASentenceAndSaysWhatItNeeds) {
+TEST(Catalogue, HasADefinitionAndTheNeedsOfEachMeasure) {
   for (const Measure& measure : catalogue()) {
     EXPECT_EQ(measure.definition.back(), '.') << measure.name;
     EXPECT_FALSE(measure.needs.empty()) << measure.name;
   }
 }
 
-TEST(Catalogue, GivesEachMeasureAUnitThatConvertsOrItsWords) {
+TEST(Catalogue, HasAKnownUnitOrTextValuesForEachMeasure) {
   for (const Measure& measure : catalogue()) {
-    if (measure.is_word()) {
+    if (measure.is_text()) {
       EXPECT_EQ(measure.unit, "") << measure.name;
-      EXPECT_GE(measure.words.size(), 2U) << measure.name;
+      EXPECT_GE(measure.text_values.size(), 2U) << measure.name;
     } else {
       EXPECT_EQ(unit_scale(measure.unit, measure.unit), 1.0) << measure.name;
     }
   }
 }
 
-TEST(Catalogue, FindsItsMeasuresAndNoOthers) {
+TEST(Catalogue, FindsExactlyItsOwnMeasures) {
   for (const Measure& measure : catalogue()) {
     EXPECT_EQ(find(measure.name), &measure);
   }
@@ -44,7 +43,7 @@ TEST(Catalogue, FindsItsMeasuresAndNoOthers) {
   EXPECT_EQ(find(""), nullptr);
 }
 
-TEST(Catalogue, HasWhatTheDocumentationOfProfilesExpects) {
+TEST(Catalogue, HasEveryMeasureNamedInTheProfileReadme) {
   std::ifstream file(GSBENCH_SOURCE_DIR "/profiles/README.md");
   const std::string text((std::istreambuf_iterator<char>(file)), {});
   const std::string key = "measure = \"";
@@ -70,16 +69,16 @@ TEST(Units, DoNotConvertAcrossDimensions) {
   EXPECT_FALSE(unit_scale("s", "Hz"));
   EXPECT_FALSE(unit_scale("Hz", "Hz/s"));
   EXPECT_FALSE(unit_scale("", "%"));
-  EXPECT_FALSE(unit_scale("pu", "V"));  // hangs on the nominal voltage
+  EXPECT_FALSE(unit_scale("pu", "V"));  // depends on the nominal voltage
 }
 
-TEST(Units, UnknownOnesConvertIntoNothing) {
+TEST(Units, DoNotConvertIfUnknown) {
   EXPECT_FALSE(unit_scale("fortnight", "s"));
   EXPECT_FALSE(unit_scale("s", "S"));
   EXPECT_FALSE(unit_scale("fortnight", "fortnight"));
 }
 
-TEST(Units, ListThoseOfTheSameDimension) {
+TEST(Units, ListUnitsOfTheSameDimension) {
   EXPECT_THAT(units_like("Hz"), testing::ElementsAre("Hz", "mHz"));
   EXPECT_THAT(units_like("fortnight"), testing::IsEmpty());
 }

@@ -17,7 +17,7 @@ Distribution of(std::initializer_list<double> values) {
   return distribution;
 }
 
-TEST(Distribution, QuantilesAreValuesThatOccurredByTheNearestRank) {
+TEST(Distribution, QuantilesUseTheNearestRank) {
   const Distribution four = of({4.0, 1.0, 3.0, 2.0});
   EXPECT_EQ(four.quantile(0.0), 1.0);
   EXPECT_EQ(four.quantile(0.25), 1.0);
@@ -28,7 +28,7 @@ TEST(Distribution, QuantilesAreValuesThatOccurredByTheNearestRank) {
   EXPECT_EQ(four.quantile(1.0), 4.0);
 }
 
-TEST(Distribution, HundredthsOfAHundredValuesAreEachItsOwn) {
+TEST(Distribution, PercentilesOfAHundredValuesAreExact) {
   Distribution hundred;
   for (int i = 100; i >= 1; --i) {
     hundred.add(i);
@@ -39,16 +39,16 @@ TEST(Distribution, HundredthsOfAHundredValuesAreEachItsOwn) {
   }
 }
 
-TEST(Distribution, OfOneValueIsThatValue) {
+TEST(Distribution, OfOneValueHasThatValueAsAllQuantiles) {
   const Distribution one = of({7.0});
   for (const double p : {0.0, 0.01, 0.5, 1.0}) {
     EXPECT_EQ(one.quantile(p), 7.0);
   }
   EXPECT_EQ(one.mean(), 7.0);
-  EXPECT_TRUE(std::isnan(one.standard_deviation())) << "one value does not tell";
+  EXPECT_TRUE(std::isnan(one.standard_deviation()));
 }
 
-TEST(Distribution, OfNothingHasNoFigures) {
+TEST(Distribution, WithoutValuesHasNaNForAllFigures) {
   const Distribution none;
   EXPECT_TRUE(std::isnan(none.quantile(0.5)));
   EXPECT_TRUE(std::isnan(none.mean()));
@@ -56,21 +56,21 @@ TEST(Distribution, OfNothingHasNoFigures) {
   EXPECT_TRUE(std::isnan(none.share_within(1.0)));
 }
 
-TEST(Distribution, MeanAndStandardDeviationAreThoseOfTheSample) {
+TEST(Distribution, HasMeanAndStandardDeviationOfTheSample) {
   const Distribution five = of({2.0, 4.0, 4.0, 5.0, 10.0});
   EXPECT_DOUBLE_EQ(five.mean(), 5.0);
-  // Squares 9 + 1 + 1 + 0 + 25 over n − 1 = 4.
+  // (9 + 1 + 1 + 0 + 25) / (n − 1 = 4).
   EXPECT_DOUBLE_EQ(five.standard_deviation(), 3.0);
 }
 
-TEST(Distribution, ANotANumberIsMissingAndNoValue) {
+TEST(Distribution, CountsNaNAsMissing) {
   const Distribution d = of({1.0, std::numeric_limits<double>::quiet_NaN(), 3.0});
   EXPECT_EQ(d.count(), 2U);
   EXPECT_EQ(d.missing(), 1U);
   EXPECT_EQ(d.mean(), 2.0);
 }
 
-TEST(Distribution, ShareWithinIsInclusiveOfBothSignsAndCountsTheMissingAsOutside) {
+TEST(Distribution, ShareWithinIsInclusiveAndCountsMissingAsOutside) {
   const Distribution d = of({-4.0, 4.0, 4.5, -5.0, 0.0});
   EXPECT_DOUBLE_EQ(d.share_within(4.0), 0.6);
   EXPECT_DOUBLE_EQ(d.share_within(5.0), 1.0);
@@ -81,18 +81,18 @@ TEST(Distribution, ShareWithinIsInclusiveOfBothSignsAndCountsTheMissingAsOutside
   EXPECT_EQ(only_missing.share_within(1.0), 0.0);
 }
 
-TEST(Distribution, MergedIsTheDistributionOfAll) {
+TEST(Distribution, MergesTheValuesOfBoth) {
   Distribution a = of({3.0, 1.0});
-  a.add_word("open");
+  a.add_text("open");
   Distribution b = of({2.0, std::numeric_limits<double>::quiet_NaN()});
-  b.add_word("open");
-  b.add_word("closed");
+  b.add_text("open");
+  b.add_text("closed");
   a.merge(b);
   a.sort();
   EXPECT_EQ(a.count(), 3U);
   EXPECT_EQ(a.missing(), 1U);
   EXPECT_EQ(a.quantile(0.5), 2.0);
-  EXPECT_EQ(a.words(), (std::map<std::string, std::size_t>{{"closed", 1}, {"open", 2}}));
+  EXPECT_EQ(a.texts(), (std::map<std::string, std::size_t>{{"closed", 1}, {"open", 2}}));
 }
 
 }  // namespace

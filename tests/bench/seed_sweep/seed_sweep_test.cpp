@@ -21,9 +21,9 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 using Counts = std::map<Verdict, std::size_t>;
-using Words = std::map<std::string, std::size_t>;
+using Texts = std::map<std::string, std::size_t>;
 
-// Two outlets in noise for 1.5 s, the second of which expects what cannot be.
+// Two outlets, 1.5 s of noise.
 profile::Plan parse(const std::string& expectations) {
   return profile::parse_profile(
       "title = \"A test\"\nsource = \"None\"\n[grid]\nsystem = \"ieee24\"\n[signal]\n"
@@ -60,8 +60,8 @@ const Row& row(const StudyResult& result, const std::string& measure) {
   return *found;
 }
 
-// All that can be read of a study, bit for bit.
-std::string told(const StudyResult& result) {
+// All contents of a result, with exact floating-point values.
+std::string printed(const StudyResult& result) {
   std::string text = fmt::format("{} {:a} {} {}", result.seeds_done, result.hours,
                                  to_string(result.verdict), result.first_reason);
   const auto add_verdicts = [&text](const Counts& verdicts) {
@@ -74,13 +74,13 @@ std::string told(const StudyResult& result) {
     text += fmt::format("\n{} [{}] {} {} {:a} {:a} {:a} {:a} {:a} {}", measure, unit,
                         values.count(), values.missing(), values.mean(),
                         values.standard_deviation(), values.quantile(0.0), values.quantile(0.5),
-                        values.quantile(1.0), values.words());
+                        values.quantile(1.0), values.texts());
     add_verdicts(verdicts);
   }
   return text;
 }
 
-TEST(Study, HasAValueOfEachOutletAndSeed) {
+TEST(Study, HasOneValueForEachOutletAndSeed) {
   const StudyResult result = study_of(quiet(), 3);
   EXPECT_EQ(result.seeds_done, 3U);
   EXPECT_DOUBLE_EQ(result.hours, 3 * 2 * 1.5 / 3600.0);
@@ -89,13 +89,13 @@ TEST(Study, HasAValueOfEachOutletAndSeed) {
   EXPECT_EQ(result.verdicts, (Counts{{Verdict::kPass, 6}}));
   EXPECT_EQ(row(result, "tracker.error.rms").values.count(), 6U);
   EXPECT_EQ(row(result, "event.delay").values.missing(), 6U);
-  EXPECT_EQ(row(result, "relay.end").values.words(), (Words{{"closed", 6}}));
+  EXPECT_EQ(row(result, "relay.end").values.texts(), (Texts{{"closed", 6}}));
   EXPECT_EQ(row(result, "event.count").verdicts, (Counts{{Verdict::kPass, 6}}));
-  EXPECT_TRUE(row(result, "relay.edges").verdicts.empty()) << "for information";
+  EXPECT_TRUE(row(result, "relay.edges").verdicts.empty()) << "no limit";
 }
 
-// A limit in another unit and two on one measure: still one value of each outlet and seed.
-TEST(Study, CountsAnOutletOnceWhateverTheNumberAndUnitsOfItsLimits) {
+// Limits in other units and two limits on one measure: still one value for each outlet and seed.
+TEST(Study, CountsEachOutletOnceWhateverItsLimits) {
   const StudyResult plain = study_of(quiet(), 2);
   const StudyResult limited =
       study_of(parse("[[expect]]\nmeasure = \"tracker.error.rms\"\nunit = \"Hz\"\nmax = 0.010\n"
@@ -107,11 +107,11 @@ TEST(Study, CountsAnOutletOnceWhateverTheNumberAndUnitsOfItsLimits) {
   const Row& rms = row(limited, "tracker.error.rms");
   EXPECT_EQ(rms.unit, "mHz");
   EXPECT_EQ(rms.values.count(), 4U);
-  // A factor of 1000 and back rounds twice.
+  // Two conversions by a factor of 1000 round twice.
   EXPECT_NEAR(rms.values.quantile(1.0), row(plain, "tracker.error.rms").values.quantile(1.0),
               1e-12);
   EXPECT_EQ(rms.verdicts, (Counts{{Verdict::kPass, 4}, {Verdict::kFail, 4}}));
-  EXPECT_EQ(row(limited, "relay.end").values.words(), (Words{{"closed", 4}}));
+  EXPECT_EQ(row(limited, "relay.end").values.texts(), (Texts{{"closed", 4}}));
 }
 
 TEST(Study, HasItsRowsInTheOrderOfTheCatalogue) {
@@ -123,13 +123,13 @@ TEST(Study, HasItsRowsInTheOrderOfTheCatalogue) {
 }
 
 TEST(Study, IsTheSameOnAnyNumberOfThreads) {
-  const std::string one = told(study_of(half_failing(), 7, 1));
-  EXPECT_EQ(told(study_of(half_failing(), 7, 2)), one);
-  EXPECT_EQ(told(study_of(half_failing(), 7, 3)), one);
-  EXPECT_EQ(told(study_of(half_failing(), 7, 12)), one) << "more threads than seeds";
+  const std::string one = printed(study_of(half_failing(), 7, 1));
+  EXPECT_EQ(printed(study_of(half_failing(), 7, 2)), one);
+  EXPECT_EQ(printed(study_of(half_failing(), 7, 3)), one);
+  EXPECT_EQ(printed(study_of(half_failing(), 7, 12)), one) << "more threads than seeds";
 }
 
-TEST(Study, IsMadeOfTheRunsOfItsSeeds) {
+TEST(Study, CombinesTheRunsOfItsSeeds) {
   profile::Plan plan = quiet();
   std::vector<double> rms_mhz;
   for (const std::uint64_t seed : {11U, 12U}) {
@@ -146,7 +146,7 @@ TEST(Study, IsMadeOfTheRunsOfItsSeeds) {
   std::sort(rms_mhz.begin(), rms_mhz.end());
   ASSERT_EQ(rms_mhz.size(), 4U);
   EXPECT_EQ(std::set<double>(rms_mhz.begin(), rms_mhz.end()).size(), 4U)
-      << "each outlet and seed has noise of its own";
+      << "each outlet and seed has its own noise";
   const StudyResult result = study_of(quiet(), 2, 1, 11);
   const Distribution& values = row(result, "tracker.error.rms").values;
   for (std::size_t i = 0; i < rms_mhz.size(); ++i) {
@@ -154,7 +154,7 @@ TEST(Study, IsMadeOfTheRunsOfItsSeeds) {
   }
 }
 
-TEST(Study, TellsTheFirstFailureBySeedNotByTheClock) {
+TEST(Study, ReportsTheFirstFailureInOrderOfSeeds) {
   for (const std::size_t threads : {1U, 3U}) {
     const StudyResult result = study_of(half_failing(), 5, threads, 20);
     EXPECT_EQ(result.verdict, Verdict::kFail);
@@ -164,7 +164,7 @@ TEST(Study, TellsTheFirstFailureBySeedNotByTheClock) {
   }
 }
 
-TEST(Study, StoppedReportsTheSeedsThatWereDone) {
+TEST(Study, ReportsTheCompletedSeedsWhenStopped) {
   for (const std::size_t threads : {1U, 3U}) {
     std::atomic<bool> stop{false};
     StudyOptions options;
@@ -173,14 +173,14 @@ TEST(Study, StoppedReportsTheSeedsThatWereDone) {
     options.stop = &stop;
     options.progress = [&](std::uint64_t done, std::uint64_t) { stop = stop || done >= 4; };
     const StudyResult result = study(quiet(), options);
-    EXPECT_EQ(result.seeds_done, 4U) << "what was under way when it was stopped does not count";
+    EXPECT_EQ(result.seeds_done, 4U) << "seeds in progress when stopped do not count";
     EXPECT_EQ(row(result, "tracker.error.rms").values.count(), 8U);
     EXPECT_DOUBLE_EQ(result.hours, 4 * 2 * 1.5 / 3600.0);
     EXPECT_EQ(result.verdict, Verdict::kPass);
   }
 }
 
-TEST(Study, StoppedBeforeAnySeedIsDoneHasShownNothing) {
+TEST(Study, IsInconclusiveWhenStoppedBeforeTheFirstSeed) {
   const std::atomic<bool> stop{true};
   StudyOptions options;
   options.seeds = 5;
@@ -192,7 +192,7 @@ TEST(Study, StoppedBeforeAnySeedIsDoneHasShownNothing) {
   EXPECT_THAT(result.first_reason, HasSubstr("no seed"));
 }
 
-TEST(Study, TellsItsProgressSeedBySeed) {
+TEST(Study, ReportsItsProgressAfterEachSeed) {
   std::vector<std::uint64_t> reported_done;
   StudyOptions options;
   options.seeds = 6;
@@ -205,7 +205,7 @@ TEST(Study, TellsItsProgressSeedBySeed) {
   EXPECT_EQ(reported_done, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6}));
 }
 
-TEST(Study, RethrowsWhatARunThrows) {
+TEST(Study, RethrowsTheExceptionOfARun) {
   profile::Plan refused = quiet();
   refused.outlets[0].settings.settings["threshold_mw"] = -1.0;
   for (const std::size_t threads : {1U, 3U}) {

@@ -1,4 +1,4 @@
-// Same plan and seed, same record: whatever the blocks, the threads and the pace.
+// The same plan and seed give the same record for any block size, number of threads and pace.
 
 #include "plans.hpp"
 
@@ -10,7 +10,7 @@
 namespace gsbench::station::test {
 namespace {
 
-// A loss, a decision on it, a command off the beat of all blocks, a dip and a phase jump.
+// A loss with a decision, commands that fall on no block boundary, a dip and a phase jump.
 profile::Plan eventful() {
   return plan(4.5,
               "noise_pct = 1.0\n"
@@ -36,11 +36,11 @@ std::string digest(const profile::Plan& plan, std::size_t threads, double block_
   return record::content_digest(simulated_record(plan, threads, block_s));
 }
 
-TEST(Determinism, TheRecordHasAllThatCouldDiffer) {
+TEST(Determinism, RecordContainsEverythingThatCouldDiffer) {
   const record::RunRecord record = simulated_record(eventful(), 1, 0.512);
   EXPECT_NE(record.verdict, record::Verdict::kError) << record.verdict_reason;
   for (const record::OutletRecord& outlet : record.outlets) {
-    // Off and on by command, off by the decision.
+    // Opened and closed by command, opened by the decision.
     int openings = 0;
     for (const record::Mark& mark : outlet.marks) {
       openings += mark.kind == "relay.sense" && mark.value < 0.5 ? 1 : 0;
@@ -50,7 +50,7 @@ TEST(Determinism, TheRecordHasAllThatCouldDiffer) {
   }
 }
 
-TEST(Determinism, TheRecordDoesNotDependOnBlocksNorThreads) {
+TEST(Determinism, RecordDoesNotDependOnBlocksOrThreads) {
   const profile::Plan plan = eventful();
   const std::string expected = digest(plan, 1, 0.512);
   for (const double block_s : {0.016, 0.1, 0.512, 3.0}) {
@@ -60,22 +60,22 @@ TEST(Determinism, TheRecordDoesNotDependOnBlocksNorThreads) {
   }
 }
 
-TEST(Determinism, ABlockMayBeShorterThanASampleAndLongerThanTheRun) {
+TEST(Determinism, BlockMayBeShorterThanASampleOrLongerThanTheRun) {
   const profile::Plan plan = test::plan(0.2, "noise_pct = 1.0\n");
   EXPECT_EQ(digest(plan, 1, 1e-9), digest(plan, 1, 1e6));
 }
 
-TEST(Determinism, AnotherSeedIsAnotherRecord) {
+TEST(Determinism, AnotherSeedGivesAnotherRecord) {
   profile::Plan plan = eventful();
   const record::RunRecord one = simulated_record(plan, 1, 0.512);
   plan.seed = 2;
   const record::RunRecord other = simulated_record(plan, 1, 0.512);
   EXPECT_NE(record::content_digest(one), record::content_digest(other));
   EXPECT_NE(one.outlets[0].trace.frequency_hz, other.outlets[0].trace.frequency_hz)
-      << "it is the noise that differs, not the seed's number alone";
+      << "the noise must differ, not only the seed";
 }
 
-TEST(Determinism, TwoRunsDifferInTheirNameOnly) {
+TEST(Determinism, TwoRunsDifferInTheirIdOnly) {
   const profile::Plan plan = test::plan(0.2, "noise_pct = 1.0\n");
   const record::RunRecord one = simulated_record(plan, 1, 0.512);
   const record::RunRecord other = simulated_record(plan, 1, 0.512);
@@ -83,13 +83,13 @@ TEST(Determinism, TwoRunsDifferInTheirNameOnly) {
   EXPECT_EQ(record::content_digest(one), record::content_digest(other));
 }
 
-TEST(Determinism, RealTimeBringsTheRecordOfVirtualTime) {
+TEST(Determinism, RealTimeGivesTheSameRecordAsVirtualTime) {
   const profile::Plan plan = test::plan(0.3, "noise_pct = 1.0\n");
   EXPECT_EQ(record::content_digest(simulated_record(plan, 2, 0.0, true)), digest(plan, 1, 0.0));
 }
 
-// One station can run a plan again.
-TEST(Determinism, ASecondRunOnTheSameStationIsLikeTheFirst) {
+// A station can be used for several runs.
+TEST(Determinism, SecondRunOnTheSameStationGivesTheSameRecord) {
   const profile::Plan plan = eventful();
   const auto station = simulated_station(plan, {});
   const std::string first = record::content_digest(run(plan, *station, {}));

@@ -30,7 +30,7 @@ source::Limits FakeStation::limits() const {
 
 Status FakeStation::power_up() {
   touched_ = true;
-  source_on_ = true;  // a source that failed to start may be live all the same
+  source_on_ = true;  // a source that failed to start may still be live
   if (!script_.start_error.empty()) {
     return Error{script_.start_error};
   }
@@ -44,7 +44,7 @@ drivers::Result<std::int64_t> FakeStation::play_until(std::int64_t until_tick) {
   if (script_.play_fails_at == plays_) {
     return Error{"fake source: tripped"};
   }
-  // As a driver that streams: it takes the samples and does nothing with them.
+  // Reads the samples like a streaming driver and discards them.
   const auto voltage_pu = samples(played_tick_, until_tick - played_tick_);
   if (!voltage_pu.ok()) {
     return Error{voltage_pu.error()};

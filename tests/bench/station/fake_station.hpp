@@ -1,5 +1,5 @@
-// A station whose source, link and relay sense are told when to fail and keep a log of what was
-// asked of them; its outlets answer and report as outlets do, without any firmware.
+// A station whose source, link and relay sense fail as scripted and log the calls. Its outlets
+// answer and report like real ones, without firmware.
 #pragma once
 
 #include <limits>
@@ -19,26 +19,26 @@ struct Script {
   bool noise_per_outlet = false;
   double block_s = 0.1;
 
-  // What goes wrong. Calls are counted from 0.
-  std::string start_error;  // of the source, energised
+  // Failures. Calls are counted from 0.
+  std::string start_error;  // of the source; it is live nevertheless
   std::string make_safe_error;
   std::string open_error;
   std::optional<int> play_fails_at;
-  std::optional<int> play_throws_at;  // against the rules of drivers
+  std::optional<int> play_throws_at;  // drivers must not throw
   std::optional<int> send_fails_at;
   std::optional<int> link_poll_fails_at;
   std::optional<int> relay_poll_fails_at;
 
-  // Of the last outlet.
+  // Behaviour of the last outlet.
   bool without_link = false;
-  std::vector<relay::Edge> edges;  // that the relay sense sees at its first poll
+  std::vector<relay::Edge> edges;  // returned by the first poll of the relay sense
   std::uint16_t protocol_version = gs::wire::kProtocolVersion;
   gs::outlet::SettingsError settings_error = gs::outlet::SettingsError::kNone;
   bool answers_settings = true;
   std::int64_t silent_from_tick = kNeverTick;
 };
 
-// One of which a single thing is said.
+// A script with one field set.
 template <class Field, class Value>
 Script with(Field Script::*field, const Value& value) {
   Script script;
@@ -61,7 +61,7 @@ class FakeStation final : public Station,
   bool outlets_count_ticks() const override { return true; }
   double block_s() const override { return script_.block_s; }
 
-  // The source is off and the link closed, both after all else that was asked of them.
+  // True if the source is off and the link is closed, each as its last call.
   bool is_safe() const { return made_safe_ > 0 && closed_ > 0 && !source_on_ && !link_open_; }
   bool was_touched() const { return touched_; }
   int blocks_played() const { return plays_; }

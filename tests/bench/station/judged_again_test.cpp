@@ -1,5 +1,5 @@
-// The file keeps the record that a run returns; judged again from it alone, the run comes out the
-// same.
+// A run's file contains the record that the run returned. Judging that file again gives the same
+// verdicts.
 
 #include "fake_station.hpp"
 #include "plans.hpp"
@@ -16,7 +16,7 @@
 namespace gsbench::station::test {
 namespace {
 
-void forget_verdicts(record::RunRecord& run) {
+void clear_verdicts(record::RunRecord& run) {
   run.verdict = record::Verdict::kPass;
   run.verdict_reason.clear();
   for (record::OutletRecord& outlet : run.outlets) {
@@ -25,8 +25,8 @@ void forget_verdicts(record::RunRecord& run) {
   }
 }
 
-record::Verdict judged_again(const profile::Plan& plan, Station& station,
-                             const std::atomic<bool>* stop = nullptr) {
+record::Verdict verdict_when_judged_again(const profile::Plan& plan, Station& station,
+                                          const std::atomic<bool>* stop = nullptr) {
   const gsbench::test::TemporaryFolder folder;
   const std::string path = folder.file("record.sqlite");
   record::RunRecord returned;
@@ -42,34 +42,34 @@ record::Verdict judged_again(const profile::Plan& plan, Station& station,
   EXPECT_EQ(record.finished_utc, returned.finished_utc);
   const std::string digest = record::content_digest(record);
   EXPECT_EQ(record::content_digest(returned), digest);
-  forget_verdicts(record);
+  clear_verdicts(record);
   EXPECT_NE(record::content_digest(record), digest);
   judge::judge(parse(record.profile_text), record);
   EXPECT_EQ(record::content_digest(record), digest);
   return record.verdict;
 }
 
-TEST(JudgedAgain, ARunWithALossAndNoise) {
+TEST(JudgedAgain, RunWithALossAndNoiseHasTheSameVerdicts) {
   const profile::Plan plan =
       test::plan(4.5, "noise_pct = 1.0\n[[grid.loss]]\nat_s = 2.0\npower_mw = 500.0\n",
                  "[[outlet]]\ncount = 2\naccumulated_mw = 100.0\n");
-  EXPECT_EQ(judged_again(plan, *simulated_station(plan, {})), record::Verdict::kFail);
+  EXPECT_EQ(verdict_when_judged_again(plan, *simulated_station(plan, {})), record::Verdict::kFail);
 }
 
-TEST(JudgedAgain, ARunWithAFaultyOutlet) {
+TEST(JudgedAgain, RunWithAFaultyOutletHasTheSameVerdicts) {
   FakeStation station(with(&Script::answers_settings, false));
-  EXPECT_EQ(judged_again(test::plan(0.5), station), record::Verdict::kError);
+  EXPECT_EQ(verdict_when_judged_again(test::plan(0.5), station), record::Verdict::kError);
 }
 
-TEST(JudgedAgain, ARunThatTheBenchBrokeOff) {
+TEST(JudgedAgain, RunEndedByABenchFaultHasTheSameVerdicts) {
   FakeStation station(with(&Script::play_fails_at, 2));
-  EXPECT_EQ(judged_again(test::plan(0.5), station), record::Verdict::kError);
+  EXPECT_EQ(verdict_when_judged_again(test::plan(0.5), station), record::Verdict::kError);
 }
 
-TEST(JudgedAgain, ARunThatWasInterrupted) {
+TEST(JudgedAgain, InterruptedRunHasTheSameVerdicts) {
   const std::atomic<bool> stop{true};
   FakeStation station({});
-  EXPECT_EQ(judged_again(test::plan(0.5), station, &stop), record::Verdict::kError);
+  EXPECT_EQ(verdict_when_judged_again(test::plan(0.5), station, &stop), record::Verdict::kError);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Plans to run, from the text of their profiles.
+// Plans for tests, made from the text of a profile.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ inline profile::Plan parse(const std::string& text) {
   return profile::parse_profile(text, "test.toml");
 }
 
-// Two outlets on the modified IEEE 24-bus system, 8 kHz, for `duration_s`, with `more` before the
-// outlets and `expect` after them: whole TOML tables.
+// A profile of two outlets on the modified IEEE 24-bus system at 8 kHz. `more` comes after the keys
+// of [signal]; `outlet` replaces the outlets.
 inline std::string profile_text(double duration_s, const std::string& more = "",
                                 const std::string& outlet = "[[outlet]]\ncount = 2\n") {
   return "title = \"A test\"\nsource = \"None\"\n[grid]\nsystem = \"ieee24\"\n[signal]\n"

@@ -20,26 +20,26 @@ std::vector<float> rendered(const PlayedSignal& signal, std::int64_t first, std:
   return samples;
 }
 
-// Off nominal at its first tick, and of a phase of its own.
+// Starts off-nominal and with a phase offset.
 profile::Plan off_nominal_plan() {
   profile::Plan off = plan(2.0, "frequency = [[0.0, 49.8], [2.0, 49.7]]\n");
   off.stimulus.signal.initial_phase_deg = 75.0;
   return off;
 }
 
-TEST(PlayedSignal, WithoutMarkersOrBetweenThemPlaysThePlansOwn) {
+TEST(PlayedSignal, PlaysThePlansSignalBetweenTheMarkers) {
   const profile::Plan p = plan(1.0);
-  std::vector<float> own(static_cast<std::size_t>(p.duration_ticks()));
-  p.synthesizer().render(0, own.size(), own.data());
+  std::vector<float> expected(static_cast<std::size_t>(p.duration_ticks()));
+  p.synthesizer().render(0, expected.size(), expected.data());
   const PlayedSignal unmarked(p, false);
   EXPECT_EQ(unmarked.lead_ticks(), 0);
   ASSERT_EQ(unmarked.total_ticks(), p.duration_ticks());
-  EXPECT_EQ(rendered(unmarked, 0, p.duration_ticks()), own);
+  EXPECT_EQ(rendered(unmarked, 0, p.duration_ticks()), expected);
   const PlayedSignal marked(p, true);
-  EXPECT_EQ(rendered(marked, marked.lead_ticks(), p.duration_ticks()), own);
+  EXPECT_EQ(rendered(marked, marked.lead_ticks(), p.duration_ticks()), expected);
 }
 
-TEST(PlayedSignal, TellsTheFrequencyAndAmplitudeOfItsSamples) {
+TEST(PlayedSignal, KnowsTheFrequencyAndAmplitudeOfItsSamples) {
   const profile::Plan p = off_nominal_plan();
   const PlayedSignal signal(p, true);
   EXPECT_EQ(signal.nominal_hz(), 50);
@@ -54,7 +54,7 @@ TEST(PlayedSignal, TellsTheFrequencyAndAmplitudeOfItsSamples) {
   EXPECT_NEAR(signal.amplitude_pu(dip), signal.markers().level, 1e-12);
 }
 
-TEST(PlayedSignal, IsTheSameHoweverItIsCut) {
+TEST(PlayedSignal, DoesNotDependOnTheBlockSize) {
   const PlayedSignal signal(off_nominal_plan(), true);
   const std::vector<float> whole = rendered(signal, 0, signal.total_ticks());
   std::vector<float> pieces;
@@ -66,11 +66,11 @@ TEST(PlayedSignal, IsTheSameHoweverItIsCut) {
   EXPECT_EQ(pieces, whole);
 }
 
-TEST(PlayedSignal, MarksWhereItDips) {
+TEST(PlayedSignal, HasItsDipsAtTheMarkers) {
   const PlayedSignal signal(off_nominal_plan(), true);
   const std::vector<float> whole = rendered(signal, 0, signal.total_ticks());
   const capture::Markers& markers = signal.markers();
-  // Over two whole periods or so: RMS per unit of the nominal, within the rest of a period.
+  // RMS in p.u. of nominal over about two periods.
   const auto rms = [&](std::int64_t tick) {
     const auto first = static_cast<std::size_t>(tick + signal.lead_ticks());
     double sum = 0.0;
@@ -86,11 +86,11 @@ TEST(PlayedSignal, MarksWhereItDips) {
       EXPECT_NEAR(rms(dip.to_tick - 321), markers.level, 0.01);
       EXPECT_NEAR(rms(dip.from_tick - 321), 1.0, 0.01);
       EXPECT_NEAR(rms(dip.to_tick), 1.0, 0.01);
-      // At a zero crossing, but for what one tick of 1/8 ms makes of it: sin(2π · 50/8000).
+      // Within one tick of a zero crossing: |v| < sin(2π · 50/8000).
       EXPECT_LT(std::fabs(whole[static_cast<std::size_t>(dip.from_tick + signal.lead_ticks())]),
                 0.04F);
     }
-    // And what an outlet's RMS is compared with is of these samples.
+    // The cumulative square sum is that of the rendered samples.
     double sum = 0.0;
     for (std::size_t i = 0; i < stretch->square_sum.size(); ++i) {
       ASSERT_DOUBLE_EQ(stretch->square_sum[i], sum);
@@ -117,7 +117,7 @@ class Listener final : public gs::app::Outbox {
   std::vector<Reading> readings;
 };
 
-TEST(PlayedSignal, NothingHappensAtTheRunsBeginning) {
+TEST(PlayedSignal, HasNoTransientAtTheStartOfTheRun) {
   const PlayedSignal signal(off_nominal_plan(), true);
   Listener listener;
   gs::app::Application node;
@@ -134,7 +134,7 @@ TEST(PlayedSignal, NothingHappensAtTheRunsBeginning) {
       continue;
     }
     ASSERT_EQ(reading.measured.validity, gs::outlet::Validity::kValid) << "at tick " << tick;
-    // 49.8 Hz and from tick 0 on 0.05 Hz/s less; a jump of one degree would show as 50 mHz.
+    // 49.8 Hz, falling by 0.05 Hz/s from tick 0. A phase jump of one degree would show as 50 mHz.
     EXPECT_NEAR(reading.measured.frequency_hz,
                 49.8 - 0.05 / 8000.0 * static_cast<double>(std::max<std::int64_t>(tick, 0)), 0.006)
         << "at tick " << tick;

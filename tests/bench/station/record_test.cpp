@@ -1,4 +1,4 @@
-// What a run's record says of the run.
+// Contents of a run's record.
 
 #include "fake_station.hpp"
 #include "plans.hpp"
@@ -20,7 +20,7 @@ record::RunRecord record_of(const profile::Plan& plan, const Script& script = {}
   return run(plan, station, {});
 }
 
-TEST(RunRecord, SaysWhatWasPlayedWhereAndWithWhat) {
+TEST(RunRecord, ContainsTheProfileTheStationAndTheVersions) {
   profile::Plan plan = test::plan(0.2);
   plan.seed = 42;
   const record::RunRecord record = record_of(plan);
@@ -45,14 +45,14 @@ TEST(RunRecord, SaysWhatWasPlayedWhereAndWithWhat) {
   EXPECT_LE(record.started_utc, record.finished_utc);
 }
 
-TEST(RunRecord, SaysWhichContactsTheBenchSees) {
+TEST(RunRecord, ContainsWhichContactsAreSensed) {
   const record::RunRecord record = record_of(test::plan(0.2), with(&Script::relay_channels, 1U));
   ASSERT_EQ(record.outlets.size(), 2U);
   EXPECT_TRUE(record.outlets[0].relay_sensed);
   EXPECT_FALSE(record.outlets[1].relay_sensed);
 }
 
-TEST(RunRecord, SaysOfEachOutletWhoItIsAndWhatItWasSent) {
+TEST(RunRecord, ContainsTheIdentityAndSettingsOfEachOutlet) {
   const record::RunRecord record = record_of(test::plan(0.2));
   ASSERT_EQ(record.outlets.size(), 2U);
   const record::OutletRecord& outlet = record.outlets[1];
@@ -63,7 +63,7 @@ TEST(RunRecord, SaysOfEachOutletWhoItIsAndWhatItWasSent) {
   EXPECT_NEAR(outlet.settings.at("threshold_mw"), 351.92, 0.1);
 }
 
-TEST(RunRecord, LeavesOutOutletsThatThePlanDoesNotNeed) {
+TEST(RunRecord, OmitsOutletsThatThePlanDoesNotNeed) {
   FakeStation station(with(&Script::outlets, 4U));
   const record::RunRecord record = run(test::plan(0.2), station, {});
   EXPECT_EQ(record.verdict, record::Verdict::kPass) << record.verdict_reason;
@@ -80,7 +80,7 @@ record::MeasurementResult measured(const record::OutletRecord& outlet, const std
   return {};
 }
 
-TEST(RunRecord, OfAnOutletWithoutALinkHasItsContactAndKnowsNothingOfItsReports) {
+TEST(RunRecord, HasOnlyTheContactOfAnOutletWithoutALink) {
   Script script = with(&Script::without_link, true);
   script.edges = {{1, 400, false}};
   FakeStation station(script);
@@ -92,7 +92,7 @@ TEST(RunRecord, OfAnOutletWithoutALinkHasItsContactAndKnowsNothingOfItsReports) 
   const record::OutletRecord& outlet = record.outlets[1];
   EXPECT_EQ(outlet.id, "serial-2");
   EXPECT_TRUE(outlet.took_part);
-  EXPECT_EQ(outlet.fault, "") << "it is not silent: nothing is expected of it";
+  EXPECT_EQ(outlet.fault, "") << "an outlet without a link cannot stop reporting";
   EXPECT_TRUE(outlet.settings.empty());
   EXPECT_TRUE(station.sent_to(1).empty());
   EXPECT_EQ(measured(outlet, "relay.edges").verdict, record::Verdict::kPass);
@@ -100,7 +100,7 @@ TEST(RunRecord, OfAnOutletWithoutALinkHasItsContactAndKnowsNothingOfItsReports) 
   EXPECT_EQ(outlet.verdict, record::Verdict::kInconclusive);
 }
 
-TEST(RunRecord, GivesAnOutletThatThePlanNamesItsOwnSlot) {
+TEST(RunRecord, AssignsTheSlotWithTheSerialNumberThatThePlanNames) {
   const record::RunRecord record =
       record_of(test::plan(0.2, "", "[[outlet]]\nid = \"any\"\n[[outlet]]\nid = \"serial-1\"\n"));
   EXPECT_EQ(record.outlets[0].id, "serial-2");
@@ -112,15 +112,15 @@ std::string noise_of(const std::string& noise_line, bool per_outlet) {
   return record_of(test::plan(0.2, noise_line), with(&Script::noise_per_outlet, per_outlet)).noise;
 }
 
-TEST(RunRecord, SaysWhatNoiseThereWas) {
+TEST(RunRecord, ContainsADescriptionOfTheNoise) {
   EXPECT_EQ(noise_of("", true), "none");
   EXPECT_EQ(noise_of("noise_pct = 1.0\n", true), "1 % white, each outlet its own");
   EXPECT_EQ(noise_of("noise_pct = 0.25\n", false), "0.25 % white, the same at all outlets");
   EXPECT_EQ(noise_of("noise_pct = 10\n", false), "10 % white, the same at all outlets");
 }
 
-TEST(RunRecord, MarksTheStimulusAtTheTicksItIsPlayedFromInTheOrderOfTime) {
-  // 0.017 s is tick 102 at 6 kHz, though 0.017 · 6000 is a little more in doubles.
+TEST(RunRecord, MarksTheStimulusInOrderOfTime) {
+  // 0.017 s is tick 102 at 6 kHz, although 0.017 · 6000 > 102 in doubles.
   const record::RunRecord record =
       record_of(test::plan(0.5,
                            "sample_rate_hz = 6000\n"
@@ -130,17 +130,17 @@ TEST(RunRecord, MarksTheStimulusAtTheTicksItIsPlayedFromInTheOrderOfTime) {
                            "[[signal.phase_jump]]\nat_s = 0.017\ndegrees = -20.0\n"
                            "[[grid.loss]]\nat_s = 0.3\npower_mw = -50.0\n"
                            "[[grid.loss]]\nat_s = 0.1\npower_mw = 500.0\n"));
-  std::vector<std::string> told;
+  std::vector<std::string> marks;
   for (const record::Mark& mark : record.stimulus) {
-    told.push_back(std::to_string(mark.tick) + " " + mark.kind + " " +
-                   std::to_string(static_cast<int>(mark.value)));
+    marks.push_back(std::to_string(mark.tick) + " " + mark.kind + " " +
+                    std::to_string(static_cast<int>(mark.value)));
     EXPECT_FALSE(mark.text.empty()) << mark.kind;
   }
-  EXPECT_THAT(told, ElementsAre("102 phase jump -20", "600 loss 500", "1200 amplitude 40",
-                                "1800 shed -50", "1800 amplitude 100", "2400 amplitude 80"));
+  EXPECT_THAT(marks, ElementsAre("102 phase jump -20", "600 loss 500", "1200 amplitude 40",
+                                 "1800 shed -50", "1800 amplitude 100", "2400 amplitude 80"));
 }
 
-TEST(RunRecord, SendsACommandWhenItIsDueToThoseItIsForAndMarksIt) {
+TEST(RunRecord, MarksCommandsOfTheOutletsTheyAreSentTo) {
   FakeStation station({});
   const record::RunRecord record =
       run(test::plan(1.0,
@@ -148,7 +148,7 @@ TEST(RunRecord, SendsACommandWhenItIsDueToThoseItIsForAndMarksIt) {
                      "[[command]]\nat_s = 0.5\nswitch = \"on\"\n",
                      "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n"),
           station, {});
-  // Settings and the self test first.
+  // Settings and self test, then the commands.
   EXPECT_EQ(station.sent_to(0).size(), 3U);
   ASSERT_EQ(station.sent_to(1).size(), 4U);
   EXPECT_FALSE(station.sent_to(1)[2].close_relay);
@@ -162,7 +162,7 @@ TEST(RunRecord, SendsACommandWhenItIsDueToThoseItIsForAndMarksIt) {
   EXPECT_THAT(ticks, ElementsAre(2664, 4000));
 }
 
-TEST(RunRecord, ComparesTheGridWithWhatIsPublishedOfIt) {
+TEST(RunRecord, ComparesTheGridWithThePublication) {
   const profile::Plan plan = test::plan(0.2);
   const std::vector<record::Comparison> all = record_of(plan).comparisons;
   ASSERT_EQ(all.size(), 2 + plan.grid.reference.condition_rocof_hz_s.size());
@@ -170,7 +170,7 @@ TEST(RunRecord, ComparesTheGridWithWhatIsPublishedOfIt) {
   EXPECT_EQ(all[0].unit, "MW");
   EXPECT_NEAR(all[0].ours, 351.92, 0.1);
   EXPECT_EQ(all[0].published, *plan.grid.reference.threshold_mw);
-  // The nadir's time is where the paper and its own equations part.
+  // For the time of the nadir the publication deviates from its own equations.
   EXPECT_EQ(all[1].unit, "s");
   EXPECT_NEAR(all[1].ours, 3.76, 0.01);
   EXPECT_NEAR(all[1].published, 3.72, 0.01);
@@ -181,13 +181,13 @@ TEST(RunRecord, ComparesTheGridWithWhatIsPublishedOfIt) {
   }
 }
 
-TEST(RunRecord, ComparesNothingWhereNothingIsPublished) {
+TEST(RunRecord, HasNoComparisonsWithoutAPublication) {
   profile::Plan plan = test::plan(0.2);
   plan.grid.reference = {};
   EXPECT_TRUE(record_of(plan).comparisons.empty());
 }
 
-TEST(RunRecord, TakesTheWorstOutletsVerdictAndCountsThoseThatDidNotPass) {
+TEST(RunRecord, HasTheWorstVerdictAndTheNumberOfOutletsThatDidNotPass) {
   const record::RunRecord record =
       record_of(test::plan(0.5, "",
                            "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n"
@@ -198,7 +198,7 @@ TEST(RunRecord, TakesTheWorstOutletsVerdictAndCountsThoseThatDidNotPass) {
   EXPECT_EQ(record.verdict_reason, "1 of 2 outlets did not pass");
 }
 
-TEST(RunRecord, ProgressRisesToTheWhole) {
+TEST(RunRecord, ProgressRisesToOne) {
   FakeStation station({});
   std::vector<double> parts;
   RunOptions options;

@@ -17,7 +17,7 @@ class SafeStateTest : public testing::Test {
   std::string failure_;
 };
 
-TEST_F(SafeStateTest, IsReachedAtTheEndOfItsScopeAndNotBefore) {
+TEST_F(SafeStateTest, IsReachedAtTheEndOfTheScope) {
   {
     const SafeState safe_state(station_.source(), station_.link(), failure_);
     gsbench::test::start(station_.source(), mains_);
@@ -28,7 +28,7 @@ TEST_F(SafeStateTest, IsReachedAtTheEndOfItsScopeAndNotBefore) {
   EXPECT_EQ(failure_, "");
 }
 
-TEST_F(SafeStateTest, IsReachedByAnException) {
+TEST_F(SafeStateTest, IsReachedAfterAnException) {
   const auto fail = [&] {
     const SafeState safe_state(station_.source(), station_.link(), failure_);
     gsbench::test::start(station_.source(), mains_);
@@ -38,7 +38,7 @@ TEST_F(SafeStateTest, IsReachedByAnException) {
   EXPECT_TRUE(station_.is_safe());
 }
 
-TEST_F(SafeStateTest, IsReachedWhereNothingWasEverStartedAndTellsWhereTheSourceFailed) {
+TEST_F(SafeStateTest, ReportsASourceThatCannotBeSwitchedOff) {
   FakeStation welded(with(&Script::make_safe_error, "fake source: relay welded"));
   { const SafeState safe_state(welded.source(), welded.link(), failure_); }
   EXPECT_TRUE(welded.is_safe());

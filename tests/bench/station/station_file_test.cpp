@@ -1,5 +1,5 @@
-// Station files: what they say, what is refused, with the place; which station a file makes, and
-// what of a plan is played on it.
+// Station files: their contents, refusals with line and column, the stations they describe, and the
+// reduction of a plan to a station.
 #include "emulated_station.hpp"
 #include "plans.hpp"
 #include <test_support/refusal.hpp>
@@ -37,7 +37,7 @@ std::string refusal_of(const Call& call) {
 constexpr const char* kEmulated = "title = \"A station\"\nkind = \"emulated\"\n";
 constexpr const char* kPhysical = "title = \"A station\"\nkind = \"physical\"\n";
 
-TEST_F(StationFiles, OfEmulatedOutletsTakesThemWithDefaults) {
+TEST_F(StationFiles, OfEmulatedOutletsHaveDefaults) {
   const std::string image = folder_.write("my.elf", "code");
   const std::string text = std::string(kEmulated) +
                            "image = \"my.elf\"\n[[outlet]]\nid = \"a\"\n[[outlet]]\n"
@@ -60,7 +60,7 @@ TEST_F(StationFiles, OfEmulatedOutletsTakesThemWithDefaults) {
   EXPECT_EQ(station.outlets[1].crystal_ppm, -40.0);
 }
 
-TEST_F(StationFiles, OfPhysicalOutletsSaysWhereTheyAre) {
+TEST_F(StationFiles, OfPhysicalOutletsDescribeTheirLinks) {
   const auto file = load(std::string(kPhysical) +
                          "[serial]\nports = [\"/dev/ttyUSB0\", \"/dev/ttyUSB1\"]\n"
                          "baud = 115200\n[mqtt]\nurl = \"mqtts://b:8883\"\n"
@@ -76,35 +76,37 @@ TEST_F(StationFiles, OfPhysicalOutletsSaysWhereTheyAre) {
   EXPECT_THAT(station.mqtt.outlets, ElementsAre("k-1"));
 }
 
-TEST_F(StationFiles, NeedsNoCertificateWithoutTls) {
+TEST_F(StationFiles, NeedNoCertificateWithoutTls) {
   const PhysicalOutlets station =
       *load(std::string(kPhysical) + "[mqtt]\nurl = \"mqtt://b:1883\"\n").reachable;
   EXPECT_EQ(station.mqtt.ca_file, "");
   EXPECT_EQ(station.serial.baud, 921600);
 }
 
-TEST_F(StationFiles, IsRefusedWithThePlaceAndWhatWouldBeRight) {
+TEST_F(StationFiles, AreRefusedWithLineColumnAndReason) {
   const std::string emulated = kEmulated;
   const std::string physical = kPhysical;
   std::string many = emulated;
   for (int i = 0; i < 65; ++i) {
     many += "[[outlet]]\nid = \"o" + std::to_string(i) + "\"\n";
   }
-  // The text; line and column of what is wrong with it; what is said of that.
+  // The text; line and column of the error; part of the message.
   const std::array<std::string, 3> all[] = {
       {"title = \"A\"\n", "1:1", "kind = "},
       {"title = \"A\"\nkind = \"real\"\n", "2:8", "simulated"},
       {"title = \"A\"\nkind = \"simulated\"\nspeed = 3\n", "3:1", "unknown key \"speed\""},
-      {"title = \"A\"\nkind = \"simulated\"\nimage = \"x\"\n", "3:9", "means nothing"},
+      {"title = \"A\"\nkind = \"simulated\"\nimage = \"x\"\n", "3:9", "is not a key of a station"},
       {emulated, "1:1", "at least one [[outlet]]"},
-      {emulated + "image = \"nowhere.elf\"\n[[outlet]]\nid = \"a\"\n", "3:9", "no such file"},
-      {emulated + "[[outlet]]\nid = \"bench\"\n", "4:6", "called on its broker"},
+      {emulated + "image = \"nowhere.elf\"\n[[outlet]]\nid = \"a\"\n", "3:9",
+       "not an existing file"},
+      {emulated + "[[outlet]]\nid = \"bench\"\n", "4:6", "user name of the bench"},
       {emulated + "[[outlet]]\nid = \"a\"\nboard = \"mps2-an386\"\nlink = \"mqtt\"\n", "6:8",
        "no radio"},
-      {emulated + "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"a\"\n", "6:6", "already"},
-      {emulated + "[[outlet]]\nid = \"a\"\n[serial]\nports = [\"p\"]\n", "5:1", "means nothing"},
-      {many, "3:1", "more than 64"},
-      {physical, "1:1", "[serial] or [mqtt]"},
+      {emulated + "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"a\"\n", "6:6", "used twice"},
+      {emulated + "[[outlet]]\nid = \"a\"\n[serial]\nports = [\"p\"]\n", "5:1",
+       "is not a key of a station"},
+      {many, "3:1", "at most 64"},
+      {physical, "1:1", "[serial], [mqtt] or both"},
       {physical + "[serial]\n", "3:1", "ports = "},
       {physical + "[mqtt]\nurl = \"http://b\"\n", "4:7", "mqtts://host:port"},
       {physical + "[mqtt]\nurl = \"mqtts://b\"\n", "4:7", "mqtts://host:port"},
@@ -113,18 +115,18 @@ TEST_F(StationFiles, IsRefusedWithThePlaceAndWhatWouldBeRight) {
       {physical + "[mqtt]\nurl = \"mqtt://b:1883\"\noutlets = [\"a\", \"b+c/#\"]\n", "5:17",
        "letters, digits"},
       {physical + "[mqtt]\nurl = \"mqtt://b:1883\"\noutlets = [\"a\", \"a\"]\n", "5:17",
-       "named already"},
-      {physical + "[[outlet]]\nid = \"a\"\n", "3:1", "means nothing"},
+       "listed twice"},
+      {physical + "[[outlet]]\nid = \"a\"\n", "3:1", "is not a key of a station"},
   };
-  for (const auto& [text, place, why] : all) {
+  for (const auto& [text, place, message] : all) {
     EXPECT_THAT(
         refusal_of([&, text = text] { (void)load(text); }),
-        AllOf(StartsWith(folder_.file("hardware.toml") + ":" + place + ": "), HasSubstr(why)))
+        AllOf(StartsWith(folder_.file("hardware.toml") + ":" + place + ": "), HasSubstr(message)))
         << text;
   }
 }
 
-TEST_F(StationFiles, TakeABrokerByItsSchemeHostAndPort) {
+TEST_F(StationFiles, RequireSchemeHostAndPortOfABroker) {
   const auto mqtt = [](const std::string& url) {
     return std::string(kPhysical) + "[mqtt]\nca_file = \"ca.crt\"\nurl = \"" + url + "\"\n";
   };
@@ -141,12 +143,12 @@ TEST_F(StationFiles, TakeABrokerByItsSchemeHostAndPort) {
   }
 }
 
-TEST(Stations, AnUnknownNameIsToldWithTheNearest) {
+TEST(Stations, UnknownNameIsRefusedWithTheNearestName) {
   EXPECT_THAT(refusal_of([] { (void)load_station("emulatd"); }), HasSubstr("\"emulated\""));
   EXPECT_NE(refusal_of([] { (void)load_station("nowhere/hardware.toml"); }), "");
 }
 
-TEST(Stations, ThatAreShippedAreReadableAndNoProfiles) {
+TEST(Stations, ShippedOnesAreReadableAndAreNotListedAsProfiles) {
   const std::vector<profile::ProfileSummary> stations = list_stations();
   std::vector<std::string> names;
   for (const profile::ProfileSummary& station : stations) {
@@ -162,7 +164,7 @@ TEST(Stations, ThatAreShippedAreReadableAndNoProfiles) {
 constexpr const char* kTwoGroups =
     "[[outlet]]\ncount = 3\nid = \"a\"\n[[outlet]]\ncount = 2\nid = \"b\"\n";
 
-// With so many outlets.
+// A station with this number of outlets.
 StationFile station_of(std::optional<std::size_t> outlets) {
   return {"station", "", "", outlets};
 }
@@ -175,14 +177,14 @@ std::vector<std::string> ids(const profile::Plan& plan) {
   return all;
 }
 
-TEST(FitToStation, LeavesAPlanWhereThereAreOutletsEnough) {
+TEST(FitToStation, KeepsAPlanIfThereAreEnoughOutlets) {
   const profile::Plan asked = plan(1.0, "", kTwoGroups);
   EXPECT_EQ(ids(fit_to_station(station_of(5), asked)), ids(asked));
   EXPECT_EQ(ids(fit_to_station(station_of(9), asked)), ids(asked));
   EXPECT_EQ(ids(fit_to_station(station_of(std::nullopt), asked)), ids(asked));
 }
 
-TEST(FitToStation, TakesOneOfEachGroupInTurnInThePlansOrder) {
+TEST(FitToStation, SelectsOutletsRoundRobinOverTheGroups) {
   const profile::Plan asked = plan(1.0, "", kTwoGroups);
   const std::vector<std::string> all = ids(asked);
   ASSERT_EQ(all.size(), 5U);
@@ -194,15 +196,15 @@ TEST(FitToStation, TakesOneOfEachGroupInTurnInThePlansOrder) {
 
 TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
   EXPECT_THAT(refusal_of([] { fit_to_station(station_of(1), plan(1.0, "", kTwoGroups)); }),
-              HasSubstr("2 groups of outlets, and the station station only 1"));
+              HasSubstr("2 groups of outlets; the station station has only 1"));
 }
 
-TEST(Stations, APhysicalOneIsRefusedForARunWithWhatItIsGoodFor) {
+TEST(Stations, PhysicalOneIsRefusedForARun) {
   EXPECT_THAT(refusal_of([] { (void)load_station("serial").make_station(plan(1.0), {}); }),
               AllOf(HasSubstr("serial.toml: "), HasSubstr("gsbench monitor")));
 }
 
-TEST(Stations, ASimulatedOneCountsTheSourcesTicks) {
+TEST(Stations, SimulatedOneCountsTheSourceTicks) {
   EXPECT_TRUE(load_station("simulated").make_station(plan(1.0), {})->outlets_count_ticks());
 }
 

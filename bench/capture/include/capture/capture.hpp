@@ -1,4 +1,5 @@
-// Brings what outlets say and what the relay sense sees onto one time base, as records.
+// Collects the outlets' reports and the edges of the relay sense and converts them to records on
+// one time base.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +15,9 @@
 
 namespace gsbench::capture {
 
-// What outlets say is kept by their own sample counts and comes onto the run's time base when it is
-// moved into the record; edges and commands are given in ticks of the run. Outlets are known by
-// their ids; of one that nothing came from all is empty.
+// Reports are stored with the outlets' own sample counts and converted to the run's time base in
+// move_into(). Edges and commands are given in ticks of the run. Outlets are identified by their
+// ids; an unknown id has empty contents.
 class Capture {
  public:
   explicit Capture(std::int64_t sample_rate_hz)
@@ -26,34 +27,35 @@ class Capture {
   void add_edge(const std::string& id, std::int64_t tick, bool closed);
   void add_command(const std::string& id, std::int64_t tick, bool close);
 
-  // What the outlet answered to its settings; none: no answer came.
+  // The outlet's answer to its settings; none: no answer was received.
   std::optional<gs::outlet::SettingsError> settings_answer(const std::string& id) const {
     return track(id).settings_answer;
   }
-  // Bits of gs::wire::SelfTestPart; 0 also where no result came.
+  // Bits of gs::wire::SelfTestPart; 0 also without a result.
   std::uint32_t self_test_failed(const std::string& id) const { return track(id).self_test_failed; }
-  // Stamp of the newest measurement; 0 before the first.
+  // Sample count of the latest measurement; 0 before the first.
   std::uint64_t last_report_sample(const std::string& id) const;
-  VoltageTrace voltage_trace(const std::string& id) const;  // its window is for the caller to set
+  // Without window_samples, which the caller sets.
+  VoltageTrace voltage_trace(const std::string& id) const;
 
-  // Of the outlet record.id: the record's traces, estimates and marks (ascending in time) of the
-  // run itself, from tick 0 to its last; what was before and after is left out. Nothing is kept.
+  // Moves the traces, estimates and marks (ascending in time) of the outlet record.id into the
+  // record. Only tick 0 … last_tick is kept. The outlet's contents are empty afterwards.
   void move_into(record::OutletRecord& record, const OutletClock& clock, std::int64_t last_tick);
 
  private:
   struct Track {
     struct Measurement {
       std::int64_t sample;
-      gs::wire::MeasurementMessage said;
+      gs::wire::MeasurementMessage message;
     };
     struct Estimate {
       std::int64_t sample;
-      std::int64_t event_sample;  // of the event it is of
-      gs::wire::EstimateMessage said;
+      std::int64_t event_sample;  // of the event that it belongs to
+      gs::wire::EstimateMessage message;
     };
     std::vector<Measurement> measurements;
     std::vector<Estimate> estimates;
-    std::vector<record::Mark> marks;  // ticks in them are still samples of the outlet
+    std::vector<record::Mark> marks;  // their ticks are samples of the outlet
     std::vector<record::Mark> bench_marks;
     std::string settings_digest;
     std::optional<gs::outlet::SettingsError> settings_answer;
@@ -68,8 +70,8 @@ class Capture {
   double sample_rate_hz_;
 };
 
-// One entry every 16 ms and two at each corner, just before it and at it, then thinned: straight
-// lines between those that are left are right within 0.05 mHz and 5 mHz/s at those that are not.
+// The reference every 16 ms and on both sides of each corner, thinned: linear interpolation
+// reproduces the omitted entries within 0.05 mHz and 5 mHz/s.
 record::ReferenceTrace reference_trace(const waveform::ReferenceSignal& reference,
                                        std::int64_t duration_ticks, std::int64_t sample_rate_hz);
 

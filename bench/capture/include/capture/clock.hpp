@@ -1,6 +1,7 @@
-// An outlet counts its own samples, on a crystal some ppm off, from a beginning of its own. Dips of
-// the voltage at known ticks before and after what is judged tell the bench when its counts are: no
-// latency of source or link enters, since the outlet stamps the dips as it stamps all else.
+// Alignment of an outlet's sample clock with the run. An outlet counts samples of its own crystal,
+// which is some ppm off, from its own start-up. The bench plays voltage dips at known ticks before
+// and after the run and finds them in the outlet's voltage trace. The latency of source and link
+// does not matter, since the outlet stamps the dips like all its reports.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +12,10 @@
 
 namespace gsbench::capture {
 
-// An outlet's sample count as ticks of the run: a straight line.
+// Converts an outlet's sample count to ticks of the run, linearly.
 class OutletClock {
  public:
-  // Counts the very ticks of the run.
+  // The outlet counts ticks of the run.
   OutletClock() = default;
   OutletClock(double sample_at_zero, double samples_per_tick)
       : sample_at_zero_(sample_at_zero), samples_per_tick_(samples_per_tick) {}
@@ -26,41 +27,41 @@ class OutletClock {
   double samples_per_tick_ = 1.0;
 };
 
-// A dip of the voltage, from one tick to another of the run.
+// A voltage dip, in ticks of the run.
 struct Dip {
   std::int64_t from_tick = 0;
   std::int64_t to_tick = 0;
 };
 
-// Calm mains with dips, and what was played there.
+// Steady mains with dips before or after the run.
 struct MarkedStretch {
   std::int64_t first_tick = 0;
   std::vector<Dip> dips;           // ascending
-  std::vector<double> square_sum;  // of the samples before each tick from first_tick on, pu²
+  std::vector<double> square_sum;  // element i: sum of i squared samples from first_tick on, p.u.²
 };
 
 struct Markers {
-  double level = 0.7;  // of the amplitude, in each dip
+  double level = 0.7;  // amplitude in the dips, p.u.
   MarkedStretch before;
   MarkedStretch after;
 };
 
-// What an outlet said of its voltage, by its own stamps.
+// The voltage that an outlet reports, with its own time stamps.
 struct VoltageTrace {
   std::vector<std::uint64_t> sample;  // ascending
   std::vector<float> voltage_pu;
-  double window_samples = 0.0;  // each is the RMS of so much before its stamp
+  double window_samples = 0.0;  // length of the RMS window that ends at the stamp
 };
 
 struct Alignment {
   OutletClock clock;
-  record::Clock told;
+  record::Clock measured;
 };
 
-// The line on which the outlet's readings in the dips' flanks come nearest to the RMS of what was
-// played, by least squares. Where the dips after the run are not seen the drift is taken as 0 with
-// the uncertainty of a crystal of ±100 ppm. Nothing where those before it are not seen: they are
-// told by their spacing, which no two neighbours share.
+// Least-squares fit of offset and rate, so that the outlet's voltage in the edges of the dips
+// matches the RMS of the played signal. Dips are identified by their length and spacing. Without
+// the dips after the run the drift is 0 with the uncertainty of a crystal of ±100 ppm. No value
+// without the dips before the run.
 std::optional<Alignment> align(const VoltageTrace& trace, const Markers& markers,
                                double sample_rate_hz);
 

@@ -1,4 +1,4 @@
-// What a measurement is made of: one outlet's record, beside the reference that was played.
+// Input of a measurement: one outlet's record and the reference that was played.
 #pragma once
 
 #include <cstdint>
@@ -20,30 +20,30 @@ struct Case {
 
   double seconds(std::int64_t tick) const;
   double milliseconds_between(std::int64_t from_tick, std::int64_t to_tick) const;
-  // An outlet's frequency is that of so long before its stamp.
+  // The delay that the outlet declares: a reported frequency is that of this long before its stamp.
   double tracker_delay_s() const;
-  // The first loss of power that the profile plays.
+  // The first loss of power in the profile.
   std::optional<std::int64_t> first_loss_tick() const;
-  // Power lost in sum by then, MW.
+  // Total power lost up to `tick`, MW.
   double lost_mw(std::int64_t tick) const;
-  // Amplitude at the outlet's terminals, per unit of nominal, noise and harmonics aside.
-  double true_voltage_pu(double t_s) const;
+  // Amplitude at the outlet's terminals in p.u. of nominal, without noise and harmonics.
+  double reference_voltage_pu(double t_s) const;
   const record::Mark* first_mark(const std::string& kind, std::int64_t from_tick = 0) const;
-  // Where the outlet reports that its relay opened.
-  const record::Mark* first_word_open(std::int64_t from_tick = 0) const;
+  // The first opening of the relay that the outlet reports.
+  const record::Mark* first_reported_opening(std::int64_t from_tick = 0) const;
 };
 
-// A contact's change as the relay sense saw it: a burst of edges, its bounces, taken as one.
+// A change of the contact as seen by the relay sense: a burst of edges (bounces) counts as one.
 struct ContactChange {
   std::int64_t first_tick;  // of its first edge
-  bool closed;              // where it came to rest
+  bool closed;              // after the last edge
   int edges;
 };
 
-// Changes that last; a burst that ends where it began is none, but its edges count as chatter.
+// Only lasting changes: a burst that ends in the position it started from is not a change.
 struct Contact {
   std::vector<ContactChange> changes;
-  int idle_edges = 0;  // in bursts that ended where they began
+  int idle_edges = 0;  // edges of bursts without a lasting change
   bool closed = true;  // at the end
 };
 Contact contact(const Case& c);

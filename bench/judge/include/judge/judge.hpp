@@ -1,5 +1,5 @@
-// Judges a run by its record: measurements against the limits that the profile declared before the
-// run, then the verdict of each outlet and of the run.
+// Judges a recorded run: compares the measurements with the limits of the profile and derives the
+// verdict of each outlet and of the run.
 #pragma once
 
 #include <vector>
@@ -8,30 +8,30 @@
 
 namespace gsbench::judge {
 
-// The rule, by itself: low <= value <= high with an uncertainty.
-//   PASS          inside by at least the uncertainty
-//   FAIL          outside by more than it; or the outlet did not do what was to be measured
-//   INCONCLUSIVE  nearer to a limit than it; or the bench cannot tell
-// A NaN never passes. NaN for a limit: none.
+// The decision rule for low <= value <= high with an uncertainty:
+//   PASS          inside the limits by at least the uncertainty
+//   FAIL          outside by more than the uncertainty, or the outlet did not do what is measured
+//   INCONCLUSIVE  closer to a limit than the uncertainty, or the bench could not measure it
+// A value of NaN never passes. A limit of NaN is no limit.
 struct Judgement {
   record::Verdict verdict = record::Verdict::kInconclusive;
   std::string reason;  // empty for PASS
 };
 Judgement judge_number(const Reading& reading, double low, double high);
-Judgement judge_word(const Reading& reading, const std::string& expected);
+Judgement judge_text(const Reading& reading, const std::string& expected);
 
-// Every measure of the catalogue for one outlet: first those the profile sets limits to, judged, in
-// its order, then the others, for information.
+// All measures of the catalogue for one outlet. Those with limits in the profile come first, judged
+// and in the profile's order. The others follow for information.
 std::vector<record::MeasurementResult> measure(const Case& c);
 
-// Fills in the measurements and verdict of an outlet; a faulty one is measured and its verdict is
-// ERROR, one that did not take part is not measured.
+// Fills in the measurements and the verdict of an outlet. The verdict of a faulty or excluded
+// outlet is ERROR. A faulty one is still measured, an excluded one is not.
 void judge_outlet(const profile::Plan& plan, const waveform::ReferenceSignal& reference,
                   const record::BenchUncertainty& uncertainty, record::OutletRecord& outlet);
 
-// Fills in what judge_outlet does of each outlet, run.verdict and run.verdict_reason; what they
-// were before does not count. A run is as good as its worst outlet, and ERROR where the bench
-// failed or the run was interrupted: then nothing is measured. `plan` is that of run.profile_text.
+// Calls judge_outlet for each outlet and overwrites run.verdict and run.verdict_reason. The verdict
+// of a run is the worst of its outlets. It is ERROR, without measurements, if the bench failed or
+// the run was interrupted. `plan` must be the plan of run.profile_text.
 void judge(const profile::Plan& plan, record::RunRecord& run);
 
 }  // namespace gsbench::judge

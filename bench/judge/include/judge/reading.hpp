@@ -1,4 +1,4 @@
-// How measures are read from one outlet's record.
+// Reads the value of a measure from one outlet's record.
 #pragma once
 
 #include <cstdint>
@@ -13,47 +13,49 @@ namespace gsbench::judge {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// What came of one measurement.
+// Result of one measurement.
 struct Reading {
   double value = kNone;
-  std::string word = {};     // for measurements that are words
+  std::string text = {};     // value of a measure with text values
   double uncertainty = 0.0;  // expanded (k = 2), in the measure's unit
-  std::string missing = {};  // why there is no value; empty where there is one
-  // Where it is missing: the outlet did not do it, or the bench lacks it.
-  bool outlets_fault = true;
+  std::string missing = {};  // why there is no value; empty if there is one
+  // Verdict if the value is missing. True: FAIL, the outlet did not do what is measured. False:
+  // INCONCLUSIVE, the bench could not measure it.
+  bool fails = true;
 };
 
 using Read = Reading (*)(const Case&);
 
-// How the measure of this name in the catalogue (measures/catalogue.hpp) is read. Throws
-// std::logic_error where bench/judge has no row for it.
+// The function that reads the measure of this name (measures/catalogue.hpp). Throws
+// std::logic_error if bench/judge has none.
 Read reading_of(const std::string& measure);
 
-// It is read from the relay sense alone: what the outlet reports plays no part.
-bool is_seen(const std::string& measure);
+// True if the measure is read from the relay sense only and needs no report of the outlet.
+bool is_sensed(const std::string& measure);
 
-// For those who write measures.
+// Helpers for the functions that read measures.
 Reading number(double value, double uncertainty = 0.0);
-Reading word(std::string text);
-Reading not_done(std::string why);   // the outlet did not do it: FAIL where it was expected
-Reading not_known(std::string why);  // the bench cannot tell: INCONCLUSIVE
-// Milliseconds from a loss to what the outlet stamped after it; `missing`: where it stamped none.
+Reading text(std::string value);
+Reading not_done(std::string reason);   // FAIL: the outlet did not do what is measured
+Reading not_known(std::string reason);  // INCONCLUSIVE: the bench could not measure it
+// Milliseconds from a loss to a mark stamped by the outlet. `missing` is the reason if `mark` is
+// null.
 Reading stamped_after(const Case& c, std::int64_t loss_tick, const record::Mark* mark,
                       std::string missing);
 
-// What is read of the first loss that the profile plays.
+// Calls kRead with the tick of the first loss in the profile.
 template <Reading (*kRead)(const Case&, std::int64_t loss_tick)>
 Reading after_loss(const Case& c) {
   const auto loss_tick = c.first_loss_tick();
-  return loss_tick ? kRead(c, *loss_tick) : not_known("the profile plays no loss");
+  return loss_tick ? kRead(c, *loss_tick) : not_known("the profile contains no loss of power");
 }
 
-// A row a measure: its name and how it is read, in one file a subject.
+// One row for each measure: its name and the function that reads it. One file for each subject.
 using Readings = std::vector<std::pair<std::string, Read>>;
 Readings tracker_readings();
 Readings event_readings();
 Readings estimate_readings();
-Readings contact_readings();  // what the relay sense sees without a word of the outlet
+Readings contact_readings();  // need the relay sense only
 Readings relay_readings();
 Readings clock_readings();
 Readings all_readings();

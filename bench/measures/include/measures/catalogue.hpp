@@ -1,5 +1,5 @@
-// What a profile can set limits to, as `gsbench measures` prints it: one row a measure. How each is
-// read from a record is a row of bench/judge.
+// The catalogue of measures: what a profile can set limits to, as `gsbench measures` prints it.
+// bench/judge has one function for each that reads its value from a record.
 #pragma once
 
 #include <optional>
@@ -10,24 +10,24 @@ namespace gsbench::measures {
 
 struct Measure {
   std::string name;
-  std::string unit;                     // empty: a plain number, or a word
-  std::string definition;               // in a sentence
-  std::string needs;                    // without which there is no value
-  std::vector<std::string> words = {};  // not empty: it is one of these
+  std::string unit;        // empty for a plain number or a text
+  std::string definition;  // one or two sentences
+  std::string needs;       // what must be there for a value; "nothing" if there always is one
+  std::vector<std::string> text_values = {};  // the possible values; empty if it is a number
 
-  bool is_word() const { return !words.empty(); }
+  bool is_text() const { return !text_values.empty(); }
 };
 
 const std::vector<Measure>& catalogue();
 
-// nullptr where there is no such measure.
+// nullptr for an unknown name.
 const Measure* find(const std::string& name);
 
-// x in `from` is x · unit_scale(from, to) in `to`; none where they are not of one dimension or
-// either is unknown. The empty unit is that of plain numbers.
+// Factor f with (x in `from`) = (f · x in `to`). No value if a unit is unknown or the dimensions
+// differ. The empty unit is that of plain numbers.
 std::optional<double> unit_scale(const std::string& from, const std::string& to);
 
-// All units of the dimension that `unit` is of; empty where it is unknown.
+// All units of the same dimension, `unit` included; empty for an unknown unit.
 std::vector<std::string> units_like(const std::string& unit);
 
 }  // namespace gsbench::measures

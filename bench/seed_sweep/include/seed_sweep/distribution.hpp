@@ -1,4 +1,4 @@
-// The distribution of one measurement over the outlets and seeds of a study.
+// Distribution of one measure over the outlets and seeds of a study.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,28 @@ namespace gsbench::seed_sweep {
 
 class Distribution {
  public:
-  void add(double value);  // a NaN counts as missing
-  void add_word(const std::string& word) { ++words_[word]; }
+  void add(double value);  // NaN counts as missing
+  void add_text(const std::string& value) { ++texts_[value]; }
   void merge(const Distribution& other);
-  // Before any of the following, after the last add().
+  // To be called after the last add() and before the functions below.
   void sort();
 
   std::size_t count() const { return values_.size(); }
   std::size_t missing() const { return missing_; }
-  const std::map<std::string, std::size_t>& words() const { return words_; }
-  // p in 0 … 1, by the nearest rank: a value that occurred. NaN where there is none.
+  // Number of occurrences of each text value.
+  const std::map<std::string, std::size_t>& texts() const { return texts_; }
+  // Quantile by the nearest-rank method, p in 0 … 1. NaN without values, like the mean; the
+  // standard deviation needs two values.
   double quantile(double p) const;
   double mean() const;
   double standard_deviation() const;
-  // Share of the values with |value| <= limit, the missing ones counted as outside.
+  // Share of the values with |value| <= limit, 0 … 1. Missing values count as outside.
   double share_within(double limit) const;
 
  private:
   std::vector<double> values_;
   std::size_t missing_ = 0;
-  std::map<std::string, std::size_t> words_;
+  std::map<std::string, std::size_t> texts_;
 };
 
 }  // namespace gsbench::seed_sweep

@@ -1,4 +1,4 @@
-// One plan run over many seeds on simulated stations: how its measurements are distributed.
+// Runs one plan with many seeds on simulated stations and collects its measurements.
 #pragma once
 
 #include <seed_sweep/distribution.hpp>
@@ -20,27 +20,29 @@ struct StudyOptions {
   std::uint64_t seeds = 1;
   std::size_t threads = 1;
   const std::atomic<bool>* stop = nullptr;
-  std::function<void(std::uint64_t done, std::uint64_t all)> progress;  // from any thread, in turn
+  // Called after each seed, from any thread, never concurrently.
+  std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
 
-// One measure: a value of each outlet and seed, and beside them what each limit on it came to.
+// One measure: its value for each outlet and seed, and the verdicts on its limits.
 struct Row {
   std::string measure;
-  std::string unit;  // the catalogue's
+  std::string unit;  // as in the catalogue
   Distribution values;
-  std::map<record::Verdict, std::size_t> verdicts;  // of outlets, seeds and limits
+  std::map<record::Verdict, std::size_t> verdicts;  // one for each outlet, seed and limit
 };
 
 struct StudyResult {
   std::uint64_t seeds_done = 0;
-  double hours = 0.0;     // outlet time played: seeds · duration · outlets
-  std::vector<Row> rows;  // in the catalogue's order
+  double hours = 0.0;                               // outlet hours: seeds · duration · outlets
+  std::vector<Row> rows;                            // in the catalogue's order
   std::map<record::Verdict, std::size_t> verdicts;  // of outlets
   record::Verdict verdict = record::Verdict::kPass;
-  std::string first_reason;  // of the first outlet that did not pass, by seed
+  std::string first_reason;  // of the first outlet that did not pass, in order of seeds
 };
 
-// The same for any number of threads. Rethrows what a run throws.
+// Blocks until all seeds are done or `stop` is set. The result does not depend on the number of
+// threads. Rethrows the first exception of a run.
 StudyResult study(const profile::Plan& plan, const StudyOptions& options);
 
 }  // namespace gsbench::seed_sweep

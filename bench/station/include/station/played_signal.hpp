@@ -1,5 +1,6 @@
-// What a source plays in a run: the plan's signal and, where outlets count their own samples, calm
-// mains with dips before and after it, by which their counts are aligned (capture/clock.hpp).
+// The signal that a source plays in a run: the plan's signal. For outlets with their own sample
+// clock, steady mains with marker dips precede and follow it, which align their clocks
+// (capture/clock.hpp).
 #pragma once
 
 #include <cstdint>
@@ -16,9 +17,9 @@ class PlayedSignal final : public source::Stimulus {
  public:
   PlayedSignal(const profile::Plan& plan, bool with_markers);
 
-  // The source's ticks before the run's tick 0.
+  // Number of source ticks before tick 0 of the run.
   std::int64_t lead_ticks() const { return lead_ticks_; }
-  // In ticks of the run: negative before it.
+  // In ticks of the run, negative before it.
   const capture::Markers& markers() const { return markers_; }
 
   std::int64_t sample_rate_hz() const override {
@@ -38,7 +39,7 @@ class PlayedSignal final : public source::Stimulus {
   };
 
   const Part& part_at(std::int64_t tick) const;
-  // Of the samples before each tick from first_tick on.
+  // Cumulative sum of squared samples, p.u.²: element i covers i samples from first_tick on.
   std::vector<double> square_sum(std::int64_t first_tick, std::size_t count) const;
 
   std::int64_t lead_ticks_ = 0;

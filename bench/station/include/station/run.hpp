@@ -1,5 +1,5 @@
-// One run of a plan on a station: claims the outlets, sends settings, plays, captures, judges. The
-// station is in its safe state afterwards, however the run ended.
+// Runs a plan on a station: claims the outlets, sends their settings, plays the signal, captures
+// the reports and judges them. The station is in its safe state afterwards, however the run ends.
 #pragma once
 
 #include <atomic>
@@ -14,14 +14,15 @@
 namespace gsbench::station {
 
 struct RunOptions {
-  record::Writer* writer = nullptr;           // keeps the run as it goes; none: nothing is kept
+  record::Writer* writer = nullptr;           // stores the run while it proceeds; none: no file
   const std::atomic<bool>* stop = nullptr;    // set from outside to end the run early
-  std::function<void(double part)> progress;  // 0 … 1, of the playing
+  std::function<void(double part)> progress;  // share played, 0 … 1
 };
 
-// A fault of the bench, a silent outlet or a stop does not throw: the record says ERROR and why.
-// Throws profile::ConfigurationError for settings that the firmware refuses (before anything is
-// played or written) and record::StoreError where the record cannot be written.
+// Blocks until the run has ended. Faults of the bench or of outlets and a stop do not throw: the
+// record has the verdict ERROR and the reason. Throws profile::ConfigurationError before anything
+// is played or written if the firmware would refuse an outlet's settings, and record::StoreError if
+// the record cannot be written.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options);
 
 }  // namespace gsbench::station

@@ -1,4 +1,5 @@
-// Source off, outlets' links closed: reached on every way out of a run, an exception's among them.
+// Switches the source off and closes the links when it goes out of scope, so that every end of a
+// run, also by an exception, leaves the station in its safe state.
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@ namespace gsbench::station {
 
 class SafeState {
  public:
-  // `fault` gets why the source is not in its safe state, where it is not.
+  // The reason is appended to `fault` if the source cannot be made safe.
   SafeState(source::Source& source, link::Link& link, std::string& fault)
       : source_(source), link_(link), fault_(fault) {}
   ~SafeState() {

@@ -1,4 +1,4 @@
-// A station: the drivers a run uses, and what they can get wrong.
+// A station: the drivers that a run uses and their properties.
 #pragma once
 
 #include <chrono>
@@ -15,12 +15,12 @@
 
 namespace gsbench::station {
 
-// Where an outlet is, and what the bench can reach of it.
+// The place of one outlet and its connections to the bench.
 struct Slot {
-  std::string place;                         // for people
-  std::string serial_number;                 // of the outlet in it
-  std::optional<std::string> link_id;        // none: it offers nothing but its contact
-  std::optional<std::size_t> relay_channel;  // of the station's relay sense; none: not watched
+  std::string place;                         // for messages
+  std::string serial_number;                 // of the outlet at this place
+  std::optional<std::string> link_id;        // none: the outlet has only its contact
+  std::optional<std::size_t> relay_channel;  // of the relay sense; none: not sensed
 };
 
 class Station {
@@ -31,22 +31,22 @@ class Station {
   virtual link::Link& link() = 0;
   virtual relay::RelaySense& relay_sense() = 0;
   virtual std::vector<Slot> slots() const = 0;
-  // For so long an outlet that was named is waited for; 0: outlets join at once or not at all.
+  // How long a run waits for its outlets to answer; 0: they answer at once or not at all.
   virtual std::chrono::milliseconds answers_within() const { return {}; }
-  // Does an outlet's sample count begin at 0 with the source's first tick, and keep step with it?
-  // If not, markers are played around the run.
+  // True if the outlets' sample counts start at 0 with the source's first tick and stay in step
+  // with it. If false, marker dips are played before and after the run.
   virtual bool outlets_count_ticks() const = 0;
-  // How much is played at a time: short where the wall clock paces, long where nothing does.
+  // Duration of one block of the signal: short in real time, long in virtual time.
   virtual double block_s() const = 0;
 };
 
 struct SimulatedOptions {
   bool real_time = false;
   std::size_t threads = 1;
-  double block_s = 0.0;  // 0: what suits the pace; the record does not depend on it
+  double block_s = 0.0;  // 0: default for the pace; does not change the record
 };
 
-// Outlets in this process, with the real firmware.
+// Outlets in this process that run the real firmware.
 std::unique_ptr<Station> simulated_station(const profile::Plan& plan,
                                            const SimulatedOptions& options);
 

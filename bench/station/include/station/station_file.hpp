@@ -1,5 +1,5 @@
-// Station files: where the outlets are and how they are reached. Who tests edits these, and never
-// what is tested. profiles/README.md documents every key.
+// Station files describe where the outlets are and how they are reached. They differ between test
+// benches; profiles do not. profiles/README.md documents every key.
 #pragma once
 
 #include <link_framed/framed_link.hpp>
@@ -20,27 +20,27 @@
 
 namespace gsbench::station {
 
-// Outlets that are there: on serial ports and on a broker.
+// Physical outlets on serial ports and on an MQTT broker.
 struct PhysicalOutlets {
   link::FramedOptions serial;      // without ports: none
   link::MqttOptions mqtt;          // without a URL: none
-  std::string password_file = {};  // holds the broker's password in the first line; empty: mqtt's
+  std::string password_file = {};  // its first line replaces mqtt.password; empty: no file
 };
 
-// Throws keys::ConfigurationError where the password cannot be read.
+// Throws keys::ConfigurationError if the password file cannot be read.
 std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets);
 
-// One that was read: of one of the kinds in station_file.cpp.
+// A station file that was read.
 struct StationFile {
   std::string name;
   std::string title;
   std::string path;
-  // How many outlets it has; none: as many as a plan asks for.
+  // Number of outlets; none: as many as the plan has.
   std::optional<std::size_t> outlets = {};
-  // Outlets that can be reached without a run; none: they are there only while one plays to them.
+  // Outlets that can be reached without a run; none: they exist only during a run.
   std::optional<PhysicalOutlets> reachable = {};
-  // Throws profile::ConfigurationError where nothing plays to its outlets, std::runtime_error where
-  // it cannot be set up.
+  // Throws profile::ConfigurationError if the station has no source, std::runtime_error if its
+  // set-up fails.
   std::function<std::unique_ptr<Station>(const profile::Plan&, const SimulatedOptions&)>
       make_station = {};
 };
@@ -51,11 +51,11 @@ const keys::Key& station_keys();
 // profile::ConfigurationError.
 StationFile load_station(const std::string& name);
 
-// In alphabetical order; one that cannot be read is listed with the reason for its title.
+// In alphabetical order. A file that cannot be read is listed with the reason as its title.
 std::vector<profile::ProfileSummary> list_stations();
 
-// A station with fewer outlets than the profile asks for plays to some of each group: the plan with
-// just those. Throws profile::ConfigurationError where a group would be left without one.
+// Reduces a plan to the number of outlets of the station; some outlets of each group remain. Throws
+// profile::ConfigurationError if the plan has more groups than the station has outlets.
 profile::Plan fit_to_station(const StationFile& station, const profile::Plan& plan);
 
 }  // namespace gsbench::station

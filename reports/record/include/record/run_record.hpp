@@ -19,8 +19,8 @@ struct MeasurementResult {
   std::string name;        // of the catalogue: "event.delay"
   std::string definition;  // one sentence
   double value = 0.0;
-  std::string word;  // for measurements that are words ("open"); empty: it is a number
-  std::string expected_word;
+  std::string text;  // value of a measure with text values ("open"); empty for a number
+  std::string expected_text;
   std::string unit;
   double low = 0.0;
   double high = 0.0;

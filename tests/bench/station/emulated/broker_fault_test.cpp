@@ -1,4 +1,4 @@
-// The broker fails in a run.
+// Failures of the MQTT broker during a run.
 #include "station_of_four.hpp"
 
 namespace gsbench::station::test {
@@ -6,20 +6,20 @@ namespace {
 
 using BrokerFault = FaultyStation;
 
-TEST_F(BrokerFault, KilledAndRestartedIsToldOfTheOutletsBehindItAlone) {
+TEST_F(BrokerFault, RestartIsReportedForOutletsBehindItOnly) {
   at(0.45, [&] { hardware().broker()->kill(); });
   at(0.55, [&] { ASSERT_TRUE(hardware().broker()->restart().ok()); });
   play();
   expect_faults({{kRadioA, "has lost its broker"}, {kRadioB, "has lost its broker"}});
 }
 
-TEST_F(BrokerFault, GoneForGoodIsToldOfTheOutletsBehindItAlone) {
+TEST_F(BrokerFault, LossIsReportedForOutletsBehindItOnly) {
   at(0.45, [&] { hardware().broker()->kill(); });
   play();
   expect_faults({{kRadioA, "has lost its broker"}, {kRadioB, "has lost its broker"}});
 }
 
-TEST_F(BrokerFault, DeadBeforeTheRunEndsItInTime) {
+TEST_F(BrokerFault, BeforeTheRunEndsTheRunInTime) {
   hardware().broker()->kill();
   play();
   EXPECT_EQ(record_.verdict, record::Verdict::kError);

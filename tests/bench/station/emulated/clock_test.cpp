@@ -1,5 +1,5 @@
-// Outlets count their own samples on their own crystals; what they say stands at the right time in
-// the record nevertheless. The crystals and the relay sense know better than the alignment does.
+// Outlets count samples of their own crystals; the bench converts their time stamps to the time
+// base of the run. The configured crystals and the relay sense are the references here.
 #include "station_of_four.hpp"
 
 namespace gsbench::station::test {
@@ -24,7 +24,7 @@ class OutletClocks : public FaultyStation {
       const record::Clock& clock = record_.outlets[i].clock;
       EXPECT_NEAR(clock.drift_ppm, outlets[i].crystal_ppm, clock.drift_uncertainty_ppm)
           << outlets[i].id;
-      // Not by being unsure of everything: dips a few seconds apart, each known within 0.1 ms.
+      // The stated uncertainty must be useful: the dips are seconds apart, each within 0.1 ms.
       EXPECT_GT(clock.drift_uncertainty_ppm, 0.0);
       EXPECT_LT(clock.drift_uncertainty_ppm, 150.0);
       EXPECT_GT(clock.uncertainty_ms, 0.0);
@@ -33,14 +33,14 @@ class OutletClocks : public FaultyStation {
   }
 };
 
-TEST_F(OutletClocks, AreFoundWithinTheirStatedUncertainty) {
+TEST_F(OutletClocks, AreMeasuredWithinTheirStatedUncertainty) {
   play();
-  expect_all_whole();
+  expect_all_complete();
   expect_drifts_of_the_crystals();
 }
 
-// Crystals far worse than any that is sold: a wrong sign would be seen at a glance.
-TEST_F(OutletClocks, OfBadCrystalsAreFoundWithTheirSign) {
+// Crystals with much larger errors than real ones, so that a wrong sign is obvious.
+TEST_F(OutletClocks, WithLargeErrorsAreMeasuredWithTheirSign) {
   Outlets outlets = station_of_four();
   const double ppm[] = {900.0, -900.0, 600.0, -600.0};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -55,9 +55,9 @@ TEST_F(OutletClocks, OfBadCrystalsAreFoundWithTheirSign) {
   }
 }
 
-// The coil changes with the sample of the decision, and the sense sees the contact 1 to 20 ms
-// later (drivers/simulated/relay_model.hpp), by the source's own ticks.
-TEST_F(OutletClocks, PutDecisionsBeforeWhatTheRelaySenseSees) {
+// The coil switches with the sample of the decision. The relay sense sees the contact 1 ms to 20 ms
+// later (drivers/simulated/relay_model.hpp), in ticks of the source.
+TEST_F(OutletClocks, PlaceDecisionsBeforeTheSensedContact) {
   plan_ = parse(
       "title = \"A loss\"\nsource = \"None\"\n[grid]\nsystem = \"ieee24\"\n[[grid.loss]]\n"
       "at_s = 0.5\npower_mw = 600.0\n[signal]\nduration_s = 3.0\nnoise_pct = 1.0\n"
@@ -66,25 +66,25 @@ TEST_F(OutletClocks, PutDecisionsBeforeWhatTheRelaySenseSees) {
       "[[expect]]\nmeasure = \"relay.end\"\nequals = \"open\"\n");
   set_up(station_of_four());
   play();
-  expect_all_whole();
+  expect_all_complete();
   expect_drifts_of_the_crystals();
   EXPECT_DOUBLE_EQ(record_.bench_uncertainty.relay_sense_ms, 0.125);  // a tick at 8 kHz
   for (const record::OutletRecord& outlet : record_.outlets) {
     const Mark* const event = mark(outlet, "event");
-    const Mark* const word = mark(outlet, "relay.reported");
+    const Mark* const reported = mark(outlet, "relay.reported");
     const Mark* const decision = mark(outlet, "decision");
     const Mark* const sensed = mark(outlet, "relay.sense");
     ASSERT_NE(event, nullptr) << outlet.id;
-    ASSERT_NE(word, nullptr) << outlet.id;
+    ASSERT_NE(reported, nullptr) << outlet.id;
     ASSERT_NE(decision, nullptr) << outlet.id;
     ASSERT_NE(sensed, nullptr) << outlet.id;
-    EXPECT_EQ(word->tick, decision->tick) << outlet.id;
+    EXPECT_EQ(reported->tick, decision->tick) << outlet.id;
     const double uncertainty_ms =
         outlet.clock.uncertainty_ms + record_.bench_uncertainty.relay_sense_ms;
     const double operate_ms = static_cast<double>(sensed->tick - decision->tick) / 8.0;
     EXPECT_GT(operate_ms, 1.0 - uncertainty_ms) << outlet.id;
     EXPECT_LT(operate_ms, 20.0 + uncertainty_ms) << outlet.id;
-    EXPECT_GT(event->tick, 4000) << outlet.id << " knew of the loss before it came";
+    EXPECT_GT(event->tick, 4000) << outlet.id << " detected the loss before it happened";
   }
 }
 

@@ -1,5 +1,4 @@
-// gsbench, killed in the middle of a run, leaves no process behind, and no file that the next one
-// does not remove.
+// A gsbench killed during a run leaves no process behind. The next gsbench removes its files.
 #include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
@@ -32,7 +31,7 @@ std::string content(const std::string& path) {
   return text;
 }
 
-// Processes whose parent this is, with their command lines.
+// Child processes with their command lines.
 std::map<pid_t, std::string> children_of(pid_t parent) {
   std::map<pid_t, std::string> children;
   for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -50,13 +49,13 @@ std::map<pid_t, std::string> children_of(pid_t parent) {
   return children;
 }
 
-std::size_t that_are(const std::map<pid_t, std::string>& processes, const std::string& what) {
+std::size_t count_of(const std::map<pid_t, std::string>& processes, const std::string& what) {
   return static_cast<std::size_t>(std::count_if(
       processes.begin(), processes.end(),
       [&](const auto& process) { return process.second.find(what) != std::string::npos; }));
 }
 
-TEST(KilledBench, LeavesNoEmulatorOutletOrBrokerBehindAndItsFilesToTheNext) {
+TEST(KilledBench, LeavesNoProcessesAndTheNextRemovesItsFiles) {
   const gsbench::test::TemporaryFolder folder;
   const std::string station =
       folder.write("station.toml",
@@ -75,8 +74,8 @@ TEST(KilledBench, LeavesNoEmulatorOutletOrBrokerBehindAndItsFilesToTheNext) {
   std::map<pid_t, std::string> children;
   ASSERT_TRUE(until([&] {
     children = children_of(bench.pid());
-    return that_are(children, "qemu-system-arm") == 1 && that_are(children, "/gs-outlet ") == 2 &&
-           that_are(children, "mosquitto") == 1;
+    return count_of(children, "qemu-system-arm") == 1 && count_of(children, "/gs-outlet ") == 2 &&
+           count_of(children, "mosquitto") == 1;
   })) << content(folder.file("log"));
   const std::string& emulator =
       std::find_if(children.begin(), children.end(), [](const auto& process) {

@@ -1,5 +1,5 @@
-// Outlets and their cables that fail in a run, with the real parts. What is asked of each run is in
-// station_of_four.cpp.
+// Failures of outlets and cables during a run with real emulators, processes and a broker. What
+// each run must fulfil is checked in station_of_four.cpp.
 #include "station_of_four.hpp"
 #include <shared_memory_io/shared_memory.hpp>
 #include <test_support/demand.hpp>
@@ -27,7 +27,7 @@ using testing::StartsWith;
 
 class OutletFault : public FaultyStation {
  protected:
-  // So that what happens to it then is what the run meets.
+  // True if the outlet is up before the fault is injected.
   bool answers(Place outlet) {
     const std::string name = *station_->slots()[outlet].link_id;
     const auto present =
@@ -37,9 +37,9 @@ class OutletFault : public FaultyStation {
   }
 };
 
-TEST_F(OutletFault, NoneLetsAllFourPassAndTheRecordSaysWhereTheyAre) {
+TEST_F(OutletFault, IsAbsentIfAllFourPassAndTheRecordHasTheirLinks) {
   play();
-  expect_all_whole();
+  expect_all_complete();
   EXPECT_THAT(record_.outlets[kM4].link, StartsWith("tcp://127.0.0.1:"));
   EXPECT_THAT(record_.outlets[kHost].link, StartsWith("tcp://127.0.0.1:"));
   EXPECT_NE(record_.outlets[kM4].link, record_.outlets[kHost].link);
@@ -49,25 +49,25 @@ TEST_F(OutletFault, NoneLetsAllFourPassAndTheRecordSaysWhereTheyAre) {
   EXPECT_EQ(record_.outlets[kRadioB].id, "radio-b");
 }
 
-TEST_F(OutletFault, AnEmulatorThatIsKilledFallsSilent) {
+TEST_F(OutletFault, KilledEmulatorStopsReporting) {
   at(0.5, [&] { hardware().outlet_process(kM4).kill(); });
   play();
-  expect_fault(kM4, "fell silent after its sample ");
+  expect_fault(kM4, "stopped reporting after its sample ");
 }
 
-TEST_F(OutletFault, AnEmulatorThatIsKilledAndStartedAgainRestarted) {
+TEST_F(OutletFault, EmulatorThatIsStartedAgainIsReportedAsRestarted) {
   at(0.5, [&] { kill_and_restart(kM4); });
   play();
   expect_fault(kM4, "restarted after its sample ");
 }
 
-TEST_F(OutletFault, AProcessThatIsKilledAndStartedAgainRestarted) {
+TEST_F(OutletFault, ProcessThatIsStartedAgainIsReportedAsRestarted) {
   at(0.5, [&] { kill_and_restart(kHost); });
   play();
   expect_fault(kHost, "restarted after its sample ");
 }
 
-TEST_F(OutletFault, AProcessBehindTheBrokerThatIsKilledAndStartedAgainIsTold) {
+TEST_F(OutletFault, ProcessBehindTheBrokerThatIsStartedAgainIsReported) {
   at(0.5, [&] { kill_and_restart(kRadioB); });
   play();
   expect_faults({{kRadioB, ""}});
@@ -75,8 +75,8 @@ TEST_F(OutletFault, AProcessBehindTheBrokerThatIsKilledAndStartedAgainIsTold) {
               AnyOf(HasSubstr("left the broker"), HasSubstr("restarted after its sample ")));
 }
 
-// What a second life says is by another count: none of it may stand at a wrong time in the record.
-TEST_F(OutletFault, AnOutletThatRestartedLeavesOnlyItsFirstLifeInTheRecord) {
+// After a restart the sample count starts at 0 again: later reports would get wrong times.
+TEST_F(OutletFault, RecordEndsAtTheRestartOfAnOutlet) {
   at(0.6, [&] { kill_and_restart(kHost); });
   play();
   const std::vector<std::int64_t>& ticks = record_.outlets[kHost].trace.tick;
@@ -85,18 +85,18 @@ TEST_F(OutletFault, AnOutletThatRestartedLeavesOnlyItsFirstLifeInTheRecord) {
   EXPECT_LT(ticks.back(), plan_.duration_ticks());
 }
 
-TEST_F(OutletFault, AnOutletThatIsStoppedFallsSilent) {
+TEST_F(OutletFault, SuspendedProcessStopsReporting) {
   at(0.5, [&] { ASSERT_EQ(::kill(hardware().outlet_process(kHost).pid(), SIGSTOP), 0); });
   play();
-  expect_fault(kHost, "fell silent after its sample ");
+  expect_fault(kHost, "stopped reporting after its sample ");
 }
 
 class SpoiledCable : public FaultyStation, public testing::WithParamInterface<Spoiling> {};
 
-TEST_P(SpoiledCable, IsToldOfItsOutletAlone) {
+TEST_P(SpoiledCable, IsReportedForItsOutletOnly) {
   at(0.5, [&] { hardware().cable(kM4).spoil(every_nth_byte(97, GetParam().spoil)); });
   play();
-  // The frame that was hit, or by then its number.
+  // Detected by the damaged frame or by the missing sequence number.
   expect_faults({{kM4, ""}});
   EXPECT_THAT(record_.outlets[kM4].fault,
               AnyOf(HasSubstr("sent a damaged frame"), HasSubstr("of its messages were lost")));
@@ -105,26 +105,26 @@ TEST_P(SpoiledCable, IsToldOfItsOutletAlone) {
 INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledCable, testing::ValuesIn(gsbench::test::kSpoilings),
                          [](const auto& kind) { return kind.param.name; });
 
-TEST_F(OutletFault, OneOfAnotherProtocolVersionIsNotSpokenTo) {
+TEST_F(OutletFault, OutletWithAnotherProtocolIsSentNoSettings) {
   hardware().cable(kHost).spoil(
       change_hello([](gs::wire::Hello& hello) { hello.protocol_version = 77; }));
   play();
   expect_fault(kHost, "speaks protocol 77, not ");
   EXPECT_TRUE(record_.outlets[kHost].settings.empty()) << "it was sent settings";
-  EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty()) << "what it says may mean anything";
+  EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty()) << "its reports cannot be interpreted";
 }
 
-TEST_F(OutletFault, OneThatNeverSaysHelloIsPlayedWithout) {
+TEST_F(OutletFault, SilentOutletIsExcluded) {
   hardware().cable(kHost).spoil([](Bytes& bytes) { bytes.clear(); });
   play();
   expect_fault(kHost, "does not answer");
   EXPECT_EQ(record_.outlets[kHost].id, "host");
   EXPECT_EQ(record_.outlets[kHost].link, hardware().serial_ports()[kHost]);
-  EXPECT_TRUE(record_.outlets[kHost].measurements.empty()) << "nothing was played to it";
+  EXPECT_TRUE(record_.outlets[kHost].measurements.empty()) << "it was excluded";
   EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty());
 }
 
-TEST_F(OutletFault, OneThatIsOnTheBrokerButNeverAnswersIsPlayedWithout) {
+TEST_F(OutletFault, OutletOnTheBrokerThatDoesNotAnswerIsExcluded) {
   ASSERT_TRUE(answers(kRadioA));
   ASSERT_EQ(::kill(hardware().outlet_process(kRadioA).pid(), SIGSTOP), 0);
   play();
@@ -132,15 +132,15 @@ TEST_F(OutletFault, OneThatIsOnTheBrokerButNeverAnswersIsPlayedWithout) {
   EXPECT_TRUE(record_.outlets[kRadioA].settings.empty()) << "it was sent settings";
 }
 
-TEST_F(OutletFault, OneThatIsNotOnTheBrokerIsPlayedWithout) {
+TEST_F(OutletFault, OutletMissingFromTheBrokerIsExcluded) {
   ASSERT_TRUE(answers(kRadioB));
   hardware().outlet_process(kRadioB).kill();
   play();
   expect_fault(kRadioB, "is not on the broker");
 }
 
-// Which of them is the one that was meant nobody can tell.
-TEST_F(OutletFault, TwoOnSerialLinesWithOneIdAreBothAtFaultAndTheOthersArePlayedTo) {
+// The bench cannot know which of the two the profile means.
+TEST_F(OutletFault, TwoSerialOutletsWithTheSameIdAreBothExcluded) {
   hardware().cable(kHost).spoil(
       change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "m4"); }));
   play();
@@ -152,15 +152,15 @@ TEST_F(OutletFault, TwoOnSerialLinesWithOneIdAreBothAtFaultAndTheOthersArePlayed
   }
 }
 
-TEST_F(OutletFault, OneOnASerialLineWithTheIdOfOneBehindTheBrokerIsTold) {
+TEST_F(OutletFault, SerialOutletWithTheIdOfOneBehindTheBrokerIsReported) {
   hardware().cable(kHost).spoil(
       change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "radio-a"); }));
   play();
   expect_faults({{kHost, "is there twice"}, {kRadioA, "is there twice"}});
 }
 
-// Behind a broker a twin may come at any time: another piece of hardware with the same id.
-TEST_F(OutletFault, ATwinThatComesInTheMiddleIsToldOfItsIdAlone) {
+// Another device with the same id may join a broker at any time.
+TEST_F(OutletFault, DuplicateThatJoinsDuringARunIsReportedForItsIdOnly) {
   const gsbench::test::TemporaryFolder folder;
   emulation::MainsOptions options;
   options.folder = folder.path().string();
@@ -184,26 +184,26 @@ TEST_F(OutletFault, ATwinThatComesInTheMiddleIsToldOfItsIdAlone) {
   expect_fault(kRadioB, "is there twice: ");
 }
 
-TEST_F(OutletFault, OneWithoutItsCrystalIsTold) {
+TEST_F(OutletFault, MissingCrystalIsReported) {
   hardware().terminals(kM4).crystal_fails = 1;
   kill_and_restart(kM4);
   play();
-  expect_fault(kM4, "crystal");  // its own word, or its self test's
+  expect_fault(kM4, "crystal");  // as its own error report or by its self test
 }
 
-TEST_F(OutletFault, SamplesThatAnOutletCouldNotTakeAreTold) {
+TEST_F(OutletFault, LostSamplesAreReported) {
   at(0.4, [&] { ASSERT_EQ(::kill(hardware().outlet_process(kHost).pid(), SIGSTOP), 0); });
   at(0.5, [&] {
-    // Longer than its ring holds, and shorter than silence is minded.
+    // More samples than its buffer holds, in less time than the limit for silence.
     hardware().terminals(kHost).written += 2 * gs::shared_memory_io::kRingSamples;
     ASSERT_EQ(::kill(hardware().outlet_process(kHost).pid(), SIGCONT), 0);
   });
   play();
-  expect_fault(kHost, "reports: samples lost");
+  expect_fault(kHost, "reported the error: samples lost");
 }
 
-// A station lists its outlets as it likes: what is heard, sensed and played is of the same one.
-TEST_F(OutletFault, NoneWhereTheStationListsRadiosFirst) {
+// Link, relay sense and source must refer to the same outlet in any order of the station's list.
+TEST_F(OutletFault, IsAbsentIfTheStationListsRadiosFirst) {
   Outlets outlets = station_of_four();
   std::rotate(outlets.begin(), outlets.begin() + 2, outlets.end());
   plan_ = plan(1.5, "noise_pct = 1.0\n",
@@ -211,7 +211,7 @@ TEST_F(OutletFault, NoneWhereTheStationListsRadiosFirst) {
                "[[command]]\nat_s = 0.5\noutlets = [\"cut\"]\nswitch = \"off\"\n");
   set_up(outlets);
   play();
-  expect_all_whole();
+  expect_all_complete();
   for (const record::OutletRecord& outlet : record_.outlets) {
     std::vector<std::string> relay_marks;
     for (const record::Mark& mark : outlet.marks) {

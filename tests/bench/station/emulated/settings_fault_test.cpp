@@ -1,6 +1,5 @@
-// Settings that an outlet refuses, does not get whole, or does not answer to. The bench checks what
-// it sends, so what is wrong here is made wrong on its way, in the outlet's memory, or not sent by
-// the bench at all.
+// Settings that an outlet refuses, receives damaged or does not acknowledge. The bench checks the
+// settings that it sends, so these tests change them between the bench and the outlet.
 #include "station_of_four.hpp"
 
 namespace gsbench::station::test {
@@ -13,7 +12,7 @@ using gs::wire::UplinkKind;
 using gsbench::test::Bytes;
 using gsbench::test::each_message;
 
-// Stands between the run and the station's own link, and changes what is sent to one outlet.
+// Wraps the station's link and changes the settings sent to one outlet.
 class ChangingLink final : public link::Link {
  public:
   ChangingLink(link::Link& real, std::string outlet, std::function<void(Downlink&)> change)
@@ -62,7 +61,7 @@ class SettingsFault : public FaultyStation {
   }
 };
 
-// What is empty does not pass.
+// An emptied message is dropped.
 emulation::Spoiler each_settings(const std::function<void(Bytes&)>& change) {
   return each_message([change](const Bytes& message) -> std::vector<Bytes> {
     Downlink downlink;
@@ -87,31 +86,31 @@ TEST_F(SettingsFault, OutOfRangeAreRefusedBehindTheBrokerToo) {
   expect_fault(kRadioA, "refused its settings: ");
 }
 
-TEST_F(SettingsFault, OlderThanThoseInForceAreRefused) {
+TEST_F(SettingsFault, OlderThanTheCurrentOnesAreRefused) {
   play();
-  expect_all_whole();
+  expect_all_complete();
   play_with(kHost, [](Downlink& message) { message.settings.version = 1; });
   expect_fault(kHost, "refused its settings: ");
   EXPECT_THAT(record_.outlets[kHost].fault, testing::HasSubstr("not newer"));
 }
 
-// Whole frames with half a message, by which the outlet must not be misled.
-TEST_F(SettingsFault, ThatCameTruncatedAreNotTakenAndMissed) {
+// Intact frames with half a message.
+TEST_F(SettingsFault, ThatArriveTruncatedAreNotAcknowledged) {
   hardware().cable(kM4).spoil(
       each_settings([](Bytes& message) { message.resize(message.size() / 2); }),
       emulation::Way::kToOutlet);
   play();
-  expect_fault(kM4, "did not answer to its settings");
+  expect_fault(kM4, "did not acknowledge its settings");
 }
 
-TEST_F(SettingsFault, ThatNeverCameAreMissed) {
+TEST_F(SettingsFault, ThatNeverArriveAreNotAcknowledged) {
   hardware().cable(kHost).spoil(each_settings([](Bytes& message) { message.clear(); }),
                                 emulation::Way::kToOutlet);
   play();
-  expect_fault(kHost, "did not answer to its settings");
+  expect_fault(kHost, "did not acknowledge its settings");
 }
 
-TEST_F(SettingsFault, WhoseAnswerIsLostAreToldOfThatOutletAlone) {
+TEST_F(SettingsFault, WithALostAnswerAreReportedForThatOutletOnly) {
   hardware().cable(kM4).spoil(each_message([](const Bytes& message) -> std::vector<Bytes> {
     Uplink uplink;
     std::uint32_t sequence = 0;
@@ -121,7 +120,7 @@ TEST_F(SettingsFault, WhoseAnswerIsLostAreToldOfThatOutletAlone) {
     return answer ? std::vector<Bytes>{} : std::vector<Bytes>{message};
   }));
   play();
-  // The bench knows from the numbers that a message is missing before the answer is due.
+  // The sequence numbers show the lost message before the answer is due.
   expect_fault(kM4, "of its messages were lost");
 }
 

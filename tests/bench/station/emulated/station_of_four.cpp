@@ -10,10 +10,10 @@ using testing::HasSubstr;
 
 namespace {
 
-// Calm mains with dips before and after what is judged (bench/station/played_signal.cpp).
+// Steady mains with marker dips before and after the run (bench/station/played_signal.cpp).
 constexpr double kMarkers_s = 4.8;
-// From starting to play to the record, beyond what is played: links are opened and closed, outlets
-// are asked, a busy machine is late. Nothing may wait for an outlet that is gone for longer.
+// Wall time that a run may take in addition to what it plays: opening and closing the links,
+// waiting for outlets, delays of a busy machine. A missing outlet must not delay a run further.
 constexpr double kPatience_s = 15.0;
 constexpr std::int64_t kTicksPerReport = 128;
 
@@ -70,7 +70,7 @@ void FaultyStation::expect_faults(const std::map<std::size_t, std::string>& faul
     const record::OutletRecord& outlet = record_.outlets[i];
     const auto fault = faults.find(i);
     if (fault == faults.end()) {
-      expect_whole(outlet);
+      expect_complete(outlet);
     } else {
       EXPECT_EQ(outlet.verdict, Verdict::kError) << outlet.id;
       EXPECT_THAT(outlet.fault, HasSubstr(fault->second)) << outlet.id;
@@ -78,16 +78,16 @@ void FaultyStation::expect_faults(const std::map<std::size_t, std::string>& faul
   }
 }
 
-void FaultyStation::expect_whole(const record::OutletRecord& outlet) const {
+void FaultyStation::expect_complete(const record::OutletRecord& outlet) const {
   EXPECT_EQ(outlet.verdict, Verdict::kPass) << outlet.id;
   EXPECT_EQ(outlet.fault, "") << outlet.id;
   const std::vector<std::int64_t>& ticks = outlet.trace.tick;
-  // Every 16 ms of the run, the first and the last within one of them.
+  // One report every 16 ms, the first and the last within 16 ms of the ends of the run.
   ASSERT_FALSE(ticks.empty()) << outlet.id;
   EXPECT_LE(ticks.front(), kTicksPerReport) << outlet.id;
   EXPECT_GE(ticks.back(), plan_.duration_ticks() - kTicksPerReport - 1) << outlet.id;
   for (std::size_t i = 1; i < ticks.size(); ++i) {
-    // A crystal that is 100 ppm off moves a report by 0.013 ticks, rounding by one.
+    // A crystal error of 100 ppm moves a report by 0.013 ticks, rounding moves it by up to one.
     ASSERT_NEAR(static_cast<double>(ticks[i] - ticks[i - 1]), kTicksPerReport, 1.0) << outlet.id;
   }
 }

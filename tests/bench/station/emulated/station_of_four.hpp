@@ -1,6 +1,5 @@
-// A station of four emulated outlets, one of each kind and one more: a Cortex-M4F and a process on
-// serial lines, two processes behind a broker; runs of it with a fault in the middle, and what must
-// be true of every such run.
+// A station of four emulated outlets (a Cortex-M4F and a process on serial lines, two processes
+// behind a broker), runs with injected faults, and checks of every such run.
 #pragma once
 
 #include "emulated_station.hpp"
@@ -18,7 +17,7 @@
 
 namespace gsbench::station::test {
 
-// By their places in the station and in the record.
+// Index in the station and in the record.
 enum Place : std::size_t { kM4 = 0, kHost = 1, kRadioA = 2, kRadioB = 3 };
 
 using Outlets = std::vector<emulation::HardwareOutlet>;
@@ -31,7 +30,7 @@ class FaultyStation : public testing::Test {
 
   emulation::Hardware& hardware() { return station_->hardware(); }
 
-  // Once in the run, when so much of it has been played.
+  // Injects a fault when this part of the run, 0 … 1, has been played.
   void at(double part, std::function<void()> fault);
   void play();
   void kill_and_restart(Place outlet) {
@@ -39,16 +38,16 @@ class FaultyStation : public testing::Test {
     ASSERT_TRUE(hardware().restart_outlet(outlet).ok());
   }
 
-  // ERROR, because of this outlet and for this reason; the others' records are whole.
+  // The run is ERROR because of this outlet and reason; the records of the others are complete.
   void expect_fault(Place outlet, const std::string& what) { expect_faults({{outlet, what}}); }
   void expect_faults(const std::map<std::size_t, std::string>& faults);
-  // All four passed, without a fault.
-  void expect_all_whole() { expect_faults({}); }
-  void expect_whole(const record::OutletRecord& outlet) const;
-  // No sample reaches an outlet any more, no message the bench.
+  // All four passed without a fault.
+  void expect_all_complete() { expect_faults({}); }
+  void expect_complete(const record::OutletRecord& outlet) const;
+  // Neither samples nor messages can be sent any more.
   void expect_safe_state();
 
-  // Mains without a disturbance, for so long between the clock's markers.
+  // Undisturbed mains between the marker dips.
   profile::Plan plan_ = plan(1.5, "noise_pct = 1.0\n", "[[outlet]]\ncount = 4\n");
   std::unique_ptr<EmulatedStation> station_;
   record::RunRecord record_;

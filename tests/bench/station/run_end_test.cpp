@@ -1,4 +1,4 @@
-// Every way out of a run leaves the station safe and the record with a reason.
+// Every end of a run leaves the station in its safe state and a reason in the record.
 
 #include "fake_station.hpp"
 #include "plans.hpp"
@@ -20,15 +20,15 @@ using ::testing::HasSubstr;
 
 const char* const kCommand = "[[command]]\nat_s = 0.55\nswitch = \"off\"\n";
 
-// Blocks end at 0.096 s, where the answers are due, then every 0.1 s, and at the command: 0.096,
-// 0.196 … 0.496, 0.55, 0.65 … 0.95, 1.
+// Blocks end at 0.096 s, when the answers are due, then every 0.1 s, and at the command: 0.096,
+// 0.196 … 0.496, 0.55, 0.65 … 0.95, 1 s.
 constexpr int kBlocks = 11;
 
 profile::Plan one_second() {
   return plan(1.0, kCommand);
 }
 
-// Of a run that has an end of its own, safe by then.
+// Runs the plan and expects the safe state afterwards.
 record::RunRecord play(FakeStation& station, const RunOptions& options = {},
                        const profile::Plan& plan = one_second()) {
   record::RunRecord record = run(plan, station, options);
@@ -47,7 +47,7 @@ void expect_error(const Script& script, const std::string& reason) {
   }
 }
 
-// One outlet is lost, the other goes on to the end.
+// The last outlet is faulty; the other one runs to the end.
 void expect_fault_of_the_last(const Script& script, const std::string& reason,
                               double duration_s = 1.0) {
   FakeStation station(script);
@@ -62,7 +62,7 @@ void expect_fault_of_the_last(const Script& script, const std::string& reason,
   EXPECT_EQ(record.outlets[0].trace.tick.size(), reports);
 }
 
-TEST(WaysOut, TheNormalEndIsSafeAndNoError) {
+TEST(RunEnd, NormalEndIsSafeAndWithoutError) {
   FakeStation station({});
   const record::RunRecord record = play(station);
   EXPECT_EQ(record.verdict, Verdict::kPass) << record.verdict_reason;
@@ -70,30 +70,30 @@ TEST(WaysOut, TheNormalEndIsSafeAndNoError) {
   EXPECT_EQ(station.tick(), 8000);
 }
 
-TEST(WaysOut, ASourceThatDoesNotStart) {
+TEST(RunEnd, SourceThatDoesNotStartIsError) {
   expect_error(with(&Script::start_error, "fake source: no such port"),
                "fake source: no such port");
 }
 
-TEST(WaysOut, ASourceThatCannotBeSwitchedOff) {
+TEST(RunEnd, SourceThatCannotBeSwitchedOffIsError) {
   Script script = with(&Script::make_safe_error, "fake source: relay welded");
   expect_error(script, "the source may still be live: fake source: relay welded");
   script.play_fails_at = 3;
   expect_error(script, "fake source: tripped; the source may still be live");
 }
 
-TEST(WaysOut, ALinkThatDoesNotOpen) {
+TEST(RunEnd, LinkThatDoesNotOpenIsError) {
   expect_error(with(&Script::open_error, "fake link: no broker"), "fake link: no broker");
 }
 
-// Settings to two outlets, the command to two.
-TEST(WaysOut, ALinkThatCannotSendAnyOneMessage) {
+// Settings and a self test to each of two outlets.
+TEST(RunEnd, LinkThatCannotSendAMessageIsError) {
   for (int message = 0; message < 4; ++message) {
     expect_error(with(&Script::send_fails_at, message), "fake link: cannot send");
   }
 }
 
-TEST(WaysOut, ADriverThatFailsAtAnyBlock) {
+TEST(RunEnd, DriverFailureInAnyBlockIsError) {
   for (int block = 0; block < kBlocks; ++block) {
     expect_error(with(&Script::play_fails_at, block), "fake source: tripped");
     expect_error(with(&Script::link_poll_fails_at, block), "fake link: broken");
@@ -101,70 +101,70 @@ TEST(WaysOut, ADriverThatFailsAtAnyBlock) {
   }
 }
 
-TEST(WaysOut, TooFewOutlets) {
+TEST(RunEnd, TooFewOutletsAreAnError) {
   expect_error(with(&Script::outlets, 1U), "needs 2 outlets; the station has 1");
 }
 
-TEST(WaysOut, AnOutletOfAnotherProtocol) {
+TEST(RunEnd, OutletWithAnotherProtocolIsExcluded) {
   expect_fault_of_the_last(with(&Script::protocol_version, std::uint16_t{7}),
                            "speaks protocol 7, not 2");
 }
 
-TEST(WaysOut, AnOutletThatRefusesItsSettings) {
+TEST(RunEnd, OutletThatRefusesItsSettingsIsFaulty) {
   constexpr auto kError = gs::outlet::SettingsError::kThreshold;
   expect_fault_of_the_last(with(&Script::settings_error, kError),
                            std::string("refused its settings: ") + to_string(kError));
 }
 
-TEST(WaysOut, AnOutletThatDoesNotAnswerToItsSettings) {
+TEST(RunEnd, OutletThatDoesNotAcknowledgeItsSettingsIsFaulty) {
   const Script script = with(&Script::answers_settings, false);
-  expect_fault_of_the_last(script, "did not answer to its settings");
-  // In a run that ends before the answer is due, too.
-  expect_fault_of_the_last(script, "did not answer to its settings", 0.56);
+  expect_fault_of_the_last(script, "did not acknowledge its settings");
+  // Also in a run that ends soon after the answer is due.
+  expect_fault_of_the_last(script, "did not acknowledge its settings", 0.56);
 }
 
-TEST(WaysOut, AnOutletThatFallsSilent) {
+TEST(RunEnd, OutletThatStopsReportingIsFaulty) {
   expect_fault_of_the_last(with(&Script::silent_from_tick, 8000),
-                           "fell silent after its sample 7936", 3.0);
+                           "stopped reporting after its sample 7936", 3.0);
 }
 
-TEST(WaysOut, AnOutletThatIsSilentForASecondIsStillThere) {
-  // The last report is at tick 7936: a second later is 15936 of 15920.
+TEST(RunEnd, OutletMayBeSilentForOneSecond) {
+  // The last report is at tick 7936. One second later is tick 15936, after the end at 15920.
   FakeStation station(with(&Script::silent_from_tick, 8000));
   EXPECT_EQ(play(station, {}, plan(1.99)).verdict, Verdict::kPass);
 }
 
-TEST(WaysOut, TheOnlyOutletLostEndsTheRunEarly) {
+TEST(RunEnd, LossOfTheOnlyOutletEndsTheRun) {
   Script script = with(&Script::silent_from_tick, 8000);
   script.outlets = 1;
   FakeStation station(script);
   const record::RunRecord record = play(station, {}, plan(30.0, "", "[[outlet]]\n"));
   EXPECT_EQ(record.verdict, Verdict::kError);
-  EXPECT_THAT(record.verdict_reason, HasSubstr("fell silent after its sample 7936"));
+  EXPECT_THAT(record.verdict_reason, HasSubstr("stopped reporting after its sample 7936"));
   EXPECT_LT(station.tick(), 3 * 8000);
 }
 
-TEST(WaysOut, AFaultKeepsWhatWasCapturedUntilThen) {
+TEST(RunEnd, FaultKeepsTheReportsCapturedSoFar) {
   FakeStation station(with(&Script::play_fails_at, 5));
   const record::RunRecord record = play(station);
   ASSERT_EQ(record.outlets.size(), 2U);
   // Until 0.496 s, every 16 ms.
   EXPECT_EQ(record.outlets[0].trace.tick.size(), 31U);
-  EXPECT_TRUE(record.outlets[0].measurements.empty()) << "half a run is not judged";
+  EXPECT_TRUE(record.outlets[0].measurements.empty()) << "an incomplete run is not judged";
 }
 
-// Stopped once so much of it is played; below 0 before it begins.
+// Stops a run when this part of it, 0 … 1, has been played; negative: before its start.
 record::RunRecord stopped_at(double stop_at, FakeStation& station) {
   std::atomic<bool> stop{stop_at < 0.0};
   RunOptions options;
   options.stop = &stop;
   options.progress = [&](double part) { stop = part >= stop_at; };
   record::RunRecord record = play(station, options);
-  EXPECT_TRUE(stop) << "it never came so far";
+  EXPECT_TRUE(stop) << "the run ended before stop_at";
   return record;
 }
 
-TEST(WaysOut, AStopEndsAfterTheBlockInHand) {
+TEST(RunEnd, StopTakesEffectAfterTheCurrentBlock) {
   for (const auto& [stop_at, blocks] : {std::pair(-1.0, 0), std::pair(0.45, 5)}) {
     FakeStation station({});
     const record::RunRecord record = stopped_at(stop_at, station);
@@ -178,14 +178,14 @@ TEST(WaysOut, AStopEndsAfterTheBlockInHand) {
   }
 }
 
-TEST(WaysOut, AStopAfterTheLastBlockChangesNothing) {
+TEST(RunEnd, StopAfterTheLastBlockChangesNothing) {
   FakeStation station({});
   const record::RunRecord record = stopped_at(1.0, station);
   EXPECT_EQ(record.verdict, Verdict::kPass) << record.verdict_reason;
   EXPECT_FALSE(record.interrupted);
 }
 
-TEST(WaysOut, ADriverThatThrowsAgainstItsRules) {
+TEST(RunEnd, DriverThatThrowsLeavesTheStationSafe) {
   for (int block = 0; block < kBlocks; ++block) {
     FakeStation station(with(&Script::play_throws_at, block));
     EXPECT_THROW(run(one_second(), station, {}), std::runtime_error);
@@ -193,7 +193,7 @@ TEST(WaysOut, ADriverThatThrowsAgainstItsRules) {
   }
 }
 
-TEST(WaysOut, AProgressThatThrows) {
+TEST(RunEnd, ProgressCallbackThatThrowsLeavesTheStationSafe) {
   FakeStation station({});
   RunOptions options;
   options.progress = [](double) { throw std::runtime_error("no terminal"); };
@@ -201,9 +201,9 @@ TEST(WaysOut, AProgressThatThrows) {
   EXPECT_TRUE(station.is_safe());
 }
 
-class WrittenWaysOut : public testing::Test {
+class RecordedRunEnd : public testing::Test {
  protected:
-  WrittenWaysOut() { options_.writer = &writer_; }
+  RecordedRunEnd() { options_.writer = &writer_; }
 
   const gsbench::test::TemporaryFolder folder_;
   record::Writer writer_{folder_.file("run.gsbench")};
@@ -211,18 +211,18 @@ class WrittenWaysOut : public testing::Test {
   RunOptions options_;
 };
 
-TEST_F(WrittenWaysOut, ARecordThatCannotBeBegun) {
-  writer_.begin({});  // a second time is refused
+TEST_F(RecordedRunEnd, RecordThatCannotBeCreatedIsThrown) {
+  writer_.begin({});  // a second begin() is refused
   EXPECT_ANY_THROW(run(one_second(), station_, options_));
   EXPECT_TRUE(station_.is_safe());
   EXPECT_EQ(station_.blocks_played(), 0);
 }
 
-TEST_F(WrittenWaysOut, ARecordThatCannotBeWrittenAtTheEnd) {
+TEST_F(RecordedRunEnd, RecordThatCannotBeWrittenAtTheEndIsThrown) {
   bool finished = false;
   options_.progress = [&](double) {
     if (!finished) {
-      writer_.finish({});  // outlets after it are refused
+      writer_.finish({});  // outlets after finish() are refused
     }
     finished = true;
   };
@@ -231,7 +231,7 @@ TEST_F(WrittenWaysOut, ARecordThatCannotBeWrittenAtTheEnd) {
   EXPECT_EQ(station_.blocks_played(), kBlocks);
 }
 
-TEST_F(WrittenWaysOut, SettingsThatTheFirmwareRefusesEndTheRunBeforeAnythingIsTouched) {
+TEST_F(RecordedRunEnd, InvalidSettingsEndTheRunBeforeAnyDeviceIsUsed) {
   profile::Plan refused = one_second();
   refused.outlets[1].settings.settings["threshold_mw"] = -1.0;
   EXPECT_THROW(run(refused, station_, options_), profile::ConfigurationError);
