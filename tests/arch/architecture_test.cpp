@@ -1,5 +1,5 @@
-// The tree as it is, held to the rules; and how many files an addition touches (CONTRIBUTING.md),
-// counted where the last such addition stands.
+// Checks the source tree against the rules. The Walk tests count the files that an addition touches
+// (CONTRIBUTING.md), by the example of an existing addition.
 #include "checks.hpp"
 
 #include <set>
@@ -25,72 +25,72 @@ testing::AssertionResult none(const Findings& findings) {
   return findings.empty() ? testing::AssertionSuccess() : testing::AssertionFailure() << text.str();
 }
 
-TEST_F(ArchitectureTest, SeesTheSourcesItIsToCheck) {
+TEST_F(ArchitectureTest, ReadsTheSourceTree) {
   EXPECT_EQ(tree_.count("tests/arch/architecture_test.cpp"), 1U);
   EXPECT_EQ(tree_.count("bench/grid/include/grid/grid.hpp"), 1U);
   EXPECT_EQ(tree_.count(".ci/packages.txt"), 1U);
 }
 
-TEST_F(ArchitectureTest, FoldersIncludeOnlyWhatTheyMay) {
+TEST_F(ArchitectureTest, FoldersIncludeOnlyAllowedFolders) {
   EXPECT_TRUE(none(check_includes(tree_)));
 }
 
-TEST_F(ArchitectureTest, TargetsLinkOnlyWhatTheirFoldersMayInclude) {
+TEST_F(ArchitectureTest, TargetsLinkOnlyAllowedTargets) {
   EXPECT_TRUE(none(check_links(tree_)));
 }
 
-TEST_F(ArchitectureTest, FoldersIncludeEachOtherInNoCycle) {
+TEST_F(ArchitectureTest, FoldersHaveNoCyclicIncludes) {
   EXPECT_TRUE(none(check_cycles(tree_)));
 }
 
 TEST_F(ArchitectureTest, FirmwareHasNoHeapAndNoExceptions) {
-  EXPECT_TRUE(none(check_firmware_words(tree_)));
+  EXPECT_TRUE(none(check_firmware_keywords(tree_)));
 }
 
-TEST_F(ArchitectureTest, FilesAreShortFinishedAndTiedToNoMachine) {
+TEST_F(ArchitectureTest, FilesAreShortFinishedAndIndependentOfTheMachine) {
   EXPECT_TRUE(none(check_text(tree_)));
 }
 
-TEST_F(ArchitectureTest, EveryFolderIsKnownAndBuilt) {
+TEST_F(ArchitectureTest, EveryFolderIsInTheTableAndBuilt) {
   EXPECT_TRUE(none(check_layout(tree_)));
 }
 
-// Files of the product that name it, outside of `own_folder`.
-std::set<std::string> files_that_name(const std::string& word,
+// C++ files outside of tests, profiles and `own_folder` that contain `text`.
+std::set<std::string> files_that_name(const std::string& text,
                                       const std::string& own_folder = "-") {
   std::set<std::string> files;
   for (const auto& [path, content] : read_tree(GSBENCH_SOURCE_DIR)) {
     if (!starts_with(path, "tests/") && !starts_with(path, "profiles/") && is_cpp(path) &&
-        !starts_with(path, own_folder) && content.find(word) != std::string::npos) {
+        !starts_with(path, own_folder) && content.find(text) != std::string::npos) {
       files.insert(path);
     }
   }
   return files;
 }
 
-TEST(Walk, ASourceIsItsFolderAndTheStationThatPlaysIt) {
+TEST(Walk, SourceTouchesItsFolderAndItsStation) {
   EXPECT_THAT(files_that_name("simulated/bench.hpp", "drivers/simulated/"),
               ElementsAre("bench/station/simulated_station.cpp"));
 }
 
-TEST(Walk, AMeasureIsARowOfTheCatalogueAndItsReading) {
+TEST(Walk, MeasureTouchesTheCatalogueAndTheJudge) {
   EXPECT_THAT(files_that_name("\"relay.chatter\""),
               ElementsAre("bench/judge/relay_measures.cpp", "bench/measures/catalogue.cpp"));
 }
 
-TEST(Walk, AReportFormatIsItsFileAndARowOfTheTable) {
+TEST(Walk, ReportFormatTouchesItsFileAndTheTableOfFormats) {
   EXPECT_THAT(files_that_name("junit"), ElementsAre("reports/render/include/render/render.hpp",
                                                     "reports/render/junit_xml.cpp"));
 }
 
-TEST(Walk, ASettingIsItsRowAndTheRule) {
+TEST(Walk, SettingTouchesTheTableOfSettingsAndItsAlgorithm) {
   EXPECT_THAT(files_that_name("event_departure_hz"),
               ElementsAre("firmware/outlet/event_detector.cpp",
                           "firmware/outlet/include/outlet/event_detector.hpp",
                           "firmware/outlet/include/outlet/settings.hpp"));
 }
 
-TEST(Walk, ABoardIsItsFolderAndARowOfTheTable) {
+TEST(Walk, BoardTouchesItsFolderAndTheTableOfBoards) {
   EXPECT_THAT(files_that_name("stm32f405", "firmware/boards/stm32f405/"),
               ElementsAre("firmware/boards/list/include/boards/boards.hpp"));
 }

@@ -1,5 +1,5 @@
-// The checks can fail: each rule is broken in a small tree made up for it, and must be reported
-// with the place, beside the nearest thing that is allowed.
+// Tests of the checks: each rule is broken in a small artificial tree, and the finding must name
+// the place. The nearest allowed case must not be reported.
 #include "checks.hpp"
 
 #include <utility>
@@ -23,27 +23,27 @@ std::string include(const std::string& header) {
 struct Case {
   std::string file;
   std::string text;
-  int line;  // of what is reported
-  std::string says;
+  int line;  // of the finding
+  std::string message;
 };
 
 void expect_reported(const std::vector<Case>& cases) {
-  for (const auto& [file, text, line, says] : cases) {
-    EXPECT_THAT(check_includes({{file, text}}), ElementsAre(At(file, line, says))) << text;
+  for (const auto& [file, text, line, message] : cases) {
+    EXPECT_THAT(check_includes({{file, text}}), ElementsAre(At(file, line, message))) << text;
   }
 }
 
-TEST(IncludeCheck, ReportsAFolderThatTheTableDoesNotGrant) {
+TEST(IncludeCheck, ReportsAnIncludeThatTheTableDoesNotAllow) {
   expect_reported(
       {{"bench/grid/a.cpp", "\n" + include("waveform/reference_signal.hpp"), 2, "may not include"},
-       // Granted in reverse.
+       // Only the reverse direction is allowed.
        {"reports/record/a.hpp", include("render/render.hpp"), 1, "may not include"},
        {"bench/judge/a.cpp", include("record/store.hpp"), 1, "record/store.hpp"},
        {"bench/grid/a.hpp", include("drivers/result.hpp"), 1, "drivers/common"},
        {"firmware/outlet/a.cpp", "#include \"grid/sfr_model.hpp\"\n", 1, "bench/grid"}});
 }
 
-TEST(IncludeCheck, AcceptsAFolderThatTheTableGrants) {
+TEST(IncludeCheck, AcceptsAnIncludeThatTheTableAllows) {
   const Tree tree = {{"bench/waveform/a.cpp", include("grid/grid.hpp") + include("vector")},
                      {"bench/judge/a.cpp", include("record/run_record.hpp")},
                      {"drivers/link/a.hpp", include("drivers/result.hpp")},
@@ -54,11 +54,11 @@ TEST(IncludeCheck, AcceptsAFolderThatTheTableGrants) {
 
 TEST(IncludeCheck, ReportsAQuotedIncludeThatLeavesItsFolder) {
   expect_reported(
-      {{"bench/grid/a.cpp", "#include \"../waveform/private.hpp\"\n", 1, "stays within"},
+      {{"bench/grid/a.cpp", "#include \"../waveform/private.hpp\"\n", 1, "must stay within"},
        {"bench/grid/a.cpp", "#include \"/usr/include/zlib.h\"\n", 1, "absolute"}});
 }
 
-TEST(IncludeCheck, SeesAnIncludeWithSpacesOrBehindADigitSeparatorAndAQuoteInACharacter) {
+TEST(IncludeCheck, FindsIncludesAfterSpacesDigitSeparatorsAndQuotedCharacters) {
   expect_reported({{"bench/grid/a.cpp", "  #  include <cli/main.hpp>\n", 1, "bench/cli"},
                    {"bench/grid/a.cpp",
                     "int n = 1'000; char c = '\"'; char d = '\\'';\n" + include("cli/main.hpp"), 2,
@@ -94,13 +94,13 @@ const std::pair<const char*, const char*> kMisplaced[] = {
     {"bench/grid/a.cpp", "boost/optional.hpp"},
     {"bench/grid/a.cpp", "math.h"}};
 
-TEST(IncludeCheck, ReportsEachLibraryThatIsMisplaced) {
+TEST(IncludeCheck, ReportsEachLibraryInAFolderWhereItIsNotAllowed) {
   for (const auto& [file, header] : kMisplaced) {
     expect_reported({{file, include(header), 1, header}});
   }
 }
 
-TEST(IncludeCheck, ReportsHostedHeadersInFirmwareAlone) {
+TEST(IncludeCheck, ReportsHostedHeadersInFirmwareOnly) {
   for (const char* header : {"cmath", "vector", "string", "memory", "new", "iostream", "chrono",
                              "stdexcept", "functional", "thread"}) {
     expect_reported({{"firmware/outlet/a.hpp", include(header), 1, "not for firmware"},
@@ -116,7 +116,7 @@ TEST(CycleCheck, ReportsDriversThatIncludeEachOther) {
                                                  "drivers/link, drivers/source, drivers/link")));
 }
 
-TEST(CycleCheck, ReportsACycleOfThreeThatAPathFromOutsideLeadsTo) {
+TEST(CycleCheck, ReportsACycleOfThreeFoldersReachedFromOutside) {
   const Tree tree = {{"bench/capture/a.hpp", include("link/a.hpp")},
                      {"drivers/link/a.hpp", include("source/a.hpp")},
                      {"drivers/relay/a.hpp", include("link/a.hpp")},
@@ -125,13 +125,13 @@ TEST(CycleCheck, ReportsACycleOfThreeThatAPathFromOutsideLeadsTo) {
               ElementsAre(At("drivers/relay/a.hpp", 1, "drivers/link, drivers/source")));
 }
 
-TEST(CycleCheck, AcceptsTwoWaysToTheSameFolder) {
+TEST(CycleCheck, AcceptsTwoPathsToTheSameFolder) {
   const Tree tree = {{"bench/waveform/a.hpp", include("grid/a.hpp")},
                      {"bench/profile/a.hpp", include("grid/a.hpp") + include("waveform/a.hpp")}};
   EXPECT_THAT(check_cycles(tree), IsEmpty());
 }
 
-TEST(LinkCheck, ReportsATargetThatTheTableDoesNotGrant) {
+TEST(LinkCheck, ReportsATargetThatTheTableDoesNotAllow) {
   const Tree tree = {
       {"bench/judge/CMakeLists.txt",
        "gs_library(bench_judge\n  DEPENDS bench_grid reports_record reports_render)"}};
@@ -139,36 +139,36 @@ TEST(LinkCheck, ReportsATargetThatTheTableDoesNotGrant) {
               ElementsAre(At("bench/judge/CMakeLists.txt", 2, "may not link reports_render")));
 }
 
-TEST(LinkCheck, AcceptsOwnAndGrantedTargetsAndComments) {
+TEST(LinkCheck, AcceptsOwnAndAllowedTargetsAndComments) {
   const Tree tree = {{"bench/waveform/CMakeLists.txt",
                       "# not reports_render\ngs_library(bench_waveform DEPENDS bench_grid)"},
                      {"tests/oracle/CMakeLists.txt", "gs_test(t DEPENDS bench_grid gsbench)"}};
   EXPECT_THAT(check_links(tree), IsEmpty());
 }
 
-TEST(FirmwareWordCheck, ReportsEachThereAlone) {
-  for (const std::string word :
+TEST(FirmwareKeywordCheck, ReportsEachKeywordInFirmwareOnly) {
+  for (const std::string code :
        {"auto p = new int;", "delete p;", "malloc(4);", "std::free(p);", "throw 1;", "try {",
         "} catch (...) {", "dynamic_cast<A*>(b);", "typeid(a);"}) {
-    const std::string line = "\n  " + word + "\n";
+    const std::string line = "\n  " + code + "\n";
     const Tree tree = {{"firmware/app/a.cpp", line}, {"bench/grid/a.cpp", line}};
-    EXPECT_THAT(check_firmware_words(tree), ElementsAre(At("firmware/app/a.cpp", 2, "no `")));
+    EXPECT_THAT(check_firmware_keywords(tree), ElementsAre(At("firmware/app/a.cpp", 2, "no `")));
   }
 }
 
-TEST(FirmwareWordCheck, AcceptsThemInCommentsNamesAndDeletedFunctions) {
+TEST(FirmwareKeywordCheck, AcceptsKeywordsInCommentsNamesAndDeletedFunctions) {
   const Tree tree = {{"firmware/app/a.hpp",
                       "// a new try\nA(const A&) =  delete;\nint new_value;\nf(\"throw\");\n"}};
-  EXPECT_THAT(check_firmware_words(tree), IsEmpty());
+  EXPECT_THAT(check_firmware_keywords(tree), IsEmpty());
 }
 
-TEST(TextCheck, ReportsAFileALineTooLong) {
+TEST(TextCheck, ReportsAFileThatIsOneLineTooLong) {
   const std::string longest(kLongestFile, '\n');
   const Tree tree = {{"bench/grid/fits.cpp", longest}, {"bench/grid/long.cpp", longest + "\n"}};
   EXPECT_THAT(check_text(tree), ElementsAre(At("bench/grid/long.cpp", 0, "501 lines")));
 }
 
-TEST(TextCheck, ReportsWhatIsLeftUndone) {
+TEST(TextCheck, ReportsNotesOfUnfinishedWork) {
   const std::string note =
       "TO"
       "DO";
@@ -180,7 +180,7 @@ TEST(TextCheck, ReportsWhatIsLeftUndone) {
               ElementsAre(At("README.md", 2, note), At("bench/grid/a.cpp", 1, "")));
 }
 
-TEST(TextCheck, ReportsAPathOfOneMachine) {
+TEST(TextCheck, ReportsAbsolutePathsOfAMachine) {
   const Tree tree = {{"dev",
                       "cd \"/"
                       "home/me/gsbench\"\n"},
@@ -188,7 +188,7 @@ TEST(TextCheck, ReportsAPathOfOneMachine) {
                       "\nopen(\"/"
                       "tmp/x\");\n"}};
   EXPECT_THAT(check_text(tree),
-              ElementsAre(At("dev", 1, "path of one machine"), At("tests/a.cpp", 2, "machine")));
+              ElementsAre(At("dev", 1, "absolute path"), At("tests/a.cpp", 2, "absolute path")));
 }
 
 TEST(TextCheck, AcceptsRelativePathsAndUrls) {
@@ -199,8 +199,8 @@ TEST(TextCheck, AcceptsRelativePathsAndUrls) {
   EXPECT_THAT(check_text(tree), IsEmpty());
 }
 
-// A tree that satisfies check_layout, to be broken.
-Tree well_laid() {
+// A tree that satisfies check_layout.
+Tree valid_tree() {
   return {{"CMakeLists.txt", ""},
           {"bench/grid/CMakeLists.txt", "gs_library(\n  bench_grid\n  SOURCES src/grid.cpp)"},
           {"bench/grid/include/grid/grid.hpp", ""},
@@ -212,16 +212,16 @@ Tree well_laid() {
 }
 
 Findings check_layout_with(const std::string& path, const std::string& text) {
-  Tree tree = well_laid();
+  Tree tree = valid_tree();
   tree[path] = text;
   return check_layout(tree);
 }
 
-TEST(LayoutCheck, AcceptsAWellLaidTree) {
-  EXPECT_THAT(check_layout(well_laid()), IsEmpty());
+TEST(LayoutCheck, AcceptsAValidTree) {
+  EXPECT_THAT(check_layout(valid_tree()), IsEmpty());
 }
 
-TEST(LayoutCheck, ReportsStrangeFoldersAndThoseWithoutTheirTarget) {
+TEST(LayoutCheck, ReportsUnknownFoldersAndFoldersWithoutTheirTarget) {
   EXPECT_THAT(check_layout_with("misc/notes.md", ""), ElementsAre(At("misc", 0, "top level")));
   EXPECT_THAT(check_layout_with("bench/helpers/a.cpp", ""),
               ElementsAre(At("bench/helpers/a.cpp", 0, "not in the table")));
@@ -230,8 +230,8 @@ TEST(LayoutCheck, ReportsStrangeFoldersAndThoseWithoutTheirTarget) {
               ElementsAre(At("bench/grid", 0, "no target bench_grid")));
 }
 
-TEST(LayoutCheck, ReportsASourceThatNoTargetNames) {
-  Tree tree = well_laid();
+TEST(LayoutCheck, ReportsASourceInNoTarget) {
+  Tree tree = valid_tree();
   tree["bench/grid/src/orphan.cpp"] = "";
   tree["tests/oracle/oracle_test.cpp"] = "";
   EXPECT_THAT(check_layout(tree),

@@ -1,4 +1,4 @@
-// The checks themselves: each takes a tree and says what breaks a rule, and where.
+// The checks. Each takes a tree and returns its violations of a rule, with their places.
 #pragma once
 
 #include "tree.hpp"
@@ -17,19 +17,18 @@ struct Finding {
 std::ostream& operator<<(std::ostream& out, const Finding& finding);  // file:line: rule
 using Findings = std::vector<Finding>;
 
-// Every #include is of a folder, library or standard header that its folder may include.
+// Each #include must be of a folder, a library or a standard header that is allowed there.
 Findings check_includes(const Tree& tree);
-// What folders really include makes no cycle (drivers may include each other by the table).
+// The actual includes must not form a cycle between folders (the table alone would allow one).
 Findings check_cycles(const Tree& tree);
-// What a folder's CMakeLists.txt names is only targets whose folder, or a header of it, it may
-// include.
+// A folder's CMakeLists.txt may link only targets whose folder, or one header of it, is allowed.
 Findings check_links(const Tree& tree);
-// No heap, no exceptions, no run-time types in firmware/.
-Findings check_firmware_words(const Tree& tree);
-// No file over kLongestFile lines, no note of work left undone, no path of somebody's machine.
+// No heap, exceptions or run-time type information in firmware/.
+Findings check_firmware_keywords(const Tree& tree);
+// No file over kLongestFile lines, no notes of unfinished work, no absolute paths of a machine.
 Findings check_text(const Tree& tree);
-// The top level holds what it may; each folder with code is in the table and has its CMake target,
-// and each source is named in it.
+// The top level has only allowed entries. Each folder with code is in the table and has its CMake
+// target, and each source is listed in a CMakeLists.txt.
 Findings check_layout(const Tree& tree);
 
 inline constexpr int kLongestFile = 500;

@@ -24,15 +24,16 @@ std::string_view skip_spaces(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
-// What stands behind `#include` in a line of code_only text; empty where there is none.
+// The text after `#include` in a line of code_only text; empty if there is no #include.
 std::string_view after_include(std::string_view code) {
   code = skip_spaces(code);
   if (!starts_with(code, "#")) {
     return {};
   }
   code = skip_spaces(code.substr(1));
-  constexpr std::string_view kWord = "include";
-  return starts_with(code, kWord) ? skip_spaces(code.substr(kWord.size())) : std::string_view();
+  constexpr std::string_view kDirective = "include";
+  return starts_with(code, kDirective) ? skip_spaces(code.substr(kDirective.size()))
+                                       : std::string_view();
 }
 
 std::vector<Include> includes_of(std::string_view path, std::string_view text) {
@@ -45,7 +46,7 @@ std::vector<Include> includes_of(std::string_view path, std::string_view text) {
     if (rest.empty()) {
       continue;
     }
-    // Literals are blank in the code: the name is read from the text, at the same column.
+    // code_only blanks literals, so the name is read from the original text at the same column.
     const auto column = static_cast<std::size_t>(rest.data() - code_lines[i].data());
     const std::string_view name = lines[i].substr(column + 1);
     const bool quoted = lines[i][column] == '"';
@@ -96,11 +97,11 @@ bool may_include(const FolderRule& from, const FolderRule& to, std::string_view 
   });
 }
 
-std::string joined(const std::vector<std::string_view>& words) {
-  return words.empty() ? "nothing" : fmt::format("{}", fmt::join(words, ", "));
+std::string joined(const std::vector<std::string_view>& names) {
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-// "" where the include is allowed.
+// Empty if the include is allowed.
 std::string objection(const FolderRule& from, const Include& include) {
   const std::string name(include.header);
   const std::string folder(from.folder);
@@ -108,33 +109,33 @@ std::string objection(const FolderRule& from, const Include& include) {
     return "includes " + name + " by an absolute path";
   }
   if (include.quoted && include.header.find("..") != std::string_view::npos) {
-    return "includes " + name + ": a quoted include stays within its folder";
+    return "includes " + name + ": a quoted include must stay within its folder";
   }
   if (const FolderRule* to = owner_of_header(include.header); to != nullptr) {
     if (may_include(from, *to, include.header)) {
       return {};
     }
     return folder + " may not include <" + name + "> of " + std::string(to->folder) +
-           " (it may: " + joined(from.may_include) + ")";
+           " (allowed: " + joined(from.may_include) + ")";
   }
   if (include.quoted) {
     return {};  // a private header beside the file
   }
   if (from.folder == "tests") {
-    return {};  // any library, and helpers with include roots of their own
+    return {};  // any library and any test helper
   }
   if (const LibraryRule* library = library_of(include.header); library != nullptr) {
     if (is_within_any(include.file, library->folders)) {
       return {};
     }
-    return std::string(library->library) + " (<" + name + ">) belongs to " +
+    return std::string(library->library) + " (<" + name + ">) is allowed in " +
            joined(library->folders) + " only";
   }
   if (!is_standard_header(include.header)) {
-    return "<" + name + "> is no header the table in tests/arch/rules.cpp knows";
+    return "<" + name + "> is not in the table in tests/arch/rules.cpp";
   }
   if (is_freestanding(include.file) && !is_freestanding_header(include.header)) {
-    return "<" + name + "> is not for firmware: no heap, exceptions, libm or clock there";
+    return "<" + name + "> is not for firmware, which has no heap, exceptions, libm or clock";
   }
   return {};
 }
@@ -175,15 +176,15 @@ Findings check_cycles(const Tree& tree) {
   const Graph graph = folder_graph(tree);
   Findings findings;
   std::set<std::string_view> finished;
-  std::vector<std::string_view> way;
+  std::vector<std::string_view> path;
   const std::function<void(std::string_view)> visit = [&](std::string_view folder) {
-    way.push_back(folder);
+    path.push_back(folder);
     const auto edges = graph.find(folder);
     if (edges != graph.end()) {
       for (const auto& [next, include] : edges->second) {
-        const auto again = std::find(way.begin(), way.end(), next);
-        if (again != way.end()) {
-          std::vector<std::string_view> cycle(again, way.end());
+        const auto again = std::find(path.begin(), path.end(), next);
+        if (again != path.end()) {
+          std::vector<std::string_view> cycle(again, path.end());
           cycle.push_back(next);
           findings.push_back({std::string(include.file), include.line,
                               "closes a cycle between folders: " + joined(cycle)});
@@ -192,7 +193,7 @@ Findings check_cycles(const Tree& tree) {
         }
       }
     }
-    way.pop_back();
+    path.pop_back();
     finished.insert(folder);
   };
   for (const auto& [folder, edges] : graph) {

@@ -13,7 +13,7 @@ const std::string* find_text(const Tree& tree, const std::string& path) {
   return found == tree.end() ? nullptr : &found->second;
 }
 
-// The nearest CMakeLists.txt at or above a folder, but not above `top`; "" where there is none.
+// The nearest folder with a CMakeLists.txt, from `folder` up to `top`; empty if there is none.
 std::string cmake_folder_of(const Tree& tree, std::string_view folder, std::string_view top) {
   while (is_within(folder, top)) {
     std::string here(folder);
@@ -41,7 +41,7 @@ bool declares_target(const std::string& cmake, const std::string& target) {
   });
 }
 
-// "bench/grid" → "bench_grid"; the program people call has its own name.
+// "bench/grid" → "bench_grid"; the program has its own name.
 std::string target_of(std::string_view folder) {
   if (folder == "bench/cli") {
     return "gsbench";
@@ -51,16 +51,16 @@ std::string target_of(std::string_view folder) {
   return name;
 }
 
-std::vector<std::string_view> words_of(std::string_view cmake_line) {
+std::vector<std::string_view> tokens_of(std::string_view cmake_line) {
   constexpr std::string_view kBetween = " \t()\"";
   cmake_line = cmake_line.substr(0, cmake_line.find('#'));
-  std::vector<std::string_view> words;
+  std::vector<std::string_view> tokens;
   for (auto at = cmake_line.find_first_not_of(kBetween); at != std::string_view::npos;) {
     const auto end = std::min(cmake_line.find_first_of(kBetween, at), cmake_line.size());
-    words.push_back(cmake_line.substr(at, end - at));
+    tokens.push_back(cmake_line.substr(at, end - at));
     at = cmake_line.find_first_not_of(kBetween, end);
   }
-  return words;
+  return tokens;
 }
 
 void check_top_level(const Tree& tree, Findings& findings) {
@@ -72,7 +72,7 @@ void check_top_level(const Tree& tree, Findings& findings) {
     if (may_stand_at_top_level(entry)) {
       continue;
     }
-    findings.push_back({std::string(entry), 0, "does not belong at the top level"});
+    findings.push_back({std::string(entry), 0, "is not allowed at the top level"});
   }
 }
 
@@ -80,7 +80,7 @@ void check_source(const Tree& tree, const std::string& path, std::string_view to
                   Findings& findings) {
   const std::string folder = cmake_folder_of(tree, folder_of(path), top);
   if (folder.empty()) {
-    findings.push_back({path, 0, "no CMakeLists.txt builds it"});
+    findings.push_back({path, 0, "is built by no CMakeLists.txt"});
     return;
   }
   const std::string below = path.substr(folder.size() + 1);
@@ -102,13 +102,13 @@ Findings check_links(const Tree& tree) {
     int number = 0;
     for (const std::string_view line : lines_of(text)) {
       ++number;
-      for (const std::string_view word : words_of(line)) {
+      for (const std::string_view token : tokens_of(line)) {
         for (const FolderRule& to : folder_rules()) {
-          if (word != target_of(to.folder) || may_link(*from, to)) {
+          if (token != target_of(to.folder) || may_link(*from, to)) {
             continue;
           }
           findings.push_back(
-              {path, number, std::string(from->folder) + " may not link " + std::string(word)});
+              {path, number, std::string(from->folder) + " may not link " + std::string(token)});
         }
       }
     }
@@ -135,7 +135,7 @@ Findings check_layout(const Tree& tree) {
   }
   for (const std::string_view folder : with_code) {
     if (folder == "tests") {
-      continue;  // many programs, each checked by its sources
+      continue;  // many programs; check_source checks each source
     }
     const std::string* cmake = find_text(tree, std::string(folder) + "/CMakeLists.txt");
     if (cmake == nullptr || !declares_target(*cmake, target_of(folder))) {

@@ -41,7 +41,7 @@ const std::vector<FolderRule>& folder_rules() {
       {"drivers/models", {}},
       {"drivers/transport", {"drivers/common"}},
       {"drivers/source", {"drivers/common", "firmware/wire", "drivers/link", "drivers/relay"}},
-      // Below drivers/link, and before it: the first that fits counts.
+      // Subfolders of drivers/link come before it: the first matching row counts.
       {"drivers/link/framed",
        {"drivers/common", "drivers/link", "drivers/transport", "firmware/wire"},
        "link_framed"},
@@ -122,7 +122,7 @@ bool is_standard_header(std::string_view header) {
                      [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; });
 }
 
-// No heap, no exceptions, no libm, no clock, no locale: what is left needs no operating system.
+// Headers without heap, exceptions, libm, clock and locale: they need no operating system.
 bool is_freestanding_header(std::string_view header) {
   static const Names headers = {
       "algorithm",        "array",  "cfloat",   "climits", "cstddef",     "cstdint", "cstring",

@@ -1,5 +1,5 @@
-// Who may include whom. This table is the architecture; the CMake targets follow it, and the
-// checks hold both to it.
+// The architecture: which folder may include which. The checks compare the includes and the CMake
+// targets with this table.
 #pragma once
 
 #include <string_view>
@@ -9,36 +9,36 @@ namespace gsbench::arch {
 
 struct FolderRule {
   std::string_view folder;
-  // Folders, each with all below it ("drivers"), or one header alone ("record/run_record.hpp").
+  // Folders with their subfolders ("drivers"), or a single header ("record/run_record.hpp").
   std::vector<std::string_view> may_include;
-  // <root/…> where it is not the folder's own name: <drivers/result.hpp> of drivers/common.
+  // <root/…> if it is not the folder's name: <drivers/result.hpp> of drivers/common.
   std::string_view include_root = folder.substr(folder.rfind('/') + 1);
 };
 
-// A library's headers and the folders (each with all below it) where they may appear; in tests/
-// all may.
+// A library's headers and the folders, with their subfolders, that may include them. tests/ may
+// include all.
 struct LibraryRule {
   std::string_view library;
-  std::vector<std::string_view> headers;  // beginnings; "Q^" stands for Q and a capital letter
+  std::vector<std::string_view> headers;  // prefixes; "Q^" is Q and a capital letter
   std::vector<std::string_view> folders;
 };
 
 const std::vector<FolderRule>& folder_rules();
 const std::vector<LibraryRule>& library_rules();
 
-bool is_standard_header(std::string_view header);      // by its form: lower case, no dot
-bool is_freestanding_header(std::string_view header);  // what freestanding code may use of them
-// Firmware, but for the board that is a process of the host.
+bool is_standard_header(std::string_view header);      // recognised by its form: lower case, no dot
+bool is_freestanding_header(std::string_view header);  // allowed in freestanding code
+// Firmware, except for the board that runs as a process of the host.
 bool is_freestanding(std::string_view path);
 bool may_stand_at_top_level(std::string_view entry);
 
-// The table's folder a file is in; nullptr: in none.
+// The row of the folder that contains a file; nullptr if there is none.
 const FolderRule* rule_of(std::string_view path);
 
-// The table's folder that owns <grid/grid.hpp>: "bench/grid"; nullptr: not one of ours.
+// The row of the folder that owns a header (<grid/grid.hpp>: "bench/grid"); nullptr if not ours.
 const FolderRule* owner_of_header(std::string_view header);
 
-// Whether the table grants one folder another, or at least a header of it.
+// True if the table allows `from` to include `to` or at least one of its headers.
 bool may_link(const FolderRule& from, const FolderRule& to);
 
 bool is_within(std::string_view path, std::string_view folder);

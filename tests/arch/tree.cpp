@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_left_out(const std::string& top_level_name) {
+bool is_ignored(const std::string& top_level_name) {
   constexpr std::array<std::string_view, 4> kHiddenButOurs = {".ci", ".clang-format", ".clang-tidy",
                                                               ".gitignore"};
   if (top_level_name == "build" || top_level_name == "runs") {
@@ -27,7 +27,7 @@ std::string read_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-// Blanks one literal or comment at a time.
+// Replaces literals and comments by spaces, one at a time.
 class Blanker {
  public:
   explicit Blanker(std::string_view text) : text_(text), code_(text) {}
@@ -38,7 +38,7 @@ class Blanker {
         blank_until("\n", 0);
       } else if (here("/*")) {
         blank_until("*/", 2);
-      } else if (here("R\"") && (at_ == 0 || !is_word(text_[at_ - 1]))) {
+      } else if (here("R\"") && (at_ == 0 || !is_identifier_char(text_[at_ - 1]))) {
         blank_raw_string();
       } else if (text_[at_] == '"') {
         blank_quoted('"');
@@ -55,7 +55,8 @@ class Blanker {
   bool here(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
 
   bool is_digit_separator() const {
-    return at_ > 0 && at_ + 1 < text_.size() && is_word(text_[at_ - 1]) && is_word(text_[at_ + 1]);
+    return at_ > 0 && at_ + 1 < text_.size() && is_identifier_char(text_[at_ - 1]) &&
+           is_identifier_char(text_[at_ + 1]);
   }
 
   void blank_to(std::size_t end) {
@@ -105,7 +106,7 @@ Tree read_tree(const std::string& root) {
   for (auto entry = fs::recursive_directory_iterator(root);
        entry != fs::recursive_directory_iterator(); ++entry) {
     const std::string name = entry->path().filename().string();
-    if ((entry.depth() == 0 && is_left_out(name)) || name == "__pycache__") {
+    if ((entry.depth() == 0 && is_ignored(name)) || name == "__pycache__") {
       entry.disable_recursion_pending();
     } else if (entry->is_regular_file()) {
       const std::string path = fs::relative(entry->path(), root).generic_string();
@@ -131,7 +132,7 @@ bool is_cpp(std::string_view path) {
   return is_cpp_source(path) || ends_with(path, ".hpp") || ends_with(path, ".h");
 }
 
-bool is_word(char c) {
+bool is_identifier_char(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 

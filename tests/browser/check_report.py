@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Opens an HTML report in headless Chromium and holds it against the JSON of the same record.
+"""Opens an HTML report in headless Chromium and compares it with the JSON of the same record.
 
     check_report.py REPORT.html RESULT.json [--pictures STEM]
 
-Exit code 0 when all is well; otherwise every finding is printed, and the code is 1.
---pictures writes STEM-1280.png, STEM-400.png and STEM.pdf for people to look at.
+Exit code 0 without findings; otherwise prints every finding and exits with 1.
+--pictures writes STEM-1280.png, STEM-400.png and STEM.pdf for visual inspection.
 """
 
 import argparse
@@ -58,7 +58,7 @@ class Findings:
 
 
 def shown_number(text):
-    """(value, half a unit of the last digit shown), or None where no number stands."""
+    """(value, half a unit of the last digit shown), or None if the text is not a number."""
     match = re.match(r"([−-]?\d+(?:\.(\d+))?(?:e([+-]?\d+))?)", text)
     if not match:
         return None
@@ -70,16 +70,17 @@ def shown_number(text):
 def check_measurement(found, where, shown, expected):
     value, text = expected["value"], shown["value"]
     if value is None:
-        found.expect(text == "–", f"{where}: shows {text!r} where nothing was measured")
+        found.expect(text == "–", f"{where}: shows {text!r} although there is no value")
     elif isinstance(value, str):
         found.expect(text == value, f"{where}: shows {text!r}, the record has {value!r}")
     else:
         number = shown_number(text)
-        # A hair more than half a unit: a value may lie just between two digits.
+        # Slightly more than half a unit, since a value may lie exactly between two digits.
         right = number is not None and math.isclose(
             number[0], value, rel_tol=5e-5, abs_tol=number[1] * (1 + 1e-9))
         found.expect(right, f"{where}: shows {text!r}, the record has {value!r}")
-        found.expect(text.endswith(expected["unit"]), f"{where}: {text!r} lacks {expected['unit']}")
+        found.expect(text.endswith(expected["unit"]),
+                     f"{where}: {text!r} has no unit {expected['unit']}")
     if shown["badge"] is not None:
         found.expect(shown["badge"] == expected["verdict"],
                      f"{where}: shows {shown['badge']}, the record has {expected['verdict']}")
@@ -89,20 +90,21 @@ def check_figures(browser, result, found):
     verdict = browser.run("return document.getElementById('verdict').textContent")
     found.expect(result["verdict"] in verdict, f"the verdict shown is {verdict!r}")
     found.expect(result["profile"] in browser.run("return document.title"),
-                 "the page's title does not name the profile")
+                 "the page title does not contain the profile")
     facts = browser.run("return document.querySelector('.facts').textContent")
     for key in ("run_id", "profile", "seed", "profile_sha256", "firmware_sha256"):
-        found.expect(str(result[key]) in facts, f"the facts lack {key} {result[key]}")
+        found.expect(str(result[key]) in facts, f"the facts do not contain {key} {result[key]}")
     outlets = browser.run(CELLS)
     found.expect([o["name"] for o in outlets] == [o["id"] for o in result["outlets"]],
                  f"outlets shown: {[o['name'] for o in outlets]}")
     rows = browser.run("return document.querySelectorAll('#overview tbody tr').length")
-    found.expect(rows == len(result["outlets"]), f"{rows} rows of outlets")
+    found.expect(rows == len(result["outlets"]),
+                 f"the overview has {rows} rows for {len(result['outlets'])} outlets")
     for shown, expected in zip(outlets, result["outlets"]):
         found.expect(shown["verdict"] == expected["verdict"], f"{shown['name']}: {shown['verdict']}")
         names = [m["name"] for m in expected["measurements"]]
         found.expect([m["name"] for m in shown["measurements"]] == names,
-                     f"{shown['name']}: measurements shown are not those of the record")
+                     f"{shown['name']}: the measurements shown differ from those of the record")
         for row, measurement in zip(shown["measurements"], expected["measurements"]):
             check_measurement(found, f"{shown['name']} {row['name']}", row, measurement)
 
@@ -111,18 +113,19 @@ def check_layout(browser, width, found):
     browser.set_width(width)
     page, view = browser.run("return [document.scrollingElement.scrollWidth, innerWidth]")
     found.expect(view == width, f"the window is {view} pixels wide, not {width}")
-    found.expect(page <= view, f"at {width} pixels the page is {page} wide and scrolls sideways")
+    found.expect(page <= view,
+                 f"at {width} pixels the page is {page} wide and scrolls horizontally")
     clipped = browser.run("""
         return Array.from(document.querySelectorAll('table, dl, .verdict, .controls, .legend'))
           .filter(e => e.getBoundingClientRect().right > innerWidth + 0.5)
           .map(e => e.tagName + '.' + e.className)""")
-    found.expect(not clipped, f"at {width} pixels these reach out of the page: {clipped}")
+    found.expect(not clipped, f"at {width} pixels these elements extend beyond the page: {clipped}")
 
 
 def check_plots(browser, result, found):
     inked = browser.run(INKED_PIXELS)
-    # A single line across 300 pixels has as many; an empty canvas has none.
-    found.expect(min(inked) > 300, f"inked pixels of the plots: {inked}")
+    # A single line across the plot has over 300 pixels; an empty canvas has none.
+    found.expect(min(inked) > 300, f"a plot is empty; inked pixels: {inked}")
     whole = browser.run(WINDOWS)
     browser.run("document.getElementById('frequency-plot').scrollIntoView({block: 'center'})")
     left, top, width, height = browser.run("""
@@ -132,16 +135,17 @@ def check_plots(browser, result, found):
     browser.drag(left + 0.4 * width, y, left + 0.6 * width, y)
     zoomed = browser.run(WINDOWS)
     span, part = whole[0][1] - whole[0][0], zoomed[0][1] - zoomed[0][0]
-    found.expect(0.1 * span < part < 0.35 * span, f"a drag over a fifth shows {part} of {span} s")
+    found.expect(0.1 * span < part < 0.35 * span,
+                 f"dragging over a fifth of the plot shows {part} s of {span} s")
     found.expect(zoomed[0] == zoomed[1], f"the plots show different times: {zoomed}")
     browser.double_click(left + width / 2, y)
-    found.expect(browser.run(WINDOWS) == whole, "a double click does not show the whole run again")
+    found.expect(browser.run(WINDOWS) == whole, "a double click does not restore the whole run")
     browser.run("document.getElementById('zoom-event').click()")
     near = browser.run(WINDOWS)
     found.expect(near[0] == near[1] and near[0][0] >= whole[0][0] and near[0][1] <= whole[0][1],
-                 f"around the event: {near}")
+                 f"the button 'event' shows {near}")
     browser.run("document.getElementById('zoom-all').click()")
-    found.expect(browser.run(WINDOWS) == whole, "the whole run is not shown again")
+    found.expect(browser.run(WINDOWS) == whole, "the button 'all' does not restore the whole run")
 
     def curve():
         return browser.run("""
@@ -154,7 +158,7 @@ def check_plots(browser, result, found):
             choice.value = String(arguments[0]);
             choice.dispatchEvent(new Event('change'));""", index)
         curves.append(tuple(curve()))
-        found.expect(min(browser.run(INKED_PIXELS)) > 300, f"outlet {index}: nothing drawn")
+        found.expect(min(browser.run(INKED_PIXELS)) > 300, f"outlet {index}: the plot is empty")
     found.expect(len(set(curves)) == len(curves), "choosing another outlet shows the same curve")
 
 
@@ -166,21 +170,22 @@ def check_print(browser, path, result, found):
                               for i in range(2)), f"the paper is not A4: {information}")
     text = subprocess.run(["pdftotext", "-layout", path, "-"],
                           capture_output=True, text=True, check=True).stdout
-    found.expect("End of the report on run" in text, "the printed report lacks its end")
+    found.expect("End of the report on run" in text, "the printed report is not complete")
     found.expect(text.count(result["run_id"]) >= text.count("\f"),
-                 "not every printed page names the run")
+                 "a printed page does not contain the run id")
     for outlet in result["outlets"]:
         for measurement in outlet["measurements"]:
             found.expect(measurement["name"] in text, f"{measurement['name']} is not printed")
-    # The curves are printed as pictures, larger than any icon.
+    # The curves are printed as images that are larger than any icon.
     pictures = subprocess.run(["pdfimages", "-list", path],
                               capture_output=True, text=True, check=True).stdout
     widths = [int(line.split()[3]) for line in pictures.splitlines()[2:]]
-    found.expect(sum(width > 600 for width in widths) >= 2, f"no curves on paper:\n{pictures}")
+    found.expect(sum(width > 600 for width in widths) >= 2,
+                 f"the curves are not printed:\n{pictures}")
 
 
 def check(browser, report, result, pictures=None):
-    """What is wrong with the report, in sentences; empty when nothing is."""
+    """The findings about the report, one text each; empty if there are none."""
     found = Findings()
     browser.set_width(WIDTHS[0])
     browser.open(report)
@@ -196,9 +201,9 @@ def check(browser, report, result, pictures=None):
         paper = f"{pictures}.pdf" if pictures else os.path.join(folder, "report.pdf")
         check_print(browser, paper, result, found)
     found.expect(browser.run("return performance.getEntriesByType('resource').length") == 0,
-                 "the page asks for other files")
+                 "the page loads other files")
     console = browser.console()
-    found.expect(not console, f"the console is not silent: {console}")
+    found.expect(not console, f"there are messages on the console: {console}")
     return found.list
 
 
@@ -208,7 +213,7 @@ def main():
     parser.add_argument("result")
     parser.add_argument("--pictures", metavar="STEM")
     arguments = parser.parse_args()
-    # Whoever ends this program ends its browser: Browser.__exit__ runs.
+    # On SIGTERM, Browser.__exit__ must run and stop the browser.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     with open(arguments.result, encoding="utf-8") as file:
         result = json.load(file)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Proves that check_report.py can fail: each damage to a sound report must be found.
+"""Shows that check_report.py can fail: it must detect each damage to a valid report.
 
     check_report_test.py FOLDER    (the folder of write_sample_reports)
 """
@@ -12,30 +12,31 @@ import tempfile
 from check_report import check
 from webdriver import Browser
 
-# Pages with several damages each: (what, text, what it becomes, what a finding must say).
+# Pages with several damages each: (description, text, replacement, part of the finding).
 DAMAGED_PAGES = [
     [
         ("a figure", "3.107 ± 0.050 mHz", "3.207 ± 0.050 mHz", "tracker.error.rms: shows"),
         ("the verdict", "</span> FAIL</p>", "</span> PASS</p>", "the verdict shown"),
         ("a message on the console", '"use strict";', '"use strict"; console.warn("odd");', "odd"),
-        ("a wide element", "<main>", '<main><div style="width:1500px">.</div>', "scrolls sideways"),
-        ("plots that do not follow", "if (other !== graph) other", "if (false) other",
+        ("a wide element", "<main>", '<main><div style="width:1500px">.</div>',
+         "scrolls horizontally"),
+        ("plots that do not zoom together", "if (other !== graph) other", "if (false) other",
          "different times"),
         ("an outlet that cannot be chosen", "data.outlets[choice.value]", "data.outlets[0]",
          "the same curve"),
         ("curves not printed", ".paper { position: static; }", ".paper { display: none; }",
-         "no curves on paper"),
-        ("other paper", "size: A4;", "size: letter;", "not A4"),
+         "the curves are not printed"),
+        ("another paper size", "size: A4;", "size: letter;", "not A4"),
     ],
     [
-        ("a unit", "3.107 ± 0.050 mHz", "3.107 ± 0.050 Hz", "lacks mHz"),
-        ("a file asked for", '<link rel="icon" href="data:,">',
+        ("a unit", "3.107 ± 0.050 mHz", "3.107 ± 0.050 Hz", "has no unit mHz"),
+        ("an external file", '<link rel="icon" href="data:,">',
          '<link rel="stylesheet" href="other.css">', "other.css"),
         ("a wide table at 400 pixels", "<main>", '<main><table style="min-width:500px"></table>',
          "at 400 pixels"),
         ("an empty plot", "window.gsbenchGraphs = graphs;",
          'window.gsbenchGraphs = graphs; document.querySelectorAll(".plot canvas").forEach('
-         "(canvas) => { canvas.width += 0; });", "nothing drawn"),
+         "(canvas) => { canvas.width += 0; });", "the plot is empty"),
         ("measurements not printed", "@media print {",
          "@media print { .measurements { display: none; }", "is not printed"),
     ],
@@ -43,7 +44,7 @@ DAMAGED_PAGES = [
 
 
 def damaged(page, old, new):
-    assert old in page, f"the page has no {old!r} to damage"
+    assert old in page, f"the page does not contain {old!r}"
     return page.replace(old, new)
 
 
@@ -67,7 +68,7 @@ def main():
             for what, _, _, expected in damages:
                 if not any(expected in finding for finding in findings):
                     missed += 1
-                    print(f"not found: {what}; found: {findings}", file=sys.stderr)
+                    print(f"not detected: {what}; findings: {findings}", file=sys.stderr)
     return 1 if missed else 0
 
 

@@ -1,4 +1,4 @@
-"""Headless Chromium by the W3C WebDriver protocol, with nothing but the standard library."""
+"""Headless Chromium over the W3C WebDriver protocol, with the Python standard library only."""
 
 import base64
 import http.client
@@ -27,7 +27,7 @@ def _free_port():
 
 
 class Browser:
-    """A context manager; on the way out driver and browser are ended by their process group."""
+    """A context manager. On exit it stops the driver and the browser by their process group."""
 
     def __init__(self):
         if not os.access(CHROMEDRIVER, os.X_OK):
@@ -35,7 +35,7 @@ class Browser:
         self._folder = tempfile.mkdtemp(prefix="gsbench-browser-")
         self._port = _free_port()
         self._session = None
-        # A session of its own: the browser it starts is of the same group and ends with it.
+        # In its own session: the browser joins the same process group and is stopped with it.
         self._driver = subprocess.Popen(
             [CHROMEDRIVER, f"--port={self._port}"],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -55,7 +55,7 @@ class Browser:
             if self._session:
                 self._call("DELETE", "")
         except (BrowserError, OSError):
-            pass  # it is ended below all the same
+            pass  # the driver is killed below in any case
         finally:
             try:
                 os.killpg(self._driver.pid, signal.SIGKILL)
@@ -114,7 +114,7 @@ class Browser:
         self._call("POST", "/url", {"url": "file://" + os.path.abspath(path)})
 
     def run(self, script, *arguments):
-        """The value of a JavaScript function body."""
+        """Runs a JavaScript function body and returns its value."""
         return self._call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
 
     def set_width(self, width, height=900):
@@ -142,7 +142,7 @@ class Browser:
                         *press, *press]}]})
 
     def console(self):
-        """What the page has written to the console since the last call."""
+        """The messages that the page has written to the console since the last call."""
         return self._call("POST", "/se/log", {"type": "browser"})
 
     def screenshot(self, path, whole_page=False):

@@ -1,5 +1,4 @@
-// Writes sample reports and the JSON of the same records into the folder given, for
-// check_report.py.
+// Writes sample reports and the JSON of the same records to a folder, for check_report.py.
 #include "sample_run.hpp"
 
 #include <cstdio>
@@ -14,7 +13,7 @@ namespace {
 using gsbench::record::RunRecord;
 using gsbench::record::Verdict;
 
-// Two measurements out of their limits, an outlet whose name is an attack, a dead stretch.
+// Two measurements that do not pass, an outlet id with a script injection, and invalid reports.
 RunRecord failing() {
   RunRecord run = gsbench::sample::loss_500mw(3);
   auto& outlet = run.outlets[1];
@@ -23,7 +22,7 @@ RunRecord failing() {
   auto& delay = gsbench::sample::measurement(outlet, "event.delay");
   delay.value = 176.0;
   delay.verdict = Verdict::kFail;
-  delay.reason = "later than allowed";
+  delay.reason = "outside its limits";
   auto& error = gsbench::sample::measurement(outlet, "ekf.error");
   error.value = -3.98;
   error.uncertainty = 0.05;

@@ -1,4 +1,4 @@
-// A flash of two slots that hold given bytes, and erased cells behind them.
+// A flash of two slots with given contents; the remaining cells are erased.
 #pragma once
 
 #include <settings_storage/settings_storage.hpp>
@@ -47,7 +47,8 @@ class FlashCells final : public gs::settings_storage::Flash {
   }
 
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
-  // A word beyond its slot or between two, or one programmed twice.
+  // True after an access to a misaligned word or one outside its slot, or after programming a word
+  // twice.
   bool misused() const { return misused_; }
 
  private:

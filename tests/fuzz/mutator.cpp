@@ -4,11 +4,11 @@
 
 namespace gsbench::fuzz {
 
-Mutator::Mutator(std::vector<std::string> corpus, std::vector<std::string> words,
+Mutator::Mutator(std::vector<std::string> corpus, std::vector<std::string> tokens,
                  std::uint64_t seed)
-    : corpus_(std::move(corpus)), words_(std::move(words)), random_(seed) {}
+    : corpus_(std::move(corpus)), tokens_(std::move(tokens)), random_(seed) {}
 
-// Not std::uniform_int_distribution, whose values differ between libraries; the bias of the
+// std::uniform_int_distribution differs between standard libraries. The bias of the
 // remainder does not matter here.
 std::size_t Mutator::below(std::size_t bound) {
   return static_cast<std::size_t>(random_() % bound);
@@ -17,19 +17,19 @@ std::size_t Mutator::below(std::size_t bound) {
 std::string Mutator::next() {
   std::string text = any(corpus_);
   for (std::size_t i = below(3) + 1; i > 0 && !text.empty(); --i) {
-    damage(text);
+    mutate(text);
   }
   return text;
 }
 
-void Mutator::damage(std::string& text) {
+void Mutator::mutate(std::string& text) {
   const std::size_t at = below(text.size());
   switch (below(6)) {
     case 0:
       text[at] = static_cast<char>(below(256));
       break;
     case 1:
-      text.insert(at, any(words_));
+      text.insert(at, any(tokens_));
       break;
     case 2:
       text.erase(at, below(20) + 1);
@@ -54,7 +54,7 @@ void Mutator::replace_a_value(std::string& text) {
     return;
   }
   const std::size_t end = text.find('\n', equals);
-  text.replace(equals + 2, end == std::string::npos ? end : end - equals - 2, any(words_));
+  text.replace(equals + 2, end == std::string::npos ? end : end - equals - 2, any(tokens_));
 }
 
 void Mutator::drop_or_repeat_a_line(std::string& text) {

@@ -1,4 +1,4 @@
-// Random damage to a text file, the same on every machine.
+// Random mutations of a text, identical on every machine.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ namespace gsbench::fuzz {
 
 class Mutator {
  public:
-  // `corpus`: whole files, of which inputs are made; at least one, none of them empty.
-  // `words`: what is tried in place of values and between lines.
-  Mutator(std::vector<std::string> corpus, std::vector<std::string> words, std::uint64_t seed);
+  // `corpus`: complete inputs to mutate; at least one, none of them empty.
+  // `tokens`: text inserted in place of values and between characters.
+  Mutator(std::vector<std::string> corpus, std::vector<std::string> tokens, std::uint64_t seed);
 
-  // One file of the corpus with one to three damages.
+  // One input of the corpus with one to three mutations.
   std::string next();
 
  private:
@@ -22,12 +22,12 @@ class Mutator {
   const std::string& any(const std::vector<std::string>& texts) {
     return texts[below(texts.size())];
   }
-  void damage(std::string& text);
+  void mutate(std::string& text);
   void replace_a_value(std::string& text);
   void drop_or_repeat_a_line(std::string& text);
 
   std::vector<std::string> corpus_;
-  std::vector<std::string> words_;
+  std::vector<std::string> tokens_;
   std::mt19937_64 random_;
 };
 

@@ -1,5 +1,5 @@
-// The short form of the profile fuzzer: every shipped profile, every text of the tests, and as many
-// deterministic mutations of them as take a few seconds.
+// Short form of the profile fuzzer: all shipped profiles, all profiles of the tests, and some
+// thousand deterministic mutations of them.
 #include "mutator.hpp"
 #include "profile_input.hpp"
 #include <profile_test/texts.hpp>
@@ -26,7 +26,7 @@ std::vector<std::string> corpus() {
   return texts;
 }
 
-std::vector<std::string> words() {
+std::vector<std::string> tokens() {
   std::istringstream values(R"(
     nan inf -inf 0 -0.0 -1 1 1e-300 1e300 9223372036854775807 -9223372036854775808
     99999999999999999999 0x7f true "" "x" ''' [] [[]] [[1,2]] [[0,50],[0,50]] {} {x=1} 1979-05-27
@@ -39,7 +39,7 @@ std::vector<std::string> words() {
   return all;
 }
 
-TEST(ProfileFuzz, CorpusIsTakenOrRefusedWithAPlace) {
+TEST(ProfileFuzz, CorpusIsAcceptedOrRefusedWithLineAndColumn) {
   const auto texts = corpus();
   ASSERT_GT(texts.size(), 4u) << "the shipped profiles are missing";
   for (const std::string& text : texts) {
@@ -47,59 +47,61 @@ TEST(ProfileFuzz, CorpusIsTakenOrRefusedWithAPlace) {
   }
 }
 
-TEST(ProfileFuzz, MutationsAreTakenOrRefusedWithAPlace) {
-  Mutator mutator(corpus(), words(), 1);
-  int taken = 0;
+TEST(ProfileFuzz, MutationsAreAcceptedOrRefusedWithLineAndColumn) {
+  Mutator mutator(corpus(), tokens(), 1);
+  int accepted = 0;
   for (int i = 0; i < kMutations; ++i) {
     const std::string text = mutator.next();
     ASSERT_EQ(wrong_with(text), "") << "mutation " << i << ":\n" << text;
     try {
       (void)parse_as_gsbench(text);
-      ++taken;
+      ++accepted;
     } catch (const profile::ConfigurationError&) {
     }
   }
-  // Mutations that all fail alike at the first byte would test nothing. About one in fifteen is
-  // taken; how many hangs on the shipped profiles.
-  EXPECT_GT(taken, kMutations / 50);
-  EXPECT_LT(taken, kMutations / 2);
+  // Mutations that all fail at the first byte would test nothing. About one in fifteen is accepted,
+  // depending on the shipped profiles.
+  EXPECT_GT(accepted, kMutations / 50);
+  EXPECT_LT(accepted, kMutations / 2);
 }
 
-// The check itself can fail: loaders with each fault are found out.
-TEST(ProfileFuzz, CheckFindsAnExceptionOfAnotherKind) {
+// The check itself can fail: it detects each fault of a loader.
+TEST(ProfileFuzz, CheckDetectsAnExceptionOfAnotherType) {
   EXPECT_EQ(
       wrong_with("",
                  [](const std::string&) -> profile::Plan { throw std::out_of_range("map::at"); }),
-      "an exception of another kind: map::at");
+      "exception of another type: map::at");
 }
 
-TEST(ProfileFuzz, CheckFindsARefusalWithoutAPlace) {
+TEST(ProfileFuzz, CheckDetectsARefusalWithoutLineAndColumn) {
   EXPECT_EQ(wrong_with("",
                        [](const std::string&) -> profile::Plan {
                          throw profile::ConfigurationError("fuzz.toml: bad");
                        }),
-            "refused without a place: fuzz.toml: bad");
+            "refused without line and column: fuzz.toml: bad");
 }
 
-TEST(ProfileFuzz, CheckFindsPlansThatMakeNoSense) {
-  const auto spoilt = [](void (*spoil)(profile::Plan&)) {
-    return wrong_with(profile::test::kMinimal, [spoil](const std::string& text) {
+TEST(ProfileFuzz, CheckDetectsInvalidPlans) {
+  const auto wrong_with_changed = [](void (*change)(profile::Plan&)) {
+    return wrong_with(profile::test::kMinimal, [change](const std::string& text) {
       profile::Plan plan = parse_as_gsbench(text);
-      spoil(plan);
+      change(plan);
       return plan;
     });
   };
-  EXPECT_EQ(spoilt([](profile::Plan&) {}), "");
-  EXPECT_EQ(spoilt([](profile::Plan& plan) { plan.stimulus.duration_s = 0.0; }),
-            "a run of no length");
-  EXPECT_EQ(spoilt([](profile::Plan& plan) { plan.expectations.clear(); }), "no limits");
-  EXPECT_EQ(spoilt([](profile::Plan& plan) { plan.outlets.clear(); }), "no outlets");
-  EXPECT_EQ(spoilt([](profile::Plan& plan) { plan.outlets.push_back(plan.outlets[0]); }),
-            "two outlets of one id");
-  EXPECT_EQ(spoilt([](profile::Plan& plan) {
-              plan.commands.push_back({0.0, {"nobody"}, true});
+  EXPECT_EQ(wrong_with_changed([](profile::Plan&) {}), "");
+  EXPECT_EQ(wrong_with_changed([](profile::Plan& plan) { plan.stimulus.duration_s = 0.0; }),
+            "the duration is not positive");
+  EXPECT_EQ(wrong_with_changed([](profile::Plan& plan) { plan.expectations.clear(); }),
+            "no limits");
+  EXPECT_EQ(wrong_with_changed([](profile::Plan& plan) { plan.outlets.clear(); }), "no outlets");
+  EXPECT_EQ(
+      wrong_with_changed([](profile::Plan& plan) { plan.outlets.push_back(plan.outlets[0]); }),
+      "two outlets with the same id");
+  EXPECT_EQ(wrong_with_changed([](profile::Plan& plan) {
+              plan.commands.push_back({0.0, {"unknown"}, true});
             }),
-            "a command to an outlet that is not there");
+            "a command to an unknown outlet");
 }
 
 }  // namespace

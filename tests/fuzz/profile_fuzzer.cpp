@@ -1,4 +1,4 @@
-// libFuzzer's entry.
+// Entry point of libFuzzer.
 #include "profile_input.hpp"
 
 #include <cstddef>

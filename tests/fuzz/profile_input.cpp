@@ -10,7 +10,7 @@ namespace {
 
 std::string wrong_with_plan(const profile::Plan& plan) {
   if (plan.duration_ticks() <= 0) {
-    return "a run of no length";
+    return "the duration is not positive";
   }
   if (plan.expectations.empty()) {
     return "no limits";
@@ -23,12 +23,12 @@ std::string wrong_with_plan(const profile::Plan& plan) {
     ids.insert(outlet.id);
   }
   if (ids.size() != plan.outlets.size()) {
-    return "two outlets of one id";
+    return "two outlets with the same id";
   }
   for (const profile::Command& command : plan.commands) {
     for (const std::string& id : command.outlets) {
       if (ids.count(id) == 0) {
-        return "a command to an outlet that is not there";
+        return "a command to an unknown outlet";
       }
     }
   }
@@ -42,7 +42,7 @@ std::string wrong_with_plan(const profile::Plan& plan) {
       return "a sample that is not finite";
     }
     if (!std::isfinite(synthesizer.reference().frequency_hz(t_s))) {
-      return "a frequency not finite";
+      return "a frequency that is not finite";
     }
   }
   return "";
@@ -55,7 +55,7 @@ profile::Plan parse_as_gsbench(const std::string& text) {
 }
 
 std::string wrong_with(const std::string& text, const ParseProfile& parse) {
-  // Messages may quote the text, line breaks and all.
+  // Messages may quote the text, including line breaks.
   static const std::regex kPlaced(R"(^[^\n:]+:[1-9][0-9]*:[1-9][0-9]*: [^])");
   try {
     return wrong_with_plan(parse(text));
@@ -65,9 +65,9 @@ std::string wrong_with(const std::string& text, const ParseProfile& parse) {
         message.begin(),
         message.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(message.size(), 1000)),
         kPlaced);
-    return placed ? "" : "refused without a place: " + message;
+    return placed ? "" : "refused without line and column: " + message;
   } catch (const std::exception& error) {
-    return std::string("an exception of another kind: ") + error.what();
+    return std::string("exception of another type: ") + error.what();
   }
 }
 

@@ -1,4 +1,4 @@
-// What must hold for any text that is given to the profile loader.
+// Property that must hold for any text given to the profile loader.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@ namespace gsbench::fuzz {
 
 using ParseProfile = std::function<profile::Plan(const std::string& text)>;
 
-// The loader of gsbench, with the catalogue of the tests.
+// The profile loader of gsbench.
 profile::Plan parse_as_gsbench(const std::string& text);
 
-// What `parse` does wrong with this text; empty where it does right: it gives a plan that makes
-// sense and can be played, or it refuses with file, line and column.
+// Returns what `parse` does wrong with this text, or an empty string. It must return a valid plan
+// that can be played, or throw ConfigurationError with file, line and column.
 std::string wrong_with(const std::string& text, const ParseProfile& parse = parse_as_gsbench);
 
 }  // namespace gsbench::fuzz

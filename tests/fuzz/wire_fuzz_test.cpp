@@ -1,5 +1,4 @@
-// The short form of the wire fuzzers: every seed, and as many deterministic mutations of them as
-// take a few seconds.
+// Short form of the wire fuzzers: all seeds and some thousand deterministic mutations of them.
 #include "mutator.hpp"
 #include "wire_input.hpp"
 
@@ -11,7 +10,7 @@
 
 namespace gsbench::fuzz {
 
-// Where GoogleTest finds it, to name its cases.
+// Found by GoogleTest to name the cases.
 void PrintTo(const WireFuzzer& fuzzer, std::ostream* out);
 void PrintTo(const WireFuzzer& fuzzer, std::ostream* out) {
   *out << fuzzer.name;
@@ -21,7 +20,7 @@ namespace {
 
 constexpr int kMutations = 20000;
 
-// Heads of CBOR items, floats that are special, zeros and what ends a frame.
+// Heads of CBOR items, special floats, zeros and frame delimiters.
 const std::vector<std::string> kPieces = {std::string(1, '\0'),
                                           std::string(4, '\0'),
                                           "\x01",
@@ -49,7 +48,7 @@ std::string wrong_with(const WireFuzzer& fuzzer, const std::string& input) {
 
 class WireFuzz : public testing::TestWithParam<WireFuzzer> {};
 
-TEST_P(WireFuzz, SeedsAreRight) {
+TEST_P(WireFuzz, SeedsPassTheCheck) {
   const std::vector<std::string> seeds = GetParam().seeds();
   ASSERT_GE(seeds.size(), 3U);
   for (const std::string& seed : seeds) {
@@ -58,7 +57,7 @@ TEST_P(WireFuzz, SeedsAreRight) {
   EXPECT_EQ(wrong_with(GetParam(), ""), "");
 }
 
-TEST_P(WireFuzz, MutationsDoNoHarm) {
+TEST_P(WireFuzz, MutationsPassTheCheck) {
   Mutator mutator(GetParam().seeds(), kPieces, 1);
   for (int i = 0; i < kMutations; ++i) {
     const std::string input = mutator.next();
@@ -70,8 +69,8 @@ TEST_P(WireFuzz, MutationsDoNoHarm) {
 INSTANTIATE_TEST_SUITE_P(All, WireFuzz, testing::ValuesIn(wire_fuzzers()),
                          [](const auto& fuzzer) { return std::string(fuzzer.param.name); });
 
-// Mutations that all fail alike at the first byte would test nothing.
-TEST(WireFuzzMutations, OfSettingsAreNeitherAllReadNorAllRefused) {
+// Mutations that all fail at the first byte would test nothing.
+TEST(WireFuzzMutations, OfSettingsArePartlyReadAndPartlyRefused) {
   Mutator mutator(wire_fuzzers()[2].seeds(), kPieces, 1);
   int read = 0;
   int valid = 0;

@@ -1,4 +1,4 @@
-// libFuzzer's entry, for the one of the wire fuzzers that GSBENCH_FUZZER names.
+// Entry point of libFuzzer for the wire fuzzer named by GSBENCH_FUZZER.
 #include "wire_input.hpp"
 
 #include <cstdio>
@@ -13,7 +13,7 @@ const gsbench::fuzz::WireFuzzer& this_fuzzer() {
       return fuzzer;
     }
   }
-  std::fprintf(stderr, "no fuzzer %s\n", GSBENCH_FUZZER);
+  std::fprintf(stderr, "unknown fuzzer %s\n", GSBENCH_FUZZER);
   std::abort();
 }
 

@@ -22,22 +22,22 @@ using gs::wire::test::encoded;
 using gs::wire::test::fields_of;
 using gs::wire::test::framed;
 
-// What the outlet says, read as the bench would.
+// Decodes the outlet's messages as the bench does.
 class Listener final : public gs::app::Carrier {
  public:
   bool send(const std::uint8_t* bytes, std::size_t size) override {
     gs::wire::Uplink message;
     std::uint32_t sequence = 0;
     unreadable_ = unreadable_ || gs::wire::decode(bytes, size, message, sequence) != Decoded::kOk;
-    ++said_;
+    ++messages_;
     return true;
   }
   bool unreadable() const { return unreadable_; }
-  int said() const { return said_; }
+  int messages() const { return messages_; }
 
  private:
   bool unreadable_ = false;
-  int said_ = 0;
+  int messages_ = 0;
 };
 
 bool is_settings(const gs::wire::Uplink&) {
@@ -57,20 +57,20 @@ std::string wrong_with_decoded(const std::uint8_t* bytes, std::size_t size) {
   }
   const Bytes once = encoded(message, sequence);
   if (once.empty()) {
-    return "a message that was read cannot be written";
+    return "a decoded message cannot be encoded";
   }
-  // Settings that were left out are written with their defaults.
+  // Omitted settings are encoded with their defaults.
   if (once.size() > size && !is_settings(message)) {
-    return "written longer than it was read";
+    return "the encoded message is longer than the input";
   }
   Message again;
   std::uint32_t again_sequence = 0;
   if (gs::wire::decode(once.data(), once.size(), again, again_sequence) != Decoded::kOk) {
-    return "what was written cannot be read";
+    return "the encoded message cannot be decoded";
   }
   if (again_sequence != sequence || again.kind != message.kind ||
       !(fields_of(again) == fields_of(message)) || encoded(again, sequence) != once) {
-    return "read again, it is another message";
+    return "the message differs after encoding and decoding";
   }
   return "";
 }
@@ -84,23 +84,23 @@ std::string wrong_with_outlet(const std::uint8_t* bytes, std::size_t size) {
   }
   endpoint.receive(bytes, size);
   if (listener.unreadable()) {
-    return "the outlet said what cannot be read";
+    return "a message of the outlet cannot be decoded";
   }
-  if (listener.said() < 2) {
-    return "the outlet left a message without an answer";
+  if (listener.messages() < 2) {
+    return "the outlet did not answer a message";
   }
   constexpr std::int16_t kSamples[256] = {};
   app.feed(kSamples, 256, endpoint);
-  return app.samples_taken() == 256 ? "" : "the outlet stopped";
+  return app.samples_taken() == 256 ? "" : "the outlet stopped processing samples";
 }
 
 std::string wrong_with_framing(const Bytes& message) {
   const Bytes frame = framed(message);
   if (frame.empty()) {
-    return "a message is not framed";
+    return "a message cannot be framed";
   }
   if (frame.size() > kLongestFrame) {
-    return "a frame longer than the longest";
+    return "a frame exceeds the maximum length";
   }
   if (std::count(frame.begin(), frame.end(), 0) != 2) {
     return "a zero within a frame";
@@ -122,7 +122,7 @@ std::string wrong_with_stream(const std::uint8_t* bytes, std::size_t size) {
       continue;
     }
     if (reader.size() == 0 || reader.size() > kLongestMessage) {
-      return "a message of no such length";
+      return "a message has an invalid length";
     }
     std::string wrong = wrong_with_framing({reader.message(), reader.message() + reader.size()});
     if (!wrong.empty()) {
@@ -135,7 +135,7 @@ std::string wrong_with_stream(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) {
     return "";
   }
-  // The input as a message, behind itself as junk.
+  // The input as a message in a frame, after the same input as garbage.
   const Bytes message(bytes, bytes + std::min(size, kLongestMessage));
   std::string wrong = wrong_with_framing(message);
   if (!wrong.empty()) {
@@ -147,7 +147,7 @@ std::string wrong_with_stream(const std::uint8_t* bytes, std::size_t size) {
   }
   const bool found = last == FrameReader::Taken::kMessage && reader.size() == message.size() &&
                      std::equal(message.begin(), message.end(), reader.message());
-  return found ? "" : "a frame behind junk is not found";
+  return found ? "" : "a frame after garbage is not found";
 }
 
 std::string wrong_with_message(const std::uint8_t* bytes, std::size_t size) {
@@ -168,21 +168,21 @@ std::string wrong_with_settings(const std::uint8_t* bytes, std::size_t size) {
   }
   const Bytes once = encoded(settings);
   if (once.empty()) {
-    return "settings that were read cannot be written";
+    return "decoded settings cannot be encoded";
   }
   gs::outlet::Settings again;
   if (gs::wire::decode(once.data(), once.size(), again) != Decoded::kOk) {
-    return "what was written cannot be read";
+    return "the encoded message cannot be decoded";
   }
   if (encoded(again) != once) {
-    return "read again, they are others";
+    return "the settings differ after encoding and decoding";
   }
   constexpr float kNominal_hz = 50.0F;
   if (gs::outlet::validate(settings, kNominal_hz) != gs::outlet::SettingsError::kNone) {
     return "";
   }
   if (gs::outlet::digest(again) != gs::outlet::digest(settings)) {
-    return "another digest";
+    return "the digest differs after encoding and decoding";
   }
   Listener listener;
   gs::app::Application app;
@@ -190,46 +190,47 @@ std::string wrong_with_settings(const std::uint8_t* bytes, std::size_t size) {
   if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) {
     return "the outlet did not start";
   }
-  // Version 0 stands for none.
-  const bool can_be_in_force = settings.version != gs::outlet::kNoSettings;
-  if (app.restore(settings) != can_be_in_force) {
-    return can_be_in_force ? "valid settings are not restored" : "settings of no version are";
+  // Version 0 means: no settings.
+  const bool can_be_restored = settings.version != gs::outlet::kNoSettings;
+  if (app.restore(settings) != can_be_restored) {
+    return can_be_restored ? "valid settings are not restored"
+                           : "settings of version 0 are restored";
   }
   std::int16_t samples[2048] = {};
   for (std::size_t i = 0; i < 2048; ++i) {
     samples[i] = static_cast<std::int16_t>(i / 80 % 2 == 0 ? 9000 : -9000);
   }
   app.feed(samples, 2048, endpoint);
-  return listener.unreadable() ? "the outlet said what cannot be read" : "";
+  return listener.unreadable() ? "a message of the outlet cannot be decoded" : "";
 }
 
 std::string wrong_with_flash(const std::uint8_t* bytes, std::size_t size) {
   FlashCells flash({bytes, bytes + size});
-  gs::settings_storage::FlashSettingsStorage area(flash);
+  gs::settings_storage::FlashSettingsStorage storage(flash);
   gs::outlet::Settings settings;
-  if (area.load(settings)) {
+  if (storage.load(settings)) {
     const Bytes kept = encoded(settings);
     if (kept.empty()) {
-      return "settings were loaded that cannot be written";
+      return "loaded settings cannot be encoded";
     }
-    if (!area.usable()) {
-      return "settings were loaded from an area that is not usable";
+    if (!storage.usable()) {
+      return "settings were loaded from a storage that is not usable";
     }
     gs::outlet::Settings again;
-    if (!area.load(again) || encoded(again) != kept) {
-      return "loaded again, they are others";
+    if (!storage.load(again) || encoded(again) != kept) {
+      return "the settings differ when loaded again";
     }
   }
   settings = {};
   settings.version = 12345;
-  if (!area.keep(settings)) {
-    return "settings cannot be kept behind what was there";
+  if (!storage.keep(settings)) {
+    return "new settings cannot be stored after the previous contents";
   }
   gs::outlet::Settings back;
-  if (!area.load(back) || encoded(back) != encoded(settings)) {
-    return "what was kept is not loaded";
+  if (!storage.load(back) || encoded(back) != encoded(settings)) {
+    return "stored settings are not loaded";
   }
-  return flash.misused() ? "the flash was used as it must not be" : "";
+  return flash.misused() ? "the flash was accessed incorrectly" : "";
 }
 
 }  // namespace gsbench::fuzz

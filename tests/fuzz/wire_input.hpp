@@ -1,5 +1,5 @@
-// What must hold for any bytes that reach an outlet or the bench over a link, or that an outlet
-// finds where it keeps its settings. Each says what is wrong; empty where all is right.
+// Properties that must hold for any bytes received over a link or found in the storage of the
+// settings. Each function returns what is wrong, or an empty string.
 #pragma once
 
 #include <cstddef>
@@ -9,26 +9,27 @@
 
 namespace gsbench::fuzz {
 
-// A stream of bytes from a serial line: what the frame reader finds is framed as such again, each
-// frame costs zeros, nothing is written beyond a buffer, and a whole frame behind it is found.
+// A stream of bytes from a serial line: messages that the frame reader finds can be framed again,
+// there are at most as many frames as zeros, no buffer overflows, and a valid frame after the
+// stream is found.
 std::string wrong_with_stream(const std::uint8_t* bytes, std::size_t size);
 
-// One message: what decodes, encodes into no more bytes and decodes to the same again; an outlet
-// that is sent it goes on and says nothing that cannot be read.
+// One message: what can be decoded is encoded into at most as many bytes and decoded to the same
+// message again. An outlet that receives it continues and sends only messages that can be decoded.
 std::string wrong_with_message(const std::uint8_t* bytes, std::size_t size);
 
-// Settings as they are kept: what decodes keeps its digest; what is valid besides can be followed.
+// Encoded settings: decoded settings keep their digest; valid ones can be put into force.
 std::string wrong_with_settings(const std::uint8_t* bytes, std::size_t size);
 
-// A settings storage whose two slots hold these bytes: what it loads it loads again, and new
-// settings can be kept whatever was there.
+// A settings storage with these bytes in its two slots: loading is repeatable, and new settings can
+// be stored whatever the contents.
 std::string wrong_with_flash(const std::uint8_t* bytes, std::size_t size);
 
-// Each of the above with what to start from.
+// Each of the above with its seeds.
 struct WireFuzzer {
   const char* name;
   std::string (*wrong_with)(const std::uint8_t* bytes, std::size_t size);
-  std::vector<std::string> (*seeds)();  // real ones
+  std::vector<std::string> (*seeds)();  // real inputs
 };
 
 const std::vector<WireFuzzer>& wire_fuzzers();

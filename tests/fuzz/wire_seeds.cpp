@@ -1,4 +1,4 @@
-// Real messages, frames, settings and settings storages: what the wire fuzzers start from.
+// Seeds of the wire fuzzers: real messages, frames, settings and settings storages.
 #include "flash_cells.hpp"
 #include "wire_input.hpp"
 #include <firmware_test/settings.hpp>
@@ -41,8 +41,7 @@ std::vector<std::string> message_seeds() {
   return seeds;
 }
 
-// Single frames, and some of them one behind the other: inputs of many kilobytes would only be
-// slow.
+// Single frames and a short sequence of frames. Longer inputs would only be slower.
 std::vector<std::string> stream_seeds() {
   std::vector<std::string> seeds;
   constexpr std::size_t kLongestSeed = 1500;
@@ -63,14 +62,14 @@ std::vector<gs::outlet::Settings> some_settings() {
   one_row.condition_rows = 1;
   one_row.version = 0xFFFFFFFFU;
   all.push_back(one_row);
-  gs::outlet::Settings of_no_version = all[0];
-  of_no_version.version = gs::outlet::kNoSettings;
-  all.push_back(of_no_version);
+  gs::outlet::Settings without_version = all[0];
+  without_version.version = gs::outlet::kNoSettings;
+  all.push_back(without_version);
   return all;
 }
 
 std::vector<std::string> settings_seeds() {
-  // Some left out, one twice, one that is not known.
+  // Omitted, duplicate and unknown settings.
   std::vector<std::string> seeds = {"\xA1\x10\x0A", "\xA2\x10\x0A\x10\x0A", "\xA1\x18\xC8\xF6"};
   for (const auto& settings : some_settings()) {
     seeds.push_back(text_of(encoded(settings)));
@@ -78,13 +77,13 @@ std::vector<std::string> settings_seeds() {
   return seeds;
 }
 
-// Erased, with one slot written, with both.
+// Erased, one slot written, both slots written.
 std::vector<std::string> flash_seeds() {
   FlashCells cells;
-  gs::settings_storage::FlashSettingsStorage area(cells);
+  gs::settings_storage::FlashSettingsStorage storage(cells);
   std::vector<std::string> seeds = {text_of(cells.bytes())};
   for (const auto& settings : some_settings()) {
-    if (area.keep(settings)) {
+    if (storage.keep(settings)) {
       seeds.push_back(text_of(cells.bytes()));
     }
   }

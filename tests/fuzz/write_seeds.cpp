@@ -1,4 +1,4 @@
-// write_fuzz_seeds FOLDER: the wire fuzzers' seeds as files, FOLDER/<fuzzer>/<number>.
+// write_fuzz_seeds FOLDER: writes the seeds of the wire fuzzers to FOLDER/<fuzzer>/<number>.
 #include "wire_input.hpp"
 
 #include <cstdio>

@@ -13,23 +13,23 @@ double loss_of_a_tenth_mw(const grid::Grid& grid) {
   return 0.1 * grid.load_mw;
 }
 
-// The largest difference over the largest size, of pairs claimed and simulated.
+// The largest difference of claimed and simulated values, relative to the largest simulated value.
 class Largest {
  public:
   void add(double claimed, long double simulated) {
     difference_ = std::max(difference_, std::abs(claimed - simulated));
     size_ = std::max(size_, std::abs(simulated));
-    sound_ = sound_ && std::isfinite(claimed);
+    finite_ = finite_ && std::isfinite(claimed);
   }
   double relative() const {
-    return sound_ ? static_cast<double>(difference_ / size_)
-                  : std::numeric_limits<double>::infinity();
+    return finite_ ? static_cast<double>(difference_ / size_)
+                   : std::numeric_limits<double>::infinity();
   }
 
  private:
   long double difference_ = 0.0L;
   long double size_ = std::numeric_limits<long double>::min();
-  bool sound_ = true;
+  bool finite_ = true;
 };
 
 double relative(double claimed, long double simulated) {
@@ -38,15 +38,15 @@ double relative(double claimed, long double simulated) {
   return one.relative();
 }
 
-double nadir_time_disagreement(const grid::Nadir& claimed, const Turn& turn) {
-  if (!turn.t_s) {
+double nadir_time_disagreement(const grid::Nadir& claimed, const Nadir& simulated) {
+  if (!simulated.t_s) {
     return std::isinf(claimed.t_s) ? 0.0 : std::numeric_limits<double>::infinity();
   }
-  const long double undershoot = turn.deviation_hz / turn.end_deviation_hz - 1.0L;
+  const long double undershoot = simulated.deviation_hz / simulated.end_deviation_hz - 1.0L;
   if (undershoot < 1e-6L) {
     return 0.0;
   }
-  return relative(claimed.t_s, *turn.t_s);
+  return relative(claimed.t_s, *simulated.t_s);
 }
 
 double conditions_disagreement(const grid::Grid& grid, const PowerSystem& system,
@@ -100,15 +100,16 @@ Disagreement compare(const Scenario& scenario, const Claim& claim) {
   }
 
   const double loss_mw = loss_of_a_tenth_mw(grid);
-  const Turn turn = system.turn(loss_mw);
-  const long double threshold_mw =
-      loss_mw * (static_cast<long double>(grid.threshold_hz) - grid.nominal_hz) / turn.deviation_hz;
+  const Nadir nadir = system.nadir(loss_mw);
+  const long double threshold_mw = loss_mw *
+                                   (static_cast<long double>(grid.threshold_hz) - grid.nominal_hz) /
+                                   nadir.deviation_hz;
   const long double k_lse = loss_mw / system.simulate({{0.0, loss_mw}}, {0.0}).front().rocof_hz_s;
   return {deviation.relative(),
           rocof.relative(),
           phase.relative(),
-          relative(claim.nadir.frequency_hz - grid.nominal_hz, turn.deviation_hz),
-          nadir_time_disagreement(claim.nadir, turn),
+          relative(claim.nadir.frequency_hz - grid.nominal_hz, nadir.deviation_hz),
+          nadir_time_disagreement(claim.nadir, nadir),
           relative(claim.threshold_mw, threshold_mw),
           relative(claim.k_lse_mw_per_hz_s, k_lse),
           conditions_disagreement(grid, system, threshold_mw, claim.conditions)};

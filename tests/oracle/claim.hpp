@@ -1,4 +1,4 @@
-// What bench/grid claims of a grid, and how far the simulated power system disagrees.
+// Results of the closed forms in bench/grid, compared with the simulated power system.
 #pragma once
 
 #include <control_centre/threshold.hpp>
@@ -30,14 +30,14 @@ struct Scenario {
   std::vector<double> times_s;
 };
 
-// Each as the largest difference over the largest size of what is compared; infinite where a claim
-// is not finite and should be.
+// Largest differences, relative to the largest simulated value; infinite if a claim is not finite
+// although it should be.
 struct Disagreement {
   double deviation;
   double rocof;
   double phase;
   double nadir;
-  double nadir_time;  // 0 where the undershoot is too slight to time, below 1e-6 of the end value
+  double nadir_time;  // 0 if the undershoot is below 1e-6 of the end value: too flat to time
   double threshold;
   double k_lse;
   double conditions;

@@ -11,8 +11,8 @@
 namespace gsbench::oracle {
 namespace {
 
-// The closed forms round to some 1e-14 of their size. What is coarsest is f itself: a double near
-// 50 Hz is rounded to 4e-15 Hz, up to 2e-13 of the least excursion among these grids.
+// The closed forms have relative rounding errors of about 1e-14. The largest error is that of f: a
+// double near 50 Hz is rounded to 4e-15 Hz, up to 2e-13 of the smallest deviation of these grids.
 constexpr double kTolerance = 1e-12;
 
 Scenario scenario_on(const grid::Grid& grid, RandomGrids& random) {
@@ -23,14 +23,14 @@ Scenario scenario_on(const grid::Grid& grid, RandomGrids& random) {
   return scenario;
 }
 
-// Down to the last digits about zeta = 1, where rounding decides which form applies.
+// Down to 1e-15 around zeta = 1, where rounding decides which closed form applies.
 double distance_to_critical(int i) {
   return std::pow(10.0, -(i % 16));
 }
 
 TEST(GridAgreement, HoldsForAThousandRandomGridsOfAnyDamping) {
   RandomGrids random(20'250'428);
-  int underdamped = 0, overdamped = 0, nearly_critical = 0, without_turn = 0;
+  int underdamped = 0, overdamped = 0, nearly_critical = 0, without_nadir = 0;
   for (int i = 0; i < 1000; ++i) {
     const grid::Grid grid = i % 10 == 0  ? random.without_reheat()
                             : i % 2 == 0 ? random.any()
@@ -50,26 +50,26 @@ TEST(GridAgreement, HoldsForAThousandRandomGridsOfAnyDamping) {
       ++(zeta < 1.0 ? underdamped : overdamped);
     }
     if (std::isinf(claim.nadir.t_s)) {
-      ++without_turn;
+      ++without_nadir;
     }
   }
-  // Each shape of the closed forms has had its share.
+  // Each case of the closed forms was tested often enough.
   EXPECT_GT(underdamped, 200);
   EXPECT_GT(overdamped, 200);
   EXPECT_GT(nearly_critical, 200);
-  EXPECT_GT(without_turn, 50);
+  EXPECT_GT(without_nadir, 50);
 }
 
 using Spoil = std::function<void(const Scenario&, Claim&)>;
 
-// A claim that something is wrong with, for each figure that is compared.
+// A wrong claim for each figure that is compared.
 struct Mutant {
   const char* name;
   Spoil spoil;
   double Disagreement::*shows_in;
 };
 
-// Deviation after all changes, for any unit response.
+// Replaces the deviation by a superposition of a given unit response, Hz/MW.
 Spoil with_unit_response(double (*unit_hz)(const grid::SfrModel&, double)) {
   return [unit_hz](const Scenario& scenario, Claim& claim) {
     const grid::SfrModel model(scenario.grid);
@@ -103,12 +103,12 @@ Spoil of_another_grid(void (*change)(grid::Grid&)) {
 }
 
 const Mutant kMutants[] = {
-    {"DampingOfEquationThreeAsMisprinted",
+    {"DampingAsMisprintedInEquationThree",
      with_unit_response([](const grid::SfrModel& model, double t_s) {
        return response_hz(model, 0.5 * model.sigma_per_s(), t_s);
      }),
      &Disagreement::deviation},
-    {"ArctangentsOfEquationNineInOneQuadrant",
+    {"ArctangentsOfEquationNineInTheWrongQuadrant",
      with_unit_response([](const grid::SfrModel& model, double t_s) {
        return -2.0 * model.gain_hz_per_mw() - response_hz(model, model.sigma_per_s(), t_s);
      }),
@@ -118,13 +118,13 @@ const Mutant kMutants[] = {
      &Disagreement::rocof},
     {"ReheatFractionWrongByABillionth",
      of_another_grid([](grid::Grid& g) { g.reheat_fraction *= 1.0 + 1e-9; }), &Disagreement::nadir},
-    {"DroopWithoutItsPlantsRating", of_another_grid([](grid::Grid& g) {
+    {"DroopNotScaledToThePlantRating", of_another_grid([](grid::Grid& g) {
        for (grid::Plant& plant : g.plants) {
          plant.droop_pu *= g.base_mw / plant.rating_mw;
        }
      }),
      &Disagreement::threshold},
-    {"PhaseWithoutItsTransient",
+    {"PhaseWithoutTheTransient",
      [](const Scenario& scenario, Claim& claim) {
        const double end_hz_per_mw = grid::SfrModel(scenario.grid).gain_hz_per_mw();
        for (std::size_t i = 0; i < claim.courses.size(); ++i) {
@@ -136,23 +136,23 @@ const Mutant kMutants[] = {
        }
      },
      &Disagreement::phase},
-    {"NadirAtTheLatestTurnOfTheTangent",
+    {"NadirAtTheNextBranchOfTheArctangent",
      [](const Scenario& scenario, Claim& claim) {
        claim.nadir.t_s += M_PI / std::sqrt(grid::SfrModel(scenario.grid).discriminant_per_s2());
      },
      &Disagreement::nadir_time},
-    {"NoNadirWhereThereIsOne",
+    {"NoNadir",
      [](const Scenario&, Claim& claim) {
        claim.nadir.t_s = std::numeric_limits<double>::infinity();
      },
      &Disagreement::nadir_time},
-    {"ThresholdThatEndsRatherThanTurnsAtTheThresholdFrequency",
+    {"ThresholdFromTheFinalValueInsteadOfTheNadir",
      [](const Scenario& scenario, Claim& claim) {
        claim.threshold_mw = (scenario.grid.nominal_hz - scenario.grid.threshold_hz) /
                             grid::SfrModel(scenario.grid).gain_hz_per_mw();
      },
      &Disagreement::threshold},
-    {"ConstantOfTheLseWithTheWrongSign",
+    {"LseConstantWithTheWrongSign",
      [](const Scenario&, Claim& claim) { claim.k_lse_mw_per_hz_s *= -1.0; }, &Disagreement::k_lse},
     {"ConditionsAtTheUpperEdges",
      [](const Scenario&, Claim& claim) {
@@ -161,7 +161,7 @@ const Mutant kMutants[] = {
        }
      },
      &Disagreement::conditions},
-    {"AConditionThatIsNoNumber",
+    {"ConditionIsNaN",
      [](const Scenario&, Claim& claim) { claim.conditions[1].rocof_below_hz_s = std::nan(""); },
      &Disagreement::conditions},
 };
@@ -169,16 +169,16 @@ const Mutant kMutants[] = {
 TEST(GridAgreement, DetectsEachMutant) {
   RandomGrids random(7);
   grid::Grid grid = random.any();
-  // Where the paper's equations exist, and with more than one plant.
+  // Underdamped, as the publication's equations require, and with more than one plant.
   while (grid::SfrModel(grid).zeta() > 0.9 || grid.plants.size() < 2) {
     grid = random.any();
   }
   const Scenario scenario = scenario_on(grid, random);
-  const Claim sound = claim_of(scenario);
-  ASSERT_GT(sound.conditions.size(), 2u);
-  ASSERT_LT(compare(scenario, sound).worst(), kTolerance);
+  const Claim correct = claim_of(scenario);
+  ASSERT_GT(correct.conditions.size(), 2u);
+  ASSERT_LT(compare(scenario, correct).worst(), kTolerance);
   for (const Mutant& mutant : kMutants) {
-    Claim claim = sound;
+    Claim claim = correct;
     mutant.spoil(scenario, claim);
     EXPECT_GT(compare(scenario, claim).*mutant.shows_in, 10.0 * kTolerance) << mutant.name;
   }

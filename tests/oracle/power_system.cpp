@@ -12,7 +12,7 @@ namespace {
 
 enum Row : Eigen::Index { kDeviation, kPhase, kLoss, kFirstReheater };
 
-// What all rotors together put up against 1 Hz/s: 2·H·S/f_n of each.
+// Power of all rotors at a ROCOF of 1 Hz/s: the sum of 2·H·S/f_n.
 long double inertia_mw_per_hz_s(const grid::Grid& grid) {
   long double sum = 0.0L;
   for (const grid::Plant& plant : grid.plants) {
@@ -31,15 +31,15 @@ PowerSystem::PowerSystem(const grid::Grid& grid) {
   const long double reheat_s = grid.reheat_s;
   const long double prompt = grid.reheat_fraction;
 
-  // Eq. (1): what generation adds, less what is lost, less what the load itself gives up.
+  // Eq. (1): additional generation minus lost power minus load damping.
   dynamics_(kDeviation, kDeviation) =
       -static_cast<long double>(grid.damping_pu) * grid.base_mw / grid.nominal_hz / inertia;
   dynamics_(kDeviation, kLoss) = -1.0L / inertia;
   dynamics_(kPhase, kDeviation) = 1.0L;
   for (Eigen::Index i = 0; i < plants; ++i) {
     const grid::Plant& plant = grid.plants[static_cast<std::size_t>(i)];
-    // Fig. 1: the governor opens the valve by 1/R of the fall, K_m of which becomes power; F_H of
-    // it at once, the rest through the reheater, a lag of T_R.
+    // Fig. 1: the governor opens the valve by 1/R of the deviation, of which K_m becomes power:
+    // F_H of it at once, the rest through the reheater, a lag of T_R.
     const long double power_mw_per_hz = -static_cast<long double>(grid.gain_km) * plant.rating_mw /
                                         plant.droop_pu / grid.nominal_hz;
     const Eigen::Index reheater = kFirstReheater + i;
@@ -49,7 +49,7 @@ PowerSystem::PowerSystem(const grid::Grid& grid) {
     dynamics_(reheater, reheater) = -1.0L / reheat_s;
   }
 
-  // What moves by itself: the loss is an input and the phase an output.
+  // The autonomous part: the loss is an input and the phase an output.
   Matrix moving(plants + 1, plants + 1);
   moving(0, 0) = dynamics_(kDeviation, kDeviation);
   moving.row(0).tail(plants) = dynamics_.row(kDeviation).tail(plants);
@@ -60,8 +60,8 @@ PowerSystem::PowerSystem(const grid::Grid& grid) {
   const State push = dynamics_(kDeviation, kLoss) * State::Unit(plants + 1, 0);
   end_deviation_hz_per_mw_ = -moving.fullPivLu().solve(push)(0);
 
-  // A quarter of the fastest time constant: nothing cancels in the Taylor series of e^(A·t), and
-  // their first term left out is 0.25^20/20! = 4e-31.
+  // A quarter of the fastest time constant: no cancellation in the Taylor series of e^(A·t), and
+  // the first omitted term is 0.25^20/20! = 4e-31.
   step_s_ = 0.25L / rates.cwiseAbs().maxCoeff();
   step_ = Matrix::Identity(size, size);
   Matrix term = step_;
@@ -118,7 +118,7 @@ std::vector<Sample> PowerSystem::simulate(const std::vector<grid::PowerChange>& 
   return samples;
 }
 
-// The deviation within one step as the Taylor polynomial of the time since its beginning.
+// The deviation within one step: a Taylor polynomial of the time since the start of the step.
 class PowerSystem::Step {
  public:
   Step(const PowerSystem& system, const State& from) : length_s_(system.step_s_) {
@@ -148,7 +148,7 @@ class PowerSystem::Step {
     return sum;
   }
 
-  // When `passed(time since the beginning)` becomes true, by bisection.
+  // The time at which `passed(time)` becomes true, by bisection.
   template <typename Passed>
   long double when(Passed passed) const {
     long double from_s = 0.0L;
@@ -165,7 +165,7 @@ class PowerSystem::Step {
   long double length_s_;
 };
 
-Turn PowerSystem::turn(long double loss_mw) const {
+Nadir PowerSystem::nadir(long double loss_mw) const {
   const long double end_hz = end_deviation_hz_per_mw_ * loss_mw;
   State state = after_loss(loss_mw);
   State next(state.size());
@@ -188,7 +188,7 @@ std::vector<long double> PowerSystem::rocof_at_deviation(
   State state = after_loss(loss_mw);
   State next = step_ * state;
   for (const long double deviation_hz : deviations_hz) {
-    // The step that turns may begin and end above a deviation that it passes in between.
+    // The step with the nadir may start and end above a deviation that it passes in between.
     while (next(kDeviation) > deviation_hz && sample(next).rocof_hz_s < 0.0L) {
       state.swap(next);
       next.noalias() = step_ * state;

@@ -16,7 +16,7 @@ double zeta_of(grid::Grid grid, double inertia_factor) {
 
 }  // namespace
 
-// The library's own distributions may differ from one standard library to the next.
+// The distributions of <random> differ between standard libraries.
 double RandomGrids::between(double low, double high) {
   const double unit = static_cast<double>(bits_() >> 11) * 0x1p-53;
   return low + (high - low) * unit;
@@ -50,8 +50,8 @@ grid::Grid RandomGrids::without_reheat() {
 }
 
 grid::Grid RandomGrids::nearly_critical(double distance) {
-  // Less inertia damps more, in the end; a hundredth of it is to be enough, as real plants have no
-  // less. About a grid in two is such.
+  // Reducing the inertia increases the damping ratio. Only grids that become overdamped with a
+  // hundredth of their inertia are used, about one in two.
   constexpr double kLeast = 0.01;
   grid::Grid grid = any();
   while (zeta_of(grid, 1.0) >= 1.0 || zeta_of(grid, kLeast) <= 1.0) {
@@ -63,7 +63,7 @@ grid::Grid RandomGrids::nearly_critical(double distance) {
     const double middle = 0.5 * (under + over);
     (zeta_of(grid, middle) < 1.0 ? under : over) = middle;
   }
-  // Around there zeta goes at most as fast as the inertia.
+  // Near critical damping, the relative change of zeta is at most that of the inertia.
   scale_inertia(grid, under * (1.0 + between(-distance, distance)));
   return grid;
 }

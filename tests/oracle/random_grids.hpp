@@ -1,5 +1,5 @@
-// Grids to compare on: whatever plants might be found together, and on purpose some close to
-// critical damping, where the closed forms change from one shape to another.
+// Random grids for comparison: any combination of plants, and grids close to critical damping,
+// where the closed forms change from one case to another.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ class RandomGrids {
   explicit RandomGrids(std::uint64_t seed) : bits_(seed) {}
 
   grid::Grid any();
-  // All power comes promptly: the response is of first order and does not turn.
+  // All power without delay: the response is of first order and has no nadir.
   grid::Grid without_reheat();
   // zeta within `distance` of 1, on either side.
   grid::Grid nearly_critical(double distance);
-  // Two to four changes within the first ten seconds, ascending; each may be shed load.
+  // Two to four changes within the first ten seconds, ascending; each may be a loss or shed load.
   std::vector<grid::PowerChange> changes(const grid::Grid& grid);
 
  private:

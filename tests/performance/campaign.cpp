@@ -1,6 +1,6 @@
-// Campaigns beside the same work in vectorised NumPy, their cost beside what the processor's
-// arithmetic can do, and how they go over threads and numbers of trajectories. In turns within one
-// run; exits with 1 where a figure falls short.
+// Speed of campaigns: compared with the same work in vectorised NumPy, with the peak arithmetic
+// throughput of the processor, and for several numbers of threads and trajectories. All parts are
+// measured alternately in one run. Exit code 1 if a figure misses its limit.
 #include "measuring.hpp"
 #include <sys/resource.h>
 #include <test_support/output_of.hpp>
@@ -25,9 +25,9 @@ using std::chrono::steady_clock;
 
 constexpr int kRounds = 3;
 constexpr std::uint64_t kTrajectories = 1000000;
-// Operations in an update of the EKF, counted in response.hpp, arithmetic.hpp and loss_ekf.hpp: 92
-// of them in u and u', 20 of these in the exponential function; comparisons and choices among the
-// rest.
+// Operations in one update of the EKF, including comparisons and selections, counted in
+// response.hpp, arithmetic.hpp and loss_ekf.hpp: 92 of them in u and u', of which 20 are in the
+// exponential function.
 constexpr double kOperations = 146.0;
 
 double numpy_s(int seed) {
@@ -36,18 +36,18 @@ double numpy_s(int seed) {
                               std::to_string(kTrajectories) + ' ' + std::to_string(seed);
   const test::Output output = test::output_of(command);
   if (output.exit_code != 0) {
-    die("NumPy's part did not run: is python3-numpy installed?");
+    die("the NumPy program failed; is python3-numpy installed?");
   }
   char* rest = nullptr;
   const double seconds = std::strtod(output.text.c_str(), &rest);
   if (std::strtod(rest, nullptr) < 0.999) {
-    die("NumPy's part does not do the same work");
+    die("the NumPy program gives other results than the campaign");
   }
   return seconds;
 }
 
 double campaign_s(const grid::Grid& grid, std::size_t threads,
-                        std::uint64_t trajectories = kTrajectories) {
+                  std::uint64_t trajectories = kTrajectories) {
   campaign::EstimateOptions options;
   options.trajectories = trajectories;
   campaign::Execution execution;
@@ -56,12 +56,12 @@ double campaign_s(const grid::Grid& grid, std::size_t threads,
   const auto result = estimate(grid, options, execution);
   const double seconds = seconds_since(begin);
   if (result.ekf_mw.share_between(480.0, 520.0) < 0.999) {
-    die("the campaign does not estimate");
+    die("the results of the campaign are wrong");
   }
   return seconds;
 }
 
-// One thread, the noise made before.
+// Time of one EKF update on one thread, without the generation of noise.
 double step_ns(const grid::Grid& grid) {
   constexpr int kBatches = 4000;
   const auto settings = campaign::estimate_settings(grid);
@@ -78,15 +78,15 @@ double step_ns(const grid::Grid& grid) {
   }
   const double seconds = seconds_since(begin);
   if (sum_mw <= 0.0F) {
-    die("the kernel does not estimate");
+    die("the results of the kernel are wrong");
   }
   return 1e9 * seconds /
          (kBatches * static_cast<double>(kLanes) * static_cast<double>(campaign::kEkfSamples + 4));
 }
 
-// Multiplications and additions that wait for nothing, on as many lanes as the kernel's.
+// Independent multiplications and additions, on as many lanes as the kernel uses.
 inline float multiply_and_add(int rounds) {
-  constexpr std::size_t kChains = 3;  // of kLanes each: all of AVX2's registers but four
+  constexpr std::size_t kChains = 3;  // of kLanes each: all AVX2 registers but four
   std::array<Lanes, kChains> chains{};
   for (int i = 0; i < rounds; ++i) {
     for (Lanes& chain : chains) {
@@ -97,6 +97,7 @@ inline float multiply_and_add(int rounds) {
   store(chains[0] + chains[1] + chains[2], values);
   return values[0];
 }
+// Peak throughput in operations per ns.
 double peak_per_ns() {
   constexpr int kMany = 3000000;
   const auto begin = steady_clock::now();
@@ -135,19 +136,20 @@ int run() {
     step.push_back(step_ns(grid));
     peak.push_back(peak_per_ns());
   }
-  print("a million of LSE and EKF in NumPy", median(numpy), "s");
-  print("the same campaign on one thread", median(one_thread), "s");
-  print("the same campaign on two threads", median(two_threads), "s");
-  judge_at_least("  NumPy's time by that", median(numpy) / median(two_threads), "x", 10.0);
-  print("  one thread's time by that", median(one_thread) / median(two_threads), "x");
-  print("an update of the EKF, one thread", median(step), "ns");
-  print("  its operations", kOperations / median(step), "in a ns");
-  print("  multiplications and additions that wait for nothing", median(peak), "in a ns");
-  print("  the EKF's share of that", kOperations / median(step) / median(peak), "");
+  print("1e6 trajectories of LSE and EKF in NumPy", median(numpy), "s");
+  print("the same in gsbench, one thread", median(one_thread), "s");
+  print("the same in gsbench, two threads", median(two_threads), "s");
+  judge_at_least("  speed-up over NumPy", median(numpy) / median(two_threads), "x", 10.0);
+  print("  speed-up over one thread", median(one_thread) / median(two_threads), "x");
+  print("one update of the EKF, one thread", median(step), "ns");
+  print("  its operations", kOperations / median(step), "1/ns");
+  print("  peak multiplications and additions", median(peak), "1/ns");
+  print("  share of the peak", kOperations / median(step) / median(peak), "");
   const double before_mb = largest_memory_mb();
   const double long_s = campaign_s(grid, 2, 100 * kTrajectories);
-  print("a hundred million on two threads", long_s, "s");
-  judge_at_most("  memory beyond that of a million", largest_memory_mb() - before_mb, "MB", 1.0);
+  print("1e8 trajectories in gsbench, two threads", long_s, "s");
+  judge_at_most("  additional memory over 1e6 trajectories", largest_memory_mb() - before_mb, "MB",
+                1.0);
   judge_at_most("gsbench reproduce --n 1000000", reproduce_s(), "s", 30.0);
   return exit_code();
 }

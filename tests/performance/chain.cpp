@@ -1,6 +1,6 @@
-// Speed of the chain from synthesis to capture, beside the parts it cannot do without, all measured
-// in turns within one run. Processor time, so that a busy machine tells in the ratios and not in a
-// verdict; exits with 1 where a figure falls short of what the project wants.
+// Speed of the chain from synthesis to capture, compared with its parts. All parts are measured
+// alternately in one run, in processor time, so that other load on the machine has little
+// influence. Exit code 1 if a figure misses its limit.
 #include "fake_station.hpp"
 #include "measuring.hpp"
 
@@ -47,7 +47,7 @@ void play_simulated(const profile::Plan& plan) {
   station::run(plan, *station, {});
 }
 
-// Voltage of the whole plan, block by block.
+// Renders the voltage of the whole plan block by block.
 template <class Use>
 void for_each_block(const profile::Plan& plan, Use use) {
   const waveform::Synthesizer synthesizer = plan.synthesizer();
@@ -59,16 +59,16 @@ void for_each_block(const profile::Plan& plan, Use use) {
   }
 }
 
-class Nowhere final : public gs::app::Outbox {
+class Discard final : public gs::app::Outbox {
  public:
   void put(const gs::wire::Uplink&) override {}
 };
 
 void feed_firmware(const std::vector<std::int16_t>& samples) {
   gs::app::Application node;
-  Nowhere nowhere;
-  node.start({}, {}, nullptr, nowhere);
-  node.feed(samples.data(), samples.size(), nowhere);
+  Discard discard;
+  node.start({}, {}, nullptr, discard);
+  node.feed(samples.data(), samples.size(), discard);
 }
 
 int run() {
@@ -115,24 +115,24 @@ int run() {
       work.seconds.push_back(work.clock() - start);
     }
   }
-  std::printf("median of %d rounds, each part in turn; %g s played at %lld Hz\n\n", kRounds,
-              kPlayed_s, static_cast<long long>(one.stimulus.sample_rate_hz));
+  std::printf("median of %d rounds, alternating between the parts; %g s played at %lld Hz\n\n",
+              kRounds, kPlayed_s, static_cast<long long>(one.stimulus.sample_rate_hz));
   for (const Work& work : works) {
     std::printf("  %-40s %10.3f ms", work.name.c_str(), 1e3 * work.median());
     if (work.clock == own_processor_s) {
-      std::printf("  %8.2f ns a sample", 1e9 * work.median() / samples);
+      std::printf("  %8.2f ns/sample", 1e9 * work.median() / samples);
     }
     std::putchar('\n');
   }
   const double parts_s = works[2].median() + works[3].median() + works[4].median();
-  std::printf("\n  the chain takes %.2f times its parts (synthesis, noise, firmware)\n\n",
+  std::printf("\n  the chain takes %.2f times the sum of synthesis, noise and firmware\n\n",
               works[0].median() / parts_s);
   judge_at_least("chain, one outlet, one core", kPlayed_s / works[0].median(), "x real time", 1000);
-  judge_at_least("chain, eight outlets, each outlet, one core", 8.0 * kPlayed_s / works[1].median(),
+  judge_at_least("chain, eight outlets, per outlet, one core", 8.0 * kPlayed_s / works[1].median(),
                  "x real time", 1000);
-  judge_at_most("a step of the station, eight outlets", 1e3 * works[5].median() / kSteps, "ms",
+  judge_at_most("one step of the station, eight outlets", 1e3 * works[5].median() / kSteps, "ms",
                 0.1);
-  judge_at_most("gsbench --help, beyond an empty process",
+  judge_at_most("gsbench --help, minus an empty process",
                 1e3 * (works[6].median() - works[7].median()), "ms", 50);
   return exit_code();
 }

@@ -1,4 +1,4 @@
-// Emulated outlets against the clock, and the framed link beside the bare cable it runs on.
+// Speed of emulated outlets, and of the framed link compared with the bare cable.
 #include "measuring.hpp"
 #include <link_framed/framed_link.hpp>
 #include <test_support/mains.hpp>
@@ -34,7 +34,7 @@ constexpr int kRoundTrips = 1000;
 constexpr auto kToAnswer = std::chrono::seconds(30);
 constexpr std::size_t kMessages = 200000;
 
-// ---- sixteen emulated Cortex-M4F as fast as they go
+// ---- sixteen emulated Cortex-M4F at full speed
 
 emulation::HardwareOptions options_for(std::size_t count, const char* board) {
   emulation::HardwareOptions options;
@@ -61,7 +61,7 @@ void measure_sixteen_outlets() {
   or_die(hardware->source().start());
   link::Happenings happenings;
   std::size_t measurements = 0;
-  const auto look = [&] {
+  const auto poll = [&] {
     happenings.messages.clear();
     or_die(link.poll(happenings));
     for (const link::Received& received : happenings.messages) {
@@ -72,12 +72,12 @@ void measure_sixteen_outlets() {
   const auto begin = steady_clock::now();
   for (std::int64_t tick = kBlock; tick <= ticks; tick += kBlock) {
     or_die(hardware->source().advance(tick));
-    look();
+    poll();
   }
   const auto blocks = static_cast<std::size_t>(ticks / kBlock);
   wait_for(
       [&] {
-        look();
+        poll();
         return measurements >= kOutlets * blocks;
       },
       "emulated outlets lost measurements");
@@ -87,7 +87,7 @@ void measure_sixteen_outlets() {
   }
   judge_at_least("16 emulated Cortex-M4F, all measurements received", kPlayed_s / wall_s,
                  "x real time", 1.0);
-  judge_at_most("  faults told", static_cast<double>(happenings.faults.size()), "", 0.0);
+  judge_at_most("  faults reported", static_cast<double>(happenings.faults.size()), "", 0.0);
 }
 
 // ---- a round trip
@@ -117,7 +117,7 @@ double link_round_trip_ms() {
   return median(taken_ms);
 }
 
-// A cable with an outlet's end to write to.
+// A cable with access to the outlet's end.
 struct RawCable {
   RawCable() { or_die(outlet->open()); }
 
@@ -127,7 +127,7 @@ struct RawCable {
       transport::make_transport("tcp://127.0.0.1:" + std::to_string(cable->outlet_end()));
 };
 
-// Waits for some; none after a tenth of a second.
+// Waits up to 0.1 s for bytes; returns their number.
 std::size_t read_some(transport::Transport& end, Bytes& bytes) {
   bytes.clear();
   or_die(end.receive(bytes, transport::Clock::now() + std::chrono::milliseconds(100)));
@@ -184,8 +184,8 @@ std::size_t measurement_bytes() {
   return measurement(kMessages).size();
 }
 
-// As an outlet that has nothing to wait for: a write a message.
-void say_measurements(transport::Transport& end) {
+// Sends at full speed, one write for each message.
+void send_measurements(transport::Transport& end) {
   for (std::size_t i = 1; i <= kMessages; ++i) {
     or_die(end.send(measurement(i)));
   }
@@ -194,7 +194,7 @@ void say_measurements(transport::Transport& end) {
 double link_s() {
   RawCable raw;
   std::atomic<bool> opened{false};
-  std::thread saying([&] {
+  std::thread sender([&] {
     Bytes asked;
     while (read_some(*raw.outlet, asked) == 0) {
     }
@@ -204,7 +204,7 @@ double link_s() {
     while (!opened) {
       std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
-    say_measurements(*raw.outlet);
+    send_measurements(*raw.outlet);
   });
   const std::vector<std::string> ports = {raw.cable->bench_end()};
   link::FramedLink link({ports});
@@ -222,29 +222,29 @@ double link_s() {
       },
       "the framed link lost messages");
   const double wall_s = seconds_since(begin);
-  saying.join();
+  sender.join();
   if (!happenings.faults.empty()) {
-    die("the framed link told a fault: " + happenings.faults.front().what);
+    die("the framed link reported a fault: " + happenings.faults.front().what);
   }
   return wall_s;
 }
 
-// The same bytes in the same writes, read and forgotten.
+// The same bytes in the same writes, read and discarded.
 double raw_s() {
   RawCable raw;
   or_die(raw.bench->open());
-  std::atomic<bool> said{false};
+  std::atomic<bool> sent{false};
   const auto begin = steady_clock::now();
-  std::thread saying([&] {
-    say_measurements(*raw.outlet);
-    said = true;
+  std::thread sender([&] {
+    send_measurements(*raw.outlet);
+    sent = true;
   });
   Bytes bytes;
   double wall_s = 0.0;
-  while (read_some(*raw.bench, bytes) > 0 || !said) {
+  while (read_some(*raw.bench, bytes) > 0 || !sent) {
     wall_s = seconds_since(begin);
   }
-  saying.join();
+  sender.join();
   return wall_s;
 }
 
@@ -271,20 +271,20 @@ int run() {
   print("round trip of a command to an outlet over the framed link", link_round_trip_ms(), "ms");
   Throughput raw;
   Throughput over_link;
-  // In turn, the best of each: other work of the machine slows the one and not the other.
+  // Alternately, the best of each, since other load on the machine slows single rounds.
   for (int i = 0; i < 3; ++i) {
     raw = better(raw, measured(raw_s));
     over_link = better(over_link, measured(link_s));
   }
-  // The emulated cable is a thread that copies, and a reader that is slower gets more at a time of
-  // it: what the link costs shows in the processor's time.
-  print("throughput of the cable alone, one write a message", raw.per_s, "messages/s");
-  print("  processor time, the writer's and the cable's among it", raw.processor_us, "us/message");
+  // The emulated cable is a thread that copies, and a slower reader gets larger pieces from it: the
+  // cost of the link shows in the processor time.
+  print("throughput of the bare cable, one write per message", raw.per_s, "messages/s");
+  print("  processor time, including sender and cable", raw.processor_us, "us/message");
   print("throughput of the framed link over it", over_link.per_s, "messages/s");
-  print("  processor time, alike", over_link.processor_us, "us/message");
+  print("  processor time, including sender and cable", over_link.processor_us, "us/message");
   const double line_per_s = transport::kBaud / 10.0 / static_cast<double>(measurement_bytes());
   const double lines = over_link.per_s / line_per_s;
-  judge_at_least("  beside what a line of 921600 baud carries", lines, "x", 1.0);
+  judge_at_least("  relative to a line of 921600 baud", lines, "x", 1.0);
   return exit_code();
 }
 

@@ -9,25 +9,25 @@ namespace gsbench::performance {
 
 namespace {
 
-bool short_of = false;
+bool any_missed = false;
 
 void judge(const char* what, double value, const char* unit, bool reached, const char* side,
-           double wanted) {
-  short_of = short_of || !reached;
-  std::printf("%-62s %12.3f %-12s wanted %s %g: %s\n", what, value, unit, side, wanted,
-              reached ? "reached" : "FALLS SHORT");
+           double limit) {
+  any_missed = any_missed || !reached;
+  std::printf("%-62s %12.3f %-12s limit: %s %g: %s\n", what, value, unit, side, limit,
+              reached ? "met" : "MISSED");
 }
 
 }  // namespace
 
-void die(const std::string& why) {
-  std::fprintf(stderr, "%s\n", why.c_str());
+void die(const std::string& reason) {
+  std::fprintf(stderr, "%s\n", reason.c_str());
   std::exit(1);
 }
 
 void run_or_die(const char* command) {
   if (std::system(command) != 0) {
-    die(std::string("this failed: ") + command);
+    die(std::string("command failed: ") + command);
   }
 }
 
@@ -50,16 +50,16 @@ void print(const char* what, double value, const char* unit) {
   std::printf("%-62s %12.3f %s\n", what, value, unit);
 }
 
-void judge_at_least(const char* what, double value, const char* unit, double wanted) {
-  judge(what, value, unit, value >= wanted, "at least", wanted);
+void judge_at_least(const char* what, double value, const char* unit, double limit) {
+  judge(what, value, unit, value >= limit, "at least", limit);
 }
 
-void judge_at_most(const char* what, double value, const char* unit, double wanted) {
-  judge(what, value, unit, value <= wanted, "at most", wanted);
+void judge_at_most(const char* what, double value, const char* unit, double limit) {
+  judge(what, value, unit, value <= limit, "at most", limit);
 }
 
 int exit_code() {
-  return short_of ? 1 : 0;
+  return any_missed ? 1 : 0;
 }
 
 }  // namespace gsbench::performance

@@ -1,5 +1,4 @@
-// What the speed measurements share: an end that says why, waiting, and figures beside what is
-// wanted of them.
+// Common code of the performance tests: exit with a reason, waiting, and figures with limits.
 #pragma once
 
 #include <chrono>
@@ -11,9 +10,10 @@
 
 namespace gsbench::performance {
 
-[[noreturn]] void die(const std::string& why);
+// Prints the reason and exits with 1.
+[[noreturn]] void die(const std::string& reason);
 
-// A command of the shell, which must succeed.
+// Runs a shell command; exits if it fails.
 void run_or_die(const char* command);
 
 template <class T>
@@ -26,7 +26,7 @@ T or_die(drivers::Result<T> result) {
 
 double seconds_since(std::chrono::steady_clock::time_point begin);
 
-// Looks again after each pause; false after a minute.
+// Polls until the condition is true; false after one minute.
 template <class Condition>
 bool comes_true(Condition condition,
                 std::chrono::microseconds pause = std::chrono::microseconds(20)) {
@@ -41,24 +41,24 @@ bool comes_true(Condition condition,
 }
 
 template <class Condition>
-void wait_for(Condition condition, const char* otherwise) {
+void wait_for(Condition condition, const char* reason) {
   if (!comes_true(condition)) {
-    die(otherwise);
+    die(reason);
   }
 }
 
 double median(std::vector<double> values);
 
-// Of this process, all its threads.
+// Processor time of this process with all its threads, s.
 double own_processor_s();
 
 void print(const char* what, double value, const char* unit);
 
-// A figure that is wanted to be so much at least, or at most.
-void judge_at_least(const char* what, double value, const char* unit, double wanted);
-void judge_at_most(const char* what, double value, const char* unit, double wanted);
+// Prints a figure with its limit.
+void judge_at_least(const char* what, double value, const char* unit, double limit);
+void judge_at_most(const char* what, double value, const char* unit, double limit);
 
-// 1 where a figure fell short: what main() returns.
+// Return value of main(): 1 if a figure missed its limit.
 int exit_code();
 
 }  // namespace gsbench::performance

@@ -53,8 +53,8 @@ void RawClient::publish(const std::string& topic, const void* bytes, int size) {
 
 namespace {
 
-std::vector<std::string> words(const char* program, const PrivateBroker& broker, const Login& login,
-                               const std::string& topic) {
+std::vector<std::string> arguments_of(const char* program, const PrivateBroker& broker,
+                                      const Login& login, const std::string& topic) {
   const std::string port = std::to_string(broker.port());
   return {program,    "-V", "mqttv5",       "-h",       "127.0.0.1",      "-p", port, "-u",
           login.user, "-P", login.password, "--cafile", broker.ca_file(), "-t", topic};
@@ -66,19 +66,20 @@ double programs_per_second(const PrivateBroker& broker, const std::string& outle
                            std::size_t messages, std::size_t size,
                            const test::TemporaryFolder& folder) {
   const std::string topic = "gs/" + outlet + "/up";
-  // One more, retained, shows that the subscription stands.
+  // An additional retained message shows that the subscription is active.
   const std::string hello = "gs/" + outlet + "/hello";
-  auto told = words("mosquitto_pub", broker, broker.outlet(outlet), hello);
-  told.insert(told.end(), {"-r", "-m", "here"});
-  Child telling = or_die(Child::start({told, ""}));
-  wait_for([&] { return !telling.running(); }, "mosquitto_pub did not end");
+  auto announce = arguments_of("mosquitto_pub", broker, broker.outlet(outlet), hello);
+  announce.insert(announce.end(), {"-r", "-m", "here"});
+  Child announcer = or_die(Child::start({announce, ""}));
+  wait_for([&] { return !announcer.running(); }, "mosquitto_pub did not end");
 
-  const std::string heard = folder.file("heard");
-  auto hearing_words = words("mosquitto_sub", broker, broker.bench(), topic);
-  hearing_words.insert(hearing_words.end(), {"-t", hello, "-C", std::to_string(messages + 1)});
-  Child hearing = or_die(Child::start({hearing_words, heard}));
-  wait_for([&] { return std::filesystem::exists(heard) && std::filesystem::file_size(heard) > 0; },
-           "mosquitto_sub did not connect");
+  const std::string received = folder.file("received");
+  auto receive = arguments_of("mosquitto_sub", broker, broker.bench(), topic);
+  receive.insert(receive.end(), {"-t", hello, "-C", std::to_string(messages + 1)});
+  Child receiver = or_die(Child::start({receive, received}));
+  wait_for(
+      [&] { return std::filesystem::exists(received) && std::filesystem::file_size(received) > 0; },
+      "mosquitto_sub did not connect");
 
   const std::string lines = folder.file("lines");
   {
@@ -87,14 +88,14 @@ double programs_per_second(const PrivateBroker& broker, const std::string& outle
       out << std::string(size, 'm') << '\n';
     }
   }
-  const auto saying_words = words("mosquitto_pub", broker, broker.outlet(outlet), topic);
+  const auto send = arguments_of("mosquitto_pub", broker, broker.outlet(outlet), topic);
   std::string command = "exec";
-  for (const std::string& word : saying_words) {
-    command += " '" + word + '\'';
+  for (const std::string& argument : send) {
+    command += " '" + argument + '\'';
   }
   const auto begin = std::chrono::steady_clock::now();
-  const Child saying = or_die(Child::start({{"sh", "-c", command + " -l <'" + lines + '\''}, ""}));
-  wait_for([&] { return !hearing.running(); }, "mosquitto_sub did not get all");
+  const Child sender = or_die(Child::start({{"sh", "-c", command + " -l <'" + lines + '\''}, ""}));
+  wait_for([&] { return !receiver.running(); }, "mosquitto_sub did not receive all messages");
   return static_cast<double>(messages) / seconds_since(begin);
 }
 

@@ -1,4 +1,4 @@
-// What the bench's link to a broker is measured beside: clients that do no more than receive.
+// MQTT clients for comparison with the bench's link: they only receive.
 #pragma once
 
 #include <mosquitto.h>
@@ -13,19 +13,19 @@
 
 namespace gsbench::performance {
 
-// One of libmosquitto, in a thread of its own.
+// A libmosquitto client in its own thread.
 class RawClient {
  public:
   using OnMessage = std::function<void(const mosquitto_message&)>;
 
-  // Subscribed when this returns.
+  // Blocks until it is subscribed.
   RawClient(const emulation::PrivateBroker& broker, const emulation::Login& login,
             const std::string& topic, OnMessage on_message);
   ~RawClient();
   RawClient(const RawClient&) = delete;
   RawClient& operator=(const RawClient&) = delete;
 
-  // Acknowledged.
+  // With QoS 1.
   void publish(const std::string& topic, const void* bytes, int size);
 
  private:
@@ -35,7 +35,8 @@ class RawClient {
   mosquitto* client_;
 };
 
-// So many messages of one size from mosquitto_pub to mosquitto_sub: how many a second.
+// Sends `messages` messages of `size` bytes from mosquitto_pub to mosquitto_sub; returns
+// messages/s.
 double programs_per_second(const emulation::PrivateBroker& broker, const std::string& outlet,
                            std::size_t messages, std::size_t size,
                            const test::TemporaryFolder& folder);

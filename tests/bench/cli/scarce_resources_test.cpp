@@ -58,7 +58,7 @@ TEST(FullDisk, EndsWithTwoAndLeavesNothing) {
 
 TEST(FullDisk, AmongTheReportsKeepsTheFinishedRecord) {
   const TemporaryFolder folder;
-  const SmallDisk disk(folder.path(), "size=800k");
+  const SmallDisk disk(folder.path(), "size=900k");
   if (!disk.mounted()) {
     GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
   }

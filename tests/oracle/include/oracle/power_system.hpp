@@ -1,6 +1,6 @@
-// A power system simulated, not solved: eq. (1) and the block diagram of Fig. 1, plant by plant, in
-// Hz and MW, integrated in long double. Nothing here comes from the closed forms that it is to
-// judge: no eq. (2)–(18), no aggregate H and R, no per-unit base, no damping ratio.
+// Numerical simulation of a power system as a reference for the closed forms: eq. (1) and the block
+// diagram of Fig. 1, plant by plant, in Hz and MW, integrated in long double. It is independent of
+// the closed forms: no eq. (2)–(18), no aggregate H and R, no per-unit base, no damping ratio.
 #pragma once
 
 #include <optional>
@@ -18,9 +18,9 @@ struct Sample {
   long double phase_cycles;  // ∫ deviation from t = 0
 };
 
-struct Turn {
-  std::optional<long double> t_s;  // nothing where the frequency falls to its end without a turn
-  long double deviation_hz;        // the lowest, or that in the end
+struct Nadir {
+  std::optional<long double> t_s;  // none: the frequency falls to its final value without a nadir
+  long double deviation_hz;        // at the nadir, or the final value
   long double end_deviation_hz;
 };
 
@@ -28,22 +28,22 @@ class PowerSystem {
  public:
   explicit PowerSystem(const grid::Grid& grid);
 
-  // At each of the ascending times, after the changes in ascending order; all at 0 s or later.
+  // Samples at `times_s`. `changes` and `times_s` are ascending and not negative.
   std::vector<Sample> simulate(const std::vector<grid::PowerChange>& changes,
                                const std::vector<double>& times_s) const;
 
-  // After a loss at t = 0, by watching the ROCOF.
-  Turn turn(long double loss_mw) const;
+  // The nadir after a loss at t = 0: the first zero of the ROCOF.
+  Nadir nadir(long double loss_mw) const;
 
-  // ROCOF at which the frequency, falling after the loss at t = 0, first passes each of the
-  // descending deviations. All must lie above the turn's.
+  // ROCOF at the instants when the falling frequency first passes each of the descending
+  // deviations, after a loss at t = 0. All deviations must lie above the nadir.
   std::vector<long double> rocof_at_deviation(long double loss_mw,
                                               const std::vector<long double>& deviations_hz) const;
 
  private:
   using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-  // Deviation in Hz, its integral in cycles, power lost in MW, then for each plant the power in MW
-  // that its reheater passes on.
+  // Deviation in Hz, its integral in cycles, lost power in MW, then the reheater power of each
+  // plant in MW.
   using State = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
   static constexpr int kTerms = 20;  // of each Taylor series
@@ -56,8 +56,8 @@ class PowerSystem {
   Matrix dynamics_;  // d(state)/dt = dynamics·state
   Matrix step_;      // state one step_s_ later
   long double step_s_;
-  long double horizon_s_;                // until a transient is below the rounding of long double
-  long double end_deviation_hz_per_mw_;  // where nothing moves any more
+  long double horizon_s_;  // transients have decayed below the rounding of long double
+  long double end_deviation_hz_per_mw_;  // steady state
 };
 
 }  // namespace gsbench::oracle
