@@ -10,7 +10,7 @@ using record::Verdict;
 namespace {
 
 Judgement missing(const Reading& reading) {
-  return {reading.fails ? Verdict::kFail : Verdict::kInconclusive, reading.missing};
+  return {reading.missing_fails ? Verdict::kFail : Verdict::kInconclusive, reading.missing};
 }
 
 }  // namespace

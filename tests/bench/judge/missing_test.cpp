@@ -118,7 +118,7 @@ TEST(MissingMeasurement, HasAReasonAndNeverPasses) {
     missing.change(c);
     const Reading reading = c.read(missing.measure);
     EXPECT_THAT(reading.missing, HasSubstr(missing.reason)) << missing.measure;
-    EXPECT_EQ(reading.fails, missing.fails) << missing.measure;
+    EXPECT_EQ(reading.missing_fails, missing.fails) << missing.measure;
     EXPECT_TRUE(std::isnan(reading.value)) << missing.measure;
     EXPECT_EQ(verdict(c, limits(missing.measure, -1e300, 1e300)),
               missing.fails ? record::Verdict::kFail : record::Verdict::kInconclusive)

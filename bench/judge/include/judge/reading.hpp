@@ -21,7 +21,7 @@ struct Reading {
   std::string missing = {};  // why there is no value; empty if there is one
   // Verdict if the value is missing. True: FAIL, the outlet did not do what is measured. False:
   // INCONCLUSIVE, the bench could not measure it.
-  bool fails = true;
+  bool missing_fails = true;
 };
 
 using Read = Reading (*)(const Case&);
