@@ -79,7 +79,7 @@ void add_devices(CommandLine& line) {
   add_link_options(command, arguments.link);
   command.add_flag("--json", arguments.json, "Print as JSON");
   command.footer(
-      "Exit code 4 where an outlet does not answer, is there twice, or speaks another protocol.\n"
+      "Exit code 4 if an outlet does not answer, has another's id, or uses another protocol.\n"
       "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"

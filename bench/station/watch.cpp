@@ -49,8 +49,7 @@ void Watch::hear(link::Happenings& happenings, std::int64_t now) {
   for (const link::OutletPresence& outlet : happenings.joined) {
     const auto found = lives_.find(outlet.id);
     if (found != lives_.end() && found->second.outlet->link != outlet.where) {
-      note(*found->second.outlet,
-           "is present twice: the outlet on " + outlet.where + " reports the same id");
+      note(*found->second.outlet, "has the same id as the outlet on " + outlet.where);
       found->second.over = true;
     }
   }

@@ -13,7 +13,7 @@ Workers::Workers(std::size_t threads) {
       threads_.emplace_back([this] { serve(); });
     }
   } catch (const std::exception&) {
-    // No room for so many: those that are there do it all.
+    // The system refuses more threads: those that have started do all the work.
   }
 }
 

@@ -32,10 +32,10 @@ constexpr const char* kAccess =
     "pattern write gs/%u/up\n"
     "pattern read gs/%u/down\n";
 
-// Order is kept among all messages of an outlet only while none waits for the acknowledgement of
-// others: as many may be under way as MQTT can number. Nothing is dropped for a bench that reads
-// slowly. Sessions are written down every second or two, so that the next broker keeps what outlets
-// say before the bench is back.
+// The broker keeps the order of an outlet's messages only while none waits for a free in-flight
+// slot, so the in-flight limit is MQTT's largest. The queue is unlimited: a slow bench loses
+// nothing. Sessions are saved every second or two, so that a restarted broker keeps the outlets'
+// messages until the bench reconnects.
 constexpr const char* kLimits =
     "persistence true\n"
     "autosave_interval 1\n"
@@ -53,7 +53,7 @@ constexpr const char* kLimits =
 
 constexpr const char* kServerFile = "/server.pem";
 constexpr const char* kServerKeyFile = "/server.key";
-constexpr const char* kDays = "14";  // the longest run, with room for a clock that is off
+constexpr const char* kDays = "14";  // the longest run, with a margin for a wrong clock
 
 std::vector<std::string> request(const std::string& subject, const std::string& key,
                                  const std::string& certificate) {
@@ -62,7 +62,7 @@ std::vector<std::string> request(const std::string& subject, const std::string& 
           "-out",    certificate};
 }
 
-// Runs it to its end; an error says what it printed where it did not make `product`.
+// Runs the program to its end. If it did not create `product`, the error quotes its output.
 Status run_to_make(const std::string& product, const std::vector<std::string>& words,
                    const std::string& log) {
   constexpr auto kPatience = std::chrono::seconds(20);  // a key takes milliseconds
@@ -78,7 +78,7 @@ Status run_to_make(const std::string& product, const std::vector<std::string>& w
   std::error_code none;
   if (program.running() || !std::filesystem::exists(product, none) ||
       std::filesystem::file_size(product, none) == 0) {
-    return Error{words.front() + " did not make " + product + ": " + text_of(log)};
+    return Error{words.front() + " did not create " + product + ": " + text_of(log)};
   }
   return Done{};
 }
@@ -86,7 +86,7 @@ Status run_to_make(const std::string& product, const std::vector<std::string>& w
 Status write_private(const std::string& file, const std::string& text) {
   errno = 0;
   std::ofstream out(file, std::ios::binary);
-  // Before anything is in it.
+  // The mode is set before the text is written.
   if (out && ::chmod(file.c_str(), 0600) == 0 && out << text && out.flush()) {
     return Done{};
   }
@@ -126,7 +126,7 @@ Status make_certificates(const std::string& folder) {
                 "-addext", "basicConstraints=critical,CA:FALSE"});
   done = run_to_make(folder + kServerFile, words, log);
   std::error_code none;
-  std::filesystem::remove(ca_key, none);  // nobody signs another one
+  std::filesystem::remove(ca_key, none);  // no further certificate can be signed
   return done;
 }
 
@@ -135,7 +135,7 @@ Status write_logins(const std::string& folder, const std::vector<Login>& logins)
   for (const Login& login : logins) {
     lines += login.user + ':' + login.password + '\n';
   }
-  // Hashed in place: on a command line, others could read them.
+  // Hashed in place: other users could read passwords on a command line.
   const std::string file = folder + "/passwords";
   const std::string log = folder + "/mosquitto_passwd.log";
   Status done = write_private(file, lines);
@@ -153,7 +153,7 @@ Status write_logins(const std::string& folder, const std::vector<Login>& logins)
 
 Status write_configuration(const std::string& folder, std::uint16_t port) {
   std::string text = kLimits;
-  // Started by root, it would become a user who cannot read this folder.
+  // Started as root, Mosquitto would switch to a user that cannot read this folder.
   if (geteuid() == 0) {
     text += "user root\n";
   }

@@ -1,4 +1,4 @@
-// What Mosquitto reads: its certificate, configuration, passwords and access list.
+// Mosquitto's files: certificate, configuration, passwords and access list.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@ namespace gsbench::emulation {
 
 constexpr const char* kBenchUser = "bench";
 
-// The files `ca.pem`, `server.pem` and `server.key` in `folder`, with the openssl program: of a
-// certificate authority that signs one certificate, for 127.0.0.1, and is then forgotten.
+// Writes `ca.pem`, `server.pem` and `server.key` to `folder` with the openssl program. The CA signs
+// one certificate, for 127.0.0.1; then its key is deleted.
 constexpr const char* kCaFile = "/ca.pem";
 drivers::Status make_certificates(const std::string& folder);
 
 std::string new_password();
 
-// Files `passwords` and `access` in `folder`.
+// Writes `passwords` and `access` to `folder`.
 drivers::Status write_logins(const std::string& folder, const std::vector<Login>& logins);
 
-// File `mosquitto.conf` in `folder`.
+// Writes `mosquitto.conf` to `folder`.
 drivers::Status write_configuration(const std::string& folder, std::uint16_t port);
 
 std::string text_of(const std::string& file);

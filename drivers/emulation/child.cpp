@@ -18,8 +18,8 @@ using drivers::Result;
 
 namespace {
 
-// In the child, between fork and exec: only what is safe there. What fails is told through
-// `report`.
+// Runs in the child, between fork and exec: async-signal-safe calls only. Writes errno to `report`
+// if a call fails.
 [[noreturn]] void become(char* const* argv, const char* output, pid_t parent, int report) {
   const auto fail = [&] {
     const int error = errno;
@@ -31,7 +31,7 @@ namespace {
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent) {
     fail();
   }
-  // An interrupt at the terminal is the bench's to act on: it brings the run to its safe end first.
+  // An own process group: Ctrl-C at the terminal reaches the bench only, which ends the run safely.
   setpgid(0, 0);
   sigset_t none;
   sigemptyset(&none);
@@ -70,7 +70,7 @@ Result<Child> Child::start(const Command& command) {
   int error = pid < 0 ? errno : 0;
   close(report[1]);
   if (pid > 0 && read(report[0], &error, sizeof error) <= 0) {
-    error = 0;  // the pipe closed with the exec
+    error = 0;  // exec succeeded and closed the pipe
   }
   close(report[0]);
   if (error != 0) {

@@ -73,11 +73,11 @@ Result<Child> Hardware::start_process(std::size_t outlet) const {
   command.output = folder_->path() + "/" + it.id + ".log";
   const gs::boards::Board* board = gs::boards::find(it.board.c_str());
   if (board == nullptr || !gs::boards::is_emulated(*board)) {
-    return Error{"outlet " + it.id + ": no board \"" + it.board + "\" can be emulated"};
+    return Error{"outlet " + it.id + ": the board \"" + it.board + "\" cannot be emulated"};
   }
   if (it.connection == Connection::kMqtt && !board->has_radio) {
     return Error{"outlet " + it.id + ": the board " + it.board +
-                 " has no radio: its link is serial"};
+                 " has no radio; use a serial link"};
   }
   if (!gs::boards::is_process(*board)) {
     command.words = {"qemu-system-arm",
@@ -109,7 +109,7 @@ Result<Child> Hardware::start_process(std::size_t outlet) const {
     command.words.insert(command.words.end(), {"--tcp", "127.0.0.1:" + cable_port});
     return Child::start(command);
   }
-  // Not on the command line, where everybody can read it.
+  // Not on the command line, where other users can read it.
   const std::string password_file = folder_->path() + "/" + it.id + ".password";
   std::ofstream(password_file) << broker_->outlet(it.id).password << '\n';
   command.words.insert(command.words.end(),

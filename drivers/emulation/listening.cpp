@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kWaiting = 4;  // connections that may wait to be accepted
 
-// On 127.0.0.1, at a port that a socket of ours may share that does not listen. `port`: 0 for one
-// that is free, returned there.
+// Bound to 127.0.0.1 with SO_REUSEADDR, so that a reserving socket, which does not listen, can
+// share the port. `port`: 0 for a free one; set to the port bound.
 Result<Descriptor> bound_socket(std::uint16_t& port) {
   Descriptor made(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   sockaddr_in address{};

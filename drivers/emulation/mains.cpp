@@ -20,7 +20,7 @@ using drivers::Status;
 using models::ContactEdge;
 using models::kCounts_per_pu;
 
-// All outlets on the mains, and how far it has got.
+// Shared by source and relay sense: all outlets, and the tick played up to.
 struct MainsState {
   struct Outlet {
     Outlet(SharedMemoryFile file, double ppm) : terminal(std::move(file)), crystal_ppm(ppm) {}
@@ -28,10 +28,10 @@ struct MainsState {
     SharedMemoryFile terminal;
     double crystal_ppm;
     std::unique_ptr<models::CrystalAdc> adc;  // from power-up on
-    std::uint32_t first_sample = 0;           // the terminal's count when the source began
+    std::uint32_t first_sample = 0;           // the terminal's sample count at tick 0
     std::uint32_t edges_read = 0;
     std::uint64_t coil_changes = 0;
-    std::vector<ContactEdge> contact;  // edges that the sense has still to tell, ascending
+    std::vector<ContactEdge> contact;  // edges that poll() has not returned yet, ascending
     bool given_up = false;
     std::vector<std::int16_t> samples;
   };
@@ -44,8 +44,8 @@ struct MainsState {
 
 namespace {
 
-// Not faster than an outlet takes them: so far it may be behind. One that takes none for so long
-// has ended, and the others do not wait for it.
+// Without real time, the source waits for an outlet that is more than kMostBehind samples behind.
+// If the outlet is still behind after kGivenUpAfter, it has ended, and the source stops waiting.
 constexpr std::uint32_t kMostBehind = 4096;
 constexpr double kPi = 3.14159265358979323846;
 constexpr auto kGivenUpAfter = std::chrono::seconds(2);
@@ -84,7 +84,7 @@ class MainsSource final : public source::Source {
       outlet.adc = std::make_unique<models::CrystalAdc>(outlet.crystal_ppm, kCounts_per_pu,
                                                         noise.rms_pu, stream);
       outlet.given_up = false;
-      // Each outlet's count is another.
+      // A different sample count for each outlet.
       if (Status fed = feed_nominal(outlet, 800 + 137 * i); !fed.ok()) {
         return fed;
       }
@@ -123,7 +123,7 @@ class MainsSource final : public source::Source {
   Status switch_off() noexcept override { return Done{}; }
 
  private:
-  // Nominal voltage of so many samples, in phase with the stimulus's first two.
+  // `count` samples of nominal voltage, in phase with the stimulus's first two samples.
   Status feed_nominal(Outlet& outlet, std::size_t count) {
     const Result<const float*> first = samples(0, 2);
     if (!first.ok()) {
@@ -162,8 +162,8 @@ class TerminalRelaySense final : public relay::RelaySense {
  public:
   explicit TerminalRelaySense(std::shared_ptr<MainsState> state) : state_(std::move(state)) {}
 
-  // It counts the source's ticks. Half a tick for the edge itself, half for the outlet's sample
-  // that its coil changed with.
+  // Counts are the source's ticks. Uncertainty: half a tick for the edge, half for the outlet's
+  // sample at which the coil changed.
   relay::Alignment alignment() const override { return {0.0, 1.0, 1.0}; }
 
   Status poll(std::vector<relay::Edge>& edges) override {
@@ -188,7 +188,7 @@ class TerminalRelaySense final : public relay::RelaySense {
          ++outlet.edges_read) {
       const gs::shared_memory_io::PinEdge& pin =
           terminals.edge[outlet.edges_read % gs::shared_memory_io::kPinEdges];
-      // Before the source began there is no tick to tell it by.
+      // Edges before tick 0 have no tick.
       const auto since = static_cast<std::int32_t>(pin.sample - outlet.first_sample);
       if (since < 0 || outlet.adc == nullptr) {
         continue;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMostBehind_ms = 100;
 
-// A reader that is behind for so long loses bytes, as on a line without flow control.
+// A reader that takes nothing for kMostBehind_ms loses bytes, as on a line without flow control.
 void write_all(int to, const std::vector<std::uint8_t>& bytes) {
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t put = ::send(to, bytes.data() + done, bytes.size() - done, MSG_NOSIGNAL);
@@ -70,7 +70,7 @@ void NullModem::unplug() {
 
 void NullModem::run() {
   while (true) {
-    // Each end: the bytes that came, or who connects.
+    // Each end waits for bytes if connected, else for a connection.
     const auto waited_of = [](const End& end) {
       return pollfd{end.connection.is_open() ? end.connection.get() : end.port.descriptor(), POLLIN,
                     0};
@@ -108,7 +108,7 @@ void NullModem::pass(End& from, End& to, Way way) {
       spoiler(bytes);
     }
   }
-  // Whoever has connected is there, also where poll() has not said so yet.
+  // The other end may have connected since poll() returned.
   if (!to.connection.is_open()) {
     to.connection = to.port.accept();
   }

@@ -20,15 +20,15 @@ using drivers::Status;
 
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(10);  // it takes milliseconds to start
+constexpr auto kPatience = std::chrono::seconds(10);  // start-up takes milliseconds
 
-// Debian keeps it where only root's PATH looks.
+// Debian installs it in a folder that only root's PATH contains.
 std::string mosquitto_program() {
   const char* const kSystem = "/usr/sbin/mosquitto";
   return access(kSystem, X_OK) == 0 ? kSystem : "mosquitto";
 }
 
-// Each outlet is one descriptor; the usual limit of 1024 is too few for a thousand of them.
+// One descriptor for each outlet: the usual limit of 1024 is too low for a thousand outlets.
 void allow_many_connections(pid_t pid) {
   rlimit files{};
   if (prlimit(pid, RLIMIT_NOFILE, nullptr, &files) == 0) {
@@ -49,9 +49,9 @@ Result<Child> launch(const std::string& folder, std::uint16_t port) {
   const auto until = std::chrono::steady_clock::now() + kPatience;
   while (std::chrono::steady_clock::now() < until) {
     const bool accepts = listens->open().ok();
-    // What accepts is another's where ours has ended.
+    // If our broker has ended, another process accepts on this port.
     if (!child.running()) {
-      return Error{"mosquitto ended at its start on port " + std::to_string(port) + ": " +
+      return Error{"mosquitto ended during start-up on port " + std::to_string(port) + ": " +
                    text_of(log)};
     }
     if (accepts) {
@@ -70,8 +70,9 @@ Status check_ids(const std::vector<std::string>& ids) {
              c == '-' || c == '_' || c == '.';
     });
     if (!readable || id == kBenchUser) {
-      return Error{"no outlet can log in as \"" + id +
-                   "\": letters, digits, '-', '_' and '.' make an id, and \"bench\" is the bench"};
+      return Error{
+          "an outlet cannot log in as \"" + id +
+          "\": an id has letters, digits, '-', '_' and '.' only, and \"bench\" is reserved"};
     }
   }
   return Done{};
@@ -113,7 +114,7 @@ Result<PrivateBroker> PrivateBroker::start(const Options& options) {
     return Error{done.error()};
   }
 
-  // Kept until the broker listens on it, so that nobody else takes it before.
+  // Reserved until the broker listens on it.
   const auto reserved = LoopbackPort::reserve();
   if (!reserved.ok()) {
     return Error{reserved.error()};

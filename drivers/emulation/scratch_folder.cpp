@@ -19,17 +19,17 @@ using drivers::Result;
 namespace {
 
 constexpr const char* kPrefix = "gsbench-emulated-";
-// Until it is locked, a folder has a name that nobody cleans up.
+// The name until the folder is locked: remove_ownerless() ignores it.
 constexpr const char* kNewPrefix = "gsbench-new-emulated-";
 
-// In memory where that is possible: samples pass through files there.
+// In memory if possible: samples pass through files there.
 fs::path place() {
   std::error_code error;
   return fs::is_directory("/dev/shm", error) ? fs::path("/dev/shm")
                                              : fs::temp_directory_path(error);
 }
 
-// Open and locked; closed where another process has the lock.
+// Open and locked; closed if another process holds the lock.
 Descriptor locked(const std::string& folder) {
   Descriptor lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
   if (lock.is_open() && flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
@@ -66,7 +66,7 @@ Result<std::unique_ptr<ScratchFolder>> ScratchFolder::create() {
     folder->path_ = (place() / (kPrefix + name)).string();
   }
   if (!folder->lock_.is_open() || ::rename(made.c_str(), folder->path_.c_str()) != 0) {
-    return Error{std::string("emulated outlets: no folder for their files: ") +
+    return Error{std::string("emulated outlets: cannot create a folder for their files: ") +
                  std::strerror(errno)};
   }
   return folder;

@@ -1,5 +1,5 @@
-// The folder of an emulated station's files, locked by its owner for as long as that lives: what a
-// bench that was killed has left behind is distinguished by that, and removed by the next.
+// The folder of an emulated station's files. Its owner holds a lock on it. A folder without a lock
+// is left over from a killed bench; the next create() removes it.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ class ScratchFolder {
   static drivers::Result<std::unique_ptr<ScratchFolder>> create();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder();  // with all that is in it
+  ~ScratchFolder();  // removes the folder and its files
 
   const std::string& path() const { return path_; }
 

@@ -22,7 +22,7 @@ using gs::shared_memory_io::SharedMemory;
 
 namespace {
 
-// The emulated board's whole external memory; the terminals are at its beginning.
+// The emulated board's external memory; the terminals are at its start.
 constexpr std::size_t kFileBytes = std::size_t{16} << 20;
 static_assert(sizeof(SharedMemory) <= kFileBytes);
 
@@ -76,7 +76,7 @@ void SharedMemoryFile::write(const std::int16_t* samples, std::size_t count) {
 }
 
 void SharedMemoryFile::ring() {
-  // An outlet that restarted connects again.
+  // A restarted outlet connects again.
   Descriptor newer(accept4(listening_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
   if (newer.is_open()) {
     connection_ = std::move(newer);

@@ -1,6 +1,6 @@
-// The terminals of one emulated outlet (shared_memory_io/shared_memory.hpp) in a file that its
-// emulator maps as memory, and the doorbell that wakes it: a byte on a Unix socket for each block
-// of samples.
+// The terminals of one emulated outlet (shared_memory_io/shared_memory.hpp), in a file that its
+// emulator maps as memory. The doorbell is a Unix socket: one byte for each block of samples wakes
+// the outlet.
 #pragma once
 
 #include <shared_memory_io/shared_memory.hpp>
@@ -24,7 +24,7 @@ struct SharedMemorySettings {
 
 class SharedMemoryFile {
  public:
-  // Makes both; what the outlet keeps in flash is as new.
+  // Creates the file, with erased flash, and the doorbell.
   static drivers::Result<SharedMemoryFile> create(const std::string& folder,
                                                   const SharedMemorySettings& settings);
   SharedMemoryFile(SharedMemoryFile&& other) noexcept = default;
@@ -37,7 +37,7 @@ class SharedMemoryFile {
 
   void write(const std::int16_t* samples, std::size_t count);
   void ring();
-  // Samples that the outlet has still to take.
+  // Samples that the outlet has not read yet.
   std::uint32_t behind() const;
 
  private:

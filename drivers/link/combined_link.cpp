@@ -29,7 +29,7 @@ Status CombinedLink::poll(Happenings& happenings) {
     if (Status polled = link->poll(happenings); !polled.ok()) {
       return polled;
     }
-    // One that says the same id on another link later does not take its place.
+    // A later outlet with the same id on another link does not replace the first.
     for (std::size_t i = joined; i < happenings.joined.size(); ++i) {
       link_of_.emplace(happenings.joined[i].id, link.get());
     }

@@ -9,7 +9,8 @@ using gs::wire::Sequence;
 using gs::wire::UplinkKind;
 
 std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, std::size_t size) {
-  // What a cable repeats or swaps lies closer together: a second of measurements.
+  // On a cable, repeated or swapped messages are at most so many numbers (1 s of measurements)
+  // back.
   constexpr std::uint32_t kMostRepeated = 64;
   gs::wire::Uplink message;
   std::uint32_t sequence = 0;
@@ -19,16 +20,16 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
                                           : "sent a message that cannot be read");
     return std::nullopt;
   }
-  // An outlet numbers from 0 at start-up, and what it says first is its hello.
+  // At start-up an outlet numbers from 0, and its first message is its hello.
   const bool restarted = message.kind == UplinkKind::kHello && sequence == 0;
   if (restarted) {
-    // A broker may deliver one twice: the very same, and nothing in between.
+    // A broker may deliver a hello twice: the same bytes, with no message in between.
     std::vector<std::uint8_t> hello(bytes, bytes + size);
     if (hello == newest_) {
       return std::nullopt;
     }
     newest_ = std::move(hello);
-    if (said_hello_ && (last_sample_ > message.sample || message.sample == 0)) {
+    if (hello_received_ && (last_sample_ > message.sample || message.sample == 0)) {
       note_restart();
     }
     received_.restart();
@@ -55,7 +56,7 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
   if (goes_back) {
     note_restart();
   }
-  said_hello_ = said_hello_ || message.kind == UplinkKind::kHello;
+  hello_received_ = hello_received_ || message.kind == UplinkKind::kHello;
   last_sample_ = message.sample;
   return message;
 }

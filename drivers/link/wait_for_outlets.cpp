@@ -7,7 +7,7 @@ namespace gsbench::link {
 namespace {
 
 constexpr auto kBetweenLooks = std::chrono::milliseconds(2);
-// Two outlets with one id answer within a round trip or two of each other.
+// Two outlets with the same id answer within one or two round trips of each other.
 constexpr auto kTimeForATwin = std::chrono::milliseconds(200);
 
 class RollCall {
@@ -42,7 +42,7 @@ class RollCall {
     });
   }
 
-  // Ends it. `missing`: what the link knows of those that did not join.
+  // Call once, at the end. `missing`: from Link::missing().
   std::vector<OutletPresence> result(const std::vector<Fault>& missing, bool others) {
     const std::vector<OutletPresence> everyone = joined_;
     faults_.insert(faults_.end(), missing.begin(), missing.end());
@@ -78,7 +78,7 @@ class RollCall {
       return outlet;
     }
     const auto fault = std::find_if(faults_.begin(), faults_.end(),
-                                    [&](const Fault& told) { return told.id == name; });
+                                    [&](const Fault& reported) { return reported.id == name; });
     return {name, "", {}, fault != faults_.end() ? fault->what : "does not answer"};
   }
 
@@ -89,7 +89,7 @@ class RollCall {
         return !outlet.where.empty() && other.id == outlet.id && other.where != outlet.where;
       });
       if (twin != everyone.end()) {
-        outlet.fault = "is there twice: the one on " + twin->where + " says that it is it";
+        outlet.fault = "has the same id as the outlet on " + twin->where;
         outlet.id += " on " + outlet.where;
       }
     }

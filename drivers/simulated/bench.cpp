@@ -13,7 +13,7 @@ using drivers::Status;
 
 namespace {
 
-// What the three drivers share: the outlets, and how far the mains has got.
+// Shared by the three drivers: the outlets, and the tick played up to.
 struct Shared {
   explicit Shared(const BenchParameters& p) : parameters(p) {
     for (std::uint32_t index = 0; index < p.outlet_ids.size(); ++index) {
@@ -55,7 +55,7 @@ class SimulatedSource final : public source::Source {
     for (Outlet& outlet : shared_->outlets) {
       if (!outlet.start(stimulus().sample_rate_hz(), stimulus().nominal_hz(), noise.rms_pu,
                         noise.seed)) {
-        return Error{"simulated source: the firmware serves no " +
+        return Error{"simulated source: the firmware does not support a sample rate of " +
                      std::to_string(stimulus().sample_rate_hz()) + " Hz"};
       }
     }
@@ -102,7 +102,7 @@ class SimulatedLink final : public link::Link {
     const std::vector<std::string>& ids = shared_->parameters.outlet_ids;
     const auto found = std::find(ids.begin(), ids.end(), id);
     if (found == ids.end()) {
-      return Error{"simulated link: no outlet " + id};
+      return Error{"the simulated link has no outlet " + id};
     }
     shared_->outlets[static_cast<std::size_t>(found - ids.begin())].send(shared_->tick, message);
     return Done{};
@@ -136,7 +136,7 @@ class SimulatedRelaySense final : public relay::RelaySense {
  public:
   explicit SimulatedRelaySense(std::shared_ptr<Shared> shared) : shared_(std::move(shared)) {}
 
-  // It counts the source's ticks.
+  // Counts are the source's ticks.
   relay::Alignment alignment() const override { return {0.0, 1.0, 0.5}; }
 
   Status poll(std::vector<relay::Edge>& edges) override {

@@ -50,7 +50,7 @@ void Outlet::feed(std::int64_t first_tick, const float* voltage_pu, std::size_t 
 }
 
 void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, std::size_t count) {
-  // Small enough for the cache, large enough that noise comes in whole batches.
+  // Small enough for the cache, and a multiple of the noise batches.
   constexpr std::size_t kChunk = 2048;
   const models::Stream stream{seed_, models::kSourceNoise, index_};
   volts_.resize(kChunk);
@@ -69,7 +69,7 @@ void Outlet::feed_undisturbed(std::int64_t first_tick, const float* voltage_pu, 
   }
 }
 
-// The coil changed where the firmware says so.
+// The coil changes at the sample that the firmware reports.
 void Outlet::follow_relay() {
   for (; relay_changes_read_ < collector_.messages.size(); ++relay_changes_read_) {
     const gs::wire::Uplink& message = collector_.messages[relay_changes_read_];
@@ -79,8 +79,8 @@ void Outlet::follow_relay() {
   }
 }
 
-// The contact follows as the relay's mechanics have it. Where the coil turns back before the
-// contact has moved, the contact never moves.
+// The contact follows by the relay model. If the coil turns back before the contact has moved, the
+// contact does not move.
 void Outlet::turn_coil(std::int64_t coil_tick, bool closes) {
   const std::uint64_t change = coil_changes_++;
   if (coil_tick < contact_moves_tick_) {

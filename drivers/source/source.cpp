@@ -22,7 +22,7 @@ Status render(const Limits& limits, const Stimulus& stimulus, std::int64_t first
   stimulus.render(first_tick, out.size(), out.data());
   const auto full_scale = static_cast<float>(limits.full_scale_pu);
   const auto beyond = std::find_if(out.begin(), out.end(), [full_scale](float pu) {
-    return !(std::fabs(pu) <= full_scale);  // NaN is
+    return !(std::fabs(pu) <= full_scale);  // true for NaN
   });
   if (beyond != out.end()) {
     return Error{fmt::format("{}: {} pu at tick {} is beyond its full scale of {} pu", limits.name,
@@ -40,7 +40,8 @@ Status one_of(const Limits& limits, const char* what, Value value, const std::ve
   for (const Value one : ones) {
     list += fmt::format("{}{}", list.empty() ? "" : ", ", one);
   }
-  return Error{fmt::format("{}: a {} of {} Hz; it takes {} Hz", limits.name, what, value, list)};
+  return Error{fmt::format("{}: a {} of {} Hz is not supported; supported: {} Hz", limits.name,
+                           what, value, list)};
 }
 
 Status within(const Limits& limits, const Stimulus& stimulus) {
@@ -55,8 +56,10 @@ Status within(const Limits& limits, const Stimulus& stimulus) {
   }
   const double duration_s = static_cast<double>(ticks) / static_cast<double>(rate_hz);
   if (ticks < 2 || duration_s > limits.longest_s) {
-    return Error{fmt::format("{}: a stimulus of {} ticks, {} s; it plays from 2 ticks to {} s",
-                             limits.name, ticks, duration_s, limits.longest_s)};
+    return Error{
+        fmt::format("{}: cannot play a stimulus of {} ticks ({} s): at least 2 ticks and "
+                    "at most {} s are possible",
+                    limits.name, ticks, duration_s, limits.longest_s)};
   }
   return Done{};
 }
@@ -138,7 +141,7 @@ Result<std::int64_t> Source::advance(std::int64_t until_tick) {
   }
   const std::int64_t end_tick = stimulus_->total_ticks();
   if (until_tick <= tick_ || until_tick > end_tick) {
-    return Error{fmt::format("{}: asked to advance to tick {}; it stands at {} of {}", limits_.name,
+    return Error{fmt::format("{}: cannot advance to tick {}: it is at tick {} of {}", limits_.name,
                              until_tick, tick_, end_tick)};
   }
   Result<std::int64_t> played = play_until(until_tick);
@@ -148,7 +151,7 @@ Result<std::int64_t> Source::advance(std::int64_t until_tick) {
   }
   if (played.value() < until_tick || played.value() > end_tick) {
     state_ = State::kFailed;
-    return Error{fmt::format("{}: asked to advance to tick {} of {}, it stands at {}", limits_.name,
+    return Error{fmt::format("{}: was to advance to tick {} of {} but is at tick {}", limits_.name,
                              until_tick, end_tick, played.value())};
   }
   tick_ = played.value();

@@ -1,5 +1,5 @@
-// The kinds of transport: a serial port through libserialport, raw, 8N1, for one program at a time;
-// and a TCP connection, to an emulated outlet or a device server.
+// The two transports: a serial port through libserialport (raw, 8N1, locked against other
+// programs), and a TCP connection to an emulated outlet or a serial device server.
 #pragma once
 
 #include <transport/transport.hpp>
@@ -9,7 +9,7 @@ namespace gsbench::transport {
 std::unique_ptr<Transport> make_serial(const std::string& port, int baud);
 
 bool is_tcp(const std::string& port);
-// An error: no "tcp://host:port".
+// An error if `port` is not of the form tcp://host:port.
 drivers::Status check_address(const std::string& port);
 std::unique_ptr<Transport> make_tcp(const std::string& port);
 

@@ -21,7 +21,7 @@ class Serial final : public Transport {
 
   Status open() override {
     close();
-    // libserialport knows devices by their own names only; those under /dev/serial/by-id are links.
+    // libserialport does not accept symbolic links, such as those in /dev/serial/by-id.
     std::error_code none;
     const std::filesystem::path device = std::filesystem::canonical(port(), none);
     if (sp_get_port_by_name(none ? port().c_str() : device.c_str(), &port_) != SP_OK) {
@@ -54,7 +54,7 @@ class Serial final : public Transport {
 
  private:
   Status read_some(std::vector<std::uint8_t>& bytes) override {
-    // The far end's death reads as "nothing there"; only asking for the number reports it.
+    // If the far end is gone, a read returns 0 bytes; only this call reports the error.
     const sp_return waiting = sp_input_waiting(port_);
     if (waiting < 0) {
       return last_error("cannot be read");
@@ -82,7 +82,7 @@ class Serial final : public Transport {
     if (sp_get_port_handle(port_, &descriptor_) != SP_OK) {
       return last_error("has no handle");
     }
-    // Before anything is changed: it may be another's.
+    // Locked before any setting is changed: another program may use the port.
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       return failure("cannot be opened", "another program has it open");
     }
@@ -96,9 +96,9 @@ class Serial final : public Transport {
   }
 
   Error last_error(const std::string& doing) const {
-    char* said = sp_last_error_message();
-    const std::string why = said != nullptr && *said != '\0' ? said : "no such port";
-    sp_free_error_message(said);
+    char* text = sp_last_error_message();
+    const std::string why = text != nullptr && *text != '\0' ? text : "no such port";
+    sp_free_error_message(text);
     return failure(doing, why);
   }
 

@@ -37,7 +37,7 @@ Address address_of(const std::string& port) {
                                     : Address{rest.substr(0, colon), rest.substr(colon + 1)};
 }
 
-// 0, or what went wrong.
+// Returns 0 or an errno value.
 int connect_within(int socket, const addrinfo& to) {
   if (connect(socket, to.ai_addr, to.ai_addrlen) == 0) {
     return 0;
@@ -67,7 +67,7 @@ Status check_address(const std::string& port) {
                                   [](char c) { return c >= '0' && c <= '9'; }) &&
                       std::stoul(address.service) >= 1 && std::stoul(address.service) <= 65535;
   if (address.host.empty() || !number) {
-    return Error{port + ": is no tcp://host:port"};
+    return Error{port + ": is not of the form tcp://host:port"};
   }
   return Done{};
 }
@@ -92,7 +92,7 @@ class Tcp final : public Transport {
       return failure("cannot be found", gai_strerror(error));
     }
     const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
-    // A name may have an address of each family, and the host listen on one of them.
+    // A name may have IPv4 and IPv6 addresses while the host listens on one of them.
     int error = EHOSTUNREACH;
     for (const addrinfo* to = found; to != nullptr && error != 0; to = to->ai_next) {
       socket_ = Descriptor(
@@ -103,7 +103,7 @@ class Tcp final : public Transport {
       close();
       return failure("cannot be connected to", std::strerror(error));
     }
-    // Small messages leave when they are sent, not when the one before has been acknowledged.
+    // Small messages leave at once, not when the one before has been acknowledged.
     const int yes = 1;
     setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
     return Done{};

@@ -16,7 +16,7 @@ using drivers::Status;
 
 Status Transport::send(const std::vector<std::uint8_t>& bytes) {
   if (!is_open()) {
-    return failure("cannot be sent to", "is not open");
+    return failure("cannot be sent to", "not open");
   }
   constexpr int kWrite_ms = 100;
   for (std::size_t sent = 0; sent < bytes.size();) {
@@ -26,7 +26,7 @@ Status Transport::send(const std::vector<std::uint8_t>& bytes) {
     }
     sent += taken.value();
     if (sent < bytes.size() && !drivers::wait_for(descriptor(), POLLOUT, kWrite_ms)) {
-      return failure("cannot be sent to", "takes nothing");
+      return failure("cannot be sent to", "accepts no data");
     }
   }
   return Done{};
@@ -34,7 +34,7 @@ Status Transport::send(const std::vector<std::uint8_t>& bytes) {
 
 Status Transport::receive(std::vector<std::uint8_t>& bytes, Clock::time_point until) {
   if (!is_open()) {
-    return failure("cannot be read", "is not open");
+    return failure("cannot be read", "not open");
   }
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
   const short ready = drivers::wait_for(descriptor(), POLLIN,
@@ -44,9 +44,9 @@ Status Transport::receive(std::vector<std::uint8_t>& bytes, Clock::time_point un
   }
   const std::size_t before = bytes.size();
   Status read = read_some(bytes);
-  // Ready and nothing there is a hang-up, which libserialport reports as silence.
+  // Ready without bytes is a hang-up, which libserialport reports as silence.
   if (read.ok() && bytes.size() == before && (ready & (POLLHUP | POLLERR)) != 0) {
-    return failure("cannot be read", "has hung up");
+    return failure("cannot be read", "the far end has hung up");
   }
   return read;
 }

@@ -1,9 +1,10 @@
-// Many outlets on one broker, each on a connection of its own and in one thread, to load it:
+// A load generator: many outlets on one broker, each on its own connection, all in one thread.
 //   many_outlets URL CA-FILE LOGINS MEASUREMENTS PER-SECOND
-// LOGINS has a line id:password for each, CA-FILE is '-' without TLS. Prints "connected" once all
-// are. An outlet says its measurements, that many at that rate (0: as fast as can be), from its
-// first ping on; all else is answered as by any outlet. Nodes without samples: a thousand times the
-// firmware's arithmetic would be what is measured.
+// LOGINS has a line id:password for each outlet; CA-FILE is '-' without TLS. Prints "connected"
+// once all outlets are connected. From its first ping on, each outlet sends MEASUREMENTS
+// measurements at PER-SECOND (0: as fast as possible); other messages are answered as usual.
+// Outlets process no samples: the firmware's arithmetic for a thousand outlets would dominate the
+// load.
 #include <mqtt_carrier.hpp>
 #include <sys/epoll.h>
 #include <sys/resource.h>
@@ -26,7 +27,7 @@ using std::chrono::steady_clock;
 using Duration = steady_clock::duration;
 
 constexpr std::size_t kConnectingAtOnce = 32;
-constexpr int kBurst = 50;  // measurements of one outlet in a row, where there is no rate
+constexpr int kBurst = 50;  // most measurements of one outlet in a row
 
 struct Load {
   std::uint64_t measurements = 0;
@@ -68,13 +69,13 @@ class Outlet {
     if (started_ == steady_clock::time_point()) {
       return;
     }
-    for (int i = 0; i < kBurst && said_ < load_.measurements; ++i) {
-      if (now < started_ + load_.between * static_cast<Duration::rep>(said_)) {
+    for (int i = 0; i < kBurst && sent_ < load_.measurements; ++i) {
+      if (now < started_ + load_.between * static_cast<Duration::rep>(sent_)) {
         return;
       }
       gs::wire::Uplink measurement;
       measurement.kind = gs::wire::UplinkKind::kMeasurement;
-      measurement.sample = 128 * ++said_;
+      measurement.sample = 128 * ++sent_;
       measurement.measurement = {49.98F, -0.01F, 1.0F, gs::outlet::Validity::kValid};
       endpoint_.put(measurement);
     }
@@ -88,7 +89,7 @@ class Outlet {
   gs::app::Application app_;
   gs::app::MessageEndpoint endpoint_;
   steady_clock::time_point started_;
-  std::uint64_t said_ = 0;
+  std::uint64_t sent_ = 0;
   std::vector<std::uint8_t> message_;
 };
 
@@ -155,7 +156,7 @@ int main(int count, char** words) {
   std::printf("connected\n");
   std::fflush(stdout);
 
-  // Whoever started this ends it.
+  // Runs until it is killed.
   std::vector<epoll_event> events(outlets.size());
   for (auto upkeep = steady_clock::now();;) {
     const int some = epoll_wait(ready, events.data(), static_cast<int>(events.size()), 1);

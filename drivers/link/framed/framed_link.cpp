@@ -30,7 +30,7 @@ std::vector<std::uint8_t> framed(const std::vector<std::uint8_t>& message) {
   return bytes;
 }
 
-// What is known of one port and the outlet behind it.
+// The state of one port and the outlet behind it.
 struct Line {
   explicit Line(std::unique_ptr<transport::Transport> opened) : port(std::move(opened)) {}
 
@@ -39,8 +39,8 @@ struct Line {
   OutletStream stream{Delivery::kByCable};
   std::optional<gs::wire::Hello> hello;  // of the outlet that joined on it
   bool unplugged = false;
-  bool left = false;      // with its port; it joins again by its next hello
-  bool at_fault = false;  // excluded from the run
+  bool left = false;    // its next hello lets it join again
+  bool faulty = false;  // excluded from the run
 };
 
 }  // namespace
@@ -48,7 +48,7 @@ struct Line {
 struct FramedLink::Impl {
   explicit Impl(FramedOptions given) : options(std::move(given)) {}
 
-  // All of these with `mutex` held.
+  // Call these with `mutex` held.
   Status open_ports();
   void ask();
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
@@ -57,17 +57,17 @@ struct FramedLink::Impl {
   Line* find(const std::string& id);
   bool send(Line& line, const gs::wire::Downlink& message);
   void lose(Line& line);
-  void find_again(std::unique_lock<std::mutex>& lock);
+  void reopen_ports(std::unique_lock<std::mutex>& lock);
 
   void listen();
 
   FramedOptions options;
   std::mutex mutex;
   std::vector<std::unique_ptr<Line>> lines;
-  std::set<std::string> known;  // ids of all that ever joined
-  Happenings happenings;        // but for most faults, which their streams keep
+  std::set<std::string> known;  // ids of all outlets that have ever joined
+  Happenings happenings;        // without most faults: the streams keep those
   bool ending = false;
-  drivers::Descriptor wake;  // an eventfd: there is something new to wait for
+  drivers::Descriptor wake;  // an eventfd that ends the thread's wait
   std::thread listener;
 };
 
@@ -83,7 +83,7 @@ Status FramedLink::Impl::open_ports() {
   return Done{};
 }
 
-// More than once: what an emulator or an adapter drops while it starts is gone.
+// Called repeatedly: an emulator or an adapter may drop bytes while it starts.
 void FramedLink::Impl::ask() {
   for (const auto& line : lines) {
     if (!line->hello && !line->unplugged) {
@@ -103,17 +103,17 @@ Line* FramedLink::Impl::find(const std::string& id) {
 
 void FramedLink::Impl::join(Line& line, const gs::wire::Hello& hello) {
   if (!line.hello) {
-    line.stream.take_faults();  // of the time before it was known
+    line.stream.take_faults();  // drops faults from before the outlet was known
   }
   const std::string fault = protocol_fault(hello);
-  line.at_fault = !fault.empty();
+  line.faulty = !fault.empty();
   line.left = false;
   line.hello.reset();
   if (Line* const twin = find(hello.id); twin != nullptr && twin->left) {
-    twin->hello.reset();  // it was plugged in elsewhere
+    twin->hello.reset();  // the outlet was plugged into another port
   } else if (twin != nullptr) {
-    line.at_fault = true;
-    twin->at_fault = true;
+    line.faulty = true;
+    twin->faulty = true;
   }
   line.hello = hello;
   known.insert(hello.id);
@@ -121,7 +121,7 @@ void FramedLink::Impl::join(Line& line, const gs::wire::Hello& hello) {
 }
 
 void FramedLink::Impl::leave(Line& line, const std::string& how) {
-  if (line.hello && !line.at_fault && !line.left) {
+  if (line.hello && !line.faulty && !line.left) {
     happenings.left.push_back({line.hello->id, how});
   }
   line.left = true;
@@ -143,11 +143,12 @@ void FramedLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
     }
     const bool is_hello = message->kind == gs::wire::UplinkKind::kHello;
     if (is_hello && line.hello && std::string(line.hello->id) != message->hello.id) {
-      leave(line, "is no longer on " + line.port->port() + ": " + message->hello.id + " is");
+      leave(line, "is no longer on " + line.port->port() + ": outlet " + message->hello.id +
+                      " is there now");
     }
     if (is_hello && (!line.hello || line.left)) {
       join(line, message->hello);
-    } else if (line.hello && !line.at_fault) {
+    } else if (line.hello && !line.faulty) {
       happenings.messages.push_back({line.hello->id, *message, arrival_ns});
     }
   }
@@ -164,8 +165,8 @@ bool FramedLink::Impl::send(Line& line, const gs::wire::Downlink& message) {
   return line.port->send(framed(line.stream.encode(message))).ok();
 }
 
-// Opening may block, others are sent to meanwhile.
-void FramedLink::Impl::find_again(std::unique_lock<std::mutex>& lock) {
+// Opening may block: it runs without the lock, so that send() to other outlets goes on.
+void FramedLink::Impl::reopen_ports(std::unique_lock<std::mutex>& lock) {
   for (const auto& line : lines) {
     if (!line->unplugged || ending) {
       continue;
@@ -195,7 +196,7 @@ void FramedLink::Impl::listen() {
     }
     std::vector<pollfd> ready = {{wake.get(), POLLIN, 0}};
     for (const auto& line : lines) {
-      ready.push_back({line->port->descriptor(), POLLIN, 0});  // -1 is passed over
+      ready.push_back({line->port->descriptor(), POLLIN, 0});  // poll() ignores -1
     }
     lock.unlock();
     ::poll(ready.data(), ready.size(), static_cast<int>(kReopenEvery.count()));
@@ -216,7 +217,7 @@ void FramedLink::Impl::listen() {
       }
     }
     if (Clock::now() >= next_look) {
-      find_again(lock);
+      reopen_ports(lock);
       next_look = Clock::now() + kReopenEvery;
     }
   }
@@ -238,7 +239,7 @@ Status FramedLink::open() {
   impl_->ending = false;
   impl_->wake = drivers::Descriptor(eventfd(0, EFD_CLOEXEC));
   if (!impl_->wake.is_open()) {
-    return Error{"framed link: no event descriptor is left"};
+    return Error{"framed link: cannot create an event descriptor"};
   }
   impl_->listener = std::thread([this] { impl_->listen(); });
   return Done{};
@@ -251,9 +252,9 @@ Status FramedLink::send(const std::string& id, const gs::wire::Downlink& message
     return Error{"framed link: no outlet " + id + " has joined"};
   }
   if (line == nullptr) {
-    impl_->happenings.faults.push_back({id, "was not sent a message: it is on no port"});
-  } else if (!line->at_fault && !impl_->send(*line, message)) {
-    line->stream.note("does not take what is sent to it on " + line->port->port());
+    impl_->happenings.faults.push_back({id, "was not sent a message: it is not on any port"});
+  } else if (!line->faulty && !impl_->send(*line, message)) {
+    line->stream.note("does not accept messages on " + line->port->port());
   }
   return Done{};
 }
@@ -264,7 +265,7 @@ Status FramedLink::poll(Happenings& happenings) {
   impl_->happenings.clear();
   for (const auto& line : impl_->lines) {
     for (std::string& fault : line->stream.take_faults()) {
-      if (line->hello && !line->at_fault) {
+      if (line->hello && !line->faulty) {
         happenings.faults.push_back({line->hello->id, std::move(fault)});
       }
     }

@@ -14,14 +14,14 @@ namespace {
 constexpr std::string_view kPrefix = "gs/";
 constexpr std::string_view kHelloEnd = "/hello";
 
-std::string piece(std::uint32_t instance) {
+std::string instance_text(std::uint32_t instance) {
   char text[16];
   std::snprintf(text, sizeof text, "0x%08X", static_cast<unsigned>(instance));
   return text;
 }
 
-std::string calls_itself(const gs::wire::Hello& hello) {
-  return "says there that it is \"" + std::string(hello.id) + '"';
+std::string reports_id(const gs::wire::Hello& hello) {
+  return "reports another id there: \"" + std::string(hello.id) + '"';
 }
 
 std::int64_t now_ns() {
@@ -39,7 +39,7 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
     add(topic);
   }
   const auto found = places_.find(topic);
-  if (found == places_.end() || outlets_[found->second.outlet].at_fault) {
+  if (found == places_.end() || outlets_[found->second.outlet].faulty) {
     return;
   }
   if (found->second.hello) {
@@ -51,7 +51,7 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
   }
 }
 
-// Nothing that is not a hello: what else one says before it is known means nothing.
+// Ignores topics other than hellos: no other message counts before the outlet's hello.
 void Arrivals::add(std::string_view hello_topic) {
   const std::size_t around = kPrefix.size() + kHelloEnd.size();
   if (hello_topic.size() <= around || hello_topic.substr(0, kPrefix.size()) != kPrefix ||
@@ -76,7 +76,7 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
     outlet.here = false;
     return;
   }
-  // What the broker had kept is news only where it is another one than the last that came.
+  // A retained hello is new only if it differs from the last one.
   const bool known =
       std::equal(message, message + size, outlet.last_hello.begin(), outlet.last_hello.end());
   if (retained && !outlet.joined) {
@@ -95,7 +95,7 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
   if (is_hello && !take_identity(outlet, read.hello)) {
     return;
   }
-  // It may have heard another bench before: its numbers restart with an identify.
+  // It may have talked to another bench before: `identify` restarts its sequence numbers.
   if (joins && sequence != 0) {
     newcomers_.push_back(place);
   }
@@ -106,28 +106,29 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
   }
 }
 
-// Before its number is looked at: that of another outlet means nothing. False where it is at fault.
+// Runs before the sequence number is checked, because that of another outlet has no meaning here.
+// False if the outlet is faulty.
 bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Hello& hello) {
   if (outlet.joined && (hello.id != outlet.id || hello.instance != outlet.hello.instance)) {
-    outlet.at_fault = true;
+    outlet.faulty = true;
     happenings_.left.push_back({outlet.id, hello.id != outlet.id
-                                               ? calls_itself(hello)
-                                               : "is there twice: " + piece(outlet.hello.instance) +
-                                                     " and " + piece(hello.instance) +
-                                                     " say that they are it"});
+                                               ? reports_id(hello)
+                                               : "has the same id as another outlet: instances " +
+                                                     instance_text(outlet.hello.instance) +
+                                                     " and " + instance_text(hello.instance)});
     return false;
   }
   if (!outlet.joined) {
-    outlet.stream.take_faults();  // of the time before it was known
+    outlet.stream.take_faults();  // drops faults from before the outlet was known
   }
   if (!outlet.joined || !outlet.here) {
-    const std::string fault = hello.id != outlet.id ? calls_itself(hello) : protocol_fault(hello);
+    const std::string fault = hello.id != outlet.id ? reports_id(hello) : protocol_fault(hello);
     outlet.joined = true;
     outlet.hello = hello;
-    outlet.at_fault = !fault.empty();
+    outlet.faulty = !fault.empty();
     happenings_.joined.push_back({outlet.id, "", hello, fault});
   }
-  return !outlet.at_fault;
+  return !outlet.faulty;
 }
 
 std::vector<std::size_t> Arrivals::take_newcomers() {
@@ -150,7 +151,7 @@ std::optional<std::size_t> Arrivals::find(const std::string& id) {
 
 std::vector<std::uint8_t> Arrivals::encode(std::size_t outlet, const gs::wire::Downlink& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (outlets_[outlet].at_fault) {
+  if (outlets_[outlet].faulty) {
     return {};
   }
   if (!outlets_[outlet].here) {
@@ -183,7 +184,7 @@ void Arrivals::hand_over(Happenings& happenings) {
   happenings_.clear();
   for (Outlet& outlet : outlets_) {
     for (std::string& fault : outlet.stream.take_faults()) {
-      if (!outlet.at_fault) {
+      if (!outlet.faulty) {
         happenings.faults.push_back({outlet.id, std::move(fault)});
       }
     }

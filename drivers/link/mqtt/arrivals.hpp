@@ -1,4 +1,5 @@
-// What a broker delivers, sorted by outlet, between the thread that receives it and the bench.
+// Messages from the broker, sorted by outlet. Shared by Paho's receiving thread and the bench's
+// thread; every call takes a lock.
 #pragma once
 
 #include <cstdint>
@@ -24,24 +25,24 @@ inline std::string topic(const std::string& id, const char* what) {
 
 class Arrivals {
  public:
-  // ---- from the thread that receives
+  // ---- called by the receiving thread
 
-  // `retained`: the broker had kept it, nobody says it now.
+  // `retained`: a message that the broker had stored, not one just sent.
   void take(std::string_view topic, const std::uint8_t* message, std::size_t size, bool retained);
   void note_all(const std::string& fault);
 
-  // ---- from the bench, and of an outlet by its place in the order of their first hellos
+  // ---- called by the bench; an outlet's number is its place in the order of first hellos
 
-  // Those of which the broker had kept a hello: they are to be asked who they are.
+  // Outlets that must be sent `identify`, for instance because their hello was a retained one.
   std::vector<std::size_t> take_newcomers();
   const std::string& id(std::size_t outlet);
   std::optional<std::size_t> find(const std::string& id);  // among those that joined
-  // Nothing for an outlet that is at fault, nor for one that has left the broker: that is a fault.
+  // Empty for a faulty outlet, and for one that has left the broker, which is noted as a fault.
   std::vector<std::uint8_t> encode(std::size_t outlet, const gs::wire::Downlink& message);
   void note(std::size_t outlet, const std::string& fault);
-  // Of joined outlets, all but the broker's name.
+  // Appends; OutletPresence::where is left empty.
   void hand_over(Happenings& happenings);
-  // Those of `wanted` that the broker does not know, and all that do not answer.
+  // Outlets of `wanted` that are not on the broker, and outlets that do not answer.
   std::vector<Fault> missing(const std::vector<std::string>& wanted);
 
  private:
@@ -50,11 +51,11 @@ class Arrivals {
     std::string hello_topic;
     std::string up_topic;
     OutletStream stream{Delivery::kByBroker};
-    bool here = true;  // as far as the broker has told
+    bool here = true;  // on the broker, by its newest hello
     bool joined = false;
-    gs::wire::Hello hello;                 // by which it joined
-    std::vector<std::uint8_t> last_hello;  // as it came
-    bool at_fault = false;                 // excluded from the run
+    gs::wire::Hello hello;                 // the one with which it joined
+    std::vector<std::uint8_t> last_hello;  // as bytes
+    bool faulty = false;                   // excluded from the run
   };
   struct Place {
     std::size_t outlet = 0;
@@ -69,7 +70,7 @@ class Arrivals {
   std::deque<Outlet> outlets_;  // their topics are the keys below
   std::unordered_map<std::string_view, Place> places_;
   std::vector<std::size_t> newcomers_;
-  Happenings happenings_;  // but for the faults, which their streams keep
+  Happenings happenings_;  // without faults: the streams keep those
 };
 
 }  // namespace gsbench::link

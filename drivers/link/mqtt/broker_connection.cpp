@@ -23,9 +23,9 @@ constexpr auto kToConnect = std::chrono::seconds(10);
 constexpr auto kToDisconnect = std::chrono::seconds(1);
 constexpr auto kToSubscribe = std::chrono::seconds(5);
 constexpr auto kToFindRoom = std::chrono::milliseconds(500);
-constexpr int kKeepAlive_s = 5;      // a broker that has gone silent is lost after 1.5 of these
-constexpr int kKeepSession_s = 60;   // the broker keeps what it has for a bench that is away
-constexpr int kMostWaiting = 10000;  // messages to outlets, without a connection
+constexpr int kKeepAlive_s = 5;      // a silent broker counts as lost after 1.5 intervals
+constexpr int kKeepSession_s = 60;   // the broker stores messages for a disconnected bench
+constexpr int kMostWaiting = 10000;  // messages to outlets that wait for a connection
 constexpr int kMostInFlight = 65535;
 constexpr int kNoRoom = MQTTASYNC_MAX_BUFFERED_MESSAGES;
 
@@ -42,19 +42,19 @@ bool uses_tls(const MqttOptions& options) {
   return options.url.rfind("mqtts://", 0) == 0;
 }
 
-// Of this opening alone: no session of an earlier one is taken up.
+// New for each open(): no earlier session is resumed.
 std::string new_client_id() {
   std::random_device device;
   return "gsbench-" + std::to_string(device()) + '-' + std::to_string(device());
 }
 
-// Paho gives the broker's reason as if it were an error code of its own.
+// Paho returns the broker's reason code as if it were its own error code.
 bool refused_login(const mqtt::exception& error) {
   return error.get_return_code() == mqtt::ReasonCode::BAD_USER_NAME_OR_PASSWORD ||
          error.get_return_code() == mqtt::ReasonCode::NOT_AUTHORIZED;
 }
 
-// What the broker keeps is of interest once, not again for a subscription that it still has.
+// Retained messages are sent for a new subscription only, not again for one that the broker has.
 mqtt::subscribe_options once() {
   return mqtt::subscribe_options(false, false, mqtt::subscribe_options::SEND_RETAINED_ON_NEW);
 }
@@ -76,9 +76,9 @@ unsigned peer_port(int descriptor) {
   }
 }
 
-// Small messages leave when they are written, not when the broker has acknowledged the one before:
-// without that, each other command waits for 40 ms. Paho has no option for it and gives out no
-// socket, so that this process's connections to the broker's port are looked for.
+// Sets TCP_NODELAY: without it, every other command waits 40 ms for the acknowledgement of the one
+// before. Paho has no option for it and does not expose its socket, so this searches the process's
+// descriptors for connections to the broker's port.
 void send_at_once(const std::string& url) {
   const auto port =
       static_cast<unsigned>(std::strtoul(url.c_str() + url.rfind(':') + 1, nullptr, 10));
@@ -100,7 +100,7 @@ BrokerConnection::BrokerConnection(const MqttOptions& options, Arrivals& arrival
       arrivals_(arrivals),
       client_(paho_url(options.url), new_client_id(),
               mqtt::create_options(MQTTVERSION_5, kMostWaiting)) {
-  // By default, Paho words and keeps a trace of every packet that nobody reads.
+  // By default, Paho formats and stores a trace of every packet.
   MQTTAsync_setTraceLevel(MQTTASYNC_TRACE_ERROR);
   client_.set_callback(*this);
 }
@@ -122,7 +122,8 @@ mqtt::connect_options BrokerConnection::connect_options() const {
     tls.set_trust_store(options_.ca_file);
     tls.set_enable_server_cert_auth(true);
     tls.set_verify(true);
-    // No error handler: Paho 1.2.0 keeps the address of a copy that is gone by then.
+    // No error handler: Paho 1.2.0 keeps the address of a copy that no longer exists when it is
+    // used.
     asked.set_ssl(tls);
   }
   return asked;
@@ -143,17 +144,17 @@ Status BrokerConnection::connect() {
 std::string BrokerConnection::why_not_connected(const mqtt::exception& error) {
   const std::string broker = "the broker " + options_.url;
   if (refused_login(error)) {
-    return broker + " refuses the user name \"" + options_.user + "\" or its password";
+    return broker + " refuses the user name \"" + options_.user + "\" or the password";
   }
-  // Paho does not distinguish these.
-  const std::string name = uses_tls(options_)
-                               ? ", or cannot be trusted with the CA file \"" + options_.ca_file +
-                                     "\", or its certificate is for another name"
-                               : "";
-  return broker + " cannot be reached" + name + ": " + error.to_string();
+  // Paho does not distinguish these causes.
+  const std::string tls = uses_tls(options_)
+                              ? ", or its certificate is not signed by the CA in \"" +
+                                    options_.ca_file + "\" or is for another host name"
+                              : "";
+  return broker + " cannot be reached" + tls + ": " + error.to_string();
 }
 
-// A copy: the lock is not held over a call into Paho, which calls us with locks of its own.
+// A copy, so that the lock is not held during calls into Paho, whose callbacks hold Paho's locks.
 std::vector<std::string> BrokerConnection::filters() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return filters_;
@@ -167,7 +168,7 @@ Status BrokerConnection::subscribe(std::vector<std::string> wanted) {
   const auto until = std::chrono::steady_clock::now() + kToSubscribe;
   try {
     std::vector<mqtt::token_ptr> asked;
-    // One by one: Paho 1.2.0 crashes over several with options.
+    // One by one: Paho 1.2.0 crashes if several are subscribed at once with options.
     for (const std::string& filter : filters()) {
       asked.push_back(client_.subscribe(filter, 1, once()));
     }
@@ -187,7 +188,7 @@ void BrokerConnection::publish(std::size_t outlet, const std::string& topic,
   const auto until = std::chrono::steady_clock::now() + kToFindRoom;
   const auto payload =
       mqtt::make_message(topic, static_cast<const void*>(message.data()), message.size(), 1, false);
-  // Paho's context is an address; the outlet's place goes in its stead.
+  // Paho's context is a pointer; it carries the outlet's number instead.
   void* const place = reinterpret_cast<void*>(outlet);  // NOLINT(performance-no-int-to-ptr)
   while (true) {
     try {
@@ -214,14 +215,14 @@ BrokerConnection::~BrokerConnection() {
           ->wait_for(kToDisconnect);
     }
   } catch (const mqtt::exception&) {
-    return;  // it was not connected
+    return;  // was not connected
   }
 }
 
 void BrokerConnection::connected(const std::string&) {
   send_at_once(options_.url);
   if (!lost_) {
-    return;  // the first time: subscribe() asks
+    return;  // the first connection: the caller subscribes
   }
   const std::vector<std::string> wanted = filters();
   resubscription_.begin(wanted.size());
@@ -230,19 +231,19 @@ void BrokerConnection::connected(const std::string&) {
       client_.subscribe(filter, 1, nullptr, resubscription_, once());
     }
   } catch (const mqtt::exception&) {
-    return;  // lost again; the next connection asks again
+    return;  // lost again; the next connection subscribes again
   }
 }
 
 void BrokerConnection::Resubscription::on_success(const mqtt::token&) {
   if (--left_ == 0 && connection_.lost_.exchange(false)) {
-    connection_.arrivals_.note_all("has its broker back");
+    connection_.arrivals_.note_all("is connected to its broker again");
   }
 }
 
 void BrokerConnection::connection_lost(const std::string&) {
   if (!lost_.exchange(true)) {
-    arrivals_.note_all("has lost its broker: the connection to " + options_.url + " broke");
+    arrivals_.note_all("lost its broker: the connection to " + options_.url + " broke");
   }
 }
 
@@ -254,11 +255,11 @@ void BrokerConnection::message_arrived(mqtt::const_message_ptr message) {
 
 void BrokerConnection::on_failure(const mqtt::token& token) {
   const int reason = token.get_reason_code();
-  arrivals_.note(
-      reinterpret_cast<std::uintptr_t>(token.get_user_context()),
-      reason == mqtt::ReasonCode::NOT_AUTHORIZED
-          ? "was not sent a message: the broker does not allow \"" + options_.user + "\" to"
-          : "was not sent a message: the broker gives reason " + std::to_string(reason));
+  arrivals_.note(reinterpret_cast<std::uintptr_t>(token.get_user_context()),
+                 reason == mqtt::ReasonCode::NOT_AUTHORIZED
+                     ? "was not sent a message: the broker does not allow the user \"" +
+                           options_.user + "\" to publish it"
+                     : "was not sent a message: MQTT reason code " + std::to_string(reason));
 }
 
 }  // namespace gsbench::link

@@ -1,4 +1,4 @@
-// Paho's client behind words of our own: nothing of it, its exceptions least, goes past here.
+// The adapter for Paho's MQTT client. Paho's types and exceptions do not leave it.
 #pragma once
 
 #include "arrivals.hpp"
@@ -18,30 +18,32 @@ class BrokerConnection final : private mqtt::callback, private mqtt::iaction_lis
   BrokerConnection(const MqttOptions& options, Arrivals& arrivals);
   ~BrokerConnection() override;
 
-  // Connects, and from then on again and again where it is lost.
+  // Connects; from then on, Paho reconnects after each loss. Blocks up to 10 s.
   drivers::Status connect();
-  // Also after each time the connection was lost.
+  // Subscribes now and after each reconnection. Blocks up to 5 s.
   drivers::Status subscribe(std::vector<std::string> filters);
-  // Does not wait. What comes of it is noted with the outlet where it is bad.
+  // Does not wait for the broker, except up to 0.5 s for room in the queue. A failure is noted as a
+  // fault of the outlet.
   void publish(std::size_t outlet, const std::string& topic,
                const std::vector<std::uint8_t>& message);
 
  private:
-  // What Paho calls, from threads of its own.
+  // Called by Paho, from its own threads.
   void connected(const std::string&) override;
   void connection_lost(const std::string&) override;
   void message_arrived(mqtt::const_message_ptr message) override;
   void on_failure(const mqtt::token& token) override;
   void on_success(const mqtt::token&) override {}
 
-  // The broker is back once it has answered the last subscription: what it gets before, it may
-  // have for nobody.
+  // The broker counts as back once it has confirmed all subscriptions: it may drop messages that
+  // arrive before.
   class Resubscription final : public mqtt::iaction_listener {
    public:
     explicit Resubscription(BrokerConnection& connection) : connection_(connection) {}
     void begin(std::size_t filters) { left_ = filters; }
     void on_success(const mqtt::token&) override;
-    void on_failure(const mqtt::token&) override {}  // lost again; the next connection asks again
+    void on_failure(const mqtt::token&) override {
+    }  // lost again; the next connection subscribes again
 
    private:
     BrokerConnection& connection_;
@@ -58,7 +60,7 @@ class BrokerConnection final : private mqtt::callback, private mqtt::iaction_lis
   std::vector<std::string> filters_;
   std::atomic<bool> lost_{false};
   Resubscription resubscription_{*this};
-  mqtt::async_client client_;  // last: its threads end before what they use
+  mqtt::async_client client_;  // last: its threads end before the members they use
 };
 
 }  // namespace gsbench::link

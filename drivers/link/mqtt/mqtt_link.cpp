@@ -15,7 +15,7 @@ class MqttLink::Opened {
   explicit Opened(const MqttOptions& options) : connection(options, arrivals) {}
 
   Arrivals arrivals;
-  BrokerConnection connection;  // after what it fills
+  BrokerConnection connection;  // after `arrivals`, which it uses
 };
 
 MqttLink::MqttLink(MqttOptions options) : options_(std::move(options)) {}
@@ -69,7 +69,7 @@ Status MqttLink::poll(Happenings& happenings) {
   for (std::size_t i = known; i < happenings.joined.size(); ++i) {
     happenings.joined[i].where = options_.url;
   }
-  // Before the caller hears of them, and so before any message of its own.
+  // `identify` goes out before the caller sees these outlets and can send to them.
   for (const std::size_t outlet : opened_->arrivals.take_newcomers()) {
     send(outlet, gs::wire::identify());
   }

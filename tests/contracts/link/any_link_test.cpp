@@ -1,6 +1,6 @@
-// What every link must do, whatever it leads to.
+// The contract suite of links, for all kinds of outlets.
 #include "rigs.hpp"
-#include <link_test/hears_a_link.hpp>
+#include <link_test/link_fixture.hpp>
 
 #include <gmock/gmock.h>
 
@@ -13,7 +13,7 @@ using gs::wire::UplinkKind;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-class AnyLink : public HearsALink, public testing::WithParamInterface<LinkUnderTest> {
+class AnyLink : public LinkFixture, public testing::WithParamInterface<LinkUnderTest> {
  protected:
   void SetUp() override { open(rig_->make_link()); }
 
@@ -36,11 +36,11 @@ TEST_P(AnyLink, FindsItsOutlets) {
   }
 }
 
-TEST_P(AnyLink, EveryMeasurementComesOnceAndInOrder) {
+TEST_P(AnyLink, EveryMeasurementArrivesOnceAndInOrder) {
   constexpr int kReports = 400;
   rig_->play(kReports);
   for (const char* const outlet : {kA, kB}) {
-    ASSERT_TRUE(comes(outlet, UplinkKind::kMeasurement, kReports));
+    ASSERT_TRUE(arrives(outlet, UplinkKind::kMeasurement, kReports));
     const auto measurements = messages(outlet, UplinkKind::kMeasurement);
     for (std::size_t i = 1; i < measurements.size(); ++i) {
       ASSERT_EQ(measurements[i].message.sample, measurements[i - 1].message.sample + 128);
@@ -50,15 +50,15 @@ TEST_P(AnyLink, EveryMeasurementComesOnceAndInOrder) {
   EXPECT_THAT(faults_, IsEmpty());
 }
 
-// What must arrive and what may be lost may go by different rules, and yet stay in order.
+// Statuses and measurements may have different delivery guarantees but must stay in order.
 TEST_P(AnyLink, StatusesAndMeasurementsKeepTheirOrder) {
   constexpr std::size_t kRounds = 100;
   for (std::size_t i = 0; i < kRounds; ++i) {
     send(kA, downlink(DownlinkKind::kAskStatus));
     rig_->play(1);
   }
-  ASSERT_TRUE(comes(kA, UplinkKind::kStatus, kRounds));
-  ASSERT_TRUE(comes(kA, UplinkKind::kMeasurement, kRounds));
+  ASSERT_TRUE(arrives(kA, UplinkKind::kStatus, kRounds));
+  ASSERT_TRUE(arrives(kA, UplinkKind::kMeasurement, kRounds));
   messages_.erase(std::remove_if(messages_.begin(), messages_.end(),
                                  [](const link::Received& received) { return received.id != kA; }),
                   messages_.end());
@@ -68,24 +68,24 @@ TEST_P(AnyLink, StatusesAndMeasurementsKeepTheirOrder) {
   EXPECT_THAT(faults_, IsEmpty());
 }
 
-TEST_P(AnyLink, ACommandIsObeyedAndAnsweredByItsOutletAlone) {
+TEST_P(AnyLink, ACommandIsObeyedAndAnsweredByItsOutletOnly) {
   send(kB, command(false, 4711));
   rig_->play(2);
-  ASSERT_TRUE(comes(kB, UplinkKind::kCommandAnswer));
+  ASSERT_TRUE(arrives(kB, UplinkKind::kCommandAnswer));
   const auto answer = messages(kB, UplinkKind::kCommandAnswer).front().message.command_answer;
   EXPECT_EQ(answer.request, 4711U);
   EXPECT_FALSE(answer.closed);
-  EXPECT_TRUE(comes(kB, UplinkKind::kRelay));
+  EXPECT_TRUE(arrives(kB, UplinkKind::kRelay));
   EXPECT_THAT(messages(kA, UplinkKind::kCommandAnswer), IsEmpty());
   EXPECT_THAT(messages(kA, UplinkKind::kRelay), IsEmpty());
 }
 
-TEST_P(AnyLink, CommandsAreObeyedInTheOrderInWhichTheyAreSent) {
+TEST_P(AnyLink, CommandsAreObeyedInOrder) {
   for (const bool close : {false, true, false}) {
     send(kA, command(close));
   }
   rig_->play(2);
-  ASSERT_TRUE(comes(kA, UplinkKind::kRelay, 3));
+  ASSERT_TRUE(arrives(kA, UplinkKind::kRelay, 3));
   const auto relay = messages(kA, UplinkKind::kRelay);
   ASSERT_THAT(relay, SizeIs(3));
   EXPECT_FALSE(relay[0].message.relay.closed);
@@ -93,15 +93,15 @@ TEST_P(AnyLink, CommandsAreObeyedInTheOrderInWhichTheyAreSent) {
   EXPECT_FALSE(relay[2].message.relay.closed);
 }
 
-TEST_P(AnyLink, SettingsThatMakeNoSenseAreRefusedWithTheReason) {
+TEST_P(AnyLink, InvalidSettingsAreRefusedWithTheReason) {
   send(kA, downlink(DownlinkKind::kSettings));
   rig_->play(2);
-  ASSERT_TRUE(comes(kA, UplinkKind::kSettingsAnswer));
+  ASSERT_TRUE(arrives(kA, UplinkKind::kSettingsAnswer));
   EXPECT_NE(messages(kA, UplinkKind::kSettingsAnswer).front().message.settings_answer.error,
             SettingsError::kNone);
 }
 
-TEST_P(AnyLink, AnOutletThatItDoesNotLeadToIsRefused) {
+TEST_P(AnyLink, SendingToAnUnknownOutletIsAnError) {
   const auto sent = link_->send("c", ping(1));
   ASSERT_FALSE(sent.ok());
   EXPECT_THAT(sent.error(), testing::HasSubstr("no outlet c"));

@@ -1,5 +1,5 @@
-// Frames over TCP, as an emulated station has them, and over serial ports: pseudo-terminals, each
-// before a cable of such a station.
+// Framed links over TCP, as in an emulated station, and over serial ports: pseudo-terminals, each
+// connected to a cable of an emulated station.
 #include "pty.hpp"
 #include "rigs.hpp"
 #include <link_framed/framed_link.hpp>
@@ -26,10 +26,10 @@ class FramedRig : public ProcessRig {
   }
   void unplug() override { outlets.hardware().cable(0).unplug(); }
   void plug_in() override { EXPECT_TRUE(outlets.hardware().cable(0).plug_in().ok()); }
-  Words words() const override {
+  FaultTexts fault_texts() const override {
     const std::string port = ports().front();
-    return {"does not answer", "was unplugged from " + port,
-            "does not take what is sent to it on " + port, "is back on " + port};
+    return {"does not answer", "was unplugged from " + port, "does not accept messages on " + port,
+            "is back on " + port};
   }
 
  protected:

@@ -13,7 +13,7 @@ class MqttRig final : public ProcessRig {
   }
   void unplug() override { outlets.kill(kA); }
   void plug_in() override { outlets.start(kA); }
-  Words words() const override {
+  FaultTexts fault_texts() const override {
     return {"is not on the broker", "left the broker",
             "was not sent a message: it is not on the broker", "restarted after its sample "};
   }

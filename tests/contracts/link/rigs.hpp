@@ -1,11 +1,12 @@
-// What the suites need of a link: outlets "a" and "b" that it leads to. A new link gets their tests
-// by an adapter and a line in a table below.
+// Adapters for the suites: a link to outlets "a" and "b". A new link gets the tests by an adapter
+// and a line in a table below.
 #pragma once
 
 #include <link_test/emulated_outlets.hpp>
-#include <link_test/hears_a_link.hpp>
+#include <link_test/link_fixture.hpp>
 
 #include <memory>
+#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -15,36 +16,36 @@ namespace gsbench::test {
 class LinkRig {
  public:
   virtual ~LinkRig() = default;
-  // To both outlets; not open yet.
+  // A link to both outlets, not open.
   virtual std::shared_ptr<link::Link> make_link() = 0;
-  // So many measurements of each outlet, of 16 ms and without a voltage, or some more.
+  // Plays for at least `reports` measurements of each outlet, 16 ms each, at zero voltage.
   virtual void play(int reports) = 0;
 };
 
-// Outlets that are processes, and can be lost.
+// Outlets that are processes and can be lost.
 class ProcessRig : public LinkRig {
  public:
   explicit ProcessRig(emulation::Connection connection) : outlets({kA, kB}, connection) {}
 
   void play(int reports) override { outlets.play(reports); }
 
-  // What connects outlet a, or where nothing of its own does, the outlet itself.
+  // Disconnects outlet a: its cable, or the outlet itself if it has no cable of its own.
   virtual void unplug() = 0;
   virtual void plug_in() = 0;
 
-  // What is reported of an outlet …
-  struct Words {
-    std::string absent;         // … that is not there when the link is opened
-    std::string lost;           // … that is lost while it is open
-    std::string undeliverable;  // … that is sent a message then
-    std::string back;           // … that is found again
+  // The fault reported for an outlet that …
+  struct FaultTexts {
+    std::string absent;         // … is absent when the link is opened
+    std::string lost;           // … is lost while the link is open
+    std::string undeliverable;  // … is sent a message while lost
+    std::string back;           // … is found again
   };
-  virtual Words words() const = 0;
+  virtual FaultTexts fault_texts() const = 0;
 
   EmulatedOutlets outlets;
 };
 
-// These return a ProcessRig, but for the first.
+// All except the first return a ProcessRig.
 std::unique_ptr<LinkRig> simulated_rig();
 std::unique_ptr<LinkRig> tcp_rig();
 std::unique_ptr<LinkRig> serial_rig();
@@ -54,6 +55,10 @@ struct LinkUnderTest {
   const char* name;
   std::unique_ptr<LinkRig> (*make)();
 };
+
+inline void PrintTo(const LinkUnderTest& link, std::ostream* out) {
+  *out << link.name;
+}
 
 constexpr LinkUnderTest kInProcess[] = {{"Simulated", simulated_rig}};
 constexpr LinkUnderTest kToProcesses[] = {

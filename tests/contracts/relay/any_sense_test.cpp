@@ -1,4 +1,4 @@
-// What every relay sense does. A new driver: its rig, and a line below.
+// The contract suite of relay senses. A new driver needs a rig and a line below.
 #include "rigs.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace gsbench::test {
 namespace {
 
-// The slowest relay, bounces included.
+// Longest time from coil to contact, bounces included.
 constexpr std::int64_t kSlowestTicks = 160;
 
 class AnySense : public testing::TestWithParam<std::unique_ptr<RelayRig> (*)()> {
@@ -35,11 +35,11 @@ INSTANTIATE_TEST_SUITE_P(Simulated, AnySense, testing::Values(&simulated_sense))
 INSTANTIATE_TEST_SUITE_P(Emulated, AnySense, testing::Values(&emulated_sense));
 INSTANTIATE_TEST_SUITE_P(Counter, AnySense, testing::Values(&counter_sense));
 
-TEST_P(AnySense, TellsAnOpeningByItsChannelAndTheSourcesTicksOnce) {
+TEST_P(AnySense, ReportsAnOpeningOnceByChannelAndTick) {
   EXPECT_TRUE(polled().empty());
   const double uncertainty = rig_->sense().alignment().uncertainty_ticks;
   EXPECT_GT(uncertainty, 0.0);
-  EXPECT_LT(uncertainty, 8.0) << "a millisecond is a tenth of the time it measures";
+  EXPECT_LT(uncertainty, 8.0) << "1 ms is a tenth of the operate time to be measured";
   for (const std::size_t channel : {1U, 0U}) {
     const auto turned = static_cast<double>(tick_);
     rig_->turn(channel, false);
@@ -54,7 +54,7 @@ TEST_P(AnySense, TellsAnOpeningByItsChannelAndTheSourcesTicksOnce) {
   }
 }
 
-TEST_P(AnySense, TellsNothingThatIsStillToCome) {
+TEST_P(AnySense, ReportsEdgesNeitherEarlyNorLate) {
   rig_->turn(0, false);
   EXPECT_TRUE(polled().empty());
   std::vector<relay::Edge> edges;
@@ -65,11 +65,11 @@ TEST_P(AnySense, TellsNothingThatIsStillToCome) {
   ASSERT_FALSE(edges.empty());
   EXPECT_LE(tick_of(edges[0]),
             static_cast<double>(tick_) + rig_->sense().alignment().uncertainty_ticks);
-  // Nor is it late.
+  // Not late either.
   EXPECT_GE(tick_of(edges[0]), static_cast<double>(tick_) - 8.0);
 }
 
-TEST_P(AnySense, TellsAContactsEdgesInTheirOrderBouncesIncluded) {
+TEST_P(AnySense, ReportsAllEdgesInOrderIncludingBounces) {
   std::vector<relay::Edge> all;
   for (const bool closed : {false, true, false, true, false}) {
     rig_->turn(1, closed);

@@ -1,4 +1,4 @@
-// As a logic analyser: 1 MHz on a crystal of its own, counting since it was plugged in.
+// A model of a logic analyser: counts at 1 MHz on its own crystal, from before the stimulus.
 #include "rigs.hpp"
 
 #include <deque>

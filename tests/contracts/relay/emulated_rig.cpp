@@ -1,5 +1,5 @@
+#include "fake_outlet.hpp"
 #include "rigs.hpp"
-#include "taking_outlet.hpp"
 #include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
@@ -7,7 +7,7 @@
 namespace gsbench::test {
 namespace {
 
-// Two outlets on crystals that are off, as far as crystals are.
+// Two outlets with crystal errors of ±200 ppm.
 class EmulatedRig final : public RelayRig {
  public:
   EmulatedRig() {
@@ -17,7 +17,7 @@ class EmulatedRig final : public RelayRig {
     options.real_time = false;
     mains_ = emulation::Mains::create(options).take();
     for (std::size_t i = 0; i < 2; ++i) {
-      outlets_.push_back(std::make_unique<TakingOutlet>(*mains_, i));
+      outlets_.push_back(std::make_unique<FakeOutlet>(*mains_, i));
     }
     start(mains_->source(), stimulus_);
   }
@@ -34,7 +34,7 @@ class EmulatedRig final : public RelayRig {
   TemporaryFolder folder_;
   Mains stimulus_;
   std::unique_ptr<emulation::Mains> mains_;
-  std::vector<std::unique_ptr<TakingOutlet>> outlets_;
+  std::vector<std::unique_ptr<FakeOutlet>> outlets_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Relay senses at two contacts each: what the suite needs beside their interface.
+// Adapters for the suite: a relay sense with two contacts.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ class RelayRig {
  public:
   virtual ~RelayRig() = default;
   virtual relay::RelaySense& sense() = 0;
-  // The coil of a contact changes now.
+  // Changes the coil of a contact now.
   virtual void turn(std::size_t channel, bool closed) = 0;
-  virtual void advance(std::int64_t until_tick) = 0;  // of the source
+  virtual void advance(std::int64_t until_tick) = 0;  // advances the source
 };
 
 std::unique_ptr<RelayRig> simulated_sense();
 std::unique_ptr<RelayRig> emulated_sense();
-// No driver, but one whose clock is its own: a counter that runs before the source does.
+// Not a driver: a model of a relay sense with its own clock, to test alignment.
 std::unique_ptr<RelayRig> counter_sense();
 
 }  // namespace gsbench::test

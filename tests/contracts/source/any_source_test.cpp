@@ -1,4 +1,4 @@
-// What every source does. A new driver: its rig, and a line below.
+// The contract suite of sources. A new driver needs a rig and a line below.
 #include "rigs.hpp"
 #include <test_support/mains.hpp>
 
@@ -21,7 +21,7 @@ class AnySource : public testing::TestWithParam<std::unique_ptr<SourceRig> (*)()
 
   source::Source& source() { return rig_->source(); }
 
-  // Each call with the next one that may follow it: what is not next is refused.
+  // The calls in their order; each is refused unless it is the next one.
   std::vector<std::pair<std::string, std::function<bool()>>> calls() {
     return {{"prepare", [this] { return source().prepare(mains_).ok(); }},
             {"energise", [this] { return source().energise().ok(); }},
@@ -29,7 +29,7 @@ class AnySource : public testing::TestWithParam<std::unique_ptr<SourceRig> (*)()
             {"stop", [this] { return source().stop().ok(); }}};
   }
 
-  // Why the stimulus is neither checked nor prepared.
+  // The error of prepare(); check() must agree.
   std::string refusal(const source::Stimulus& stimulus) {
     const auto checked = source().check(stimulus);
     const auto prepared = source().prepare(stimulus);
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Emulated, AnySource, testing::Values(&emulated_mains));
 INSTANTIATE_TEST_SUITE_P(Loaded, AnySource, testing::Values(&loaded_source));
 INSTANTIATE_TEST_SUITE_P(Stepped, AnySource, testing::Values(&stepped_source));
 
-TEST_P(AnySource, TellsWhatItCanDo) {
+TEST_P(AnySource, StatesItsLimits) {
   const source::Limits limits = source().limits();
   EXPECT_NE(limits.name, "");
   EXPECT_GT(limits.full_scale_pu, 1.0);
@@ -55,7 +55,7 @@ TEST_P(AnySource, TellsWhatItCanDo) {
   EXPECT_THAT(limits.nominal_hz, testing::Contains(50));
 }
 
-TEST_P(AnySource, PlaysTheStimulusAsNearAsItPromised) {
+TEST_P(AnySource, PlaysTheStimulusWithinTheStatedDeviation) {
   mains_.level_pu = 0.9;
   mains_.falls_hz_s = 0.5;
   const auto promised = source().check(mains_);
@@ -72,7 +72,7 @@ TEST_P(AnySource, PlaysTheStimulusAsNearAsItPromised) {
   EXPECT_TRUE(source().stop().ok());
   int read = 0;
   for (const Reading& reading : rig_->readings()) {
-    // The tracker takes 0.2 s after its start, and after the corner at 1 s.
+    // The tracker settles for 0.2 s after its start, and after the corner at 1 s.
     if (reading.tick % 8000 < 1600) {
       continue;
     }
@@ -80,15 +80,15 @@ TEST_P(AnySource, PlaysTheStimulusAsNearAsItPromised) {
     EXPECT_NEAR(reading.frequency_hz, mains_.frequency_hz(reading.tick),
                 promised.value().frequency_hz + 0.5 * promised.value().time_s + 0.003)
         << "at tick " << reading.tick;
-    // Its RMS is over whole periods of nominal frequency: 0.5 % off at 49.5 Hz.
+    // The outlet's RMS is over whole nominal periods: 0.5 % off at 49.5 Hz.
     EXPECT_NEAR(reading.voltage_pu, 0.9, promised.value().voltage_pu + 0.006)
         << "at tick " << reading.tick;
   }
-  // Of the 100 in these 1.6 s.
+  // 100 reports in these 1.6 s.
   EXPECT_GE(read, 90);
 }
 
-TEST_P(AnySource, PlaysNothingOfTheStimulusBeforeItsStart) {
+TEST_P(AnySource, DoesNotPlayTheStimulusBeforeStart) {
   ASSERT_TRUE(source().prepare(mains_).ok());
   ASSERT_TRUE(source().energise().ok());
   for (const Reading& reading : rig_->readings()) {
@@ -96,7 +96,7 @@ TEST_P(AnySource, PlaysNothingOfTheStimulusBeforeItsStart) {
   }
 }
 
-TEST_P(AnySource, RefusesCallsThatAreNotInTheirOrder) {
+TEST_P(AnySource, RefusesCallsOutOfOrder) {
   for (std::size_t done = 0; done <= calls().size(); ++done) {
     for (std::size_t call = 0; call < calls().size(); ++call) {
       if (call != done) {
@@ -109,12 +109,12 @@ TEST_P(AnySource, RefusesCallsThatAreNotInTheirOrder) {
   }
 }
 
-TEST_P(AnySource, SaysWhatItWasAskedAndWhatItIs) {
+TEST_P(AnySource, NamesTheRefusedCallAndItsState) {
   EXPECT_THAT(source().advance(1).error(), HasSubstr("cannot advance while off"));
   EXPECT_THAT(source().advance(1).error(), HasSubstr(source().limits().name));
 }
 
-TEST_P(AnySource, IsMadeSafeAtAnyTimeAndThenPreparedAgain) {
+TEST_P(AnySource, CanBeMadeSafeAtAnyTimeAndPreparedAgain) {
   for (std::size_t done = 0; done <= calls().size(); ++done) {
     for (std::size_t call = 0; call < done; ++call) {
       EXPECT_TRUE(calls()[call].second()) << calls()[call].first << " of " << done;
@@ -128,7 +128,7 @@ TEST_P(AnySource, IsMadeSafeAtAnyTimeAndThenPreparedAgain) {
   }
 }
 
-TEST_P(AnySource, PlaysAgainAfterItWasMadeSafe) {
+TEST_P(AnySource, PlaysAgainAfterMakeSafe) {
   start(source(), mains_);
   advance(source(), 8000);
   const std::size_t read = rig_->readings().size();
@@ -138,7 +138,7 @@ TEST_P(AnySource, PlaysAgainAfterItWasMadeSafe) {
   EXPECT_GT(rig_->readings().size(), read + 40);
 }
 
-TEST_P(AnySource, RefusesTicksThatDoNotFollowOnOneAnother) {
+TEST_P(AnySource, RefusesToAdvanceToAWrongTick) {
   start(source(), mains_);
   const auto played = source().advance(100);
   ASSERT_TRUE(played.ok()) << played.error();
@@ -146,7 +146,7 @@ TEST_P(AnySource, RefusesTicksThatDoNotFollowOnOneAnother) {
        {std::int64_t{-1}, std::int64_t{0}, played.value(), mains_.total_ticks() + 1}) {
     const auto refused = source().advance(tick);
     ASSERT_FALSE(refused.ok()) << tick;
-    EXPECT_THAT(refused.error(), HasSubstr("to tick " + std::to_string(tick) + "; it stands at " +
+    EXPECT_THAT(refused.error(), HasSubstr("to tick " + std::to_string(tick) + ": it is at tick " +
                                            std::to_string(played.value()) + " of 16000"));
   }
   const auto rest = source().advance(mains_.total_ticks());
@@ -155,12 +155,13 @@ TEST_P(AnySource, RefusesTicksThatDoNotFollowOnOneAnother) {
   EXPECT_FALSE(source().advance(mains_.total_ticks()).ok());
 }
 
-TEST_P(AnySource, RefusesAStimulusOfAnotherSampleRateOrMains) {
+TEST_P(AnySource, RefusesUnsupportedSampleRatesAndNominalFrequencies) {
   mains_.rate = 8001;
-  EXPECT_THAT(refusal(mains_), HasSubstr("a sample rate of 8001 Hz; it takes "));
+  EXPECT_THAT(refusal(mains_), HasSubstr("a sample rate of 8001 Hz is not supported; supported: "));
   mains_.rate = 8000;
   mains_.nominal = 47;
-  EXPECT_THAT(refusal(mains_), HasSubstr("a nominal frequency of 47 Hz; it takes "));
+  EXPECT_THAT(refusal(mains_),
+              HasSubstr("a nominal frequency of 47 Hz is not supported; supported: "));
   mains_.nominal = 50;
   EXPECT_EQ(refusal(mains_), "");
 }
@@ -172,7 +173,7 @@ TEST_P(AnySource, RefusesAStimulusThatIsTooShortOrTooLong) {
   if (std::isfinite(longest_s)) {
     mains_.duration_s = longest_s + 1.0 / 8000.0;
     EXPECT_THAT(refusal(mains_),
-                HasSubstr("ticks, " + std::to_string(mains_.total_ticks() / 8000)));
+                HasSubstr("ticks (" + std::to_string(mains_.total_ticks() / 8000)));
     mains_.duration_s = longest_s;
   } else {
     mains_.duration_s = 2.0;
@@ -180,7 +181,7 @@ TEST_P(AnySource, RefusesAStimulusThatIsTooShortOrTooLong) {
   EXPECT_EQ(refusal(mains_), "");
 }
 
-// A nominal voltage with one sample that is not.
+// A nominal voltage except for one sample.
 struct Spike final : Mains {
   Spike(const Mains& around, float voltage_pu) : Mains(around), spike_pu(voltage_pu) {}
   void render(std::int64_t first_tick, std::size_t count, float* out) const override {
@@ -192,7 +193,7 @@ struct Spike final : Mains {
   float spike_pu;
 };
 
-// Why a stimulus is not played to its end: by prepare() or, of a source that streams, advance().
+// The error of prepare() or, for a streamed source, of advance().
 std::string refusal_to_play(source::Source& source, const source::Stimulus& stimulus) {
   const auto prepared = source.prepare(stimulus);
   if (!prepared.ok()) {
@@ -205,7 +206,7 @@ std::string refusal_to_play(source::Source& source, const source::Stimulus& stim
   return played.ok() ? "" : played.error();
 }
 
-TEST_P(AnySource, PlaysNothingThatIsBeyondItsFullScale) {
+TEST_P(AnySource, RefusesSamplesBeyondFullScale) {
   const auto full_scale = static_cast<float>(source().limits().full_scale_pu);
   for (const float beyond :
        {1.0001F * full_scale, -1.0001F * full_scale, std::numeric_limits<float>::infinity(),

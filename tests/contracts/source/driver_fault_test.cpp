@@ -1,4 +1,4 @@
-// What a source makes of a driver that fails, or answers what cannot be.
+// Source with a driver that fails or returns an impossible tick.
 #include <test_support/mains.hpp>
 
 #include <string>
@@ -59,7 +59,7 @@ class FailingSource final : public source::Source {
   std::string fails_;
 };
 
-// The error of the first call that fails, all in their order.
+// Makes all calls in order and returns the first error.
 std::string first_error(source::Source& source, const source::Stimulus& stimulus) {
   const auto prepared = source.prepare(stimulus);
   if (!prepared.ok()) {
@@ -84,7 +84,7 @@ class DriverFault : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(EachCall, DriverFault,
                          testing::Values("prepare", "energise", "start", "advance", "stop"));
 
-TEST_P(DriverFault, IsToldAndLeavesNothingButMakeSafe) {
+TEST_P(DriverFault, IsReportedAndAllowsOnlyMakeSafe) {
   const Mains mains;
   FailingSource source(GetParam());
   EXPECT_EQ(first_error(source, mains), std::string(GetParam()) + " fails");
@@ -96,14 +96,14 @@ TEST_P(DriverFault, IsToldAndLeavesNothingButMakeSafe) {
   EXPECT_EQ(first_error(source, mains), std::string(GetParam()) + " fails");
 }
 
-TEST(DriverFault, OfTheCheckPreparesNothing) {
+TEST(DriverFault, InCheckPreventsPreparation) {
   const Mains mains;
   FailingSource source("check");
   EXPECT_EQ(first_error(source, mains), "check fails");
   EXPECT_FALSE(source.energise().ok());
 }
 
-TEST(DriverFault, OfMakeSafeIsToldAndLeavesNothingElse) {
+TEST(DriverFault, InMakeSafeIsReportedAndAllowsNothingElse) {
   const Mains mains;
   FailingSource source("make_safe");
   EXPECT_EQ(first_error(source, mains), "");
@@ -111,7 +111,7 @@ TEST(DriverFault, OfMakeSafeIsToldAndLeavesNothingElse) {
   EXPECT_FALSE(source.prepare(mains).ok());
 }
 
-TEST(Driver, IsPromisedWhatItsCheckPromises) {
+TEST(Driver, PrepareReturnsTheDeviationOfCheck) {
   const Mains mains;
   FailingSource source("");
   const auto promised = source.prepare(mains);
@@ -121,13 +121,13 @@ TEST(Driver, IsPromisedWhatItsCheckPromises) {
   EXPECT_EQ(promised.value().time_s, 0.3);
 }
 
-TEST(Driver, ThatStandsBeforeTheTickOrAfterTheEndIsNotBelieved) {
+TEST(Driver, IsFailedIfItReportsATickOutOfRange) {
   const Mains mains;
   for (const std::int64_t off_by : {std::int64_t{-1}, mains.total_ticks() - 800 + 1}) {
     FailingSource source("");
     source.off_by = off_by;
     EXPECT_THAT(first_error(source, mains),
-                testing::HasSubstr("it stands at " + std::to_string(800 + off_by)));
+                testing::HasSubstr("but is at tick " + std::to_string(800 + off_by)));
     EXPECT_FALSE(source.stop().ok());
   }
 }

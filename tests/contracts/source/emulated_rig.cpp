@@ -1,5 +1,5 @@
-#include "listening_outlet.hpp"
-#include "taking_outlet.hpp"
+#include "fake_outlet.hpp"
+#include "measuring_outlet.hpp"
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
 
@@ -8,7 +8,7 @@
 namespace gsbench::test {
 namespace {
 
-// What the ADC of the first outlet counts before the stimulus.
+// Samples of the first outlet's ADC before the stimulus.
 constexpr std::int64_t kBefore = 800;
 
 class EmulatedRig final : public SourceRig {
@@ -19,11 +19,11 @@ class EmulatedRig final : public SourceRig {
     options.outlets = {{"outlet", 0.0}};
     options.real_time = false;
     mains_ = emulation::Mains::create(options).take();
-    taking_ = std::make_unique<TakingOutlet>(
-        *mains_, 0, [this](const std::int16_t* samples, std::size_t count) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          outlet_.feed(samples, count);
-        });
+    taking_ = std::make_unique<FakeOutlet>(*mains_, 0,
+                                           [this](const std::int16_t* samples, std::size_t count) {
+                                             const std::lock_guard<std::mutex> lock(mutex_);
+                                             outlet_.feed(samples, count);
+                                           });
   }
   source::Source& source() override { return mains_->source(); }
 
@@ -37,8 +37,8 @@ class EmulatedRig final : public SourceRig {
   TemporaryFolder folder_;
   std::unique_ptr<emulation::Mains> mains_;
   std::mutex mutex_;
-  ListeningOutlet outlet_;
-  std::unique_ptr<TakingOutlet> taking_;  // ends first
+  MeasuringOutlet outlet_;
+  std::unique_ptr<FakeOutlet> taking_;  // last: its thread ends before the members it uses
 };
 
 }  // namespace

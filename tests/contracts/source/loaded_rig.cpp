@@ -1,6 +1,6 @@
-// As an arbitrary waveform generator: resamples the whole stimulus into a memory of its own rate
-// and resolution, and then runs by its own clock.
-#include "listening_outlet.hpp"
+// A model of an arbitrary waveform generator: resamples the whole stimulus into a memory with its
+// own rate and resolution, and plays it on its own.
+#include "measuring_outlet.hpp"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ constexpr double kMemoryRate_hz = 10000.0;
 constexpr double kStep_pu = kFullScale_pu / 8192.0;
 constexpr double kLongest_s = 30.0;
 constexpr std::int64_t kUploadedAtOnce = 4000;
-constexpr std::int64_t kPolledTicks = 80;  // it is asked every 10 ms how far it is
+constexpr std::int64_t kPolledTicks = 80;  // its position is polled every 10 ms
 
 double rounded(double voltage_pu) {
   return kStep_pu * std::round(voltage_pu / kStep_pu);
@@ -20,7 +20,7 @@ double rounded(double voltage_pu) {
 
 class LoadedSource final : public source::Source {
  public:
-  explicit LoadedSource(ListeningOutlet& outlet) : outlet_(outlet) {}
+  explicit LoadedSource(MeasuringOutlet& outlet) : outlet_(outlet) {}
 
   source::Limits limits() const override {
     return {"waveform generator",
@@ -78,7 +78,7 @@ class LoadedSource final : public source::Source {
   drivers::Status switch_off() noexcept override { return drivers::Done{}; }
 
  private:
-  // At the memory's rate, on straight lines between the stimulus's samples.
+  // At the memory's rate, linear between the stimulus's samples.
   static std::vector<double> resampled(const float* ideal, std::size_t count) {
     std::vector<double> memory;
     for (double at = 0.0; at < static_cast<double>(count - 1); at = memory_ticks(memory.size())) {
@@ -92,7 +92,7 @@ class LoadedSource final : public source::Source {
   static double memory_ticks(std::size_t entry) {
     return static_cast<double>(entry) * 8000.0 / kMemoryRate_hz;
   }
-  // At a tick of the stimulus, behind the reconstruction filter.
+  // At a tick of the stimulus, after the reconstruction filter.
   static double output(const std::vector<double>& memory, std::size_t tick) {
     const double at = static_cast<double>(tick) * kMemoryRate_hz / 8000.0;
     const auto entry = static_cast<std::size_t>(at);
@@ -103,7 +103,7 @@ class LoadedSource final : public source::Source {
     return (1.0 - part) * memory[entry] + part * memory[entry + 1];
   }
 
-  ListeningOutlet& outlet_;
+  MeasuringOutlet& outlet_;
   std::vector<double> memory_;
 };
 
@@ -113,7 +113,7 @@ class LoadedRig final : public SourceRig {
   std::vector<Reading> readings() override { return outlet_.measurements().after(0); }
 
  private:
-  ListeningOutlet outlet_;
+  MeasuringOutlet outlet_;
   LoadedSource source_{outlet_};
 };
 

@@ -1,4 +1,4 @@
-// Sources with an outlet at each: what the suite needs beside their interface.
+// Adapters for the suite: a source with one outlet.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace gsbench::test {
 
 struct Reading {
-  std::int64_t tick;  // of the stimulus: of the voltage that it is a measurement of
+  std::int64_t tick;  // of the stimulus, corrected for the outlet's delay
   double frequency_hz;
   double voltage_pu;
 };
@@ -19,13 +19,13 @@ class SourceRig {
  public:
   virtual ~SourceRig() = default;
   virtual source::Source& source() = 0;
-  // Of the firmware, since the first start.
+  // The firmware's measurements since the first start.
   virtual std::vector<Reading> readings() = 0;
 };
 
 std::unique_ptr<SourceRig> simulated_source();
 std::unique_ptr<SourceRig> emulated_mains();
-// No drivers, but the other two kinds that the interface is for.
+// Not drivers: models of the other two kinds of source.
 std::unique_ptr<SourceRig> loaded_source();
 std::unique_ptr<SourceRig> stepped_source();
 

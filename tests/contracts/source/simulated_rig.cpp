@@ -1,4 +1,4 @@
-#include "listening_outlet.hpp"
+#include "measuring_outlet.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ class SimulatedRig final : public SourceRig {
     link::Happenings happenings;
     EXPECT_TRUE(bench_.link().poll(happenings).ok());
     for (const link::OutletPresence& outlet : happenings.joined) {
-      measurements_.hear(outlet.hello);
+      measurements_.take_hello(outlet.hello);
     }
     for (const link::Received& received : happenings.messages) {
       measurements_.put(received.message);

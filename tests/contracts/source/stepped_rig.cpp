@@ -1,6 +1,6 @@
-// As an AC source with a list of steps: holds a frequency and a voltage, both of some resolution,
-// for each step; its phase runs on.
-#include "listening_outlet.hpp"
+// A model of an AC source with a list of steps: holds frequency and voltage, both with a finite
+// resolution, for each step. The phase is continuous.
+#include "measuring_outlet.hpp"
 
 #include <cmath>
 
@@ -19,7 +19,7 @@ struct Step {
 
 class SteppedSource final : public source::Source {
  public:
-  explicit SteppedSource(ListeningOutlet& outlet) : outlet_(outlet) {}
+  explicit SteppedSource(MeasuringOutlet& outlet) : outlet_(outlet) {}
 
   source::Limits limits() const override {
     return {"AC source", source::Kind::kStepped, kSteppedFullScale_pu, 60.0, {8000}, {50}, false};
@@ -58,7 +58,7 @@ class SteppedSource final : public source::Source {
     return drivers::Done{};
   }
 
-  // It says which step it is at, no more.
+  // It reports the current step only, not the position within it.
   drivers::Result<std::int64_t> play_until(std::int64_t until_tick) override {
     const std::int64_t step_end = (until_tick + kStepTicks - 1) / kStepTicks * kStepTicks;
     const std::int64_t end = std::min(step_end, stimulus().total_ticks());
@@ -73,7 +73,7 @@ class SteppedSource final : public source::Source {
   drivers::Status switch_off() noexcept override { return drivers::Done{}; }
 
  private:
-  // What the stimulus is in the middle of each step.
+  // The stimulus's values in the middle of each step.
   static std::vector<Step> steps_of(const source::Stimulus& stimulus) {
     std::vector<Step> steps;
     for (std::int64_t tick = 0; tick < stimulus.total_ticks(); tick += kStepTicks) {
@@ -85,7 +85,7 @@ class SteppedSource final : public source::Source {
     return steps;
   }
 
-  ListeningOutlet& outlet_;
+  MeasuringOutlet& outlet_;
   std::vector<Step> steps_;
   double cycles_ = 0.0;
 };
@@ -96,7 +96,7 @@ class SteppedRig final : public SourceRig {
   std::vector<Reading> readings() override { return outlet_.measurements().after(0); }
 
  private:
-  ListeningOutlet outlet_;
+  MeasuringOutlet outlet_;
   SteppedSource source_{outlet_};
 };
 

@@ -22,9 +22,9 @@ TEST(Workers, DoEachPieceOnceForAnyNumberOfThreadsAndPieces) {
   }
 }
 
-// Plain ints: what the pieces wrote is there for the caller, and for the next run, without more
-// ado. The thread sanitizer judges that; here a lost or a doubled piece would show.
-TEST(Workers, HandOverManyShortRunsOneAfterAnother) {
+// The counters are plain ints: run() must synchronise the pieces' writes with the caller and with
+// the next run (checked by the thread sanitizer). A lost or doubled piece changes a count.
+TEST(Workers, RunManyShortJobsInSequence) {
   constexpr int kRuns = 3000;
   Workers workers(4);
   std::vector<int> done(5, 0);
@@ -35,7 +35,7 @@ TEST(Workers, HandOverManyShortRunsOneAfterAnother) {
   EXPECT_EQ(done, std::vector<int>(5, kRuns));
 }
 
-TEST(Workers, HandTheirCallerWhatAPieceThrewOnceAllAreDone) {
+TEST(Workers, RethrowTheFirstExceptionAfterAllPieces) {
   for (const std::size_t threads : {1U, 4U}) {
     Workers workers(threads);
     std::vector<int> done(16, 0);
@@ -48,18 +48,18 @@ TEST(Workers, HandTheirCallerWhatAPieceThrewOnceAllAreDone) {
     EXPECT_THROW(workers.run(done.size(), odd_ones_throw), std::runtime_error);
     EXPECT_EQ(done, std::vector<int>(16, 1));
     EXPECT_NO_THROW(workers.run(done.size(), [&](std::size_t piece) { ++done[piece]; }))
-        << "what was thrown is thrown once";
+        << "an exception must be rethrown only once";
     EXPECT_EQ(done, std::vector<int>(16, 2));
   }
 }
 
-TEST(Workers, ComeAndGoWithoutWork) {
+TEST(Workers, StartAndStopWithoutWork) {
   for (int i = 0; i < 200; ++i) {
     const Workers workers(3);
   }
 }
 
-TEST(Workers, WorkAtTheSameTime) {
+TEST(Workers, RunPiecesConcurrently) {
   Workers workers(2);
   std::mutex mutex;
   std::condition_variable both_here;
@@ -69,7 +69,7 @@ TEST(Workers, WorkAtTheSameTime) {
     std::unique_lock<std::mutex> lock(mutex);
     ++arrived;
     both_here.notify_all();
-    // One after the other they would never meet; the time limit only ends a failing test.
+    // Pieces run in sequence would never meet; the time limit only ends a failing test.
     met += both_here.wait_for(lock, std::chrono::seconds(20), [&] { return arrived == 2; }) ? 1 : 0;
   });
   EXPECT_EQ(met, 2);

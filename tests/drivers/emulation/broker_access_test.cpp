@@ -1,5 +1,5 @@
-// Who may do what on the private broker, tried from outside with Mosquitto's own clients. Each
-// refusal stands beside the same attempt with the right credentials.
+// The private broker's access rules, tested with Mosquitto's command-line clients. Each refused
+// attempt is compared with the same attempt with the right credentials.
 #include "outsider.hpp"
 #include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
@@ -22,7 +22,7 @@ class BrokerAccess : public testing::Test {
   PrivateBroker broker_ = demand(PrivateBroker::start({folder_.file("broker"), {"a", "b"}}));
 };
 
-TEST_F(BrokerAccess, AnOutletIsHeardByTheBenchAndByNoOtherOutlet) {
+TEST_F(BrokerAccess, OnlyTheBenchReadsAnOutletsMessages) {
   outlet("a").write("gs/a/hello", "I am a");
   outlet("a").write("gs/a/up", "50 Hz");
   EXPECT_EQ(bench().read("gs/a/hello"), "I am a");
@@ -30,22 +30,22 @@ TEST_F(BrokerAccess, AnOutletIsHeardByTheBenchAndByNoOtherOutlet) {
   EXPECT_EQ(outlet("b").read("gs/a/#"), "");
 }
 
-TEST_F(BrokerAccess, TheBenchCommandsAnOutletAndNoOtherOutletDoes) {
-  outlet("b").write("gs/a/down", "open, says b");
+TEST_F(BrokerAccess, OnlyTheBenchCommandsAnOutlet) {
+  outlet("b").write("gs/a/down", "open, from b");
   EXPECT_EQ(outlet("a").read("gs/a/down"), "");
   bench().write("gs/a/down", "open");
   EXPECT_EQ(outlet("a").read("gs/a/down"), "open");
   EXPECT_EQ(outlet("b").read("gs/a/down"), "");
 }
 
-TEST_F(BrokerAccess, AnOutletSpeaksInNoOtherOutletsName) {
-  outlet("b").write("gs/a/hello", "I am a, says b");
+TEST_F(BrokerAccess, AnOutletCannotPublishUnderAnotherId) {
+  outlet("b").write("gs/a/hello", "I am a, from b");
   EXPECT_EQ(bench().read("gs/a/hello"), "");
   outlet("b").write("gs/b/hello", "I am b");
   EXPECT_EQ(bench().read("gs/+/hello"), "I am b");
 }
 
-TEST_F(BrokerAccess, WithoutAPasswordNobodyReadsOrCommands) {
+TEST_F(BrokerAccess, RequiresTheRightPassword) {
   outlet("a").write("gs/a/hello", "I am a");
   const Outsider without{broker_, broker_.ca_file(), {}};
   const Outsider wrong{broker_, broker_.ca_file(), {"bench", "guessed"}};
@@ -57,7 +57,7 @@ TEST_F(BrokerAccess, WithoutAPasswordNobodyReadsOrCommands) {
   EXPECT_EQ(bench().read("gs/a/hello"), "I am a");
 }
 
-TEST_F(BrokerAccess, WithoutItsCertificateAuthorityNobodyTrustsTheBroker) {
+TEST_F(BrokerAccess, RequiresTlsWithItsOwnCa) {
   outlet("a").write("gs/a/hello", "I am a");
   const PrivateBroker other = demand(PrivateBroker::start({folder_.file("other"), {}}));
   const Outsider no_tls{broker_, "", broker_.bench()};

@@ -1,4 +1,4 @@
-// Starts a child that would sleep for long, writes its number down, and waits to be killed.
+// Starts a child that sleeps, writes the child's process id to a file, and waits to be killed.
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,7 +10,7 @@ int main(int, char** argv) {
   if (!child.ok()) {
     return 1;
   }
-  // Renamed when it is whole, so that nobody reads half a number.
+  // Renamed when complete, so that the test never reads half a number.
   const std::string path = argv[1];
   std::FILE* const file = std::fopen((path + ".new").c_str(), "w");
   if (file == nullptr) {

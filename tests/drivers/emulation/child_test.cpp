@@ -1,4 +1,4 @@
-// Programs that run beside the bench end with it.
+// Child processes end with the bench.
 #include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
@@ -32,17 +32,17 @@ TEST(Child, EndsWithTheObjectThatOwnsIt) {
 
 TEST(Child, EndsWhenItsOwnersProcessIsKilled) {
   const TemporaryFolder folder;
-  const std::string told = folder.file("pid");
-  Child owner = started({CHILD_OWNER_PROGRAM, told});
-  ASSERT_TRUE(until([&] { return std::ifstream(told).good(); }));
+  const std::string pid_file = folder.file("pid");
+  Child owner = started({CHILD_OWNER_PROGRAM, pid_file});
+  ASSERT_TRUE(until([&] { return std::ifstream(pid_file).good(); }));
   pid_t grandchild = 0;
-  std::ifstream(told) >> grandchild;
+  std::ifstream(pid_file) >> grandchild;
   ASSERT_TRUE(runs(grandchild));
   owner.kill();
   EXPECT_TRUE(until([&] { return !runs(grandchild); }));
 }
 
-TEST(Child, ThatIgnoresTheTerminationSignalIsKilled) {
+TEST(Child, IsKilledIfItIgnoresSigterm) {
   const TemporaryFolder folder;
   const std::string ready = folder.file("ready");
   Child child = started({"sh", "-c", "trap '' TERM; : > " + ready + "; while :; do sleep 1; done"});
@@ -53,7 +53,7 @@ TEST(Child, ThatIgnoresTheTerminationSignalIsKilled) {
   EXPECT_FALSE(runs(pid));
 }
 
-TEST(Child, ThatIsStoppedByASignalEndsNevertheless) {
+TEST(Child, EndsEvenIfStoppedBySigstop) {
   Child child = started({"sleep", "1000"});
   const pid_t pid = child.pid();
   ASSERT_EQ(::kill(pid, SIGSTOP), 0);
@@ -61,22 +61,22 @@ TEST(Child, ThatIsStoppedByASignalEndsNevertheless) {
   EXPECT_FALSE(runs(pid));
 }
 
-TEST(Child, ThatEndsByItselfIsNoLongerRunning) {
+TEST(Child, IsNotRunningAfterItHasEnded) {
   Child child = started({"true"});
   EXPECT_TRUE(until([&] { return !child.running(); }));
 }
 
-TEST(Child, ThatCannotBeStartedIsToldWithItsReason) {
+TEST(Child, ReportsWhyItCannotBeStarted) {
   EXPECT_EQ(Child::start({{"/nowhere/no-such-program"}, ""}).error(),
             "/nowhere/no-such-program: cannot be started: No such file or directory");
 }
 
-TEST(Child, WhoseOutputCannotBeWrittenIsToldWithItsReason) {
+TEST(Child, ReportsWhyItsOutputFileCannotBeOpened) {
   EXPECT_THAT(Child::start({{"true"}, "/nowhere/output"}).error(),
               HasSubstr("No such file or directory"));
 }
 
-TEST(Child, WritesIntoItsFile) {
+TEST(Child, WritesItsOutputToItsFile) {
   const TemporaryFolder folder;
   Child child = started({"sh", "-c", "echo out; echo err >&2"}, folder.file("log"));
   ASSERT_TRUE(until([&] { return !child.running(); }));

@@ -1,4 +1,4 @@
-// gs-outlet as its users meet it: what it says of bad usage, and its exit codes.
+// The command line of gs-outlet: messages for bad usage, and exit codes.
 #include "shared_memory_file.hpp"
 #include <test_support/demand.hpp>
 #include <test_support/output_of.hpp>
@@ -21,14 +21,14 @@ using emulation::SharedMemoryFile;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// With what it says on both outputs.
+// Returns standard output and standard error together.
 Output run(const std::string& arguments) {
   return output_of(std::string(GS_OUTLET_PROGRAM) + " " + arguments + " 2>&1");
 }
 
 class GsOutlet : public testing::Test {
  protected:
-  // Bad usage has an exit code of its own, its reason in one line, and a way to more.
+  // Bad usage: exit code 2, the reason in one line, and a hint at --help.
   static void expect_refused(const std::string& arguments, const std::string& why) {
     const Output output = run(arguments);
     EXPECT_EQ(output.exit_code, 2) << arguments;
@@ -49,7 +49,7 @@ class GsOutlet : public testing::Test {
   std::unique_ptr<NullModem> cable_ = demand(NullModem::create());
 };
 
-TEST_F(GsOutlet, SaysHowItIsUsed) {
+TEST_F(GsOutlet, PrintsHelp) {
   const Output output = run("--help");
   EXPECT_EQ(output.exit_code, 0);
   for (const char* option : {"--tcp", "--mqtt", "--ca", "--user", "--password-file", "--terminals",
@@ -58,7 +58,7 @@ TEST_F(GsOutlet, SaysHowItIsUsed) {
   }
 }
 
-TEST_F(GsOutlet, RefusesWhatItDoesNotUnderstand) {
+TEST_F(GsOutlet, RefusesUnknownArguments) {
   for (const std::string wrong : {"--nonsense", "--tcp", "something"}) {
     const Output output = run(wrong);
     EXPECT_EQ(output.exit_code, 2) << wrong;
@@ -67,13 +67,13 @@ TEST_F(GsOutlet, RefusesWhatItDoesNotUnderstand) {
   }
 }
 
-TEST_F(GsOutlet, WantsOneLine) {
+TEST_F(GsOutlet, RequiresExactlyOneConnection) {
   expect_refused(at_terminals(), "exactly one of --tcp and --mqtt is required");
   expect_refused("--tcp 127.0.0.1:1 --mqtt mqtt://127.0.0.1:1" + at_terminals(),
                  "exactly one of --tcp and --mqtt is required");
 }
 
-TEST_F(GsOutlet, RefusesALineThatIsNone) {
+TEST_F(GsOutlet, RefusesInvalidConnections) {
   cable_->unplug();
   expect_refused(line() + at_terminals(), line_address() + ": Connection refused");
   for (const std::string wrong : {"127.0.0.1", "127.0.0.1:", "127.0.0.1:70000", "localhost:5000"}) {
@@ -86,7 +86,7 @@ TEST_F(GsOutlet, RefusesALineThatIsNone) {
                  "/nowhere/password: cannot be read");
 }
 
-TEST_F(GsOutlet, RefusesTerminalsThatAreNone) {
+TEST_F(GsOutlet, RefusesInvalidTerminalFiles) {
   expect_refused(line() + " --terminals /nowhere/file --doorbell " + file_->doorbell(),
                  "/nowhere/file: No such file or directory");
   const std::string other = folder_.write("other", "something else");
@@ -98,26 +98,26 @@ TEST_F(GsOutlet, RefusesTerminalsThatAreNone) {
                  unmade + ": not a terminals file");
 }
 
-TEST_F(GsOutlet, RefusesADoorbellThatIsNone) {
+TEST_F(GsOutlet, RefusesInvalidDoorbells) {
   const std::string start = line() + " --terminals " + file_->path();
   expect_refused(start + " --doorbell /nowhere/bell", "/nowhere/bell: No such file or directory");
   expect_refused(start + " --doorbell /" + std::string(200, 'x'),
                  "/" + std::string(200, 'x') + ": too long for a socket");
 }
 
-TEST_F(GsOutlet, RefusesHardwareThatTheFirmwareDoesNotServe) {
+TEST_F(GsOutlet, RefusesUnsupportedSampleRates) {
   file_->terminals().sample_rate_hz = 100;
   expect_refused(line() + at_terminals(),
                  "the firmware does not support the hardware in the terminals file: 100 Hz sample "
                  "rate, 50 Hz nominal");
 }
 
-TEST_F(GsOutlet, EndsWhenItIsToldTo) {
+TEST_F(GsOutlet, EndsOnSigterm) {
   const Output output = run(line() + at_terminals() + " & pid=$!; sleep 0.3; kill $pid; wait $pid");
   EXPECT_EQ(output.exit_code, 0) << output.text;
 }
 
-TEST_F(GsOutlet, EndsWhenTheBenchIsGone) {
+TEST_F(GsOutlet, EndsWhenTheBenchEnds) {
   Child outlet = demand(Child::start({{GS_OUTLET_PROGRAM, "--tcp", line_address(), "--terminals",
                                        file_->path(), "--doorbell", file_->doorbell()},
                                       ""}));

@@ -1,4 +1,4 @@
-// An emulated station's hardware, and its folder: in use, left behind, removed.
+// An emulated station's hardware and the lifetime of its folder.
 #include "scratch_folder.hpp"
 #include <sys/wait.h>
 #include <test_support/demand.hpp>
@@ -23,7 +23,7 @@ using emulation::HardwareOptions;
 using emulation::ScratchFolder;
 using testing::HasSubstr;
 
-TEST(ScratchFolder, GoesWithItsOwnerAndAllThatIsInIt) {
+TEST(ScratchFolder, IsRemovedWithItsFilesByItsOwner) {
   std::string path;
   {
     const std::unique_ptr<ScratchFolder> folder = demand(ScratchFolder::create());
@@ -34,40 +34,40 @@ TEST(ScratchFolder, GoesWithItsOwnerAndAllThatIsInIt) {
   EXPECT_FALSE(fs::exists(path));
 }
 
-TEST(ScratchFolder, CanBeReadByNobodyElse) {
+TEST(ScratchFolder, IsAccessibleForItsUserOnly) {
   const std::unique_ptr<ScratchFolder> folder = demand(ScratchFolder::create());
   EXPECT_EQ(fs::status(folder->path()).permissions(), fs::perms::owner_all);
 }
 
-TEST(ScratchFolder, InUseIsLeftAlone) {
+TEST(ScratchFolder, IsNotRemovedWhileInUse) {
   const std::unique_ptr<ScratchFolder> first = demand(ScratchFolder::create());
   const std::unique_ptr<ScratchFolder> second = demand(ScratchFolder::create());
   EXPECT_NE(first->path(), second->path());
   EXPECT_TRUE(fs::exists(first->path()));
 }
 
-TEST(ScratchFolder, OfAKilledOwnerIsRemovedByTheNext) {
-  int told[2];
-  ASSERT_EQ(pipe(told), 0);
+TEST(ScratchFolder, IsRemovedByTheNextIfItsOwnerWasKilled) {
+  int channel[2];
+  ASSERT_EQ(pipe(channel), 0);
   const pid_t owner = fork();
   if (owner == 0) {
     auto made = ScratchFolder::create();
     if (made.ok()) {
       const std::unique_ptr<ScratchFolder> folder = made.take();
       std::ofstream(folder->path() + "/left") << "behind";
-      const ssize_t put = ::write(told[1], folder->path().c_str(), folder->path().size());
+      const ssize_t put = ::write(channel[1], folder->path().c_str(), folder->path().size());
       pause();
       _exit(put > 0 ? 0 : 1);
     }
     _exit(1);
   }
   char path[256] = {};
-  ASSERT_GT(::read(told[0], path, sizeof path - 1), 0);
-  ::close(told[0]);
-  ::close(told[1]);
+  ASSERT_GT(::read(channel[0], path, sizeof path - 1), 0);
+  ::close(channel[0]);
+  ::close(channel[1]);
   {
     const auto beside = ScratchFolder::create();
-    EXPECT_TRUE(fs::exists(path)) << "its owner still lives";
+    EXPECT_TRUE(fs::exists(path)) << "its owner is still running";
   }
   ASSERT_EQ(::kill(owner, SIGKILL), 0);
   ASSERT_EQ(waitpid(owner, nullptr, 0), owner);
@@ -83,7 +83,7 @@ HardwareOptions with(std::vector<emulation::HardwareOutlet> outlets) {
   return options;
 }
 
-TEST(Hardware, EndsItsOutletsBrokerAndFilesWithItself) {
+TEST(Hardware, EndsItsProcessesAndRemovesItsFiles) {
   std::vector<pid_t> pids;
   std::string folder;
   {
@@ -103,18 +103,18 @@ TEST(Hardware, EndsItsOutletsBrokerAndFilesWithItself) {
   EXPECT_FALSE(fs::exists(folder));
 }
 
-TEST(Hardware, WithoutOutletsOnMqttHasNoBroker) {
+TEST(Hardware, StartsNoBrokerWithoutOutletsOnMqtt) {
   EXPECT_EQ(demand(Hardware::set_up(with({{"s"}})))->broker(), nullptr);
 }
 
-TEST(Hardware, TellsWhatItCannotSetUp) {
+TEST(Hardware, ReportsWhyItCannotBeSetUp) {
   const auto refusal = [](const HardwareOptions& options) {
     return Hardware::set_up(options).error();
   };
   EXPECT_THAT(refusal(with({{"m4", "mps2-an386", Connection::kMqtt}})),
               HasSubstr("outlet m4: the board mps2-an386 has no radio"));
   EXPECT_THAT(refusal(with({{"f4", "stm32f405"}})),
-              HasSubstr("outlet f4: no board \"stm32f405\" can be emulated"));
+              HasSubstr("outlet f4: the board \"stm32f405\" cannot be emulated"));
   EXPECT_THAT(refusal(with({{"s"}, {"s"}})), HasSubstr("s.terminals: File exists"));
   HardwareOptions missing = with({{"s"}});
   missing.host_program = "/nowhere/gs-outlet";

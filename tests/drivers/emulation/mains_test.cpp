@@ -1,7 +1,7 @@
-// The mains at outlets' terminals, with outlets that are played here: what is written into their
-// files, who is waited for, what the relay sense makes of a coil.
+// The emulated mains with fake outlets: samples in the shared memory, waiting for slow outlets, and
+// the relay sense's edges after a change of the coil.
+#include "fake_outlet.hpp"
 #include "shared_memory_file.hpp"
-#include "taking_outlet.hpp"
 #include <test_support/demand.hpp>
 #include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
@@ -21,7 +21,7 @@ using gsbench::emulation::Mains;
 using gsbench::emulation::MainsOptions;
 using gsbench::emulation::SharedMemoryFile;
 using gsbench::test::demand;
-using gsbench::test::TakingOutlet;
+using gsbench::test::FakeOutlet;
 using gsbench::test::TemporaryFolder;
 using gsbench::test::until;
 using std::chrono::steady_clock;
@@ -37,8 +37,8 @@ class MainsAtTerminals : public testing::Test {
     mains_ = demand(Mains::create(options));
   }
 
-  std::unique_ptr<TakingOutlet> plug_in(std::size_t outlet) const {
-    return std::make_unique<TakingOutlet>(*mains_, outlet);
+  std::unique_ptr<FakeOutlet> plug_in(std::size_t outlet) const {
+    return std::make_unique<FakeOutlet>(*mains_, outlet);
   }
 
   void start() { gsbench::test::start(mains_->source(), stimulus_); }
@@ -56,15 +56,14 @@ class MainsAtTerminals : public testing::Test {
   std::int64_t tick_ = 0;
 };
 
-TEST_F(MainsAtTerminals, NoOutletLosesASampleHoweverFastTheSourcePlays) {
+TEST_F(MainsAtTerminals, NoOutletLosesSamplesWithoutRealTime) {
   constexpr std::int64_t kTicks = 3125 * 128;
   make({{"slow", -200.0}, {"fast", 200.0}});
   const auto slow = plug_in(0);
   const auto fast = plug_in(1);
   start();
   play(kTicks);
-  // What the converters counted before the source, and what they made of its ticks but the last
-  // two.
+  // The samples before the stimulus, plus those made of its ticks except the last two.
   const auto due = [](std::size_t before, double rate) {
     return before + static_cast<std::size_t>(static_cast<double>(kTicks - 2) * rate);
   };
@@ -76,7 +75,7 @@ TEST_F(MainsAtTerminals, NoOutletLosesASampleHoweverFastTheSourcePlays) {
   EXPECT_EQ(fast->lost(), 0U);
 }
 
-TEST_F(MainsAtTerminals, OneThatHasEndedDoesNotHoldUpTheOthersForLong) {
+TEST_F(MainsAtTerminals, StopsWaitingForAnOutletThatHasEnded) {
   make({{"dead", 0.0}, {"alive", 0.0}});
   stimulus_.duration_s = 90.0;
   auto dead = plug_in(0);
@@ -84,7 +83,7 @@ TEST_F(MainsAtTerminals, OneThatHasEndedDoesNotHoldUpTheOthersForLong) {
   start();
   play(1280);
   dead->end();
-  // Given up after two seconds without a sample taken, once; ten times the ring's length then.
+  // The source stops waiting after 2 s, once; then it plays ten times the ring's length.
   const auto begin = steady_clock::now();
   play(10 * 65536);
   EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(8));
@@ -92,27 +91,27 @@ TEST_F(MainsAtTerminals, OneThatHasEndedDoesNotHoldUpTheOthersForLong) {
   EXPECT_EQ(alive->lost(), 0U);
 }
 
-TEST_F(MainsAtTerminals, TheSenseTakesOffWhatAnOutletsCrystalIsFast) {
+TEST_F(MainsAtTerminals, RelaySenseCorrectsForTheOutletsCrystal) {
   make({{"a", 200.0}});
   const auto a = plug_in(0);
   start();
   play(80000);
   ASSERT_TRUE(until([&] { return a->taken() == mains_->terminals(0).written; }));
-  // 16 samples by now.
+  // 200 ppm of 80000 ticks are 16 samples.
   EXPECT_EQ(a->taken(), 800U + 80000U - 2U + 16U);
   a->drive_relay(false);
   play(2000 / 128 * 128);
   std::vector<gsbench::relay::Edge> edges;
   ASSERT_TRUE(mains_->relay_sense().poll(edges).ok());
   ASSERT_EQ(edges.size(), 1U);
-  // The fastest and the slowest relay: 6.5 and 9.5 ms.
+  // The relay takes 6.5 to 9.5 ms.
   EXPECT_NEAR(static_cast<double>(edges[0].count), 79998.0 + 64.0, 12.0 + 1.0);
 }
 
-TEST_F(MainsAtTerminals, OutletsHaveNominalVoltageInPhaseBeforeTheStimulus) {
+TEST_F(MainsAtTerminals, OutletsGetNominalVoltageInPhaseBeforeTheStimulus) {
   make({{"a", 0.0}});
   std::vector<std::int16_t> taken;
-  TakingOutlet a(*mains_, 0, [&](const std::int16_t* samples, std::size_t count) {
+  FakeOutlet a(*mains_, 0, [&](const std::int16_t* samples, std::size_t count) {
     taken.insert(taken.end(), samples, samples + count);
   });
   start();
@@ -126,7 +125,7 @@ TEST_F(MainsAtTerminals, OutletsHaveNominalVoltageInPhaseBeforeTheStimulus) {
   EXPECT_NEAR(*std::max_element(taken.begin(), taken.begin() + 800), 32767 / 1.5, 2);
 }
 
-TEST(SharedMemoryFile, CountsWhatAnOutletHasStillToTake) {
+TEST(SharedMemoryFile, CountsTheSamplesNotReadYet) {
   const TemporaryFolder folder;
   SharedMemoryFile file = demand(SharedMemoryFile::create(folder.path().string(), {"a"}));
   const std::vector<std::int16_t> samples(100);
@@ -139,7 +138,7 @@ TEST(SharedMemoryFile, CountsWhatAnOutletHasStillToTake) {
   EXPECT_EQ(file.behind(), 70U);
 }
 
-TEST(SharedMemoryFile, IsMadeOnceForAnIdAndGoesWithItsOwner) {
+TEST(SharedMemoryFile, IsCreatedOncePerIdAndRemovedByItsOwner) {
   const TemporaryFolder folder;
   {
     const auto first = SharedMemoryFile::create(folder.path().string(), {"a"});

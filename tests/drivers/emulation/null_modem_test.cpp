@@ -1,4 +1,4 @@
-// Serial cables without hardware, with raw bytes at both ends.
+// Emulated serial cables, with raw bytes at both ends.
 #include <test_support/waiting.hpp>
 
 #include <memory>
@@ -59,7 +59,7 @@ TEST_F(Cable, PassesEveryByteBothWays) {
   EXPECT_EQ(received(*outlet_, 256), all);
 }
 
-TEST_F(Cable, SpoilsTheWayThatItIsToldToAndNothingElse) {
+TEST_F(Cable, SpoilsOnlyTheChosenDirection) {
   cable_->spoil([](Bytes& bytes) { bytes.push_back(0x55); });
   ASSERT_TRUE(outlet_->send({1, 2}).ok());
   EXPECT_EQ(received(*bench_, 3), (Bytes{1, 2, 0x55}));
@@ -73,7 +73,7 @@ TEST_F(Cable, SpoilsTheWayThatItIsToldToAndNothingElse) {
   EXPECT_EQ(received(*outlet_, 2), (Bytes{7, 0x66}));
 }
 
-TEST_F(Cable, ThatIsUnpluggedHangsUpAtBothEndsAndTakesNobodyUntilItIsPluggedIn) {
+TEST_F(Cable, ClosesBothEndsWhenUnpluggedAndAcceptsAgainWhenPluggedIn) {
   EXPECT_FALSE(hung_up(*bench_));
   EXPECT_FALSE(hung_up(*outlet_));
   cable_->unplug();
@@ -86,7 +86,7 @@ TEST_F(Cable, ThatIsUnpluggedHangsUpAtBothEndsAndTakesNobodyUntilItIsPluggedIn) 
   EXPECT_EQ(received(*outlet_, 1), (Bytes{8}));
 }
 
-TEST_F(Cable, KeepsTheBenchsEndWhenTheOutletGoesAndComesBack) {
+TEST_F(Cable, KeepsTheBenchConnectedWhenTheOutletReconnects) {
   outlet_->close();
   ASSERT_TRUE(bench_->send({9}).ok());
   EXPECT_FALSE(hung_up(*bench_));
@@ -95,7 +95,7 @@ TEST_F(Cable, KeepsTheBenchsEndWhenTheOutletGoesAndComesBack) {
   EXPECT_EQ(received(*bench_, 1), (Bytes{7}));
 }
 
-// Ports are their own from their making on, plugged in or not: nobody else's cable gets them.
+// A cable's ports are reserved from its creation on: no other cable gets them.
 TEST(NullModem, KeepsItsPortsWhileItIsUnplugged) {
   std::vector<std::unique_ptr<NullModem>> cables;
   std::vector<std::string> ends;

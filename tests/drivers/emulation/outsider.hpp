@@ -1,4 +1,4 @@
-// Somebody with Mosquitto's own command-line clients and whatever credentials are in hand.
+// A client of the private broker with arbitrary credentials: Mosquitto's command-line clients.
 #pragma once
 
 #include <test_support/output_of.hpp>
@@ -14,12 +14,12 @@ struct Outsider {
   std::string ca_file;
   emulation::Login login;
 
-  // What the topic's retained message is, for who may read it; "" for who may not.
+  // The topic's retained message; "" if there is none or reading is refused.
   std::string read(const std::string& topic) const {
     return run("mosquitto_sub" + identity() + " -t '" + topic + "' -C 1 -W 1");
   }
 
-  // Left there as a retained message, so that it can be read afterwards.
+  // Publishes a retained message, so that it can be read afterwards.
   void write(const std::string& topic, const std::string& text) const {
     run("mosquitto_pub" + identity() + " -t '" + topic + "' -r -q 1 -m '" + text + "'");
   }

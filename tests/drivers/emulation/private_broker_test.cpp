@@ -13,13 +13,13 @@ namespace {
 using emulation::PrivateBroker;
 using testing::HasSubstr;
 
-TEST(PrivateBroker, KeepsItsFolderToItself) {
+TEST(PrivateBroker, KeepsItsFolderAndPasswordsPrivate) {
   const TemporaryFolder folder;
   const PrivateBroker broker = demand(PrivateBroker::start({folder.file("broker"), {"a"}}));
   struct stat status {};
   ASSERT_EQ(stat(folder.file("broker").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0700U);
-  // Neither a password in clear nor what could sign another certificate is left in it.
+  // The folder holds neither a plain password nor the CA's key.
   const std::string passwords = folder.read("broker/passwords");
   EXPECT_THAT(passwords, HasSubstr("bench:$7$"));
   EXPECT_EQ(passwords.find(broker.bench().password), std::string::npos);
@@ -28,7 +28,7 @@ TEST(PrivateBroker, KeepsItsFolderToItself) {
   EXPECT_EQ(std::count(entries.begin(), entries.end(), "broker/ca.pem"), 1);
 }
 
-TEST(PrivateBroker, ComesBackOnItsPortAfterAKill) {
+TEST(PrivateBroker, RestartsOnItsPortAfterAKill) {
   const TemporaryFolder folder;
   PrivateBroker broker = demand(PrivateBroker::start({folder.file("broker"), {"a"}}));
   const auto port = broker.port();
@@ -45,7 +45,7 @@ TEST(PrivateBroker, ComesBackOnItsPortAfterAKill) {
   EXPECT_EQ(bench.read("gs/a/hello"), "back");
 }
 
-TEST(PrivateBroker, ManyStandBesideEachOther) {
+TEST(PrivateBroker, SeveralRunAtOnce) {
   const TemporaryFolder folder;
   const PrivateBroker one = demand(PrivateBroker::start({folder.file("one"), {}}));
   const PrivateBroker two = demand(PrivateBroker::start({folder.file("two"), {}}));
@@ -62,7 +62,7 @@ TEST(PrivateBroker, RefusesIdsThatItsAccessListWouldMisread) {
   }
 }
 
-TEST(PrivateBroker, SaysWhyItCannotStart) {
+TEST(PrivateBroker, ReportsWhyItCannotStart) {
   const TemporaryFolder folder;
   const std::string file = folder.write("file", "");
   const auto started = PrivateBroker::start({file + "/broker", {}});

@@ -1,5 +1,5 @@
-// Spoilers for a cable (emulation/null_modem.hpp) that know frames: what an outlet says, changed,
-// left out or repeated message by message.
+// Spoilers for a cable (emulation/null_modem.hpp). Some decode frames, and change, drop or repeat
+// whole messages; the others damage single bytes.
 #pragma once
 
 #include <wire_test/messages.hpp>
@@ -16,14 +16,14 @@ namespace gsbench::test {
 
 using gs::wire::test::Bytes;
 
-// `change` gets each whole message and returns those that are to pass in its place.
+// `change` gets each whole message and returns the messages to pass instead.
 inline emulation::Spoiler each_message(std::function<std::vector<Bytes>(const Bytes&)> change) {
   auto reader = std::make_shared<gs::wire::FrameReader>();
   return [reader, change = std::move(change)](Bytes& bytes) {
     const Bytes came = std::exchange(bytes, {});
     for (const Bytes& message : gs::wire::test::frames_in(*reader, came)) {
       if (message.empty()) {
-        continue;  // of a bad frame
+        continue;  // a bad frame
       }
       for (const Bytes& changed : change(message)) {
         const Bytes frame = gs::wire::test::framed(changed);
@@ -33,7 +33,7 @@ inline emulation::Spoiler each_message(std::function<std::vector<Bytes>(const By
   };
 }
 
-// Another hello in the place of the outlet's own.
+// Changes the outlet's hellos.
 inline emulation::Spoiler change_hello(std::function<void(gs::wire::Hello&)> change) {
   return each_message([change = std::move(change)](const Bytes& message) -> std::vector<Bytes> {
     gs::wire::Uplink uplink;
@@ -48,8 +48,8 @@ inline emulation::Spoiler change_hello(std::function<void(gs::wire::Hello&)> cha
   });
 }
 
-// Every n-th byte that passes is spoiled: `spoil` may change it, the one before it, or their
-// number.
+// Calls `spoil` at every n-th byte with all bytes up to it; `spoil` may change, drop or add bytes
+// at the end.
 inline emulation::Spoiler every_nth_byte(std::size_t n, std::function<void(Bytes& until)> spoil) {
   auto passed = std::make_shared<std::size_t>(0);
   return [passed, n, spoil = std::move(spoil)](Bytes& bytes) {
@@ -70,7 +70,7 @@ inline void flip_a_bit(Bytes& bytes) {
 inline void drop_a_byte(Bytes& bytes) {
   bytes.pop_back();
 }
-// A doubled zero would be an empty frame, which means nothing.
+// A zero is not doubled: the result would be an empty frame, which is ignored.
 inline void double_a_byte(Bytes& bytes) {
   bytes.push_back(bytes.back() == 0 ? 1 : bytes.back());
 }

@@ -1,4 +1,4 @@
-// Several links as one, and waiting for outlets on it.
+// Several links combined, and wait_for_outlets() on them.
 #include <memory>
 
 #include <gmock/gmock.h>
@@ -14,8 +14,8 @@ using gs::wire::Downlink;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// Has these outlets, which join at the first poll; at each later one each says a message and has a
-// fault.
+// A link whose outlets join at the first poll; at each later poll each outlet sends a message and
+// has a fault.
 class Scripted final : public Link {
  public:
   Scripted(std::vector<OutletPresence> outlets, std::vector<std::string>& sent, bool refused)
@@ -42,7 +42,7 @@ class Scripted final : public Link {
     joined_ = true;
     return drivers::Done{};
   }
-  std::vector<Fault> missing() override { return {{"nobody", "is not on scripted"}}; }
+  std::vector<Fault> missing() override { return {{"absent", "is not on scripted"}}; }
   void close() noexcept override {}
 
  private:
@@ -75,14 +75,14 @@ class TwoLinks : public testing::Test {
     return all;
   }
 
-  bool refused_ = false;  // by the second
+  bool refused_ = false;  // the second link cannot be opened
   std::vector<std::string> sent_to_first_;
   std::vector<std::string> sent_to_second_;
   std::unique_ptr<CombinedLink> link_;
   std::vector<OutletPresence> present_;
 };
 
-TEST_F(TwoLinks, AreOneByTheIdsOfTheirOutlets) {
+TEST_F(TwoLinks, AreCombinedByTheIdsOfTheirOutlets) {
   wait({{"a", "port 1", {}}, {"b", "port 2", {}}}, {{"c", "broker", {}}}, {"c", "port 1"});
   EXPECT_THAT(found(), ElementsAre("c", "a"));
   EXPECT_EQ(present_[0].where, "broker");
@@ -100,37 +100,35 @@ TEST_F(TwoLinks, AreOneByTheIdsOfTheirOutlets) {
   EXPECT_EQ(happenings.faults[2].what, "of c");
 }
 
-TEST_F(TwoLinks, WithAnOutletOfOneIdOnEachHaveBothAtFault) {
+TEST_F(TwoLinks, ReportTheSameIdOnBothLinksAsAFaultOfBothOutlets) {
   wait({{"a", "port 1", {}}, {"twin", "port 2", {}}}, {{"twin", "broker", {}}, {"c", "broker", {}}},
        {"port 1", "port 2", "twin", "c"});
-  EXPECT_THAT(
-      found(),
-      ElementsAre("a", "twin on port 2: is there twice: the one on broker says that it is it",
-                  "twin on broker: is there twice: the one on port 2 says that it is it", "c"));
+  EXPECT_THAT(found(), ElementsAre("a", "twin on port 2: has the same id as the outlet on broker",
+                                   "twin on broker: has the same id as the outlet on port 2", "c"));
 }
 
-TEST_F(TwoLinks, HaveNoOutletWhereOneOfThemCannotBeOpened) {
+TEST_F(TwoLinks, CannotBeOpenedIfOneOfThemCannot) {
   refused_ = true;
   wait({{"a", "port 1", {}}}, {}, {"a"});
   EXPECT_THAT(present_, IsEmpty());
   EXPECT_FALSE(link_->send("a", {}).ok());
 }
 
-TEST_F(TwoLinks, PassOnWhatOneOfThemFoundAtFault) {
-  wait({{"a", "port 1", {}, "speaks in tongues"}}, {}, {"a"});
-  EXPECT_THAT(found(), ElementsAre("a: speaks in tongues"));
+TEST_F(TwoLinks, PassOnTheFaultsThatOneOfThemReports) {
+  wait({{"a", "port 1", {}, "uses protocol version 1"}}, {}, {"a"});
+  EXPECT_THAT(found(), ElementsAre("a: uses protocol version 1"));
 }
 
-TEST_F(TwoLinks, AreWaitedForUntilTheEndAndNoLonger) {
+TEST_F(TwoLinks, AreWaitedForUntilPatienceEnds) {
   const auto begin = std::chrono::steady_clock::now();
-  wait({{"a", "port 1", {}}}, {}, {"a", "b", "nobody"}, 100ms);
+  wait({{"a", "port 1", {}}}, {}, {"a", "b", "absent"}, 100ms);
   EXPECT_GE(std::chrono::steady_clock::now() - begin, 100ms);
-  EXPECT_THAT(found(), ElementsAre("a", "b: does not answer", "nobody: is not on scripted"));
+  EXPECT_THAT(found(), ElementsAre("a", "b: does not answer", "absent: is not on scripted"));
 }
 
-TEST_F(TwoLinks, GiveAllThatThereAreWhereOthersAreWanted) {
+TEST_F(TwoLinks, ReturnAllOutletsIfOthersAreWanted) {
   wait({{"a", "port 1", {}}}, {{"c", "broker", {}}}, {"c"}, 0ms, 1ms);
-  EXPECT_THAT(found(), ElementsAre("c", "a", "nobody: is not on scripted"));
+  EXPECT_THAT(found(), ElementsAre("c", "a", "absent: is not on scripted"));
 }
 
 }  // namespace

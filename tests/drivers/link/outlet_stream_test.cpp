@@ -1,4 +1,4 @@
-// What one outlet's messages are taken for as they come: in order, twice, or from a new beginning.
+// How OutletStream handles messages in order, repeated messages and restarts of the outlet.
 #include <wire_test/messages.hpp>
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// What comes, and whether it is taken.
+// A message, and whether take() returns it.
 struct Coming {
   UplinkKind kind;
   std::uint64_t sample;
@@ -31,7 +31,7 @@ bool takes(OutletStream& stream, const std::vector<std::uint8_t>& bytes) {
   return stream.take(bytes.data(), bytes.size()).has_value();
 }
 
-// The faults that are told in the end.
+// Passes all messages to a stream and returns the faults that it noted.
 std::vector<std::string> faults_of(Delivery delivery, const std::vector<Coming>& all) {
   OutletStream stream(delivery);
   for (const Coming& coming : all) {
@@ -44,47 +44,47 @@ std::vector<std::string> faults_of(Delivery delivery, const std::vector<Coming>&
   return stream.take_faults();
 }
 
-TEST(OutletStream, TakesAFirstHelloThatComesTwiceOnce) {
+TEST(OutletStream, DropsARepeatedFirstHello) {
   const Coming again = {UplinkKind::kHello, 0, 0, false};
   EXPECT_THAT(faults_of(Delivery::kByBroker, {kHello, again, measurement(1)}), IsEmpty());
 }
 
-TEST(OutletStream, TellsOfAnOutletThatSaysTheSameHelloAfterMore) {
+TEST(OutletStream, ReportsARestartIfTheHelloRepeatsAfterOtherMessages) {
   EXPECT_THAT(faults_of(Delivery::kByBroker, {kHello, measurement(1), kHello, measurement(1)}),
               ElementsAre("restarted after its sample 128"));
 }
 
-TEST(OutletStream, TellsOfMessagesThatWereLost) {
+TEST(OutletStream, ReportsLostMessages) {
   EXPECT_THAT(faults_of(Delivery::kByBroker, {kHello, measurement(3)}),
               ElementsAre(HasSubstr("2 of its messages were lost")));
 }
 
-TEST(OutletStream, TellsOfWhatCannotBeRead) {
+TEST(OutletStream, ReportsUnreadableMessages) {
   OutletStream stream(Delivery::kByBroker);
   EXPECT_FALSE(takes(stream, {0xFF, 0x00}));
   EXPECT_THAT(stream.take_faults(), ElementsAre(HasSubstr("cannot be read")));
 }
 
-// What has a number from long ago is new, and the hello that should have come before it was lost.
-TEST(OutletStream, TellsOfANewBeginningWhoseHelloWasLost) {
+// A sequence number far below the last one is a new message; the hello before it was lost.
+TEST(OutletStream, ReportsARestartWhoseHelloWasLost) {
   EXPECT_THAT(
       faults_of(Delivery::kByCable, {kHello, measurement(100), measurement(3), measurement(4)}),
       ElementsAre(HasSubstr("99 of its messages were lost"), "restarted after its sample 12800"));
 }
 
-TEST(OutletStream, TellsOfANewBeginningWhoseNumbersFit) {
+TEST(OutletStream, ReportsARestartWhoseSequenceNumbersContinue) {
   const Coming late = {UplinkKind::kMeasurement, 128000, 1};
   EXPECT_THAT(faults_of(Delivery::kByCable, {kHello, late, measurement(2)}),
               ElementsAre("restarted after its sample 128000"));
 }
 
-TEST(OutletStream, DropsWhatACableRepeatsOrSwaps) {
+TEST(OutletStream, DropsRepeatedAndLateMessagesOnACable) {
   EXPECT_THAT(faults_of(Delivery::kByCable, {kHello, measurement(1), measurement(2),
                                              measurement(2, false), measurement(1, false)}),
               IsEmpty());
 }
 
-TEST(OutletStream, DropsWhatABrokerBringsAgain) {
+TEST(OutletStream, DropsMessagesThatABrokerRepeats) {
   EXPECT_THAT(faults_of(Delivery::kByBroker,
                         {kHello, measurement(1), measurement(2), measurement(1, false)}),
               IsEmpty());

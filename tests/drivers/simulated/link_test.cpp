@@ -1,4 +1,4 @@
-// What the simulated bench's link and relay sense add to what all do (tests/contracts).
+// Tests of the simulated link beyond the contract suites (tests/contracts).
 #include "mains.hpp"
 
 namespace gsbench::simulated::test {
@@ -6,7 +6,7 @@ namespace {
 
 using gs::wire::UplinkKind;
 
-TEST(SimulatedLink, ItsOutletsJoinOnceTheSourceIsEnergised) {
+TEST(SimulatedLink, OutletsJoinWhenTheSourceIsEnergised) {
   Bench bench(bench_of(3));
   link::Happenings happenings;
   ASSERT_TRUE(bench.link().open().ok());
@@ -19,7 +19,7 @@ TEST(SimulatedLink, ItsOutletsJoinOnceTheSourceIsEnergised) {
   EXPECT_EQ(happenings.joined.size(), 3U);
 }
 
-TEST(SimulatedLink, AMessageReachesItsOutletAfterTheDownlinksDelayAndNoOther) {
+TEST(SimulatedLink, AMessageReachesOnlyItsOutletAfterTheDownlinkDelay) {
   for (const double downlink_ms : {0.0, 5.0, 20.0}) {
     BenchParameters parameters = bench_of(2);
     parameters.outlet.downlink_ms = downlink_ms;
@@ -30,11 +30,11 @@ TEST(SimulatedLink, AMessageReachesItsOutletAfterTheDownlinksDelayAndNoOther) {
     gsbench::test::advance(bench.source(), 805);
     ASSERT_TRUE(bench.link().send(id_of(1), command(false)).ok());
     gsbench::test::advance(bench.source(), 805 + 3000);
-    std::vector<Heard> heard(2);
-    poll(bench, heard);
-    EXPECT_TRUE(heard[0].of(UplinkKind::kRelay).empty());
-    ASSERT_EQ(heard[1].of(UplinkKind::kRelay).size(), 1U);
-    EXPECT_EQ(heard[1].of(UplinkKind::kRelay)[0].sample,
+    std::vector<OutletLog> logs(2);
+    poll(bench, logs);
+    EXPECT_TRUE(logs[0].of(UplinkKind::kRelay).empty());
+    ASSERT_EQ(logs[1].of(UplinkKind::kRelay).size(), 1U);
+    EXPECT_EQ(logs[1].of(UplinkKind::kRelay)[0].sample,
               805U + static_cast<std::uint64_t>(8.0 * downlink_ms));
   }
 }

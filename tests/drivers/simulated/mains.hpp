@@ -1,4 +1,4 @@
-// A mains voltage to play, and everything a simulated bench says while it is played.
+// A mains voltage to play, and a log of a simulated bench's messages and edges.
 #pragma once
 
 #include <firmware_test/settings.hpp>
@@ -21,8 +21,8 @@ using gs::wire::test::command;
 
 constexpr std::int64_t kRate_hz = 8000;
 
-// Nominal for a second, then falling by 0.5 Hz/s: an event, an estimate, a decision, and after
-// 0.4 s of it the switching-off frequency of the outlets that play() plays to.
+// Nominal for 1 s, then falling by 0.5 Hz/s: causes an event, an estimate and a decision, and
+// reaches the switch-off frequency that play() sets (49.8 Hz) after 0.4 s.
 inline gsbench::test::Mains falling_mains(double duration_s, float noise_rms_pu = 0.0F,
                                           std::uint64_t seed = 1) {
   gsbench::test::Mains mains;
@@ -32,12 +32,12 @@ inline gsbench::test::Mains falling_mains(double duration_s, float noise_rms_pu 
   return mains;
 }
 
-// All that one outlet said and its contact did, in order.
-struct Heard {
+// One outlet's messages and its contact's edges, each in order.
+struct OutletLog {
   std::vector<gs::wire::Uplink> messages;
   std::vector<relay::Edge> edges;
 
-  // As bytes that compare bit for bit, NaN with NaN among them; the contact's edges as text.
+  // Messages as encoded bytes, so that they compare bit for bit, including NaN; edges as text.
   std::vector<std::string> as_bytes() const {
     std::vector<std::string> all;
     for (const gs::wire::Uplink& message : messages) {
@@ -71,25 +71,26 @@ inline BenchParameters bench_of(std::size_t outlets, std::size_t threads = 1) {
   return parameters;
 }
 
-inline void poll(Bench& bench, std::vector<Heard>& heard) {
+inline void poll(Bench& bench, std::vector<OutletLog>& logs) {
   link::Happenings happenings;
   std::vector<relay::Edge> edges;
   ASSERT_TRUE(bench.link().poll(happenings).ok());
   ASSERT_TRUE(happenings.faults.empty());
   ASSERT_TRUE(bench.relay_sense().poll(edges).ok());
   for (const link::Received& received : happenings.messages) {
-    heard.at(place_of(received.id)).messages.push_back(received.message);
+    logs.at(place_of(received.id)).messages.push_back(received.message);
   }
   for (const relay::Edge& edge : edges) {
-    heard.at(edge.channel).edges.push_back(edge);
+    logs.at(edge.channel).edges.push_back(edge);
   }
 }
 
-// Starts the bench, sends each outlet its settings and plays, block by block. Blocks take turns
-// through `block_ticks`.
-inline std::vector<Heard> play(Bench& bench, std::size_t outlets, const source::Stimulus& stimulus,
-                               const std::vector<std::int64_t>& block_ticks) {
-  std::vector<Heard> heard(outlets);
+// Starts the bench, sends settings to each outlet and plays in blocks, whose lengths cycle through
+// `block_ticks`.
+inline std::vector<OutletLog> play(Bench& bench, std::size_t outlets,
+                                   const source::Stimulus& stimulus,
+                                   const std::vector<std::int64_t>& block_ticks) {
+  std::vector<OutletLog> logs(outlets);
   gsbench::test::start(bench.source(), stimulus);
   EXPECT_TRUE(bench.link().open().ok());
   gs::outlet::Settings settings = gs::test::ieee24_settings();
@@ -102,10 +103,10 @@ inline std::vector<Heard> play(Bench& bench, std::size_t outlets, const source::
   for (std::int64_t tick = 0; tick < stimulus.total_ticks();) {
     tick = std::min(tick + block_ticks[turn++ % block_ticks.size()], stimulus.total_ticks());
     gsbench::test::advance(bench.source(), tick);
-    poll(bench, heard);
+    poll(bench, logs);
   }
   EXPECT_TRUE(bench.source().make_safe().ok());
-  return heard;
+  return logs;
 }
 
 }  // namespace gsbench::simulated::test

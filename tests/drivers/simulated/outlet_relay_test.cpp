@@ -1,4 +1,4 @@
-// How a simulated outlet's contact follows its coil.
+// The contact of a simulated outlet follows its coil.
 
 #include "mains.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 using Edges = std::vector<std::pair<std::int64_t, bool>>;
 
-// What the contact did when the coil was turned at these instants, off first, then on, and so on.
+// The contact's edges if the coil changes at these ticks: off first, then on, and so on.
 Edges contact_after(const std::vector<std::int64_t>& coil_ticks, std::size_t block_ticks = 4000) {
   OutletParameters parameters;
   parameters.downlink_ms = 0.0;
@@ -40,7 +40,7 @@ Edges contact_after(const std::vector<std::int64_t>& coil_ticks, std::size_t blo
   for (const gs::wire::Uplink& message : messages) {
     turns += message.kind == gs::wire::UplinkKind::kRelay ? 1 : 0;
   }
-  EXPECT_EQ(turns, coil_ticks.size()) << "the outlet tells of each turn of its coil";
+  EXPECT_EQ(turns, coil_ticks.size()) << "the outlet must report each change of its coil";
   EXPECT_EQ(outlet.relay_closed(), coil_ticks.size() % 2 == 0);
   Edges seen;
   for (const models::ContactEdge& edge : edges) {
@@ -53,25 +53,25 @@ TEST(SimulatedContact, FollowsTheCoilAfterTheOperateTime) {
   EXPECT_EQ(contact_after({1000, 2000}), (Edges{{1064, false}, {2064, true}}));
 }
 
-TEST(SimulatedContact, DoesNotMoveWhereTheCoilTurnsBackBeforeItHas) {
+TEST(SimulatedContact, DoesNotMoveIfTheCoilTurnsBackBefore) {
   EXPECT_EQ(contact_after({1000, 1001}), Edges{});
   EXPECT_EQ(contact_after({1000, 1063}), Edges{});
 }
 
-TEST(SimulatedContact, MovesThereAndBackWhereTheCoilTurnsBackOnceItHasMoved) {
+TEST(SimulatedContact, MovesTwiceIfTheCoilTurnsBackAfterwards) {
   EXPECT_EQ(contact_after({1000, 1064}), (Edges{{1064, false}, {1128, true}}));
 }
 
-TEST(SimulatedContact, MovesAgainAfterATurnThatCameToNothing) {
+TEST(SimulatedContact, MovesAgainAfterACancelledChange) {
   EXPECT_EQ(contact_after({1000, 1030, 1040}), (Edges{{1104, false}}));
   EXPECT_EQ(contact_after({1000, 1030, 1040, 1050, 2000}), (Edges{{2064, false}}));
 }
 
-TEST(SimulatedContact, DoesNotMoveForATurnThatTakesNoTimeAtAll) {
+TEST(SimulatedContact, DoesNotMoveForTwoChangesAtTheSameTick) {
   EXPECT_EQ(contact_after({1000, 1000}), Edges{});
 }
 
-TEST(SimulatedContact, DoesTheSameHoweverTheRunIsCutUp) {
+TEST(SimulatedContact, DoesNotDependOnTheBlockSize) {
   const std::vector<std::int64_t> turns = {500, 540, 1000, 1064, 1500, 1501, 1502};
   const Edges whole = contact_after(turns);
   ASSERT_EQ(whole, (Edges{{1064, false}, {1128, true}, {1566, false}}));

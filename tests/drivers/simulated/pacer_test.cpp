@@ -9,8 +9,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Lower bounds only: nothing promises when a machine in use goes on.
-TEST(Pacer, HoldsRealTimeBackToTheWallClock) {
+// Lower bounds only: a busy machine may wake up late.
+TEST(Pacer, WaitsForTheWallClockInRealTime) {
   Pacer pacer(Pace::kRealTime);
   const auto before = Clock::now();
   pacer.start(kRate_hz);
@@ -28,7 +28,7 @@ TEST(Pacer, CountsFromItsLatestStart) {
   EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(50));
 }
 
-TEST(Pacer, DoesNotHoldBackVirtualTime) {
+TEST(Pacer, DoesNotWaitInVirtualTime) {
   Pacer pacer(Pace::kVirtual);
   const auto before = Clock::now();
   pacer.start(kRate_hz);
@@ -36,7 +36,7 @@ TEST(Pacer, DoesNotHoldBackVirtualTime) {
   EXPECT_LT(Clock::now() - before, std::chrono::hours(1));
 }
 
-TEST(Pacer, RealTimeBringsTheSameAsVirtualTime) {
+TEST(Pacer, RealTimeGivesTheSameResultAsVirtualTime) {
   const gsbench::test::Mains mains = falling_mains(0.2 + 0.016, 0.01F);
   BenchParameters parameters = bench_of(2);
   Bench virtual_time(parameters);
@@ -45,7 +45,7 @@ TEST(Pacer, RealTimeBringsTheSameAsVirtualTime) {
   const auto fast = play(virtual_time, 2, mains, {128});
   const auto before = Clock::now();
   const auto slow = play(real_time, 2, mains, {128});
-  // The last block is handed over when the one before it is through.
+  // The last block is played when the one before it has ended.
   EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(200 - 8));
   EXPECT_EQ(fast[0].as_bytes(), slow[0].as_bytes());
   EXPECT_EQ(fast[1].as_bytes(), slow[1].as_bytes());

@@ -8,25 +8,25 @@ namespace {
 using gs::wire::UplinkKind;
 
 // Long enough for an event, LSE, EKF, the decision and the relay.
-class CutUp : public ::testing::Test {
+class SimulatedRun : public ::testing::Test {
  protected:
   static constexpr std::size_t kOutlets = 3;
 
-  static std::vector<Heard> heard(const std::vector<std::int64_t>& blocks, std::size_t threads,
-                                  std::uint64_t seed = 5) {
+  static std::vector<OutletLog> logs(const std::vector<std::int64_t>& blocks, std::size_t threads,
+                                     std::uint64_t seed = 5) {
     Bench bench(bench_of(kOutlets, threads));
     return play(bench, kOutlets, falling_mains(3.0, 0.01F, seed), blocks);
   }
 
-  static void expect_equal(const std::vector<Heard>& a, const std::vector<Heard>& b) {
+  static void expect_equal(const std::vector<OutletLog>& a, const std::vector<OutletLog>& b) {
     for (std::size_t i = 0; i < kOutlets; ++i) {
       EXPECT_EQ(a[i].as_bytes(), b[i].as_bytes()) << "outlet " << i;
     }
   }
 };
 
-TEST_F(CutUp, TheRunThatIsCutUpHasEveryKindOfMessageThatABlockCouldTear) {
-  for (const Heard& outlet : heard({4096}, 1)) {
+TEST_F(SimulatedRun, HasEveryKindOfMessage) {
+  for (const OutletLog& outlet : logs({4096}, 1)) {
     for (const UplinkKind kind :
          {UplinkKind::kSettingsAnswer, UplinkKind::kMeasurement, UplinkKind::kEvent,
           UplinkKind::kLse, UplinkKind::kEstimate, UplinkKind::kDecision, UplinkKind::kRelay}) {
@@ -36,34 +36,34 @@ TEST_F(CutUp, TheRunThatIsCutUpHasEveryKindOfMessageThatABlockCouldTear) {
   }
 }
 
-TEST_F(CutUp, SaysTheSameBitForBitHoweverTheRunIsCutIntoBlocks) {
-  const std::vector<Heard> whole = heard({24000}, 1);
-  // A report is 128 samples: blocks that divide it, are it, straddle it, and are longer than the
-  // chunk of 2048 that outlets work in.
-  expect_equal(whole, heard({1, 7, 64}, 1));
-  expect_equal(whole, heard({128}, 1));
-  expect_equal(whole, heard({129, 127, 1}, 1));
-  expect_equal(whole, heard({2047, 2049, 5000}, 1));
+TEST_F(SimulatedRun, IsBitIdenticalForAnyBlockSize) {
+  const std::vector<OutletLog> whole = logs({24000}, 1);
+  // A report is 128 samples: blocks that divide it, equal it, straddle it, and exceed the outlets'
+  // internal chunk of 2048 samples.
+  expect_equal(whole, logs({1, 7, 64}, 1));
+  expect_equal(whole, logs({128}, 1));
+  expect_equal(whole, logs({129, 127, 1}, 1));
+  expect_equal(whole, logs({2047, 2049, 5000}, 1));
 }
 
-TEST_F(CutUp, SaysTheSameBitForBitOnAnyNumberOfThreads) {
-  const std::vector<Heard> one = heard({512}, 1);
-  expect_equal(one, heard({512}, 2));
-  expect_equal(one, heard({512}, 3));
-  expect_equal(one, heard({300}, 8));
+TEST_F(SimulatedRun, IsBitIdenticalOnAnyNumberOfThreads) {
+  const std::vector<OutletLog> one = logs({512}, 1);
+  expect_equal(one, logs({512}, 2));
+  expect_equal(one, logs({512}, 3));
+  expect_equal(one, logs({300}, 8));
 }
 
-TEST_F(CutUp, AnotherSeedIsHeard) {
-  EXPECT_NE(heard({4096}, 1, 5)[0].as_bytes(), heard({4096}, 1, 6)[0].as_bytes());
+TEST_F(SimulatedRun, DiffersWithTheSeed) {
+  EXPECT_NE(logs({4096}, 1, 5)[0].as_bytes(), logs({4096}, 1, 6)[0].as_bytes());
 }
 
-TEST(SimulatedSource, StartedAgainIsAsNew) {
+TEST(SimulatedSource, ResetsAllStateWhenStartedAgain) {
   BenchParameters parameters = bench_of(1);
   parameters.outlet.downlink_ms = 1.0;
   Bench bench(parameters);
   const auto first = play(bench, 1, falling_mains(2.0, 0.01F, 3), {1000});
   ASSERT_FALSE(first[0].edges.empty());
-  // Ended with a contact about to move, messages not taken and one not yet delivered.
+  // Ends with a contact about to move, messages not polled and a message not yet delivered.
   const gsbench::test::Mains other = falling_mains(2.0, 0.01F, 4);
   gsbench::test::start(bench.source(), other);
   ASSERT_TRUE(bench.link().send(id_of(0), command(false)).ok());
@@ -76,7 +76,7 @@ TEST(SimulatedSource, StartedAgainIsAsNew) {
 
 // ---- noise
 
-std::vector<double> deviations_hz(const Heard& outlet) {
+std::vector<double> deviations_hz(const OutletLog& outlet) {
   std::vector<double> all;
   for (const gs::wire::Uplink& message : outlet.of(UplinkKind::kMeasurement)) {
     if (message.measurement.validity == gs::outlet::Validity::kValid && message.sample > kRate_hz) {
@@ -100,19 +100,19 @@ gsbench::test::Mains steady_mains(double duration_s, float noise_rms_pu, std::ui
   return mains;
 }
 
-TEST(SimulatedNoise, IsIndependentFromOutletToOutlet) {
+TEST(SimulatedNoise, IsIndependentBetweenOutlets) {
   Bench bench(bench_of(3));
-  const auto heard = play(bench, 3, steady_mains(40.0, 0.01F, 11), {8000});
-  const std::vector<double> first = deviations_hz(heard[0]);
+  const auto logs = play(bench, 3, steady_mains(40.0, 0.01F, 11), {8000});
+  const std::vector<double> first = deviations_hz(logs[0]);
   ASSERT_GT(first.size(), 2000U);
-  // 2400 reports whose noise the tracker remembers for about 10: the correlation of independent
-  // ones has a standard deviation of about 1/√240 = 0.065, of which this is five.
-  EXPECT_LT(std::fabs(correlation(first, deviations_hz(heard[1]))), 0.32);
-  EXPECT_LT(std::fabs(correlation(first, deviations_hz(heard[2]))), 0.32);
-  EXPECT_LT(std::fabs(correlation(deviations_hz(heard[1]), deviations_hz(heard[2]))), 0.32);
+  // 2400 reports; the tracker correlates noise over about 10 reports. The correlation of
+  // independent noise has a standard deviation of about 1/√240 = 0.065; the limit is five of them.
+  EXPECT_LT(std::fabs(correlation(first, deviations_hz(logs[1]))), 0.32);
+  EXPECT_LT(std::fabs(correlation(first, deviations_hz(logs[2]))), 0.32);
+  EXPECT_LT(std::fabs(correlation(deviations_hz(logs[1]), deviations_hz(logs[2]))), 0.32);
 }
 
-TEST(SimulatedNoise, OfAnOutletDoesNotDependOnItsNeighbours) {
+TEST(SimulatedNoise, DoesNotDependOnOtherOutlets) {
   const gsbench::test::Mains mains = steady_mains(2.0, 0.01F, 2);
   Bench alone(bench_of(1));
   Bench among(bench_of(3, 2));
@@ -120,10 +120,10 @@ TEST(SimulatedNoise, OfAnOutletDoesNotDependOnItsNeighbours) {
             play(among, 3, mains, {1000})[0].as_bytes());
 }
 
-TEST(SimulatedNoise, IsNotThereWhereNoneIsAskedFor) {
+TEST(SimulatedNoise, IsAbsentForAnRmsOfZero) {
   Bench bench(bench_of(2));
-  const auto heard = play(bench, 2, steady_mains(2.0, 0.0F, 2), {1000});
-  EXPECT_EQ(heard[0].as_bytes(), heard[1].as_bytes());
+  const auto logs = play(bench, 2, steady_mains(2.0, 0.0F, 2), {1000});
+  EXPECT_EQ(logs[0].as_bytes(), logs[1].as_bytes());
 }
 
 }  // namespace

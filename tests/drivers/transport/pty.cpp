@@ -15,7 +15,7 @@ Pty::Pty(std::string path)
   char device[64] = {};
   if (!master_.is_open() || grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0 ||
       ptsname_r(master_.get(), device, sizeof device) != 0) {
-    throw std::runtime_error("no pseudo-terminal");
+    throw std::runtime_error("cannot create a pseudo-terminal");
   }
   slave_ = drivers::Descriptor(::open(device, O_RDWR | O_NOCTTY | O_CLOEXEC));
   termios settings{};

@@ -1,5 +1,4 @@
-// A pseudo-terminal in the place of a serial port. What a test writes to the master comes from the
-// port's far end.
+// A pseudo-terminal as a serial port. Bytes that a test writes to the master arrive at the port.
 #pragma once
 
 #include <string>
@@ -10,8 +9,8 @@ namespace gsbench::test {
 
 class Pty {
  public:
-  // At that path for as long as it lives, as udev names ports: the same however often it is
-  // unplugged. Throws std::runtime_error.
+  // Creates a symbolic link at `path` for its lifetime, as udev does for a port. Throws
+  // std::runtime_error.
   explicit Pty(std::string path);
   ~Pty();
   Pty(const Pty&) = delete;
@@ -22,7 +21,7 @@ class Pty {
  private:
   std::string path_;
   drivers::Descriptor master_;
-  // A terminal that nobody has open loses what is written to it, and reads as unplugged.
+  // Keeps the terminal open: otherwise it loses bytes written to it, and reads as unplugged.
   drivers::Descriptor slave_;
 };
 

@@ -1,6 +1,6 @@
-// Linked where a pseudo-terminal stands for a serial port: libserialport looks a port up in /sys,
-// where pseudo-terminals are not, and sets modem lines, which they do not have. All other ports and
-// calls are as ever.
+// Overrides libc calls for tests that use a pseudo-terminal as a serial port: libserialport looks
+// ports up in /sys, which does not list pseudo-terminals, and sets modem lines, which they do not
+// have. Other ports and calls are not affected.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

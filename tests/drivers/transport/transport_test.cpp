@@ -1,4 +1,4 @@
-// What every transport must do, then what is particular to one.
+// Tests for every transport, then tests for one of them.
 #include "pty.hpp"
 #include <poll.h>
 #include <sys/socket.h>
@@ -27,15 +27,15 @@ using testing::IsEmpty;
 using testing::StartsWith;
 using Bytes = std::vector<std::uint8_t>;
 
-// Not reached by a healthy machine.
+// Not reached in a passing test.
 constexpr auto kPatience = 10s;
 
-// What a transport leads to.
+// The far end of a transport.
 class FarEnd {
  public:
   virtual ~FarEnd() = default;
   virtual std::string port() const = 0;
-  virtual int descriptor() = 0;  // of a transport that is open
+  virtual int descriptor() = 0;  // valid while the transport is open
   virtual void hang_up() = 0;
 };
 
@@ -86,7 +86,7 @@ class AnyTransport : public testing::TestWithParam<bool> {
     ASSERT_TRUE(opened.ok()) << opened.error();
   }
 
-  void say(const Bytes& bytes) {
+  void far_end_sends(const Bytes& bytes) {
     ASSERT_EQ(::write(far_->descriptor(), bytes.data(), bytes.size()),
               static_cast<ssize_t>(bytes.size()));
   }
@@ -105,11 +105,11 @@ class AnyTransport : public testing::TestWithParam<bool> {
   std::unique_ptr<Transport> transport_;
 };
 
-// None of the values of a byte may mean anything to a terminal.
+// The terminal must not interpret any byte value.
 TEST_P(AnyTransport, PassesEveryByteBothWays) {
   Bytes all(256);
   std::iota(all.begin(), all.end(), std::uint8_t{0});
-  say(all);
+  far_end_sends(all);
   EXPECT_EQ(received(256), all);
   ASSERT_TRUE(transport_->send(all).ok());
   Bytes came(256);
@@ -128,8 +128,8 @@ TEST_P(AnyTransport, ReceivesNothingFromASilentFarEndUntilTheDeadline) {
   EXPECT_THAT(bytes, IsEmpty());
 }
 
-TEST_P(AnyTransport, DoesNotWaitForTheDeadlineOnceSomethingHasCome) {
-  say({1});
+TEST_P(AnyTransport, ReturnsBeforeTheDeadlineWhenBytesArrive) {
+  far_end_sends({1});
   Bytes bytes;
   const auto begin = Clock::now();
   EXPECT_TRUE(transport_->receive(bytes, begin + kPatience).ok());
@@ -143,7 +143,7 @@ TEST_P(AnyTransport, DistinguishesAFarEndThatHungUpFromASilentOne) {
   const auto status = transport_->receive(bytes, Clock::now() + kPatience);
   ASSERT_FALSE(status.ok());
   EXPECT_THAT(status.error(), StartsWith(far_->port() + ": cannot be read: "));
-  // A connection takes bytes until the far end has answered that it is gone.
+  // A TCP connection accepts bytes until the far end's reset has arrived.
   const auto until = Clock::now() + kPatience;
   auto sent = transport_->send({1});
   while (sent.ok() && Clock::now() < until) {
@@ -153,21 +153,21 @@ TEST_P(AnyTransport, DistinguishesAFarEndThatHungUpFromASilentOne) {
   EXPECT_THAT(sent.error(), StartsWith(far_->port() + ": cannot be sent to: "));
 }
 
-TEST_P(AnyTransport, DoesNotWaitForAFarEndThatTakesNothing) {
+TEST_P(AnyTransport, FailsToSendIfTheFarEndAcceptsNoData) {
   far_->descriptor();
   const auto status = transport_->send(Bytes(std::size_t{32} << 20));
   ASSERT_FALSE(status.ok());
-  EXPECT_EQ(status.error(), far_->port() + ": cannot be sent to: takes nothing");
+  EXPECT_EQ(status.error(), far_->port() + ": cannot be sent to: accepts no data");
 }
 
-TEST_P(AnyTransport, IsOpenFromOpeningToClosingAndNoLonger) {
+TEST_P(AnyTransport, IsOpenOnlyBetweenOpenAndClose) {
   EXPECT_TRUE(check_port(far_->port()).ok());
   EXPECT_TRUE(transport_->is_open());
   transport_->close();
   EXPECT_FALSE(transport_->is_open());
   Bytes bytes;
-  EXPECT_THAT(transport_->send({1}).error(), HasSubstr("is not open"));
-  EXPECT_THAT(transport_->receive(bytes, Clock::now()).error(), HasSubstr("is not open"));
+  EXPECT_THAT(transport_->send({1}).error(), HasSubstr("not open"));
+  EXPECT_THAT(transport_->receive(bytes, Clock::now()).error(), HasSubstr("not open"));
   EXPECT_TRUE(transport_->open().ok());
   EXPECT_TRUE(transport_->is_open());
 }
@@ -180,7 +180,7 @@ std::string refusal(const std::string& port) {
   return opened.ok() ? "it opened" : opened.error();
 }
 
-TEST(Serial, ForgetsWhatHadComeBeforeItWasOpened) {
+TEST(Serial, DiscardsBytesReceivedBeforeItWasOpened) {
   const TemporaryFolder folder;
   const Pty pty(folder.file("port"));
   ASSERT_EQ(::write(pty.master(), "old", 3), 3);
@@ -192,7 +192,7 @@ TEST(Serial, ForgetsWhatHadComeBeforeItWasOpened) {
   EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "new");
 }
 
-TEST(Serial, IsForOneProgramAtATime) {
+TEST(Serial, IsLockedAgainstOtherPrograms) {
   const TemporaryFolder folder;
   const Pty pty(folder.file("port"));
   const auto first = make_transport(folder.file("port"));
@@ -203,7 +203,7 @@ TEST(Serial, IsForOneProgramAtATime) {
   EXPECT_EQ(refusal(folder.file("port")), "it opened");
 }
 
-TEST(Serial, NamesAPortThatDoesNotExistOrIsNone) {
+TEST(Serial, ReportsAMissingPortAndAFileThatIsNotAPort) {
   const TemporaryFolder folder;
   EXPECT_THAT(refusal("/dev/no-such-port"), StartsWith("/dev/no-such-port: cannot be found"));
   EXPECT_EQ(check_port("/dev/no-such-port").error(),
@@ -212,17 +212,17 @@ TEST(Serial, NamesAPortThatDoesNotExistOrIsNone) {
   EXPECT_THAT(refusal(file), StartsWith(file + ": cannot be found"));
 }
 
-TEST(Tcp, NamesAPortThatNobodyListensOn) {
+TEST(Tcp, ReportsAPortWithoutAListener) {
   const LoopbackPort reserved = LoopbackPort::reserve().take();
   const std::string port = "tcp://127.0.0.1:" + std::to_string(reserved.number());
   EXPECT_EQ(refusal(port), port + ": cannot be connected to: Connection refused");
 }
 
-TEST(Tcp, RefusesWhatIsNoAddress) {
+TEST(Tcp, RefusesInvalidAddresses) {
   for (const std::string wrong : {"tcp://", "tcp://host", "tcp://host:", "tcp://:5000",
                                   "tcp://host:65536", "tcp://host:http", "tcp://host:123456"}) {
-    EXPECT_EQ(check_port(wrong).error(), wrong + ": is no tcp://host:port");
-    EXPECT_EQ(refusal(wrong), wrong + ": is no tcp://host:port");
+    EXPECT_EQ(check_port(wrong).error(), wrong + ": is not of the form tcp://host:port");
+    EXPECT_EQ(refusal(wrong), wrong + ": is not of the form tcp://host:port");
   }
 }
 

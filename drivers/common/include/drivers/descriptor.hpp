@@ -32,7 +32,8 @@ class Descriptor {
   int descriptor_ = -1;
 };
 
-// What poll() says of it, within so long; 0: nothing. A signal starts the wait again.
+// Blocks until poll() reports an event, timeout_ms at most, and returns the events; 0: timeout. A
+// signal restarts the wait.
 inline short wait_for(int descriptor, short events, int timeout_ms) {
   pollfd one{descriptor, events, 0};
   int ready = 0;

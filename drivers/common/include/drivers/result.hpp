@@ -1,5 +1,5 @@
-// How drivers fail: by value, with a message for people that names the port or instrument, what it
-// was asked and what it said. Exceptions of third-party libraries stop at their adapter.
+// Drivers return errors by value. The message is for people: it names the port or instrument, the
+// operation and the reason. Exceptions of third-party libraries are caught in the adapter.
 #pragma once
 
 #include <string>
@@ -25,9 +25,9 @@ class [[nodiscard]] Result {
 
   bool ok() const { return std::holds_alternative<T>(content_); }
   const T& value() const { return std::get<T>(content_); }
-  // For what can only be moved.
+  // For move-only values.
   T take() { return std::move(std::get<T>(content_)); }
-  // Leaves the place as it is where there is no value.
+  // Does not change `place` if there is no value.
   template <class Place>
   Status move_to(Place& place);
   const std::string& error() const { return std::get<Error>(content_).message; }

@@ -1,5 +1,5 @@
-// A few threads that share out numbered pieces of work; which thread does which piece changes
-// nothing in the result.
+// A thread pool for numbered pieces of work. The result must not depend on which thread does which
+// piece.
 #pragma once
 
 #include <condition_variable>
@@ -14,14 +14,14 @@ namespace gsbench::drivers {
 
 class Workers {
  public:
-  // At least 1; the caller's thread is one of them. Fewer where the system gives no more.
+  // At least 1, including the caller's thread. Runs with fewer if the system refuses more threads.
   explicit Workers(std::size_t threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  // Calls work(0) … work(pieces − 1), each once, and returns when all are done; then throws the
-  // first exception that came out of any.
+  // Calls work(0) … work(pieces − 1), once each, and blocks until all are done. Then throws the
+  // first exception that any of them threw.
   void run(std::size_t pieces, const std::function<void(std::size_t)>& work);
 
  private:

@@ -1,5 +1,5 @@
-// A program that runs beside the bench for as long as the bench wants it: an emulator, a broker. It
-// ends with its owner, also where the bench itself is killed.
+// A child process of the bench: an emulator or a broker. It ends with its owner, also if the bench
+// itself is killed.
 #pragma once
 
 #include <sys/types.h>
@@ -13,18 +13,18 @@
 namespace gsbench::emulation {
 
 struct Command {
-  std::vector<std::string> words;  // the program, looked for in PATH, and its arguments
-  std::string output;              // file for its standard output and error; empty: nowhere
+  std::vector<std::string> words;  // the program, searched for in PATH, and its arguments
+  std::string output;              // file for its standard output and error; empty: discarded
 };
 
 class Child {
  public:
-  // Linux kills a child when the thread that started it ends: start children from a thread that
-  // lives as long as they should.
+  // Linux kills the child when the thread that started it ends: start it from a thread that
+  // outlives it. An error if the program cannot be started.
   static drivers::Result<Child> start(const Command& command);
 
   Child(Child&& other) noexcept : pid_(std::exchange(other.pid_, -1)) {}
-  // What it was before is stopped.
+  // Stops the process held so far.
   Child& operator=(Child other) noexcept {
     std::swap(pid_, other.pid_);
     return *this;
@@ -33,9 +33,9 @@ class Child {
 
   pid_t pid() const { return pid_; }
   bool running();
-  // SIGTERM, and SIGKILL where that has not helped within a second; waits for the end.
+  // SIGTERM, then SIGKILL if it has not ended within 1 s. Blocks until it has ended.
   void stop() noexcept;
-  // SIGKILL at once.
+  // SIGKILL at once. Blocks until it has ended.
   void kill() noexcept;
 
  private:

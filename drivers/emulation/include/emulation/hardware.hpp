@@ -1,7 +1,7 @@
-// The hardware of an emulated station: outlets' processes (the firmware's image for the Cortex-M4F
-// in an emulator, or the firmware as a process of this machine), the mains at their terminals,
-// cables to those on serial lines, a private broker for those on MQTT. All of it ends with its
-// owner, also when the bench is killed.
+// The hardware of an emulated station: one process for each outlet (the firmware's Cortex-M4F image
+// in qemu, or the firmware as a process of this machine), the mains at their terminals, cables to
+// outlets on serial lines, and a private broker for outlets on MQTT. All of it ends with its owner,
+// also if the bench is killed.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ enum class Connection { kSerial, kMqtt };
 
 struct HardwareOutlet {
   std::string id;
-  std::string board = "host";  // of boards/boards.hpp, one that can be emulated
+  std::string board = "host";  // an emulated board of boards/boards.hpp
   Connection connection = Connection::kSerial;
-  double crystal_ppm = 0.0;
+  double crystal_ppm = 0.0;  // positive: fast
 };
 
 struct HardwareOptions {
@@ -31,35 +31,35 @@ struct HardwareOptions {
   std::int64_t sample_rate_hz = 8000;
   int nominal_hz = 50;
   bool real_time = true;
-  std::string image;         // of all boards in qemu; empty: each its own, in image_folder
-  std::string image_folder;  // gs-outlet-<board's folder>.elf
-  std::string host_program;  // gs-outlet
+  std::string image;         // for all boards in qemu; empty: each board's own, in image_folder
+  std::string image_folder;  // has gs-outlet-<board's folder>.elf
+  std::string host_program;  // path of gs-outlet
 };
 
 class ScratchFolder;
 
 class Hardware {
  public:
-  // Start it from a thread that lives as long as it should.
+  // Call it from a thread that outlives the hardware (emulation/child.hpp).
   static drivers::Result<std::unique_ptr<Hardware>> set_up(const HardwareOptions& options);
   ~Hardware();
   Hardware(const Hardware&) = delete;
   Hardware& operator=(const Hardware&) = delete;
 
-  // For the outlets' files; removed with this, or when the next station is set up.
+  // Holds the outlets' files. Removed with this object, or when the next station is set up.
   const std::string& folder() const;
 
   source::Source& source() { return mains_->source(); }
   relay::RelaySense& relay_sense() { return mains_->relay_sense(); }
 
-  // The bench's ends of the cables (transport/transport.hpp), in the order of the outlets on serial
-  // lines.
+  // The bench's ends of the cables, as port names for transport/transport.hpp, in the order of the
+  // outlets on serial lines.
   std::vector<std::string> serial_ports() const;
-  // Those behind the broker, in their order.
+  // The outlets on MQTT, in the order of the options.
   std::vector<std::string> mqtt_ids() const;
   PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
 
-  // For faults on purpose.
+  // For fault injection.
   Child& outlet_process(std::size_t outlet) { return processes_.at(outlet); }
   drivers::Status restart_outlet(std::size_t outlet);
   NullModem& cable(std::size_t outlet) { return *cables_.at(outlet); }
@@ -72,7 +72,7 @@ class Hardware {
   drivers::Status set_up();
   drivers::Result<Child> start_process(std::size_t outlet) const;
 
-  // In the order in which they are set up: the last ends first.
+  // In the order of set-up; destroyed in reverse.
   HardwareOptions options_;
   std::unique_ptr<ScratchFolder> folder_;
   std::unique_ptr<Mains> mains_;

@@ -1,4 +1,4 @@
-// Sockets that wait for an emulated outlet, or for the bench, to connect.
+// Listening sockets for emulated outlets and for the bench.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,22 @@ namespace gsbench::emulation {
 
 using drivers::Descriptor;
 
-// A Unix socket of our own at a path, which must not be there yet.
+// A listening Unix socket at `path`. An error if the path exists.
 drivers::Result<Descriptor> listen_on(const std::string& path);
 
-// A TCP port of 127.0.0.1 that nobody else gets for as long as this lives, listened to or not.
+// A TCP port of 127.0.0.1, reserved as long as this object lives, whether it listens or not.
 class LoopbackPort {
  public:
   static drivers::Result<LoopbackPort> reserve();
 
   std::uint16_t number() const { return number_; }
   [[nodiscard]] drivers::Status listen();
-  // From now on, connections are refused.
+  // Stops listening; connections are refused.
   void refuse() { listening_.close(); }
-  // Of the socket that waits for connections; -1: none are taken.
+  // The listening socket; -1: not listening.
   int descriptor() const { return listening_.get(); }
-  // The next connection, which neither blocks nor delays small messages; closed: none waits.
+  // The next connection, non-blocking and with TCP_NODELAY; closed: none is waiting. Does not
+  // block.
   Descriptor accept() const;
 
  private:

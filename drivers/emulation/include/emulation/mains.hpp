@@ -1,6 +1,7 @@
-// The mains at emulated outlets, and the bench's eye on their relays: source and relay sense over
-// their terminals. Each outlet has an ADC on a crystal of its own, some ppm off, that began to
-// count before the stimulus does; its relay's contact follows the coil as the simulated one does.
+// Source and relay sense of emulated outlets, through the shared memory of their terminals. Each
+// outlet has an ADC on its own crystal, some ppm off, whose sample count starts before the
+// stimulus. The contact follows the coil by models/relay_model.hpp. Source and relay sense share
+// state: use them from one thread.
 #pragma once
 
 #include <cstdint>
@@ -20,15 +21,15 @@ namespace gsbench::emulation {
 
 struct MainsOutlet {
   std::string id;
-  double crystal_ppm = 0.0;  // by how much it is fast
+  double crystal_ppm = 0.0;  // positive: fast
 };
 
 struct MainsOptions {
-  std::string folder;  // for the files that the emulators map; in memory, best
+  std::string folder;  // for the files that the emulators map; best on a memory file system
   std::vector<MainsOutlet> outlets;
   std::int64_t sample_rate_hz = 8000;
   int nominal_hz = 50;
-  bool real_time = true;  // false: as fast as the outlets take samples
+  bool real_time = true;  // false: as fast as the outlets process samples
 };
 
 struct MainsState;
@@ -37,14 +38,14 @@ class Mains {
  public:
   static drivers::Result<std::unique_ptr<Mains>> create(const MainsOptions& options);
 
-  // For the outlet's process.
+  // Arguments for the outlet's process.
   const std::string& terminal_path(std::size_t outlet) const;
   const std::string& doorbell_path(std::size_t outlet) const;
 
-  // For faults on purpose.
+  // For fault injection.
   gs::shared_memory_io::SharedMemory& terminals(std::size_t outlet);
 
-  // These live as long as the mains.
+  // Owned by this object.
   source::Source& source() { return *source_; }
   relay::RelaySense& relay_sense() { return *relay_sense_; }
 

@@ -1,6 +1,6 @@
-// A serial cable without hardware: two TCP ports of 127.0.0.1, one for the bench and one for the
-// outlet, each for one connection at a time. Bytes pass both ways as they are, unless a test spoils
-// them. What is sent while nobody is at the other end is lost, as on a cable.
+// An emulated serial cable: two TCP ports of 127.0.0.1, one for the bench and one for the outlet,
+// with one connection each. A thread of its own passes bytes both ways, unchanged unless a test
+// sets a spoiler. Bytes sent while the other end is not connected are lost, as on a cable.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace gsbench::emulation {
 
-// What passes the cable in one go; may change, take away or add bytes.
+// Gets the bytes of one read and may change, remove or add bytes. Called from the cable's thread.
 using Spoiler = std::function<void(std::vector<std::uint8_t>& bytes)>;
 
 enum class Way : std::uint8_t { kToBench, kToOutlet };
@@ -30,18 +30,17 @@ class NullModem {
   NullModem(const NullModem&) = delete;
   NullModem& operator=(const NullModem&) = delete;
 
-  // "tcp://127.0.0.1:40001", a transport's port
+  // "tcp://127.0.0.1:40001", a port name for transport/transport.hpp
   std::string bench_end() const {
     return "tcp://127.0.0.1:" + std::to_string(bench_.port.number());
   }
   std::uint16_t outlet_end() const { return outlet_.port.number(); }  // 40002, on 127.0.0.1
 
-  // For faults on purpose. Both ends hang up, and can be connected to again once the cable is
-  // plugged in again.
+  // For fault injection. unplug() closes both connections; after plug_in(), both ends accept again.
   void unplug();
   [[nodiscard]] drivers::Status plug_in();
 
-  // Empty: as it is.
+  // Empty: bytes pass unchanged.
   void spoil(Spoiler spoiler, Way way = Way::kToBench);
 
  private:
@@ -59,7 +58,7 @@ class NullModem {
   End outlet_;
   Descriptor wake_;
   std::mutex mutex_;
-  std::array<Spoiler, 2> spoilers_;  // by the way
+  std::array<Spoiler, 2> spoilers_;  // indexed by Way
   std::thread pump_;
 };
 

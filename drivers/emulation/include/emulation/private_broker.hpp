@@ -1,8 +1,8 @@
-// A Mosquitto of the bench's own on 127.0.0.1: nobody reads or commands an outlet through it
-// without its certificate, a password and the leave of its access list. It ends with its owner.
+// A Mosquitto process of the bench on 127.0.0.1, with TLS, passwords and an access list. It ends
+// with its owner.
 //
-// On the broker, the bench may read what any outlet says and write to any outlet; an outlet, whose
-// user name is its id, may write its own hello and messages and read what is sent to it.
+// The bench may read the messages of all outlets and write to all outlets. An outlet's user name is
+// its id; it may write its own hello and messages, and read the messages sent to it.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,14 @@ struct Login {
 };
 
 struct Options {
-  std::string folder;                // made where it is missing; nobody else may then read it
+  std::string folder;                // created if missing; made readable for its owner only
   std::vector<std::string> outlets;  // their ids: letters, digits, '-', '_', '.'
 };
 
 class PrivateBroker {
  public:
-  // Returns when it accepts connections. Start it from a thread that lives as long as it should.
+  // Blocks until it accepts connections; an error after 10 s. Call it from a thread that outlives
+  // the broker (emulation/child.hpp).
   static drivers::Result<PrivateBroker> start(const Options& options);
 
   std::uint16_t port() const { return port_; }
@@ -36,13 +37,13 @@ class PrivateBroker {
   const Login& bench() const { return bench_; }
   const Login& outlet(const std::string& id) const { return outlets_.at(id); }
   pid_t pid() const { return child_.pid(); }
-  // Where it writes down what a restart is to remember.
+  // The broker's persistence file.
   std::string memory_file() const { return folder_ + "/mosquitto.db"; }
   bool running() { return child_.running(); }
 
   void kill() noexcept { child_.kill(); }
-  // On the same port, whatever became of it. After a kill, it remembers the sessions and hellos of
-  // two seconds before.
+  // On the same port, whether it still runs or not. After a kill, sessions and hellos of the last
+  // two seconds may be missing.
   drivers::Status restart();
 
  private:

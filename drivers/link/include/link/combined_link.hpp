@@ -1,4 +1,4 @@
-// Several links as one; of none at all: one without outlets.
+// Several links as one. An empty list gives a link without outlets.
 #pragma once
 
 #include <map>
@@ -23,7 +23,7 @@ class CombinedLink final : public Link {
 
  private:
   std::vector<std::unique_ptr<Link>> links_;
-  std::map<std::string, Link*> link_of_;  // by the id of an outlet that is there
+  std::map<std::string, Link*> link_of_;  // by the ids of the outlets that have joined
 };
 
 }  // namespace gsbench::link

@@ -1,5 +1,6 @@
-// Messages between the bench and its outlets, whatever carries them. Outlets are known by the id
-// that they say of themselves; they join and leave while a link is open.
+// Messages between the bench and its outlets, independent of what carries them. An outlet is known
+// by the id that it reports; outlets join and leave while a link is open. A link is used by one
+// thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,8 @@
 
 namespace gsbench::link {
 
-// An outlet that said who it is. A faulty outlet is excluded: it is
-// sent nothing and what it says is passed over, so that no other outlet suffers from it.
+// An outlet that has sent its hello. A faulty outlet is excluded: nothing is sent to it and its
+// messages are ignored, so that it does not affect other outlets.
 struct OutletPresence {
   std::string id;
   std::string where;  // "simulated", "/dev/ttyUSB0", "mqtts://127.0.0.1:8883"
@@ -20,7 +21,7 @@ struct OutletPresence {
   std::string fault = {};  // as in Fault; empty: none
 };
 
-// What a link found wrong with one outlet. The others go on.
+// A fault of one outlet. The link goes on with the others.
 struct Fault {
   std::string id;
   std::string what;  // one sentence, for people
@@ -29,13 +30,13 @@ struct Fault {
 struct Received {
   std::string id;
   gs::wire::Uplink message;
-  std::int64_t arrival_ns = 0;  // std::chrono::steady_clock; 0: of no meaning, as in simulation
+  std::int64_t arrival_ns = 0;  // std::chrono::steady_clock; 0: none, as in simulation
 };
 
-// Each once, and each kind in the order of time for each outlet.
+// Each event occurs once; for each outlet, each kind is in the order of time.
 struct Happenings {
   std::vector<OutletPresence> joined;
-  std::vector<Fault> left;  // and how; from now on one cannot speak with them
+  std::vector<Fault> left;  // with the reason; these outlets cannot be reached any more
   std::vector<Received> messages;
   std::vector<Fault> faults;
 
@@ -45,7 +46,7 @@ struct Happenings {
     messages.insert(messages.end(), more.messages.begin(), more.messages.end());
     faults.insert(faults.end(), more.faults.begin(), more.faults.end());
   }
-  // Keeps the memory: it is filled again at each poll.
+  // Keeps the allocated memory for the next poll.
   void clear() {
     joined.clear();
     left.clear();
@@ -54,20 +55,19 @@ struct Happenings {
   }
 };
 
-// An error is one of the link as a whole.
+// An error concerns the link as a whole; a problem of one outlet is a Fault.
 class Link {
  public:
   virtual ~Link() = default;
-  // Starts to look for outlets, and does not wait for them: they join (wait_for_outlets.hpp).
+  // Starts to look for outlets and does not wait for them to join (see wait_for_outlets.hpp).
   [[nodiscard]] virtual drivers::Status open() = 0;
-  // To an outlet that joined, else an error. Does not wait for an answer. An outlet that cannot be
-  // reached now is a Fault.
+  // An error if no outlet of this id has joined. Does not wait for an answer. If the outlet cannot
+  // be reached now, the next poll() has a Fault.
   [[nodiscard]] virtual drivers::Status send(const std::string& id,
                                              const gs::wire::Downlink& message) = 0;
-  // Appends what happened since the last call.
+  // Appends what happened since the last call. Does not wait for messages.
   [[nodiscard]] virtual drivers::Status poll(Happenings& happenings) = 0;
-  // Of those that it was told to look for, or has seen a trace of, and that have not joined: why,
-  // as far as it can tell.
+  // Outlets that were asked for or seen and that have not joined, with the reason if known.
   virtual std::vector<Fault> missing() { return {}; }
   virtual void close() noexcept = 0;
 };

@@ -1,5 +1,5 @@
-// The bench's end of one outlet's messages: decoded, in order, each once; what is missing or
-// damaged is reported as a fault, and so is a restart of the outlet.
+// The bench's end of one outlet's messages: decodes them, drops duplicates, and notes faults: lost
+// messages, damaged messages, restarts of the outlet.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,24 @@
 
 namespace gsbench::link {
 
-// What a link may do to messages: on a cable one may come twice or behind the next, a broker may
-// bring all again that have not been acknowledged.
+// How a link may disturb the order: on a cable a message may come twice or after the next one; a
+// broker may send all unacknowledged messages again.
 enum class Delivery : std::uint8_t { kByCable, kByBroker };
 
 class OutletStream {
  public:
   explicit OutletStream(Delivery delivery) : delivery_(delivery) {}
 
-  // One whole message. Nothing for a duplicate, and where it cannot be read: then a fault is noted.
-  // An outlet that restarts says hello unasked; where that was lost, its numbers and samples show
-  // it.
+  // Takes one whole message. Returns nothing for a duplicate, and for an unreadable message, which
+  // is noted as a fault. A restarted outlet sends a hello unasked; if that was lost, sequence and
+  // sample numbers that go back reveal the restart.
   std::optional<gs::wire::Uplink> take(const std::uint8_t* message, std::size_t size);
 
-  // Any other fault of this outlet's, such as a frame with a wrong CRC.
+  // Notes any other fault of this outlet, such as a frame with a wrong CRC.
   void note(const std::string& fault) { faults_.push_back(fault); }
   std::vector<std::string> take_faults() { return std::exchange(faults_, {}); }
 
-  // The next message to it, as bytes. Identifying restarts the numbering.
+  // The next message to the outlet, as bytes. `identify` restarts the numbering.
   std::vector<std::uint8_t> encode(const gs::wire::Downlink& message);
 
  private:
@@ -40,9 +40,9 @@ class OutletStream {
   Delivery delivery_;
   gs::wire::Sequence received_;
   std::uint32_t sent_ = 0;
-  bool said_hello_ = false;
+  bool hello_received_ = false;
   std::uint64_t last_sample_ = 0;
-  std::vector<std::uint8_t> newest_;  // where it was a first hello, its bytes
+  std::vector<std::uint8_t> newest_;  // the newest message's bytes if it was a first hello
   std::vector<std::string> faults_;
 };
 

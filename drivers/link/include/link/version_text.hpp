@@ -1,4 +1,4 @@
-// Versions for people.
+// Versions as text.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,13 @@ inline std::string version_text(std::uint32_t version) {
          std::to_string(version % 1000);
 }
 
-// Of another protocol's hello nothing is known but who says it (wire/README.md). Empty: it is ours.
+// Empty if the outlet uses the bench's protocol version. With another version, only the identity in
+// a hello can be read (wire/README.md).
 inline std::string protocol_fault(const gs::wire::Hello& hello) {
   if (hello.protocol_version == gs::wire::kProtocolVersion) {
     return {};
   }
-  return "speaks protocol " + std::to_string(hello.protocol_version) + ", not " +
+  return "uses protocol version " + std::to_string(hello.protocol_version) + ", not " +
          std::to_string(gs::wire::kProtocolVersion);
 }
 

@@ -9,14 +9,15 @@
 
 namespace gsbench::link {
 
-// `named`: ids, or places (OutletPresence::where) where an id is not known. Blocks until all of
-// them have joined, and some time more for a second one of the same id, but not longer than
-// `patience`. Returns one for each name, in that order, with a fault where it did not join; such a
-// one has its name for an id, and no place. Where `others_for` is not 0, waits so long in any case
-// and returns after them all that joined or are at fault without being named.
+// `named`: ids, or places (OutletPresence::where) if the id is not known. Blocks until all of them
+// have joined and 200 ms more, to find a second outlet with the same id; `patience` at most. With
+// `others_for` > 0 it blocks for at least that time.
 //
-// Outlets that say the same id in two places are both at fault, and have their places in their ids:
-// which of them was meant nobody can tell. What outlets send meanwhile is passed over.
+// Returns one entry for each name, in the same order. An outlet that did not join has a fault, its
+// name as id, and no place. With `others_for` > 0, all other outlets found follow.
+//
+// If two outlets report the same id in two places, both are faulty and their ids include their
+// places. Messages that outlets send meanwhile are dropped. An error if the link fails.
 [[nodiscard]] drivers::Result<std::vector<OutletPresence>> wait_for_outlets(
     Link& link, const std::vector<std::string>& named, std::chrono::milliseconds patience,
     std::chrono::milliseconds others_for = {});

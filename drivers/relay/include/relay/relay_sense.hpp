@@ -1,5 +1,5 @@
-// The bench's own eye on contacts: when they move, by its own clock. What it sees is the reference
-// for switching, whatever an outlet reports. An outlet may be without a channel of it.
+// Measures when relay contacts move, on a clock of its own, independent of what outlets report. It
+// is the reference for switching times. Channel i belongs to outlet i; an outlet may have none.
 #pragma once
 
 #include <cmath>
@@ -13,28 +13,31 @@ namespace gsbench::relay {
 
 struct Edge {
   std::size_t channel = 0;
-  std::int64_t count = 0;  // of the sense's clock
+  std::int64_t count = 0;  // on the relay sense's clock
   bool closed = false;
 };
 
-// The sense's counts as the source's ticks: a straight line. Its rate is `counts_per_tick` times
-// the stimulus's sample rate.
+// Converts the relay sense's counts to the source's ticks, by a straight line. The count rate is
+// `counts_per_tick` times the stimulus's sample rate.
 struct Alignment {
   double count_at_tick_0 = 0.0;
   double counts_per_tick = 1.0;
-  double uncertainty_ticks = 0.0;  // half a width within which an edge's tick is right
+  double uncertainty_ticks = 0.0;  // ± bound of an edge's tick
 
   std::int64_t tick_of(std::int64_t count) const {
     return std::llround((static_cast<double>(count) - count_at_tick_0) / counts_per_tick);
   }
 };
 
+// Used by one thread at a time.
 class RelaySense {
  public:
   virtual ~RelaySense() = default;
-  // From the source's start on; of the edges polled so far. Its uncertainty is known before.
+  // Valid from the source's start on, for the edges polled so far. `uncertainty_ticks` is valid at
+  // any time.
   virtual Alignment alignment() const = 0;
-  // Appends the edges since the last call, bounces included, in order for each channel.
+  // Appends the edges since the last call, bounces included, in time order for each channel. Does
+  // not block.
   [[nodiscard]] virtual drivers::Status poll(std::vector<Edge>& edges) = 0;
 };
 

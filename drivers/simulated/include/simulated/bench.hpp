@@ -1,5 +1,5 @@
-// A whole bench in one process: mains, outlets with the real firmware, their link and their relay
-// sense, behind the three driver interfaces.
+// A simulated bench in one process: source, outlets that run the real firmware, link and relay
+// sense, behind the three driver interfaces. The three share state: use them from one thread.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ class Bench {
  public:
   explicit Bench(const BenchParameters& parameters);
 
-  // These live as long as the bench.
+  // Owned by the bench.
   source::Source& source() { return *source_; }
   link::Link& link() { return *link_; }
   relay::RelaySense& relay_sense() { return *relay_sense_; }

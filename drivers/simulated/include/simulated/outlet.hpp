@@ -15,21 +15,21 @@ namespace gsbench::simulated {
 
 struct OutletParameters {
   models::RelayParameters relay;
-  double downlink_ms = 5.0;  // from send() until the outlet has a message
+  double downlink_ms = 5.0;  // delay from send() to the outlet
 };
 
 class Outlet {
  public:
   Outlet(const OutletParameters& parameters, const std::string& id, std::uint32_t index);
 
-  // As new: nothing is left of what was before. False where the firmware refuses the hardware.
+  // Resets all state and powers up. False if the firmware refuses sample rate or nominal frequency.
   bool start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_pu, std::uint64_t seed);
 
-  // Samples first_tick … first_tick + count − 1 reach the outlet's terminals.
+  // Feeds samples first_tick … first_tick + count − 1 to the outlet's terminals.
   void feed(std::int64_t first_tick, const float* voltage_pu, std::size_t count);
   void send(std::int64_t tick, const gs::wire::Downlink& message);
 
-  // Appends and forgets what happened since the last call.
+  // Appends what happened since the last call.
   void take_messages(std::vector<gs::wire::Uplink>& messages);
   void take_edges(std::vector<models::ContactEdge>& edges, std::int64_t up_to_tick);
 

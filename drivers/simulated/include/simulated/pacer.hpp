@@ -1,5 +1,4 @@
-// Virtual time runs as fast as the machine can; real time holds the same code back to the wall
-// clock.
+// Virtual time runs as fast as the machine allows; real time waits for the wall clock.
 #pragma once
 
 #include <chrono>
@@ -18,7 +17,7 @@ class Pacer {
     sample_rate_hz_ = sample_rate_hz;
     started_ = std::chrono::steady_clock::now();
   }
-  // Returns when the wall clock has reached the tick.
+  // Real time: blocks until the wall clock has reached the tick. Virtual time: returns at once.
   void wait_until(std::int64_t tick) const {
     if (pace_ == Pace::kVirtual) {
       return;

@@ -1,5 +1,4 @@
-// What a source plays, from its first tick to its last. The source pulls from it what it needs:
-// samples, or frequency and amplitude.
+// The signal that a source plays. The source pulls samples, or frequency and amplitude, from it.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +6,13 @@
 
 namespace gsbench::source {
 
-// White, Gaussian; added by the source, which may have a channel for each outlet.
+// White Gaussian noise. The source adds it, for each outlet separately if it can.
 struct Noise {
   float rms_pu = 0.0F;  // per unit of nominal peak
   std::uint64_t seed = 0;
 };
 
-// Ticks are 0 … total_ticks() − 1 throughout. Pure: the same tick gives the same value, on any
+// A tick is one sample: 0 … total_ticks() − 1. All functions are pure and may be called from any
 // thread.
 class Stimulus {
  public:
@@ -22,10 +21,10 @@ class Stimulus {
   virtual std::int64_t total_ticks() const = 0;
   virtual int nominal_hz() const = 0;
   virtual Noise noise() const = 0;
-  // Of the fundamental; phase jumps, harmonics and offsets are in the samples alone.
+  // Of the fundamental; phase jumps, harmonics and offsets appear in the samples only.
   virtual double frequency_hz(std::int64_t tick) const = 0;
-  virtual double amplitude_pu(std::int64_t tick) const = 0;
-  // Samples first_tick … first_tick + count − 1, per unit of nominal peak, without the noise.
+  virtual double amplitude_pu(std::int64_t tick) const = 0;  // per unit of nominal peak
+  // Writes samples first_tick … first_tick + count − 1, per unit of nominal peak, without noise.
   virtual void render(std::int64_t first_tick, std::size_t count, float* out) const = 0;
 };
 

@@ -1,5 +1,5 @@
-// A stream of bytes to one outlet or instrument: a serial port or a TCP connection. Errors name the
-// port, what it was asked and what it said. One thread at a time.
+// A byte stream to one outlet or instrument: a serial port or a TCP connection. Errors name the
+// port, the operation and the reason. Used by one thread at a time.
 #pragma once
 
 #include <chrono>
@@ -25,25 +25,26 @@ class Transport {
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
-  const std::string& port() const { return port_; }  // as it was given
+  const std::string& port() const { return port_; }  // as given to make_transport()
 
-  // Forgets what had come before. Blocks for half a second at most, besides looking up a host.
+  // Discards bytes received before. Blocks for 0.5 s at most for each address tried, plus the time
+  // to look up a host name.
   [[nodiscard]] virtual drivers::Status open() = 0;
   virtual void close() noexcept = 0;
-  // For poll() over several; -1: not open.
+  // For poll(); -1: not open.
   virtual int descriptor() const = 0;
   bool is_open() const { return descriptor() >= 0; }
 
-  // All of them. An error: the port is gone, or takes nothing for a tenth of a second.
+  // Sends all bytes. An error if the port is gone, or accepts no data for 0.1 s.
   [[nodiscard]] drivers::Status send(const std::vector<std::uint8_t>& bytes);
-  // Blocks until something has come or the deadline has passed, and appends what is there; nothing:
-  // the far end is silent. An error: the port is gone.
+  // Blocks until bytes have arrived or the deadline has passed, and appends them; none if the far
+  // end is silent. An error if the port is gone.
   [[nodiscard]] drivers::Status receive(std::vector<std::uint8_t>& bytes, Clock::time_point until);
 
  protected:
-  // Neither blocks. How many were taken, or why none ever will be.
+  // Does not block. The number of bytes accepted, or an error if the port is gone.
   virtual drivers::Result<std::size_t> write_some(const std::uint8_t* bytes, std::size_t count) = 0;
-  // Appends. An error also where the far end has hung up.
+  // Appends; does not block. An error also if the far end has hung up.
   virtual drivers::Status read_some(std::vector<std::uint8_t>& bytes) = 0;
   drivers::Error failure(const std::string& doing, const std::string& why) const {
     return {port_ + ": " + doing + ": " + why};
@@ -53,11 +54,11 @@ class Transport {
   std::string port_;
 };
 
-// "tcp://127.0.0.1:5000", or a serial port: "/dev/ttyUSB0".
+// `port`: "tcp://127.0.0.1:5000", or a serial port: "/dev/ttyUSB0".
 std::unique_ptr<Transport> make_transport(const std::string& port, int baud = kBaud);
 
-// Whether there is something to open: a device that may be read and written, or a host and a port
-// to connect to.
+// An error if `port` is neither a device that may be read and written nor of the form
+// tcp://host:port. Does not open it.
 [[nodiscard]] drivers::Status check_port(const std::string& port);
 
 // The serial ports of this machine.

@@ -10,13 +10,13 @@ TEST_F(BrokerFault, RestartIsReportedForOutletsBehindItOnly) {
   at(0.45, [&] { hardware().broker()->kill(); });
   at(0.55, [&] { ASSERT_TRUE(hardware().broker()->restart().ok()); });
   play();
-  expect_faults({{kRadioA, "has lost its broker"}, {kRadioB, "has lost its broker"}});
+  expect_faults({{kRadioA, "lost its broker"}, {kRadioB, "lost its broker"}});
 }
 
 TEST_F(BrokerFault, LossIsReportedForOutletsBehindItOnly) {
   at(0.45, [&] { hardware().broker()->kill(); });
   play();
-  expect_faults({{kRadioA, "has lost its broker"}, {kRadioB, "has lost its broker"}});
+  expect_faults({{kRadioA, "lost its broker"}, {kRadioB, "lost its broker"}});
 }
 
 TEST_F(BrokerFault, BeforeTheRunEndsTheRunInTime) {

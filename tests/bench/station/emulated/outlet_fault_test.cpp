@@ -109,7 +109,7 @@ TEST_F(OutletFault, OutletWithAnotherProtocolIsSentNoSettings) {
   hardware().cable(kHost).spoil(
       change_hello([](gs::wire::Hello& hello) { hello.protocol_version = 77; }));
   play();
-  expect_fault(kHost, "speaks protocol 77, not ");
+  expect_fault(kHost, "uses protocol version 77, not ");
   EXPECT_TRUE(record_.outlets[kHost].settings.empty()) << "it was sent settings";
   EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty()) << "its reports cannot be interpreted";
 }
@@ -144,8 +144,8 @@ TEST_F(OutletFault, TwoSerialOutletsWithTheSameIdAreBothExcluded) {
   hardware().cable(kHost).spoil(
       change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "m4"); }));
   play();
-  expect_faults({{kM4, "is there twice: the one on " + hardware().serial_ports()[kHost]},
-                 {kHost, "is there twice: the one on " + hardware().serial_ports()[kM4]}});
+  expect_faults({{kM4, "has the same id as the outlet on " + hardware().serial_ports()[kHost]},
+                 {kHost, "has the same id as the outlet on " + hardware().serial_ports()[kM4]}});
   for (const Place twin : {kM4, kHost}) {
     EXPECT_EQ(record_.outlets[twin].id, "m4 on " + hardware().serial_ports()[twin]);
     EXPECT_TRUE(record_.outlets[twin].settings.empty()) << "it was sent settings";
@@ -156,7 +156,8 @@ TEST_F(OutletFault, SerialOutletWithTheIdOfOneBehindTheBrokerIsReported) {
   hardware().cable(kHost).spoil(
       change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "radio-a"); }));
   play();
-  expect_faults({{kHost, "is there twice"}, {kRadioA, "is there twice"}});
+  expect_faults(
+      {{kHost, "has the same id as the outlet"}, {kRadioA, "has the same id as the outlet"}});
 }
 
 // Another device with the same id may join a broker at any time.
@@ -181,7 +182,7 @@ TEST_F(OutletFault, DuplicateThatJoinsDuringARunIsReportedForItsIdOnly) {
          ""})));
   });
   play();
-  expect_fault(kRadioB, "is there twice: ");
+  expect_fault(kRadioB, "has the same id as another outlet: ");
 }
 
 TEST_F(OutletFault, MissingCrystalIsReported) {

@@ -3,7 +3,7 @@
 
 #include <link_framed/framed_link.hpp>
 #include <link_test/emulated_outlets.hpp>
-#include <link_test/hears_a_link.hpp>
+#include <link_test/link_fixture.hpp>
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@
 
 namespace gsbench::test {
 
-class OutletsOnCables : public HearsALink {
+class OutletsOnCables : public LinkFixture {
  protected:
   emulation::NullModem& cable(const std::string& id) {
     return outlets_.hardware().cable(outlets_.place(id));
@@ -28,7 +28,7 @@ class OutletsOnCables : public HearsALink {
   // Waits for an outlet on each port.
   void open() { open(options()); }
   void open(const link::FramedOptions& options) {
-    HearsALink::open(std::make_shared<link::FramedLink>(options), options.ports, kPatience);
+    LinkFixture::open(std::make_shared<link::FramedLink>(options), options.ports, kPatience);
   }
 
   static constexpr auto kPatience = std::chrono::seconds(3);

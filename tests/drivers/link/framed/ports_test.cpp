@@ -1,4 +1,4 @@
-// What a framed link finds on its ports.
+// Discovery on the ports of a framed link.
 #include "outlets_on_cables.hpp"
 #include "spoilers.hpp"
 
@@ -17,16 +17,16 @@ using testing::SizeIs;
 
 class Ports : public OutletsOnCables {
  protected:
-  std::unique_ptr<NullModem> nobodys_ = NullModem::create().take();
+  std::unique_ptr<NullModem> unconnected_ = NullModem::create().take();
 };
 
-TEST_F(Ports, TwoWithOutletsThatSayTheyAreTheSameAreBothAtFaultAndNotSpokenTo) {
+TEST_F(Ports, OutletsWithTheSameIdAreFaultyAndExcluded) {
   cable(kB).spoil(change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, kA); }));
   open();
   ASSERT_THAT(present_, SizeIs(2));
   for (const auto& [one, other] : {std::pair(port(kA), port(kB)), {port(kB), port(kA)}}) {
     EXPECT_EQ(present(one).id, "a on " + one);
-    EXPECT_EQ(present(one).fault, "is there twice: the one on " + other + " says that it is it");
+    EXPECT_EQ(present(one).fault, "has the same id as the outlet on " + other);
   }
   send(kA, ping(1));
   outlets_.play(10);
@@ -37,7 +37,7 @@ TEST_F(Ports, TwoWithOutletsThatSayTheyAreTheSameAreBothAtFaultAndNotSpokenTo) {
   EXPECT_THAT(faults_, IsEmpty());
 }
 
-TEST_F(Ports, OneWithoutAnAnswerIsAtFaultByItsNameUntilItAnswers) {
+TEST_F(Ports, ASilentPortIsFaultyUntilItsOutletAnswers) {
   cable(kA).spoil([](Bytes& bytes) { bytes.clear(); });
   open();
   ASSERT_THAT(present_, SizeIs(2));
@@ -51,16 +51,16 @@ TEST_F(Ports, OneWithoutAnAnswerIsAtFaultByItsNameUntilItAnswers) {
   EXPECT_TRUE(answers(kA));
 }
 
-TEST_F(Ports, ThatCannotBeOpenedAreLeftOutWhereItIsLooking) {
+TEST_F(Ports, UnusablePortsAreSkippedInDiscovery) {
   FramedOptions looking = options();
-  looking.ports.insert(looking.ports.begin(), {nobodys_->bench_end(), "/dev/no-such-port"});
+  looking.ports.insert(looking.ports.begin(), {unconnected_->bench_end(), "/dev/no-such-port"});
   looking.skip_unusable = true;
-  HearsALink::open(std::make_shared<FramedLink>(looking), options().ports, kPatience);
+  LinkFixture::open(std::make_shared<FramedLink>(looking), options().ports, kPatience);
   EXPECT_EQ(present(kA).fault, "");
   EXPECT_TRUE(answers(kA));
 }
 
-TEST_F(Ports, OneThatCannotBeOpenedIsRefused) {
+TEST_F(Ports, AnUnusablePortIsAnErrorOtherwise) {
   FramedOptions wrong = options();
   wrong.ports.emplace_back("/dev/no-such-port");
   EXPECT_THAT(refusal(FramedLink(wrong)), HasSubstr("/dev/no-such-port: cannot be found"));

@@ -1,4 +1,5 @@
-// Lines that flip, drop, double and reorder bytes: reported, and nothing wrong is taken for right.
+// Lines that flip, drop, double and reorder bytes: the damage is reported, and no damaged message
+// is accepted.
 #include "outlets_on_cables.hpp"
 #include "spoilers.hpp"
 
@@ -15,8 +16,8 @@ using testing::SizeIs;
 
 class SpoiledLine : public OutletsOnCables, public testing::WithParamInterface<Spoiling> {
  protected:
-  // What an outlet on mains without a voltage says: an invalid measurement every 128 samples,
-  // counted from its start. Anything else was made up by the line.
+  // At zero voltage an outlet sends an invalid measurement every 128 samples from its start.
+  // Anything else is a product of the line's damage.
   void expect_only_true_measurements(const std::string& outlet) const {
     std::uint64_t last = 0;
     for (const auto& received : messages(outlet, UplinkKind::kMeasurement)) {
@@ -27,7 +28,7 @@ class SpoiledLine : public OutletsOnCables, public testing::WithParamInterface<S
       last = received.message.sample;
     }
     for (const auto& received : messages_) {
-      // A hello more than one where the first took long.
+      // There may be a second hello if the first took long.
       EXPECT_TRUE(received.message.kind == UplinkKind::kMeasurement ||
                   received.message.kind == UplinkKind::kEcho ||
                   received.message.kind == UplinkKind::kHello)
@@ -36,10 +37,10 @@ class SpoiledLine : public OutletsOnCables, public testing::WithParamInterface<S
   }
 };
 
-TEST_P(SpoiledLine, IsReportedAndNothingWrongIsTakenForRight) {
+TEST_P(SpoiledLine, IsReportedAndNoDamagedMessageIsAccepted) {
   constexpr std::size_t kReports = 300;
   open();
-  // Until nothing is left of the voltage that they are switched on with.
+  // Until the voltage at power-up no longer affects measurements.
   outlets_.play(100);
   for (const char* const outlet : {kA, kB}) {
     ASSERT_TRUE(until([&] {
@@ -48,22 +49,22 @@ TEST_P(SpoiledLine, IsReportedAndNothingWrongIsTakenForRight) {
     }));
   }
   messages_.clear();
-  // In one of about three messages, at another place in each.
+  // Damages about one message in three, at varying places.
   cable(kA).spoil(every_nth_byte(97, GetParam().spoil));
   for (std::size_t i = 0; i < kReports / 10; ++i) {
     outlets_.play(10);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  ASSERT_TRUE(comes(kB, UplinkKind::kMeasurement, kReports));
+  ASSERT_TRUE(arrives(kB, UplinkKind::kMeasurement, kReports));
   EXPECT_TRUE(is_reported(kA, "sent a damaged frame"));
   cable(kA).spoil({});
-  // The first message after a spoiled one may go with it.
+  // The first message after a damaged one may be lost with it.
   send(kA, ping(1));
   EXPECT_TRUE(answers(kA, 2));
-  EXPECT_TRUE(reported(kA, " of its messages were lost before its sample ")) << "by their numbers";
+  EXPECT_TRUE(reported(kA, " of its messages were lost before its sample "));
   const std::size_t came = messages(kA, UplinkKind::kMeasurement).size();
   EXPECT_LT(came, kReports);
-  EXPECT_GT(came, kReports / 4) << "most messages are whole";
+  EXPECT_GT(came, kReports / 4) << "most messages are not damaged";
   expect_only_true_measurements(kA);
   expect_only_true_measurements(kB);
   EXPECT_THAT(faults(kB), IsEmpty());
@@ -74,13 +75,13 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledLine, testing::ValuesIn(kSpoilings),
 
 using RepeatingLine = OutletsOnCables;
 
-TEST_F(RepeatingLine, DoubledMessagesComeOnce) {
+TEST_F(RepeatingLine, DoubledMessagesArriveOnce) {
   open();
   cable(kA).spoil(each_message([](const Bytes& message) {
     return std::vector<Bytes>{message, message};
   }));
   outlets_.play(50);
-  ASSERT_TRUE(comes(kA, UplinkKind::kMeasurement, 50));
+  ASSERT_TRUE(arrives(kA, UplinkKind::kMeasurement, 50));
   ASSERT_TRUE(answers(kA, 1));
   EXPECT_THAT(messages(kA, UplinkKind::kEcho), SizeIs(1));
   const auto measurements = messages(kA, UplinkKind::kMeasurement);
@@ -90,7 +91,7 @@ TEST_F(RepeatingLine, DoubledMessagesComeOnce) {
   EXPECT_THAT(faults_, IsEmpty());
 }
 
-TEST_F(RepeatingLine, ReorderedMessagesAreReportedAndTheLateOneIsLeftOut) {
+TEST_F(RepeatingLine, ALateMessageIsReportedAsLostAndDropped) {
   open();
   auto held = std::make_shared<Bytes>();
   cable(kA).spoil(each_message([held](const Bytes& message) {
@@ -102,7 +103,7 @@ TEST_F(RepeatingLine, ReorderedMessagesAreReportedAndTheLateOneIsLeftOut) {
     return std::vector<Bytes>{message, late};
   }));
   outlets_.play(50);
-  EXPECT_TRUE(comes(kA, UplinkKind::kMeasurement, 25));
+  EXPECT_TRUE(arrives(kA, UplinkKind::kMeasurement, 25));
   EXPECT_TRUE(reported(kA, "1 of its messages were lost before its sample "));
   std::uint64_t last = 0;
   for (const auto& received : messages(kA, UplinkKind::kMeasurement)) {
@@ -111,16 +112,16 @@ TEST_F(RepeatingLine, ReorderedMessagesAreReportedAndTheLateOneIsLeftOut) {
   }
 }
 
-TEST_F(OutletsOnCables, SettingsThatAreCutOffAreReportedByTheOutletAndChangeNothing) {
+TEST_F(OutletsOnCables, TruncatedSettingsAreReportedAndNotApplied) {
   open();
-  // Without its last half: the next frame's zero ends it.
+  // Drops the second half; the next frame's zero ends the truncated frame.
   cable(kA).spoil([](Bytes& bytes) { bytes.resize(bytes.size() / 2); }, Way::kToOutlet);
   send(kA, downlink(DownlinkKind::kSettings));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   cable(kA).spoil({}, Way::kToOutlet);
   send(kA, downlink(DownlinkKind::kAskStatus));
-  ASSERT_TRUE(comes(kA, UplinkKind::kStatus));
-  // The frame that was cut, and the number that is missing because of it.
+  ASSERT_TRUE(arrives(kA, UplinkKind::kStatus));
+  // The truncated frame counts as one bad message.
   EXPECT_EQ(messages(kA, UplinkKind::kStatus).front().message.status.messages_bad, 1U);
   const auto errors = messages(kA, UplinkKind::kError);
   ASSERT_FALSE(errors.empty());

@@ -1,4 +1,4 @@
-// What opening a link finds, and what it refuses.
+// Opening an MQTT link: the outlets found, and refused connections.
 #include "outlets_on_a_broker.hpp"
 
 #include <wire/codec.hpp>
@@ -19,20 +19,20 @@ class FindingOutlets : public OutletsOnABroker {
   }
 };
 
-TEST_F(FindingOutlets, FindsAllWhereNoneIsNamedAndTellsWhoDoesNotAnswer) {
+TEST_F(FindingOutlets, FindsAllOutletsIfNoneIsNamedAndReportsSilentOnes) {
   const MqttOutlet b(broker_, kB);
   const MqttOutlet a(broker_, kA);
   MqttOutlet c(broker_, "c");
-  open({"c"});  // so that the broker has its hello
+  open({"c"});  // makes sure that the broker has its hello
   c.stop_answering();
-  HearsALink::open(std::make_shared<MqttLink>(options({})), {}, {}, std::chrono::seconds(1));
+  LinkFixture::open(std::make_shared<MqttLink>(options({})), {}, {}, std::chrono::seconds(1));
   ASSERT_THAT(present_, testing::SizeIs(3));
   EXPECT_EQ(present(kA).fault, "");
   EXPECT_EQ(present(kB).fault, "");
   EXPECT_EQ(present("c").fault, "does not answer");
 }
 
-TEST_F(FindingOutlets, OneThatComesLateJoinsAndIsHeard) {
+TEST_F(FindingOutlets, ALateOutletJoinsAndAnswers) {
   const MqttOutlet a(broker_, kA);
   open({kB, kA});
   EXPECT_EQ(present(kB).fault, "is not on the broker");
@@ -41,23 +41,23 @@ TEST_F(FindingOutlets, OneThatComesLateJoinsAndIsHeard) {
   EXPECT_EQ(joined_[0].id, kB);
   EXPECT_EQ(joined_[0].where, broker_.url());
   b.take_samples(1280);
-  EXPECT_TRUE(comes(kB, gs::wire::UplinkKind::kMeasurement, 10));
+  EXPECT_TRUE(arrives(kB, gs::wire::UplinkKind::kMeasurement, 10));
   EXPECT_TRUE(answers(kA));
   EXPECT_THAT(faults_, testing::IsEmpty());
 }
 
-TEST_F(FindingOutlets, TwoOfOneIdAreAtFaultAndTheOthersAreSpokenTo) {
+TEST_F(FindingOutlets, OutletsWithTheSameIdAreFaultyAndOthersAnswer) {
   const MqttOutlet one(broker_, kA, 0x1111);
   const MqttOutlet two(broker_, kA, 0x2222);
   const MqttOutlet b(broker_, kB);
   open({kB, kA});
   EXPECT_EQ(present(kB).fault, "");
-  EXPECT_THAT(present(kA).fault,
-              AllOf(HasSubstr("is there twice"), HasSubstr("0x00001111"), HasSubstr("0x00002222")));
+  EXPECT_THAT(present(kA).fault, AllOf(HasSubstr("has the same id as another outlet"),
+                                       HasSubstr("0x00001111"), HasSubstr("0x00002222")));
   EXPECT_TRUE(answers(kB));
 }
 
-// Says one hello, and whatever is sent to it again.
+// Sends a given hello once, and again for each message that it receives.
 class Parrot {
  public:
   Parrot(const emulation::PrivateBroker& broker, const std::string& id,
@@ -92,52 +92,53 @@ class Parrot {
   std::thread thread_;
 };
 
-TEST_F(FindingOutlets, OneThatSpeaksAnotherProtocolIsAtFault) {
+TEST_F(FindingOutlets, AnOutletOfAnotherProtocolVersionIsFaulty) {
   gs::wire::Uplink hello;
   hello.hello.protocol_version = 77;
   gs::app::set_text(hello.hello.id, "a");
   const Parrot a(broker_, "a", hello);
-  EXPECT_EQ(fault_of_a(), "speaks protocol 77, not 2");
+  EXPECT_EQ(fault_of_a(), "uses protocol version 77, not 2");
 }
 
 TEST_F(FindingOutlets, RefusesAnOutletOnTheTopicOfAnother) {
   gs::wire::Uplink hello;
   gs::app::set_text(hello.hello.id, "b");
   const Parrot a(broker_, "a", hello);
-  EXPECT_EQ(fault_of_a(), "says there that it is \"b\"");
+  EXPECT_EQ(fault_of_a(), "reports another id there: \"b\"");
 }
 
-TEST_F(FindingOutlets, SaysWhichBrokerRefusesItsPassword) {
+TEST_F(FindingOutlets, ReportsThatTheBrokerRefusesThePassword) {
   MqttOptions wrong = options({"a"});
   wrong.password = "guessed";
   EXPECT_THAT(refusal(wrong), AllOf(HasSubstr(broker_.url()), HasSubstr("refuses the user name"),
                                     HasSubstr("\"bench\"")));
 }
 
-TEST_F(FindingOutlets, TrustsNoBrokerWithoutItsOwnAuthorityNorUnderAnotherName) {
+TEST_F(FindingOutlets, RefusesABrokerWithAnotherCaOrHostName) {
   const auto other = demand(emulation::PrivateBroker::start({folder_.file("other"), {}}));
   for (const std::string& ca_file : {other.ca_file(), std::string()}) {
     MqttOptions wrong = options({"a"});
     wrong.ca_file = ca_file;
-    EXPECT_THAT(refusal(wrong), AllOf(HasSubstr(broker_.url()), HasSubstr("cannot be trusted")));
+    EXPECT_THAT(refusal(wrong),
+                AllOf(HasSubstr(broker_.url()), HasSubstr("certificate is not signed by the CA")));
   }
-  // The certificate is for 127.0.0.1 alone.
+  // The certificate is for 127.0.0.1 only.
   MqttOptions wrong = options({"a"});
   wrong.url = "mqtts://localhost:" + std::to_string(broker_.port());
   EXPECT_THAT(refusal(wrong), AllOf(HasSubstr("localhost"), HasSubstr("certificate")));
 }
 
-TEST_F(FindingOutlets, SaysWhichBrokerCannotBeReached) {
+TEST_F(FindingOutlets, ReportsABrokerThatCannotBeReached) {
   broker_.kill();
   EXPECT_THAT(refusal(options({"a"})), AllOf(HasSubstr(broker_.url()), HasSubstr("reached")));
 }
 
-TEST_F(FindingOutlets, AnOutletsLoginOpensNoLink) {
+TEST_F(FindingOutlets, FindsNoOutletWithAnOutletsLogin) {
   const MqttOutlet a(broker_, "a");
   MqttOptions wrong = options({"a"});
   wrong.user = broker_.outlet("b").user;
   wrong.password = broker_.outlet("b").password;
-  HearsALink::open(std::make_shared<MqttLink>(wrong), {kA});
+  LinkFixture::open(std::make_shared<MqttLink>(wrong), {kA});
   EXPECT_EQ(present(kA).fault, "is not on the broker");
   EXPECT_EQ(fault_of_a(), "");
 }

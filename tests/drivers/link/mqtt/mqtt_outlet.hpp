@@ -1,4 +1,4 @@
-// An outlet on a broker: the firmware's node behind the host board's MQTT, in a thread of its own.
+// An outlet on a broker: the firmware with the host board's MQTT code, on a thread of its own.
 #pragma once
 
 #include <mqtt_carrier.hpp>
@@ -20,15 +20,15 @@ gs::host::MqttOptions options_of(const emulation::PrivateBroker& broker, const s
 
 class MqttOutlet {
  public:
-  // Connected when this returns.
+  // Blocks until it is connected. Throws std::runtime_error if it cannot connect.
   MqttOutlet(const emulation::PrivateBroker& broker, const std::string& id,
              std::uint32_t instance = 1);
-  ~MqttOutlet();  // leaves, as one that is switched off by hand
+  ~MqttOutlet();  // disconnects cleanly
 
   void take_samples(std::size_t count);  // of steady 50 Hz; 128 make a measurement
-  void report_status();                  // takes one sample before, so that statuses differ
-  void stop_answering();                 // stays connected and says nothing more
-  void restart();                        // on the connection that it has
+  void report_status();                  // after one sample, so that statuses differ
+  void stop_answering();                 // stays connected but is silent
+  void restart();                        // on the same connection
   bool relay_closed();
   bool connected();
 

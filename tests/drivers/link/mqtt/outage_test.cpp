@@ -1,4 +1,4 @@
-// A broker that dies and comes back.
+// A broker that is killed and restarted.
 #include "outlets_on_a_broker.hpp"
 
 #include <filesystem>
@@ -11,7 +11,7 @@ using link::MqttLink;
 
 class BrokerOutage : public OutletsOnABroker {
  protected:
-  // Until the broker has written down that there is a bench.
+  // Waits until the broker has saved the bench's session.
   bool remembered() {
     const auto opened = std::filesystem::file_time_type::clock::now();
     return until([&] {
@@ -27,7 +27,7 @@ class BrokerOutage : public OutletsOnABroker {
   }
 };
 
-TEST_F(BrokerOutage, LosesNoneOfWhatMustArriveAndRepeatsNone) {
+TEST_F(BrokerOutage, StatusMessagesAreNeitherLostNorRepeated) {
   constexpr std::size_t kStatuses = 600;
   MqttOutlet a(broker_, "a");
   MqttOutlet b(broker_, "b");
@@ -35,15 +35,15 @@ TEST_F(BrokerOutage, LosesNoneOfWhatMustArriveAndRepeatsNone) {
   ASSERT_TRUE(remembered());
   for (std::size_t i = 0; i < kStatuses; ++i) {
     if (i == kStatuses / 3) {
-      // A broker takes with it what it has acknowledged and not passed on yet; MQTT promises no
-      // more. All of that has come.
+      // A killed broker loses messages that it has acknowledged but not delivered; MQTT does not
+      // prevent that. So wait until all have arrived.
       ASSERT_TRUE(until([&] {
         return messages(kA, UplinkKind::kStatus).size() == i &&
                messages(kB, UplinkKind::kStatus).size() == i;
       }));
       broker_.kill();
     }
-    if (i == kStatuses / 2) {  // the rest is said while outlets and bench come back, in any order
+    if (i == kStatuses / 2) {  // the rest is sent while outlets and bench reconnect, in any order
       demand(broker_.restart());
     }
     a.report_status();
@@ -54,41 +54,42 @@ TEST_F(BrokerOutage, LosesNoneOfWhatMustArriveAndRepeatsNone) {
     return messages(kA, UplinkKind::kStatus).size() >= kStatuses &&
            messages(kB, UplinkKind::kStatus).size() >= kStatuses;
   }));
-  // What waits for the bench comes before the broker's answer to its subscription.
-  EXPECT_TRUE(is_reported(kA, "has its broker back"));
+  // Stored messages arrive before the broker confirms the subscription.
+  EXPECT_TRUE(is_reported(kA, "is connected to its broker again"));
   for (const char* const outlet : {kA, kB}) {
     const auto statuses = messages(outlet, UplinkKind::kStatus);
     ASSERT_EQ(statuses.size(), kStatuses) << testing::PrintToString(faults(outlet));
     for (std::size_t i = 1; i < kStatuses; ++i) {
       ASSERT_EQ(statuses[i].message.sample, statuses[i - 1].message.sample + 1);
     }
-    EXPECT_EQ(times(faults(outlet), "has lost its broker"), 1);
-    EXPECT_EQ(times(faults(outlet), "has its broker back"), 1);
+    EXPECT_EQ(times(faults(outlet), "lost its broker"), 1);
+    EXPECT_EQ(times(faults(outlet), "is connected to its broker again"), 1);
     EXPECT_EQ(times(faults(outlet), "restarted"), 0);
-    // Measurements may be lost, one in 128 samples, but not without a word.
+    // Measurements (one each 128 samples) may be lost, but each loss is reported.
     const auto measurements = messages(outlet, UplinkKind::kMeasurement).size();
     EXPECT_EQ(times(faults(outlet), "1 of its messages were lost"),
               static_cast<std::ptrdiff_t>(kStatuses / 128 - measurements));
   }
 }
 
-TEST_F(BrokerOutage, CommandsAreObeyedAgainAfterwards) {
+TEST_F(BrokerOutage, OutletsObeyCommandsAfterwards) {
   MqttOutlet a(broker_, "a");
   open({"a"});
   broker_.kill();
-  ASSERT_TRUE(is_reported(kA, "has lost its broker"));
+  ASSERT_TRUE(is_reported(kA, "lost its broker"));
   demand(broker_.restart());
-  // Both ends are back once the outlet's new hello has come.
+  // Both ends are connected again once the outlet's new hello has arrived.
   ASSERT_TRUE(until([&] {
-    return reported(kA, "has its broker back") && !messages(kA, UplinkKind::kHello).empty();
+    return reported(kA, "is connected to its broker again") &&
+           !messages(kA, UplinkKind::kHello).empty();
   }));
   send(kA, command(false));
   EXPECT_TRUE(until([&] { return !messages(kA, UplinkKind::kCommandAnswer).empty(); }));
   EXPECT_FALSE(a.relay_closed());
 }
 
-// It still counts the messages of the bench before, until the next one identifies it.
-TEST_F(BrokerOutage, AnOutletThatComesBackLateListensToTheNextBench) {
+// The outlet expects the previous bench's sequence numbers until the next bench sends `identify`.
+TEST_F(BrokerOutage, AReturningOutletAnswersTheNextBench) {
   MqttOutlet a(broker_, "a");
   open({"a"});
   ASSERT_TRUE(answers(kA, 1));
@@ -98,12 +99,13 @@ TEST_F(BrokerOutage, AnOutletThatComesBackLateListensToTheNextBench) {
   std::filesystem::remove(broker_.memory_file());
   ASSERT_TRUE(test::until([&] { return !a.connected(); }));
   demand(broker_.restart());
-  HearsALink::open(std::make_shared<MqttLink>(options({"a"})), {"a"}, std::chrono::milliseconds(1));
+  LinkFixture::open(std::make_shared<MqttLink>(options({"a"})), {"a"},
+                    std::chrono::milliseconds(1));
   ASSERT_TRUE(until([&] { return present(kA).fault.empty() || !joined_.empty(); }));
   EXPECT_TRUE(answers(kA, 3));
 }
 
-TEST_F(BrokerOutage, MeasurementsThatWereLostAreCounted) {
+TEST_F(BrokerOutage, LostMeasurementsAreCounted) {
   MqttOutlet a(broker_, "a");
   open({"a"});
   a.take_samples(1280);
@@ -112,7 +114,8 @@ TEST_F(BrokerOutage, MeasurementsThatWereLostAreCounted) {
   ASSERT_TRUE(until([&] { return !a.connected(); }));
   a.take_samples(2560);
   demand(broker_.restart());
-  ASSERT_TRUE(until([&] { return a.connected() && reported(kA, "has its broker back"); }));
+  ASSERT_TRUE(
+      until([&] { return a.connected() && reported(kA, "is connected to its broker again"); }));
   a.take_samples(1280);
   ASSERT_TRUE(until([&] { return messages(kA, UplinkKind::kMeasurement).size() == 20; }));
   EXPECT_TRUE(reported(kA, "20 of its messages were lost"));

@@ -1,9 +1,9 @@
-// A private broker with outlets a, b and c on its list, a link to it, and all that came over it.
+// A private broker with logins for outlets a, b and c, and a link to it.
 #pragma once
 
 #include "mqtt_outlet.hpp"
 #include <link_test/bench_options.hpp>
-#include <link_test/hears_a_link.hpp>
+#include <link_test/link_fixture.hpp>
 #include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -15,18 +15,18 @@
 
 namespace gsbench::test {
 
-class OutletsOnABroker : public HearsALink {
+class OutletsOnABroker : public LinkFixture {
  protected:
   link::MqttOptions options(const std::vector<std::string>& outlets) const {
     return bench_options(broker_, outlets);
   }
 
   void open(const std::vector<std::string>& outlets) {
-    HearsALink::open(std::make_shared<link::MqttLink>(options(outlets)), outlets);
+    LinkFixture::open(std::make_shared<link::MqttLink>(options(outlets)), outlets);
   }
 
   static std::string refusal(const link::MqttOptions& wrong) {
-    return HearsALink::refusal(link::MqttLink(wrong));
+    return LinkFixture::refusal(link::MqttLink(wrong));
   }
 
   TemporaryFolder folder_;

@@ -1,4 +1,4 @@
-// Who may say what over a broker, and what it does with messages that it does not pass on.
+// Messages over a broker: forbidden ones, restarts, and outlets that use another's id.
 #include "outlets_on_a_broker.hpp"
 
 #include <csignal>
@@ -12,27 +12,27 @@ using testing::IsEmpty;
 
 class Broker : public OutletsOnABroker {
  protected:
-  // The broker reads its access list again when told to.
+  // SIGHUP makes the broker reload its access list.
   void forbid_commands() const {
     folder_.write("broker/access", "user bench\ntopic read gs/#\npattern readwrite gs/%u/#\n");
     ASSERT_EQ(kill(broker_.pid(), SIGHUP), 0);
   }
 };
 
-TEST_F(Broker, AMessageThatTheBrokerForbidsIsAFault) {
+TEST_F(Broker, AForbiddenMessageIsAFault) {
   MqttOutlet a(broker_, "a");
   open({"a"});
   ASSERT_TRUE(answers(kA));
   EXPECT_THAT(faults_, IsEmpty());
   forbid_commands();
-  // Again and again: the broker follows the signal when it gets to it.
+  // Repeated, because the broker handles the signal later.
   EXPECT_TRUE(until([&] {
     send(kA, ping(2));
     return reported(kA, "does not allow");
   }));
 }
 
-TEST_F(Broker, AnOutletThatRestartsOnTheConnectionThatItHasIsReportedAndHeard) {
+TEST_F(Broker, ARestartOnTheSameConnectionIsReported) {
   MqttOutlet a(broker_, "a");
   open({"a"});
   a.take_samples(1280);
@@ -43,14 +43,15 @@ TEST_F(Broker, AnOutletThatRestartsOnTheConnectionThatItHasIsReportedAndHeard) {
   EXPECT_THAT(faults(kA), ElementsAre("restarted after its sample 1280"));
 }
 
-TEST_F(Broker, ASecondOutletOfOneIdThatTurnsUpLaterIsAFault) {
+TEST_F(Broker, ALaterOutletWithTheSameIdIsAFault) {
   MqttOutlet one(broker_, "a", 1);
   open({"a"});
   MqttOutlet two(broker_, "a", 2);
-  EXPECT_TRUE(is_reported(kA, "is there twice: 0x00000001 and 0x00000002"));
+  EXPECT_TRUE(
+      is_reported(kA, "has the same id as another outlet: instances 0x00000001 and 0x00000002"));
 }
 
-TEST_F(Broker, WhatAnOutletSaysInAnothersNameDoesNotReachTheBench) {
+TEST_F(Broker, AnOutletCannotSendUnderAnotherId) {
   MqttOutlet a(broker_, "a");
   open({"a"});
   // Outlet b, with its own login, on the topics of a.
@@ -69,7 +70,7 @@ TEST_F(Broker, WhatAnOutletSaysInAnothersNameDoesNotReachTheBench) {
     return impostor.refused() > 0;
   }));
   EXPECT_EQ(impostor.refused(), 1U);
-  // What came after it has come, so it would have, too.
+  // A later message has arrived, so the impostor's would have arrived too.
   a.report_status();
   ASSERT_TRUE(until([&] { return !messages(kA, UplinkKind::kStatus).empty(); }));
   EXPECT_THAT(messages(kA, UplinkKind::kHello), IsEmpty());

@@ -1,7 +1,7 @@
-// Recordings of a collapse as a grid analyser writes them: a row every 2 s with date and time of
-// day, phase voltages in volts, gaps as NaN, and a frequency that is printed on on the dead bus.
-// One is made here; that of Toledo, 28 April 2025, is read besides where $GSBENCH_RECORDINGS names
-// the folder that it is in.
+// Recordings of a collapse in a grid analyser's format: a row every 2 s with date and time of day,
+// phase voltages in volts, gaps as NaN, and a frequency that continues on the dead bus. One
+// recording is generated here. If $GSBENCH_RECORDINGS names a folder with the recording of Toledo,
+// 28 April 2025, that is used too.
 #pragma once
 
 #include <test_support/temporary_folder.hpp>
@@ -17,7 +17,7 @@ namespace gsbench::test {
 struct CollapseRecording {
   std::string path;
   double last_ordinary_s;  // 49.942 Hz; 4 s later 48.556, 6 s later 47.476, 8 s later dead
-  std::size_t points;      // rows that are no gaps
+  std::size_t points;      // rows without gaps
 };
 
 inline constexpr const char* kCollapseTime = "time";

@@ -1,4 +1,4 @@
-// What a driver returns, in a test that is about something else.
+// Unwraps a driver's result, for tests that do not test for errors.
 #pragma once
 
 #include <stdexcept>

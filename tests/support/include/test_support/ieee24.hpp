@@ -1,4 +1,4 @@
-// The shipped grid of the paper.
+// The paper's grid, as shipped.
 #pragma once
 
 #include <profile/load.hpp>

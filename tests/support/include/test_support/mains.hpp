@@ -1,4 +1,4 @@
-// A mains voltage for tests to play: nominal for a second, then as told.
+// A mains voltage for tests: nominal frequency for 1 s, then a linear fall if set.
 #pragma once
 
 #include <test_support/demand.hpp>
@@ -43,7 +43,7 @@ struct Mains : source::Stimulus {
   }
 };
 
-// From off to the stimulus's tick 0.
+// Takes a source from off to the stimulus's tick 0. Throws std::runtime_error.
 inline void start(source::Source& source, const source::Stimulus& stimulus) {
   demand(source.prepare(stimulus));
   demand(source.energise());

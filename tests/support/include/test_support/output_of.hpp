@@ -1,4 +1,4 @@
-// A shell's command line, run to its end.
+// Runs a shell command line to its end.
 #pragma once
 
 #include <sys/wait.h>
@@ -11,14 +11,14 @@
 namespace gsbench::test {
 
 struct Output {
-  int exit_code = -1;  // 128 more than the signal's number where one ended it
-  std::string text;    // its standard output
+  int exit_code = -1;  // 128 + signal number if a signal ended it
+  std::string text;    // standard output
 };
 
 inline Output output_of(const std::string& command) {
   std::FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) {
-    throw std::runtime_error("cannot be run: " + command);
+    throw std::runtime_error("cannot run: " + command);
   }
   Output output;
   std::array<char, 512> part{};

@@ -1,11 +1,11 @@
-// What a call is refused with.
+// The error message of a call.
 #pragma once
 
 #include <string>
 
 namespace gsbench::test {
 
-// The message of the Error that it throws; empty where it throws none.
+// The message of the Error that the call throws; empty if it does not throw.
 template <class Error, class Call>
 std::string refusal_of(const Call& call) {
   try {

@@ -1,5 +1,5 @@
-// A disk of a size, mounted on a folder until the end of the scope; where that is not allowed there
-// is none.
+// A tmpfs of limited size, mounted on a folder until the end of the scope. mounted() is false if
+// the test may not mount.
 #pragma once
 
 #include <sys/mount.h>

@@ -1,4 +1,4 @@
-// A new empty folder, gone with everything in it at the end of its scope.
+// A new empty folder, removed with its contents at the end of its scope.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class TemporaryFolder {
   TemporaryFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "gsbench-test-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) {
-      throw std::runtime_error("no temporary folder");
+      throw std::runtime_error("cannot create a temporary folder");
     }
     path_ = pattern;
   }
@@ -31,19 +31,19 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
-  // Writes a file into it and returns its path.
+  // Writes a file in the folder and returns its path.
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name, std::ios::binary) << text;
     return file(name);
   }
 
-  // All bytes of a file in it; empty where there is none.
+  // All bytes of a file in the folder; empty if the file does not exist.
   std::string read(const std::string& name) const {
     std::ifstream stream(path_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  // Everything in it, hidden files too, as sorted paths relative to it.
+  // All entries, including hidden files, as sorted relative paths.
   std::vector<std::string> entries() const {
     std::vector<std::string> all;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {

@@ -1,4 +1,4 @@
-// Waiting for what other threads and processes do.
+// Waiting for other threads and processes.
 #pragma once
 
 #include <sys/types.h>
@@ -10,7 +10,7 @@
 
 namespace gsbench::test {
 
-// Until it holds; false after a minute, which no healthy machine needs.
+// Waits until the condition holds; false after 1 min.
 template <class Condition>
 bool until(Condition condition) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
@@ -23,7 +23,7 @@ bool until(Condition condition) {
   return true;
 }
 
-// A process that has ended and is waited for by nobody yet, a zombie, has ended.
+// Whether the process runs; false for a zombie.
 inline bool runs(pid_t pid) {
   std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
   std::string text;

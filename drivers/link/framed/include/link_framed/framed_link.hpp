@@ -1,6 +1,6 @@
-// Outlets that send frames (wire/frame.hpp) over transports of their own: serial ports, TCP. A
-// thread waits for bytes and stamps what they bring when it arrives; an outlet that was unplugged
-// is distinguished from one that is silent, and is listened to again when its port is back.
+// Outlets that send frames (wire/frame.hpp), each over its own transport: a serial port or TCP. A
+// thread of the link receives bytes and stamps each message's arrival. An unplugged port is
+// reported apart from a silent outlet; the link tries to reopen it every 250 ms.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@
 namespace gsbench::link {
 
 struct FramedOptions {
-  std::vector<std::string> ports;  // as transport::make_transport() takes them
+  std::vector<std::string> ports;  // port names for transport::make_transport()
   int baud = transport::kBaud;
-  // For looking what is there: a port that cannot be opened is left out, else it is an error.
+  // For discovery: a port that cannot be opened is skipped. Otherwise it is an error of open().
   bool skip_unusable = false;
 };
 
@@ -24,7 +24,8 @@ class FramedLink final : public Link {
   explicit FramedLink(FramedOptions options);
   ~FramedLink() override;
 
-  // Asks on every port who is there, again and again until an outlet says so.
+  // Opens all ports. Then the thread sends `identify` on each port every 500 ms until an outlet
+  // answers.
   [[nodiscard]] drivers::Status open() override;
   [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;

@@ -1,9 +1,9 @@
-// Outlets behind an MQTT 5 broker, all over one connection. The topics are those of the outlets'
-// own end: gs/<id>/hello (retained for as long as the outlet is there), gs/<id>/up, gs/<id>/down.
+// Outlets behind an MQTT 5 broker, over one connection. Topics: gs/<id>/hello (retained while the
+// outlet is connected), gs/<id>/up, gs/<id>/down.
 //
-// The broker must let as many messages to the bench be under way at once as MQTT can number
-// (Mosquitto: max_inflight_messages 65535): one that holds an acknowledged message back while it
-// lets later measurements pass changes their order, and the one held back then counts as lost.
+// The broker must allow MQTT's largest number of in-flight messages to the bench (Mosquitto:
+// max_inflight_messages 65535). With a lower limit it may hold back QoS 1 messages while later
+// measurements pass; the messages held back then count as lost.
 #pragma once
 
 #include <memory>
@@ -16,10 +16,10 @@ namespace gsbench::link {
 
 struct MqttOptions {
   std::string url;      // mqtts://host:port with TLS, mqtt://host:port without
-  std::string ca_file;  // for TLS: who may vouch for the broker
+  std::string ca_file;  // for TLS: the CA that signs the broker's certificate, PEM
   std::string user;
   std::string password;
-  std::vector<std::string> outlets;  // their ids, to look for no others; none: all that are found
+  std::vector<std::string> outlets;  // ids; outlets not in the list are ignored. Empty: all outlets
 };
 
 class MqttLink final : public Link {
@@ -27,13 +27,14 @@ class MqttLink final : public Link {
   explicit MqttLink(MqttOptions options);
   ~MqttLink() override;
 
-  // Blocks until the broker has answered, some ten seconds at most.
+  // Blocks until the broker has accepted connection and subscriptions, about 15 s at most. An error
+  // if the broker cannot be reached, fails the TLS check, or refuses the login.
   [[nodiscard]] drivers::Status open() override;
-  // What the broker did not take or had nobody to give to comes back as a fault. While the broker
-  // is away, messages wait for it.
+  // A message that the broker refuses, or cannot deliver, becomes a fault of the outlet. Without a
+  // connection, up to 10000 messages wait for the broker. Blocks up to 0.5 s if that queue is full.
   [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;
-  // A broker that is lost is a fault of each outlet's, once; the link connects again by itself.
+  // A lost broker is a fault of each outlet, once for each loss; the link reconnects by itself.
   [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
   std::vector<Fault> missing() override;
   void close() noexcept override;

@@ -1,4 +1,4 @@
-// How the bench connects to a private broker.
+// Options for the bench's link to a private broker.
 #pragma once
 
 #include <link_mqtt/mqtt_link.hpp>

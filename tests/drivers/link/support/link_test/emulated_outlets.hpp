@@ -1,4 +1,4 @@
-// Outlets' processes on mains without a voltage, as an emulated station has them.
+// Outlet processes of an emulated station, on mains of zero voltage.
 #pragma once
 
 #include <test_support/demand.hpp>
@@ -28,7 +28,7 @@ class EmulatedOutlets {
     hardware_ = demand(emulation::Hardware::set_up(options));
     mains_.level_pu = 0.0;
   }
-  // Stopped, it would not be ended either.
+  // A stopped process would not end on SIGTERM.
   ~EmulatedOutlets() {
     for (const std::string& id : ids_) {
       signal(id, SIGCONT);
@@ -39,8 +39,8 @@ class EmulatedOutlets {
 
   emulation::Hardware& hardware() const { return *hardware_; }
 
-  // So many measurements of each outlet, of 16 ms; before the first some more, of the time before
-  // the source began.
+  // Plays for `reports` measurements of each outlet, 16 ms each. The first call also starts the
+  // source, which gives some measurements more.
   void play(int reports) {
     source::Source& source = hardware_->source();
     if (tick_ == 0) {
@@ -61,7 +61,7 @@ class EmulatedOutlets {
   }
   void kill(const std::string& id) { hardware_->outlet_process(place(id)).kill(); }
   void start(const std::string& id) { demand(hardware_->restart_outlet(place(id))); }
-  // In the hardware's order.
+  // The outlet's index in the hardware.
   std::size_t place(const std::string& id) const {
     return static_cast<std::size_t>(std::find(ids_.begin(), ids_.end(), id) - ids_.begin());
   }

@@ -1,4 +1,4 @@
-// The firmware at a voltage, and what it measures.
+// The firmware with a voltage at its terminals, and its measurements.
 #pragma once
 
 #include "rigs.hpp"
@@ -12,13 +12,13 @@ namespace gsbench::test {
 
 class Measurements final : public gs::app::Outbox {
  public:
-  void hear(const gs::wire::Hello& hello) {
+  void take_hello(const gs::wire::Hello& hello) {
     delay_ticks_ =
         static_cast<double>(hello.tracker_delay_s) * static_cast<double>(hello.sample_rate_hz);
   }
   void put(const gs::wire::Uplink& message) override {
     if (message.kind == gs::wire::UplinkKind::kHello) {
-      hear(message.hello);
+      take_hello(message.hello);
     } else if (message.kind == gs::wire::UplinkKind::kMeasurement &&
                message.measurement.validity == gs::outlet::Validity::kValid) {
       const double tick = static_cast<double>(message.sample) - delay_ticks_;
@@ -27,7 +27,7 @@ class Measurements final : public gs::app::Outbox {
                            static_cast<double>(message.measurement.voltage_pu)});
     }
   }
-  // By the stimulus's ticks, where so many samples were before its first.
+  // On the stimulus's ticks, if it started after `samples` samples.
   std::vector<Reading> after(std::int64_t samples) const {
     std::vector<Reading> readings = readings_;
     for (Reading& reading : readings) {
@@ -41,9 +41,9 @@ class Measurements final : public gs::app::Outbox {
   std::vector<Reading> readings_;
 };
 
-class ListeningOutlet {
+class MeasuringOutlet {
  public:
-  ListeningOutlet() { app_.start({8000, 50, models::kCounts_per_pu}, {}, nullptr, measurements_); }
+  MeasuringOutlet() { app_.start({8000, 50, models::kCounts_per_pu}, {}, nullptr, measurements_); }
 
   void feed(const std::int16_t* counts, std::size_t count) {
     app_.feed(counts, count, measurements_);

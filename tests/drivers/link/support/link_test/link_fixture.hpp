@@ -1,4 +1,4 @@
-// A link in a test, and what came over it, kept until it is asked for.
+// A test fixture with a link; collects joined outlets, messages and faults.
 #pragma once
 
 #include <test_support/waiting.hpp>
@@ -28,9 +28,9 @@ using gs::wire::test::command;
 using gs::wire::test::downlink;
 using gs::wire::test::ping;
 
-class HearsALink : public testing::Test {
+class LinkFixture : public testing::Test {
  protected:
-  // The link goes before what it leads to.
+  // The link is destroyed before its outlets.
   void TearDown() override { link_.reset(); }
 
   void open(std::shared_ptr<link::Link> link, const std::vector<std::string>& named = {kA, kB},
@@ -42,13 +42,13 @@ class HearsALink : public testing::Test {
     present_ = opened.take();
   }
 
-  // The error of an opening that fails.
+  // The error of an open() that fails.
   static std::string refusal(link::Link&& link) {
     const auto opened = link.open();
     return opened.ok() ? "it opened" : opened.error();
   }
 
-  // As it was found by the name it was looked for with.
+  // The outlet found by open() for this id or place.
   const link::OutletPresence& present(const std::string& name) const {
     const auto found = std::find_if(present_.begin(), present_.end(), [&](const auto& outlet) {
       return outlet.id == name || outlet.where == name;
@@ -70,12 +70,12 @@ class HearsALink : public testing::Test {
     ASSERT_TRUE(polled.ok()) << polled.error();
     joined_.insert(joined_.end(), happenings.joined.begin(), happenings.joined.end());
     messages_.insert(messages_.end(), happenings.messages.begin(), happenings.messages.end());
-    for (const auto& told : {happenings.left, happenings.faults}) {
-      faults_.insert(faults_.end(), told.begin(), told.end());
+    for (const auto& reports : {happenings.left, happenings.faults}) {
+      faults_.insert(faults_.end(), reports.begin(), reports.end());
     }
   }
 
-  // Polls until it holds; false after ten seconds.
+  // Polls until the condition holds; false after 1 min.
   bool until(const std::function<bool()>& condition) {
     return test::until([&] {
       poll();
@@ -83,7 +83,7 @@ class HearsALink : public testing::Test {
     });
   }
 
-  bool comes(const std::string& id, gs::wire::UplinkKind kind, std::size_t count = 1) {
+  bool arrives(const std::string& id, gs::wire::UplinkKind kind, std::size_t count = 1) {
     return until([&] { return messages(id, kind).size() >= count; });
   }
 
@@ -130,8 +130,8 @@ class HearsALink : public testing::Test {
   std::shared_ptr<link::Link> link_;
   std::vector<link::OutletPresence> present_;
   std::vector<link::Received> messages_;
-  std::vector<link::OutletPresence> joined_;  // after the opening
-  std::vector<link::Fault> faults_;           // those of outlets that left among them
+  std::vector<link::OutletPresence> joined_;  // after open()
+  std::vector<link::Fault> faults_;           // including those of outlets that left
 };
 
 }  // namespace gsbench::test

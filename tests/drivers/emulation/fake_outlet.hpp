@@ -1,4 +1,4 @@
-// What an outlet's process does with its terminals: takes samples, as long as it lives.
+// Stands for an outlet's process: reads samples from its terminals on a thread of its own.
 #pragma once
 
 #include <fcntl.h>
@@ -20,12 +20,12 @@
 
 namespace gsbench::test {
 
-class TakingOutlet {
+class FakeOutlet {
  public:
   using Use = std::function<void(const std::int16_t* samples, std::size_t count)>;
 
-  // `use` is called on the outlet's own thread.
-  TakingOutlet(const emulation::Mains& mains, std::size_t outlet, Use use = {})
+  // `use` is called on that thread.
+  FakeOutlet(const emulation::Mains& mains, std::size_t outlet, Use use = {})
       : use_(std::move(use)),
         file_(::open(mains.terminal_path(outlet).c_str(), O_RDWR | O_CLOEXEC)),
         mapped_(mmap(nullptr, sizeof(gs::shared_memory_io::SharedMemory), PROT_READ | PROT_WRITE,
@@ -40,12 +40,12 @@ class TakingOutlet {
     port_.start();
     taking_ = std::thread([this] { take(); });
   }
-  ~TakingOutlet() {
+  ~FakeOutlet() {
     end();
     munmap(mapped_, sizeof(gs::shared_memory_io::SharedMemory));
   }
-  TakingOutlet(const TakingOutlet&) = delete;
-  TakingOutlet& operator=(const TakingOutlet&) = delete;
+  FakeOutlet(const FakeOutlet&) = delete;
+  FakeOutlet& operator=(const FakeOutlet&) = delete;
 
   void end() {
     ::shutdown(bell_.get(), SHUT_RDWR);
