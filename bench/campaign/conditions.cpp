@@ -23,8 +23,8 @@ void check(const ConditionOptions& options) {
   demand(counting.count >= 1 && counting.count <= 1000,
          fmt::format("{} slopes that count are not within 1 … 1000", counting.count));
   demand(counting.more_than >= 0 && counting.more_than < counting.count,
-         fmt::format("{} slopes cannot have more than {} hits; it must be within 0 … {}",
-                     counting.count, counting.more_than, counting.count - 1));
+         fmt::format("the number of hits to exceed, {}, is not within 0 … {} for {} slopes",
+                     counting.more_than, counting.count - 1, counting.count));
   demand(options.noise_hz >= 0.0 && options.noise_hz <= 1.0,
          fmt::format("a noise of {:g} Hz is not within 0 … 1 Hz", options.noise_hz));
   demand(options.trajectories > 0 && options.trajectories <= kMostTrajectories,
