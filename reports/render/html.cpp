@@ -82,9 +82,11 @@ List comparison_rows(const record::RunRecord& run) {
     const std::string unit = valid_text(comparison.unit);
     const double difference_pct =
         100.0 * (comparison.ours - comparison.published) / std::abs(comparison.published);
+    const std::string ours = beside_published(comparison.ours, comparison.published);
+    const std::string published = figure(comparison.published, 6);
     list.push_back(object{{"name", valid_text(comparison.name)},
-                          {"ours", typographic(with_unit(figure(comparison.ours), unit))},
-                          {"published", typographic(with_unit(figure(comparison.published), unit))},
+                          {"ours", typographic(with_unit(ours, unit))},
+                          {"published", typographic(with_unit(published, unit))},
                           {"difference", typographic(percent(difference_pct))},
                           {"note", valid_text(comparison.note)}});
   }
@@ -113,16 +115,16 @@ std::size_t outlet_drawn_first(const record::RunRecord& run) {
 }
 
 object page(const record::RunRecord& run) {
-  const std::vector<KeyFigure> keys = key_figures(run, kMostHtmlColumns);
+  const std::vector<KeyColumn> columns = key_columns(run, kMostHtmlColumns);
   const std::vector<Shortfall> missed = shortfalls(run);
   const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
   List headings;
-  for (const KeyFigure& key : keys) {
-    headings.push_back(object{{"heading", std::string(key.heading)}});
+  for (const KeyColumn& column : columns) {
+    headings.push_back(object{{"heading", valid_text(column.heading_in_one_line())}});
   }
   List outlets;
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
-    outlets.push_back(outlet_object(run, i, keys));
+    outlets.push_back(outlet_object(run, i, columns));
   }
   const std::string note = thinning_note(run);
   const std::string doubt = doubt_note(run);

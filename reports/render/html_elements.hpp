@@ -1,4 +1,4 @@
-// What the parts of an HTML report have in common.
+// Elements that all HTML reports share.
 #pragma once
 
 #include "key_figures.hpp"
@@ -16,10 +16,10 @@ namespace gsbench::render {
 using kainjow::mustache::object;
 using List = kainjow::mustache::list;
 
-// The page of a template, with these values, style sheet and plotting library.
+// The template filled with `values`, the style sheet and the plotting library.
 std::string filled(std::string_view page_template, object values);
 
-// A template's section takes an empty text for true; a flag is what it says.
+// A template's section takes an empty text as true; a flag has its own value.
 kainjow::mustache::data flag(bool value);
 
 // "verdict", "class" (of CSS) and "sign".
@@ -27,9 +27,9 @@ void set_verdict(object& where, record::Verdict verdict);
 
 // An outlet's part of a report: its row of key figures and its tables.
 object outlet_object(const record::RunRecord& run, std::size_t index,
-                     const std::vector<KeyFigure>& keys);
+                     const std::vector<KeyColumn>& columns);
 
-// With a page's typographic minus; only what was formatted here passes through.
+// With U+2212 as minus sign; only for texts that are formatted here.
 std::string typographic(std::string text);
 
 }  // namespace gsbench::render

@@ -15,10 +15,10 @@ std::string shown_value(const record::MeasurementResult& result) {
   return result.text.empty() ? typographic(valid_text(value_of(result))) : valid_text(result.text);
 }
 
-object key_cell(const record::OutletRecord& outlet, const KeyFigure& key) {
-  const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
-  object cell{{"heading", std::string(key.heading)}, {"missed", flag(false)}};
-  cell["text"] = typographic(valid_text(key_text(outlet, key)));
+object key_cell(const record::OutletRecord& outlet, const KeyColumn& column, std::size_t index) {
+  const record::MeasurementResult* result = find_measurement(outlet, column.measure);
+  object cell{{"heading", valid_text(column.heading_in_one_line())}, {"missed", flag(false)}};
+  cell["text"] = typographic(valid_text(column.cells[index]));
   cell["missed"] = flag(result != nullptr && result->judged && result->verdict != Verdict::kPass);
   return cell;
 }
@@ -72,11 +72,11 @@ std::string clock_text(const record::Clock& clock) {
 }  // namespace
 
 object outlet_object(const record::RunRecord& run, std::size_t index,
-                     const std::vector<KeyFigure>& keys) {
+                     const std::vector<KeyColumn>& columns) {
   const record::OutletRecord& outlet = run.outlets[index];
   List cells;
-  for (const KeyFigure& key : keys) {
-    cells.push_back(key_cell(outlet, key));
+  for (const KeyColumn& column : columns) {
+    cells.push_back(key_cell(outlet, column, index));
   }
   object view{{"id", valid_text(outlet.id)},
               {"index", std::to_string(index)},

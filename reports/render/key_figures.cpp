@@ -9,28 +9,44 @@
 namespace gsbench::render {
 namespace {
 
-constexpr std::array kByImportance = {
-    KeyFigure{"event.delay", "Event after"},
-    KeyFigure{"decision.delay", "Decision after"},
-    KeyFigure{"ekf.loss", "ΔP"},
-    KeyFigure{"ekf.error", "ΔP error"},
-    KeyFigure{"relay.delay", "Relay sensed"},
-    KeyFigure{"relay.delay_reported", "Relay reported"},
-    KeyFigure{"relay.report_difference", "Difference"},
-    KeyFigure{"relay.end", "Relay at end"},
-    KeyFigure{"trip.time", "Trip at"},
-    KeyFigure{"command.delay", "Command after"},
-    KeyFigure{"event.false", "False events"},
-    KeyFigure{"decision.cause", "Cause"},
-    KeyFigure{"tracker.error.max", "Greatest error"},
-    KeyFigure{"tracker.error.rms", "Error, rms"},
-    KeyFigure{"validity.valid_share", "Valid"},
-    KeyFigure{"validity.dead_bus_claims", "Claims on dead bus"},
+struct KeyMeasure {
+  const char* name;        // of the catalogue
+  const char* first_line;  // of the heading
+  const char* second_line;
 };
 
-bool has_value(const record::OutletRecord& outlet, const KeyFigure& key) {
-  const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
+constexpr std::array kByImportance = {
+    KeyMeasure{"event.delay", "Event", "after"},
+    KeyMeasure{"decision.delay", "Decision", "after"},
+    KeyMeasure{"ekf.loss", "ΔP", ""},
+    KeyMeasure{"ekf.error", "ΔP", "error"},
+    KeyMeasure{"relay.delay", "Relay", "sensed"},
+    KeyMeasure{"relay.delay_reported", "Relay", "reported"},
+    KeyMeasure{"relay.report_difference", "Difference", ""},
+    KeyMeasure{"relay.end", "Relay", "at end"},
+    KeyMeasure{"trip.time", "Trip", "at"},
+    KeyMeasure{"command.delay", "Command", "after"},
+    KeyMeasure{"event.false", "False", "events"},
+    KeyMeasure{"decision.cause", "", "Cause"},
+    KeyMeasure{"tracker.error.max", "Largest", "error"},
+    KeyMeasure{"tracker.error.rms", "RMS", "error"},
+    KeyMeasure{"validity.valid_share", "Valid", ""},
+    KeyMeasure{"validity.dead_bus_claims", "Dead-bus", "claims"},
+};
+
+using Results = std::vector<const record::MeasurementResult*>;  // one an outlet; nullptr: none
+
+bool has_value(const record::MeasurementResult* result) {
   return result != nullptr && (!result->text.empty() || !std::isnan(result->value));
+}
+
+Results results_of(const record::RunRecord& run, const char* measure) {
+  Results results;
+  for (const record::OutletRecord& outlet : run.outlets) {
+    const record::MeasurementResult* result = find_measurement(outlet, measure);
+    results.push_back(has_value(result) ? result : nullptr);
+  }
+  return results;
 }
 
 bool is_unreliable(const record::OutletRecord& outlet) {
@@ -40,41 +56,62 @@ bool is_unreliable(const record::OutletRecord& outlet) {
   return trust != outlet.marks.end() && trust->value < 0.5;
 }
 
-}  // namespace
-
-std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t most) {
-  std::vector<KeyFigure> keys;
-  for (const KeyFigure& key : kByImportance) {
-    if (keys.size() == most) {
-      break;
-    }
-    const bool any = std::any_of(run.outlets.begin(), run.outlets.end(),
-                                 [&](const auto& outlet) { return has_value(outlet, key); });
-    if (any) {
-      keys.push_back(key);
+int decimals_of(const Results& results) {
+  std::vector<double> values;
+  double uncertainty = 0.0;
+  for (const record::MeasurementResult* result : results) {
+    if (result != nullptr) {
+      values.push_back(result->value);
+      uncertainty = std::fmax(uncertainty, result->uncertainty);
     }
   }
-  return keys;
+  return decimals_for(values, uncertainty);
 }
 
-std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key) {
-  const record::MeasurementResult* result = find_measurement(outlet, key.measurement);
-  if (result == nullptr) {
-    return "–";
+// The unit ends the second line: "after, ms"; or is all of it.
+std::vector<std::string> heading_of(const KeyMeasure& key, const std::string& unit) {
+  const std::string second = key.second_line;
+  const std::string separator = second.empty() || unit.empty() ? "" : ", ";
+  return {key.first_line, second + separator + unit};
+}
+
+KeyColumn column_of(const record::RunRecord& run, const KeyMeasure& key, const Results& results) {
+  const auto first = std::find_if(results.begin(), results.end(), has_value);
+  const std::string unit = (*first)->unit;
+  KeyColumn column{key.name, heading_of(key, unit), {}};
+  const int decimals = decimals_of(results);
+  const bool is_estimate = column.measure.rfind("ekf.", 0) == 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const record::MeasurementResult* result = results[i];
+    std::string cell = "–";
+    if (result != nullptr) {
+      cell = !result->text.empty() ? result->text : fixed(result->value, decimals);
+      cell = with_unit(cell, result->unit == unit ? "" : result->unit);
+      cell += is_estimate && is_unreliable(run.outlets[i]) ? " ?" : "";
+    }
+    column.cells.push_back(cell);
   }
-  if (!result->text.empty()) {
-    return result->text;
+  return column;
+}
+
+}  // namespace
+
+std::string KeyColumn::heading_in_one_line() const {
+  return heading[0].empty() ? heading[1] : heading[0] + ' ' + heading[1];
+}
+
+std::vector<KeyColumn> key_columns(const record::RunRecord& run, std::size_t most) {
+  std::vector<KeyColumn> columns;
+  for (const KeyMeasure& key : kByImportance) {
+    if (columns.size() == most) {
+      break;
+    }
+    const Results results = results_of(run, key.name);
+    if (std::any_of(results.begin(), results.end(), has_value)) {
+      columns.push_back(column_of(run, key, results));
+    }
   }
-  if (std::isnan(result->value)) {
-    return "–";
-  }
-  // Four digits, and of a small value no more than two.
-  const int significant = std::abs(result->value) < 1.0    ? 2
-                          : std::abs(result->value) < 10.0 ? 3
-                                                           : 4;
-  const bool is_estimate = result->name.rfind("ekf.", 0) == 0;
-  return with_unit(figure(result->value, significant), result->unit) +
-         (is_estimate && is_unreliable(outlet) ? " ?" : "");
+  return columns;
 }
 
 std::string doubt_note(const record::RunRecord& run) {

@@ -1,6 +1,7 @@
-// The few measurements that show how an outlet did, one row per outlet.
+// The few measurements that show how the outlets of a run did: one column per measure.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,19 +9,20 @@
 
 namespace gsbench::render {
 
-struct KeyFigure {
-  const char* measurement;  // of the catalogue
-  const char* heading;
+struct KeyColumn {
+  std::string measure;               // of the catalogue
+  std::vector<std::string> heading;  // in two lines: "Event", "after, ms"; the first may be empty
+  // One for each outlet of the run, all with the same decimals. "–": no value; "?" at the end: an
+  // estimate that the outlet flagged as unreliable when it decided.
+  std::vector<std::string> cells;
+
+  std::string heading_in_one_line() const;  // "Event after, ms"
 };
 
-// Those any outlet of the run has a value for, most important first, at most `most`.
-std::vector<KeyFigure> key_figures(const record::RunRecord& run, std::size_t most);
+// Measures for which any outlet has a value, most important first, at most `most`.
+std::vector<KeyColumn> key_columns(const record::RunRecord& run, std::size_t most);
 
-// An outlet's key figure in few digits; "–" where there is none, and "?" behind an estimate that
-// the outlet flagged as unreliable when it decided.
-std::string key_text(const record::OutletRecord& outlet, const KeyFigure& key);
-
-// What that "?" means; empty where no outlet has one.
+// What "?" in a cell means; empty if no outlet has one.
 std::string doubt_note(const record::RunRecord& run);
 
 }  // namespace gsbench::render

@@ -13,22 +13,19 @@ namespace {
 
 using record::Verdict;
 
-constexpr std::size_t kMostTerminalColumns = 7;      // beside name and verdict: fits 120 characters
+constexpr std::size_t kMostTerminalColumns = 7;      // of key figures
+constexpr std::size_t kMostIdColumns = 40;           // longer ids are shortened in the middle
 constexpr std::size_t kMostTerminalShortfalls = 10;  // the report has all
 
-std::string word_of(Verdict verdict, bool colour) {
-  const char* word = record::to_string(verdict);
-  if (!colour) {
-    return word;
-  }
+std::string coloured(Verdict verdict) {
   const int code = verdict == Verdict::kPass           ? 32  // green
                    : verdict == Verdict::kInconclusive ? 33  // yellow
                    : verdict == Verdict::kFail         ? 31  // red
                                                        : 35;         // magenta
-  return fmt::format("\x1b[1;{}m{}\x1b[0m", code, word);
+  return fmt::format("\x1b[1;{}m{}\x1b[0m", code, record::to_string(verdict));
 }
 
-// One line of text whatever was in it.
+// On one line, without control characters.
 std::string one_line(const std::string& text) {
   std::string line = valid_text(text);
   std::replace(line.begin(), line.end(), '\n', ' ');
@@ -36,68 +33,131 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
-std::string outlet_table(const record::RunRecord& run, bool colour) {
-  const std::vector<KeyFigure> keys = key_figures(run, kMostTerminalColumns);
-  std::vector<std::vector<std::string>> rows = {{"outlet"}};
-  for (const KeyFigure& key : keys) {
-    rows[0].emplace_back(key.heading);
+// Two lines of headings, then a line for each outlet, its verdict at the end.
+std::vector<std::string> table_of(const record::RunRecord& run,
+                                  const std::vector<KeyColumn>& columns) {
+  std::vector<std::vector<std::string>> rows = {{""}, {"outlet"}};
+  for (const KeyColumn& column : columns) {
+    rows[0].push_back(one_line(column.heading[0]));
+    rows[1].push_back(one_line(column.heading[1]));
   }
-  for (const record::OutletRecord& outlet : run.outlets) {
-    rows.push_back({one_line(outlet.id)});
-    for (const KeyFigure& key : keys) {
-      rows.back().push_back(one_line(key_text(outlet, key)));
-    }
-  }
-  const std::vector<std::string> lines = aligned(rows);
-  std::string out = lines[0] + "  verdict\n";
+  rows[1].emplace_back("verdict");
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
-    out += lines[i + 1] + "  " + word_of(run.outlets[i].verdict, colour) + '\n';
+    rows.push_back({shortened(one_line(run.outlets[i].id), kMostIdColumns)});
+    for (const KeyColumn& column : columns) {
+      rows.back().push_back(one_line(column.cells[i]));
+    }
+    rows.back().emplace_back(record::to_string(run.outlets[i].verdict));
   }
-  return out;
+  if (columns.empty()) {
+    rows.erase(rows.begin());
+  }
+  return aligned(rows, "l" + std::string(columns.size(), 'r') + "l");
 }
 
-std::string text_of(const record::RunRecord& run, bool colour) {
-  std::string out = fmt::format("{}  seed {}  {}\n", one_line(run.profile), run.seed,
-                                one_line(run.profile_title));
+bool fits(const std::vector<std::string>& lines) {
+  return std::all_of(lines.begin(), lines.end(),
+                     [](const std::string& line) { return columns_of(line) <= kLineColumns; });
+}
+
+// As many key figures as a line holds.
+std::vector<std::string> outlet_table(const record::RunRecord& run) {
+  std::vector<KeyColumn> columns = key_columns(run, kMostTerminalColumns);
+  std::vector<std::string> lines = table_of(run, columns);
+  while (!fits(lines) && !columns.empty()) {
+    columns.pop_back();
+    lines = table_of(run, columns);
+  }
+  return lines;
+}
+
+enum class Target { kPipe, kTerminal };
+
+class Text {
+ public:
+  explicit Text(Target target) : target_(target) {}
+
+  void add(const std::string& line) {
+    constexpr std::size_t kIndent = 4;
+    text_ += target_ == Target::kTerminal ? wrapped(line, kLineColumns, kIndent) : line;
+    text_ += '\n';
+  }
+
+  void add(Verdict verdict, const std::string& rest) {
+    const std::size_t at = text_.size();
+    add(record::to_string(verdict) + rest);
+    colour(verdict, at);
+  }
+
+  // Lines of outlet_table().
+  void add(const record::RunRecord& run, const std::vector<std::string>& lines) {
+    const std::size_t headings = lines.size() - run.outlets.size();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      text_ += lines[i];
+      if (i >= headings) {
+        const Verdict verdict = run.outlets[i - headings].verdict;
+        colour(verdict, text_.size() - std::string(record::to_string(verdict)).size());
+      }
+      text_ += '\n';
+    }
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void colour(Verdict verdict, std::size_t at) {
+    if (target_ == Target::kTerminal) {
+      text_.replace(at, std::string(record::to_string(verdict)).size(), coloured(verdict));
+    }
+  }
+
+  Target target_;
+  std::string text_;
+};
+
+std::string text_of(const record::RunRecord& run, Target target) {
+  Text text(target);
+  text.add(
+      fmt::format("{}  seed {}  {}", one_line(run.profile), run.seed, one_line(run.profile_title)));
   if (!run.outlets.empty()) {
-    out += outlet_table(run, colour);
+    text.add(run, outlet_table(run));
   }
   const std::string doubt = doubt_note(run);
   if (!doubt.empty()) {
-    out += doubt + '\n';
+    text.add(doubt);
   }
   if (run.recording.replaces_profile) {
-    out += one_line(played_sentence(run)) + '\n';
+    text.add(one_line(played_sentence(run)));
   }
   const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
   for (std::size_t i = 0; i < std::min(faulty.size(), kMostTerminalShortfalls); ++i) {
-    out += fmt::format("{} {}: {}\n", word_of(faulty[i]->verdict, colour), one_line(faulty[i]->id),
-                       one_line(outlet_sentence(*faulty[i])));
+    text.add(faulty[i]->verdict, fmt::format(" {}: {}", one_line(faulty[i]->id),
+                                             one_line(outlet_sentence(*faulty[i]))));
   }
   if (faulty.size() > kMostTerminalShortfalls) {
-    out += fmt::format("… and {} more outlets\n", faulty.size() - kMostTerminalShortfalls);
+    text.add(fmt::format("… and {} more outlets", faulty.size() - kMostTerminalShortfalls));
   }
   const std::vector<Shortfall> missed = shortfalls(run);
   for (std::size_t i = 0; i < std::min(missed.size(), kMostTerminalShortfalls); ++i) {
     const auto& [outlet, result] = missed[i];
-    out += fmt::format("{} {} {}: {}\n", word_of(result->verdict, colour), one_line(outlet->id),
-                       result->name, one_line(shortfall_text(*result)));
+    text.add(result->verdict, fmt::format(" {} {}: {}", one_line(outlet->id), result->name,
+                                          one_line(shortfall_text(*result))));
   }
   if (missed.size() > kMostTerminalShortfalls) {
-    out += fmt::format("… and {} more\n", missed.size() - kMostTerminalShortfalls);
+    text.add(fmt::format("… and {} more", missed.size() - kMostTerminalShortfalls));
   }
-  out += fmt::format("{}: {}\n", word_of(run.verdict, colour), one_line(verdict_sentence(run)));
-  return out;
+  text.add(run.verdict, ": " + one_line(verdict_sentence(run)));
+  return text.text();
 }
 
 }  // namespace
 
 std::string terminal(const record::RunRecord& run) {
-  return text_of(run, false);
+  return text_of(run, Target::kPipe);
 }
 
 std::string coloured_terminal(const record::RunRecord& run) {
-  return text_of(run, true);
+  return text_of(run, Target::kTerminal);
 }
 
 }  // namespace gsbench::render

@@ -1,5 +1,5 @@
-// A run's record as text for people and machines: pure functions of the record, and the one table
-// of them. A new format is its own .cpp, its declaration and row here, and its line in
+// A run's record as text for people and machines: pure functions of the record, and a table of
+// them. A new format needs its own .cpp file, its declaration and row here, and its line in
 // CMakeLists.txt.
 #pragma once
 
@@ -11,7 +11,8 @@
 namespace gsbench::render {
 
 std::string terminal(const record::RunRecord& run);
-std::string coloured_terminal(const record::RunRecord& run);  // the same with ANSI colours
+// The same with ANSI colours and with all lines wrapped to kLineColumns.
+std::string coloured_terminal(const record::RunRecord& run);
 std::string html(const record::RunRecord& run);
 std::string json(const record::RunRecord& run);
 std::string junit_xml(const record::RunRecord& run);
@@ -19,7 +20,7 @@ std::string csv(const record::RunRecord& run);
 
 struct Format {
   const char* name;  // of `gsbench report --format`
-  const char* file;  // in a run's folder; empty: not kept there
+  const char* file;  // in the run's folder; empty: not kept there
   const char* description;
   std::string (*render)(const record::RunRecord& run);
 
@@ -27,14 +28,15 @@ struct Format {
 };
 
 inline constexpr Format kFormats[] = {
-    {"terminal", "", "a short table of the outlets and what did not pass", terminal},
-    {"html", "report.html", "a page that stands alone in one file", html},
-    {"json", "result.json", "keys that scripts may rely on, see README", json},
-    {"junit", "junit.xml", "a test suite per outlet, a test case per measurement", junit_xml},
-    {"csv", "traces.csv", "a row per outlet and report, the reference beside it", csv},
+    {"terminal", "", "a table of the outlets, and the measurements that did not pass", terminal},
+    {"html", "report.html", "a report for browsers, in one file", html},
+    {"json", "result.json", "all results, for scripts", json},
+    {"junit", "junit.xml", "JUnit XML: a test suite per outlet, a test case per measurement",
+     junit_xml},
+    {"csv", "traces.csv", "all reports of the outlets, with the reference frequency", csv},
 };
 
-// nullptr where no format has that name.
+// nullptr if no format has that name.
 constexpr const Format* find_format(std::string_view name) {
   for (const Format& format : kFormats) {
     if (name == format.name) {
