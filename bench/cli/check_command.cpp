@@ -1,23 +1,24 @@
 #include "commands.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include <profile/load.hpp>
 
 namespace gsbench::cli {
 namespace {
 
-// Each of them, whatever is wrong with those before it.
+// Checks every profile, also after one with an error.
 int check_all(const std::vector<std::string>& profiles) {
   int exit_code = kPassed;
   for (const std::string& name : profiles) {
     try {
       const profile::Plan plan = profile::load_profile(name);
-      std::printf("%s: outlets: %zu, %g s at %lld Hz, limits: %zu\n", plan.name.c_str(),
-                  plan.outlets.size(), plan.stimulus.duration_s,
-                  static_cast<long long>(plan.stimulus.sample_rate_hz), plan.expectations.size());
+      print_wrapped(fmt::format("{}: outlets: {}, {:g} s at {} samples/s, limits: {}", plan.name,
+                                plan.outlets.size(), plan.stimulus.duration_s,
+                                plan.stimulus.sample_rate_hz, plan.expectations.size()),
+                    4);
     } catch (const profile::ConfigurationError& error) {
-      std::fprintf(stderr, "gsbench: %s\n", error.what());
+      print_error(error.what());
       exit_code = kBadInput;
     }
   }
@@ -28,8 +29,10 @@ int check_all(const std::vector<std::string>& profiles) {
 
 void add_check(CommandLine& line) {
   const auto [command, arguments] =
-      line.command("check", "Say whether profiles make sense, and play nothing", check_all);
-  command.add_option("profile", arguments, "Shipped profiles, or .toml files")->required();
+      line.command("check", "Check profiles for mistakes, without playing them", check_all);
+  command.add_option("PROFILE", arguments, "Names of profiles, or .toml files")
+      ->type_name("PROFILE")
+      ->required();
   command.footer("Example:\n  gsbench check my-profile.toml regression/backup");
 }
 

@@ -1,5 +1,7 @@
 #include "commands.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -8,8 +10,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <render/layout.hpp>
+
 namespace gsbench::cli {
 namespace {
+
+constexpr std::size_t kMostThreads = 256;
+const CLI::Range kSeeds{std::uint64_t{0}, profile::kLargestSeed};
+constexpr const char* kSeedRange = "0 to 2^53";
 
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
@@ -24,9 +32,14 @@ void add_choice(CLI::App& command, const std::string& name, Choice& choice,
                 const std::map<std::string, Choice>& named, const std::string& text) {
   const auto usual = std::find_if(named.begin(), named.end(),
                                   [&](const auto& entry) { return entry.second == choice; });
+  std::string names;
+  for (const auto& [word, value] : named) {
+    names += (names.empty() ? "" : "|") + word;
+  }
   command
       .add_option_function<std::string>(
           name, [&choice, named](const std::string& word) { choice = named.at(word); }, text)
+      ->type_name(names)
       ->check(CLI::IsMember(named))
       ->default_str(usual->first);
 }
@@ -61,6 +74,39 @@ void print_json(const nlohmann::ordered_json& value) {
   std::fputs((value.dump(2) + '\n').c_str(), stdout);
 }
 
+CLI::Option* add_profile(CLI::App& command, std::string& profile) {
+  return command.add_option("PROFILE", profile, "Name of a profile, or a .toml file")
+      ->type_name("PROFILE")
+      ->required();
+}
+
+CLI::Option* add_grid(CLI::App& command, std::string& grid) {
+  return command.add_option("GRID", grid, "Name of a grid, or a .toml file")->type_name("GRID");
+}
+
+CLI::Option* add_seed(CLI::App& command, const std::string& name, std::uint64_t& seed,
+                      const std::string& description) {
+  return add_with_default(command, name, seed, "N", description + ", " + kSeedRange)->check(kSeeds);
+}
+
+CLI::Option* add_seed(CLI::App& command, std::optional<std::uint64_t>& seed,
+                      const std::string& description) {
+  return command.add_option("--seed", seed, description + ", " + kSeedRange)
+      ->type_name("N")
+      ->check(kSeeds);
+}
+
+void add_threads(CLI::App& command, std::size_t& threads) {
+  threads = std::min(default_threads(), kMostThreads);
+  add_with_default(command, "--threads", threads, "N",
+                   "Threads, 1 to 256; the result is the same for any number")
+      ->check(CLI::Range(std::size_t{1}, kMostThreads));
+}
+
+void add_json_flag(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "Print JSON, with all digits");
+}
+
 CLI::Option* add_runs_folder(CLI::App& command, std::string& folder) {
   return command
       .add_option("--out", folder,
@@ -69,25 +115,43 @@ CLI::Option* add_runs_folder(CLI::App& command, std::string& folder) {
       ->type_name("FOLDER");
 }
 
+void print_wrapped(const std::string& line, std::size_t indent) {
+  std::puts(render::wrapped(line, render::kLineColumns, indent).c_str());
+}
+
+std::string error_line(const std::string& text) {
+  constexpr std::size_t kIndent = 4;
+  const std::string line = "gsbench: " + text;
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  return (terminal ? render::wrapped(line, render::kLineColumns, kIndent) : line) + '\n';
+}
+
+void print_error(const std::string& text) {
+  std::fputs(error_line(text).c_str(), stderr);
+}
+
 void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& distribution) {
   add_choice(command, "--noise-distribution", distribution,
              {{"uniform", campaign::NoiseDistribution::kUniform},
               {"gaussian", campaign::NoiseDistribution::kGaussian}},
-             "Distribution of the noise of the measured frequency");
+             "Distribution of the noise of measured frequencies");
 }
 
 void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation) {
   add_choice(command, "--accumulated", accumulation,
              {{"half", control_centre::Accumulation::kHalfGroup},
               {"whole", control_centre::Accumulation::kWholeGroup}},
-             "Part of an outlet's own group in P^A: half, or whole as in eq. (11)");
+             "Share of an outlet's own group that counts in its accumulated power P^A: half of it, "
+             "which is right on average, or all of it, as in eq. (11)");
 }
 
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {
-  add_choice(command, "--loss-instant", instant,
-             {{"on-report", campaign::LossInstant::kOnReport},
-              {"between-reports", campaign::LossInstant::kBetweenReports}},
-             "Loss a whole report before the first measurement, or at any instant");
+  add_choice(
+      command, "--loss-instant", instant,
+      {{"on-report", campaign::LossInstant::kOnReport},
+       {"between-reports", campaign::LossInstant::kBetweenReports}},
+      "Instant of the loss: one report interval before the first measurement, or anywhere in "
+      "that interval");
 }
 
 }  // namespace gsbench::cli

@@ -1,12 +1,15 @@
-// The sub-commands of gsbench, and what they have in common. Each adds itself to the command line.
+// The commands of gsbench, and functions that they share. Each command adds itself to the command
+// line.
 #pragma once
 
+#include "help.hpp"
 #include <control_centre/blocks.hpp>
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -22,35 +25,42 @@ namespace gsbench::cli {
 enum ExitCode : int {
   kPassed = 0,
   kFailed = 1,
-  kBadInput = 2,  // usage, profile, settings, a place that cannot be written
+  kBadInput = 2,  // bad usage, profile or settings, or an output that cannot be written
   kInconclusive = 3,
   kErrored = 4,
   kInterrupted = 130,
 };
 
-// Threads that simulated outlets are played on, where nothing else is asked for.
+// Threads for simulated outlets, the default of --threads: one per core.
 std::size_t default_threads();
 
-// What a verdict comes to.
 ExitCode exit_code_of(record::Verdict verdict);
 
-// SIGINT and SIGTERM ask a run to end in its safe state; a second one ends the process as usual.
+// Set once SIGINT or SIGTERM has arrived, so that a run ends in its safe state. A second signal
+// ends the process.
 const std::atomic<bool>& catch_interrupts();
 
 // Indented, on standard output.
 void print_json(const nlohmann::ordered_json& value);
 
-inline const CLI::Range kSeeds{std::uint64_t{0}, profile::kLargestSeed};
-inline const CLI::Range kThreads{1, 256};
+// On standard output, wrapped to lines of at most render::kLineColumns; all but the first start
+// with `indent` spaces.
+void print_wrapped(const std::string& line, std::size_t indent = 0);
+
+// "gsbench: ", the text and a line end, for standard error: wrapped if that is a terminal,
+// otherwise one line, so that scripts find "FILE:LINE:COLUMN: …" at its start.
+std::string error_line(const std::string& text);
+void print_error(const std::string& text);
 
 struct CommandLine {
-  // A new command and its arguments, with which `run` is called once they are parsed. It returns
-  // the exit code.
+  // Adds a command. `run` is called with the parsed arguments and returns the exit code.
   template <class Arguments>
   std::pair<CLI::App&, Arguments&> command(const std::string& name, const std::string& description,
                                            int (*run)(const Arguments&)) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand(name, description);
+    CLI::App* command = app.add_subcommand(name, description)->group("Commands");
+    command->formatter(help_formatter());
+    command->set_help_flag("-h,--help", "Print this help");
     command->callback([this, arguments, run] { exit_code = run(*arguments); });
     return {*command, *arguments};
   }
@@ -59,17 +69,31 @@ struct CommandLine {
   int exit_code = kPassed;
 };
 
-// The help shows the value that the variable has now.
+// The help shows the present value of `value` as the default.
+// `type` names the value: "N", "MW".
 template <class Value>
 CLI::Option* add_with_default(CLI::App& command, const std::string& name, Value& value,
-                              const std::string& description) {
-  return command.add_option(name, value, description)->capture_default_str();
+                              const std::string& type, const std::string& description) {
+  return command.add_option(name, value, description)->type_name(type)->capture_default_str();
 }
+
+// PROFILE and GRID: names of shipped files or of the user's own, or paths.
+CLI::Option* add_profile(CLI::App& command, std::string& profile);
+CLI::Option* add_grid(CLI::App& command, std::string& grid);
 
 // --out: the folder that keeps the runs.
 CLI::Option* add_runs_folder(CLI::App& command, std::string& folder);
 
-// Options that choose one of a few by name: --noise-distribution, --accumulated, --loss-instant.
+// --seed or the like: 0 … profile::kLargestSeed.
+CLI::Option* add_seed(CLI::App& command, const std::string& name, std::uint64_t& seed,
+                      const std::string& description);
+CLI::Option* add_seed(CLI::App& command, std::optional<std::uint64_t>& seed,
+                      const std::string& description);
+
+void add_threads(CLI::App& command, std::size_t& threads);
+void add_json_flag(CLI::App& command, bool& json);
+
+// Options with named values: --noise-distribution, --accumulated, --loss-instant.
 void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& distribution);
 void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation);
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant);

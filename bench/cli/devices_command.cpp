@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <link/version_text.hpp>
+#include <render/layout.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -35,49 +37,80 @@ nlohmann::ordered_json as_json(const link::OutletPresence& outlet) {
           {"has_watchdog", (hello.capabilities & gs::wire::kHasWatchdog) != 0}};
 }
 
+std::vector<std::string> cells_of(const link::OutletPresence& outlet) {
+  const gs::wire::Hello& hello = outlet.hello;
+  const bool none = hello.settings_version == 0;
+  return {hello.board,
+          link::version_text(hello.firmware_version),
+          fmt::format("{:08x}", hello.build),
+          std::to_string(hello.sample_rate_hz),
+          std::to_string(hello.nominal_hz),
+          none ? "none" : std::to_string(hello.settings_version),
+          none ? "–" : fmt::format("{:08x}", hello.settings_digest)};
+}
+
+// Those that answer. A place (a path or URL) for which a row has no room goes to the next line; a
+// long id has a line of its own.
+void print_table(const std::vector<link::OutletPresence>& answering) {
+  constexpr std::size_t kIdColumns = 20;
+  std::vector<std::vector<std::string>> rows = {
+      {"", "", "", "", "samples", "mains,", "settings", "settings"},
+      {"outlet", "board", "firmware", "build", "per s", "Hz", "version", "digest"}};
+  for (const link::OutletPresence& outlet : answering) {
+    rows.push_back(cells_of(outlet));
+    rows.back().insert(rows.back().begin(), outlet.id.size() <= kIdColumns ? outlet.id : "");
+  }
+  const std::vector<std::string> lines = render::aligned(rows, "llllrrrl");
+  std::puts(lines[0].c_str());
+  std::puts((lines[1] + "    where").c_str());
+  for (std::size_t i = 0; i < answering.size(); ++i) {
+    if (answering[i].id.size() > kIdColumns) {
+      std::puts(answering[i].id.c_str());
+    }
+    print_wrapped(lines[i + 2] + "  " + answering[i].where, 4);
+  }
+}
+
+void print(const std::vector<link::OutletPresence>& present) {
+  std::vector<link::OutletPresence> answering;
+  std::copy_if(present.begin(), present.end(), std::back_inserter(answering),
+               [](const auto& outlet) { return outlet.fault.empty(); });
+  if (!answering.empty()) {
+    print_table(answering);
+  }
+  for (const link::OutletPresence& outlet : present) {
+    if (!outlet.fault.empty()) {
+      const std::string where = outlet.where == outlet.id ? "" : " at " + outlet.where;
+      print_wrapped(fmt::format("! {}{}: {}", outlet.id, where, outlet.fault), 4);
+    }
+  }
+}
+
 int devices(const DevicesArguments& arguments) {
   const std::vector<link::OutletPresence> present = find_outlets(arguments.link).outlets;
-  const bool at_fault = std::any_of(present.begin(), present.end(),
-                                    [](const auto& outlet) { return !outlet.fault.empty(); });
-  const ExitCode exit_code = at_fault ? kErrored : kPassed;
   if (arguments.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const link::OutletPresence& outlet : present) {
       all.push_back(as_json(outlet));
     }
     print_json(all);
-    return exit_code;
+  } else if (present.empty()) {
+    print_error("no outlet answers");
+  } else {
+    print(present);
   }
-  if (present.empty()) {
-    std::fputs("gsbench: no outlet answers\n", stderr);
-    return kPassed;
-  }
-  fmt::print("{:<24}{:<28}{:<14}{:<10}{:<10}{:>9}{:>9}  {}\n", "outlet", "where", "board",
-             "firmware", "build", "samples", "nominal", "settings");
-  for (const link::OutletPresence& outlet : present) {
-    if (!outlet.fault.empty()) {
-      fmt::print("{:<24}{:<28}! {}\n", outlet.id, outlet.where, outlet.fault);
-      continue;
-    }
-    const gs::wire::Hello& hello = outlet.hello;
-    fmt::print("{:<24}{:<28}{:<14}{:<10}{:08x}  {:>6} Hz{:>6} Hz  {}\n", outlet.id, outlet.where,
-               hello.board, link::version_text(hello.firmware_version), hello.build,
-               hello.sample_rate_hz, hello.nominal_hz,
-               hello.settings_version == 0
-                   ? std::string("none")
-                   : fmt::format("version {}, digest {:08x}", hello.settings_version,
-                                 hello.settings_digest));
-  }
-  return exit_code;
+  const bool all_answer = std::all_of(present.begin(), present.end(),
+                                      [](const auto& outlet) { return outlet.fault.empty(); });
+  return all_answer ? kPassed : kErrored;
 }
 
 }  // namespace
 
 void add_devices(CommandLine& line) {
   const auto [command, arguments] =
-      line.command("devices", "Finds outlets on ports and brokers", devices);
+      line.command("devices", "List the outlets on serial ports or behind a broker", devices);
   add_link_options(command, arguments.link);
-  command.add_flag("--json", arguments.json, "Print as JSON");
+  add_json_flag(command, arguments.json);
   command.footer(
       "Exit code 4 if an outlet does not answer, has another's id, or uses another protocol.\n"
       "\n"

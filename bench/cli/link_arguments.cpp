@@ -49,11 +49,16 @@ station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
 }  // namespace
 
 void add_link_options(CLI::App& command, LinkArguments& arguments) {
-  CLI::Option* station = command.add_option("--station", arguments.station,
-                                            "A station file, or the name of a shipped one");
+  CLI::Option* station = command
+                             .add_option("--station", arguments.station,
+                                         "Name of a station, or a .toml file; in place of --port")
+                             ->type_name("STATION");
   command
-      .add_option("--port", arguments.ports,
-                  "A serial port, or tcp://host:port; may be given more than once")
+      .add_option(
+          "--port", arguments.ports,
+          "Serial port, or tcp://host:port; may be given several times (default: all serial "
+          "ports of this machine)")
+      ->type_name("PORT")
       ->excludes(station);
 }
 

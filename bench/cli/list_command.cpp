@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <profile/load.hpp>
@@ -19,9 +20,11 @@ nlohmann::ordered_json as_json(const std::vector<profile::ProfileSummary>& summa
 }
 
 void print(const char* heading, const std::vector<profile::ProfileSummary>& summaries) {
+  constexpr std::size_t kNameColumns = 28;
   std::puts(heading);
   for (const profile::ProfileSummary& summary : summaries) {
-    std::printf("  %-28s %s\n", summary.name.c_str(), summary.title.c_str());
+    print_wrapped(fmt::format("  {:<{}} {}", summary.name, kNameColumns, summary.title),
+                  kNameColumns + 3);
   }
 }
 
@@ -49,9 +52,8 @@ int list(const bool& json) {
 }  // namespace
 
 void add_list(CommandLine& line) {
-  const auto [command, arguments] =
-      line.command("list", "The shipped profiles, grids and stations", list);
-  command.add_flag("--json", arguments, "Print as JSON");
+  const auto [command, arguments] = line.command("list", "List profiles, grids and stations", list);
+  add_json_flag(command, arguments);
   command.footer("Example:\n  gsbench list");
 }
 

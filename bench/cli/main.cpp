@@ -56,11 +56,11 @@ std::string usage_mistake(const CLI::App* app, const CLI::Error& error) {
                             : "unknown argument '" + unknown.front() + "'";
   }
   const std::string command = commands.empty() ? "" : commands.front()->get_name() + ' ';
-  return "gsbench: " + what + "; see `gsbench " + command + "--help`\n";
+  return cli::error_line(what + "; see `gsbench " + command + "--help`");
 }
 
 int complain(const char* what, int exit_code) {
-  std::fprintf(stderr, "gsbench: %s\n", what);
+  cli::print_error(what);
   return exit_code;
 }
 
@@ -84,8 +84,11 @@ bool answer_installation(const CLI::App& app, const std::vector<std::string>& wo
 
 int main(int argc, char** argv) {
   cli::CommandLine line{CLI::App(kAbout, "gsbench")};
+  line.app.formatter(cli::help_formatter());
+  line.app.set_help_flag("-h,--help", "Print this help");
   line.app.footer(kExitCodes);
-  line.app.set_version_flag("--version", "gsbench " + gsbench::installation::version());
+  line.app.set_version_flag("--version", "gsbench " + gsbench::installation::version(),
+                            "Print the version");
   line.app.require_subcommand(1);
   line.app.failure_message(usage_mistake);
   add_commands(line);

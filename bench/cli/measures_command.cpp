@@ -1,7 +1,5 @@
 #include "commands.hpp"
 
-#include <cstdio>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -31,8 +29,10 @@ int measures(const bool& json) {
     return kPassed;
   }
   for (const measures::Measure& measure : measures::catalogue()) {
-    std::printf("%s [%s]\n    %s\n    Needs: %s.\n", measure.name.c_str(),
-                unit_or_words(measure).c_str(), measure.definition.c_str(), measure.needs.c_str());
+    constexpr std::size_t kIndent = 4;
+    print_wrapped(fmt::format("{} [{}]\n{}\nNeeds: {}.", measure.name, unit_or_words(measure),
+                              measure.definition, measure.needs),
+                  kIndent);
   }
   return kPassed;
 }
@@ -41,8 +41,8 @@ int measures(const bool& json) {
 
 void add_measures(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "measures", "What a profile can set limits to: names, units, definitions", measures);
-  command.add_flag("--json", arguments, "Print as JSON");
+      "measures", "List the measures that a profile can limit: units and definitions", measures);
+  add_json_flag(command, arguments);
   command.footer("Example:\n  gsbench measures");
 }
 

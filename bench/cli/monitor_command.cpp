@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "link_arguments.hpp"
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -87,9 +88,20 @@ std::string details(const Uplink& m) {
   return {};
 }
 
-std::string message_text(const std::string& outlet, const Uplink& message) {
-  return fmt::format("{:<20} {:>10}  {:<15} {}", outlet, message.sample,
-                     gs::wire::to_string(message.kind), details(message));
+// On a terminal a long line is wrapped; otherwise a line holds one message, so that scripts can
+// filter them.
+void print_line(const std::string& line) {
+  constexpr std::size_t kIndent = 33;
+  if (isatty(STDOUT_FILENO) == 1) {
+    print_wrapped(line, kIndent);
+  } else {
+    std::puts(line.c_str());
+  }
+}
+
+void print_message(const std::string& outlet, const Uplink& message) {
+  print_line(fmt::format("{:<20} {:>10}  {:<15} {}", outlet, message.sample,
+                         gs::wire::to_string(message.kind), details(message)));
 }
 
 constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
@@ -106,7 +118,7 @@ bool wanted(const MonitorArguments& arguments, const std::string& id) {
 }
 
 void print_fault(const std::string& id, const std::string& fault) {
-  std::printf("%-20s ! %s\n", id.c_str(), fault.c_str());
+  print_line(fmt::format("{:<20} ! {}", id, fault));
 }
 
 void print(const MonitorArguments& arguments, const link::OutletPresence& outlet) {
@@ -115,7 +127,7 @@ void print(const MonitorArguments& arguments, const link::OutletPresence& outlet
   } else if (wanted(arguments, outlet.id)) {
     gs::wire::Uplink hello;
     hello.hello = outlet.hello;
-    std::printf("%s\n", message_text(outlet.id, hello).c_str());
+    print_message(outlet.id, hello);
   }
 }
 
@@ -126,7 +138,7 @@ void print(const MonitorArguments& arguments, const link::Happenings& happenings
   for (const link::Received& received : happenings.messages) {
     const bool measurement = received.message.kind == gs::wire::UplinkKind::kMeasurement;
     if (wanted(arguments, received.id) && !(arguments.quiet && measurement)) {
-      std::printf("%s\n", message_text(received.id, received.message).c_str());
+      print_message(received.id, received.message);
     }
   }
   for (const std::vector<link::Fault>& faults : {happenings.left, happenings.faults}) {
@@ -172,12 +184,17 @@ int monitor(const MonitorArguments& arguments) {
 
 void add_monitor(CommandLine& line) {
   const auto [command, arguments] =
-      line.command("monitor", "Prints what outlets say, as they say it", monitor);
+      line.command("monitor", "Print the messages of outlets as they arrive", monitor);
   add_link_options(command, arguments.link);
-  command.add_option("--outlet", arguments.outlet, "Only this one's messages");
-  command.add_option("--seconds", arguments.seconds, "End after so long; else at an interrupt")
+  command.add_option("--outlet", arguments.outlet, "Print only this outlet's messages")
+      ->type_name("ID");
+  command
+      .add_option("--seconds", arguments.seconds,
+                  "Stop after this time, s; without it, at an interrupt (Ctrl-C)")
+      ->type_name("S")
       ->check(CLI::PositiveNumber);
-  command.add_flag("--quiet", arguments.quiet, "Without the measurement of every 16 ms");
+  command.add_flag("--quiet", arguments.quiet,
+                   "Leave out the measurements, which come every 16 ms");
   command.footer(
       "Examples:\n"
       "  gsbench monitor --port /dev/ttyUSB0\n"

@@ -28,12 +28,10 @@ void write(const record::Page& page, const PageOutput& output) {
 }  // namespace
 
 void add_page_options(CLI::App& command, PageOutput& output) {
-  output.threads = default_threads();
-  add_with_default(command, "--threads", output.threads, "The result is the same for any")
-      ->check(kThreads);
-  command.add_option("-o,--output", output.report,
-                     "Write an HTML report there; - is standard output");
-  command.add_flag("--json", output.json, "Print as JSON");
+  add_threads(command, output.threads);
+  command.add_option("-o,--output", output.report, "HTML report to write; - is standard output")
+      ->type_name("FILE");
+  add_json_flag(command, output.json);
 }
 
 int print_page(const char* what, const PageOutput& output,

@@ -9,6 +9,8 @@
 
 #include <grid/falling_limb.hpp>
 #include <profile/load.hpp>
+#include <render/figures.hpp>
+#include <render/layout.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -56,54 +58,88 @@ ordered_json as_json(const grid::Grid& grid, double row_hz, Accumulation accumul
   return out;
 }
 
-void print_beside(const char* what, const char* unit, double ours, int digits,
-                  const std::optional<double>& published) {
-  std::printf("  %-34s %12.*f %-10s", what, digits, ours, unit);
-  if (published) {
-    std::printf(" published %.*f", digits, *published);
+using Rows = std::vector<std::vector<std::string>>;
+
+void print_rows(const Rows& rows, const std::string& sides) {
+  for (const std::string& line : render::aligned(rows, sides)) {
+    print_wrapped("  " + line, 4);
   }
-  std::putchar('\n');
+}
+
+void print_parameters(const grid::SfrModel& model, double threshold_mw,
+                      const grid::Reference& reference) {
+  const auto row = [](const char* name, const char* unit, double value,
+                      const std::optional<double>& published = {}) -> std::vector<std::string> {
+    if (!published) {
+      return {name, render::figure(value), unit};
+    }
+    return {name, render::beside_published(value, *published), unit,
+            "published " + render::figure(*published, 6)};
+  };
+  print_rows(
+      {row("inertia constant H", "s", model.inertia_s()), row("droop R", "pu", model.droop_pu()),
+       row("natural frequency omega_n", "rad/s", model.omega_n()),
+       row("damping ratio zeta", "", model.zeta()),
+       row("time of the nadir", "s", grid::nadir(model, threshold_mw).t_s, reference.t_nadir_s),
+       row("threshold power loss", "MW", threshold_mw, reference.threshold_mw),
+       row("K_LSE", "MW/(Hz/s)", control_centre::k_lse_mw_per_hz_s(model))},
+      "lrll");
+}
+
+void print_conditions(const std::vector<control_centre::Condition>& conditions,
+                      const std::vector<double>& published_hz_s) {
+  Rows rows = {{"from, Hz", "to, Hz", "ROCOF below, Hz/s"}};
+  if (!published_hz_s.empty()) {
+    rows[0].emplace_back("published");
+  }
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    rows.push_back({render::fixed(conditions[i].from_hz, 3), render::fixed(conditions[i].to_hz, 3),
+                    render::fixed(conditions[i].rocof_below_hz_s, 4)});
+    if (i < published_hz_s.size()) {
+      rows.back().push_back(render::fixed(published_hz_s[i], 4));
+    }
+  }
+  std::puts("\nLoad-shedding conditions");
+  print_rows(rows, "r");
+}
+
+void print_blocks(const std::vector<control_centre::BlockSetting>& blocks) {
+  constexpr std::size_t kNameColumns = 40;
+  Rows rows = {{"block", "power, MW", "accumulated, MW", "switches off below, Hz"}};
+  std::vector<double> powers_mw;
+  for (const control_centre::BlockSetting& block : blocks) {
+    powers_mw.insert(powers_mw.end(), {block.power_mw, block.accumulated_mw});
+  }
+  const int decimals = render::decimals_for(powers_mw);
+  for (const control_centre::BlockSetting& block : blocks) {
+    rows.push_back(
+        {render::shortened(block.id, kNameColumns), render::fixed(block.power_mw, decimals),
+         render::fixed(block.accumulated_mw, decimals), render::fixed(block.switch_off_hz, 3)});
+  }
+  std::puts("\nLoad blocks");
+  print_rows(rows, "lr");
 }
 
 void print(const grid::Grid& grid, double row_hz, Accumulation accumulation) {
   const grid::SfrModel model(grid);
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   const grid::Reference& reference = grid.reference;
-  std::printf("%s: %s\n\n", grid.name.c_str(), grid.title.c_str());
-  print_beside("inertia constant H", "s", model.inertia_s(), 4, {});
-  print_beside("droop R", "pu", model.droop_pu(), 6, {});
-  print_beside("natural frequency omega_n", "rad/s", model.omega_n(), 5, {});
-  print_beside("damping ratio zeta", "", model.zeta(), 5, {});
-  print_beside("time of the nadir", "s", grid::nadir(model, threshold_mw).t_s, 3,
-               reference.t_nadir_s);
-  print_beside("threshold power loss", "MW", threshold_mw, 2, reference.threshold_mw);
-  print_beside("K_LSE", "MW/(Hz/s)", control_centre::k_lse_mw_per_hz_s(model), 2, {});
-  std::puts("\nLoad-shedding conditions");
-  const std::vector<control_centre::Condition> rows =
-      control_centre::conditions(model, grid.threshold_hz, row_hz);
+  print_wrapped(grid.name + ": " + grid.title, 4);
+  std::puts("");
+  print_parameters(model, threshold_mw, reference);
   const bool comparable = row_hz == grid.condition_row_hz;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    std::printf("  %7.3f … %7.3f Hz   ROCOF < %8.4f Hz/s", rows[row].from_hz, rows[row].to_hz,
-                rows[row].rocof_below_hz_s);
-    if (comparable && row < reference.condition_rocof_hz_s.size()) {
-      std::printf("   published %8.4f", reference.condition_rocof_hz_s[row]);
-    }
-    std::putchar('\n');
-  }
+  print_conditions(control_centre::conditions(model, grid.threshold_hz, row_hz),
+                   comparable ? reference.condition_rocof_hz_s : std::vector<double>());
   const std::vector<control_centre::BlockSetting> blocks =
       control_centre::block_settings(grid, accumulation);
   if (!blocks.empty()) {
-    std::puts("\nLoad blocks               power  accumulated  switches off below");
-    for (const control_centre::BlockSetting& block : blocks) {
-      std::printf("  %-20s %7.1f MW %8.1f MW %11.3f Hz\n", block.id.c_str(), block.power_mw,
-                  block.accumulated_mw, block.switch_off_hz);
-    }
+    print_blocks(blocks);
   }
   if (!reference.source.empty()) {
-    std::printf("\nPublished: %s\n", reference.source.c_str());
+    print_wrapped("\nPublished: " + reference.source);
   }
   if (!reference.note.empty()) {
-    std::printf("%s\n", reference.note.c_str());
+    print_wrapped(reference.note);
   }
 }
 
@@ -131,14 +167,18 @@ int params(const ParamsArguments& arguments) {
 }  // namespace
 
 void add_params(CommandLine& line) {
-  const auto [command, arguments] = line.command(
-      "params", "What the control centre works out for a grid: threshold, conditions, blocks",
-      params);
-  command.add_option("grid", arguments.grid, "A shipped grid, or a .toml file")->required();
-  command.add_option("--row", arguments.row_hz, "Height of a row of the conditions, Hz")
+  const auto [command, arguments] =
+      line.command("params", "Compute threshold, conditions and load blocks of a grid", params);
+  add_grid(command, arguments.grid)->required();
+  command
+      .add_option(
+          "--row", arguments.row_hz,
+          "Height of a row of the load-shedding conditions, 0.001 to 5 Hz (default: that of "
+          "the grid's file)")
+      ->type_name("HZ")
       ->check(CLI::Range(0.001, 5.0));
   add_accumulation(command, arguments.accumulation);
-  command.add_flag("--json", arguments.json, "Print as JSON");
+  add_json_flag(command, arguments.json);
   command.footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");
 }
 

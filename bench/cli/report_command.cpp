@@ -53,14 +53,20 @@ std::string described_formats() {
 }  // namespace
 
 void add_report(CommandLine& line) {
-  const auto [command, arguments] = line.command("report", "Render a kept run again", report);
-  command.add_option("run", arguments.run, "A run's folder, record file or id")->required();
+  const auto [command, arguments] =
+      line.command("report", "Print a kept run in any format", report);
+  command
+      .add_option("RUN", arguments.run,
+                  "Id of a run, its folder, or its record file; the start of an id is enough")
+      ->type_name("RUN")
+      ->required();
   add_runs_folder(command, arguments.output_folder);
-  add_with_default(command, "--format", arguments.format, "What to render")
+  add_with_default(command, "--format", arguments.format, "FORMAT", "Format, from the list below")
       ->check(CLI::IsMember(format_names()));
-  add_with_default(command, "-o,--output", arguments.output, "File to write; -: standard output");
+  add_with_default(command, "-o,--output", arguments.output, "FILE",
+                   "File to write; - is standard output");
   command.footer(described_formats() +
-                 "Examples:\n  gsbench report 20260101T120000Z-0123abcd\n"
+                 "\nExamples:\n  gsbench report 20260101T120000Z-0123abcd\n"
                  "  gsbench report runs/20260101T120000Z-0123abcd --format csv -o traces.csv");
 }
 

@@ -39,27 +39,27 @@ int run_reproduce(const ReproduceArguments& arguments) {
   });
 }
 
-// Options for the choices that the paper leaves open.
+// Parameters that the paper does not state.
 void add_choices(CLI::App& command, paper::Choices& choices) {
   add_noise_distribution(command, choices.noise_distribution);
   add_loss_instant(command, choices.loss_instant);
   campaign::Counting& counting = choices.counting;
-  add_with_default(command, "--rocof-window", counting.window,
-                   "Table 2, paper's method: samples in each slope")
+  add_with_default(command, "--rocof-window", counting.window, "N",
+                   "Table 2, the paper's method: samples per ROCOF slope, 2 to 64")
       ->check(CLI::Range(2, 64));
-  add_with_default(command, "--count-from", counting.first,
-                   "Table 2, paper's method: first sample with a slope that counts")
+  add_with_default(command, "--count-from", counting.first, "N",
+                   "Table 2, the paper's method: first sample whose slope counts, 0 to 1000")
       ->check(CLI::Range(0, 1000));
-  add_with_default(command, "--count-lines", counting.count,
-                   "Table 2, paper's method: number of slopes that count")
+  add_with_default(command, "--count-lines", counting.count, "N",
+                   "Table 2, the paper's method: number of slopes that count, 1 to 1000")
       ->check(CLI::Range(1, 1000));
-  add_with_default(command, "--hits-above", counting.more_than,
-                   "Table 2, paper's method: more hits than that mean shedding")
+  add_with_default(command, "--hits-above", counting.more_than, "N",
+                   "Table 2, the paper's method: shed with more hits than this, 0 to 1000")
       ->check(CLI::Range(0, 1000));
-  add_with_default(command, "--ekf-loss-sigma", choices.ekf_loss_sigma_mw,
-                   "Start of the paper's EKF: standard deviation of LSE, MW");
-  add_with_default(command, "--ekf-instant-sigma", choices.ekf_t_x_sigma_s,
-                   "Start of the paper's EKF: standard deviation of the instant, s");
+  add_with_default(command, "--ekf-loss-sigma", choices.ekf_loss_sigma_mw, "MW",
+                   "Initial standard deviation of the loss (LSE) in the paper's EKF, MW");
+  add_with_default(command, "--ekf-instant-sigma", choices.ekf_t_x_sigma_s, "S",
+                   "Initial standard deviation of the instant of the loss in the paper's EKF, s");
 }
 
 std::string list_of_items() {
@@ -70,7 +70,7 @@ std::string list_of_items() {
   return text +
          "\n"
          "Examples:\n"
-         "  gsbench reproduce -o paper.html            all sections, a million trajectories\n"
+         "  gsbench reproduce -o paper.html               all sections, a million trajectories\n"
          "  gsbench reproduce --only table4,table5 --n 10000000 --seed 7\n"
          "  gsbench reproduce --only table2 --rocof-window 8 --count-lines 38 --json\n"
          "  gsbench reproduce --noise-distribution gaussian --loss-instant between-reports";
@@ -79,17 +79,19 @@ std::string list_of_items() {
 }  // namespace
 
 void add_reproduce(CommandLine& line) {
-  const auto [command, arguments] = line.command(
-      "reproduce", "Compute the paper's tables and figures again and print them beside the paper's",
-      run_reproduce);
-  command.add_option("--only", arguments.options.only, "Comma-separated sections (default: all)")
+  const auto [command, arguments] =
+      line.command("reproduce", "Compute the paper's tables and figures, beside the published ones",
+                   run_reproduce);
+  command
+      .add_option("--only", arguments.options.only,
+                  "Comma-separated sections from the list below (default: all)")
+      ->type_name("SECTION,…")
       ->delimiter(',');
-  add_with_default(command, "--n", arguments.options.trajectories,
-                   "Number of trajectories of each campaign")
+  add_with_default(command, "--n", arguments.options.trajectories, "N",
+                   "Trajectories of each campaign, 1 to 2^32")
       ->check(CLI::Range(std::uint64_t{1}, campaign::kMostTrajectories));
-  add_with_default(command, "--seed", arguments.options.seed, "Seed of all random numbers")
-      ->check(kSeeds);
-  add_with_default(command, "--grid", arguments.grid, "Shipped grid or .toml file");
+  add_seed(command, "--seed", arguments.options.seed, "Seed of all random numbers");
+  add_with_default(command, "--grid", arguments.grid, "GRID", "Name of a grid, or a .toml file");
   add_choices(command, arguments.options.choices);
   add_accumulation(command, arguments.options.accumulation);
   add_page_options(command, arguments.output);

@@ -52,47 +52,46 @@ int run(const RunArguments& arguments) {
   return run.interrupted ? kInterrupted : exit_code_of(run.verdict);
 }
 
+void add_trace(CLI::App& command, profile::Overrides& overrides) {
+  recording::TraceColumns& columns = overrides.trace_columns;
+  CLI::Option* trace =
+      command
+          .add_option("--trace", overrides.trace_path,
+                      "Play this CSV recording in place of the profile's frequency and losses")
+          ->type_name("FILE");
+  const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
+    command.add_option(name, value, text)->type_name(type)->needs(trace);
+  };
+  add("--trace-time", columns.time, "COLUMN", "Column of the times");
+  add("--trace-frequency", columns.frequency, "COLUMN", "Column of the frequencies, Hz");
+  add("--trace-voltage", columns.voltage, "COLUMN",
+      "Column of the RMS voltages; without it the voltage is nominal");
+  add("--trace-nominal-voltage", columns.nominal_voltage, "V",
+      "Nominal voltage, in the unit of that column; without it the median of the column");
+}
+
 }  // namespace
 
 void add_run(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "run", "Play a profile into outlets, judge what they did, keep and report it", run);
-  arguments.simulated.threads = default_threads();
-  command.add_option("profile", arguments.profile, "A shipped profile, or a .toml file")
-      ->required();
+      "run", "Play a profile into outlets, judge what they did, and keep a report", run);
+  add_profile(command, arguments.profile);
   add_runs_folder(command, arguments.output_folder);
-  command
-      .add_option("--seed", arguments.overrides.seed,
-                  "Seed of the noise, in place of the profile's")
-      ->check(kSeeds);
-  add_with_default(command, "--station", arguments.station,
-                   "Where the outlets are: a shipped station, or a .toml file");
+  add_seed(command, arguments.overrides.seed, "Seed of the noise, in place of the profile's");
+  add_with_default(command, "--station", arguments.station, "STATION",
+                   "Where the outlets are: name of a station, or a .toml file");
   command.add_flag("--real-time", arguments.simulated.real_time,
-                   "Pace by the wall clock, not as fast as possible");
-  add_with_default(command, "--threads", arguments.simulated.threads,
-                   "For simulated outlets; the result is the same for any")
-      ->check(kThreads);
-  recording::TraceColumns& columns = arguments.overrides.trace_columns;
-  CLI::Option* trace =
-      command.add_option("--trace", arguments.overrides.trace_path,
-                         "Play this CSV recording in place of the profile's frequency");
-  command.add_option("--trace-time", columns.time, "Its column of times")->needs(trace);
-  command.add_option("--trace-frequency", columns.frequency, "Its column of frequencies, Hz")
-      ->needs(trace);
-  command
-      .add_option("--trace-voltage", columns.voltage, "Its column of RMS voltages; none: nominal")
-      ->needs(trace);
-  command
-      .add_option("--trace-nominal-voltage", columns.nominal_voltage,
-                  "Nominal voltage in that column's unit; none: the column's median")
-      ->needs(trace);
-  command.add_flag("--json", arguments.json, "Print the result as JSON");
+                   "Play simulated outlets in real time, not as fast as possible");
+  add_threads(command, arguments.simulated.threads);
+  add_trace(command, arguments.overrides);
+  add_json_flag(command, arguments.json);
   command.footer(
+      "With --trace the limits of the profile still hold: use a profile without a loss.\n"
+      "\n"
       "Examples:\n"
       "  gsbench run paper/loss-500mw\n"
       "  gsbench run my-profile.toml --seed 7 --out my-runs --json\n"
-      "  gsbench run my-profile.toml --trace grid.csv --trace-time time --trace-frequency f\n"
-      "With --trace the profile's limits still hold: take one without a loss to detect.");
+      "  gsbench run my-profile.toml --trace grid.csv --trace-time time --trace-frequency f");
 }
 
 }  // namespace gsbench::cli

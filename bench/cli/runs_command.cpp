@@ -2,13 +2,13 @@
 #include "run_folder.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <tuple>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include <record/store.hpp>
+#include <render/layout.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -18,14 +18,15 @@ struct RunsArguments {
   bool json = false;
 };
 
-// By their beginning, the oldest first. What cannot be read is told, and the others still listed.
+// In order of their start. A record that cannot be read is reported, and the others are still
+// listed.
 std::vector<record::RunRecord> heads_by_age(const std::string& output_folder) {
   std::vector<record::RunRecord> heads;
   for (const std::string& path : list_records(output_folder)) {
     try {
       heads.push_back(record::read_head(path));
     } catch (const record::StoreError& error) {
-      std::fprintf(stderr, "gsbench: %s\n", error.what());
+      print_error(error.what());
     }
   }
   std::sort(heads.begin(), heads.end(), [](const auto& a, const auto& b) {
@@ -34,29 +35,40 @@ std::vector<record::RunRecord> heads_by_age(const std::string& output_folder) {
   return heads;
 }
 
-int runs(const RunsArguments& arguments) {
-  nlohmann::ordered_json out = nlohmann::ordered_json::array();
-  for (const record::RunRecord& run : heads_by_age(arguments.output_folder)) {
-    if (arguments.json) {
-      out.push_back({{"run_id", run.run_id},
-                     {"started_utc", run.started_utc},
-                     {"profile", run.profile},
-                     {"seed", run.seed},
-                     {"verdict", record::to_string(run.verdict)}});
-    } else {
-      std::printf("%-28s %-12s %s (seed %llu)\n", run.run_id.c_str(),
-                  record::to_string(run.verdict), run.profile.c_str(),
-                  static_cast<unsigned long long>(run.seed));
-    }
+nlohmann::ordered_json as_json(const std::vector<record::RunRecord>& heads) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const record::RunRecord& run : heads) {
+    all.push_back({{"run_id", run.run_id},
+                   {"started_utc", run.started_utc},
+                   {"profile", run.profile},
+                   {"seed", run.seed},
+                   {"verdict", record::to_string(run.verdict)}});
   }
+  return all;
+}
+
+// The profile comes last: of one that is not shipped it is a path.
+void print(const std::vector<record::RunRecord>& heads) {
+  std::vector<std::vector<std::string>> rows = {{"run", "verdict", "seed", "profile"}};
+  for (const record::RunRecord& run : heads) {
+    rows.push_back(
+        {run.run_id, record::to_string(run.verdict), std::to_string(run.seed), run.profile});
+  }
+  for (const std::string& line : render::aligned(rows, "llrl")) {
+    print_wrapped(line, 4);
+  }
+}
+
+int runs(const RunsArguments& arguments) {
+  const std::vector<record::RunRecord> heads = heads_by_age(arguments.output_folder);
   for (const std::string& folder : list_unfinished(arguments.output_folder)) {
-    std::fprintf(stderr,
-                 "gsbench: %s: a run that has not ended, or was killed; `gsbench report` shows "
-                 "what it kept\n",
-                 folder.c_str());
+    print_error(folder +
+                ": this run has not ended, or was killed; `gsbench report` shows what it kept");
   }
   if (arguments.json) {
-    print_json(out);
+    print_json(as_json(heads));
+  } else if (!heads.empty()) {
+    print(heads);
   }
   return kPassed;
 }
@@ -64,10 +76,9 @@ int runs(const RunsArguments& arguments) {
 }  // namespace
 
 void add_runs(CommandLine& line) {
-  const auto [command, arguments] =
-      line.command("runs", "The runs that are kept, oldest first", runs);
+  const auto [command, arguments] = line.command("runs", "List kept runs, oldest first", runs);
   add_runs_folder(command, arguments.output_folder)->check(CLI::ExistingDirectory);
-  command.add_flag("--json", arguments.json, "Print as JSON");
+  add_json_flag(command, arguments.json);
   command.footer("Example:\n  gsbench runs");
 }
 

@@ -143,12 +143,13 @@ int schema(const SchemaArguments& arguments) {
 }  // namespace
 
 void add_schema(CommandLine& line) {
-  const auto [command, arguments] =
-      line.command("schema", "What a file may say, as a JSON Schema for editors", schema);
-  command.add_option("FORMAT", arguments.format, "profile, grid or station")
+  const auto [command, arguments] = line.command(
+      "schema", "Print the JSON Schema of a file format, for editors and other tools", schema);
+  command.add_option("FORMAT", arguments.format, "File format: profile, grid or station")
+      ->type_name("FORMAT")
       ->required()
       ->check(CLI::IsMember({"profile", "grid", "station"}));
-  command.add_flag("--markdown", arguments.markdown, "Print as the tables of profiles/README.md");
+  command.add_flag("--markdown", arguments.markdown, "Print the tables of profiles/README.md");
   command.footer("Example:\n  gsbench schema profile > profile.schema.json");
 }
 

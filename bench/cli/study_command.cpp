@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <measures/catalogue.hpp>
+#include <render/figures.hpp>
+#include <render/layout.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -19,16 +21,21 @@ using nlohmann::ordered_json;
 using seed_sweep::Row;
 using seed_sweep::StudyResult;
 
-// Shares asked for: of the values of a measure with a magnitude up to a limit, in the catalogue's
-// unit.
+// Measures and limits, in the catalogue's unit: the share of the values up to the limit in
+// magnitude is asked for.
 using Shares = std::vector<std::pair<std::string, double>>;
 
-constexpr std::pair<const char*, double> kQuantiles[] = {
-    {"min", 0.0}, {"p1", 0.01}, {"p50", 0.5}, {"p99", 0.99}, {"p99.9", 0.999}, {"max", 1.0}};
+using Quantiles = std::vector<std::pair<const char*, double>>;
 
-std::string figure(double value) {
-  return std::isnan(value) ? "–" : fmt::format("{:.4g}", value);
-}
+const Quantiles kQuantiles = {{"min", 0.0},  {"p1", 0.01},     {"p50", 0.5},
+                              {"p99", 0.99}, {"p99.9", 0.999}, {"max", 1.0}};
+
+// Those of the printed table: the first that a line holds.
+const std::vector<Quantiles> kQuantilesOfTable = {
+    kQuantiles,
+    {{"min", 0.0}, {"p1", 0.01}, {"p50", 0.5}, {"p99", 0.99}, {"max", 1.0}},
+    {{"min", 0.0}, {"p50", 0.5}, {"p99", 0.99}, {"max", 1.0}},
+    {{"min", 0.0}, {"p50", 0.5}, {"max", 1.0}}};
 
 std::string verdicts_of(const std::map<record::Verdict, std::size_t>& verdicts) {
   std::string text;
@@ -36,6 +43,11 @@ std::string verdicts_of(const std::map<record::Verdict, std::size_t>& verdicts) 
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, record::to_string(verdict));
   }
   return text;
+}
+
+// Empty if nothing was judged.
+std::string worst_of(const std::map<record::Verdict, std::size_t>& verdicts) {
+  return verdicts.empty() ? "" : record::to_string(verdicts.rbegin()->first);
 }
 
 std::string words_of(const Row& row) {
@@ -61,42 +73,121 @@ const Row* find_row(const StudyResult& study, const std::string& measure) {
   return row != study.rows.end() ? &*row : nullptr;
 }
 
-std::string study_table(const StudyResult& study, const Shares& shares) {
-  std::string text = fmt::format("{:<26}{:>7}{:>9}", "measure", "unit", "n");
+// Two significant digits.
+std::string sigma_text(double sigma) {
+  const double unit = sigma > 0.0 ? std::pow(10.0, std::floor(std::log10(sigma)) - 1.0) : 1.0;
+  return render::fixed(unit >= 1.0 ? unit * std::round(sigma / unit) : sigma,
+                       render::decimals_of_two_digits(sigma));
+}
+
+// Of the quantiles: by the uncertainty; without one, at least those that σ needs, unless all values
+// are whole numbers.
+int decimals_of(const Row& row) {
+  std::vector<double> values;
   for (const auto& [name, p] : kQuantiles) {
-    text += fmt::format("{:>11}", name);
+    values.push_back(row.values.quantile(p));
   }
-  text += fmt::format("{:>11}{:>11}  {}\n", "mean", "σ", "judged");
+  const int decimals = render::decimals_for(values, row.uncertainty);
+  const bool all_whole = std::all_of(values.begin(), values.end(), [](double value) {
+    return !std::isfinite(value) || value == std::round(value);
+  });
+  return row.uncertainty > 0.0 || all_whole
+             ? decimals
+             : std::max(decimals, render::decimals_of_two_digits(row.values.standard_deviation()));
+}
+
+// The measure, its unit, the number of values, their quantiles, mean, σ and the verdict. All
+// quantiles have the same decimals; the mean has as many as σ if those are more.
+std::vector<std::string> cells_of(const Row& row, const Quantiles& quantiles) {
+  const seed_sweep::Distribution& values = row.values;
+  const int decimals = decimals_of(row);
+  const double sigma = values.standard_deviation();
+  std::vector<std::string> cells = {row.measure, row.unit, std::to_string(values.count())};
+  for (const auto& [name, p] : quantiles) {
+    cells.push_back(render::fixed(values.quantile(p), decimals));
+  }
+  cells.push_back(
+      render::fixed(values.mean(), std::max(decimals, render::decimals_of_two_digits(sigma))));
+  cells.push_back(sigma_text(sigma));
+  cells.push_back(worst_of(row.verdicts));
+  return cells;
+}
+
+// Lines of the table, a row for each measure that has a number.
+std::vector<std::string> number_lines(const StudyResult& study, const Quantiles& quantiles) {
+  std::vector<std::vector<std::string>> rows = {{"measure", "unit", "n"}};
+  for (const auto& [name, p] : quantiles) {
+    rows[0].emplace_back(name);
+  }
+  rows[0].insert(rows[0].end(), {"mean", "σ", "verdict"});
   for (const Row& row : study.rows) {
-    text += fmt::format("{:<26}{:>7}", row.measure, row.unit);
+    if (row.values.texts().empty()) {
+      rows.push_back(cells_of(row, quantiles));
+    }
+  }
+  return render::aligned(rows, "ll" + std::string(quantiles.size() + 3, 'r') + "l");
+}
+
+// With as many quantiles as a line holds.
+std::vector<std::string> number_table(const StudyResult& study) {
+  std::vector<std::string> lines;
+  for (const Quantiles& quantiles : kQuantilesOfTable) {
+    lines = number_lines(study, quantiles);
+    if (std::all_of(lines.begin(), lines.end(), [](const std::string& line) {
+          return render::columns_of(line) <= render::kLineColumns;
+        })) {
+      break;
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> word_table(const StudyResult& study) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Row& row : study.rows) {
     if (!row.values.texts().empty()) {
-      text += fmt::format("  {}  {}\n", words_of(row), verdicts_of(row.verdicts));
-      continue;
+      rows.push_back({row.measure, words_of(row), worst_of(row.verdicts)});
     }
-    text += fmt::format("{:>9}", row.values.count());
-    for (const auto& [name, p] : kQuantiles) {
-      text += fmt::format("{:>11}", figure(row.values.quantile(p)));
-    }
-    text += fmt::format("{:>11}{:>11}  {}\n", figure(row.values.mean()),
-                        figure(row.values.standard_deviation()), verdicts_of(row.verdicts));
   }
-  text += "\n";
+  return render::aligned(rows, "l");
+}
+
+std::string share_text(const StudyResult& study, const std::string& measure, double limit) {
+  const Row* row = find_row(study, measure);
+  if (row == nullptr || row->values.count() == 0) {
+    return fmt::format("|{}| ≤ {:g}: no outlet has a value", measure, limit);
+  }
+  const std::size_t all = row->values.count() + row->values.missing();
+  const double share_pct = 100.0 * row->values.share_within(limit);
+  // A step of the share is 100/n percent.
+  const int decimals = render::decimals_for({share_pct}, 100.0 / static_cast<double>(all));
+  return fmt::format("|{}| ≤ {:g} {}: {} % of {}", measure, limit, row->unit,
+                     render::fixed(share_pct, std::max(1, decimals)), all);
+}
+
+void print_study(const StudyResult& study, const Shares& shares) {
+  for (const std::vector<std::string>& lines : {number_table(study), word_table(study)}) {
+    for (const std::string& line : lines) {
+      print_wrapped(line, 4);
+    }
+    if (!lines.empty()) {
+      std::puts("");
+    }
+  }
+  for (const Row& row : study.rows) {
+    if (row.verdicts.count(record::Verdict::kPass) < row.verdicts.size()) {
+      print_wrapped(fmt::format("{}: {}", row.measure, verdicts_of(row.verdicts)), 4);
+    }
+  }
   for (const auto& [measure, limit] : shares) {
-    const Row* row = find_row(study, measure);
-    if (row == nullptr || row->values.count() == 0) {
-      text += fmt::format("|{}| ≤ {:g}: no outlet has a value\n", measure, limit);
-    } else {
-      text += fmt::format("|{}| ≤ {:g} {}: {:.3f} % of {}\n", measure, limit, row->unit,
-                          100.0 * row->values.share_within(limit),
-                          row->values.count() + row->values.missing());
-    }
+    print_wrapped(share_text(study, measure, limit), 4);
   }
-  text += fmt::format("{} seeds, {:.2f} hours of outlets: {}\n", study.seeds_done, study.hours,
-                      verdicts_of(study.verdicts));
+  print_wrapped(fmt::format("{} seeds, {:.2f} hours of outlets: {}", study.seeds_done, study.hours,
+                            verdicts_of(study.verdicts)),
+                4);
   if (!study.first_reason.empty()) {
-    text += "first that did not pass: " + study.first_reason + "\n";
+    print_wrapped("First that did not pass: " + study.first_reason, 4);
   }
-  return text;
 }
 
 ordered_json study_json(const profile::Plan& plan, std::uint64_t first_seed,
@@ -215,7 +306,7 @@ int run_study(const StudyArguments& arguments) {
   if (arguments.json) {
     print_json(study_json(plan, options.first_seed, result, shares));
   } else {
-    std::fputs(study_table(result, shares).c_str(), stdout);
+    print_study(result, shares);
   }
   return interrupted ? kInterrupted : exit_code_of(result.verdict);
 }
@@ -224,27 +315,25 @@ int run_study(const StudyArguments& arguments) {
 
 void add_study(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "study", "Run a profile over many seeds on simulated outlets: how its measurements spread",
-      run_study);
+      "study", "Run a profile with many seeds: the distribution of every measure", run_study);
   arguments.options.seeds = 20;
-  arguments.options.threads = default_threads();
-  command.add_option("profile", arguments.profile, "A shipped profile, or a .toml file")
-      ->required();
-  add_with_default(command, "--seeds", arguments.options.seeds, "How many")
+  add_profile(command, arguments.profile);
+  add_with_default(command, "--seeds", arguments.options.seeds, "N",
+                   "Number of seeds, 1 to 10 million")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10000000}));
-  add_with_default(command, "--first-seed", arguments.options.first_seed, "The first of them")
-      ->check(kSeeds);
-  add_with_default(command, "--threads", arguments.options.threads,
-                   "The result is the same for any")
-      ->check(kThreads);
+  add_seed(command, "--first-seed", arguments.options.first_seed, "First seed");
+  add_threads(command, arguments.options.threads);
   command
       .add_option(
           "--within", arguments.within,
-          "MEASURE=LIMIT: print the share of a measure within ± a limit, in the unit that `gsbench "
-          "measures` lists; may be given several times; without: ekf.error=1 and ekf.error=4")
+          "Print the share of the values within ± LIMIT, in the unit that `gsbench measures` "
+          "lists; may be given several times (default: ekf.error=1 and ekf.error=4)")
+      ->type_name("MEASURE=LIMIT")
       ->allow_extra_args(false);
-  command.add_flag("--json", arguments.json, "Print as JSON");
+  add_json_flag(command, arguments.json);
   command.footer(
+      "Only simulated outlets are used.\n"
+      "\n"
       "Examples:\n"
       "  gsbench study paper/loss-500mw --seeds 200 --within event.delay=140\n"
       "  gsbench study regression/steady --seeds 1000     1000 times the profile's hour");

@@ -32,14 +32,16 @@ int write_waveform(const WaveformArguments& arguments) {
 
 void add_waveform(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "waveform", "Write what a profile plays as CSV: t_s, frequency_hz, rocof_hz_s, voltage_pu",
-      write_waveform);
-  command.add_option("profile", arguments.profile, "A shipped profile, or a .toml file")
+      "waveform", "Write the frequency and voltage that a profile plays as CSV", write_waveform);
+  add_profile(command, arguments.profile);
+  command.add_option("-o,--output", arguments.output, "CSV file to write; - is standard output")
+      ->type_name("FILE")
       ->required();
-  command.add_option("-o,--output", arguments.output, "The CSV file; -: standard output")
-      ->required();
-  command.add_option("--seed", arguments.overrides.seed, "Seed of the noise")->check(kSeeds);
-  command.footer("Example:\n  gsbench waveform paper/loss-500mw -o loss.csv");
+  add_seed(command, arguments.overrides.seed, "Seed of the noise, in place of the profile's");
+  command.footer(
+      "Columns: t_s, frequency_hz, rocof_hz_s, voltage_pu; one row per sample.\n"
+      "\n"
+      "Example:\n  gsbench waveform paper/loss-500mw -o loss.csv");
 }
 
 }  // namespace gsbench::cli

@@ -1,6 +1,7 @@
 #include <seed_sweep/seed_sweep.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -18,13 +19,13 @@ Row& row_of(std::vector<Row>& rows, const std::string& measure, const std::strin
   if (found != rows.end()) {
     return *found;
   }
-  rows.push_back({measure, unit, {}, {}});
+  rows.push_back({measure, unit, {}, {}, 0.0});
   return rows.back();
 }
 
 // A judged result is in the unit of its limit; the study uses the unit of the catalogue.
-double in_unit(const std::string& unit, const record::MeasurementResult& result) {
-  return result.value * measures::unit_scale(result.unit, unit).value_or(1.0);
+double scale_to(const std::string& unit, const record::MeasurementResult& result) {
+  return measures::unit_scale(result.unit, unit).value_or(1.0);
 }
 
 void take(const record::OutletRecord& outlet, std::uint64_t seed, StudyResult& into) {
@@ -39,7 +40,9 @@ void take(const record::OutletRecord& outlet, std::uint64_t seed, StudyResult& i
     // A measure with several limits has several results with the same value.
     if (taken.insert(result.name).second) {
       if (result.text.empty()) {
-        row.values.add(in_unit(row.unit, result));
+        const double scale = scale_to(row.unit, result);
+        row.values.add(scale * result.value);
+        row.uncertainty = std::fmax(row.uncertainty, scale * result.uncertainty);
       } else {
         row.values.add_text(result.text);
       }
@@ -82,6 +85,7 @@ void merge(const StudyResult& seed, StudyResult& into) {
   for (const Row& row : seed.rows) {
     Row& all = row_of(into.rows, row.measure, row.unit);
     all.values.merge(row.values);
+    all.uncertainty = std::fmax(all.uncertainty, row.uncertainty);
     for (const auto& [verdict, count] : row.verdicts) {
       all.verdicts[verdict] += count;
     }

@@ -78,8 +78,7 @@ class Text {
   explicit Text(Target target) : target_(target) {}
 
   void add(const std::string& line) {
-    constexpr std::size_t kIndent = 4;
-    text_ += target_ == Target::kTerminal ? wrapped(line, kLineColumns, kIndent) : line;
+    text_ += target_ == Target::kTerminal ? wrapped(line, kLineColumns, 4) : line;
     text_ += '\n';
   }
 

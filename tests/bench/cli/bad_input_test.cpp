@@ -129,7 +129,7 @@ TEST(BadInput, UsageMistakesExitWithTwo) {
 }
 
 TEST(BadInput, AnUnknownCommandIsNamed) {
-  expect_refused({"frobnicate", "ieee24"}, "frobnicate is no command");
+  expect_refused({"frobnicate", "ieee24"}, "unknown command 'frobnicate'");
 }
 
 TEST(BadInput, AFolderThatCannotBeMadeLeavesNoneAboveIt) {

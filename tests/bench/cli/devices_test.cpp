@@ -17,6 +17,7 @@
 #include <gmock/gmock.h>
 
 #include <emulation/hardware.hpp>
+#include <render/layout.hpp>
 
 namespace gsbench::test {
 namespace {
@@ -122,7 +123,14 @@ TEST_P(AnyStation, IsFoundWithWhatItsOutletSaysOfItself) {
   const Outcome table = run_gsbench(to_it("devices"));
   EXPECT_EQ(table.exit_code, 0) << table.err;
   EXPECT_THAT(table.out, HasSubstr("kitchen-1"));
-  EXPECT_EQ(lines_of(table.out).size(), 2U);
+  EXPECT_EQ(lines_of(table.out).size(), 3U);  // two of headings
+  for (const char* command : {"devices", "monitor"}) {
+    const Words more = {"--seconds", "0.5"};
+    for (const std::string& line :
+         lines_of(run_on_terminal(to_it(command, command[0] == 'm' ? more : Words{})))) {
+      EXPECT_LE(render::columns_of(line), render::kLineColumns) << line;
+    }
+  }
 }
 
 TEST_P(AnyStation, IsHeardForAsLongAsAsked) {
@@ -163,7 +171,7 @@ TEST_F(SerialStation, WithItsOutletGoneHasNothingToFind) {
   hardware_->outlet_process(0).kill();
   const Outcome found = run_gsbench(to_it("devices"));
   EXPECT_EQ(found.exit_code, 4) << found.err;
-  EXPECT_THAT(found.out, testing::ContainsRegex(where_ + " +! does not answer"));
+  EXPECT_THAT(found.out, HasSubstr("! " + where_ + ": does not answer"));
   expect_refused(to_it("monitor"), "no outlet answers");
 }
 
@@ -179,7 +187,7 @@ TEST_F(MqttStation, AnOutletThatWasNamedAndIsNotThereIsTold) {
   std::ofstream(station_, std::ios::app) << "outlets = [\"cellar\", \"kitchen-1\"]\n";
   const Outcome outcome = run_gsbench(to_it("devices"));
   EXPECT_EQ(outcome.exit_code, 4);
-  EXPECT_THAT(outcome.out, HasSubstr("! is not on the broker"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("! cellar at .*: is not on the broker"));
   EXPECT_THAT(outcome.out, HasSubstr("kitchen-1"));
   expect_refused(to_it("monitor", {"--outlet", "cellar"}), "no outlet cellar answers");
 }

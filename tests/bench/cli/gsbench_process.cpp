@@ -1,12 +1,14 @@
 #include "gsbench_process.hpp"
 
 #include <fcntl.h>
+#include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -44,18 +46,24 @@ Outcome wait_for(const Started& started) {
   return outcome;
 }
 
-}  // namespace
-
-Started start_gsbench(const Words& arguments, const std::function<void()>& prepare) {
-  Started started{-1, new_file(), new_file()};
-  Words words = {GSBENCH_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+// The arguments of an execv() of gsbench, which point into `words`.
+std::vector<char*> argv_of(Words& words) {
+  words.insert(words.begin(), GSBENCH_PROGRAM);
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) {
     argv.push_back(word.data());
   }
   argv.push_back(nullptr);
+  return argv;
+}
+
+}  // namespace
+
+Started start_gsbench(const Words& arguments, const std::function<void()>& prepare) {
+  Started started{-1, new_file(), new_file()};
+  Words words = arguments;
+  const std::vector<char*> argv = argv_of(words);
   started.pid = fork();
   if (started.pid < 0) {
     throw std::runtime_error("fork failed");
@@ -84,6 +92,30 @@ Outcome stop(const Started& started, int signal) {
 
 Outcome run_gsbench(const Words& arguments, const std::function<void()>& prepare) {
   return wait_for(start_gsbench(arguments, prepare));
+}
+
+std::string run_on_terminal(const Words& arguments) {
+  Words words = arguments;
+  const std::vector<char*> argv = argv_of(words);
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child < 0) {
+    throw std::runtime_error("forkpty failed");
+  }
+  if (child == 0) {
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  std::string text;
+  char buffer[4096];
+  // At the end of the child read() fails with EIO.
+  for (ssize_t count = 0; (count = read(terminal, buffer, sizeof buffer)) > 0;) {
+    text.append(buffer, static_cast<std::size_t>(count));
+  }
+  close(terminal);
+  waitpid(child, nullptr, 0);
+  static const std::regex unseen("\x1b\\[[0-9;]*[A-Za-z]|\r");
+  return std::regex_replace(text, unseen, "");
 }
 
 json run_for_json(const Words& arguments) {

@@ -26,6 +26,10 @@ using Words = std::vector<std::string>;
 Outcome run_gsbench(
     const Words& arguments, const std::function<void()>& prepare = [] {});
 
+// Everything that gsbench prints with a pseudo-terminal as standard output and standard error, without
+// colours and carriage returns.
+std::string run_on_terminal(const Words& arguments);
+
 // What it prints for scripts; a failure where it does not exit with 0.
 json run_for_json(const Words& arguments);
 

@@ -28,7 +28,7 @@ std::map<std::string, std::string> entries(const std::string& help, const std::s
   while (std::getline(lines, line) && !line.empty()) {
     const std::size_t start = line.find_first_not_of(' ');
     if (start > 2) {
-      found[name] += line.substr(start);
+      found[name] += (found[name].empty() ? "" : " ") + line.substr(start);
       continue;
     }
     const std::size_t end = line.find("  ", start);
@@ -65,7 +65,7 @@ TEST(Help, EverySubcommandHasADescriptionOptionsAndAnExample) {
   const Outcome outcome = run_gsbench({"--help"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("INCONCLUSIVE"));
-  const auto commands = entries(outcome.out, "Subcommands");
+  const auto commands = entries(outcome.out, "Commands");
   EXPECT_THAT(commands, Contains(Key("run")));
   EXPECT_THAT(commands, Contains(Key("monitor")));
   for (const auto& [command, description] : commands) {

@@ -70,11 +70,11 @@ std::string printed(const StudyResult& result) {
     }
   };
   add_verdicts(result.verdicts);
-  for (const auto& [measure, unit, values, verdicts] : result.rows) {
-    text += fmt::format("\n{} [{}] {} {} {:a} {:a} {:a} {:a} {:a} {}", measure, unit,
+  for (const auto& [measure, unit, values, verdicts, uncertainty] : result.rows) {
+    text += fmt::format("\n{} [{}] {} {} {:a} {:a} {:a} {:a} {:a} {} {:a}", measure, unit,
                         values.count(), values.missing(), values.mean(),
                         values.standard_deviation(), values.quantile(0.0), values.quantile(0.5),
-                        values.quantile(1.0), values.texts());
+                        values.quantile(1.0), values.texts(), uncertainty);
     add_verdicts(verdicts);
   }
   return text;

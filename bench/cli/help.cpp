@@ -1,0 +1,70 @@
+#include "help.hpp"
+
+#include <string>
+
+#include <render/layout.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() {
+    label("Positionals", "Arguments");
+    label("SUBCOMMAND", "COMMAND");
+  }
+
+  std::string make_description(const CLI::App* app) const override {
+    return render::wrapped(app->get_description()) + '\n';
+  }
+
+  std::string make_subcommand(const CLI::App* command) const override {
+    return entry(command->get_name(), command->get_description());
+  }
+
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    std::string name = make_option_name(option, is_positional);
+    const bool takes_value = option->get_items_expected_max() > 0;
+    if (takes_value && !is_positional) {
+      const std::string type = option->get_type_name();
+      name += ' ' + type.substr(0, type.find(':'));  // CLI11 adds ":" and the checks
+    }
+    return entry(name, make_option_desc(option));
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::string text = option->get_description();
+    for (const CLI::Option* needed : option->get_needs()) {
+      text += "; needs " + needed->get_name();
+    }
+    if (option->get_items_expected_max() > 0 && !option->get_default_str().empty()) {
+      text += " (default: " + option->get_default_str() + ')';
+    }
+    if (option->get_required() && !option->get_positional()) {
+      text += " (required)";
+    }
+    return text;
+  }
+
+ private:
+  // In two columns; a long name has a line of its own.
+  static std::string entry(const std::string& name, const std::string& text) {
+    constexpr std::size_t kTextColumn = 28;
+    const std::string start = "  " + name;
+    const std::size_t used = render::columns_of(start);
+    const std::string gap = used + 2 > kTextColumn ? '\n' + std::string(kTextColumn, ' ')
+                                                   : std::string(kTextColumn - used, ' ');
+    // The indentation of a wrapped text starts after a line end of its own.
+    const std::string lines =
+        render::wrapped(std::string(kTextColumn, ' ') + text, render::kLineColumns, kTextColumn);
+    return start + gap + lines.substr(kTextColumn) + '\n';
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<CLI::Formatter> help_formatter() {
+  return std::make_shared<HelpFormatter>();
+}
+
+}  // namespace gsbench::cli
