@@ -9,8 +9,8 @@ using gs::wire::Sequence;
 using gs::wire::UplinkKind;
 
 std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, std::size_t size) {
-  // On a cable, repeated or swapped messages are at most so many numbers (1 s of measurements)
-  // back.
+  // On a cable, a repeated or swapped message is at most this many numbers back: 1 s of
+  // measurements.
   constexpr std::uint32_t kMostRepeated = 64;
   gs::wire::Uplink message;
   std::uint32_t sequence = 0;

@@ -42,8 +42,8 @@ class BrokerConnection final : private mqtt::callback, private mqtt::iaction_lis
     explicit Resubscription(BrokerConnection& connection) : connection_(connection) {}
     void begin(std::size_t filters) { left_ = filters; }
     void on_success(const mqtt::token&) override;
-    void on_failure(const mqtt::token&) override {
-    }  // lost again; the next connection subscribes again
+    // Lost again; the next connection subscribes again.
+    void on_failure(const mqtt::token&) override {}
 
    private:
     BrokerConnection& connection_;

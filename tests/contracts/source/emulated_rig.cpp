@@ -19,16 +19,16 @@ class EmulatedRig final : public SourceRig {
     options.outlets = {{"outlet", 0.0}};
     options.real_time = false;
     mains_ = emulation::Mains::create(options).take();
-    taking_ = std::make_unique<FakeOutlet>(*mains_, 0,
-                                           [this](const std::int16_t* samples, std::size_t count) {
-                                             const std::lock_guard<std::mutex> lock(mutex_);
-                                             outlet_.feed(samples, count);
-                                           });
+    fake_outlet_ = std::make_unique<FakeOutlet>(
+        *mains_, 0, [this](const std::int16_t* samples, std::size_t count) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          outlet_.feed(samples, count);
+        });
   }
   source::Source& source() override { return mains_->source(); }
 
   std::vector<Reading> readings() override {
-    EXPECT_TRUE(until([&] { return taking_->taken() == mains_->terminals(0).written; }));
+    EXPECT_TRUE(until([&] { return fake_outlet_->taken() == mains_->terminals(0).written; }));
     const std::lock_guard<std::mutex> lock(mutex_);
     return outlet_.measurements().after(kBefore);
   }
@@ -38,7 +38,7 @@ class EmulatedRig final : public SourceRig {
   std::unique_ptr<emulation::Mains> mains_;
   std::mutex mutex_;
   MeasuringOutlet outlet_;
-  std::unique_ptr<FakeOutlet> taking_;  // last: its thread ends before the members it uses
+  std::unique_ptr<FakeOutlet> fake_outlet_;  // last: its thread ends before the members it uses
 };
 
 }  // namespace

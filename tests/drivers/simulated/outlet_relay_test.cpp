@@ -1,4 +1,4 @@
-// The contact of a simulated outlet follows its coil.
+// The contact of a simulated outlet and its coil.
 
 #include "mains.hpp"
 

@@ -1,5 +1,5 @@
 // Measures when relay contacts move, on a clock of its own, independent of what outlets report. It
-// is the reference for switching times. Channel i belongs to outlet i; an outlet may have none.
+// is the reference for switching times. An outlet may have no channel.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// One simulated outlet: an ADC before the firmware, a relay behind it.
+// One simulated outlet: the firmware with a model of its ADC and of its relay.
 #pragma once
 
 #include <cstdint>

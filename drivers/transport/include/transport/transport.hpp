@@ -15,8 +15,8 @@ namespace gsbench::transport {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kBaud =
-    921600;  // of serial ports: 8 data bits, no parity, 1 stop bit, no flow control
+// Default rate of serial ports; 8 data bits, no parity, 1 stop bit, no flow control.
+constexpr int kBaud = 921600;
 
 class Transport {
  public:

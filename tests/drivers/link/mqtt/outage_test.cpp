@@ -12,7 +12,7 @@ using link::MqttLink;
 class BrokerOutage : public OutletsOnABroker {
  protected:
   // Waits until the broker has saved the bench's session.
-  bool remembered() {
+  bool session_saved() {
     const auto opened = std::filesystem::file_time_type::clock::now();
     return until([&] {
       std::error_code missing;
@@ -32,7 +32,7 @@ TEST_F(BrokerOutage, StatusMessagesAreNeitherLostNorRepeated) {
   MqttOutlet a(broker_, "a");
   MqttOutlet b(broker_, "b");
   open({"a", "b"});
-  ASSERT_TRUE(remembered());
+  ASSERT_TRUE(session_saved());
   for (std::size_t i = 0; i < kStatuses; ++i) {
     if (i == kStatuses / 3) {
       // A killed broker loses messages that it has acknowledged but not delivered; MQTT does not
