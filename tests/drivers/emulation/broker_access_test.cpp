@@ -1,6 +1,6 @@
 // The private broker's access rules, tested with Mosquitto's command-line clients. Each refused
 // attempt is compared with the same attempt with the right credentials.
-#include "outsider.hpp"
+#include "broker_client.hpp"
 #include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
 
@@ -13,8 +13,8 @@ using emulation::PrivateBroker;
 
 class BrokerAccess : public testing::Test {
  protected:
-  Outsider bench() const { return {broker_, broker_.ca_file(), broker_.bench()}; }
-  Outsider outlet(const std::string& id) const {
+  BrokerClient bench() const { return {broker_, broker_.ca_file(), broker_.bench()}; }
+  BrokerClient outlet(const std::string& id) const {
     return {broker_, broker_.ca_file(), broker_.outlet(id)};
   }
 
@@ -47,11 +47,11 @@ TEST_F(BrokerAccess, AnOutletCannotPublishUnderAnotherId) {
 
 TEST_F(BrokerAccess, RequiresTheRightPassword) {
   outlet("a").write("gs/a/hello", "I am a");
-  const Outsider without{broker_, broker_.ca_file(), {}};
-  const Outsider wrong{broker_, broker_.ca_file(), {"bench", "guessed"}};
-  for (const Outsider& outsider : {without, wrong}) {
-    EXPECT_EQ(outsider.read("gs/a/hello"), "");
-    outsider.write("gs/a/down", "open");
+  const BrokerClient without{broker_, broker_.ca_file(), {}};
+  const BrokerClient wrong{broker_, broker_.ca_file(), {"bench", "guessed"}};
+  for (const BrokerClient& client : {without, wrong}) {
+    EXPECT_EQ(client.read("gs/a/hello"), "");
+    client.write("gs/a/down", "open");
   }
   EXPECT_EQ(outlet("a").read("gs/a/down"), "");
   EXPECT_EQ(bench().read("gs/a/hello"), "I am a");
@@ -60,8 +60,8 @@ TEST_F(BrokerAccess, RequiresTheRightPassword) {
 TEST_F(BrokerAccess, RequiresTlsWithItsOwnCa) {
   outlet("a").write("gs/a/hello", "I am a");
   const PrivateBroker other = demand(PrivateBroker::start({folder_.file("other"), {}}));
-  const Outsider no_tls{broker_, "", broker_.bench()};
-  const Outsider wrong_ca{broker_, other.ca_file(), broker_.bench()};
+  const BrokerClient no_tls{broker_, "", broker_.bench()};
+  const BrokerClient wrong_ca{broker_, other.ca_file(), broker_.bench()};
   EXPECT_EQ(no_tls.read("gs/a/hello"), "");
   EXPECT_EQ(wrong_ca.read("gs/a/hello"), "");
   EXPECT_EQ(bench().read("gs/a/hello"), "I am a");

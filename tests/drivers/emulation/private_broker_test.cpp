@@ -1,4 +1,4 @@
-#include "outsider.hpp"
+#include "broker_client.hpp"
 #include <sys/stat.h>
 #include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
@@ -33,8 +33,8 @@ TEST(PrivateBroker, RestartsOnItsPortAfterAKill) {
   PrivateBroker broker = demand(PrivateBroker::start({folder.file("broker"), {"a"}}));
   const auto port = broker.port();
   const auto first = broker.pid();
-  const Outsider a{broker, broker.ca_file(), broker.outlet("a")};
-  const Outsider bench{broker, broker.ca_file(), broker.bench()};
+  const BrokerClient a{broker, broker.ca_file(), broker.outlet("a")};
+  const BrokerClient bench{broker, broker.ca_file(), broker.bench()};
   broker.kill();
   EXPECT_FALSE(broker.running());
   demand(broker.restart());

@@ -9,7 +9,7 @@
 
 namespace gsbench::test {
 
-struct Outsider {
+struct BrokerClient {
   const emulation::PrivateBroker& target;
   std::string ca_file;
   emulation::Login login;

@@ -9,9 +9,9 @@ namespace {
 // Longest time from coil to contact, bounces included.
 constexpr std::int64_t kSlowestTicks = 160;
 
-class AnySense : public testing::TestWithParam<std::unique_ptr<RelayRig> (*)()> {
+class AnyRelaySense : public testing::TestWithParam<std::unique_ptr<RelayRig> (*)()> {
  protected:
-  AnySense() { play(4000); }
+  AnyRelaySense() { play(4000); }
 
   void play(std::int64_t ticks) {
     tick_ += ticks;
@@ -31,11 +31,11 @@ class AnySense : public testing::TestWithParam<std::unique_ptr<RelayRig> (*)()> 
   std::int64_t tick_ = 0;
 };
 
-INSTANTIATE_TEST_SUITE_P(Simulated, AnySense, testing::Values(&simulated_sense));
-INSTANTIATE_TEST_SUITE_P(Emulated, AnySense, testing::Values(&emulated_sense));
-INSTANTIATE_TEST_SUITE_P(Counter, AnySense, testing::Values(&counter_sense));
+INSTANTIATE_TEST_SUITE_P(Simulated, AnyRelaySense, testing::Values(&simulated_sense));
+INSTANTIATE_TEST_SUITE_P(Emulated, AnyRelaySense, testing::Values(&emulated_sense));
+INSTANTIATE_TEST_SUITE_P(Counter, AnyRelaySense, testing::Values(&counter_sense));
 
-TEST_P(AnySense, ReportsAnOpeningOnceByChannelAndTick) {
+TEST_P(AnyRelaySense, ReportsAnOpeningOnceByChannelAndTick) {
   EXPECT_TRUE(polled().empty());
   const double uncertainty = rig_->sense().alignment().uncertainty_ticks;
   EXPECT_GT(uncertainty, 0.0);
@@ -54,7 +54,7 @@ TEST_P(AnySense, ReportsAnOpeningOnceByChannelAndTick) {
   }
 }
 
-TEST_P(AnySense, ReportsEdgesNeitherEarlyNorLate) {
+TEST_P(AnyRelaySense, ReportsEdgesNeitherEarlyNorLate) {
   rig_->turn(0, false);
   EXPECT_TRUE(polled().empty());
   std::vector<relay::Edge> edges;
@@ -69,7 +69,7 @@ TEST_P(AnySense, ReportsEdgesNeitherEarlyNorLate) {
   EXPECT_GE(tick_of(edges[0]), static_cast<double>(tick_) - 8.0);
 }
 
-TEST_P(AnySense, ReportsAllEdgesInOrderIncludingBounces) {
+TEST_P(AnyRelaySense, ReportsAllEdgesInOrderIncludingBounces) {
   std::vector<relay::Edge> all;
   for (const bool closed : {false, true, false, true, false}) {
     rig_->turn(1, closed);
