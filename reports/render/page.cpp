@@ -17,9 +17,8 @@ namespace {
 using record::FigureRow;
 using record::FigureTable;
 
-constexpr std::size_t kColumns = 100;  // of a line on the terminal
-constexpr std::size_t kIndent = 2;     // of text below a heading
-constexpr std::size_t kHanging = 4;    // of its continuation lines
+constexpr std::size_t kIndent = 2;   // of text below a heading
+constexpr std::size_t kHanging = 4;  // of its continuation lines
 
 std::string text_of(const FigureTable& table, const FigureRow& row, std::size_t i) {
   const double value = row.figures[i];
@@ -105,7 +104,7 @@ object table_data(const FigureTable& table) {
 }
 
 void append_wrapped(const std::string& paragraph, std::string& text) {
-  text += wrapped(std::string(kIndent, ' ') + paragraph, kColumns, kHanging) + '\n';
+  text += wrapped(std::string(kIndent, ' ') + paragraph, kLineColumns, kHanging) + '\n';
 }
 
 void append_table(const FigureTable& table, std::string& text) {
@@ -118,7 +117,7 @@ void append_table(const FigureTable& table, std::string& text) {
     }
   }
   append_wrapped(table.caption, text);
-  for (const std::string& line : table_lines(rows, kColumns - kIndent)) {
+  for (const std::string& line : table_lines(rows, kLineColumns - kIndent)) {
     text += std::string(kIndent, ' ') + line + '\n';
   }
 }
@@ -136,7 +135,7 @@ std::string json(const record::Page& page) {
 }
 
 std::string terminal(const record::Page& page) {
-  std::string text = wrapped(page.title, kColumns, kIndent) + '\n';
+  std::string text = wrapped(page.title, kLineColumns, kIndent) + '\n';
   if (!page.subtitle.empty()) {
     append_wrapped(page.subtitle, text);
   }
@@ -144,7 +143,7 @@ std::string terminal(const record::Page& page) {
     append_wrapped(name + ": " + value, text);
   }
   for (const record::PageSection& section : page.sections) {
-    text += '\n' + wrapped(section.title, kColumns, kIndent) + '\n';
+    text += '\n' + wrapped(section.title, kLineColumns, kIndent) + '\n';
     for (const FigureTable& table : section.tables) {
       text += &table == &section.tables.front() ? "" : "\n";
       append_table(table, text);

@@ -3,13 +3,14 @@
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
 
-#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <map>
 #include <sstream>
 
 #include <gmock/gmock.h>
+
+#include <render/layout.hpp>
 
 namespace gsbench::test {
 namespace {
@@ -164,18 +165,12 @@ TEST(Reproduce, WritesAReportWithoutExternalFiles) {
   EXPECT_THAT(text, Not(HasSubstr("<link rel=\"stylesheet\"")));
 }
 
-std::size_t columns_of(const std::string& line) {
-  return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;  // not within a code point
-  }));
-}
-
 void expect_lines_within_100_columns(const Words& arguments) {
   const Outcome outcome = run_gsbench(arguments);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) {
-    EXPECT_LE(columns_of(line), 100U) << line;
+    EXPECT_LE(render::columns_of(line), 100U) << line;
   }
 }
 
@@ -187,7 +182,7 @@ TEST(Reproduce, NoLineIsWiderThan100Columns) {
   expect_lines_within_100_columns({"reproduce", "--help"});
 }
 
-// As a script that does not know the page's precision would read it.
+// With more trajectories, shares have more decimals.
 TEST(Reproduce, TextHasTheDigitsThatTheTrajectoriesSupport) {
   const std::string text = run_gsbench({"reproduce", "--only", "table4,fig13", "--n", "20000"}).out;
   EXPECT_THAT(text, HasSubstr("time of its nadir, s   3.72     3.76\n"));
