@@ -34,8 +34,8 @@ const std::vector<Measure>& catalogue() {
        "nothing"},
       {"event.count", "", "Frequency events that the outlet detected during the run.", "nothing"},
       {"event.false", "",
-       "Detected events that no fall of the reference explains. "
-       "It must fall by half of event_drop_hz in the 0.5 s before, less the declared delay.",
+       "Detected events before which the reference fell by less than half of event_drop_hz. "
+       "The fall is measured over the 0.5 s up to the time stamp minus the declared delay.",
        "the outlet's setting event_drop_hz"},
       {"event.delay", "ms",
        "Time from the first loss to the first event after it, by the outlet's time stamp.",

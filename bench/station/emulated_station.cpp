@@ -90,9 +90,8 @@ StationKind emulated_kind() {
        keys::tables(
            "outlet",
            "1 … 64 outlets, emulated stations only. If a profile has more outlets than the "
-           "station, "
-           "only some of each group are used. A profile with more groups than the station has "
-           "outlets is refused.",
+           "station, only some of each group are used. A profile with more groups than the "
+           "station has outlets is refused.",
            {keys::id("id", kLongestId, "name of the outlet; unique, and not `bench`")
                 .require("the name of the outlet, e.g. id = \"m4-1\""),
             keys::choice("board", emulated_boards(),

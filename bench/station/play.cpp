@@ -14,12 +14,12 @@ constexpr double kSettingsAnswer_s = 0.096;
 
 void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
   if (outlets.empty()) {
-    throw BenchFault("no outlet takes part");
+    throw BenchFault("the run has no outlets");
   }
   if (std::all_of(outlets.begin(), outlets.end(),
                   [](const record::OutletRecord& outlet) { return !outlet.fault.empty(); })) {
     const record::OutletRecord& first = outlets.front();
-    throw BenchFault("outlet " + first.id + " " + first.fault + "; no outlet takes part");
+    throw BenchFault("outlet " + first.id + " " + first.fault + "; no working outlet is left");
   }
 }
 
@@ -85,7 +85,7 @@ struct Player {
     edges.clear();
     require(station.link().poll(happenings));
     require(station.relay_sense().poll(edges));
-    watch.hear(happenings, now);
+    watch.process(happenings, now);
     capture.add(happenings.messages);
     add_edges();
   }

@@ -40,40 +40,40 @@ Watch::Watch(std::vector<record::OutletRecord>& outlets, std::int64_t sample_rat
     : longest_silence_ticks_(waveform::tick_at(kLongestSilence_s, sample_rate_hz)) {
   for (record::OutletRecord& outlet : outlets) {
     if (outlet.took_part && !outlet.link.empty()) {
-      lives_[outlet.id].outlet = &outlet;
+      sessions_[outlet.id].outlet = &outlet;
     }
   }
 }
 
-void Watch::hear(link::Happenings& happenings, std::int64_t now) {
+void Watch::process(link::Happenings& happenings, std::int64_t now) {
   for (const link::OutletPresence& outlet : happenings.joined) {
-    const auto found = lives_.find(outlet.id);
-    if (found != lives_.end() && found->second.outlet->link != outlet.where) {
+    const auto found = sessions_.find(outlet.id);
+    if (found != sessions_.end() && found->second.outlet->link != outlet.where) {
       note(*found->second.outlet, "has the same id as the outlet on " + outlet.where);
-      found->second.over = true;
+      found->second.ended = true;
     }
   }
   const auto is_discarded = [&](const link::Received& received) {
-    const auto found = lives_.find(received.id);
-    if (found == lives_.end()) {
+    const auto found = sessions_.find(received.id);
+    if (found == sessions_.end()) {
       return true;
     }
     const gs::wire::Uplink& message = received.message;
-    Life& life = found->second;
-    life.heard_tick = now;
+    Session& session = found->second;
+    session.last_message_tick = now;
     if (message.kind == gs::wire::UplinkKind::kError && invalidates_run(message.error.code)) {
-      note(*life.outlet,
+      note(*session.outlet,
            std::string("reported the error: ") + gs::wire::to_string(message.error.code));
     }
-    life.over = life.over || message.sample < life.newest_sample;
-    life.newest_sample = message.sample;
-    return life.over;
+    session.ended = session.ended || message.sample < session.newest_sample;
+    session.newest_sample = message.sample;
+    return session.ended;
   };
   std::vector<link::Received>& messages = happenings.messages;
   messages.erase(std::remove_if(messages.begin(), messages.end(), is_discarded), messages.end());
   for (const auto* faults : {&happenings.left, &happenings.faults}) {
     for (const link::Fault& fault : *faults) {
-      if (const auto found = lives_.find(fault.id); found != lives_.end()) {
+      if (const auto found = sessions_.find(fault.id); found != sessions_.end()) {
         note(*found->second.outlet, fault.what);
       }
     }
@@ -81,24 +81,24 @@ void Watch::hear(link::Happenings& happenings, std::int64_t now) {
 }
 
 void Watch::check_answers(const capture::Capture& capture) {
-  for (const auto& [id, life] : lives_) {
+  for (const auto& [id, session] : sessions_) {
     const std::optional<gs::outlet::SettingsError> answer = capture.settings_answer(id);
     if (!answer) {
-      note(*life.outlet, "did not acknowledge its settings");
+      note(*session.outlet, "did not acknowledge its settings");
     } else if (*answer != gs::outlet::SettingsError::kNone) {
-      note(*life.outlet, "refused its settings: " + std::string(gs::outlet::to_string(*answer)));
+      note(*session.outlet, "refused its settings: " + std::string(gs::outlet::to_string(*answer)));
     }
     const std::string failed = failed_parts(capture.self_test_failed(id));
     if (!failed.empty()) {
-      note(*life.outlet, "failed its self test: " + failed);
+      note(*session.outlet, "failed its self test: " + failed);
     }
   }
 }
 
 void Watch::check_silence(const capture::Capture& capture, std::int64_t now) {
-  for (const auto& [id, life] : lives_) {
-    if (now - life.heard_tick > longest_silence_ticks_) {
-      note(*life.outlet,
+  for (const auto& [id, session] : sessions_) {
+    if (now - session.last_message_tick > longest_silence_ticks_) {
+      note(*session.outlet,
            "stopped reporting after its sample " + std::to_string(capture.last_report_sample(id)));
     }
   }

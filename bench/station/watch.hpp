@@ -18,24 +18,24 @@ class Watch {
   // Watches the outlets that were sent settings.
   Watch(std::vector<record::OutletRecord>& outlets, std::int64_t sample_rate_hz);
 
-  bool is_watched(const std::string& id) const { return lives_.count(id) > 0; }
+  bool is_watched(const std::string& id) const { return sessions_.count(id) > 0; }
   // Processes everything received up to the source's tick `now`. Removes the messages of outlets
   // that are not watched and all messages after a restart of an outlet: its sample count starts at
   // 0 again, and that count cannot be aligned.
-  void hear(link::Happenings& happenings, std::int64_t now);
+  void process(link::Happenings& happenings, std::int64_t now);
   void check_answers(const capture::Capture& capture);
   void check_silence(const capture::Capture& capture, std::int64_t now);
 
  private:
   // The time from one start-up of an outlet to the next; its sample count only increases.
-  struct Life {
+  struct Session {
     record::OutletRecord* outlet;
     std::uint64_t newest_sample = 0;
-    std::int64_t heard_tick = 0;  // of the source
-    bool over = false;
+    std::int64_t last_message_tick = 0;  // of the source
+    bool ended = false;
   };
 
-  std::map<std::string, Life> lives_;
+  std::map<std::string, Session> sessions_;
   std::int64_t longest_silence_ticks_;
 };
 

@@ -62,13 +62,13 @@ TEST_F(RunVerdict, DoesNotDependOnAnEarlierVerdict) {
 }
 
 TEST_F(RunVerdict, IsErrorIfAnOutletIsFaultyAlthoughItIsMeasured) {
-  run_.outlets[0].fault = "fell silent";
+  run_.outlets[0].fault = "stopped reporting";
   judge(plan_, run_);
   EXPECT_EQ(run_.outlets[0].verdict, Verdict::kError);
   EXPECT_EQ(run_.outlets[0].measurements.front().verdict, Verdict::kPass);
   EXPECT_EQ(run_.outlets[1].verdict, Verdict::kFail);
   EXPECT_EQ(run_.verdict, Verdict::kError);
-  EXPECT_EQ(run_.verdict_reason, "2 of 2 outlets did not pass: outlet outlet-1 fell silent");
+  EXPECT_EQ(run_.verdict_reason, "2 of 2 outlets did not pass: outlet outlet-1 stopped reporting");
 }
 
 TEST_F(RunVerdict, IsErrorIfAnOutletIsExcludedAndItIsNotMeasured) {

@@ -140,7 +140,7 @@ TEST(RunRecord, MarksTheStimulusInOrderOfTime) {
                                  "1800 shed -50", "1800 amplitude 100", "2400 amplitude 80"));
 }
 
-TEST(RunRecord, MarksCommandsOfTheOutletsTheyAreSentTo) {
+TEST(RunRecord, SendsCommandsToTheirOutletsAndMarksThem) {
   FakeStation station({});
   const record::RunRecord record =
       run(test::plan(1.0,

@@ -211,14 +211,14 @@ class RecordedRunEnd : public testing::Test {
   RunOptions options_;
 };
 
-TEST_F(RecordedRunEnd, RecordThatCannotBeCreatedIsThrown) {
+TEST_F(RecordedRunEnd, RecordThatCannotBeCreatedThrows) {
   writer_.begin({});  // a second begin() is refused
   EXPECT_ANY_THROW(run(one_second(), station_, options_));
   EXPECT_TRUE(station_.is_safe());
   EXPECT_EQ(station_.blocks_played(), 0);
 }
 
-TEST_F(RecordedRunEnd, RecordThatCannotBeWrittenAtTheEndIsThrown) {
+TEST_F(RecordedRunEnd, RecordThatCannotBeWrittenAtTheEndThrows) {
   bool finished = false;
   options_.progress = [&](double) {
     if (!finished) {

@@ -19,7 +19,7 @@ TEST_F(BrokerFault, LossIsReportedForOutletsBehindItOnly) {
   expect_faults({{kRadioA, "lost its broker"}, {kRadioB, "lost its broker"}});
 }
 
-TEST_F(BrokerFault, BeforeTheRunEndsTheRunInTime) {
+TEST_F(BrokerFault, BeforeTheRunIsReportedInTime) {
   hardware().broker()->kill();
   play();
   EXPECT_EQ(record_.verdict, record::Verdict::kError);
