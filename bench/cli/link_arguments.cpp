@@ -12,11 +12,10 @@
 namespace gsbench::cli {
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(3);      // for those that are named
-constexpr auto kForSearching = std::chrono::seconds(1);  // where all on a broker are wanted
+constexpr auto kPatience = std::chrono::seconds(3);      // for the named outlets
+constexpr auto kForSearching = std::chrono::seconds(1);  // for all outlets on a broker
 
-// Of all the ports of a machine those that cannot be opened are of no interest; of those that
-// somebody named they are a mistake.
+// A port that was given must exist; other ports of the machine that cannot be opened are skipped.
 void require_ports(const std::vector<std::string>& named) {
   for (const std::string& port : named) {
     const drivers::Status there = transport::check_port(port);
@@ -30,8 +29,7 @@ station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
   if (!arguments.station.empty()) {
     const auto file = station::load_station(arguments.station);
     if (!file.reachable) {
-      throw profile::ConfigurationError(file.path +
-                                        ": its outlets are there only while a run plays to them");
+      throw profile::ConfigurationError(file.path + ": this station has outlets only during a run");
     }
     require_ports(file.reachable->serial.ports);
     return *file.reachable;
@@ -85,7 +83,7 @@ FoundOutlets find_outlets(const LinkArguments& arguments) {
     if (outlet.where.empty()) {
       const auto& ports = there.serial.ports;
       const bool is_port = std::find(ports.begin(), ports.end(), outlet.id) != ports.end();
-      outlet.where = is_port ? outlet.id : there.mqtt.url;  // where it was looked for
+      outlet.where = is_port ? outlet.id : there.mqtt.url;  // where it was expected
     }
   }
   return found;

@@ -1,4 +1,4 @@
-// Where to look for outlets, for commands that only talk to them.
+// --station and --port of the commands that only communicate with outlets.
 #pragma once
 
 #include "commands.hpp"
@@ -23,10 +23,10 @@ struct FoundOutlets {
   std::vector<link::OutletPresence> outlets;
 };
 
-// The station's outlets, else those on the named ports, else those on every serial port there is:
-// then one without an outlet is left out. Blocks for some seconds where one does not answer. Throws
-// profile::ConfigurationError where there is nowhere to look, or a named port is not there, and
-// std::runtime_error with what the link says.
+// Looks for the outlets of the station, or on the given ports, or on all serial ports; in the last
+// case ports without an outlet are left out. Blocks for up to 3 s if an outlet does not answer.
+// Throws profile::ConfigurationError if there is no port or a given port does not exist, and
+// std::runtime_error with the error of the link.
 FoundOutlets find_outlets(const LinkArguments& arguments);
 
 }  // namespace gsbench::cli

@@ -68,7 +68,7 @@ std::string details(const Uplink& m) {
       return fmt::format("{}, cause {}", position(m.relay.closed),
                          gs::outlet::to_string(m.relay.cause));
     case UplinkKind::kAborted:
-      return "the voltage went";
+      return "the voltage was lost";
     case UplinkKind::kCommandAnswer:
       return fmt::format("request {}: relay {}", m.command_answer.request,
                          position(m.command_answer.closed));
@@ -104,7 +104,7 @@ void print_message(const std::string& outlet, const Uplink& message) {
                          gs::wire::to_string(message.kind), details(message)));
 }
 
-constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
+constexpr auto kPollInterval = std::chrono::milliseconds(20);
 
 struct MonitorArguments {
   LinkArguments link;
@@ -174,9 +174,9 @@ int monitor(const MonitorArguments& arguments) {
     }
     print(arguments, happenings);
     std::fflush(stdout);
-    std::this_thread::sleep_for(kBetweenLooks);
+    std::this_thread::sleep_for(kPollInterval);
   }
-  // An interrupt is how one ends looking.
+  // Ctrl-C is the usual way to stop.
   return kPassed;
 }
 

@@ -14,10 +14,10 @@ OutputFile::OutputFile(const std::string& path, const std::vector<std::string>& 
     return;
   }
   for (const std::string& input : inputs) {
-    std::error_code ignored;  // what is not there is no input
+    std::error_code ignored;  // a path that does not exist is not an input
     if (!input.empty() && std::filesystem::equivalent(path, input, ignored)) {
-      throw profile::ConfigurationError(
-          fmt::format("{}: this is what is read ({}); name another file to write", path, input));
+      throw profile::ConfigurationError(fmt::format(
+          "{}: cannot be written, as it is the input {}; name another file", path, input));
     }
   }
   file_ = std::make_unique<render::File>(path);

@@ -1,4 +1,4 @@
-// Where `-o` leads: a file, written whole or not at all, or with "-" standard output.
+// The target of `-o`: a file, written completely or not at all, or standard output for "-".
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@ namespace gsbench::cli {
 
 class OutputFile {
  public:
-  // Throws profile::ConfigurationError where `path` is one of `inputs`, under whatever name, and
-  // render::WriteError where it cannot be written.
+  // Throws profile::ConfigurationError if `path` is one of `inputs`, also by another name, and
+  // render::WriteError if it cannot be written.
   OutputFile(const std::string& path, const std::vector<std::string>& inputs);
 
   bool is_standard_output() const { return file_ == nullptr; }

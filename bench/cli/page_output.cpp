@@ -37,7 +37,7 @@ void add_page_options(CLI::App& command, PageOutput& output) {
 int print_page(const char* what, const PageOutput& output,
                const std::function<record::Page(const campaign::Execution&)>& make) {
   if (!output.report.empty()) {
-    const OutputFile tried(output.report, {});  // leaves nothing
+    const OutputFile tried(output.report, {});  // no file is left
   }
   const std::atomic<bool>& interrupted = catch_interrupts();
   record::Page page;

@@ -1,4 +1,4 @@
-// Where a page of figures goes: a table on the terminal or JSON, and with -o an HTML report.
+// Output of a page of figures: tables or JSON, and an HTML report with -o.
 #pragma once
 
 #include "commands.hpp"
@@ -21,10 +21,10 @@ struct PageOutput {
 // -o, --json and --threads.
 void add_page_options(CLI::App& command, PageOutput& output);
 
-// The page that `make` works out, with progress on a terminal and an end at an interrupt, which it
-// is told of by the execution's `stop`. Returns the exit code. Throws profile::ConfigurationError
-// for what makes no sense to `make`, and render::WriteError, before it, where the report cannot be
-// written.
+// Computes a page with `make` and prints it. Shows the progress on a terminal; an interrupt sets
+// the `stop` of the execution. Returns the exit code. Throws profile::ConfigurationError if `make`
+// throws std::invalid_argument, and render::WriteError, before `make` is called, if the report
+// cannot be written.
 int print_page(const char* what, const PageOutput& output,
                const std::function<record::Page(const campaign::Execution&)>& make);
 

@@ -1,5 +1,5 @@
-// One line on a terminal that says how far a long work is and how long it will still take. Silent
-// where standard error is no terminal, and for work that is over within two seconds.
+// A line on the terminal with the progress of long work and its remaining time. Nothing is printed
+// if standard error is not a terminal, or for work of less than two seconds.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(double part);  // 0 … 1; draws at most ten times a second
+  void show(double part);  // 0 … 1; prints at most ten times per second
 
  private:
   std::string what_;

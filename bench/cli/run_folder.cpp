@@ -25,13 +25,13 @@ constexpr const char* kUnfinished = ".unfinished-";
   throw record::StoreError(path + ": " + error.message());
 }
 
-// What may not be looked at is there: reading it says why it cannot be read.
+// A folder without permission counts as one with a record: reading it then reports the error.
 bool holds_record(const fs::path& folder) {
   std::error_code error;
   return fs::exists(folder / kRecordFile, error) || error == std::errc::permission_denied;
 }
 
-// Folders in an output folder that hold a record, in order of their names.
+// Folders with a record in an output folder, in the order of their names.
 std::vector<fs::path> folders_with_records(const std::string& output_folder) {
   std::vector<fs::path> folders;
   std::error_code error;
@@ -48,7 +48,7 @@ std::vector<fs::path> folders_with_records(const std::string& output_folder) {
   return folders;
 }
 
-// Makes a folder and those above it; returns those that were not there, the innermost first.
+// Creates a folder and its parents. Returns those that did not exist, the innermost first.
 std::vector<fs::path> make_folders(const std::string& folder, std::error_code& error) {
   std::vector<fs::path> made;
   fs::path path;
@@ -61,7 +61,7 @@ std::vector<fs::path> make_folders(const std::string& folder, std::error_code& e
   return made;
 }
 
-// Of a name that nobody has, with the permissions that the user gives new folders.
+// With a new name and the permissions of the user's umask.
 std::string make_unfinished(const std::string& output_folder, std::error_code& error) {
   std::random_device random;
   std::string path;
@@ -95,7 +95,7 @@ RunFolder::RunFolder(const std::string& output_folder) : output_folder_(output_f
   if (error) {
     remove_made();
     throw record::StoreError((output_folder.empty() ? "--out" : output_folder) +
-                             ": cannot keep runs here: " + error.message() +
+                             ": runs cannot be stored here: " + error.message() +
                              "; name another folder with --out");
   }
 }
@@ -109,7 +109,7 @@ RunFolder::~RunFolder() {
 }
 
 void RunFolder::remove_made() noexcept {
-  std::error_code ignored;  // someone else may use them by now
+  std::error_code ignored;  // another process may use them by now
   for (const fs::path& folder : made_) {
     fs::remove(folder, ignored);
   }
@@ -135,8 +135,8 @@ void write_reports(const record::RunRecord& run, const std::string& folder) {
     }
   } catch (const render::WriteError& error) {
     throw render::WriteError(std::string(error.what()) +
-                             "; the run is kept without it: `gsbench report " + folder +
-                             "` renders it");
+                             "; the run is kept without this report; `gsbench report " + folder +
+                             "` prints it");
   }
 }
 
@@ -183,7 +183,7 @@ std::string find_record(const std::string& run, const std::string& output_folder
   throw profile::ConfigurationError(
       found.empty()
           ? fmt::format("{}: no such run; `gsbench runs` lists those in {}", run, output_folder)
-          : fmt::format("{}: {} runs begin so; give more of the id", run, found.size()));
+          : fmt::format("{}: {} runs start with this; give more of the id", run, found.size()));
 }
 
 }  // namespace gsbench::cli

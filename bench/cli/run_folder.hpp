@@ -1,4 +1,4 @@
-// Where runs are kept: one folder a run, named by its id, in an output folder.
+// Folders of kept runs: one per run, named by its id, in an output folder.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,17 @@
 
 namespace gsbench::cli {
 
-// A new folder for one run. Unless keep() was called it is gone again with everything in it, and so
-// are the folders above it that were made for it: nothing half written stays behind.
+// A new folder for a run. Without keep() it is removed with everything in it, and so are the
+// folders above it that were created for it, so that no incomplete run is left.
 class RunFolder {
  public:
-  // Throws record::StoreError where the folder cannot be made.
+  // Throws record::StoreError if the folder cannot be created.
   explicit RunFolder(const std::string& output_folder);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  // Gives it the run's own name and keeps it.
+  // Renames it to the id of the run and keeps it. Throws record::StoreError.
   void keep(const std::string& run_id);
 
   const std::string& path() const { return path_; }
@@ -29,7 +29,7 @@ class RunFolder {
   void remove_made() noexcept;
 
   std::string output_folder_;
-  std::vector<std::filesystem::path> made_;  // above the run's own, the innermost first
+  std::vector<std::filesystem::path> made_;  // created parents, the innermost first
   std::string path_;
   bool kept_ = false;
 };
@@ -39,18 +39,19 @@ std::string default_runs_folder();
 
 constexpr const char* kRecordFile = "record.sqlite";
 
-// Writes every report of a run into its folder. Throws render::WriteError where one cannot be
-// written: that one is not there then, and the record still is.
+// Writes all reports of a run into its folder. Throws render::WriteError if one cannot be written;
+// that report is then missing, and the record is still there.
 void write_reports(const record::RunRecord& run, const std::string& folder);
 
-// `run`: a run's folder, its record file, or a run id (or its beginning) in `output_folder`.
+// Path of a record. `run` is the folder of a run, its record file, or an id (or the start of one)
+// in `output_folder`. Throws profile::ConfigurationError if no run or several runs match.
 std::string find_record(const std::string& run, const std::string& output_folder);
 
-// Record files of ended runs in an output folder, in order of their folders' names. Throws
-// record::StoreError where the folder cannot be read.
+// Record files of ended runs in an output folder, in the order of their folder names. Throws
+// record::StoreError if the folder cannot be read.
 std::vector<std::string> list_records(const std::string& output_folder);
 
-// Folders of runs under way, or whose process was killed.
+// Folders of runs that are in progress or whose process was killed.
 std::vector<std::string> list_unfinished(const std::string& output_folder);
 
 }  // namespace gsbench::cli

@@ -50,10 +50,10 @@ std::string worst_of(const std::map<record::Verdict, std::size_t>& verdicts) {
   return verdicts.empty() ? "" : record::to_string(verdicts.rbegin()->first);
 }
 
-std::string words_of(const Row& row) {
+std::string texts_of(const Row& row) {
   std::string text;
-  for (const auto& [word, count] : row.values.texts()) {
-    text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", count, word);
+  for (const auto& [text_value, count] : row.values.texts()) {
+    text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", count, text_value);
   }
   return text;
 }
@@ -66,7 +66,7 @@ ordered_json counts(const std::map<record::Verdict, std::size_t>& verdicts) {
   return out;
 }
 
-// nullptr where the study has no such measure.
+// nullptr if the study has no such measure.
 const Row* find_row(const StudyResult& study, const std::string& measure) {
   const auto row = std::find_if(study.rows.begin(), study.rows.end(),
                                 [&](const Row& each) { return each.measure == measure; });
@@ -142,11 +142,11 @@ std::vector<std::string> number_table(const StudyResult& study) {
   return lines;
 }
 
-std::vector<std::string> word_table(const StudyResult& study) {
+std::vector<std::string> text_table(const StudyResult& study) {
   std::vector<std::vector<std::string>> rows;
   for (const Row& row : study.rows) {
     if (!row.values.texts().empty()) {
-      rows.push_back({row.measure, words_of(row), worst_of(row.verdicts)});
+      rows.push_back({row.measure, texts_of(row), worst_of(row.verdicts)});
     }
   }
   return render::aligned(rows, "l");
@@ -166,7 +166,7 @@ std::string share_text(const StudyResult& study, const std::string& measure, dou
 }
 
 void print_study(const StudyResult& study, const Shares& shares) {
-  for (const std::vector<std::string>& lines : {number_table(study), word_table(study)}) {
+  for (const std::vector<std::string>& lines : {number_table(study), text_table(study)}) {
     for (const std::string& line : lines) {
       print_wrapped(line, 4);
     }
@@ -239,7 +239,7 @@ struct StudyArguments {
   bool json = false;
 };
 
-// What the paper tells of its estimates; printed where there are any.
+// The shares that the paper states; printed if there are estimates.
 const Shares kUsualShares = {{"ekf.error", 1.0}, {"ekf.error", 4.0}};
 
 [[noreturn]] void refuse_share(const std::string& text, const std::string& why) {
@@ -259,10 +259,10 @@ Shares parse_shares(const std::vector<std::string>& texts) {
       refuse_share(text, "write MEASURE=LIMIT, such as ekf.error=4; `gsbench measures` lists them");
     }
     if (measure->is_text()) {
-      refuse_share(text, measure->name + " is a word, no number");
+      refuse_share(text, measure->name + " is a text, not a number");
     }
     if (limit < 0.0) {
-      refuse_share(text, "no magnitude is below 0; the limit must be at least 0");
+      refuse_share(text, "the limit is below 0; it must be at least 0");
     }
     shares.emplace_back(measure->name, limit);
   }
@@ -284,7 +284,7 @@ int run_study(const StudyArguments& arguments) {
   if (arguments.options.seeds - 1 > profile::kLargestSeed - arguments.options.first_seed) {
     throw profile::ConfigurationError(
         "--first-seed " + std::to_string(arguments.options.first_seed) + " and " +
-        std::to_string(arguments.options.seeds) + " seeds go beyond the largest, " +
+        std::to_string(arguments.options.seeds) + " seeds exceed the largest seed, " +
         std::to_string(profile::kLargestSeed));
   }
   Shares shares = parse_shares(arguments.within);

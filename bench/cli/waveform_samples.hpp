@@ -1,4 +1,4 @@
-// What a profile plays as CSV, a line a sample.
+// The signal of a profile as CSV, one line per sample.
 #pragma once
 
 #include "output_file.hpp"
@@ -9,7 +9,8 @@
 
 namespace gsbench::cli {
 
-// As the first outlet of a simulated station gets it. False where it was interrupted.
+// With the noise of the first outlet of a simulated station. Returns false if it was interrupted.
+// Throws render::WriteError.
 bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupted,
                    OutputFile& file);
 

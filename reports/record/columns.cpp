@@ -10,8 +10,8 @@
 namespace gsbench::record::columns {
 namespace {
 
-// Deflate packs at most 1032 : 1 (zlib's technical notes); a blob that claims more is damaged, and
-// no memory is taken for it.
+// Deflate compresses by at most 1032 : 1 (zlib's technical notes). A blob that claims more is
+// damaged; no memory is allocated for it.
 constexpr std::uint64_t kGreatestRatio = 1032;
 
 Bytes deflated(const Bytes& raw) {
@@ -19,7 +19,7 @@ Bytes deflated(const Bytes& raw) {
   Bytes blob(size);
   if (compress2(blob.data(), &size, raw.data(), static_cast<uLong>(raw.size()),
                 Z_DEFAULT_COMPRESSION) != Z_OK) {
-    throw std::bad_alloc();  // the only failure left when the bound of zlib itself is used
+    throw std::bad_alloc();  // the only possible failure, as the buffer has zlib's own bound
   }
   blob.resize(size);
   return blob;
@@ -30,7 +30,7 @@ Bytes inflated(const Bytes& blob, std::int64_t entries, std::size_t entry_bytes)
   if (entries < 0 || static_cast<std::uint64_t>(entries) > greatest) {
     throw DamagedColumn("a column cannot hold the entries it claims");
   }
-  // One byte to spare, so that a longer column is noticed and an empty one has an address.
+  // One spare byte, so that a longer column is noticed and an empty one has an address.
   Bytes raw(static_cast<std::size_t>(entries) * entry_bytes + 1);
   uLongf size = static_cast<uLongf>(raw.size());
   const int status = uncompress(raw.data(), &size, blob.data(), static_cast<uLong>(blob.size()));
@@ -66,7 +66,7 @@ void ungroup(const Bytes& raw, std::vector<Value>& values) {
   }
 }
 
-// Differences are taken without sign, so that ticks however hostile wrap and come back.
+// Unsigned differences: any ticks, also from a forged file, wrap and are restored without overflow.
 std::vector<std::uint64_t> second_differences(const std::vector<std::int64_t>& ticks) {
   std::vector<std::uint64_t> differences;
   differences.reserve(ticks.size());
@@ -81,7 +81,7 @@ std::vector<std::uint64_t> second_differences(const std::vector<std::int64_t>& t
   return differences;
 }
 
-// In place: ticks where their second differences were.
+// In place: second differences become ticks.
 void sum_twice(std::vector<std::int64_t>& ticks) {
   std::uint64_t tick = 0;
   std::uint64_t step = 0;

@@ -1,6 +1,7 @@
-// Columns of numbers as small blobs, exact to the bit: ticks as second differences (a regular
-// series becomes zeros), then the bytes of all entries grouped by their place (the slow upper bytes
-// of a float stand together), then deflate, whose check sum tells a damaged blob.
+// Lossless compression of columns of numbers. Ticks are stored as second differences, which are
+// zero for a regular series. The bytes of all entries are then grouped by significance, because the
+// upper bytes of floats change slowly, and deflated. The checksum of deflate detects a damaged
+// blob.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +12,13 @@ namespace gsbench::record::columns {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// The blob does not hold the column it should.
+// The blob does not hold the expected column.
 class DamagedColumn : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Value: std::int64_t, which are ticks, float, double or std::uint8_t.
+// Value: std::int64_t (ticks), float, double or std::uint8_t.
 template <class Value>
 Bytes pack(const std::vector<Value>& values);
 

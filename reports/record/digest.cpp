@@ -1,5 +1,5 @@
-// SHA-256 over the fields of a record, in their order. Numbers count by value: every NaN is the
-// same, and so are 0 and -0, since SQLite keeps neither apart.
+// SHA-256 of the fields of a record, in their order. All NaNs are equal, and so are 0 and -0,
+// because SQLite does not distinguish them.
 #include "fields.hpp"
 
 #include <QCryptographicHash>
@@ -58,7 +58,7 @@ class Digest {
     }
   }
 
-  // No outlets, no run id, no wall-clock stamps.
+  // Without outlets, run id and wall-clock times.
   void add_content(const RunRecord& head) {
     visit_content(head, [&](const char*, const auto& field) { add(field); });
     add_parts(head.comparisons);

@@ -1,5 +1,5 @@
-// The one list of what each part of a record holds. Tables, rows and digests are all made from it,
-// so that a field cannot be stored and not read, or read and not sealed.
+// The list of the fields of each part of a record. Tables, rows and digests are generated from it,
+// so that no field can be stored but not read, or read but not covered by a digest.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct Series {
   std::vector<std::uint8_t> data;
 };
 
-// Closes what one owner (the run or an outlet) has stored: how a damaged file is told.
+// The digest of what one owner (the run or an outlet) has stored; it shows that a file is damaged.
 struct Seal {
   bool complete = false;  // the run: finish() was called
   std::string sha256;
@@ -37,11 +37,11 @@ std::string seal_of_outlet(const OutletRecord& outlet);
 template <class T>
 inline constexpr auto visit_fields = nullptr;
 
-// Of the parts that are rows of a table.
+// Name of the table, for parts that are rows of one.
 template <class T>
 inline constexpr const char* table_name = nullptr;
 
-// What is equal for equal profile, seed and build.
+// Fields that are equal for equal profile, seed and build.
 inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
   visitor("gsbench_version", run.gsbench_version);
   visitor("profile", run.profile);
@@ -165,7 +165,7 @@ inline constexpr auto visit_fields<Seal> = [](auto& seal, auto&& visitor) {
   visitor("sha256", seal.sha256);
 };
 
-// Traces: every field is a column, kept as a Series of that name.
+// Traces: every field is a column, stored as a Series of that name.
 
 template <>
 inline constexpr auto visit_fields<MeasurementTrace> = [](auto& trace, auto&& visitor) {

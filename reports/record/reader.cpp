@@ -97,11 +97,11 @@ RunRecord read(const std::string& path, Extent extent) {
   Database database(path, Database::Mode::kRead);
   database.execute("PRAGMA cell_size_check = ON");
   check_schema(database);
-  // The whole file is looked through: what is not read need not be whole.
+  // The whole file is checked only if all of it is read.
   if (extent == Extent::kWhole && database.first<std::string>("PRAGMA quick_check(1)") != "ok") {
     database.fail("the record is damaged");
   }
-  // One transaction, so that a run still being written is read as it was at one instant.
+  // One transaction: of a run that is still being written a consistent state is read.
   database.execute("BEGIN");
   try {
     return read_parts(database, extent);

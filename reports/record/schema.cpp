@@ -5,7 +5,7 @@
 namespace gsbench::record {
 namespace {
 
-// A NaN is NULL, so numbers may be NULL and nothing else may.
+// A NaN is stored as NULL, so only real numbers may be NULL.
 template <class Field>
 const char* column_type() {
   if constexpr (std::is_same_v<Field, std::string>) {
@@ -53,7 +53,7 @@ void check_schema(Database& database) {
   }
   const std::int64_t version = database.first<std::int64_t>("PRAGMA user_version");
   if (version != kSchemaVersion) {
-    database.fail("a record of version " + std::to_string(version) + ", where this gsbench reads " +
+    database.fail("record of version " + std::to_string(version) + "; this gsbench reads version " +
                   std::to_string(kSchemaVersion) +
                   (version > kSchemaVersion ? ": use a newer gsbench" : ""));
   }

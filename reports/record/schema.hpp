@@ -1,5 +1,5 @@
-// The tables of a record file. Each holds one kind of part, keyed by its owner (0: the run, n: the
-// n-th outlet) and its position there.
+// The tables of a record file: one for each kind of part, with the owner (0: the run, n: the n-th
+// outlet) and the position of the part as key.
 #pragma once
 
 #include "fields.hpp"
@@ -12,15 +12,15 @@
 
 namespace gsbench::record {
 
-constexpr std::int64_t kApplicationId = 0x67734252;  // "gsBR": told from other SQLite files
-constexpr std::int64_t kSchemaVersion = 4;           // one more whenever the schema's text changes
+constexpr std::int64_t kApplicationId = 0x67734252;  // "gsBR": marks SQLite files that are records
+constexpr std::int64_t kSchemaVersion = 4;  // increased whenever the text of the schema changes
 
 constexpr std::int64_t kRunOwner = 0;
 
 std::string schema_sql();
 
-// Throws StoreError unless the file is a record of this version with just the tables it should have
-// (a foreign view or trigger could do anything).
+// Throws StoreError unless the file is a record of this version with exactly the expected tables; a
+// foreign view or trigger could run any SQL.
 void check_schema(Database& database);
 
 template <class Part>

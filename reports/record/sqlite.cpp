@@ -48,7 +48,7 @@ std::string cause_of(sqlite3* handle, int code) {
 
 Database::Database(const std::string& path, Mode mode) : path_(path) {
   const int flags = mode == Mode::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
-  // An absolute path is never taken for a URI or for ":memory:".
+  // SQLite never takes an absolute path for a URI or for ":memory:".
   const std::string absolute = std::filesystem::absolute(path).string();
   const int code = sqlite3_open_v2(absolute.c_str(), &handle_, flags, nullptr);
   if (code != SQLITE_OK) {
@@ -57,7 +57,7 @@ Database::Database(const std::string& path, Mode mode) : path_(path) {
     throw StoreError(path_ + ": " + cause);
   }
   sqlite3_busy_timeout(handle_, kBusyTimeout_ms);
-  // A record may come from elsewhere: nothing in its schema may run code or write.
+  // A record may come from an untrusted place: its schema must not run code or write.
   sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
 }
@@ -111,7 +111,7 @@ void Database::transact(const std::function<void()>& work) {
     try {
       execute("ROLLBACK");
     } catch (const StoreError&) {
-      // SQLite has rolled back already (disk full, I/O error); the first error is on its way.
+      // SQLite has already rolled back (disk full, I/O error); the first error is rethrown below.
     }
     throw;
   }
@@ -191,7 +191,7 @@ void Statement::get(int column, double& value) const {
               : sqlite3_column_double(handle_, column);
 }
 
-// Pointer before size, as SQLite wants it: the first call may convert.
+// SQLite requires this order, pointer before size: the first call may convert the value.
 void Statement::get(int column, std::string& value) const {
   const unsigned char* data = sqlite3_column_text(handle_, column);
   const int size = sqlite3_column_bytes(handle_, column);

@@ -1,4 +1,4 @@
-// SQLite's C interface with owners and with StoreError: every failure names the file and the cause.
+// RAII for SQLite's C interface. Every failure throws StoreError with the file and the cause.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class Database {
  public:
   enum class Mode { kRead, kWrite };
 
-  // The file must exist. `path` is a file's path and nothing else: no URI, no ":memory:".
+  // The file must exist. `path` is always a file path, never a URI or ":memory:".
   Database(const std::string& path, Mode mode);
   static Database in_memory();
   ~Database();
@@ -31,7 +31,7 @@ class Database {
   Statement prepare(const std::string& sql);
   template <class Value>
   Value first(const std::string& sql);  // column of the first row
-  // Does it in one transaction, which is rolled back where it throws.
+  // Runs `work` in one transaction, which is rolled back if it throws.
   void transact(const std::function<void()>& work);
 
   [[noreturn]] void fail(const std::string& cause) const;  // "path: cause"
@@ -51,7 +51,7 @@ class Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  bool step();  // true: there is a row
+  bool step();  // true if there is a row
   void reset();
 
   // Parameters count from 1. A NaN is stored as NULL.
@@ -61,10 +61,10 @@ class Statement {
   template <class Whole>
   void bind(int parameter, Whole value) {
     static_assert(std::is_integral_v<Whole> || std::is_enum_v<Whole>);
-    bind_integer(parameter, static_cast<std::int64_t>(value));  // unsigned: of the same bits
+    bind_integer(parameter, static_cast<std::int64_t>(value));  // unsigned values keep their bits
   }
 
-  // Columns count from 0. A value out of its range is StoreError.
+  // Columns count from 0. Throws StoreError for a value out of range.
   void get(int column, std::int64_t& value) const;
   void get(int column, std::uint64_t& value) const;
   void get(int column, bool& value) const;

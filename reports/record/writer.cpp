@@ -12,7 +12,7 @@
 namespace gsbench::record {
 namespace {
 
-// O_EXCL refuses an existing file even when two runs start at once.
+// O_EXCL: fails for an existing file, also if two runs start at the same time.
 void create_empty(const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) {
@@ -36,7 +36,7 @@ void insert_trace(std::vector<Series>& all, const Trace& trace) {
 
 struct Writer::Impl {
   explicit Impl(const std::string& path) : database(path, Database::Mode::kWrite) {
-    // WAL with a full sync keeps each finished transaction through a power cut; there are few.
+    // With WAL and full sync each finished transaction survives a power cut; there are few of them.
     database.execute("PRAGMA journal_mode = WAL");
     database.execute("PRAGMA synchronous = FULL");
     database.transact([&] {
@@ -48,10 +48,10 @@ struct Writer::Impl {
 
   ~Impl() {
     try {
-      // Back to one plain file, which can be read from a folder that cannot be written.
+      // Back to one plain file, which is readable also in a folder without write permission.
       database.execute("PRAGMA journal_mode = DELETE");
     } catch (const StoreError&) {
-      // Then SQLite leaves the -wal file, and reading uses it: nothing is lost.
+      // SQLite then leaves the -wal file and reads it later: nothing is lost.
     }
   }
 
@@ -110,7 +110,7 @@ Writer::Writer(const std::string& path) {
   try {
     impl_ = std::make_unique<Impl>(path);
   } catch (...) {
-    ::unlink(path.c_str());  // ours, and without content
+    ::unlink(path.c_str());  // it is new and empty
     throw;
   }
 }
@@ -118,18 +118,19 @@ Writer::Writer(const std::string& path) {
 Writer::~Writer() = default;
 
 void Writer::begin(const RunRecord& head) {
-  impl_->require(!impl_->begun, "a record is begun once");
+  impl_->require(!impl_->begun, "begin() was called twice");
   impl_->write_head(head, false);
   impl_->begun = true;
 }
 
 void Writer::add_outlet(const OutletRecord& outlet) {
-  impl_->require(impl_->begun && !impl_->finished, "outlets come between begin and finish");
+  impl_->require(impl_->begun && !impl_->finished,
+                 "add_outlet() must be called between begin() and finish()");
   impl_->write_outlet(outlet);
 }
 
 void Writer::finish(const RunRecord& whole) {
-  impl_->require(impl_->begun && !impl_->finished, "a record is finished once, after begin");
+  impl_->require(impl_->begun && !impl_->finished, "finish() must be called once, after begin()");
   impl_->write_head(whole, true);
   impl_->finished = true;
 }

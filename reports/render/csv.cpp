@@ -31,7 +31,7 @@ std::string quoted(const std::string& text) {
   return cell + '"';
 }
 
-// Shortest digits that read back as the same number; nothing for a number there is not.
+// The shortest digits that read back as the same number; an empty cell for NaN.
 template <class Number>
 void add_cell(fmt::memory_buffer& out, Number value) {
   out.push_back(',');
@@ -45,8 +45,7 @@ const char* validity_word(std::uint8_t validity) {
   return validity < kWords.size() ? kWords[validity] : "unknown";
 }
 
-// Reports and estimates are merged by tick: an estimate that came between two reports has a row of
-// its own.
+// Reports and estimates are merged by tick: an estimate between two reports has a row of its own.
 void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outlet,
                  fmt::memory_buffer& out) {
   const std::string id = quoted(outlet.id);

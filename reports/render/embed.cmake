@@ -1,5 +1,5 @@
 # Writes OUTPUT, a C++ file with each text of EMBEDDED (name; file; name; file; …) as a constant of
-# templates.hpp. References to source maps are left out: a report must ask for no other file.
+# templates.hpp. References to source maps are removed: a report must not load other files.
 set(code "#include \"templates.hpp\"\n\nnamespace gsbench::render::templates {\n")
 while(EMBEDDED)
   list(POP_FRONT EMBEDDED name file)

@@ -21,9 +21,9 @@ struct File::Impl {
 File::File(const std::string& path) : impl_(std::make_unique<Impl>(path)) {
   const QFileInfo there(impl_->file.fileName());
   if (there.exists() && !there.isFile()) {
-    // The rename would put a file in the place of a device, to the harm of everyone else.
+    // The rename would replace a device, such as /dev/null, by a file.
     throw WriteError(path + ": cannot be written: it is " +
-                     (there.isDir() ? "a directory" : "a device or pipe, no ordinary file"));
+                     (there.isDir() ? "a directory" : "a device or pipe, not an ordinary file"));
   }
   if (!impl_->file.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) {
     impl_->refuse();
@@ -33,8 +33,8 @@ File::File(const std::string& path) : impl_(std::make_unique<Impl>(path)) {
 File::~File() = default;
 
 void File::append(std::string_view text) {
-  // A disk that fills up takes a part without complaint, and commit() would keep just that part:
-  // only writing the rest tells the error.
+  // On a full disk write() takes a part without an error, and commit() would keep that part. The
+  // error appears when the rest is written.
   while (!text.empty()) {
     const qint64 taken = impl_->file.write(text.data(), static_cast<qint64>(text.size()));
     if (taken <= 0) {

@@ -16,7 +16,7 @@ namespace gsbench::render {
 namespace {
 
 constexpr std::size_t kMostHtmlColumns = 9;      // beside name and verdict: fits 1280 pixels and A4
-constexpr std::size_t kMostHtmlShortfalls = 20;  // the tables below have all
+constexpr std::size_t kMostHtmlShortfalls = 20;  // the tables of the outlets have all
 
 List facts(const record::RunRecord& run) {
   List list;
@@ -93,7 +93,7 @@ List comparison_rows(const record::RunRecord& run) {
   return list;
 }
 
-// A text within a CSS string, in which anything may be written as its code.
+// For a CSS string: every byte but letters, digits and "-" as an escape.
 std::string css_text(const std::string& text) {
   std::string css;
   for (const char character : text) {
@@ -106,7 +106,7 @@ std::string css_text(const std::string& text) {
   return css;
 }
 
-// The outlet whose curves are drawn first: the first of those that did worst.
+// The outlet whose curves are shown first: the first of those with the worst verdict.
 std::size_t outlet_drawn_first(const record::RunRecord& run) {
   const auto worst =
       std::max_element(run.outlets.begin(), run.outlets.end(),
@@ -150,9 +150,10 @@ object page(const record::RunRecord& run) {
       {"comparisons", comparison_rows(run)},
       {"has_thinning_note", flag(!note.empty())},
       {"thinning_note", note},
-      {"profile_heading", std::string(run.recording.replaces_profile
-                                          ? "The profile, and the recording played in its place"
-                                          : "The profile as it was played")},
+      {"profile_heading",
+       std::string(run.recording.replaces_profile
+                       ? "The profile, and the recording played in place of its signal"
+                       : "The profile")},
       {"has_played", flag(!played.empty())},
       {"played", played},
       {"profile_text", valid_text(run.profile_text)},

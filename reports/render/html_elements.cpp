@@ -20,7 +20,7 @@ kainjow::mustache::data flag(bool value) {
 }
 
 void set_verdict(object& where, record::Verdict verdict) {
-  // In the order of the verdicts: class of CSS and sign.
+  // CSS class and sign, in the order of the verdicts.
   static constexpr std::pair<const char*, const char*> kLooks[] = {
       {"pass", "✓"}, {"inconclusive", "?"}, {"fail", "✕"}, {"error", "!"}};
   const auto& [css_class, sign] = kLooks[static_cast<std::size_t>(verdict)];

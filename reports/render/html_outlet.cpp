@@ -62,10 +62,12 @@ List setting_rows(const record::OutletRecord& outlet) {
 
 std::string clock_text(const record::Clock& clock) {
   if (clock.uncertainty_ms == 0.0 && clock.drift_uncertainty_ppm == 0.0) {
-    return "the source's own ticks";
+    return "that of the source";
   }
-  return typographic(fmt::format("{} ± {} ppm fast, stamps within {}", figure(clock.drift_ppm, 3),
-                                 figure(clock.drift_uncertainty_ppm, 2),
+  const int decimals = decimals_of_two_digits(clock.drift_uncertainty_ppm);
+  return typographic(fmt::format("{} ± {} ppm fast, time stamps within ± {}",
+                                 fixed(clock.drift_ppm, decimals),
+                                 fixed(clock.drift_uncertainty_ppm, decimals),
                                  with_unit(figure(clock.uncertainty_ms, 2), "ms")));
 }
 

@@ -1,4 +1,4 @@
-// What all JSON texts of reports have in common.
+// Functions that all JSON reports share.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace gsbench::render {
 
 using Json = nlohmann::ordered_json;
 
-// What `each` makes of every part.
+// The results of `each` for every part.
 template <class Part, class Each>
 Json array_of(const std::vector<Part>& parts, const Each& each) {
   Json all = Json::array();
@@ -20,12 +20,12 @@ Json array_of(const std::vector<Part>& parts, const Each& each) {
   return all;
 }
 
-// Indented by two, with a newline at its end. Here as below, a number that is not finite becomes
-// null, and bytes that are no UTF-8 U+FFFD.
+// Indented by two, with a line end. Here and below, numbers that are not finite become null, and
+// bytes that are not UTF-8 become U+FFFD.
 std::string indented(const Json& json);
 
-// JSON that may stand inside <script>, where an HTML parser knows no entities: no "<", ">" or "&"
-// occurs in it.
+// JSON for a <script> element, in which HTML entities are not decoded: "<", ">" and "&" are written
+// as \u escapes.
 std::string in_script(const Json& json);
 
 }  // namespace gsbench::render

@@ -17,7 +17,7 @@ QString text(const std::string& utf8) {
   return QString::fromStdString(valid_text(utf8));
 }
 
-// One <testcase>. What is INCONCLUSIVE did not pass, and JUnit has no word for it but failure.
+// One <testcase>. JUnit has no INCONCLUSIVE: it becomes a failure.
 struct Case {
   std::string name;
   Verdict verdict = Verdict::kPass;
@@ -28,12 +28,12 @@ struct Case {
 Case case_of(const record::MeasurementResult& result) {
   Case one{result.name, result.verdict, shortfall_text(result), result.judged};
   if (!result.judged) {
-    one.message = value_of(result) + " (no limit declared)";
+    one.message = value_of(result) + " (no limit)";
   }
   return one;
 }
 
-// The element that says so; "" for a case that passed.
+// The element for its outcome; "" for a case that passed.
 std::string outcome_of(const Case& one) {
   if (!one.judged) {
     return "skipped";
@@ -87,8 +87,9 @@ Verdict worst(const std::vector<Case>& cases) {
 
 }  // namespace
 
-// Where a verdict is worse than its measurements say (the outlet was lost, the run did not finish),
-// a case of its own says so: no CI may read such a run as passed.
+// If the verdict of an outlet or of the run is worse than those of its measurements (the outlet was
+// lost, the run did not finish), a case is added for it, so that CI does not show the run as
+// passed.
 std::string junit_xml(const record::RunRecord& run) {
   QByteArray bytes;
   QXmlStreamWriter xml(&bytes);

@@ -13,7 +13,7 @@
 namespace gsbench::render {
 namespace {
 
-// Digits a curve on a screen can show; more only make the file large.
+// Resolution of the curves; more digits would not be visible and only make the file large.
 constexpr double kSteps_per_hz = 1e5;
 constexpr double kSteps_per_hz_s = 1e3;
 constexpr double kSteps_per_mw = 1e2;
@@ -22,13 +22,13 @@ Json rounded(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
 }
 
-// Around each mark all reports are drawn: that is where one zooms in.
+// All reports near a mark are drawn, because users zoom in there.
 std::vector<Stretch> around_marks(const record::RunRecord& run,
                                   const std::vector<record::Mark>& marks) {
   const std::int64_t second = run.sample_rate_hz;
   std::vector<Stretch> stretches;
   for (const record::Mark& mark : marks) {
-    // A mark within the last stretch only lengthens it: overlapping ones would use up the points.
+    // A mark within the last interval extends it: overlapping intervals would use up the points.
     const std::int64_t from = mark.tick - second;
     const std::int64_t to = mark.tick + 2 * second;
     if (!stretches.empty() && from >= stretches.back().from_tick &&
@@ -55,7 +55,7 @@ Json marks_json(const record::RunRecord& run, const std::vector<record::Mark>& m
   return list;
 }
 
-// Of an outlet's trace or the reference. What the outlet did not claim is a gap.
+// Of an outlet's trace or of the reference. Invalid reports are gaps.
 template <class Value>
 Json frequency_json(const record::RunRecord& run, const std::vector<std::int64_t>& tick,
                     const std::vector<Value>& frequency_hz, const std::vector<Value>& rocof_hz_s,
@@ -134,7 +134,7 @@ std::string mark_value(const record::Mark& mark) {
   }
   const bool power = mark.kind == "lse" || mark.kind == "loss" || mark.kind == "shed" ||
                      mark.kind == "decision" || mark.kind == "decision.loss";
-  return with_unit(figure(mark.value), power ? "MW" : "");
+  return with_unit(fixed(mark.value, decimals_for({mark.value})), power ? "MW" : "");
 }
 
 std::string plot_data(const record::RunRecord& run) {
@@ -157,8 +157,8 @@ std::string thinning_note(const record::RunRecord& run) {
     return "";
   }
   return fmt::format(
-      "At most {} of up to {} reports per outlet are drawn: all of them around marks, elsewhere "
-      "the extremes of each stretch. The record and the CSV hold them all.",
+      "At most {} of up to {} reports per outlet are drawn: all reports near marks, elsewhere the "
+      "extremes of each interval. The record and the CSV file contain all reports.",
       kMostPoints, longest);
 }
 

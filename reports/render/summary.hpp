@@ -1,4 +1,4 @@
-// A run's verdict in words.
+// Sentences on the verdict of a run.
 #pragma once
 
 #include <string>
@@ -8,17 +8,16 @@
 
 namespace gsbench::render {
 
-// One sentence: why the verdict is what it is.
+// One sentence: the reason of the verdict.
 std::string verdict_sentence(const record::RunRecord& run);
 
-// Why an outlet's verdict is worse than its measurements: what went wrong with it, where that is
-// known.
+// Why the verdict of an outlet is worse than those of its measurements: its fault, if known.
 std::string outlet_sentence(const record::OutletRecord& outlet);
 
-// Outlets with which something went wrong.
+// Outlets with a fault.
 std::vector<const record::OutletRecord*> faulty_outlets(const record::RunRecord& run);
 
-// What was played, where the profile's text does not say it by itself; empty where it does.
+// Which recording was played; empty if none was.
 std::string played_sentence(const record::RunRecord& run);
 
 // Judged measurements that did not pass, worst verdict first.

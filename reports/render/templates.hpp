@@ -1,4 +1,4 @@
-// Texts built into the program (embed.cmake): the report's templates and the plotting library.
+// Texts that embed.cmake builds into the program: report templates and the plotting library.
 #pragma once
 
 #include <string_view>

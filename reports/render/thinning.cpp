@@ -7,7 +7,7 @@
 namespace gsbench::render {
 namespace {
 
-constexpr std::size_t kKeptAPart = 5;  // two extremes of two columns, and a NaN
+constexpr std::size_t kKeptAPart = 5;  // minimum and maximum of two columns, and a NaN
 
 void keep_extremes(const std::vector<double>& values, std::size_t from, std::size_t to,
                    std::vector<std::size_t>& kept) {

@@ -1,4 +1,4 @@
-// What a crash of the bench leaves behind: a child process writes, says how far it came, and is
+// Records after a crash of the bench: a child process writes, reports that it is done, and is
 // killed between two calls.
 #include "sample_run.hpp"
 #include <sys/wait.h>
@@ -14,7 +14,7 @@
 namespace gsbench::record {
 namespace {
 
-// Runs `write` in a child and kills it with SIGKILL once it is through, its Writer still open.
+// Runs `write` in a child process and kills it afterwards with SIGKILL, while its Writer is open.
 template <class Write>
 void killed_after(Write&& write) {
   int ready[2];
@@ -33,7 +33,7 @@ void killed_after(Write&& write) {
   }
   ::close(ready[1]);
   char done = 0;
-  EXPECT_EQ(::read(ready[0], &done, 1), 1) << "the child ended before it was through";
+  EXPECT_EQ(::read(ready[0], &done, 1), 1) << "the child ended early";
   ::close(ready[0]);
   ::kill(child, SIGKILL);
   int status = 0;
@@ -69,7 +69,7 @@ TEST_P(CrashedStore, KeepsEveryFinishedCall) {
 
 INSTANTIATE_TEST_SUITE_P(OutletsWritten, CrashedStore, ::testing::Values(0, 1, 4));
 
-TEST(StoreAfterFinish, IsWholeWhenTheCrashComesAfterFinish) {
+TEST(CrashAfterFinish, LeavesACompleteRecord) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("run.sqlite");
   const RunRecord run = sample::loss_500mw(1);

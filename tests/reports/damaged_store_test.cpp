@@ -1,5 +1,5 @@
-// Files that are no records, are of another version, or were damaged or forged: always StoreError,
-// never a wrong figure and never undefined behaviour (run these under the sanitizer preset too).
+// Files that are not records, have another version, or were damaged or forged: always StoreError,
+// never a wrong figure or undefined behaviour (the sanitizer presets run these tests, too).
 #include "sample_run.hpp"
 #include <sqlite3.h>
 #include <test_support/refusal.hpp>
@@ -47,14 +47,14 @@ class DamagedStore : public ::testing::Test {
   RunRecord run_;
 };
 
-TEST_F(DamagedStore, IsNoRecordWhenItIsAnotherKindOfFile) {
+TEST_F(DamagedStore, IsRefusedIfItIsAnotherKindOfFile) {
   folder_.write("run.sqlite", "title = \"a profile, not a record\"\n" + std::string(8192, 'x'));
   EXPECT_EQ(error(), path_ + ": not a gsbench record");
   folder_.write("run.sqlite", "");
   EXPECT_EQ(error(), path_ + ": not a gsbench record");
 }
 
-TEST_F(DamagedStore, IsNoRecordWhenItIsAnotherDatabase) {
+TEST_F(DamagedStore, IsRefusedIfItIsAnotherDatabase) {
   std::filesystem::remove(path_);
   change("CREATE TABLE run (owner INTEGER)");
   EXPECT_EQ(error(), path_ + ": not a gsbench record");
@@ -83,12 +83,12 @@ TEST_F(DamagedStore, TablesOfVersion4AreUnchanged) {
   EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "eedee8e08cd8911d");
 }
 
-TEST_F(DamagedStore, WithForeignTablesIsRefused) {
+TEST_F(DamagedStore, IsRefusedWithForeignTables) {
   change("CREATE VIEW more AS SELECT 1");
   EXPECT_THAT(error(), HasSubstr("its tables are not those of a record"));
 }
 
-TEST_F(DamagedStore, WithAnyFigureChangedIsRefused) {
+TEST_F(DamagedStore, IsRefusedIfAnyFigureIsChanged) {
   const std::string original = folder_.read("run.sqlite");
   for (const char* sql : {
            "UPDATE measurement SET value = value + 1 WHERE owner = 2 AND name = 'event.delay'",
@@ -116,7 +116,7 @@ TEST_F(DamagedStore, WithAnyFigureChangedIsRefused) {
   }
 }
 
-TEST_F(DamagedStore, CutShortAnywhereIsRefused) {
+TEST_F(DamagedStore, IsRefusedIfTruncatedAnywhere) {
   const std::string original = folder_.read("run.sqlite");
   for (std::size_t size = 0; size < original.size(); size += 1021) {
     folder_.write("run.sqlite", original.substr(0, size));
@@ -124,9 +124,9 @@ TEST_F(DamagedStore, CutShortAnywhereIsRefused) {
   }
 }
 
-// Free space in a page may change without any effect, and so may SQLite's own counters; everything
-// that is read must be refused or be what was written.
-TEST_F(DamagedStore, WithBitsFlippedNeverGivesAnotherRecord) {
+// Bits in the free space of a page or in SQLite's counters may flip without any effect. The file
+// must be refused or read back unchanged.
+TEST_F(DamagedStore, NeverReadsAsAnotherRecordAfterBitFlips) {
   const std::string original = folder_.read("run.sqlite");
   const std::string digest = content_digest(run_);
   std::mt19937 random(20260301);
@@ -145,7 +145,7 @@ TEST_F(DamagedStore, WithBitsFlippedNeverGivesAnotherRecord) {
       ++refused;
     }
   }
-  EXPECT_GT(refused, kTrials / 4);  // far more than the headers: the content is watched
+  EXPECT_GT(refused, kTrials / 4);  // more than the headers alone: the content is checked
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What holds for every report format, one that is added later too.
+// Properties of all report formats.
 #include "sample_run.hpp"
 
 #include <set>
@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(Formats, AreFoundByNamesOfTheirOwnAndKeptInFilesOfTheirOwn) {
+TEST(Formats, HaveUniqueNamesAndFiles) {
   std::set<std::string> taken;
   for (const Format& format : kFormats) {
     EXPECT_EQ(find_format(format.name), &format);
@@ -23,15 +23,15 @@ TEST(Formats, AreFoundByNamesOfTheirOwnAndKeptInFilesOfTheirOwn) {
   EXPECT_EQ(find_format("htm"), nullptr);
 }
 
-TEST(Formats, AreTheSameForTheSameRecord) {
+TEST(Formats, GiveTheSameTextForTheSameRecord) {
   for (const Format& format : kFormats) {
     EXPECT_TRUE(format.render(sample::loss_500mw()) == format.render(sample::loss_500mw()))
         << format.name;
   }
 }
 
-// csv holds traces only, and no verdict that a fault would explain.
-TEST(Formats, ShowAFaultOfTheBenchAndThatOfAnOutlet) {
+// CSV has traces only, and no faults.
+TEST(Formats, ShowTheFaultsOfTheBenchAndOfAnOutlet) {
   record::RunRecord lost_outlet;
   lost_outlet.verdict = record::Verdict::kError;
   lost_outlet.outlets.resize(2);

@@ -14,13 +14,13 @@
 namespace gsbench::record {
 namespace {
 
-TEST(Verdict, OnlyWorsensWhenCombinedWithMax) {
+TEST(Verdict, IsTheWorseOneOfTwoByMax) {
   EXPECT_EQ(std::max(Verdict::kPass, Verdict::kInconclusive), Verdict::kInconclusive);
   EXPECT_EQ(std::max(Verdict::kFail, Verdict::kInconclusive), Verdict::kFail);
   EXPECT_EQ(std::max(Verdict::kFail, Verdict::kError), Verdict::kError);
 }
 
-// Another value of any type that a field has.
+// Changes a field of any type.
 template <class Value>
 void change(Value& value) {
   if constexpr (std::is_same_v<Value, std::string>) {
@@ -59,7 +59,7 @@ void expect_each_field_counts(Find&& find) {
   }
 }
 
-TEST(ContentDigest, ChangesWithEveryFieldButRunIdAndWallClock) {
+TEST(ContentDigest, ChangesWithEveryFieldExceptRunIdAndWallClockTimes) {
   expect_each_field_counts([](auto& run) -> auto& { return run; });
   expect_each_field_counts([](auto& run) -> auto& { return run.comparisons[1]; });
   expect_each_field_counts([](auto& run) -> auto& { return run.reference; });
@@ -77,7 +77,7 @@ TEST(ContentDigest, ChangesWithTheOrderAndNumberOfParts) {
       [](RunRecord& run) { run.outlets.pop_back(); },
       [](RunRecord& run) { std::swap(run.outlets[0], run.outlets[1]); },
       [](RunRecord& run) { run.outlets[1].settings["threshold_mw"] += 0.01; },
-      // Text moved over a field's border is another text.
+      // Text that moves from one field to the next is a change.
       [](RunRecord& run) {
         run.noise += run.firmware_sha256.front();
         run.firmware_sha256.erase(0, 1);
@@ -90,7 +90,7 @@ TEST(ContentDigest, ChangesWithTheOrderAndNumberOfParts) {
   }
 }
 
-TEST(ContentDigest, TakesEveryNanForTheSame) {
+TEST(ContentDigest, TreatsAllNansAsEqual) {
   RunRecord run = sample::loss_500mw(1);
   run.outlets[0].trace.frequency_hz[0] = std::numeric_limits<float>::quiet_NaN();
   const std::string digest = content_digest(run);

@@ -1,4 +1,4 @@
-// The page as text; what a browser makes of it is tests/browser's part.
+// The HTML report as text; tests/browser checks it in a browser.
 
 #include "fields.hpp"
 #include "sample_run.hpp"
@@ -56,33 +56,33 @@ TEST(Html, ShowsVerdictReasonFactsAndEveryMeasurement) {
   EXPECT_THAT(page, HasSubstr("noise_pct = 1.0   # &lt;white&gt;"));   // the profile's text
 }
 
-TEST(Html, SaysThatARecordingWasPlayedInPlaceOfTheProfile) {
+TEST(Html, StatesThatARecordingWasPlayedInPlaceOfTheProfile) {
   RunRecord run = sample::loss_500mw(1);
-  EXPECT_THAT(html(run), HasSubstr("The profile as it was played</h2>"));
+  EXPECT_THAT(html(run), HasSubstr("The profile</h2>"));
   EXPECT_THAT(html(run), Not(HasSubstr("id=\"played\"")));
   run.grid_sha256 = "ab12";
   run.recording = {"grid.csv", "cd34", "t", "f", "u", 230.0, true};
   const std::string page = html(run);
-  EXPECT_THAT(page, Not(HasSubstr("The profile as it was played")));
-  const std::string said = between(page, "id=\"played\">", "</p>");
+  EXPECT_THAT(page, Not(HasSubstr("The profile</h2>")));
+  const std::string played = between(page, "id=\"played\">", "</p>");
   for (const char* part : {"The recording grid.csv", "columns t, f, u", "cd34", "in place of"}) {
-    EXPECT_THAT(said, HasSubstr(part));
+    EXPECT_THAT(played, HasSubstr(part));
   }
   EXPECT_THAT(page, HasSubstr("<code>ab12</code>"));
   run.recording.replaces_profile = false;
-  EXPECT_THAT(html(run), HasSubstr("The profile as it was played</h2>"));
+  EXPECT_THAT(html(run), HasSubstr("The profile</h2>"));
   EXPECT_THAT(between(html(run), "id=\"played\">", "</p>"),
               AllOf(HasSubstr("The recording grid.csv"), HasSubstr("is its [signal.trace]")));
 }
 
-TEST(Html, SaysHowAnOutletsClockRan) {
+TEST(Html, ShowsTheDriftOfAnOutletsClock) {
   RunRecord run = sample::loss_500mw(1);
-  EXPECT_THAT(html(run), HasSubstr("<dt>Clock</dt><dd>the source&apos;s own ticks</dd>"));
+  EXPECT_THAT(html(run), HasSubstr("<dt>Clock</dt><dd>that of the source</dd>"));
   run.outlets[0].clock = {-12.5, 0.4, 0.05};
-  EXPECT_THAT(html(run), HasSubstr("−12.5 ± 0.4 ppm fast, stamps within 0.05 ms"));
+  EXPECT_THAT(html(run), HasSubstr("−12.50 ± 0.40 ppm fast, time stamps within ± 0.05 ms"));
 }
 
-TEST(Html, ListsAFaultyOutletWhereItListsWhatDidNotPass) {
+TEST(Html, ListsAFaultyOutletUnderWhatDidNotPass) {
   RunRecord run = sample::loss_500mw(2);
   EXPECT_THAT(html(run), Not(HasSubstr("What did not pass")));
   run.outlets[1].verdict = Verdict::kError;
@@ -103,17 +103,17 @@ TEST(Html, MarksAnEstimateThatTheOutletFlaggedAsUnreliable) {
                               "unreliable when it decided.</caption>"));
 }
 
-TEST(Html, AsksForNoOtherFile) {
+TEST(Html, LoadsNoOtherFile) {
   const std::string page = html(sample::loss_500mw(1));
   EXPECT_THAT(page, Not(HasSubstr("<script src")));
   EXPECT_THAT(page, Not(HasSubstr("<link rel=\"stylesheet\"")));
   EXPECT_THAT(page, Not(HasSubstr("sourceMappingURL")));
   EXPECT_THAT(page, Not(HasSubstr("@import")));
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
-  EXPECT_THAT(page, HasSubstr("Permission is hereby granted"));  // Dygraphs' licence comes with it
+  EXPECT_THAT(page, HasSubstr("Permission is hereby granted"));  // the licence of Dygraphs
 }
 
-// Each text of a part of a record.
+// Replaces every text of a part of a record.
 template <class Part>
 void attack(Part& part) {
   record::visit_fields<Part>(part, [](const char*, auto& value) {
@@ -138,7 +138,7 @@ TEST(Html, EscapesEveryTextOfTheRecord) {
   }
   const std::string page = html(run);
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
-  // As many elements open and close as for a harmless record.
+  // The page has as many elements as that of a harmless record.
   const auto count = [](const std::string& text, const std::string& what) {
     std::size_t found = 0;
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
@@ -148,10 +148,10 @@ TEST(Html, EscapesEveryTextOfTheRecord) {
   };
   EXPECT_EQ(count(page, "</script>"), count(plain, "</script>"));
   EXPECT_EQ(count(page, "</style>"), 1U);
-  EXPECT_EQ(plot_data_of(page)["outlets"][0]["id"], kAttack);  // the data still say what it is
+  EXPECT_EQ(plot_data_of(page)["outlets"][0]["id"], kAttack);  // the data are unchanged
 }
 
-TEST(Html, SurvivesBytesThatAreNoText) {
+TEST(Html, AcceptsBytesThatAreNotText) {
   RunRecord run = sample::loss_500mw(1);
   run.outlets[0].id = "bad \xff\xfe\x01 id";
   const std::string page = html(run);
@@ -159,8 +159,8 @@ TEST(Html, SurvivesBytesThatAreNoText) {
   EXPECT_NO_THROW(plot_data_of(page));
 }
 
-TEST(Html, ShowsADashWhereNothingWasMeasured) {
-  const RunRecord run = sample::loss_500mw(2);  // the second outlet's relay never moves
+TEST(Html, ShowsADashForAMissingValue) {
+  const RunRecord run = sample::loss_500mw(2);  // the relay of the second outlet never moves
   const std::string page = html(run);
   const std::string cell = between(page.substr(page.find("id=\"outlet-1\"")),
                                    "data-measurement=\"relay.delay\"", "</tr>");
@@ -168,15 +168,15 @@ TEST(Html, ShowsADashWhereNothingWasMeasured) {
   EXPECT_THAT(page, Not(HasSubstr(">nan")));
 }
 
-TEST(Html, DrawsWhatTheRecordHolds) {
+TEST(Html, DrawsTheTracesOfTheRecord) {
   RunRecord run = sample::loss_500mw(1);
   record::MeasurementTrace& trace = run.outlets[0].trace;
-  trace.validity[200] = 0;  // claims nothing, whatever the number beside it
+  trace.validity[200] = 0;  // invalid, whatever the frequency is
   const nlohmann::json data = plot_data_of(html(run));
   const nlohmann::json& curve = data["outlets"][0];
   ASSERT_EQ(curve["t"].size(), trace.tick.size());
   EXPECT_DOUBLE_EQ(curve["t"][100], static_cast<double>(trace.tick[100]) / 8000.0);
-  // Half of the last digit kept, 1e-5 Hz.
+  // Half of the last digit, 1e-5 Hz.
   EXPECT_NEAR(curve["f"][100], static_cast<double>(trace.frequency_hz[100]), 0.5000001e-5);
   EXPECT_TRUE(curve["f"][200].is_null());
   EXPECT_TRUE(curve["f"][0].is_null());  // NaN in the record
@@ -185,7 +185,7 @@ TEST(Html, DrawsWhatTheRecordHolds) {
   EXPECT_EQ(data["stimulus"][0]["label"], "loss of 500 MW");
 }
 
-TEST(Html, StaysUnderTwoMegabytesForAnHourOfTwoOutletsAndSaysThatItIsThinned) {
+TEST(Html, IsThinnedToLessThanTwoMegabytesForTwoOutletsAndAnHour) {
   const std::string page = html(sample::steady(2, 3600.0));
   EXPECT_LT(page.size(), 2'000'000U);
   EXPECT_THAT(page, HasSubstr("At most 4000 of up to 225000 reports per outlet are drawn"));
@@ -196,7 +196,7 @@ TEST(Html, StaysUnderTwoMegabytesForAnHourOfTwoOutletsAndSaysThatItIsThinned) {
   }
 }
 
-TEST(Html, DrawsEveryReportAroundAMarkOfALongRun) {
+TEST(Html, DrawsAllReportsNearAMarkOfALongRun) {
   RunRecord run = sample::steady(1, 3600.0);
   const std::int64_t tick = 1000 * run.sample_rate_hz;
   run.outlets[0].marks = {{tick, "event", 0.0, ""}};
@@ -205,10 +205,10 @@ TEST(Html, DrawsEveryReportAroundAMarkOfALongRun) {
   for (const double t : curve["t"]) {
     near += t >= 999.0 && t <= 1002.0 ? 1 : 0;
   }
-  EXPECT_GE(near, 187);  // 3 s of one report each 16 ms
+  EXPECT_GE(near, 187);  // 3 s with a report every 16 ms
 }
 
-TEST(Html, DrawsTheOutletFirstThatDidWorst) {
+TEST(Html, DrawsTheOutletWithTheWorstVerdictFirst) {
   RunRecord run = sample::loss_500mw(4);
   EXPECT_THAT(html(run), HasSubstr("id=\"outlet-choice\" data-first=\"0\""));
   run.outlets[1].verdict = Verdict::kInconclusive;
@@ -216,7 +216,7 @@ TEST(Html, DrawsTheOutletFirstThatDidWorst) {
   EXPECT_THAT(html(run), HasSubstr("id=\"outlet-choice\" data-first=\"2\""));
 }
 
-TEST(Html, IsWholeForAnEmptyRecord) {
+TEST(Html, IsCompleteForAnEmptyRecord) {
   const std::string page = html(RunRecord{});
   EXPECT_THAT(page, HasSubstr("Nothing was judged."));
   EXPECT_THAT(page, HasSubstr("</html>"));

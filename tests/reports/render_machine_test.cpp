@@ -1,4 +1,4 @@
-// JSON, JUnit XML and CSV, read back by readers of their own.
+// JSON, JUnit XML and CSV reports, read back with independent readers.
 #include "sample_run.hpp"
 
 #include <QString>
@@ -36,7 +36,7 @@ std::map<std::string, nlohmann::ordered_json> by_name(const nlohmann::ordered_js
   return results;
 }
 
-TEST(Json, HasTheKeysScriptsRelyOn) {
+TEST(Json, HasTheDocumentedKeys) {
   const auto whole = nlohmann::ordered_json::parse(json(sample::loss_500mw(1)));
   EXPECT_THAT(keys(whole), ElementsAre("run_id", "profile", "profile_sha256", "grid", "grid_sha256",
                                        "recording", "firmware_sha256", "seed", "interrupted",
@@ -48,7 +48,7 @@ TEST(Json, HasTheKeysScriptsRelyOn) {
                           "expected_word", "verdict", "reason"));
 }
 
-TEST(Json, GivesNoVerdictOnWhatWasNotJudgedAndAReasonForWhatDidNotPass) {
+TEST(Json, HasVerdictsOfJudgedMeasurementsOnlyAndReasonsOfThoseNotPassed) {
   RunRecord run = sample::loss_500mw(1);
   run.verdict_reason = "1 of 1 outlets did not pass";
   auto& delay = sample::measurement(run.outlets[0], "event.delay");
@@ -66,7 +66,7 @@ TEST(Json, GivesNoVerdictOnWhatWasNotJudgedAndAReasonForWhatDidNotPass) {
   EXPECT_EQ(results["decision.cause"]["expected_word"], results["decision.cause"]["value"]);
 }
 
-TEST(Json, HasAnOutletsFaultAndClock) {
+TEST(Json, HasFaultAndClockOfAnOutlet) {
   RunRecord run = sample::loss_500mw(2);
   run.outlets[0].fault = "fell silent after its sample 4711";
   run.outlets[0].clock = {12.5, 0.4, 0.05};
@@ -78,7 +78,7 @@ TEST(Json, HasAnOutletsFaultAndClock) {
   EXPECT_TRUE(outlets[1]["fault"].is_null());
 }
 
-TEST(Json, NamesTheRecordingThatWasPlayedAndTheGridByTheirContent) {
+TEST(Json, HasTheDigestsOfThePlayedRecordingAndOfTheGrid) {
   RunRecord run = sample::loss_500mw(1);
   EXPECT_TRUE(nlohmann::json::parse(json(run))["recording"].is_null());
   run.grid_sha256 = "ab12";
@@ -94,7 +94,7 @@ TEST(Json, NamesTheRecordingThatWasPlayedAndTheGridByTheirContent) {
                                                 {"replaces_profile", true}}));
 }
 
-TEST(Json, GivesNumbersInFullNoneAsNullAndWordsAsWords) {
+TEST(Json, HasAllDigitsOfNumbersNullForNaNAndTexts) {
   RunRecord run = sample::loss_500mw(2);
   run.outlets[0].measurements[0].value = 0.1 + 0.2;
   const auto whole = nlohmann::ordered_json::parse(json(run));
@@ -109,7 +109,7 @@ TEST(Json, GivesNumbersInFullNoneAsNullAndWordsAsWords) {
   EXPECT_EQ(second.at("relay.end")["value"], "closed");
 }
 
-TEST(Json, IsValidWhateverTheTexts) {
+TEST(Json, IsValidForAnyText) {
   RunRecord run = sample::loss_500mw(1);
   run.outlets[0].id = "\xff\"\\\n</script>";
   EXPECT_TRUE(nlohmann::json::accept(json(run)));
@@ -156,7 +156,7 @@ std::vector<std::string> error_messages(const RunRecord& run) {
   return messages;
 }
 
-TEST(JunitXml, HasASuiteAnOutletAndACaseAMeasurement) {
+TEST(JunitXml, HasASuitePerOutletAndACasePerMeasurement) {
   const RunRecord run = sample::loss_500mw(2);
   const auto all = elements(junit_xml(run));
   const auto suites = named(all, "testsuite");
@@ -172,7 +172,7 @@ TEST(JunitXml, HasASuiteAnOutletAndACaseAMeasurement) {
   EXPECT_EQ(cases[3].attributes.at("classname"), "paper/loss-500mw.sheds-1");
 }
 
-TEST(JunitXml, FailsWhatIsNotPass) {
+TEST(JunitXml, HasFailuresAndErrorsForWhatDidNotPass) {
   RunRecord run = sample::loss_500mw(1);
   auto& delay = sample::measurement(run.outlets[0], "event.delay");
   delay.value = 176.0;
@@ -195,7 +195,7 @@ TEST(JunitXml, FailsWhatIsNotPass) {
   EXPECT_EQ(named(all, "error").size(), 1U);
 }
 
-TEST(JunitXml, NeverReadsAsPassedWhenTheRunOrAnOutletDidNotPassAsAWhole) {
+TEST(JunitXml, HasAnErrorIfTheRunOrAnOutletAsAWholeDidNotPass) {
   RunRecord lost = sample::loss_500mw(2);
   lost.outlets[1].verdict = lost.verdict = Verdict::kError;
   EXPECT_THAT(error_messages(lost), ElementsAre("the outlet as a whole"));
@@ -214,7 +214,7 @@ TEST(JunitXml, NeverReadsAsPassedWhenTheRunOrAnOutletDidNotPassAsAWhole) {
               ElementsAre("it fell silent after its sample 4711", "interrupted before its end"));
 }
 
-TEST(JunitXml, IsWellFormedWhateverTheTexts) {
+TEST(JunitXml, IsWellFormedForAnyText) {
   RunRecord run = sample::loss_500mw(1);
   run.outlets[0].id = "<&\"'\x01\x1b[31m\xff\xef\xbf\xbf]]>";
   const auto suites = named(elements(junit_xml(run)), "testsuite");
@@ -240,11 +240,11 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
       rows.back().back() += character;
     }
   }
-  rows.pop_back();  // after the last line's end
+  rows.pop_back();  // after the last line end
   return rows;
 }
 
-TEST(Csv, HasARowAReportWithTruthAndEstimateBeside) {
+TEST(Csv, HasARowPerReportWithReferenceAndEstimate) {
   const RunRecord run = sample::loss_500mw(2);
   const auto rows = csv_rows(csv(run));
   EXPECT_THAT(rows[0], ElementsAre("outlet", "t_s", "true_frequency_hz", "frequency_hz",
@@ -276,7 +276,7 @@ TEST(Csv, HasARowAReportWithTruthAndEstimateBeside) {
   EXPECT_EQ(estimate, estimates.tick.size());
 }
 
-TEST(Csv, PutsTheTrueFrequencyBetweenEntriesOnAStraightLine) {
+TEST(Csv, InterpolatesTheReferenceLinearly) {
   RunRecord run;
   run.sample_rate_hz = 1000;
   run.reference = {{100, 200, 400}, {50.0, 49.0, 49.5}, {0.0, 0.0, 0.0}};
@@ -293,7 +293,7 @@ TEST(Csv, PutsTheTrueFrequencyBetweenEntriesOnAStraightLine) {
               ElementsAre("true_frequency_hz", "", "50", "49.5", "49", "49.25", "49.5", ""));
 }
 
-TEST(Csv, GivesAnEstimateBetweenReportsARowOfItsOwn) {
+TEST(Csv, HasARowForAnEstimateBetweenReports) {
   RunRecord run = sample::loss_500mw(1);
   auto& outlet = run.outlets[0];
   outlet.estimates.tick[3] += 1;
@@ -306,7 +306,7 @@ TEST(Csv, GivesAnEstimateBetweenReportsARowOfItsOwn) {
   EXPECT_EQ(alone, 1);
 }
 
-TEST(Csv, QuotesNamesThatNeedIt) {
+TEST(Csv, QuotesIdsWithSpecialCharacters) {
   RunRecord run = sample::loss_500mw(1);
   run.outlets[0].id = "a \"b\", c\nd";
   for (const auto& row : csv_rows(csv(run))) {

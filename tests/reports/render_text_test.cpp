@@ -64,7 +64,7 @@ TEST(ValueOf, IsNotRoundedOntoALimitThatItMisses) {
   EXPECT_EQ(value_of(result), "4.00 %");
 }
 
-TEST(Limits, SayWhatWasAsked) {
+TEST(Limits, AreShownWithTheirUnit) {
   record::MeasurementResult result;
   result.unit = "%";
   result.low = -4.0;
@@ -149,7 +149,7 @@ TEST(Terminal, ColoursOnlyWhenAsked) {
   EXPECT_THAT(coloured_terminal(sample::loss_500mw(1)), HasSubstr("\x1b[1;32mPASS\x1b[0m"));
 }
 
-TEST(Terminal, LetsNoTextOfTheRecordSteerTheTerminal) {
+TEST(Terminal, PassesNoControlCharactersOfTheRecord) {
   RunRecord run = sample::loss_500mw(1);
   run.outlets[0].id = run.profile = run.profile_title = "x\x1b[2J\ny";
   run.verdict_reason = "z\x1b]0;title\x07";
@@ -160,7 +160,7 @@ TEST(Terminal, LetsNoTextOfTheRecordSteerTheTerminal) {
   EXPECT_EQ(lines(text).size(), 5U);
 }
 
-TEST(Terminal, ListsWhatDidNotPassUpToTen) {
+TEST(Terminal, ListsUpToTenMeasurementsThatDidNotPass) {
   RunRecord run = sample::loss_500mw(4);
   for (auto& outlet : run.outlets) {
     outlet.verdict = Verdict::kFail;
@@ -188,11 +188,11 @@ TEST(Terminal, MarksAnEstimateThatTheOutletFlaggedAsUnreliable) {
   run.outlets[0].marks.push_back({0, "decision.trust", 1.0, "trusted"});
   EXPECT_EQ(doubts(), 0);
   run.outlets[1].marks.push_back({0, "decision.trust", 0.0, "not settled"});
-  EXPECT_EQ(doubts(), 3) << "ΔP, its error, and what the mark means";
+  EXPECT_EQ(doubts(), 3) << "ΔP, its error, and the note";
   EXPECT_THAT(lines(terminal(run))[4], ContainsRegex("[0-9] \\?"));
 }
 
-TEST(Terminal, SaysWhatWasPlayedInPlaceOfTheProfile) {
+TEST(Terminal, NamesTheRecordingPlayedInPlaceOfTheProfile) {
   RunRecord run = sample::loss_500mw(1);
   run.recording = {"grid.csv", "cd34", "t", "f", "", 0.0, true};
   EXPECT_THAT(
@@ -200,7 +200,7 @@ TEST(Terminal, SaysWhatWasPlayedInPlaceOfTheProfile) {
       Contains(StartsWith("The recording grid.csv (columns t, f; SHA-256 cd34) was played")));
 }
 
-TEST(Terminal, ShowsTheMeasurementsTheRunHas) {
+TEST(Terminal, ShowsTheMeasuresThatTheRunHas) {
   RunRecord run = sample::steady(1, 1.0);
   record::MeasurementResult error;
   error.name = "tracker.error.rms";
@@ -244,7 +244,7 @@ TEST_F(Thinning, KeepsSpikesOfBothColumnsEndsAndGaps) {
   }
 }
 
-TEST_F(Thinning, KeepsEveryEntryOfTheStretchesAskedFor) {
+TEST_F(Thinning, KeepsAllEntriesOfTheGivenIntervals) {
   const auto kept = thinned(tick_, frequency_, rocof_, {{128 * 500, 128 * 900}}, 4000);
   EXPECT_LE(kept.size(), 4000U);
   for (std::size_t index = 500; index <= 900; ++index) {
@@ -252,7 +252,7 @@ TEST_F(Thinning, KeepsEveryEntryOfTheStretchesAskedFor) {
   }
 }
 
-TEST_F(Thinning, CoversTheRestEvenWhenStretchesAskForEverything) {
+TEST_F(Thinning, CoversTheWholeSeriesEvenIfOneIntervalSpansIt) {
   frequency_[99500] = 51.0;
   const auto kept = thinned(tick_, frequency_, rocof_, {{0, tick_.back()}}, 4000);
   EXPECT_LE(kept.size(), 4000U);
@@ -263,7 +263,7 @@ std::string write_error(const std::string& path, const std::string& content) {
   return test::refusal_of<WriteError>([&] { write_file(path, content); });
 }
 
-TEST(WriteFile, WritesAndReplaces) {
+TEST(WriteFile, CreatesOrReplacesTheFile) {
   const test::TemporaryFolder folder;
   const std::string name = "r\xc3\xa9port.html";
   write_file(folder.file(name), std::string("a\0b", 3));
@@ -281,7 +281,7 @@ TEST(WriteFile, NamesPathAndCause) {
   EXPECT_THAT(write_error(folder.file("taken"), "x"), HasSubstr("directory"));
 }
 
-// Sizes below and above what any buffer holds: a disk may fill up at the first or at a later write.
+// Sizes below and above those of buffers: the disk is full at the first write or at a later one.
 TEST(WriteFile, LeavesTheOldFileWhenTheDiskIsFull) {
   const test::TemporaryFolder folder;
   const test::SmallDisk disk(folder.path(), "size=64k");

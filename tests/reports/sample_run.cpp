@@ -43,7 +43,8 @@ double true_rocof_hz_s(double time_s) {
   return (true_frequency_hz(time_s + kStep_s) - true_frequency_hz(time_s)) / kStep_s;
 }
 
-// Uniform in ±1; the distributions of <random> differ between libraries, the engine does not.
+// Uniform in ±1. The engine gives the same numbers with every library, the distributions of
+// <random> do not.
 class Noise {
  public:
   explicit Noise(std::uint32_t seed) : engine_(seed) {}
@@ -57,7 +58,7 @@ record::MeasurementResult number(const char* name, double value, const char* uni
                                  double high, double uncertainty) {
   record::MeasurementResult result;
   result.name = name;
-  result.definition = result.name + ", in a sentence as long as those of the catalogue, or nearly.";
+  result.definition = result.name + ", in a sentence about as long as those of the catalogue.";
   result.value = value;
   result.unit = unit;
   result.low = low;

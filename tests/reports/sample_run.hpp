@@ -1,16 +1,16 @@
-// A run of the 500 MW case as a record would hold it, made by formula: true frequency by eq. (6)
-// with the constants of the 24-bus system, outlets that lag and are noisy, estimates that settle
-// from 310 MW. Nothing of it is measured; it is for the tests of what is made from records.
+// Record of a synthetic run of the 500 MW case, for tests of stores and reports. The frequency
+// follows eq. (6) with the constants of the 24-bus system; measurements have delay and noise, and
+// estimates settle from 310 MW.
 #pragma once
 
 #include <record/run_record.hpp>
 
 namespace gsbench::sample {
 
-// Half of the outlets shed (accumulated power 100 MW), half stay on (200 MW).
+// Half of the outlets shed (accumulated power 100 MW), half do not (200 MW).
 record::RunRecord loss_500mw(int outlet_count = 8);
 
-// Every outlet steady at 50 Hz, a report each 16 ms, with slow wander and noise.
+// All outlets at 50 Hz, with a report every 16 ms, slow drift and noise.
 record::RunRecord steady(int outlet_count, double duration_s);
 
 // Writes it into a new store.

@@ -43,11 +43,11 @@ TEST_F(Store, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.finished_utc, run.finished_utc);
   EXPECT_EQ(read.seed, 18446744073709551615U);
   ASSERT_EQ(read.outlets.size(), 8U);
-  // What the digest takes for equal is compared by hand: a measurement that is not there.
+  // The digest treats NaNs as equal; a missing value must be read as NaN.
   EXPECT_TRUE(std::isnan(sample::measurement(read.outlets[7], "relay.delay").value));
 }
 
-TEST_F(Store, GivesTheHeadWithoutTheOutlets) {
+TEST_F(Store, ReadsTheHeadWithoutTheOutlets) {
   RunRecord run = sample::loss_500mw(2);
   write(path_, run);
   const RunRecord head = read_head(path_);
@@ -58,7 +58,7 @@ TEST_F(Store, GivesTheHeadWithoutTheOutlets) {
   EXPECT_EQ(read_head(folder_.file("begun.sqlite")).verdict_reason, "the run did not finish");
 }
 
-TEST_F(Store, KeepsTracesToTheBitIncludingNanAndWildTicks) {
+TEST_F(Store, KeepsEveryBitOfTracesWithNanAndExtremeTicks) {
   RunRecord run = sample::loss_500mw(1);
   MeasurementTrace& trace = run.outlets[0].trace;
   trace.tick[0] = std::numeric_limits<std::int64_t>::min();
@@ -111,9 +111,9 @@ TEST_F(Store, WritesTheSameBytesForTheSameRecord) {
   EXPECT_EQ(folder_.read("a.sqlite"), folder_.read("b.sqlite"));
 }
 
-// An hour of one outlet is 225 000 reports of 21 bytes. What noise leaves incompressible are about
-// two bytes each of frequency and voltage and three of ROCOF, whose mantissa is noise throughout.
-TEST_F(Store, TakesUnderEightBytesAReport) {
+// An hour of one outlet is 225 000 reports of 21 bytes. Noise makes about two bytes each of
+// frequency and voltage incompressible, and three of ROCOF.
+TEST_F(Store, TakesLessThanEightBytesPerReport) {
   const RunRecord run = sample::steady(1, 3600.0);
   write(folder_.file("hour.sqlite"), run);
   const double bytes_per_report =
@@ -123,7 +123,7 @@ TEST_F(Store, TakesUnderEightBytesAReport) {
   EXPECT_LT(bytes_per_report, 8.0);
 }
 
-TEST_F(Store, ReadsAnUnfinishedRunAsErrorWithWhatItHas) {
+TEST_F(Store, ReadsAnUnfinishedRunAsErrorWithItsOutletsSoFar) {
   const RunRecord run = sample::loss_500mw(3);
   {
     Writer writer(path_);
@@ -138,7 +138,7 @@ TEST_F(Store, ReadsAnUnfinishedRunAsErrorWithWhatItHas) {
   EXPECT_EQ(read.outlets[0].verdict, Verdict::kPass);
 }
 
-TEST_F(Store, ReadsARunThatWasNeverBegunAsError) {
+TEST_F(Store, ReadsARecordWithoutBeginAsError) {
   { const Writer writer(path_); }
   EXPECT_EQ(read_run(path_).verdict, Verdict::kError);
 }
@@ -154,7 +154,7 @@ TEST_F(Store, CanBeReadWhileItIsWritten) {
   EXPECT_EQ(read_run(path_).verdict, Verdict::kPass);
 }
 
-TEST_F(Store, RefusesAnExistingFileAndLeavesItAlone) {
+TEST_F(Store, RefusesAnExistingFileAndDoesNotChangeIt) {
   write(path_, sample::loss_500mw(1));
   EXPECT_THAT(refusal_of<StoreError>([&] { Writer writer(path_); }),
               AllOf(StartsWith(path_), HasSubstr("File exists")));
@@ -168,7 +168,7 @@ TEST_F(Store, NamesTheMissingFolder) {
   EXPECT_THAT(refusal_of<StoreError>([&] { read_run(path); }), says);
 }
 
-TEST_F(Store, RefusesTwoOutletsOfOneName) {
+TEST_F(Store, RefusesTwoOutletsWithTheSameId) {
   const RunRecord run = sample::loss_500mw(1);
   Writer writer(path_);
   writer.begin(run);
@@ -179,7 +179,7 @@ TEST_F(Store, RefusesTwoOutletsOfOneName) {
   EXPECT_EQ(read_run(path_).outlets.size(), 1U);
 }
 
-TEST_F(Store, RefusesColumnsOfUnequalLengthAndStaysUsable) {
+TEST_F(Store, RefusesColumnsOfUnequalLengthAndRemainsUsable) {
   const RunRecord run = sample::loss_500mw(1);
   Writer writer(path_);
   writer.begin(run);
@@ -202,7 +202,7 @@ TEST_F(Store, RefusesCallsOutOfOrder) {
   EXPECT_THROW(writer.finish(run), std::logic_error);
 }
 
-TEST_F(Store, SaysThatTheDiskIsFullAndKeepsWhatWasThere) {
+TEST_F(Store, ReportsAFullDiskAndKeepsEarlierOutlets) {
   const test::SmallDisk disk(folder_.path(), "size=1m");
   if (!disk.mounted()) {
     GTEST_SKIP() << "mounting a small tmpfs is not allowed here";

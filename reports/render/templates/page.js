@@ -1,5 +1,5 @@
 'use strict';
-// A plot for each place that the page has one for. Gaps are null.
+// One plot for each placeholder of the page. Gaps are null.
 for (const [number, plot] of JSON.parse(document.getElementById('plots').textContent).entries()) {
   const rows = plot.x.map((x, row) => [x, ...plot.curves.map((curve) => curve.y[row])]);
   new Dygraph(document.getElementById(`plot-${number}`), rows, {

@@ -1,4 +1,4 @@
-// Draws the curves of the outlet chosen. All data stand in #plot-data; nothing is fetched.
+// Draws the curves of the selected outlet. All data are in #plot-data; nothing is fetched.
 (function () {
   "use strict";
   const element = (id) => document.getElementById(id);
@@ -9,7 +9,7 @@
   const choice = element("outlet-choice");
   const AXIS_WIDTH = 68;
 
-  // Names of the colours in report.css and of the units, by series.
+  // Colour (a variable of report.css), unit and digits of each series.
   const FREQUENCY = [
     { label: "measured frequency", colour: "measured", unit: "Hz", digits: 4 },
     { label: "reference frequency", colour: "true", unit: "Hz", digits: 4 },
@@ -24,8 +24,8 @@
   const colour = (name) => getComputedStyle(root).getPropertyValue("--" + name).trim();
   const axisNumber = (value, digits) => String(+value.toFixed(digits)).replace("-", "\u2212");
 
-  // Dygraphs wants one table: null where a series has no entry at that time (the line goes on), NaN
-  // where the outlet claimed nothing (a gap).
+  // Dygraphs needs one table: null if a series has no entry at that time (the line continues), NaN if
+  // the report was invalid (a gap).
   function table(columns) {
     const rows = new Map();
     columns.forEach((column, place) => {
@@ -38,7 +38,7 @@
     return Array.from(rows.values()).sort((a, b) => a[0] - b[0]);
   }
 
-  // An untrusted stretch reaches to the first trusted estimate, so that the curve has no hole.
+  // An untrusted interval extends to the first trusted estimate, so that the curve has no hole.
   function estimates(outlet, trusted) {
     const shown = { t: [], v: [] };
     outlet.e.t.forEach((t, i) => {
@@ -54,7 +54,7 @@
   const marksOf = (outlet) => data.stimulus.concat(outlet.marks).sort((a, b) => a.t - b.t);
   const markColour = (kind) => colour("mark-" + kind.split(".")[0]) || colour("mark-stimulus");
 
-  // A dashed line at each mark; where there is room its name at the foot, in as many rows as needed.
+  // A dashed line at each mark, and its name at the bottom if there is room, in several rows if needed.
   function drawMarks(marks, named, context, area, graph) {
     const rowEnds = [];
     context.save();
@@ -157,7 +157,7 @@
     return new Dygraph(node, table([
       { t: outlet.t, v: outlet.r }, { t: data.reference.t, v: data.reference.r },
     ]), options(ROCOF, marksOf(outlet), false, Object.assign({
-      // The same room on the right as the graph above, so that the time axes stand one over the other.
+      // The same margin on the right as the graph above, so that the time axes are aligned.
       rightGap: 8 + (outlet.e.p.length ? AXIS_WIDTH + 6 : 0),
       axes: {
         x: timeAxis,
@@ -166,8 +166,8 @@
     }, more)));
   }
 
-  // What is printed: pictures of the same curves in the width and colours of paper. They are made
-  // ahead, for a canvas drawn while a browser is about to print stays empty.
+  // For printing: images of the same curves in the width and colours of paper. They are made in advance,
+  // because a canvas that is drawn when the browser is about to print stays empty.
   let paperGraphs = [];
   let paperTimer = 0;
   function drawPaper() {
@@ -230,7 +230,7 @@
     window.gsbenchGraphs = graphs;
   }
 
-  // From shortly before the first mark to shortly after those that belong to it.
+  // From shortly before the first mark to shortly after the last mark within 10 s of it.
   function aroundTheEvent() {
     const marks = marksOf(data.outlets[choice.value]);
     const first = marks.length ? marks[0].t : 0;
@@ -250,7 +250,7 @@
   });
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
 
-  // On paper every outlet's table is open.
+  // When printing, the tables of all outlets are open.
   let opened = [];
   window.addEventListener("beforeprint", () => {
     root.setAttribute("data-printing", "");
@@ -262,6 +262,6 @@
     opened.forEach((details) => { details.open = false; });
   });
 
-  choice.value = choice.dataset.first;  // whatever a reload has kept
+  choice.value = choice.dataset.first;  // also after a reload
   draw();
 })();

@@ -1,4 +1,4 @@
-// Bad input of every kind: exit code 2, a message that says what and where, nothing written.
+// Bad input: exit code 2, a message with place and cause, and no files.
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
 
@@ -26,7 +26,7 @@ measure = "event.false"
 max = 0
 )";
 
-// What is replaced in kGood, by what; the place in the message, and what it says.
+// Text of kGood, its replacement, and place and text of the message.
 const std::array<const char*, 4> kBad[] = {
     {"[signal]", "[signal", "5:", "pars"},
     {"noise_pct", "noise_pc", "8:1", "noise_pct"},
@@ -39,8 +39,8 @@ const std::array<const char*, 4> kBad[] = {
     {"event.false", "event.fals", "12:", "event.false"},
 };
 
-TEST(BadInput, AProfileIsRefusedWithItsPlaceAndNothingIsWritten) {
-  for (const auto& [replaced, by, place, says] : kBad) {
+TEST(BadInput, AProfileErrorIsReportedWithItsPlaceAndNothingIsWritten) {
+  for (const auto& [replaced, by, place, message] : kBad) {
     std::string text = kGood;
     text.replace(text.find(replaced), std::string(replaced).size(), by);
     const TemporaryFolder folder;
@@ -48,20 +48,20 @@ TEST(BadInput, AProfileIsRefusedWithItsPlaceAndNothingIsWritten) {
     const Outcome outcome = run_gsbench({"run", path, "--out", folder.file("runs")});
     EXPECT_EQ(outcome.exit_code, 2) << by;
     EXPECT_THAT(outcome.err, HasSubstr(path + ":" + place));
-    EXPECT_THAT(outcome.err, HasSubstr(says));
+    EXPECT_THAT(outcome.err, HasSubstr(message));
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(folder.entries(), Words{"bad.toml"});
   }
 }
 
-TEST(BadInput, AGoodProfileOfThatFormRuns) {
+TEST(BadInput, TheProfileWithoutTheErrorsRuns) {
   const TemporaryFolder folder;
   const std::string path = folder.write("good.toml", kGood);
   const Outcome outcome = run_gsbench({"run", path, "--out", folder.file("runs")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
 }
 
-TEST(BadInput, AGridThatMakesNoSenseIsRefusedAtItsLine) {
+TEST(BadInput, AGridErrorIsReportedWithItsLine) {
   const TemporaryFolder folder;
   const std::string path = folder.write(
       "grid.toml",
@@ -71,12 +71,12 @@ TEST(BadInput, AGridThatMakesNoSenseIsRefusedAtItsLine) {
   expect_refused({"params", path}, path + ":5:");
 }
 
-TEST(BadInput, AProfileThatDoesNotExistIsNamed) {
+TEST(BadInput, AMissingProfileIsNamed) {
   expect_refused({"run", "paper/loss-501mw"}, "paper/loss-501mw");
 }
 
 TEST(BadInput, AnUnwritableOutputFolderIsNamed) {
-  // Whoever runs it, no folder can be made in a file or in /proc.
+  // No user, not even root, can create a folder in a file or in /proc.
   for (const std::string folder : {"/dev/null/runs", "/proc/runs"}) {
     expect_refused({"run", "paper/loss-500mw", "--out", folder}, folder);
   }
@@ -88,23 +88,23 @@ void expect_recording_refused(const std::string& path) {
       path);
 }
 
-TEST(BadInput, ARecordingThatDoesNotExistIsNamed) {
+TEST(BadInput, AMissingRecordingIsNamed) {
   expect_recording_refused("no-such.csv");
 }
 
-TEST(BadInput, ARecordingThatNoGridCouldHaveMadeIsRefused) {
+TEST(BadInput, AnImplausibleRecordingIsRefused) {
   const TemporaryFolder folder;
   for (const std::string rows : {"0,50\n1,1e308\n", "0,50\n1,20\n", "0,50\n1e9,50\n"}) {
     expect_recording_refused(folder.write("recording.csv", "t,f\n" + rows));
   }
 }
 
-TEST(BadInput, ADeviceIsNoPlaceForAReport) {
+TEST(BadInput, ADeviceIsRefusedAsOutputFile) {
   expect_refused({"waveform", "regression/command", "-o", "/dev/null"}, "/dev/null");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(BadInput, UsageMistakesExitWithTwo) {
+TEST(BadInput, UsageErrorsExitWithTwo) {
   for (const Words& arguments : std::vector<Words>{
            {},
            {"runn"},
@@ -132,14 +132,14 @@ TEST(BadInput, AnUnknownCommandIsNamed) {
   expect_refused({"frobnicate", "ieee24"}, "unknown command 'frobnicate'");
 }
 
-TEST(BadInput, AFolderThatCannotBeMadeLeavesNoneAboveIt) {
+TEST(BadInput, AFolderThatCannotBeCreatedLeavesNoParentFolders) {
   const TemporaryFolder folder;
   folder.write("file", "");
   expect_refused({"run", "paper/loss-500mw", "--out", folder.file("a/b/../../file/runs")}, "file");
   EXPECT_EQ(folder.entries(), Words{"file"});
 }
 
-TEST(BadInput, OutputThatIsTheInputIsRefusedAndUntouched) {
+TEST(BadInput, AnOutputThatIsTheInputIsRefusedAndUnchanged) {
   const TemporaryFolder folder;
   const std::string profile = folder.write("my.toml", kGood);
   const std::string other_name = folder.file("link.csv");
@@ -154,7 +154,7 @@ TEST(BadInput, OutputThatIsTheInputIsRefusedAndUntouched) {
   EXPECT_EQ(run_gsbench({"report", run}).exit_code, 0) << "the record is still there";
 }
 
-TEST(BadInput, CheckGoesThroughAllAndTellsOfEach) {
+TEST(BadInput, CheckReportsTheErrorsOfAllProfiles) {
   const TemporaryFolder folder;
   const std::string bad = folder.write("bad.toml", "title = ");
   const Outcome outcome = run_gsbench({"check", bad, "paper/loss-500mw", "no-such"});
@@ -165,7 +165,7 @@ TEST(BadInput, CheckGoesThroughAllAndTellsOfEach) {
   EXPECT_EQ(run_gsbench({"check", "paper/loss-500mw", "regression/backup"}).exit_code, 0);
 }
 
-TEST(BadInput, RunsOfAMissingFolderAreRefused) {
+TEST(BadInput, RunsOfAMissingFolderAreAnError) {
   const TemporaryFolder folder;
   expect_refused({"runs", "--out", folder.file("none")}, folder.file("none"));
 }

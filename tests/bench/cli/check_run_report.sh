@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# check_run_report.sh GSBENCH CHECK_REPORT FOLDER: plays the 500 MW experiment and has its report
-# checked in a browser against its result.
+# check_run_report.sh GSBENCH CHECK_REPORT FOLDER: runs the 500 MW experiment and compares its report, in
+# a browser, with its JSON result.
 set -euo pipefail
 gsbench=$1 check_report=$2 folder=$3
 rm -rf "$folder"

@@ -1,4 +1,4 @@
-// What finds outlets and listens to them, on an emulated line or behind a broker.
+// gsbench devices and gsbench monitor with an emulated outlet, on a serial line or behind a broker.
 #include "gsbench_process.hpp"
 #include <test_support/demand.hpp>
 #include <test_support/mains.hpp>
@@ -25,7 +25,7 @@ namespace {
 using emulation::Connection;
 using testing::HasSubstr;
 
-// Calm mains of an emulated station with one outlet, for as long as a test lasts.
+// An emulated station with one outlet at nominal voltage and frequency, for the duration of a test.
 class OneOutlet : public testing::Test {
  protected:
   explicit OneOutlet(Connection connection) : connection_(connection) {}
@@ -54,7 +54,7 @@ class OneOutlet : public testing::Test {
     }
   }
 
-  // A command to the place where the outlet is.
+  // The command with the options that reach the outlet.
   Words to_it(const std::string& command, const Words& more = {}) const {
     Words words = {command, "--port", where_};
     if (connection_ == Connection::kMqtt) {
@@ -107,7 +107,7 @@ Words lines_of(const std::string& text) {
   return lines;
 }
 
-TEST_P(AnyStation, IsFoundWithWhatItsOutletSaysOfItself) {
+TEST_P(AnyStation, IsListedWithTheDataThatItsOutletReports) {
   const json found = run_for_json(to_it("devices", {"--json"}));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0]["id"], "kitchen-1");
@@ -133,11 +133,11 @@ TEST_P(AnyStation, IsFoundWithWhatItsOutletSaysOfItself) {
   }
 }
 
-TEST_P(AnyStation, IsHeardForAsLongAsAsked) {
+TEST_P(AnyStation, IsMonitoredForTheGivenTime) {
   const Outcome outcome = run_gsbench(to_it("monitor", {"--seconds", "1.5"}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const Words lines = lines_of(outcome.out);
-  // A hello, and of the measurements every 16 ms most, on however slow a machine.
+  // A hello, and most of the measurements of every 16 ms, also on a slow machine.
   ASSERT_GT(lines.size(), 20U);
   EXPECT_THAT(lines.front(), HasSubstr("hello"));
   EXPECT_THAT(lines.front(), HasSubstr("8000 Hz samples of 50 Hz mains, no settings"));
@@ -146,28 +146,28 @@ TEST_P(AnyStation, IsHeardForAsLongAsAsked) {
   EXPECT_THAT(outcome.out, HasSubstr("1.0000 pu valid"));
 }
 
-TEST_F(SerialStation, IsHeardLiveUntilInterrupted) {
+TEST_F(SerialStation, IsMonitoredUntilInterrupted) {
   const Started started = start_gsbench(to_it("monitor"));
   EXPECT_TRUE(until([&] { return text_of(started.out).find("pu valid") != std::string::npos; }));
   const Outcome outcome = stop(started, SIGINT);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-TEST_F(SerialStation, IsHeardNoLongerThanAnybodyReads) {
+TEST_F(SerialStation, IsMonitoredUntilTheReaderOfThePipeEnds) {
   const std::string command = "timeout 30 " + std::string(GSBENCH_PROGRAM) + " monitor --port " +
                               where_ + " 2>&1 | head -n 3";
   const auto began = std::chrono::steady_clock::now();
   EXPECT_EQ(lines_of(output_of(command).text).size(), 3U);
-  // The shell waits for both; without an end of its own the monitor would go on to the 30 s.
+  // The shell waits for both processes: without the broken pipe monitor would run for 30 s.
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(15));
 }
 
-TEST_P(AnyStation, HasNoOutletOfAnotherName) {
+TEST_P(AnyStation, HasNoOutletWithAnotherId) {
   expect_refused(to_it("monitor", {"--outlet", "cellar", "--seconds", "1"}),
                  "no outlet cellar answers");
 }
 
-TEST_F(SerialStation, WithItsOutletGoneHasNothingToFind) {
+TEST_F(SerialStation, ReportsAnOutletThatDoesNotAnswer) {
   hardware_->outlet_process(0).kill();
   const Outcome found = run_gsbench(to_it("devices"));
   EXPECT_EQ(found.exit_code, 4) << found.err;
@@ -175,15 +175,14 @@ TEST_F(SerialStation, WithItsOutletGoneHasNothingToFind) {
   expect_refused(to_it("monitor"), "no outlet answers");
 }
 
-TEST_F(MqttStation, WithAWrongPasswordIsNotListenedTo) {
+TEST_F(MqttStation, RefusesAWrongPassword) {
   folder_.write("bench.password", "guessed\n");
   const Outcome outcome = run_gsbench(to_it("monitor", {"--seconds", "1"}));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("refuses the user name"));
 }
 
-// An outlet that was named and is not there is told, and the one that is there is shown.
-TEST_F(MqttStation, AnOutletThatWasNamedAndIsNotThereIsTold) {
+TEST_F(MqttStation, ReportsAMissingOutletAndListsTheOther) {
   std::ofstream(station_, std::ios::app) << "outlets = [\"cellar\", \"kitchen-1\"]\n";
   const Outcome outcome = run_gsbench(to_it("devices"));
   EXPECT_EQ(outcome.exit_code, 4);
@@ -192,14 +191,14 @@ TEST_F(MqttStation, AnOutletThatWasNamedAndIsNotThereIsTold) {
   expect_refused(to_it("monitor", {"--outlet", "cellar"}), "no outlet cellar answers");
 }
 
-TEST(Devices, APortThatDoesNotExistIsToldByItsName) {
+TEST(Devices, AMissingPortIsNamed) {
   for (const char* command : {"devices", "monitor"}) {
     expect_refused({command, "--port", "/dev/ttyNowhere7"}, "/dev/ttyNowhere7: No such file");
   }
 }
 
-TEST(Devices, AStationWithoutOutletsOfItsOwnIsRefused) {
-  expect_refused({"devices", "--station", "simulated"}, "only while a run plays");
+TEST(Devices, AStationWithOutletsOnlyDuringARunIsRefused) {
+  expect_refused({"devices", "--station", "simulated"}, "has outlets only during a run");
   expect_refused({"monitor", "--station", "emulatd"}, "\"emulated\"");
 }
 

@@ -124,10 +124,10 @@ json run_for_json(const Words& arguments) {
   return json::parse(outcome.out);
 }
 
-void expect_refused(const Words& arguments, const std::string& says) {
+void expect_refused(const Words& arguments, const std::string& message) {
   const Outcome outcome = run_gsbench(arguments);
   EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments);
-  EXPECT_THAT(outcome.err, testing::HasSubstr(says)) << testing::PrintToString(arguments);
+  EXPECT_THAT(outcome.err, testing::HasSubstr(message)) << testing::PrintToString(arguments);
 }
 
 fs::path only_run(const fs::path& output_folder) {

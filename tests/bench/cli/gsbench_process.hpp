@@ -1,4 +1,4 @@
-// Runs the gsbench program and collects what it leaves behind.
+// Runs the gsbench program and collects its output and exit code.
 #pragma once
 
 #include <sys/types.h>
@@ -15,28 +15,28 @@ namespace gsbench::test {
 using nlohmann::json;
 
 struct Outcome {
-  int exit_code = -1;  // 128 + the signal where one ended it
+  int exit_code = -1;  // 128 + number of the signal that ended it
   std::string out;
   std::string err;
 };
 
 using Words = std::vector<std::string>;
 
-// `prepare` is called in the new process, before the program.
+// `prepare` is called in the new process before the program starts.
 Outcome run_gsbench(
     const Words& arguments, const std::function<void()>& prepare = [] {});
 
-// Everything that gsbench prints with a pseudo-terminal as standard output and standard error, without
-// colours and carriage returns.
+// Everything that gsbench prints with a pseudo-terminal as standard output and standard error,
+// without colours and carriage returns.
 std::string run_on_terminal(const Words& arguments);
 
-// What it prints for scripts; a failure where it does not exit with 0.
+// Its output, parsed as JSON; a test failure unless it exits with 0.
 json run_for_json(const Words& arguments);
 
-// A failure where it does not exit with 2 and a message that has `says`.
-void expect_refused(const Words& arguments, const std::string& says);
+// A test failure unless it exits with 2 and a message that contains `message`.
+void expect_refused(const Words& arguments, const std::string& message);
 
-// The same, without waiting for its end.
+// Started, without waiting for its end.
 struct Started {
   pid_t pid;
   std::filesystem::path out;
@@ -48,7 +48,7 @@ Outcome stop(const Started& started, int signal);
 
 std::string text_of(const std::filesystem::path& path);
 
-// The only run kept in an output folder.
+// The folder of the only run in an output folder. Throws std::runtime_error for another number.
 std::filesystem::path only_run(const std::filesystem::path& output_folder);
 
 }  // namespace gsbench::test

@@ -17,8 +17,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Key;
 
-// Entries of one section of a help text and what is said of each: below "Options:" and the like,
-// indented by two; a name, then two spaces or a line further indented, then the description.
+// Entries of a section of a help text ("Options:" and so on) and their descriptions. A line starts
+// with two spaces and the name; the description follows after two spaces or on further indented
+// lines.
 std::map<std::string, std::string> entries(const std::string& help, const std::string& section) {
   std::map<std::string, std::string> found;
   std::istringstream lines(help.substr(std::min(help.find(section + ":\n"), help.size())));
@@ -38,7 +39,7 @@ std::map<std::string, std::string> entries(const std::string& help, const std::s
   return found;
 }
 
-// What the help of a command lacks, "" where nothing.
+// The first missing part of the help of a command; empty if it is complete.
 std::string lacking(const std::string& command, const std::string& description,
                     const std::string& help) {
   if (description.empty() || help.rfind(description + "\n", 0) != 0) {
@@ -61,7 +62,7 @@ std::string lacking(const std::string& command, const std::string& description,
   return shown ? "" : "an example";
 }
 
-TEST(Help, EverySubcommandHasADescriptionOptionsAndAnExample) {
+TEST(Help, EveryCommandHasADescriptionOptionsAndAnExample) {
   const Outcome outcome = run_gsbench({"--help"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("INCONCLUSIVE"));
@@ -75,7 +76,7 @@ TEST(Help, EverySubcommandHasADescriptionOptionsAndAnExample) {
   }
 }
 
-TEST(Help, WhatOneLacksIsFound) {
+TEST(Help, TheCheckFindsEachMissingPart) {
   const std::string whole =
       "Plays\nUsage: gsbench play [OPTIONS]\n\nOptions:\n  -h,--help    Print this\n"
       "  --port TEXT Excludes: --station\n               A port\n\nExample:\n  gsbench play\n";
@@ -88,13 +89,13 @@ TEST(Help, WhatOneLacksIsFound) {
       {"               A port\n", "a description of --port TEXT Excludes: --station"},
       {"Example:", "an example"},
       {"  gsbench play\n", "an example"}};
-  for (const auto& [lost, told] : losses) {
+  for (const auto& [removed, missing] : losses) {
     std::string text = whole;
-    EXPECT_EQ(lacking("play", "Plays", text.erase(text.find(lost), lost.size())), told);
+    EXPECT_EQ(lacking("play", "Plays", text.erase(text.find(removed), removed.size())), missing);
   }
 }
 
-TEST(Help, AListNamesWhatIsShipped) {
+TEST(Help, ListNamesTheShippedFiles) {
   const Outcome outcome = run_gsbench({"list"});
   for (const std::string name : {"paper/loss-500mw", "events/gb-2019", "disturbances/dead-bus",
                                  "ieee24-by-unit", "island-60hz"}) {

@@ -1,4 +1,4 @@
-// A run that is stopped from outside: kept, and told as what it is.
+// Runs that are interrupted or killed.
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
@@ -15,11 +15,11 @@ namespace {
 
 using testing::HasSubstr;
 
-// In real time the six seconds of the profile leave room for a signal.
+// In real time the profile takes six seconds, enough time for a signal.
 Outcome stop_slow_run(const TemporaryFolder& folder, int signal) {
   const Started started = start_gsbench(
       {"run", "paper/loss-500mw", "--real-time", "--json", "--out", folder.file("runs")});
-  // It is under way once its record is there.
+  // The run has started when its record exists.
   EXPECT_TRUE(until([&] {
     const Words entries = folder.entries();
     return std::any_of(entries.begin(), entries.end(), [](const std::string& entry) {
@@ -30,7 +30,7 @@ Outcome stop_slow_run(const TemporaryFolder& folder, int signal) {
   return stop(started, signal);
 }
 
-TEST(Interrupt, EndsTheRunWithARecordThatSaysSo) {
+TEST(Interrupt, EndsTheRunAndKeepsItAsInterrupted) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
     const Outcome outcome = stop_slow_run(folder, signal);
@@ -41,14 +41,14 @@ TEST(Interrupt, EndsTheRunWithARecordThatSaysSo) {
   }
 }
 
-TEST(Interrupt, AKilledRunLeavesNoRunThatLooksFinished) {
+TEST(Interrupt, AKilledRunIsListedAsUnfinished) {
   const TemporaryFolder folder;
   EXPECT_EQ(stop_slow_run(folder, SIGKILL).exit_code, 128 + SIGKILL);
   const Outcome list = run_gsbench({"runs", "--out", folder.file("runs")});
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_EQ(list.out, "");
   EXPECT_THAT(list.err, HasSubstr("not ended, or was killed"));
-  // What it had kept can still be read.
+  // The part that was stored can be read.
   const Outcome report = run_gsbench({"report", only_run(folder.path() / "runs").string()});
   EXPECT_EQ(report.exit_code, 0) << report.err;
   EXPECT_THAT(report.out, HasSubstr("did not finish"));

@@ -1,4 +1,4 @@
-// Kept runs as `runs` and `report` find them, and reports on standard output.
+// Kept runs, as `runs` and `report` find them, and reports on standard output.
 #include "gsbench_process.hpp"
 #include <sys/stat.h>
 #include <test_support/temporary_folder.hpp>
@@ -41,7 +41,7 @@ class KeptRuns : public testing::Test {
   const std::string profile_ = folder_.write("my.toml", kProfile);
 };
 
-TEST_F(KeptRuns, AreListedOldestFirstWhateverTheirFolders) {
+TEST_F(KeptRuns, AreListedOldestFirstWhateverTheNamesOfTheirFolders) {
   const fs::path first = run("first");
   const fs::path second = run("second");
   const std::set<std::string> ids = {first.filename().string(), second.filename().string()};
@@ -57,7 +57,7 @@ TEST_F(KeptRuns, AreListedOldestFirstWhateverTheirFolders) {
   EXPECT_EQ(std::set<std::string>({list[0]["run_id"], list[1]["run_id"]}), ids);
 }
 
-TEST_F(KeptRuns, InHiddenFoldersAreNotListed) {
+TEST_F(KeptRuns, AreNotListedInHiddenFolders) {
   const fs::path kept = run("runs");
   fs::copy(kept, kept.parent_path() / ".trash", fs::copy_options::recursive);
   const Outcome list = run_gsbench({"runs", "--out", folder_.file("runs"), "--json"});
@@ -65,14 +65,14 @@ TEST_F(KeptRuns, InHiddenFoldersAreNotListed) {
   EXPECT_EQ(list.err, "");
 }
 
-TEST_F(KeptRuns, HaveThePermissionsThatTheUserGivesNewFolders) {
+TEST_F(KeptRuns, HaveThePermissionsOfTheUsersUmask) {
   const mode_t before = umask(0027);
   const fs::path kept = run("runs");
   umask(before);
   EXPECT_EQ(fs::status(kept).permissions(), fs::perms(0750));
 }
 
-TEST_F(KeptRuns, SayWhichRecordingWasPlayedInPlaceOfTheProfile) {
+TEST_F(KeptRuns, StateWhichRecordingWasPlayedInPlaceOfTheProfile) {
   const std::string csv = folder_.write("other.csv", "t,f\n0,50\n0.3,49.9\n");
   const fs::path kept =
       run("runs", {"--trace", csv, "--trace-time", "t", "--trace-frequency", "f"});
@@ -82,17 +82,17 @@ TEST_F(KeptRuns, SayWhichRecordingWasPlayedInPlaceOfTheProfile) {
   EXPECT_EQ(recording["sha256"].get<std::string>().size(), 64U);
   EXPECT_EQ(recording["replaces_profile"], true);
   const std::string page = text_of(kept / "report.html");
-  EXPECT_THAT(page, Not(HasSubstr("The profile as it was played")));
+  EXPECT_THAT(page, Not(HasSubstr("The profile</h2>")));
   EXPECT_THAT(page, HasSubstr(recording["sha256"].get<std::string>()));
 }
 
-TEST_F(KeptRuns, AreReportedOnStandardOutputForADash) {
+TEST_F(KeptRuns, AreReportedOnStandardOutputForOutputDash) {
   const fs::path kept = run("runs");
   const Outcome report = run_gsbench({"report", kept.string(), "--format", "json", "-o", "-"});
   EXPECT_EQ(report.out, text_of(kept / "result.json"));
 }
 
-TEST_F(KeptRuns, AreFoundInAFolderThatCannotBeReadOnlyWithThatReason) {
+TEST_F(KeptRuns, InAFolderWithoutPermissionGiveThatError) {
   if (geteuid() != 0) {
     GTEST_SKIP() << "only root can become nobody";
   }
@@ -114,7 +114,7 @@ TEST_F(KeptRuns, AreFoundInAFolderThatCannotBeReadOnlyWithThatReason) {
   }
 }
 
-TEST(Waveform, GoesToStandardOutputForADashAndNothingElseDoes) {
+TEST(Waveform, GoesAloneToStandardOutputForOutputDash) {
   const TemporaryFolder folder;
   const std::string profile = folder.write("my.toml", kProfile);
   const Outcome shown = run_gsbench({"waveform", profile, "-o", "-"});

@@ -1,5 +1,5 @@
-// Long runs: a recorded collapse, such as Iberia's of 28 April 2025, replayed from end to end, and
-// an hour in which nothing happens.
+// Long runs: a complete recorded collapse, such as that of Iberia on 28 April 2025, and an hour
+// without an event.
 #include "gsbench_process.hpp"
 #include <test_support/collapse_recordings.hpp>
 
@@ -44,7 +44,7 @@ max = 1
                      collapse.last_ordinary_s, collapse.last_ordinary_s + 8.0);
 }
 
-TEST(RecordedCollapse, TripsByTheBackupInTheCollapseAndReportsNoFrequencyOnTheDeadBus) {
+TEST(RecordedCollapse, TripsByTheSwitchOffFrequencyAndReportsNoFrequencyOnTheDeadBus) {
   const TemporaryFolder folder;
   for (const CollapseRecording& collapse : collapse_recordings(folder)) {
     SCOPED_TRACE(collapse.path);

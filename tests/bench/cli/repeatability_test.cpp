@@ -1,4 +1,4 @@
-// The same profile and seed twice give the same bytes, whatever the number of threads.
+// Equal profiles and seeds give equal bytes with any number of threads.
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
 
@@ -25,7 +25,7 @@ Result run_with(const std::string& seed, const std::string& threads) {
   return {text_of(run / "traces.csv"), result.dump()};
 }
 
-TEST(Repeatability, ThreadsLeaveNoTrace) {
+TEST(Repeatability, ResultsDoNotDependOnThreads) {
   const Result one = run_with("7", "1");
   EXPECT_GT(one.traces.size(), 100000U);
   for (const std::string threads : {"1", "2", "3", "8"}) {
@@ -35,11 +35,11 @@ TEST(Repeatability, ThreadsLeaveNoTrace) {
   }
 }
 
-TEST(Repeatability, AnotherSeedGivesOtherTraces) {
+TEST(Repeatability, ADifferentSeedGivesDifferentTraces) {
   EXPECT_FALSE(run_with("7", "1").traces == run_with("8", "1").traces);
 }
 
-TEST(Repeatability, AReportRenderedAgainIsTheSame) {
+TEST(Repeatability, AReportThatIsRenderedAgainIsEqual) {
   const TemporaryFolder folder;
   const Outcome ran = run_gsbench({"run", "paper/loss-600mw", "--out", folder.path().string()});
   ASSERT_EQ(ran.exit_code, 0);

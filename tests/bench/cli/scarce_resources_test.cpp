@@ -1,5 +1,5 @@
-// Little memory, threads that the system does not give, a disk that fills while a run is written:
-// told by name, never an abort, and nothing half written stays.
+// Too little memory, too few threads, a full disk during a run: the error names the cause, the
+// program never aborts, and no incomplete files remain.
 #include "gsbench_process.hpp"
 #include <sys/resource.h>
 #include <test_support/small_disk.hpp>
@@ -15,8 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// Each thread asks for 8 MB of stack: 256 of them are too many for all of these sizes.
-TEST(LittleMemory, EndsWithAResultOrTellsThatItWasTooLittle) {
+// Each thread needs 8 MB of stack: 256 threads are too many for all of these sizes.
+TEST(LittleMemory, EndsWithAResultOrAnOutOfMemoryError) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer takes terabytes of address space";
 #endif
@@ -39,8 +39,8 @@ TEST(LittleMemory, EndsWithAResultOrTellsThatItWasTooLittle) {
   }
 }
 
-TEST(FullDisk, EndsWithTwoAndLeavesNothing) {
-  // The sizes end the writing early in the record, and late in it.
+TEST(FullDisk, ExitsWithTwoAndLeavesNoFiles) {
+  // The disk is full early and late in the record.
   for (const char* size : {"size=32k", "size=300k"}) {
     const TemporaryFolder folder;
     const SmallDisk disk(folder.path(), size);
@@ -50,13 +50,13 @@ TEST(FullDisk, EndsWithTwoAndLeavesNothing) {
     const Outcome outcome = run_gsbench({"run", "paper/loss-500mw", "--out", folder.file("runs")});
     EXPECT_EQ(outcome.exit_code, 2) << size;
     EXPECT_THAT(outcome.err, HasSubstr(folder.path().string()));
-    // The database says it in its own words, a folder or a report in the system's.
+    // The message is that of the database or, for a folder or a report, that of the system.
     EXPECT_THAT(outcome.err, HasSubstr("o space left on"));
     EXPECT_TRUE(folder.entries().empty()) << size;
   }
 }
 
-TEST(FullDisk, AmongTheReportsKeepsTheFinishedRecord) {
+TEST(FullDisk, DuringTheReportsKeepsTheFinishedRecord) {
   const TemporaryFolder folder;
   const SmallDisk disk(folder.path(), "size=900k");
   if (!disk.mounted()) {
@@ -67,7 +67,7 @@ TEST(FullDisk, AmongTheReportsKeepsTheFinishedRecord) {
   EXPECT_THAT(outcome.err, HasSubstr("o space left on"));
   EXPECT_THAT(outcome.err, HasSubstr("the run is kept"));
   const std::filesystem::path run = only_run(folder.path() / "runs");
-  // Each report is whole or not there, and the last cannot be.
+  // Each report is complete or missing; the last one is missing.
   const std::string html = text_of(run / "report.html");
   EXPECT_TRUE(html.empty() || html.find("</html>") != std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(run / "traces.csv"));

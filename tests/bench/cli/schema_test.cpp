@@ -1,4 +1,4 @@
-// The schema that editors check files by: every shipped file is valid by it, and a slip is not.
+// The JSON Schema for editors: every shipped file is valid, and files with mistakes are not.
 #include "gsbench_process.hpp"
 
 #include <algorithm>
@@ -41,8 +41,8 @@ bool has_type(const json& value, const std::string& type) {
   return type == "integer" ? value.is_number_integer() : value.type_name() == type;
 }
 
-// The first place that is not valid; empty where all is. Of JSON Schema as much as ours use, and no
-// keyword that is not known here.
+// The first invalid place; empty if the value is valid. Only the keywords of JSON Schema that our
+// schemas use; throws std::logic_error for others.
 std::string invalid_at(const json& value, const json& schema, const std::string& path) {
   const std::size_t size = value.is_string() ? value.get<std::string>().size() : value.size();
   for (const auto& [keyword, asked] : schema.items()) {
@@ -99,7 +99,7 @@ std::string invalid_at(const json& value, const json& schema, const std::string&
       }
     } else if (keyword != "description" && keyword != "default" && keyword != "title" &&
                keyword != "$schema") {
-      throw std::logic_error("a keyword of no schema of ours: " + keyword);
+      throw std::logic_error("unknown keyword: " + keyword);
     }
     if (!holds) {
       return fmt::format("{} ({})", path, keyword);
@@ -117,7 +117,7 @@ std::string format_of(const fs::path& path) {
   return folder == "grids" ? "grid" : folder == "stations" ? "station" : "profile";
 }
 
-TEST(Schema, HoldsForEveryShippedFileAndForNoUnknownKeyInIt) {
+TEST(Schema, AcceptsEveryShippedFileAndRejectsUnknownKeys) {
   std::map<std::string, int> seen;
   const std::map<std::string, json> schemas = {{"profile", run_for_json({"schema", "profile"})},
                                                {"grid", run_for_json({"schema", "grid"})},
@@ -139,7 +139,7 @@ TEST(Schema, HoldsForEveryShippedFileAndForNoUnknownKeyInIt) {
   EXPECT_GT(seen["station"], 3);
 }
 
-TEST(Schema, RefusesWhatTheBenchRefuses) {
+TEST(Schema, RejectsWhatTheBenchRejects) {
   const json schema = run_for_json({"schema", "profile"});
   const json good = read(GSBENCH_SOURCE_DIR "/profiles/paper/loss-500mw.toml");
   const auto spoilt = [&](const char* pointer, const json& value) {

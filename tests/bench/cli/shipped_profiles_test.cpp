@@ -1,4 +1,4 @@
-// Every shipped profile passes, from the first sample to the reports.
+// Every shipped profile passes and leaves its reports.
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
 
@@ -48,8 +48,8 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedProfile,
                            return name;
                          });
 
-// The thirteenth, regression/steady, is an hour: see long_runs_test.cpp.
-TEST(ShippedProfiles, AreAllInThatListButOne) {
+// The thirteenth, regression/steady, takes an hour: see long_runs_test.cpp.
+TEST(ShippedProfiles, AreAllTestedAbove) {
   EXPECT_EQ(run_for_json({"list", "--json"})["profiles"].size(), 13U);
 }
 

@@ -1,4 +1,4 @@
-// Studies and grids as they are printed, for people and for scripts.
+// Output of gsbench study and gsbench params, as text and as JSON.
 #include "gsbench_process.hpp"
 
 #include <gmock/gmock.h>
@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The only row of a measure.
+// The row of a measure.
 json measure_of(const json& study, const std::string& name) {
   for (const json& row : study["measures"]) {
     if (row["name"] == name) {
@@ -19,7 +19,7 @@ json measure_of(const json& study, const std::string& name) {
   return {};
 }
 
-TEST(Study, TellsScriptsWhatWasPlayedAndHowEachMeasureSpread) {
+TEST(Study, PrintsTheProfileAndTheDistributionOfEachMeasureAsJson) {
   const json study = run_for_json({"study", "paper/loss-500mw", "--seeds", "3", "--first-seed", "7",
                                    "--within", "ekf.error=4", "--json"});
   EXPECT_EQ(study["profile"], "paper/loss-500mw");
@@ -40,16 +40,16 @@ TEST(Study, TellsScriptsWhatWasPlayedAndHowEachMeasureSpread) {
   EXPECT_EQ(study["shares"][0]["share"], 1.0);
 }
 
-TEST(Study, SaysWhereNoOutletHasAValueForAShare) {
+TEST(Study, StatesThatNoOutletHasAValueForAShare) {
   const Outcome outcome =
       run_gsbench({"study", "paper/loss-320mw", "--seeds", "1", "--within", "command.delay=3"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("no outlet has a value"));
 }
 
-// Xiang et al., §6.3: 92.38 % of the estimates within 4 %. The short form of the study over 200
-// seeds.
-TEST(Study, Of500MegawattsKeepsItsFigures) {
+// Xiang et al., §6.3: 92.38 % of the estimates are within 4 %. A short form of the study with 200
+// seeds in tests/README.md.
+TEST(Study, Of500MegawattsIsAsGoodAsDocumented) {
   const json study = run_for_json({"study", "paper/loss-500mw", "--seeds", "25", "--json"});
   EXPECT_EQ(measure_of(study, "event.delay")["count"], 200);
   EXPECT_LE(measure_of(study, "event.delay")["p50"], 120.0);
@@ -61,7 +61,7 @@ TEST(Study, Of500MegawattsKeepsItsFigures) {
   }
 }
 
-TEST(Params, EveryKeyThatScriptsRelyOnIsThere) {
+TEST(Params, HaveAllDocumentedKeysAsJson) {
   for (const std::string grid : {"ieee24", "ieee24-by-unit", "island-60hz"}) {
     const json params = run_for_json({"params", grid, "--json"});
     for (const std::string key :
@@ -74,7 +74,7 @@ TEST(Params, EveryKeyThatScriptsRelyOnIsThere) {
 }
 
 // Xiang et al., §6.1 and Table 1.
-TEST(Params, TheCalibratedGridGivesThePublishedThresholdAndConditions) {
+TEST(Params, OfTheCalibratedGridAreThePublishedThresholdAndConditions) {
   const json params = run_for_json({"params", "ieee24", "--json"});
   EXPECT_NEAR(params["threshold_mw"].get<double>(), 351.92, 0.1);
   ASSERT_EQ(params["conditions"].size(), 10U);
@@ -82,7 +82,7 @@ TEST(Params, TheCalibratedGridGivesThePublishedThresholdAndConditions) {
   EXPECT_NEAR(params["conditions"][0]["from_hz"].get<double>(), 49.95, 1e-9);
 }
 
-TEST(Params, ThePublishedFiguresAndTheReasonForADifferenceStandBesideOurs) {
+TEST(Params, ArePrintedBesideThePublishedFiguresAndTheReasonOfADifference) {
   const Outcome outcome = run_gsbench({"params", "ieee24"});
   for (const std::string text : {"3.761", "3.72", "351.92", "351.9", "-0.3236", "Published: "}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));

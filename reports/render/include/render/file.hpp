@@ -1,5 +1,5 @@
-// Files that are written whole or not at all: a temporary file beside the named one takes its place
-// on commit().
+// Files that are written completely or not at all: a temporary file in the same folder replaces the
+// named file on commit().
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace gsbench::render {
 
-// Names path and cause.
+// what() is "PATH: cannot be written: cause".
 class WriteError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -17,9 +17,9 @@ class WriteError : public std::runtime_error {
 
 class File {
  public:
-  // Throws WriteError where no file can be written; a device or pipe is no place for one.
+  // Throws WriteError if the file cannot be written, or is a directory, device or pipe.
   explicit File(const std::string& path);
-  // Without commit() nothing is left, and what had been there is there still.
+  // Without commit() an existing file is unchanged, and no other file is left.
   ~File();
   File(const File&) = delete;
   File& operator=(const File&) = delete;
@@ -32,6 +32,7 @@ class File {
   std::unique_ptr<Impl> impl_;
 };
 
+// Throws WriteError.
 void write_file(const std::string& path, const std::string& content);
 
 }  // namespace gsbench::render
