@@ -30,7 +30,8 @@ const std::vector<Measure>& catalogue() {
        "Share of valid reports among all reports after the first second.",
        "10 reports after the first second"},
       {"validity.dead_bus_claims", "",
-       "Reports marked valid although the voltage had been below 10 % for more than 60 ms.",
+       "Reports marked valid although the voltage had been below 10 % of nominal for more than 60 "
+       "ms.",
        "nothing"},
       {"event.count", "", "Frequency events that the outlet detected during the run.", "nothing"},
       {"event.false", "",
@@ -44,20 +45,21 @@ const std::vector<Measure>& catalogue() {
        "Measurements that met a load-shedding condition, as reported with the first decision.",
        "a decision"},
       {"lse.loss", "MW",
-       "Lost power by the least-squares estimate (LSE) of the first event, eq. (18).",
+       "Lost power estimated by least squares (LSE) at the first event, eq. (18).",
        "a least-squares estimate, which follows an event"},
       {"lse.error", "%",
        "Relative error of the first least-squares estimate (LSE). "
        "The reference is the power lost in the profile up to that estimate.",
        "a least-squares estimate, which follows an event, and a loss in the profile before it"},
-      {"ekf.loss", "MW", "Lost power by the extended Kalman filter (EKF) at the first decision.",
+      {"ekf.loss", "MW",
+       "Lost power estimated by the extended Kalman filter (EKF) at the first decision.",
        "a decision"},
       {"ekf.error", "%",
-       "Relative error of the lost power by the EKF at the first decision. "
+       "Relative error of the lost power estimated by the EKF at the first decision. "
        "The reference is the power lost in the profile up to that decision.",
        "a decision and a loss in the profile before it"},
       {"ekf.t_x_error", "ms",
-       "Error of the instant of the loss by the EKF at the first decision. "
+       "Error of the instant of the loss estimated by the EKF at the first decision. "
        "Positive if the estimated instant is later than the first loss in the profile.",
        "a loss in the profile and a decision"},
       {"decision.delay", "ms",
