@@ -98,8 +98,12 @@ CLI::Option* add_seed(CLI::App& command, std::optional<std::uint64_t>& seed,
 
 void add_threads(CLI::App& command, std::size_t& threads) {
   threads = std::min(default_threads(), kMostThreads);
-  add_with_default(command, "--threads", threads, "N",
-                   "Threads, 1 to 256; the result is the same for any number")
+  // The default is not captured: the manual page is made on another machine than it is read on.
+  command
+      .add_option("--threads", threads,
+                  "Threads, 1 to 256; the result is the same for any number (default: one for each "
+                  "processor)")
+      ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, kMostThreads));
 }
 

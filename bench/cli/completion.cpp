@@ -1,11 +1,13 @@
 #include "completion.hpp"
 
+#include "help.hpp"
 #include "run_folder.hpp"
 
 #include <algorithm>
 #include <exception>
 #include <sstream>
 
+#include <paper/reproduction.hpp>
 #include <profile/files.hpp>
 
 namespace gsbench::cli {
@@ -19,6 +21,14 @@ Words names_of(const std::vector<profile::NamedFile>& files) {
     names.push_back(file.name);
   }
   return names;
+}
+
+Words section_ids() {
+  Words ids;
+  for (const paper::Item& section : paper::items()) {
+    ids.push_back(section.id);
+  }
+  return ids;
 }
 
 Words run_ids() {
@@ -44,8 +54,7 @@ Words fixed_set(const std::string& type) {
 }
 
 Words values_of(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const std::string name = type.substr(0, type.find(':'));
+  const std::string name = value_name(option);
   if (name == "PROFILE") {
     return names_of(profile::all_profiles());
   }
@@ -55,7 +64,10 @@ Words values_of(const CLI::Option& option) {
   if (name == "STATION") {
     return names_of(profile::all_stations());
   }
-  return name == "RUN" ? run_ids() : fixed_set(type);
+  if (name == "SECTION,…") {
+    return section_ids();
+  }
+  return name == "RUN" ? run_ids() : fixed_set(option.get_type_name());
 }
 
 bool takes_value(const CLI::Option& option) {

@@ -26,24 +26,9 @@ class HelpFormatter : public CLI::Formatter {
     std::string name = make_option_name(option, is_positional);
     const bool takes_value = option->get_items_expected_max() > 0;
     if (takes_value && !is_positional) {
-      const std::string type = option->get_type_name();
-      name += ' ' + type.substr(0, type.find(':'));  // CLI11 adds ":" and the checks
+      name += ' ' + value_name(*option);
     }
-    return entry(name, make_option_desc(option));
-  }
-
-  std::string make_option_desc(const CLI::Option* option) const override {
-    std::string text = option->get_description();
-    for (const CLI::Option* needed : option->get_needs()) {
-      text += "; needs " + needed->get_name();
-    }
-    if (option->get_items_expected_max() > 0 && !option->get_default_str().empty()) {
-      text += " (default: " + option->get_default_str() + ')';
-    }
-    if (option->get_required() && !option->get_positional()) {
-      text += " (required)";
-    }
-    return text;
+    return entry(name, description_of(*option));
   }
 
  private:
@@ -62,6 +47,25 @@ class HelpFormatter : public CLI::Formatter {
 };
 
 }  // namespace
+
+std::string value_name(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return type.substr(0, type.find(':'));  // CLI11 adds ":" and the checks
+}
+
+std::string description_of(const CLI::Option& option) {
+  std::string text = option.get_description();
+  for (const CLI::Option* needed : option.get_needs()) {
+    text += "; needs " + needed->get_name();
+  }
+  if (option.get_items_expected_max() > 0 && !option.get_default_str().empty()) {
+    text += " (default: " + option.get_default_str() + ')';
+  }
+  if (option.get_required() && !option.get_positional()) {
+    text += " (required)";
+  }
+  return text;
+}
 
 std::shared_ptr<CLI::Formatter> help_formatter() {
   return std::make_shared<HelpFormatter>();

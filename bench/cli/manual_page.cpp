@@ -1,7 +1,11 @@
 #include "manual_page.hpp"
 
+#include "help.hpp"
+
 #include <algorithm>
-#include <cctype>
+#include <cstddef>
+#include <cstring>
+#include <iterator>
 #include <sstream>
 
 #include <installation/installation.hpp>
@@ -20,15 +24,23 @@ constexpr const char* kFiles[][2] = {
     {"~/.local/share/gsbench/runs", "The runs that were kept, a folder each."},
 };
 
+// Characters that mean something to roff, or that not every terminal shows.
+constexpr const char* kReplaced[][2] = {
+    {"\\", "\\e"},   {"-", "\\-"},    {"…", "..."},    {"–", "\\-"},    {"×", "\\[mu]"},
+    {"Δ", "\\[*D]"}, {"§", "\\[sc]"}, {"σ", "\\[*s]"}, {"≤", "\\[<=]"},
+};
+
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) {
-    if (c == '\\') {
-      out += "\\e";
-    } else if (c == '-') {
-      out += "\\-";
+  for (std::size_t at = 0; at < text.size();) {
+    const auto* found = std::find_if(
+        std::begin(kReplaced), std::end(kReplaced),
+        [&](const auto& pair) { return text.compare(at, std::strlen(pair[0]), pair[0]) == 0; });
+    if (found != std::end(kReplaced)) {
+      out += (*found)[1];
+      at += std::strlen((*found)[0]);
     } else {
-      out += c;
+      out += text[at++];
     }
   }
   // A line that begins with a dot or an apostrophe would be a request.
@@ -57,12 +69,6 @@ std::string italic(const std::string& text) {
   return "\\fI" + escaped(text) + "\\fR";
 }
 
-// What the option takes, without CLI11's description of its checks.
-std::string value_name(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  return type.substr(0, type.find(':'));
-}
-
 std::string positional_name(const CLI::Option& option) {
   const std::string name = option.get_name(true, false);
   return option.get_required() ? name : '[' + name + ']';
@@ -75,11 +81,7 @@ std::string option_item(const CLI::Option& option) {
   if (!option.get_positional() && takes_value) {
     term += ' ' + italic(value_name(option));
   }
-  std::string text = option.get_description();
-  if (takes_value && !option.get_default_str().empty()) {
-    text += " (default: " + option.get_default_str() + ')';
-  }
-  return item(term, text);
+  return item(term, description_of(option));
 }
 
 std::string command_section(const CLI::App& command) {
