@@ -33,12 +33,12 @@ void add_choice(CLI::App& command, const std::string& name, Choice& choice,
   const auto usual = std::find_if(named.begin(), named.end(),
                                   [&](const auto& entry) { return entry.second == choice; });
   std::string names;
-  for (const auto& [word, value] : named) {
-    names += (names.empty() ? "" : "|") + word;
+  for (const auto& [choice_name, value] : named) {
+    names += (names.empty() ? "" : "|") + choice_name;
   }
   command
       .add_option_function<std::string>(
-          name, [&choice, named](const std::string& word) { choice = named.at(word); }, text)
+          name, [&choice, named](const std::string& chosen) { choice = named.at(chosen); }, text)
       ->type_name(names)
       ->check(CLI::IsMember(named))
       ->default_str(usual->first);

@@ -21,9 +21,9 @@ using gs::wire::Uplink;
 using gs::wire::UplinkKind;
 
 const char* validity_text(gs::outlet::Validity validity) {
-  static constexpr std::array kWords = {"invalid", "valid", "held"};
-  const auto word = static_cast<std::size_t>(validity);
-  return word < kWords.size() ? kWords[word] : "unknown";
+  static constexpr std::array kNames = {"invalid", "valid", "held"};
+  const auto index = static_cast<std::size_t>(validity);
+  return index < kNames.size() ? kNames[index] : "unknown";
 }
 
 const char* position(bool closed) {

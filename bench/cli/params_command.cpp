@@ -73,8 +73,9 @@ void print_parameters(const grid::SfrModel& model, double threshold_mw,
     if (!published) {
       return {name, render::figure(value), unit};
     }
-    return {name, render::beside_published(value, *published), unit,
-            "published " + render::figure(*published, 6)};
+    const int decimals = render::decimals_of_published(*published);
+    return {name, render::fixed(value, decimals + 1), unit,
+            "published " + render::fixed(*published, decimals)};
   };
   print_rows(
       {row("inertia constant H", "s", model.inertia_s()), row("droop R", "pu", model.droop_pu()),

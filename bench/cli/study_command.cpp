@@ -21,8 +21,8 @@ using nlohmann::ordered_json;
 using seed_sweep::Row;
 using seed_sweep::StudyResult;
 
-// Measures and limits, in the catalogue's unit: the share of the values up to the limit in
-// magnitude is asked for.
+// Measures and limits, in the unit of the catalogue, for which the share of |value| <= limit is
+// printed.
 using Shares = std::vector<std::pair<std::string, double>>;
 
 using Quantiles = std::vector<std::pair<const char*, double>>;
@@ -30,7 +30,7 @@ using Quantiles = std::vector<std::pair<const char*, double>>;
 const Quantiles kQuantiles = {{"min", 0.0},  {"p1", 0.01},     {"p50", 0.5},
                               {"p99", 0.99}, {"p99.9", 0.999}, {"max", 1.0}};
 
-// Those of the printed table: the first that a line holds.
+// Quantiles of the printed table: the first of these lists that fits a line.
 const std::vector<Quantiles> kQuantilesOfTable = {
     kQuantiles,
     {{"min", 0.0}, {"p1", 0.01}, {"p50", 0.5}, {"p99", 0.99}, {"max", 1.0}},
@@ -80,8 +80,8 @@ std::string sigma_text(double sigma) {
                        render::decimals_of_two_digits(sigma));
 }
 
-// Of the quantiles: by the uncertainty; without one, at least those that σ needs, unless all values
-// are whole numbers.
+// Decimals of the quantiles: those that the uncertainty supports; without one, at least those of σ,
+// unless all values are whole numbers.
 int decimals_of(const Row& row) {
   std::vector<double> values;
   for (const auto& [name, p] : kQuantiles) {

@@ -80,11 +80,10 @@ int decimals_of_two_digits(double value) {
              : std::clamp(1 - magnitude_of(value), 0, kMostDecimals);
 }
 
-std::string beside_published(double ours, double published) {
+int decimals_of_published(double published) {
   const std::string text = figure(published, 6);
   const std::size_t point = text.find('.');
-  const int decimals = point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
-  return fixed(ours, decimals + 1);
+  return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
 }
 
 }  // namespace gsbench::render

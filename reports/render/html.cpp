@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -76,14 +77,21 @@ std::string percent(double value) {
   return std::isfinite(value) ? fmt::format("{:+.2f} %", value) : "–";
 }
 
+// Figures of one unit have the same decimals.
 List comparison_rows(const record::RunRecord& run) {
   List list;
+  std::map<std::string, int> decimals;
+  for (const record::Comparison& comparison : run.comparisons) {
+    int& most = decimals[comparison.unit];
+    most = std::max(most, decimals_of_published(comparison.published));
+  }
   for (const record::Comparison& comparison : run.comparisons) {
     const std::string unit = valid_text(comparison.unit);
     const double difference_pct =
         100.0 * (comparison.ours - comparison.published) / std::abs(comparison.published);
-    const std::string ours = beside_published(comparison.ours, comparison.published);
-    const std::string published = figure(comparison.published, 6);
+    const int digits = decimals[comparison.unit];
+    const std::string ours = fixed(comparison.ours, digits + 1);
+    const std::string published = fixed(comparison.published, digits);
     list.push_back(object{{"name", valid_text(comparison.name)},
                           {"ours", typographic(with_unit(ours, unit))},
                           {"published", typographic(with_unit(published, unit))},

@@ -22,7 +22,7 @@ struct KeyColumn {
 // Measures for which any outlet has a value, most important first, at most `most`.
 std::vector<KeyColumn> key_columns(const record::RunRecord& run, std::size_t most);
 
-// What "?" in a cell means; empty if no outlet has one.
+// Explanation of "?" in cells; empty if there is none.
 std::string doubt_note(const record::RunRecord& run);
 
 }  // namespace gsbench::render

@@ -44,7 +44,7 @@ std::vector<Stretch> around_marks(const record::RunRecord& run,
 Json marks_json(const record::RunRecord& run, const std::vector<record::Mark>& marks) {
   Json list = Json::array();
   for (const record::Mark& mark : marks) {
-    // What a decision rested on stands in the tables; one line in the plot is enough.
+    // The values behind a decision are in the tables; the plot has one line for it.
     const bool detail = mark.kind.rfind("decision.", 0) == 0;
     if (!detail && list.size() < kMostMarks) {
       list.push_back({{"t", seconds(run, mark.tick)},
@@ -55,7 +55,7 @@ Json marks_json(const record::RunRecord& run, const std::vector<record::Mark>& m
   return list;
 }
 
-// Of an outlet's trace or of the reference. Invalid reports are gaps.
+// For the trace of an outlet or the reference. Invalid reports become gaps.
 template <class Value>
 Json frequency_json(const record::RunRecord& run, const std::vector<std::int64_t>& tick,
                     const std::vector<Value>& frequency_hz, const std::vector<Value>& rocof_hz_s,

@@ -99,10 +99,10 @@ TEST(Decimals, OfTwoDigitsAreThoseOfAStandardDeviation) {
   EXPECT_EQ(decimals_of_two_digits(0.0), 0);
 }
 
-TEST(BesidePublished, HasOneDigitMoreThanThePublishedFigure) {
-  EXPECT_EQ(beside_published(3.76114, 3.72), "3.761");
-  EXPECT_EQ(beside_published(351.9209, 351.9), "351.92");
-  EXPECT_EQ(beside_published(310.4, 310.0), "310.4");
+TEST(Decimals, OfAPublishedFigureAreThoseItIsPrintedWith) {
+  EXPECT_EQ(decimals_of_published(3.72), 2);
+  EXPECT_EQ(decimals_of_published(351.9), 1);
+  EXPECT_EQ(decimals_of_published(310.0), 0);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ record::MeasurementResult number(const char* name, double value, const char* uni
   return result;
 }
 
-record::MeasurementResult word(const char* name, const char* value) {
+record::MeasurementResult text(const char* name, const char* value) {
   record::MeasurementResult result = number(name, kNone, "", kNone, kNone, 0.0);
   result.text = value;
   result.expected_text = value;
@@ -88,11 +88,11 @@ void measure(record::OutletRecord& outlet, bool sheds, double loss_mw, double ev
       number("ekf.loss", loss_mw, "MW", kNone, kNone, 0.0),
       number("ekf.error", (loss_mw - 500.0) / 5.0, "%", -4.0, 4.0, 0.0),
       number("decision.delay", 920.0, "ms", kNone, 960.0, kTick_ms),
-      word("decision.cause", sheds ? "loss" : "none"),
+      text("decision.cause", sheds ? "loss" : "none"),
       number("relay.delay", sheds ? 926.375 : kNone, "ms", kNone, sheds ? 980.0 : kNone, kTick_ms),
       number("relay.delay_reported", sheds ? 920.0 : kNone, "ms", kNone, kNone, kTick_ms),
       number("relay.report_difference", sheds ? -6.375 : kNone, "ms", kNone, kNone, 0.18),
-      word("relay.end", sheds ? "open" : "closed"),
+      text("relay.end", sheds ? "open" : "closed"),
   };
 }
 

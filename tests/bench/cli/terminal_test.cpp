@@ -1,4 +1,4 @@
-// What a person sees: on a terminal no line is longer than 100 columns.
+// Output on a terminal: no line is longer than 100 columns.
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
 
@@ -39,7 +39,7 @@ void expect_narrow(const Words& arguments) {
   }
 }
 
-// An id as long as a profile may give, limits that are missed, and a long title.
+// With an id of the maximum length, missed limits and a long title.
 constexpr const char* kLongTexts =
     R"(title = "A title that goes on and on, so that it fills more than a line of a terminal, which is 100 columns"
 source = "made for this test"

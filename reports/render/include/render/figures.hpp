@@ -22,7 +22,8 @@ int decimals_for(const std::vector<double>& values, double uncertainty = 0.0);
 // Digits after the point that show two significant digits of `value`, at least 0.
 int decimals_of_two_digits(double value);
 
-// `ours` with one digit after the point more than the published figure has.
-std::string beside_published(double ours, double published);
+// Digits after the point of a published figure, of up to six significant digits. A computed figure
+// beside it has one more.
+int decimals_of_published(double published);
 
 }  // namespace gsbench::render
