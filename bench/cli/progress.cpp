@@ -3,15 +3,16 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <utility>
+
+#include <render/layout.hpp>
 
 namespace gsbench::cli {
 
 using std::chrono::duration;
 using std::chrono::steady_clock;
 
-Progress::Progress(std::string what)
-    : what_(std::move(what)),
+Progress::Progress(const std::string& what)
+    : what_(render::shortened(what, 60)),
       terminal_(isatty(STDERR_FILENO) == 1),
       started_(steady_clock::now()),
       last_(started_) {}

@@ -1,6 +1,11 @@
 // Output of gsbench study and gsbench params, as text and as JSON.
 #include "gsbench_process.hpp"
 
+#include <cctype>
+#include <iterator>
+#include <map>
+#include <sstream>
+
 #include <gmock/gmock.h>
 
 namespace gsbench::test {
@@ -38,6 +43,36 @@ TEST(Study, PrintsTheProfileAndTheDistributionOfEachMeasureAsJson) {
   ASSERT_EQ(study["shares"].size(), 1U);
   EXPECT_EQ(study["shares"][0]["count"], 24);
   EXPECT_EQ(study["shares"][0]["share"], 1.0);
+}
+
+std::size_t decimals_of(const std::string& figure) {
+  const std::size_t point = figure.find('.');
+  return point == std::string::npos ? 0 : figure.size() - point - 1;
+}
+
+TEST(Study, PrintsTheQuantilesOfAMeasureWithTheSameDecimals) {
+  const Outcome outcome = run_gsbench({"study", "regression/backup", "--seeds", "2"});
+  std::istringstream lines(outcome.out);
+  std::map<std::string, Words> rows;  // the figures behind the measure and its unit
+  for (std::string line; std::getline(lines, line) && !line.empty();) {
+    std::istringstream cells(line);
+    const Words row(std::istream_iterator<std::string>(cells), {});
+    const std::size_t first =
+        std::isalpha(static_cast<unsigned char>(row[1].front())) != 0 || row[1] == "%" ? 2 : 1;
+    rows[row[0]] = Words(row.begin() + static_cast<std::ptrdiff_t>(first), row.end());
+  }
+  ASSERT_EQ(rows["measure"][0], "n");
+  for (const char* measure : {"tracker.bias", "event.delay", "ekf.loss", "relay.delay"}) {
+    const Words& row = rows[measure];
+    ASSERT_GE(row.size(), 8U) << measure;
+    for (std::size_t i = 2; i < 6; ++i) {
+      EXPECT_EQ(decimals_of(row[i]), decimals_of(row[1])) << measure << ", column " << i;
+    }
+  }
+  EXPECT_EQ(decimals_of(rows["relay.delay"][1]), 1U) << "the uncertainty is 0.0625 ms";
+  EXPECT_EQ(decimals_of(rows["relay.edges"][1]), 0U) << "counts are integers";
+  EXPECT_EQ(rows["command.delay"][0], "0");
+  EXPECT_EQ(rows["command.delay"][1], "–");
 }
 
 TEST(Study, StatesThatNoOutletHasAValueForAShare) {
