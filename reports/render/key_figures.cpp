@@ -22,7 +22,7 @@ constexpr std::array kByImportance = {
     KeyMeasure{"ekf.error", "ΔP", "error"},
     KeyMeasure{"relay.delay", "Relay", "sensed"},
     KeyMeasure{"relay.delay_reported", "Relay", "reported"},
-    KeyMeasure{"relay.report_difference", "Difference", ""},
+    KeyMeasure{"relay.report_difference", "Sensed −", "reported"},
     KeyMeasure{"relay.end", "Relay", "at end"},
     KeyMeasure{"trip.time", "Trip", "at"},
     KeyMeasure{"command.delay", "Command", "after"},
