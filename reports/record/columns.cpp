@@ -28,14 +28,14 @@ Bytes deflated(const Bytes& raw) {
 Bytes inflated(const Bytes& blob, std::int64_t entries, std::size_t entry_bytes) {
   const std::uint64_t greatest = blob.size() * kGreatestRatio / entry_bytes;
   if (entries < 0 || static_cast<std::uint64_t>(entries) > greatest) {
-    throw DamagedColumn("a column cannot hold the entries it claims");
+    throw DamagedColumn("a column is too short for its number of entries");
   }
   // One spare byte, so that a longer column is noticed and an empty one has an address.
   Bytes raw(static_cast<std::size_t>(entries) * entry_bytes + 1);
   uLongf size = static_cast<uLongf>(raw.size());
   const int status = uncompress(raw.data(), &size, blob.data(), static_cast<uLong>(blob.size()));
   if (status != Z_OK || size + 1 != raw.size()) {
-    throw DamagedColumn("a column does not unpack");
+    throw DamagedColumn("a column cannot be decompressed");
   }
   raw.pop_back();
   return raw;

@@ -31,11 +31,11 @@ void unpack_trace(const SeriesByName& series, Trace& trace) {
   visit_fields<Trace>(trace, [&](const char* name, auto& column) {
     const auto found = series.find(name);
     if (found == series.end()) {
-      throw columns::DamagedColumn("no column " + std::string(name));
+      throw columns::DamagedColumn("column " + std::string(name) + " is missing");
     }
     columns::unpack(found->second.data, found->second.entries, column);
     if (column.size() != trace.tick.size()) {
-      throw columns::DamagedColumn("column " + std::string(name) + " is of another length");
+      throw columns::DamagedColumn("column " + std::string(name) + " has a wrong length");
     }
   });
 }
@@ -44,7 +44,8 @@ template <class Part>
 Part select_one(Database& database, std::int64_t owner) {
   std::vector<Part> parts = select<Part>(database, owner);
   if (parts.size() != 1) {
-    database.fail("the record is damaged: no single " + std::string(table_name<Part>));
+    database.fail("the record is damaged: none or several rows in table " +
+                  std::string(table_name<Part>));
   }
   return std::move(parts.front());
 }
@@ -60,7 +61,7 @@ OutletRecord read_outlet(Database& database, std::int64_t owner) {
   unpack_trace(series, outlet.trace);
   unpack_trace(series, outlet.estimates);
   if (select_one<Seal>(database, owner).sha256 != seal_of_outlet(outlet)) {
-    database.fail("the record is damaged: an outlet is not what was written");
+    database.fail("the record is damaged: the digest of an outlet does not match");
   }
   return outlet;
 }
@@ -79,7 +80,7 @@ RunRecord read_parts(Database& database, Extent extent) {
   unpack_trace(select_series(database, kRunOwner), run.reference);
   const auto seal = select_one<Seal>(database, kRunOwner);
   if (seal.sha256 != seal_of_run(run, seal.complete)) {
-    database.fail("the record is damaged: the run is not what was written");
+    database.fail("the record is damaged: the digest of the run does not match");
   }
   if (extent == Extent::kWhole) {
     const auto outlets = database.first<std::int64_t>("SELECT count(*) FROM \"outlet\"");

@@ -172,7 +172,7 @@ void Statement::get(int column, std::uint64_t& value) const {
 void Statement::get(int column, bool& value) const {
   const std::int64_t number = sqlite3_column_int64(handle_, column);
   if (number != 0 && number != 1) {
-    database_.fail("the record is damaged: neither yes nor no");
+    database_.fail("the record is damaged: a flag is neither 0 nor 1");
   }
   value = number == 1;
 }
@@ -180,7 +180,7 @@ void Statement::get(int column, bool& value) const {
 void Statement::get(int column, Verdict& value) const {
   const std::int64_t number = sqlite3_column_int64(handle_, column);
   if (number < 0 || number > static_cast<std::int64_t>(Verdict::kError)) {
-    database_.fail("the record is damaged: no such verdict");
+    database_.fail("the record is damaged: unknown verdict");
   }
   value = static_cast<Verdict>(number);
 }

@@ -29,7 +29,7 @@ std::size_t columns_of(const std::string& text) {
 std::string wrapped(const std::string& text, std::size_t columns, std::size_t indent) {
   std::string lines;
   std::size_t used = 0;    // columns of the current line
-  bool line_empty = true;  // but for its indent
+  bool line_empty = true;  // apart from its indent
   const auto start_line = [&] {
     lines += '\n' + std::string(indent, ' ');
     used = indent;

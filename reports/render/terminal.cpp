@@ -15,7 +15,7 @@ using record::Verdict;
 
 constexpr std::size_t kMostTerminalColumns = 7;      // of key figures
 constexpr std::size_t kMostIdColumns = 40;           // longer ids are shortened in the middle
-constexpr std::size_t kMostTerminalShortfalls = 10;  // the report has all
+constexpr std::size_t kMostTerminalShortfalls = 10;  // the HTML report has more
 
 std::string coloured(Verdict verdict) {
   const int code = verdict == Verdict::kPass           ? 32  // green
@@ -60,7 +60,7 @@ bool fits(const std::vector<std::string>& lines) {
                      [](const std::string& line) { return columns_of(line) <= kLineColumns; });
 }
 
-// As many key figures as a line holds.
+// With as many key figures as fit a line.
 std::vector<std::string> outlet_table(const record::RunRecord& run) {
   std::vector<KeyColumn> columns = key_columns(run, kMostTerminalColumns);
   std::vector<std::string> lines = table_of(run, columns);

@@ -7,10 +7,10 @@
 
 namespace gsbench::render {
 
-std::string html(const record::Page& page);  // stands alone in one file
+std::string html(const record::Page& page);  // one file without external resources
 // facts{…}, sections[{id, title, paragraphs, tables[{caption, columns, rows[{name, figures}]}],
 // plots[{caption, x_axis, y_axis, x, curves[{name, y}]}]}]; null for an empty cell.
 std::string json(const record::Page& page);
-std::string terminal(const record::Page& page);  // the tables and what is said of them
+std::string terminal(const record::Page& page);  // tables and paragraphs, without plots
 
 }  // namespace gsbench::render
