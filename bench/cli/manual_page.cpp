@@ -91,7 +91,7 @@ std::string command_section(const CLI::App& command) {
     if (option->get_positional()) {
       synopsis += ' ' + italic(positional_name(*option));
     }
-    options += option_item(*option);
+    options += option == command.get_help_ptr() ? "" : option_item(*option);
   }
   return ".SS " + escaped(command.get_name()) + '\n' + synopsis + "\n.PP\n" +
          escaped(command.get_description()) + '\n' + options + ".PP\n" +
@@ -115,7 +115,8 @@ std::string manual_page(const CLI::App& app) {
                      "gsbench \\- hardware-in-the-loop bench for frequency-responsive outlets\n"
                      ".SH SYNOPSIS\n" +
                      bold("gsbench") + ' ' + italic("COMMAND") + " [" + italic("OPTIONS") +
-                     "]\n.SH DESCRIPTION\n" + verbatim(app.get_description()) + ".SH COMMANDS\n";
+                     "]\n.SH DESCRIPTION\n" + verbatim(app.get_description()) +
+                     ".SH COMMANDS\nEvery command has \\fB\\-\\-help\\fR.\n";
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     page += command_section(*command);
   }

@@ -38,7 +38,7 @@ cp .local/share/gsbench/profiles/{mine/loss,paper/loss-500mw}.toml
 expect "$(gsbench list 2>&1)" 'have the same name'
 rm -r .local/share/gsbench/profiles/paper
 
-expect "$(man --local-file "$prefix"/opt/share/man/man1/gsbench.1.gz | col -b)" '^ +gsbench run \[OPTIONS\]'
+expect "$(man --local-file "$prefix"/opt/share/man/man1/gsbench.1.gz)" '^ +gsbench run \[OPTIONS\]'
 
 # completed WORD…: as bash completes the last word.
 completed() {
