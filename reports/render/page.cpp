@@ -140,7 +140,7 @@ std::string terminal(const record::Page& page) {
     append_wrapped(page.subtitle, text);
   }
   for (const auto& [name, value] : page.facts) {
-    append_wrapped(name + ": " + value, text);
+    append_wrapped(fmt::format("{}: {}", name, value), text);
   }
   for (const record::PageSection& section : page.sections) {
     text += '\n' + wrapped(section.title, kLineColumns, kIndent) + '\n';

@@ -1,5 +1,5 @@
-// Finds and reads the files of profiles, grids and stations: the shipped ones, and the user's own in
-// $XDG_DATA_HOME/gsbench/profiles. If $GSBENCH_PROFILES is set, that folder replaces both.
+// Finds and reads the files of profiles, grids and stations: the shipped ones, and the user's own
+// in $XDG_DATA_HOME/gsbench/profiles. If $GSBENCH_PROFILES is set, that folder replaces both.
 #pragma once
 
 #include <optional>
