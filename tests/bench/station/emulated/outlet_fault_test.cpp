@@ -55,10 +55,13 @@ TEST_F(OutletFault, KilledEmulatorStopsReporting) {
   expect_fault(kM4, "stopped reporting after its sample ");
 }
 
-TEST_F(OutletFault, EmulatorThatIsStartedAgainIsReportedAsRestarted) {
+TEST_F(OutletFault, EmulatorThatIsStartedAgainIsReported) {
   at(0.5, [&] { kill_and_restart(kM4); });
   play();
-  expect_fault(kM4, "restarted after its sample ");
+  expect_faults({{kM4, ""}});
+  // A board sends byte by byte: the kill may truncate a frame, which is then the first fault.
+  EXPECT_THAT(record_.outlets[kM4].fault,
+              AnyOf(HasSubstr("restarted after its sample "), HasSubstr("sent a damaged frame")));
 }
 
 TEST_F(OutletFault, ProcessThatIsStartedAgainIsReportedAsRestarted) {
