@@ -68,7 +68,7 @@ class CleanSignal {
   std::vector<float> deviations_hz_;
 };
 
-// The relative errors of G_1, G_2, ω_n, ω_r and ∅.
+// The relative errors of G_1, G_2, ω_n, ω_r and φ.
 using Errors = std::array<Lanes, 5>;
 
 Errors make_errors(const EstimateOptions& options, std::uint64_t batch) {
@@ -142,12 +142,12 @@ class Estimators {
   }
 
   // An experiment; a control centre does not send this. With independent errors the five parameters
-  // contradict two relations: f starts at f_0, so that G_2·sin ∅ = −G_1, and ω_r = ω_n·√(1 − ζ²).
+  // contradict two relations: f starts at f_0, so that G_2·sin φ = −G_1, and ω_r = ω_n·√(1 − ζ²).
   // The four parameters of an outlet cannot. Here they are computed from G_1, G_2 and ω_n, each of
   // which follows from the five in two ways: the mean of both is used, weighted if their errors
   // differ.
   gs::outlet::ResponseOf<Lanes> response_with(const Errors& e) const {
-    constexpr float kOwn = 0.66F;  // the other follows from ∅, too, and has twice the variance
+    constexpr float kOwn = 0.66F;  // the other follows from φ, too, and has twice the variance
     constexpr float kOther = 1.0F - kOwn;
     const Lanes phi = with_error(paper_.phi, e[4]);
     const Lanes sine = gs::outlet::sine(phi);

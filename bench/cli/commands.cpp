@@ -114,7 +114,7 @@ void add_json_flag(CLI::App& command, bool& json) {
 CLI::Option* add_runs_folder(CLI::App& command, std::string& folder) {
   return command
       .add_option("--out", folder,
-                  "Folder that keeps the runs (default: $GSBENCH_RUNS, else "
+                  "Folder that contains the runs (default: $GSBENCH_RUNS, else "
                   "~/.local/share/gsbench/runs)")
       ->type_name("FOLDER");
 }
@@ -142,20 +142,20 @@ void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& dist
 }
 
 void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation) {
-  add_choice(command, "--accumulated", accumulation,
-             {{"half", control_centre::Accumulation::kHalfGroup},
-              {"whole", control_centre::Accumulation::kWholeGroup}},
-             "Share of an outlet's own group that counts in its accumulated power P^A: half of it, "
-             "which is right on average, or all of it, as in eq. (11)");
+  add_choice(
+      command, "--accumulated", accumulation,
+      {{"half", control_centre::Accumulation::kHalfGroup},
+       {"whole", control_centre::Accumulation::kWholeGroup}},
+      "Share of an outlet's own load block in its accumulated power P^A; half: the mean shed "
+      "power is correct; whole: as in eq. (11)");
 }
 
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {
-  add_choice(
-      command, "--loss-instant", instant,
-      {{"on-report", campaign::LossInstant::kOnReport},
-       {"between-reports", campaign::LossInstant::kBetweenReports}},
-      "Instant of the loss: one report interval before the first measurement, or anywhere in "
-      "that interval");
+  add_choice(command, "--loss-instant", instant,
+             {{"on-report", campaign::LossInstant::kOnReport},
+              {"between-reports", campaign::LossInstant::kBetweenReports}},
+             "Instant of the loss; on-report: one report interval before the first measurement; "
+             "between-reports: at a random instant in that interval");
 }
 
 }  // namespace gsbench::cli

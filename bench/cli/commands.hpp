@@ -25,7 +25,9 @@ namespace gsbench::cli {
 enum ExitCode : int {
   kPassed = 0,
   kFailed = 1,
-  kBadInput = 2,  // bad usage, profile or settings, or an output that cannot be written
+  // Bad usage, bad file (profile, grid, station, recording, settings), or an output that cannot be
+  // written.
+  kBadInput = 2,
   kInconclusive = 3,
   kErrored = 4,
   kInterrupted = 130,
@@ -81,7 +83,7 @@ CLI::Option* add_with_default(CLI::App& command, const std::string& name, Value&
 CLI::Option* add_profile(CLI::App& command, std::string& profile);
 CLI::Option* add_grid(CLI::App& command, std::string& grid);
 
-// --out: the folder that keeps the runs.
+// --out: the folder that contains the runs.
 CLI::Option* add_runs_folder(CLI::App& command, std::string& folder);
 
 // --seed or the like: 0 … profile::kLargestSeed.

@@ -112,7 +112,9 @@ void add_devices(CommandLine& line) {
   add_link_options(command, arguments.link);
   add_json_flag(command, arguments.json);
   command.footer(
-      "Exit code 4 if an outlet does not answer, has another's id, or uses another protocol.\n"
+      "Exit code 4 if an outlet does not answer, has the same id as another outlet, or uses "
+      "another\n"
+      "protocol.\n"
       "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"

@@ -29,10 +29,12 @@ int run_fleet(const FleetArguments& arguments) {
 
 void add_outlets(CLI::App& command, fleet::FleetOptions& fleet) {
   add_with_default(command, "--groups", fleet.groups, "N",
-                   "Number of groups of outlets, in order of importance");
+                   "Number of groups (load blocks), the least important first");
   add_with_default(command, "--per-group", fleet.per_group, "N", "Outlets in each group");
-  add_with_default(command, "--least", fleet.least_w, "W", "Least power of an appliance, W");
-  add_with_default(command, "--most", fleet.most_w, "W", "Largest power of an appliance, W");
+  add_with_default(command, "--least", fleet.least_w, "W",
+                   "Smallest power of an appliance (uniform distribution), W");
+  add_with_default(command, "--most", fleet.most_w, "W",
+                   "Largest power of an appliance (uniform distribution), W");
   add_accumulation(command, fleet.accumulation);
 }
 
@@ -44,7 +46,7 @@ void add_sweep(CLI::App& command, FleetArguments& arguments) {
     command.add_option(name, values, text)->type_name(type)->delimiter(',')->needs(sweep);
   };
   add("--losses", arguments.sweep.losses_mw, "MW,MW,…",
-      "Comma-separated losses to sweep, MW (default: 0.9 to 2 times the threshold)");
+      "Comma-separated losses to sweep, MW (default: 0.9 to 2 times the threshold loss)");
   add("--noises", arguments.sweep.noises_hz, "HZ,HZ,…",
       "Comma-separated noise levels to sweep, Hz (default: 0,0.005,0.01,0.02,0.05)");
   add("--delays", arguments.sweep.delays_s, "S,S,…",
@@ -56,7 +58,9 @@ void add_sweep(CLI::App& command, FleetArguments& arguments) {
 
 void add_fleet(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "fleet", "Simulate up to millions of outlets and the frequency after a loss", run_fleet);
+      "fleet",
+      "Simulate the load shedding of up to 100 million outlets and the frequency after a loss",
+      run_fleet);
   fleet::Study& study = arguments.study;
   fleet::ScenarioOptions& scenario = study.scenario;
   add_grid(command, arguments.grid)->capture_default_str();
@@ -70,10 +74,11 @@ void add_fleet(CommandLine& line) {
   add_with_default(command, "--central-delay", scenario.central_delay_s, "S",
                    "Communication delay of central control, s");
   command.add_flag("--delay-aware", study.delay_aware,
-                   "Add a fleet whose threshold allows for the delay of the outlets");
+                   "Add a fleet whose threshold loss allows for the delay of the outlets");
   add_sweep(command, arguments);
-  command.add_flag("--closed-loop", study.closed_loop,
-                   "Add 1000 outlets that run the complete firmware on sampled voltage");
+  command.add_flag(
+      "--closed-loop", study.closed_loop,
+      "Add 1000 outlets that run the complete firmware, starting from the sampled voltage");
   add_with_default(command, "--duration", scenario.duration_s, "S",
                    "Simulated time after the loss, s");
   add_seed(command, "--seed", study.fleet.seed, "Seed of all random numbers");
@@ -82,7 +87,7 @@ void add_fleet(CommandLine& line) {
       "Examples:\n"
       "  gsbench fleet                              a million outlets, loss of 500 MW\n"
       "  gsbench fleet --loss 600 --delay-aware -o fleet.html\n"
-      "  gsbench fleet island-60hz --loss 12 --groups 100 --per-group 50 --most 3000\n"
+      "  gsbench fleet island-60hz --loss 600 --groups 100 --per-group 50 --most 100000\n"
       "  gsbench fleet --sweep --losses 400,500 --delays 0,0.5,2 -o sweep.html");
 }
 

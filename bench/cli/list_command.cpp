@@ -30,21 +30,21 @@ void print(const char* heading, const std::vector<profile::ProfileSummary>& summ
 
 int list(const bool& json) {
   const std::vector<profile::ProfileSummary> profiles = profile::list_profiles();
-  const std::vector<std::string> grids = profile::list_grids();
+  const std::vector<profile::ProfileSummary> grids = profile::list_grids();
   const std::vector<profile::ProfileSummary> stations = station::list_stations();
   if (json) {
     nlohmann::ordered_json out;
     out["profiles"] = as_json(profiles);
-    out["grids"] = grids;
+    out["grids"] = nlohmann::ordered_json::array();
+    for (const profile::ProfileSummary& grid : grids) {
+      out["grids"].push_back(grid.name);
+    }
     out["stations"] = as_json(stations);
     print_json(out);
     return kPassed;
   }
   print("Profiles", profiles);
-  std::puts("Grids");
-  for (const std::string& grid : grids) {
-    std::printf("  %s\n", grid.c_str());
-  }
+  print("Grids", grids);
   print("Stations", stations);
   return kPassed;
 }

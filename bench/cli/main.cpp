@@ -24,11 +24,11 @@ constexpr const char* kAbout =
     "\n"
     "  gsbench run paper/loss-500mw        play, judge, report\n"
     "  gsbench list                        list profiles, grids and stations\n"
-    "  gsbench params ieee24               thresholds and settings for a grid\n";
+    "  gsbench params ieee24               threshold loss and settings for a grid\n";
 
 constexpr const char* kExitCodes =
-    "Exit codes: 0 PASS; 1 FAIL; 2 bad usage, profile, settings or output folder;\n"
-    "3 INCONCLUSIVE; 4 ERROR; 130 interrupted.";
+    "Exit codes: 0 PASS; 1 FAIL; 2 bad usage, bad file (profile, grid, station, recording,\n"
+    "settings), or an output that cannot be written; 3 INCONCLUSIVE; 4 ERROR; 130 interrupted.";
 
 void add_commands(cli::CommandLine& line) {
   for (const auto add :

@@ -190,7 +190,7 @@ void add_monitor(CommandLine& line) {
       ->type_name("ID");
   command
       .add_option("--seconds", arguments.seconds,
-                  "Stop after this time, s; without it, at an interrupt (Ctrl-C)")
+                  "Stop after S seconds (default: run until Ctrl-C)")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command.add_flag("--quiet", arguments.quiet,

@@ -21,8 +21,8 @@ struct PageOutput {
 // -o, --json and --threads.
 void add_page_options(CLI::App& command, PageOutput& output);
 
-// Computes a page with `make` and prints it. Shows the progress on a terminal; an interrupt sets
-// the `stop` of the execution. Returns the exit code. Throws profile::ConfigurationError if `make`
+// Computes a page with `make` and prints it. Shows the progress on a terminal; Ctrl-C sets
+// Execution::stop. Returns the exit code. Throws profile::ConfigurationError if `make`
 // throws std::invalid_argument, and render::WriteError, before `make` is called, if the report
 // cannot be written.
 int print_page(const char* what, const PageOutput& output,

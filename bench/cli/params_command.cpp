@@ -78,12 +78,13 @@ void print_parameters(const grid::SfrModel& model, double threshold_mw,
             "published " + render::fixed(*published, decimals)};
   };
   print_rows(
-      {row("inertia constant H", "s", model.inertia_s()), row("droop R", "pu", model.droop_pu()),
+      {row("inertia constant H", "s", model.inertia_s()), row("droop R", "p.u.", model.droop_pu()),
        row("natural frequency omega_n", "rad/s", model.omega_n()),
        row("damping ratio zeta", "", model.zeta()),
        row("time of the nadir", "s", grid::nadir(model, threshold_mw).t_s, reference.t_nadir_s),
-       row("threshold power loss", "MW", threshold_mw, reference.threshold_mw),
-       row("K_LSE", "MW/(Hz/s)", control_centre::k_lse_mw_per_hz_s(model))},
+       row("threshold loss", "MW", threshold_mw, reference.threshold_mw),
+       row("K_LSE (loss per ROCOF, eq. (18))", "MW/(Hz/s)",
+           control_centre::k_lse_mw_per_hz_s(model))},
       "lrll");
 }
 
@@ -168,16 +169,17 @@ int params(const ParamsArguments& arguments) {
 }  // namespace
 
 void add_params(CommandLine& line) {
-  const auto [command, arguments] =
-      line.command("params", "Compute threshold, conditions and load blocks of a grid", params);
+  const auto [command, arguments] = line.command(
+      "params", "Compute threshold loss, load-shedding conditions and load blocks of a grid",
+      params);
   add_grid(command, arguments.grid)->required();
   command
       .add_option(
           "--row", arguments.row_hz,
-          "Height of a row of the load-shedding conditions, 0.001 to 5 Hz (default: that of "
-          "the grid's file)")
+          "Frequency step between the rows of Table 1, 0.001 to 1000 Hz (default: condition_row_hz "
+          "of the grid's file)")
       ->type_name("HZ")
-      ->check(CLI::Range(0.001, 5.0));
+      ->check(CLI::Range(grid::kConditionRow_hz.low, grid::kConditionRow_hz.high));
   add_accumulation(command, arguments.accumulation);
   add_json_flag(command, arguments.json);
   command.footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");

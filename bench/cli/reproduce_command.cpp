@@ -44,26 +44,30 @@ void add_choices(CLI::App& command, paper::Choices& choices) {
   add_noise_distribution(command, choices.noise_distribution);
   add_loss_instant(command, choices.loss_instant);
   campaign::Counting& counting = choices.counting;
-  add_with_default(command, "--rocof-window", counting.window, "N",
-                   "Table 2, the paper's method: samples per ROCOF slope, 2 to 64")
+  add_with_default(
+      command, "--rocof-window", counting.window, "N",
+      "Table 2, the paper's method: measurements over which a ROCOF slope is fitted, 2 to 64")
       ->check(CLI::Range(2, 64));
   add_with_default(command, "--count-from", counting.first, "N",
-                   "Table 2, the paper's method: first sample whose slope counts, 0 to 1000")
+                   "Table 2, the paper's method: first measurement whose slope counts, 0 to 1000")
       ->check(CLI::Range(0, 1000));
-  add_with_default(command, "--count-lines", counting.count, "N",
-                   "Table 2, the paper's method: number of slopes that count, 1 to 1000")
+  add_with_default(
+      command, "--count-lines", counting.count, "N",
+      "Table 2, the paper's method: number of slopes that count, 1 to 1000; the slope at "
+      "measurement k is fitted over measurements k - window + 1 ... k")
       ->check(CLI::Range(1, 1000));
-  add_with_default(command, "--hits-above", counting.more_than, "N",
-                   "Table 2, the paper's method: shed with more hits than this, 0 to 1000")
+  add_with_default(
+      command, "--hits-above", counting.more_than, "N",
+      "Table 2, the paper's method: shed if more slopes than this meet the condition, 0 to 1000")
       ->check(CLI::Range(0, 1000));
   add_with_default(command, "--ekf-loss-sigma", choices.ekf_loss_sigma_mw, "MW",
-                   "Initial standard deviation of the loss (LSE) in the paper's EKF, MW");
+                   "Initial standard deviation of ΔP in the paper's EKF, MW");
   add_with_default(command, "--ekf-instant-sigma", choices.ekf_t_x_sigma_s, "S",
                    "Initial standard deviation of the instant of the loss in the paper's EKF, s");
 }
 
 std::string list_of_items() {
-  std::string text = "Sections:\n";
+  std::string text = "Sections, each named by its last figure or table:\n";
   for (const paper::Item& item : paper::items()) {
     text += "  " + item.id + std::string(10 - item.id.size(), ' ') + item.title + '\n';
   }
@@ -87,8 +91,9 @@ void add_reproduce(CommandLine& line) {
                   "Comma-separated sections from the list below (default: all)")
       ->type_name("SECTION,…")
       ->delimiter(',');
-  add_with_default(command, "--n", arguments.options.trajectories, "N",
-                   "Trajectories of each campaign, 1 to 2^32")
+  add_with_default(
+      command, "--n", arguments.options.trajectories, "N",
+      "Number of simulated noisy frequency curves (trajectories) for each table, 1 to 2^32")
       ->check(CLI::Range(std::uint64_t{1}, campaign::kMostTrajectories));
   add_seed(command, "--seed", arguments.options.seed, "Seed of all random numbers");
   add_with_default(command, "--grid", arguments.grid, "GRID", "Name of a grid, or a .toml file");

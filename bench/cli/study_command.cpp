@@ -182,7 +182,7 @@ void print_study(const StudyResult& study, const Shares& shares) {
   for (const auto& [measure, limit] : shares) {
     print_wrapped(share_text(study, measure, limit), 4);
   }
-  print_wrapped(fmt::format("{} seeds, {:.2f} hours of outlets: {}", study.seeds_done, study.hours,
+  print_wrapped(fmt::format("{} seeds, {:.2f} outlet-hours: {}", study.seeds_done, study.hours,
                             verdicts_of(study.verdicts)),
                 4);
   if (!study.first_reason.empty()) {
@@ -327,7 +327,7 @@ void add_study(CommandLine& line) {
       .add_option(
           "--within", arguments.within,
           "Print the share of the values within ± LIMIT, in the unit that `gsbench measures` "
-          "lists; may be given several times (default: ekf.error=1 and ekf.error=4)")
+          "lists; may be given several times (default: ekf.error=1 and ekf.error=4, both in %)")
       ->type_name("MEASURE=LIMIT")
       ->allow_extra_args(false);
   add_json_flag(command, arguments.json);
@@ -336,7 +336,8 @@ void add_study(CommandLine& line) {
       "\n"
       "Examples:\n"
       "  gsbench study paper/loss-500mw --seeds 200 --within event.delay=140\n"
-      "  gsbench study regression/steady --seeds 1000     1000 times the profile's hour");
+      "  gsbench study regression/steady --seeds 1000\n"
+      "      1000 seeds of a one-hour profile with two outlets: 2000 outlet-hours");
 }
 
 }  // namespace gsbench::cli

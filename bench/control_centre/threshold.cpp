@@ -17,7 +17,7 @@ double threshold_mw(const grid::SfrModel& model, double threshold_hz) {
                     threshold_hz, model.nominal_hz()));
   }
   return (model.nominal_hz() - threshold_hz) /
-         (model.gain_hz_per_mw() * grid::turning_point(model).depth);
+         (model.gain_hz_per_mw() * grid::unit_nadir(model).depth);
 }
 
 namespace {
@@ -66,7 +66,7 @@ double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, 
   if (nadir_with_shedding_hz(model, loss_mw, loss_mw, delay_s) < threshold_hz) {
     return 0.0;
   }
-  double enough_mw = 0.0;  // a threshold that keeps the nadir
+  double enough_mw = 0.0;  // a threshold loss that keeps the nadir at threshold_hz
   double too_high_mw = instant_mw;
   for (int i = 0; i < 50 && too_high_mw - enough_mw > 1e-4; ++i) {
     const double middle_mw = 0.5 * (enough_mw + too_high_mw);
@@ -87,12 +87,12 @@ std::vector<Condition> conditions(const grid::SfrModel& model, double threshold_
     throw std::invalid_argument(
         fmt::format("row_hz is {}; it must be at least {}", row_hz, grid::kLowestConditionRow_hz));
   }
-  const grid::TurningPoint turn = grid::turning_point(model);
+  const grid::UnitNadir lowest = grid::unit_nadir(model);
   const std::vector<double> edges = row_edges_hz(model.nominal_hz(), threshold_hz, row_hz);
   std::vector<Condition> rows;
   for (std::size_t i = 1; i + 1 < edges.size(); ++i) {
     const double depth = (model.nominal_hz() - edges[i]) / (loss_mw * model.gain_hz_per_mw());
-    const double t_s = grid::time_at_depth_s(model, turn, depth);
+    const double t_s = grid::time_at_depth_s(model, lowest, depth);
     rows.push_back({edges[i], edges[i - 1], loss_mw * model.unit_rocof_hz_s(t_s)});
   }
   // After the threshold loss the frequency turns or settles at f_s: ROCOF is 0 there.

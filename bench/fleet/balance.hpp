@@ -1,4 +1,4 @@
-// The grid's frequency after all changes of power so far.
+// Frequency response to the loss and all load shed so far.
 #pragma once
 
 #include <limits>

@@ -22,8 +22,12 @@ using record::kNoFigure;
 
 constexpr std::size_t kClosedLoopOutlets = 1000;
 constexpr double kEventToAction_s = 0.8;  // from an outlet's event to its open relay
-constexpr double kLossParts[] = {0.9, 1.0, 1.1, 1.2, 1.42, 1.7, 2.0};  // of the threshold
+constexpr double kLossParts[] = {0.9, 1.0, 1.1, 1.2, 1.42, 1.7, 2.0};  // of the threshold loss
 
+constexpr const char* kTooLate =
+    "No threshold loss allows for the delay: the nadir is below f_s even if all of the lost power "
+    "is "
+    "shed.";
 constexpr const char* kGridSense = "Grid Sense";
 constexpr std::pair<Control, const char*> kControls[] = {
     {Control::kNone, "no control"},
@@ -42,7 +46,7 @@ record::FigureRow shed_row(const std::string& name, const Shed& shed) {
       {shed.power_mw, count(shed.outlets), count(shed.first_partly), count(shed.end_partly + 1)}};
 }
 
-// The threshold with which outlets that act that late keep the nadir at f_s.
+// The threshold loss that allows for the delay until the last action.
 double delay_aware_threshold_mw(const grid::Grid& grid, const ScenarioOptions& options,
                                 double last_action_s) {
   return control_centre::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz,
@@ -56,8 +60,8 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
       "",
       {{"shed, MW", 2},
        {"outlets off"},
-       {"last group all off", 0, 1.0},
-       {"first group all on", 0, 1.0, static_cast<double>(fleet.groups())}}};
+       {"fully off up to group", 0, 1.0},
+       {"fully on from group", 0, 1.0, static_cast<double>(fleet.groups())}}};
   record::FigureTable actions = {
       "Actions and frequency; the load shed acts back on the grid's frequency",
       "",
@@ -102,16 +106,27 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
   if (study.delay_aware && std::isfinite(last_action_s)) {
     options.control = Control::kGridSense;
     options.threshold_mw = delay_aware_threshold_mw(grid, options, last_action_s);
-    add(fmt::format("{}, threshold {:.2f} MW", kGridSense, options.threshold_mw));
+    if (options.threshold_mw > 0.0) {
+      add(fmt::format("{}, threshold loss {:.2f} MW", kGridSense, options.threshold_mw));
+      notes.push_back(fmt::format(
+          "The threshold loss of {:.2f} MW allows for the delay of the outlets' last action.",
+          options.threshold_mw));
+    } else {
+      notes.emplace_back(kTooLate);
+    }
+  } else if (study.delay_aware && !stopped(execution)) {
     notes.push_back(
-        fmt::format("The threshold of {:.2f} MW allows for the delay of the outlets' last action.",
-                    options.threshold_mw));
+        fmt::format("No outlet switched off after the loss of {:g} MW, so there is no delay to "
+                    "compute a threshold loss for.",
+                    options.loss_mw));
   }
-  notes.insert(notes.begin(),
-               fmt::format("Required: {:.2f} MW, the loss above the threshold by eq. (15), which "
-                           "assumes that load is shed at once. The load-shedding conditions and an "
-                           "outlet's check of its own estimate are not part of this model.",
-                           required_mw));
+  notes.insert(
+      notes.begin(),
+      fmt::format(
+          "Required: {:.2f} MW, the loss above the threshold loss by eq. (15), which "
+          "assumes that load is shed at once. A group is a load block. The load-shedding "
+          "conditions and an outlet's check of its own estimate are not part of this model.",
+          required_mw));
   return {{shed, actions},
           {plot, groups},
           notes,
@@ -219,11 +234,10 @@ record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
   options.loss_mw = study.scenario.loss_mw;
   options.duration_s = study.scenario.duration_s;
   options.seed = study.fleet.seed;
-  record::FigureTable table = {"1 % white noise on each outlet's voltage",
-                               "",
-                               {{"threshold by eq. (15)"}, {"threshold for the delay"}}};
+  record::FigureTable table = {"1 % white noise on each outlet's voltage", "", {}};
   record::CurvePlot plot = {"The frequency of the grid.", "s", "Hz"};
-  for (const record::FigureColumn& column : table.columns) {
+  std::vector<std::string> notes;
+  for (const char* const name : {"threshold loss by eq. (15)", "delay-aware threshold"}) {
     const auto result = simulate_closed_loop(grid, fleet, options, execution);
     if (!result) {
       break;
@@ -243,6 +257,7 @@ record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
         {"nadir, Hz", {scenario.nadir_hz}, 3},
         {"nadir at, s", {scenario.nadir_s}, 3},
         {"end, Hz", {scenario.end_hz}, 3}};
+    table.columns.push_back({name});
     for (std::size_t i = 0; i < std::size(rows); ++i) {
       if (table.rows.size() <= i) {
         table.rows.push_back(rows[i]);
@@ -251,18 +266,40 @@ record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
       }
     }
     plot.x = scenario.t_s;
-    plot.curves.push_back({column.name, scenario.frequency_hz});
+    plot.curves.push_back({name, scenario.frequency_hz});
+    if (options.threshold_mw > 0.0) {
+      break;
+    }
+    if (scenario.nadir_hz < grid.threshold_hz) {
+      notes.emplace_back(
+          "With the threshold loss by eq. (15) the nadir is below f_s. A small group has a "
+          "switching-off frequency f^B just below f_s. If the nadir is below f^B of a group, its "
+          "outlets switch off even if they had decided not to shed.");
+    }
+    if (result->events == 0) {
+      notes.push_back(
+          fmt::format("No outlet detected the loss of {:g} MW, so there is no delay to compute a "
+                      "threshold loss for.",
+                      options.loss_mw));
+      break;
+    }
     options.threshold_mw =
         delay_aware_threshold_mw(grid, study.scenario, result->latest_event_s + kEventToAction_s);
+    if (options.threshold_mw == 0.0) {
+      notes.emplace_back(kTooLate);
+      break;
+    }
+    notes.push_back(
+        fmt::format("The delay-aware threshold is {:.2f} MW: a threshold loss that allows for the "
+                    "delay of the outlets.",
+                    options.threshold_mw));
   }
-  return {
-      {table},
-      {plot},
-      {"With the threshold by eq. (15) the nadir is below f_s, and with it below switching-off "
-       "frequencies: outlets that had decided to stay on switch off after all. A threshold that "
-       "allows for the delay avoids most of that."},
-      fmt::format("{} outlets with the whole firmware, from the voltage on", fleet.outlets()),
-      "closed-loop"};
+  return {{table},
+          {plot},
+          notes,
+          fmt::format("{} outlets with the whole firmware, starting from the sampled voltage",
+                      fleet.outlets()),
+          "closed-loop"};
 }
 
 // Before the first simulation: a sweep may take minutes.

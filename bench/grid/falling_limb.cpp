@@ -18,7 +18,7 @@ double depth_at(const SfrModel& model, double t_s) {
 // The zero of eq. (12): g0·C + (omega_n² − sigma·g0)·S = 0 and, with g0 = omega_n²·T_R,
 // S/C = T_R/(sigma·T_R − 1). Underdamped, S/C is tan(√d·t)/√d, which gives eq. (13). At zeta = 1 it
 // is t. Overdamped, it is tanh(√−d·t)/√−d, which stays below 1/√−d: there may be no zero.
-double time_of_turn_s(const SfrModel& model) {
+double time_of_nadir_s(const SfrModel& model) {
   const double sigma = model.sigma_per_s();
   const double d = model.discriminant_per_s2();
   const double omega_n_squared = model.omega_n() * model.omega_n();
@@ -41,13 +41,13 @@ double time_of_turn_s(const SfrModel& model) {
 
 }  // namespace
 
-TurningPoint turning_point(const SfrModel& model) {
-  const double t_s = time_of_turn_s(model);
+UnitNadir unit_nadir(const SfrModel& model) {
+  const double t_s = time_of_nadir_s(model);
   if (t_s == kNever) {
     return {kNever, 1.0};
   }
   const double depth = depth_at(model, t_s);
-  // At F_H = 1 the zero cancels a pole, and only rounding decides whether there is a turning point.
+  // At F_H = 1 the zero cancels a pole, and only rounding decides whether there is a minimum.
   // An undershoot below the rounding error of the three terms of eq. (6) does not count as one.
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   if (depth < 1.0 + kRounding) {
@@ -56,17 +56,17 @@ TurningPoint turning_point(const SfrModel& model) {
   return {t_s, depth};
 }
 
-double time_at_depth_s(const SfrModel& model, const TurningPoint& turn, double depth) {
+double time_at_depth_s(const SfrModel& model, const UnitNadir& lowest, double depth) {
   double before_s = 0.0;
-  double after_s = turn.t_s;
+  double after_s = lowest.t_s;
   if (after_s == kNever) {
     after_s = 1.0 / model.initial_slope_per_s();
     while (depth_at(model, after_s) < depth) {
       after_s *= 2.0;
     }
   }
-  // Bisection down to neighbouring numbers. The limb is monotone; methods that use the slope would
-  // fail near the turning point, where it is zero.
+  // Bisection down to neighbouring numbers. The deviation grows monotonically until the nadir;
+  // methods that use the slope would fail near the nadir, where it is zero.
   for (;;) {
     const double middle_s = 0.5 * (before_s + after_s);
     if (middle_s <= before_s || middle_s >= after_s) {
@@ -80,8 +80,8 @@ Nadir nadir(const SfrModel& model, double loss_mw) {
   if (!(loss_mw >= 0.0)) {
     throw std::invalid_argument(fmt::format("loss_mw is {}; it must be at least 0", loss_mw));
   }
-  const TurningPoint turn = turning_point(model);
-  return {turn.t_s, model.nominal_hz() - loss_mw * model.gain_hz_per_mw() * turn.depth};
+  const UnitNadir lowest = unit_nadir(model);
+  return {lowest.t_s, model.nominal_hz() - loss_mw * model.gain_hz_per_mw() * lowest.depth};
 }
 
 }  // namespace gsbench::grid

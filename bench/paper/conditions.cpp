@@ -91,7 +91,7 @@ PageSection table2(Study& study, const Execution& execution) {
   return {
       {table, over_choices(study, nth_of(execution, 1, 2))},
       {},
-      {fmt::format("Above the threshold of {:.1f} MW the probability should be 1, below it 0. "
+      {fmt::format("Above the threshold loss of {:.1f} MW the probability should be 1, below it 0. "
                    "The firmware column uses the shipped setting for all six cells: it compares "
                    "the slope over eight measurements with the condition for their mean, over "
                    "the forty reports of the EKF, and needs more than 20 hits. Its event is the "

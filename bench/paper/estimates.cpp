@@ -241,7 +241,8 @@ PageSection table4(Study& study, const Execution& execution) {
            "linearisation.",
            "The firmware gets the first report after the loss as its event, and the exact "
            "frequency before it. An outlet detects its event about 120 ms later and measures that "
-           "frequency: Fig. 19 and `gsbench study` show its estimates from the voltage on.",
+           "frequency: Fig. 19 and `gsbench study` show its estimates, starting from the sampled "
+           "voltage.",
            "The bound is that of all fifty measurements without knowledge of the instant. The "
            "firmware may pass it: its EKF also gets the last four of LSE's measurements and a "
            "standard deviation of the instant."}};
@@ -274,14 +275,14 @@ PageSection table5(Study& study, const Execution& execution) {
   return {
       {shares, table, choices},
       {},
-      {"G_1, G_2, ω_n, ω_r and ∅ have independent relative errors, uniform within ±5 %. The "
-       "paper's "
-       "method uses the five as they are, although they then contradict one another.",
-       "The experiment is not part of any product. An outlet is sent four parameters that cannot "
-       "contradict one another; here they are computed from the five erroneous ones by the "
-       "relations between them (f starts at f_0; ω_r = ω_n·√(1 − ζ²)), which halves some of the "
-       "errors, and the bias of a mean of reciprocals is taken off. A control centre does not do "
-       "that: it sends the parameters that follow from the grid's file.",
+      {"G_1, G_2, ω_n, ω_r and φ have independent relative errors, uniform within ±5 %. The "
+       "paper's method uses the five as they are, although they then contradict one another.",
+       "The experiment is not part of any product. The firmware's four parameters cannot "
+       "contradict one another. Here they are computed from the five erroneous ones: K from G_1, "
+       "G_2 and φ; ζ·ω_n and ω_r² from ω_n and ω_r; ω_n²·T_R from all five. The relations "
+       "G_2·sin φ = −G_1 and ω_r = ω_n·√(1 − ζ²) average some of the errors, and the bias of a "
+       "mean of reciprocals is corrected. A control centre does not do that: it sends the "
+       "parameters that follow from the grid's file.",
        "The bound is that for exact parameters."}};
 }
 

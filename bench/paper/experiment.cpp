@@ -87,9 +87,9 @@ PageSection fig19(Study& study, const Execution& execution) {
       "Profile " + run.profile + " on grid " + run.grid + ", station " + run.station +
           ", with the profile's own noise: " + to_string(run.verdict) +
           (run.verdict_reason.empty() ? "." : ", " + run.verdict_reason + "."),
-      "With 1 % noise the memory of the frequency tracker bends the slope that LSE measures. The "
+      "With 1 % noise the tracker's settling biases the slope that the LSE measures. The "
       "paper's outlet found 310 MW; this one finds more than 500 MW, because its tracker "
-      "overshoots a change of slope. The EKF corrects the start."};
+      "overshoots after a change of slope. The EKF corrects this error."};
   std::vector<record::CurvePlot> plots;
   if (!run.outlets.empty()) {
     plots = curves_of(run, run.outlets.front());

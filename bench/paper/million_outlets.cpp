@@ -63,13 +63,14 @@ PageSection fig20_and_21(Study& study, const Execution& execution) {
       {{"shed, MW", 2},
        {"error, %", 2},
        {"outlets off"},
-       {"last group all off", 0, 1.0},
-       {"first group all on", 0, 1.0, static_cast<double>(by_choice.groups())}},
+       {"fully off up to group", 0, 1.0},
+       {"fully on from group", 0, 1.0, static_cast<double>(by_choice.groups())}},
       {{"required", {required_mw, 0.0, kNoFigure, kNoFigure, kNoFigure}},
        {"paper, §6.5.1", {148.34, 100.0 * (148.34 / 148.1 - 1.0), 164793, 118, 199}},
        {"paper, §6.5.2 (Table 5)",
         {148.97, 100.0 * (148.97 / 148.1 - 1.0), 165540, kNoFigure, kNoFigure}}}};
-  record::CurvePlot power = {"Accumulated power of the groups (Fig. 20).", "group", "MW"};
+  record::CurvePlot power = {"Accumulated power of the groups, which are load blocks (Fig. 20).",
+                             "group", "MW"};
   for (std::size_t group = 0; group < by_choice.groups(); ++group) {
     power.x.push_back(static_cast<double>(group + 1));
   }
@@ -143,13 +144,15 @@ PageSection fig22(Study& study, const Execution& execution) {
   if (plain && std::isfinite(plain->last_action_s)) {
     choice.threshold_mw = control_centre::threshold_for_delay_mw(
         grid::SfrModel(grid), grid.threshold_hz, kLoss_mw, plain->last_action_s);
-    add("threshold for the delay");
+    if (choice.threshold_mw > 0.0) {
+      add("delay-aware threshold");
+    }
   }
-  return {{table},
-          {plot},
-          {"Eq. (15) assumes that load is shed at once. Outlets act later, so that the nadir is a "
-           "little below f_s. A threshold computed for this delay and this loss keeps the nadir at "
-           "f_s."}};
+  return {
+      {table},
+      {plot},
+      {"Eq. (15) assumes that load is shed at once. Outlets act later, so that the nadir is a "
+       "little below f_s. A threshold loss that allows for this delay keeps the nadir at f_s."}};
 }
 
 }  // namespace gsbench::paper

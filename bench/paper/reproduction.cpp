@@ -24,7 +24,7 @@ constexpr Section kSections[] = {
     {"fig16", "Fig. 16: estimates after each measurement (§6.3.2)", fig16},
     {"table4", "Fig. 17 and Table 4: estimates by EKF (§6.3.2)", table4},
     {"table5", "Table 5: estimates by EKF with wrong parameters (§6.3.3)", table5},
-    {"fig19", "Fig. 19: the 500 MW experiment, from the voltage on (§6.4)", fig19},
+    {"fig19", "Fig. 19: the 500 MW experiment, starting from the sampled voltage (§6.4)", fig19},
     {"fig21", "Fig. 20 and 21: a million outlets (§6.5.1, §6.5.2)", fig20_and_21},
     {"fig22", "Fig. 22: frequency with and without Grid Sense (§6.5.1)", fig22},
 };

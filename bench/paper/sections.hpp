@@ -1,5 +1,5 @@
-// The sections of one reproduction, and what they share: grid, options and the campaigns computed
-// so far.
+// The sections of one reproduction, and the data that they share: grid, options and the campaigns
+// computed so far.
 #pragma once
 
 #include <cstdint>
@@ -49,8 +49,8 @@ std::string text_of(campaign::NoiseDistribution distribution);  // "uniform ±0.
 std::string text_of(campaign::LossInstant instant);             // "on a report"
 std::string text_of(const campaign::Counting& counting);
 
-// How many decimals a figure with this standard error supports: the last one has the error's order
-// of magnitude.
+// How many decimals a figure with this standard error supports: the last decimal has the order of
+// magnitude of the standard error.
 int decimals_of(double standard_error, int most);
 
 // Sets the decimals of a column of shares, 0 … whole, by their largest standard error √(p(1 − p)/n)

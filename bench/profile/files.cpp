@@ -225,8 +225,4 @@ std::vector<NamedFile> all_stations() {
   return all_files(kStationsFolder);
 }
 
-std::vector<std::string> list_grids() {
-  return names_of(all_grids());
-}
-
 }  // namespace gsbench::profile

@@ -86,11 +86,24 @@ grid::Grid load_grid(const std::string& name) {
   return read_grid_file(*file);
 }
 
-std::vector<ProfileSummary> list_profiles() {
-  return summaries_of(all_profiles(), [](const NamedFile& file) {
+namespace {
+
+std::vector<ProfileSummary> titles_of(const std::vector<NamedFile>& files,
+                                      const keys::Key& declared) {
+  return summaries_of(files, [&](const NamedFile& file) {
     const keys::Document document = keys::parse_toml(read_file(file.path), file.path);
-    return keys::Table(document, profile_keys()).text("title");
+    return keys::Table(document, declared).text("title");
   });
+}
+
+}  // namespace
+
+std::vector<ProfileSummary> list_profiles() {
+  return titles_of(all_profiles(), profile_keys());
+}
+
+std::vector<ProfileSummary> list_grids() {
+  return titles_of(all_grids(), grid_keys());
 }
 
 std::vector<ProfileSummary> summaries_of(

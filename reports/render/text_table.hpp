@@ -8,9 +8,9 @@
 namespace gsbench::render {
 
 // The lines of a table, none wider than `columns`. `rows`: cells, the headings first; the first
-// cell of a row is its name, aligned left, the others are figures, aligned right. A table that is
-// too wide gets headings of two or three lines and row names of several, each broken at words; if
-// that is not enough, its columns are printed in several parts below one another.
+// cell of a row is its name, aligned left, the others are figures, aligned right. If the
+// table is too wide, headings wrap to up to three lines and row names to several; if that is not
+// enough, the columns are printed in several tables, one below the other.
 std::vector<std::string> table_lines(const std::vector<std::vector<std::string>>& rows,
                                      std::size_t columns);
 

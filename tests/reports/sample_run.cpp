@@ -182,7 +182,7 @@ record::RunRecord loss_500mw(int outlet_count) {
       "\"ieee24\"\n[[grid.loss]]\nat_s = 3.0\npower_mw = 500.0\n\n[signal]\nduration_s = 6.0\n"
       "noise_pct = 1.0   # <white>\n";
   run.comparisons = {
-      {"threshold power loss", "MW", 351.92, 351.9, ""},
+      {"threshold loss", "MW", 351.92, 351.9, ""},
       {"time of the lowest frequency", "s", 3.7612, 3.72,
        "The paper's 3.72 s does not follow from its own machines: with those that give its "
        "threshold and its Table 1, eq. (6) bottoms at 3.76 s."}};

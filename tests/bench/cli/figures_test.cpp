@@ -104,7 +104,7 @@ const std::vector<Row>& rows() {
         {"required ([0-9.]+) MW", cell("fig21", "required", "shed, MW")},
         {"errors up to 5 %: ([0-9.]+) MW", cell("fig21", "experiment", "shed, MW")},
         {"nadir ([0-9.]+) Hz", cell("fig22", "with Grid Sense", "nadir, Hz")},
-        {"and ([0-9.]+) Hz with", cell("fig22", "threshold for", "nadir, Hz")}}},
+        {"and ([0-9.]+) Hz with", cell("fig22", "delay-aware", "nadir, Hz")}}},
   };
   return all;
 }

@@ -95,10 +95,11 @@ TEST(Help, TheCheckFindsEachMissingPart) {
   }
 }
 
-TEST(Help, ListNamesTheShippedFiles) {
+TEST(Help, ListShowsNamesAndTitlesOfTheShippedFiles) {
   const Outcome outcome = run_gsbench({"list"});
-  for (const std::string name : {"paper/loss-500mw", "events/gb-2019", "disturbances/dead-bus",
-                                 "ieee24-by-unit", "island-60hz"}) {
+  for (const std::string name :
+       {"paper/loss-500mw", "events/gb-2019", "disturbances/dead-bus", "ieee24-by-unit",
+        "island-60hz", "Illustrative 60 Hz island system of 6 GW"}) {
     EXPECT_THAT(outcome.out, HasSubstr(name));
   }
 }

@@ -205,7 +205,7 @@ TEST(Fleet, NoLineIsWiderThan100Columns) {
   expect_lines_within_100_columns({"fleet", "--help"});
 }
 
-// The switching-off frequency of the last group is reached, so that no group stays all on.
+// The switching-off frequency of the last group is reached, so that no group stays fully on.
 TEST(Fleet, PrintsNoneForAGroupThatDoesNotExist) {
   const Words arguments = {"fleet", "--per-group", "20", "--least", "500", "--most", "90000"};
   const std::string text = run_gsbench(arguments).out;
@@ -235,6 +235,44 @@ TEST(Fleet, ComparesGridSenseWithOtherControls) {
   const json& rows = section["tables"][1]["rows"];
   ASSERT_EQ(rows.size(), 6U);
   EXPECT_GE(rows[5]["figures"][2].get<double>(), 49.5);  // nadir with the delay-aware threshold
+}
+
+constexpr const char* kNadirNote = "the nadir is below f_s";
+
+TEST(Fleet, StatesThatTheNadirIsBelowFsOnlyIfItIs) {
+  const Words fleet = {"fleet",   "--groups",      "20",     "--per-group", "50",
+                       "--least", "5000",          "--most", "900000",      "--duration",
+                       "5",       "--closed-loop", "--json", "--loss"};
+  for (const auto& [loss_mw, is_below] :
+       std::map<std::string, bool>{{"300", false}, {"500", true}}) {
+    Words arguments = fleet;
+    arguments.push_back(loss_mw);
+    const json section = run_for_json(arguments)["sections"][1];
+    EXPECT_EQ(figure(section, "nadir, Hz", "threshold loss by eq. (15)") < 49.5, is_below);
+    EXPECT_EQ(section["paragraphs"].dump().find(kNadirNote) != std::string::npos, is_below);
+  }
+}
+
+TEST(Fleet, StatesThatNoThresholdLossAllowsForTheDelay) {
+  const json page = run_for_json({"fleet", "--loss", "1500", "--groups", "20", "--per-group", "50",
+                                  "--least", "5000", "--most", "900000", "--duration", "3",
+                                  "--delay-aware", "--closed-loop", "--json"});
+  for (const json& section : page["sections"]) {
+    EXPECT_THAT(section["paragraphs"].dump(), HasSubstr("No threshold loss allows for the delay"));
+  }
+  EXPECT_EQ(page["sections"][0]["tables"][0]["rows"].size(), 5U);
+  EXPECT_EQ(page["sections"][1]["tables"][0]["columns"].size(), 1U);
+}
+
+TEST(Fleet, StatesThatNoOutletDetectedTheLoss) {
+  const json page =
+      run_for_json({"fleet", "island-60hz", "--loss", "12", "--groups", "20", "--per-group", "50",
+                    "--duration", "3", "--delay-aware", "--closed-loop", "--json"});
+  EXPECT_THAT(page["sections"][0].dump(), HasSubstr("No outlet switched off after the loss of 12"));
+  const json& section = page["sections"][1];
+  EXPECT_THAT(section.dump(), HasSubstr("No outlet detected the loss of 12 MW"));
+  EXPECT_EQ(section["tables"][0]["columns"].size(), 1U);
+  EXPECT_EQ(figure(section, "outlets that detected the loss", "threshold loss by eq. (15)"), 0.0);
 }
 
 TEST(Fleet, WritesASweepAsHeatMapsForAnyGrid) {

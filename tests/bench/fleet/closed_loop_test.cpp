@@ -1,4 +1,5 @@
-// The whole firmware from the voltage on; the load that it sheds acts back on the frequency.
+// The whole firmware, starting from the sampled voltage; the load that it sheds acts back on the
+// frequency.
 #include <test_support/ieee24.hpp>
 
 #include <gtest/gtest.h>

@@ -20,7 +20,7 @@ TEST(ClosedForm, HasThePapersParametersForTheIeee24BusSystem) {
   EXPECT_NEAR(parameters->phi, -0.26481, kFiveDecimals);
 }
 
-// α·sin(∅) = −1 makes eq. (6) start from zero; α·ω_n·sin(∅1) is the slope of eq. (16).
+// α·sin(φ) = −1 makes eq. (6) start from zero; α·ω_n·sin(φ1) is the slope of eq. (16).
 TEST(ClosedForm, HasParametersConsistentWithTheModelForEveryUnderdampedGrid) {
   for (double zeta = 0.6; zeta < 1.0; zeta += 0.05) {
     const SfrModel model(grid_of_zeta(zeta));
@@ -62,7 +62,7 @@ TEST(Nadir, ChangesSmoothlyThroughCriticalDamping) {
   }
 }
 
-TEST(Nadir, IsTheFinalValueWithoutATurningPoint) {
+TEST(Nadir, IsTheFinalValueIfTheFrequencyHasNoMinimum) {
   const SfrModel model(first_order_grid());
   const Nadir lowest = nadir(model, 100.0);
   EXPECT_EQ(lowest.t_s, std::numeric_limits<double>::infinity());

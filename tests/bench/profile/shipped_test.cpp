@@ -101,11 +101,14 @@ TEST(ShippedProfiles, DoNotIncludeGrids) {
 }
 
 TEST(ShippedGrids, AreListedAndValid) {
-  const auto names = list_grids();
-  EXPECT_THAT(names, testing::ElementsAre("ieee24", "ieee24-by-unit", "island-60hz"));
-  for (const std::string& name : names) {
-    EXPECT_EQ(load_grid(name).name, name);
+  std::vector<std::string> names;
+  for (const ProfileSummary& summary : list_grids()) {
+    names.push_back(summary.name);
+    const grid::Grid grid = load_grid(summary.name);
+    EXPECT_EQ(grid.name, summary.name);
+    EXPECT_EQ(grid.title, summary.title);
   }
+  EXPECT_THAT(names, testing::ElementsAre("ieee24", "ieee24-by-unit", "island-60hz"));
 }
 
 TEST(ProfilesFolder, IsTakenFromTheEnvironment) {

@@ -166,7 +166,7 @@ TEST(RunRecord, ComparesTheGridWithThePublication) {
   const profile::Plan plan = test::plan(0.2);
   const std::vector<record::Comparison> all = record_of(plan).comparisons;
   ASSERT_EQ(all.size(), 2 + plan.grid.reference.condition_rocof_hz_s.size());
-  EXPECT_EQ(all[0].name, "threshold power loss");
+  EXPECT_EQ(all[0].name, "threshold loss");
   EXPECT_EQ(all[0].unit, "MW");
   EXPECT_NEAR(all[0].ours, 351.92, 0.1);
   EXPECT_EQ(all[0].published, *plan.grid.reference.threshold_mw);

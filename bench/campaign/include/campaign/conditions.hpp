@@ -1,5 +1,5 @@
 // The probability that the load-shedding conditions ask for shedding after a loss above or below
-// the threshold (§6.2, Table 2).
+// the threshold loss (§6.2, Table 2).
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@ namespace gsbench::campaign {
 
 // How conditions are counted, which the paper leaves open. The defaults are the shipped firmware's.
 struct Counting {
-  int window = 8;      // samples in the line whose slope is the ROCOF
-  int first = 10;      // samples after the loss before the first line that counts
-  int count = 40;      // lines that count
+  int window = 8;      // measurements over which a slope (ROCOF) is fitted
+  int first = 10;      // measurement whose slope is the first that counts, from 0
+  int count = 40;      // slopes that count
   int more_than = 20;  // with more hits, load shedding is needed
 };
 

@@ -1,4 +1,5 @@
-// Many losses of power, each measured with noise and estimated by LSE and EKF (§6.3, Tables 3–5).
+// A campaign: many simulated noisy frequency curves (trajectories) after a loss, from each of which
+// LSE and EKF estimate the loss (§6.3, Tables 3–5).
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace gsbench::campaign {
 // kFirmware: the firmware's estimators with a known event, which an outlet has to detect: see
 // estimate_settings().
 enum class Mode : std::uint8_t { kPaper, kFirmware };
-// The paper's "within ±0.01 Hz" leaves it open.
+// The paper states only "within ±0.01 Hz", not the distribution.
 enum class NoiseDistribution : std::uint8_t { kUniform, kGaussian };
 // Instant of the loss: a whole report before the first sample, as in the paper, or uniformly
 // distributed over that report.
@@ -30,13 +31,13 @@ struct EstimateOptions {
   NoiseDistribution distribution = NoiseDistribution::kUniform;
   double noise_hz = 0.01;  // half width if uniform, standard deviation if Gaussian
   LossInstant instant = LossInstant::kOnReport;
-  // Largest relative error of each of G_1, G_2, ω_n, ω_r and ∅, uniformly distributed (Table 5).
-  // The firmware's four parameters are then computed from these five: an experiment, which a
-  // control centre does not do.
+  // Largest relative error of each of G_1, G_2, ω_n, ω_r and φ, uniformly distributed (Table 5).
+  // The firmware's four parameters (gs::outlet::ResponseOf) are then computed from these five: an
+  // experiment, a control centre does not do it.
   double parameter_error = 0.0;
-  // Start of the paper's EKF, which the paper does not give: standard deviations of LSE and t_x.
-  double paper_loss_sigma_mw = 80.0;
-  double paper_t_x_sigma_s = 0.02;
+  // Initial standard deviations of the paper's EKF; the paper does not state them.
+  double paper_loss_sigma_mw = 80.0;     // of ΔP
+  double paper_t_x_sigma_s = 0.02;       // of t_x
   std::uint64_t trajectories = 1000000;  // up to kMostTrajectories
   std::uint64_t seed = 1;
 };
@@ -69,10 +70,10 @@ EstimateResult estimate(const grid::Grid& grid, const EstimateOptions& options,
 std::vector<float> trajectory(const grid::Grid& grid, const EstimateOptions& options,
                               std::uint64_t number);
 
-// The settings for the estimate of a trajectory: as shipped, but for a known event. The event is
-// the first report after the loss (event_drops 1), the EKF starts there (event_lag_s 0), and the
-// frequency before it is exact. Shipped outlets detect the event after five drops, start the EKF
-// 8 ms before these, and measure the frequency before the event.
+// The settings for the estimate of a trajectory: as shipped, except for event_drops = 1 and
+// event_lag_s = 0 (shipped: 5 and 0.008 s). The event is given: it is the first report after the
+// loss, and the frequency before the loss is exact. The initial t_x of the EKF is event_drops
+// reports and event_lag_s before the event: 16 ms here, 88 ms as shipped.
 gs::outlet::Settings estimate_settings(const grid::Grid& grid);
 
 // Cramér–Rao bound: the lowest σ of an unbiased estimate of a loss from samples first … last, each

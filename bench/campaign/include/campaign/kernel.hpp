@@ -33,8 +33,8 @@ Estimates estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
                             const PaperModel<Parameter>& model, const float* deviations_hz);
 
 // Counts in `hits` how often the load-shedding conditions are met. There are counted.first +
-// counted.count samples. The line of sample k is that through samples k − window + 1 … k; the first
-// line that counts must be within the samples.
+// counted.count measurements. The slope at measurement k is fitted over measurements
+// k − window + 1 … k; those of the first slope that counts must exist.
 void count_conditions(const gs::outlet::Settings& settings, float nominal_hz,
                       const Counting& counted, const float* deviations_hz, float hits[kLanes]);
 

@@ -16,7 +16,7 @@ struct PaperModel {
   Parameter phi{};             // rad
 };
 
-// |ω_r·τ + ∅| <= π.
+// |ω_r·τ + φ| <= π.
 template <class Parameter, class Real>
 gs::outlet::UnitResponse<Real> unit_response(const PaperModel<Parameter>& m, Real tau_s) {
   using gs::outlet::exponential;

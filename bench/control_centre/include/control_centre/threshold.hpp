@@ -11,11 +11,11 @@ namespace gsbench::control_centre {
 // ΔP_s, eq. (15), MW. Throws std::invalid_argument unless 0 < threshold_hz < f_n.
 double threshold_mw(const grid::SfrModel& model, double threshold_hz);
 
-// The threshold, MW, with which outlets that act `delay_s` after a loss keep the nadir at
-// threshold_hz. Eq. (15) assumes immediate shedding and therefore sheds too little. The result
-// equals eq. (15) for a delay of 0, and decreases with the delay and the loss; use the largest loss
-// to be covered. 0 if no shedding suffices. Throws std::invalid_argument like threshold_mw, and for
-// a negative loss or delay.
+// The threshold loss that allows for the delay, MW: outlets that act `delay_s` after a loss keep
+// the nadir at threshold_hz with it. Eq. (15) assumes immediate shedding and therefore sheds too
+// little. The result equals eq. (15) for a delay of 0, and decreases with the delay and the loss;
+// use the largest loss to be covered. 0 if no shedding suffices. Throws std::invalid_argument like
+// threshold_mw, and for a negative loss or delay.
 double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, double loss_mw,
                               double delay_s);
 

@@ -1,6 +1,6 @@
-// A fleet of outlets with the whole firmware, from the voltage on. Each outlet samples the mains
-// with its own noise, and the load that it sheds changes the frequency for all. For small fleets: a
-// thousand outlets need a second of processor time for three simulated seconds.
+// A fleet of outlets with the whole firmware, starting from the sampled voltage. Each outlet
+// samples the mains with its own noise, and the load that it sheds changes the frequency for all.
+// For small fleets: a thousand outlets need a second of processor time for three simulated seconds.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace gsbench::fleet {
 struct ClosedLoopOptions {
   double loss_mw = 500.0;
   double noise_pct = 1.0;     // σ of white noise on the voltage, % of its amplitude
-  double threshold_mw = 0.0;  // in the outlets' settings; 0: the grid's
+  double threshold_mw = 0.0;  // threshold loss in the outlets' settings; 0: the grid's
   double duration_s = 20.0;   // after the loss, which is at 1 s
   std::uint64_t seed = 1;
 };
@@ -22,7 +22,7 @@ struct ClosedLoopResult {
   ScenarioResult scenario;       // times count from the loss
   std::size_t events = 0;        // outlets whose first event is after the loss
   std::size_t false_events = 0;  // outlets whose first event is before the loss
-  double latest_event_s = 0.0;   // after the loss; NaN without an event
+  double latest_event_s = 0.0;   // after the loss; NaN if no outlet detected it
   campaign::Histogram loss_mw;   // estimates at the decision
 };
 

@@ -1,4 +1,5 @@
-// Very many outlets in order of importance, and the load that they shed after a loss (§6.5).
+// Very many outlets in groups, and the load that they shed after a loss (§6.5). A group is a load
+// block of the grid: its outlets have the same P^A and f^B.
 #pragma once
 
 #include <control_centre/blocks.hpp>
@@ -12,8 +13,8 @@
 namespace gsbench::fleet {
 
 struct FleetOptions {
-  std::size_t groups = 1000;     // in order of importance, the least important first
-  std::size_t per_group = 1000;  // outlets
+  std::size_t groups = 1000;     // load blocks, the least important first
+  std::size_t per_group = 1000;  // outlets in each group
   double least_w = 10.0;         // power of an appliance, uniform between least and most
   double most_w = 1800.0;
   control_centre::Accumulation accumulation = control_centre::Accumulation::kHalfGroup;
@@ -36,7 +37,7 @@ constexpr std::size_t kMostOutlets = 100000000;
 // Throws std::invalid_argument for no outlets, more than kMostOutlets, or powers out of range.
 Fleet make_fleet(const FleetOptions& options);
 
-// f^B of each group, taken as a block of this grid, Hz. Throws as control_centre::block_settings()
+// f^B of each group as a load block of this grid, Hz. Throws as control_centre::block_settings()
 // does.
 std::vector<double> switch_off_hz(const grid::Grid& grid, const Fleet& fleet);
 
@@ -44,8 +45,8 @@ struct Shed {
   double power_mw = 0.0;
   std::size_t outlets = 0;
   std::vector<std::uint32_t> off_in_group;
-  std::size_t first_partly = 0;  // from 0: in all groups before it, every outlet is off
-  std::size_t end_partly = 0;    // in it and all groups after it, every outlet is on
+  std::size_t first_partly = 0;  // index of the first group that is not fully off
+  std::size_t end_partly = 0;    // index of the first group from which on all outlets are on
 };
 
 // `off`: one for each outlet, 0 for on.

@@ -15,7 +15,7 @@ namespace gsbench::fleet {
 
 // Every combination is simulated.
 struct Sweep {
-  std::vector<double> losses_mw;  // empty: 0.9 … 2 times the grid's threshold
+  std::vector<double> losses_mw;  // empty: 0.9 … 2 times the grid's threshold loss
   std::vector<double> noises_hz = {0.0, 0.005, 0.01, 0.02, 0.05};
   std::vector<double> delays_s = {0.0, 0.1, 0.2, 0.5, 1.0};  // added to each outlet's own
 };
@@ -23,7 +23,7 @@ struct Sweep {
 struct Study {
   FleetOptions fleet;
   ScenarioOptions scenario;  // `control` is not used: all are simulated
-  bool delay_aware = false;  // adds Grid Sense with a threshold that allows for the outlets' delay
+  bool delay_aware = false;  // adds Grid Sense with a threshold loss that allows for the delay
   bool closed_loop = false;  // adds a thousand outlets with the whole firmware
   std::optional<Sweep> sweep;
 };

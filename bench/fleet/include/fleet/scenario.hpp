@@ -1,9 +1,9 @@
 // A loss of power and the control that follows: by a fleet's outlets, by a central controller, by
-// under-frequency relays, or none. Each outlet decides at an instant of its own, by the frequency
-// that it measures, which the load shed by other outlets already changes.
+// under-frequency relays, or none.
 //
-// Outlets measure every 16 ms, each at its own phase, the frequency of 28 ms before (the delay of
-// the front end), with noise. They detect the loss at the sixth measurement after it, when enough
+// Outlets measure every 16 ms, not synchronised. A measurement is the frequency 28 ms earlier
+// (front-end delay) plus noise. Load shed by other outlets changes the frequency that an outlet
+// measures. Outlets detect the loss at the sixth measurement after it, when enough
 // drops have been seen; the firmware's detector behind its tracker does so after 104 … 152 ms.
 // 49 measurements later they estimate the loss and decide, by the firmware's own code. The
 // firmware's load-shedding conditions and its check of the estimate are not part of this model.
@@ -30,7 +30,7 @@ struct ScenarioOptions {
   double loss_mw = 500.0;
   campaign::NoiseDistribution distribution = campaign::NoiseDistribution::kUniform;
   double noise_hz = 0.01;
-  double threshold_mw = 0.0;        // of outlets and controller; 0: the grid's
+  double threshold_mw = 0.0;        // threshold loss of outlets and controller; 0: the grid's
   double further_delay_s = 0.0;     // of every outlet's action, added to its relay's
   double central_decision_s = 0.9;  // until the controller knows the loss
   double central_delay_s = 1.0;     // of its commands' communication
@@ -44,7 +44,7 @@ struct ScenarioOptions {
 
 struct ScenarioResult {
   Shed shed;                 // by outlets; for controller and relays only the power
-  double required_mw = 0.0;  // loss above the grid's threshold, or 0
+  double required_mw = 0.0;  // loss above the grid's threshold loss, or 0
   double nadir_hz = 0.0;
   double nadir_s = 0.0;
   double end_hz = 0.0;

@@ -1,22 +1,23 @@
-// The fall of the frequency after a loss, up to its turning point, per unit of the final deviation.
+// The fall of the frequency after a loss, down to the nadir. `depth` is the deviation divided by
+// the final steady-state deviation; it does not depend on the loss.
 #pragma once
 
 #include <grid/sfr_model.hpp>
 
 namespace gsbench::grid {
 
-struct TurningPoint {
-  double t_s;    // +infinity if the frequency falls to its final value without a turning point
-  double depth;  // largest deviation per final deviation, >= 1
+struct UnitNadir {
+  double t_s;    // +infinity if the frequency falls to its final value without a minimum before
+  double depth;  // at the nadir, >= 1
 };
 
-TurningPoint turning_point(const SfrModel& model);
+UnitNadir unit_nadir(const SfrModel& model);
 
-// Time at which the falling limb passes `depth`, 0 < depth < turn.depth.
-double time_at_depth_s(const SfrModel& model, const TurningPoint& turn, double depth);
+// Time before the nadir at which the deviation reaches `depth`, 0 < depth < lowest.depth.
+double time_at_depth_s(const SfrModel& model, const UnitNadir& lowest, double depth);
 
 struct Nadir {
-  double t_s;  // +infinity if the frequency falls to its final value without a turning point
+  double t_s;  // +infinity if the frequency falls to its final value without a minimum before
   double frequency_hz;
 };
 

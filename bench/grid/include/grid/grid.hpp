@@ -34,7 +34,7 @@ struct Reference {
   std::string note;                          // why computed values differ, for reports
 };
 
-// Smallest row height of Table 1: outlets do not resolve less than a millihertz.
+// Smallest frequency step between rows of Table 1: outlets do not resolve less than a millihertz.
 constexpr double kLowestConditionRow_hz = 0.001;
 
 struct Grid {
@@ -51,7 +51,7 @@ struct Grid {
   double gain_km = 0.95;           // K_m > 0
   double reheat_fraction = 0.3;    // F_H, 0 … 1
   double reheat_s = 8.0;           // T_R > 0
-  double condition_row_hz = 0.05;  // height of a row of Table 1; >= kLowestConditionRow_hz
+  double condition_row_hz = 0.05;  // step between rows of Table 1; >= kLowestConditionRow_hz
   std::vector<Plant> plants;       // at least one
   std::vector<Block> blocks;       // may be empty
   Reference reference;

@@ -4,7 +4,7 @@
 // With sigma = zeta·omega_n and d = omega_n² − sigma² the response to a unit step of lost power is
 //   deviation(t) = −K·[1 − e^(−sigma·t)·C(t) + (g0 − sigma)·e^(−sigma·t)·S(t)]
 // where C = cos(√d·t), S = sin(√d·t)/√d for d > 0, their limits for d = 0, cosh and sinh for d < 0,
-// K = R/(D·R + K_m) and g0 = omega_n²·T_R. For zeta < 1 this is eq. (6), because α·sin(∅) = −1.
+// K = R/(D·R + K_m) and g0 = omega_n²·T_R. For zeta < 1 this is eq. (6), because α·sin(φ) = −1.
 // The denominator of eq. (3) is misprinted in the paper: it is s² + 2·zeta·omega_n·s + omega_n².
 #pragma once
 
@@ -27,14 +27,14 @@ class SfrModel {
   double sigma_per_s() const { return sigma_; }       // zeta·omega_n, 1/s
   double discriminant_per_s2() const { return d_; }   // omega_n² − sigma²; < 0 when overdamped
   double initial_slope_per_s() const { return g0_; }  // g0 above, 1/s
-  double gain_hz_per_mw() const { return gain_; }     // K in Hz of final deviation per MW lost, > 0
+  double gain_hz_per_mw() const { return gain_; }  // K: steady-state deviation, Hz per MW lost, > 0
   double nominal_hz() const { return nominal_hz_; }
   double base_mw() const { return base_mw_; }
 
   // Response to one MW lost at t = 0; all zero for t < 0.
   double unit_deviation_hz(double t_s) const;  // eq. (6), negative
   double unit_rocof_hz_s(double t_s) const;    // eq. (12), right-hand limit at t = 0
-  double unit_phase_cycles(double t_s) const;  // ∫ unit_deviation_hz, exact
+  double unit_phase_cycles(double t_s) const;  // ∫ unit_deviation_hz dt, cycles, exact
 
  private:
   double inertia_s_, droop_pu_, omega_n_, zeta_, sigma_, d_, g0_, gain_, nominal_hz_, base_mw_;
@@ -61,7 +61,7 @@ class FrequencyResponse {
     return model_.nominal_hz() + sum(&SfrModel::unit_deviation_hz, t_s);
   }
   double rocof_hz_s(double t_s) const { return sum(&SfrModel::unit_rocof_hz_s, t_s); }
-  // ∫ (f − f_n) dt in cycles, exact; 0 before the first change.
+  // Phase advance relative to nominal, in cycles: ∫ (f − f_n) dt, exact; 0 before the first change.
   double excess_cycles(double t_s) const { return sum(&SfrModel::unit_phase_cycles, t_s); }
 
   const SfrModel& model() const { return model_; }

@@ -10,8 +10,8 @@
 
 namespace gsbench::keys {
 
-// Wrong usage, profile, grid, station or settings; exit code 2. what() is the complete message:
-// `file:line:column: what is wrong, and what would be right`.
+// Bad usage or bad file (profile, grid, station, recording, settings); exit code 2. what() is the
+// complete message: `file:line:column: what is wrong, and what would be right`.
 class ConfigurationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -34,19 +34,19 @@ struct Choices {
   // Table 2: the slope over ten samples, 36 slopes from the first sample on (read from the paper's
   // figures), more than 15 hits.
   campaign::Counting counting = {10, 0, 36, 15};
-  // Start of the paper's EKF: standard deviations of LSE and of t_x.
+  // Initial standard deviations of the paper's EKF: of ΔP and of t_x.
   double ekf_loss_sigma_mw = 80.0;
   double ekf_t_x_sigma_s = 0.02;
 };
 
 struct Options {
   std::vector<std::string> only;         // ids of sections; empty: all
-  std::uint64_t trajectories = 1000000;  // of each campaign
+  std::uint64_t trajectories = 1000000;  // simulated noisy frequency curves, for each table
   std::uint64_t seed = 1;
   Choices choices;
   // P^A of the firmware's fleets; the paper's method uses eq. (11).
   control_centre::Accumulation accumulation = control_centre::Accumulation::kHalfGroup;
-  // Runs the 500 MW experiment for Fig. 19, from the voltage on. Empty: not run.
+  // Runs the 500 MW experiment for Fig. 19, starting from the sampled voltage. Empty: not run.
   std::function<record::RunRecord(const campaign::Execution&)> run_experiment;
 };
 

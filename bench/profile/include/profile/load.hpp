@@ -52,10 +52,10 @@ struct ProfileSummary {
 
 // In alphabetical order. The title of an unreadable profile is the reason.
 std::vector<ProfileSummary> list_profiles();
+std::vector<ProfileSummary> list_grids();
 std::vector<ProfileSummary> summaries_of(
     const std::vector<NamedFile>& files,
     const std::function<std::string(const NamedFile&)>& read_title);
-std::vector<std::string> list_grids();
 
 // Declarations of all keys, with unit, range and default.
 const keys::Key& profile_keys();

@@ -33,7 +33,8 @@ inline constexpr Format kFormats[] = {
     {"json", "result.json", "all results, for scripts", json},
     {"junit", "junit.xml", "JUnit XML: a test suite per outlet, a test case per measurement",
      junit_xml},
-    {"csv", "traces.csv", "all reports of the outlets, with the reference frequency", csv},
+    {"csv", "traces.csv", "what each outlet measured and estimated, with the reference frequency",
+     csv},
 };
 
 // nullptr if no format has that name.

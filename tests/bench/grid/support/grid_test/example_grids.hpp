@@ -54,7 +54,7 @@ inline Grid grid_of_zeta(double zeta) {
   return grid;
 }
 
-// Without a turning point: without reheat delay (F_H = 1) the zero cancels a pole, which leaves a
+// Without a minimum: without reheat delay (F_H = 1) the zero cancels a pole, which leaves a
 // first-order response.
 inline Grid first_order_grid() {
   Grid grid = overdamped_grid();
