@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kEnvironment[][2] = {
     {"GSBENCH_PROFILES", "Folder of profiles, in place of the shipped ones and the user's own."},
-    {"GSBENCH_RUNS", "Folder that keeps the runs, in place of the user's own."},
+    {"GSBENCH_RUNS", "Folder that contains the runs, in place of the user's own."},
     {"XDG_DATA_HOME", "Where the user's own files are; ~/.local/share by default."},
 };
 
