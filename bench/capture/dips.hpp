@@ -1,4 +1,5 @@
-// Finds the marker dips in an outlet's voltage trace, to within some milliseconds.
+// Finds the marker dips in an outlet's voltage trace, to within one interval of its readings: 16 ms
+// if none is lost. align() starts from them (capture/clock.hpp).
 #pragma once
 
 #include <vector>

@@ -8,6 +8,11 @@
 namespace gsbench::cli {
 namespace {
 
+constexpr const char* kIntroduction =
+    "Outlets send a frequency report every 16 ms. Tracker: the outlet's measurement of frequency "
+    "and ROCOF. Declared delay: the measuring delay that the outlet reports about itself. Relay "
+    "sense: the bench's own input that sees the relay contact.\n";
+
 std::string unit_or_words(const measures::Measure& measure) {
   if (!measure.is_text()) {
     return measure.unit.empty() ? "number" : measure.unit;
@@ -28,10 +33,13 @@ int measures(const bool& json) {
     print_json(out);
     return kPassed;
   }
+  print_wrapped(kIntroduction);
   for (const measures::Measure& measure : measures::catalogue()) {
     constexpr std::size_t kIndent = 4;
-    print_wrapped(fmt::format("{} [{}]\n{}\nNeeds: {}.", measure.name, unit_or_words(measure),
-                              measure.definition, measure.needs),
+    const std::string needs =
+        measure.needs == "nothing" ? "" : fmt::format("\nNeeds: {}.", measure.needs);
+    print_wrapped(fmt::format("{} [{}]\n{}{}", measure.name, unit_or_words(measure),
+                              measure.definition, needs),
                   kIndent);
   }
   return kPassed;

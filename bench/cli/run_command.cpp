@@ -56,8 +56,11 @@ void add_trace(CLI::App& command, profile::Overrides& overrides) {
   recording::TraceColumns& columns = overrides.trace_columns;
   CLI::Option* trace =
       command
-          .add_option("--trace", overrides.trace_path,
-                      "Play this CSV recording in place of the profile's frequency and losses")
+          .add_option(
+              "--trace", overrides.trace_path,
+              "Play this CSV recording in place of the profile's losses, frequency points or "
+              "recording, amplitude steps and phase steps; noise, harmonics and DC offset "
+              "stay")
           ->type_name("FILE");
   const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
     command.add_option(name, value, text)->type_name(type)->needs(trace);
@@ -86,7 +89,8 @@ void add_run(CommandLine& line) {
   add_trace(command, arguments.overrides);
   add_json_flag(command, arguments.json);
   command.footer(
-      "With --trace the limits of the profile still hold: use a profile without a loss.\n"
+      "With --trace, the limits of the profile also apply to the recording. Measures that need a\n"
+      "loss are then INCONCLUSIVE: use a profile without limits on them.\n"
       "\n"
       "Examples:\n"
       "  gsbench run paper/loss-500mw\n"

@@ -25,10 +25,10 @@ Reading relay_delay(const Case& c, std::int64_t loss_tick) {
 
 Reading delay_reported(const Case& c, std::int64_t loss_tick) {
   return stamped_after(c, loss_tick, c.first_reported_opening(loss_tick),
-                       "the outlet did not report an opening after the loss");
+                       "the outlet did not report a command to open after the loss");
 }
 
-// Time from the opening that the outlet reports to the one that the relay sense sees.
+// Time from the reported command to open to the opening that the relay sense sees.
 Reading between(const Case& c, const record::Mark& reported, std::int64_t sensed_tick) {
   return number(c.milliseconds_between(reported.tick, sensed_tick),
                 std::hypot(c.uncertainty.relay_sense_ms, c.outlet.clock.uncertainty_ms));
@@ -53,7 +53,7 @@ Reading report_difference(const Case& c) {
   if (reported == nullptr || !opening) {
     return not_done(reported == nullptr
                         ? "the contact opened but the outlet did not report it"
-                        : "the outlet reported an opening but the contact did not open");
+                        : "the outlet reported a command to open but the contact did not open");
   }
   return between(c, *reported, *opening);
 }

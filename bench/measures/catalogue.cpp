@@ -35,8 +35,8 @@ const std::vector<Measure>& catalogue() {
        "nothing"},
       {"event.count", "", "Frequency events that the outlet detected during the run.", "nothing"},
       {"event.false", "",
-       "Detected events before which the reference fell by less than half of event_drop_hz. "
-       "The fall is measured over the 0.5 s up to the time stamp minus the declared delay.",
+       "Detected events for which the reference did not fall by at least half of event_drop_hz. "
+       "The fall is measured in the 0.5 s before the time stamp minus the declared delay.",
        "the outlet's setting event_drop_hz"},
       {"event.delay", "ms",
        "Time from the first loss to the first event after it, by the outlet's time stamp.",
@@ -59,8 +59,8 @@ const std::vector<Measure>& catalogue() {
        "The reference is the power lost in the profile up to that decision.",
        "a decision and a loss in the profile before it"},
       {"ekf.t_x_error", "ms",
-       "Error of the instant of the loss estimated by the EKF at the first decision. "
-       "Positive if the estimated instant is later than the first loss in the profile.",
+       "Error of t_x, the instant of the loss, as estimated by the EKF at the first decision. "
+       "Positive if t_x is later than the first loss in the profile.",
        "a loss in the profile and a decision"},
       {"decision.delay", "ms",
        "Time from the first loss to the next decision, to shed or not, by the outlet's time stamp.",
@@ -74,30 +74,34 @@ const std::vector<Measure>& catalogue() {
        "Time from the first loss to the opening of the relay contact, by the relay sense.",
        "a loss in the profile and an opening after it"},
       {"relay.delay_reported", "ms",
-       "Time from the first loss to the opening of the relay, as reported by the outlet.",
-       "a loss in the profile and a reported opening after it"},
+       "Time from the first loss to the outlet's command to open its relay, as reported by the "
+       "outlet.",
+       "a loss in the profile and a reported command to open after it"},
       {"relay.report_difference", "ms",
-       "Time at which the relay contact opens, minus the opening time reported by the outlet. "
-       "The contact is seen by the relay sense; openings before the first loss do not count.",
-       "an opening that is both sensed and reported"},
+       "Time from the reported command to open to the opening of the contact, by the relay sense. "
+       "Only those from the first loss on count; without a loss, as relay.operate_time.",
+       "a reported command to open and a sensed opening"},
       {"relay.operate_time", "ms",
-       "Time from the outlet's order to its relay to the opening of the contact. "
-       "The order is reported by the outlet; the contact is seen by the relay sense.",
-       "an opening that is both sensed and reported"},
+       "Time from the reported command to open to the opening of the contact, by the relay sense. "
+       "The first command and the first opening of the run count.",
+       "a reported command to open and a sensed opening"},
       {"relay.end",
        "",
        "Position of the relay contact at the end of the run, by the relay sense.",
        "a relay sense",
        {"closed", "open"}},
       {"relay.edges", "",
-       "Lasting changes of the relay contact, without bounces, by the relay sense.",
+       "Number of lasting changes of the relay contact, by the relay sense; bounces are not "
+       "counted.",
        "a relay sense"},
       {"relay.chatter", "",
-       "Edges of the relay contact beyond one for each lasting change, by the relay sense.",
+       "Number of extra edges of the relay contact (bounces), by the relay sense: all edges minus "
+       "one for each lasting change.",
        "a relay sense"},
       {"command.delay", "ms",
-       "Time from the first command to the change of the relay contact, by the relay sense.",
-       "a command in the profile and a change of the contact after it"},
+       "Time from the first command to the first change of the contact in the commanded direction, "
+       "by the relay sense.",
+       "a command in the profile and a change of the contact in its direction after it"},
       {"trip.time", "s",
        "Time from the start of the run to the first opening of the contact, by the relay sense.",
        "an opening"},

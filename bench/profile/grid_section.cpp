@@ -44,7 +44,9 @@ std::vector<Key> system_keys() {
           .by_default(defaults.reheat_s),
       number("condition_row_hz", "Hz", grid::kConditionRow_hz,
              "frequency step between the rows of Table 1")
-          .permits("0.001 … 1000; used in a profile: at most 32 rows")
+          .permits(
+              "0.001 … 1000; the resulting table may have at most 32 rows if a profile uses the "
+              "grid")
           .by_default(defaults.condition_row_hz),
   };
 }
@@ -202,7 +204,8 @@ Key grid_section_keys() {
                    "stays nominal.",
                    {time_in_run("time of the loss"),
                     keys::number("power_mw", "MW", {}, "lost generation; negative: shed load")
-                        .permits("± the grid's load, not 0; the same for the sum at any time")
+                        .permits("-load … +load of the grid, not 0; the sum of all steps must stay "
+                                 "in this range at any time")
                         .require()}));
   return section;
 }

@@ -40,7 +40,7 @@ Key key_of(const Field& field) {
           ? keys::whole(field.name, field.unit, range.low, range.high, field.meaning)
       : field.range.of_nominal
           ? keys::number(field.name, field.unit, keys::above(0.0), field.meaning)
-                .permits(fmt::format("{} of nominal … below nominal, also in single precision",
+                .permits(fmt::format("{} × nominal ≤ value < nominal, after rounding to float",
                                      range.low))
           : keys::number(field.name, field.unit, range, field.meaning);
   return key.or_else(
@@ -105,7 +105,8 @@ Key outlet_keys() {
            .by_default(0.0),
        keys::number("power_mw", "MW", keys::above(0.0),
                     "load of the outlet's own block, for eq. (17); `accumulated_mw` includes half "
-                    "of it")
+                    "of it. The default assumes one block as large as `accumulated_mw`, the only "
+                    "load that is known. If `accumulated_mw` is 0, f^B is `threshold_hz`")
            .permits("above 0, at most twice `accumulated_mw`")
            .or_else("`accumulated_mw`")});
   for (const Field& field : kSettingsFields) {

@@ -41,8 +41,8 @@ std::vector<waveform::Harmonic> en50160_harmonics();
 // [signal.trace]: sets the stimulus's points, recording and duration.
 keys::Key trace_keys();
 void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus);
-// Replaces losses, points, amplitude steps and phase jumps by the whole recording; noise, harmonics
-// and DC offset stay.
+// Plays the whole recording in place of the profile's losses, frequency points or recording,
+// amplitude steps and phase steps; noise, harmonics and DC offset stay.
 void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
                           double nominal_hz, Stimulus& stimulus);
 

@@ -30,7 +30,7 @@ Key harmonics_key() {
                                 keys::number("pct", "%", keys::between(0.0, 100.0), ""),
                                 keys::number("deg", "degrees", keys::between(-360.0, 360.0), "")}),
                      "order 2 … 50, below half the sample rate; amplitude in % of the fundamental, "
-                     "0 … 100; phase when the fundamental's phase is 0, ± 360");
+                     "0 … 100; phase at the rising zero crossing of the fundamental, ± 360");
 }
 
 Key frequency_key() {

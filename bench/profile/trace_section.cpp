@@ -55,11 +55,11 @@ keys::Key trace_keys() {
   return keys::table(
       "trace",
       "A recording as CSV with a header line. It must be 0.1 … 10⁵ s long and stay within 0.5 … "
-      "1.5 "
-      "of nominal. A row with `NaN` in a used column is skipped, and the curve is interpolated "
+      "1.5 of nominal. A row with `NaN` in a used column is skipped, and the curve is interpolated "
       "across the gap. Run records and reports contain the file name, the columns and the SHA-256 "
       "of the content. `--trace` on the command line plays another recording in full length, in "
-      "place of the profile's frequency, amplitude steps and phase jumps.",
+      "place of the profile's losses, frequency points or recording, amplitude steps and phase "
+      "steps; noise, harmonics and DC offset stay.",
       {keys::text("file", "path of the CSV file, relative to the profile").require(),
        keys::text("time", "name of the time column: seconds, or date and time of day").require(),
        keys::text("frequency", "name of the frequency column, in Hz").require(),

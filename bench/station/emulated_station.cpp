@@ -84,21 +84,21 @@ StationKind emulated_kind() {
   return {
       "emulated",
       "firmware processes that the bench starts and stops",
-      {keys::text("image", "firmware image of the boards in QEMU; emulated stations only")
+      {keys::text("image", "firmware image of the boards in qemu; emulated stations only")
            .permits("path")
            .or_else("the firmware that comes with gsbench"),
        keys::tables(
            "outlet",
            "1 … 64 outlets, emulated stations only. If a profile has more outlets than the "
-           "station, only some of each group are used. A profile with more groups than the "
-           "station has outlets is refused.",
+           "station, each group is reduced; at least one outlet of it remains. A profile with more "
+           "groups than the station has outlets is refused.",
            {keys::id("id", kLongestId, "name of the outlet; unique, and not `bench`")
                 .require("the name of the outlet, e.g. id = \"m4-1\""),
             keys::choice("board", emulated_boards(),
-                         "`mps2-an386`: a Cortex-M4F in QEMU; `host`: the firmware as a process")
+                         "`mps2-an386`: a Cortex-M4F in qemu; `host`: the firmware as a process")
                 .by_default("host"),
             keys::choice("link", {"serial", "mqtt"},
-                         "connection to the bench; boards in QEMU support `serial` only")
+                         "connection to the bench; boards in qemu support `serial` only")
                 .by_default("serial"),
             keys::number("crystal_ppm", "ppm", keys::between(-kMost_ppm, kMost_ppm),
                          "frequency error of the sample clock; positive: fast")

@@ -65,7 +65,7 @@ std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
   }
   for (const waveform::PhaseJump& jump : plan.stimulus.signal.phase_jumps) {
     marks.push_back(
-        {tick(jump.at_s), "phase jump", jump.degrees, figure(jump.degrees, "° phase jump")});
+        {tick(jump.at_s), "phase jump", jump.degrees, figure(jump.degrees, "° phase step")});
   }
   for (const waveform::AmplitudeStep& step : plan.stimulus.signal.amplitude_steps) {
     marks.push_back(

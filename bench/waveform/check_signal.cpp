@@ -67,8 +67,8 @@ void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample
     check_within("amplitude step: level in %", step.level_pct, 0, 1000);
   }
   for (const PhaseJump& jump : spec.phase_jumps) {
-    check_within("phase jump: time in s", jump.at_s, 0, kInfinity);
-    check_finite("phase jump: degrees", jump.degrees);
+    check_within("phase step: time in s", jump.at_s, 0, kInfinity);
+    check_finite("phase step: degrees", jump.degrees);
   }
   check_within("DC offset in %", spec.dc_offset_pct, -100, 100);
   check_finite("initial phase in degrees", spec.initial_phase_deg);

@@ -92,7 +92,7 @@ TEST(Decimals, AreNoneForWholeNumbersAndForNoValue) {
   EXPECT_EQ(decimals_for({}), 0);
 }
 
-TEST(Decimals, OfTwoDigitsAreThoseOfAStandardDeviation) {
+TEST(Decimals, ShowTwoSignificantDigitsOfAStandardDeviation) {
   EXPECT_EQ(decimals_of_two_digits(13.34), 0);
   EXPECT_EQ(decimals_of_two_digits(2.246), 1);
   EXPECT_EQ(decimals_of_two_digits(0.03102), 3);

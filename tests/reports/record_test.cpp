@@ -14,7 +14,7 @@
 namespace gsbench::record {
 namespace {
 
-TEST(Verdict, IsTheWorseOneOfTwoByMax) {
+TEST(Verdict, MaxIsTheWorseOfTwo) {
   EXPECT_EQ(std::max(Verdict::kPass, Verdict::kInconclusive), Verdict::kInconclusive);
   EXPECT_EQ(std::max(Verdict::kFail, Verdict::kInconclusive), Verdict::kFail);
   EXPECT_EQ(std::max(Verdict::kFail, Verdict::kError), Verdict::kError);

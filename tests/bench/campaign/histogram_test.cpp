@@ -18,7 +18,7 @@ Histogram of(const std::vector<double>& values) {
   return histogram;
 }
 
-TEST(Histogram, MeanAndDeviationAreThoseOfTheValues) {
+TEST(Histogram, HasTheMeanAndStandardDeviationOfTheValues) {
   const Histogram histogram = of({10.0, 20.0, 60.0, 90.0});
   EXPECT_EQ(histogram.count(), 4);
   EXPECT_NEAR(histogram.mean(), 45.0, 1e-4);
@@ -27,7 +27,7 @@ TEST(Histogram, MeanAndDeviationAreThoseOfTheValues) {
   EXPECT_EQ(histogram.largest(), 90.0);
 }
 
-TEST(Histogram, KeepsASmallDeviationFarFromTheMiddle) {
+TEST(Histogram, ComputesASmallStandardDeviationFarFromTheCentre) {
   Histogram histogram(0.0, 1000.0, 20000);
   for (int i = 0; i < 1000; ++i) {
     histogram.add(i % 2 == 0 ? 899.0 : 901.0);
@@ -35,7 +35,7 @@ TEST(Histogram, KeepsASmallDeviationFarFromTheMiddle) {
   EXPECT_NEAR(histogram.standard_deviation(), 1.0005, 1e-3);
 }
 
-TEST(Histogram, CountsValuesWithinEdgesAndOutside) {
+TEST(Histogram, CountsTheValuesOfARangeOfBins) {
   const Histogram histogram = of({-5.0, 10.0, 19.99, 20.0, 99.99, 100.0, 1000.0});
   EXPECT_EQ(histogram.count(), 7);
   EXPECT_EQ(histogram.count_between(10.0, 20.0), 2);
@@ -45,7 +45,7 @@ TEST(Histogram, CountsValuesWithinEdgesAndOutside) {
   EXPECT_EQ(histogram.largest(), 1000.0);
 }
 
-TEST(Histogram, MissingValuesAreOutsideEveryShare) {
+TEST(Histogram, NaNCountsAsOutsideEveryShare) {
   const Histogram histogram = of({50.0, std::numeric_limits<double>::quiet_NaN()});
   EXPECT_EQ(histogram.count(), 1);
   EXPECT_EQ(histogram.missing(), 1);

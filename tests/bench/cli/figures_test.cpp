@@ -127,7 +127,7 @@ Words split(const std::string& command) {
 
 class ClaimedFigures : public testing::TestWithParam<Row> {};
 
-TEST_P(ClaimedFigures, AreThoseOfTheCommand) {
+TEST_P(ClaimedFigures, EqualTheOutputOfTheirCommand) {
   const std::string line = claimed(GetParam().command);
   Words arguments = split(GetParam().command);
   arguments.emplace_back("--json");

@@ -114,7 +114,7 @@ TEST_F(KeptRuns, InAFolderWithoutPermissionGiveThatError) {
   }
 }
 
-TEST(Waveform, GoesAloneToStandardOutputForOutputDash) {
+TEST(Waveform, IsTheOnlyStandardOutputForOutputDash) {
   const TemporaryFolder folder;
   const std::string profile = folder.write("my.toml", kProfile);
   const Outcome shown = run_gsbench({"waveform", profile, "-o", "-"});

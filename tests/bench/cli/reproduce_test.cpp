@@ -71,7 +71,7 @@ TEST(Reproduce, AMillionOutletsShedTheRequiredPower) {
             figure(section, "paper's method", "shed, MW"));
 }
 
-TEST(Reproduce, RunsTheExperimentFromTheVoltageOn) {
+TEST(Reproduce, PlaysFigure19WithOutletsThatMeasureTheVoltage) {
   const json section = reproduced("fig19", {"--seed", "3"})["sections"][0];
   EXPECT_EQ(figure(section, "paper", "LSE, MW"), 310.0);
   for (const char* outlet : {"sheds-1", "sheds-4", "stays-1", "stays-4"}) {
@@ -97,7 +97,7 @@ TEST(Reproduce, EverySectionIsTheSameOnAnyNumberOfThreads) {
 
 // A choice that the paper leaves open, made by option, gives the figures that the tables of choices
 // have for it.
-TEST(Reproduce, OptionsGiveTheFiguresOfTheTablesOfChoices) {
+TEST(Reproduce, OptionsGiveTheSameFiguresAsTheTablesOfVariants) {
   const json usual = reproduced("table2,table4")["sections"];
   const json chosen = reproduced(
       "table2,table4", {"--noise-distribution", "gaussian", "--loss-instant", "between-reports",

@@ -72,7 +72,7 @@ TEST(SfrModel, DependsOnTheBaseOnlyThroughTheDamping) {
   }
 }
 
-TEST(SfrModel, HasTheZetaThatTheExampleGridIsMadeFor) {
+TEST(SfrModel, HasTheDampingRatioOfTheExampleGrid) {
   for (const double zeta : {0.6, 0.999, 1.0, 1.001, 5.0}) {
     EXPECT_NEAR(SfrModel(grid_of_zeta(zeta)).zeta(), zeta, 1e-14);
   }

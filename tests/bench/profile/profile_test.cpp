@@ -93,7 +93,7 @@ TEST(Profile, HoldsTheSignalWithLossesSortedByTime) {
   EXPECT_EQ(signal.phase_jumps[0].degrees, -20.0);
 }
 
-TEST(Profile, AddsListedHarmonicsToTheSet) {
+TEST(Profile, AddsListedHarmonicsToTheEn50160Set) {
   const auto harmonics = parse(kLossesInPlace).stimulus.signal.harmonics;
   ASSERT_THAT(harmonics, SizeIs(24 + 2));  // EN 50160 limits orders 2 … 25
   EXPECT_EQ(harmonics[24].order, 26);

@@ -101,7 +101,7 @@ TEST_F(Recording, IsNamedInTheRefusalIfAColumnIsMissing) {
               StartsWith(path("recording.csv") + ":1:"));
 }
 
-TEST_F(Recording, OfTheCommandLineReplacesLossesStepsAndJumps) {
+TEST_F(Recording, OfTheCommandLineReplacesLossesAmplitudeStepsAndPhaseSteps) {
   folder_.write("long.csv", std::string(kCsv) + "20,49.5,230\n");
   const Stimulus stimulus = parse_here(kLossesInPlace, replay("long.csv")).stimulus;
   EXPECT_EQ(stimulus.duration_s, 20.0);

@@ -39,7 +39,7 @@ TEST(Distribution, PercentilesOfAHundredValuesAreExact) {
   }
 }
 
-TEST(Distribution, OfOneValueHasThatValueAsAllQuantiles) {
+TEST(Distribution, AllQuantilesOfASingleValueAreThatValue) {
   const Distribution one = of({7.0});
   for (const double p : {0.0, 0.01, 0.5, 1.0}) {
     EXPECT_EQ(one.quantile(p), 7.0);
@@ -81,7 +81,7 @@ TEST(Distribution, ShareWithinIsInclusiveAndCountsMissingAsOutside) {
   EXPECT_EQ(only_missing.share_within(1.0), 0.0);
 }
 
-TEST(Distribution, MergesTheValuesOfBoth) {
+TEST(Distribution, MergeContainsTheValuesOfBothDistributions) {
   Distribution a = of({3.0, 1.0});
   a.add_text("open");
   Distribution b = of({2.0, std::numeric_limits<double>::quiet_NaN()});

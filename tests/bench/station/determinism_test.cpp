@@ -10,7 +10,7 @@
 namespace gsbench::station::test {
 namespace {
 
-// A loss with a decision, commands that fall on no block boundary, a dip and a phase jump.
+// A loss with a decision, commands that fall on no block boundary, a dip and a phase step.
 profile::Plan eventful() {
   return plan(4.5,
               "noise_pct = 1.0\n"

@@ -134,7 +134,7 @@ TEST(PlayedSignal, HasNoTransientAtTheStartOfTheRun) {
       continue;
     }
     ASSERT_EQ(reading.measured.validity, gs::outlet::Validity::kValid) << "at tick " << tick;
-    // 49.8 Hz, falling by 0.05 Hz/s from tick 0. A phase jump of one degree would show as 50 mHz.
+    // 49.8 Hz, falling by 0.05 Hz/s from tick 0. A phase step of one degree would show as 50 mHz.
     EXPECT_NEAR(reading.measured.frequency_hz,
                 49.8 - 0.05 / 8000.0 * static_cast<double>(std::max<std::int64_t>(tick, 0)), 0.006)
         << "at tick " << tick;

@@ -37,8 +37,8 @@ TEST(CheckSignal, RefusesWithFieldAndValue) {
       {with(&SignalSpec::amplitude_steps, {{1, 0, 50}}), "duration in s is 0; it must be above 0"},
       {with(&SignalSpec::amplitude_steps, {{1, kNan, 50}}), "duration in s is nan"},
       {with(&SignalSpec::amplitude_steps, {{1, 1, -5}}), "amplitude step: level in % is -5"},
-      {with(&SignalSpec::phase_jumps, {{kInfinity, 5}}), "phase jump: time in s is inf"},
-      {with(&SignalSpec::phase_jumps, {{1, kNan}}), "phase jump: degrees is nan"},
+      {with(&SignalSpec::phase_jumps, {{kInfinity, 5}}), "phase step: time in s is inf"},
+      {with(&SignalSpec::phase_jumps, {{1, kNan}}), "phase step: degrees is nan"},
       {with(&SignalSpec::dc_offset_pct, 101.0), "DC offset in % is 101"},
       {with(&SignalSpec::initial_phase_deg, kInfinity), "initial phase in degrees is inf"},
   };

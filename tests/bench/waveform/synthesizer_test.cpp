@@ -111,7 +111,7 @@ TEST(Synthesizer, PutsEachHarmonicAtItsMultipleOfTheActualFrequency) {
   }
 }
 
-TEST(Synthesizer, AppliesAPhaseJumpFromTheFirstSampleAtOrAfterItsTime) {
+TEST(Synthesizer, AppliesAPhaseStepFromTheFirstSampleAtOrAfterItsTime) {
   SignalSpec shifted;
   shifted.initial_phase_deg = 20.0;
   const std::vector<float> before = render({constant(50, 50), {}, 8000}, 0, 8000);
@@ -132,7 +132,7 @@ TEST(Synthesizer, AppliesAPhaseJumpFromTheFirstSampleAtOrAfterItsTime) {
   }
 }
 
-TEST(Synthesizer, AddsPhaseJumpsAndShiftsHarmonicsInProportion) {
+TEST(Synthesizer, AddsPhaseStepsAndShiftsHarmonicsInProportion) {
   SignalSpec spec;
   spec.harmonics = {{3, 10.0, 15.0}};
   SignalSpec jumped = spec;

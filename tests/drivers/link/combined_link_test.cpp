@@ -119,7 +119,7 @@ TEST_F(TwoLinks, PassOnTheFaultsThatOneOfThemReports) {
   EXPECT_THAT(found(), ElementsAre("a: uses protocol version 1"));
 }
 
-TEST_F(TwoLinks, AreWaitedForUntilPatienceEnds) {
+TEST_F(TwoLinks, AreWaitedForUntilTheTimeLimit) {
   const auto begin = std::chrono::steady_clock::now();
   wait({{"a", "port 1", {}}}, {}, {"a", "b", "absent"}, 100ms);
   EXPECT_GE(std::chrono::steady_clock::now() - begin, 100ms);

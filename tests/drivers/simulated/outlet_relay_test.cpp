@@ -53,12 +53,12 @@ TEST(SimulatedContact, FollowsTheCoilAfterTheOperateTime) {
   EXPECT_EQ(contact_after({1000, 2000}), (Edges{{1064, false}, {2064, true}}));
 }
 
-TEST(SimulatedContact, DoesNotMoveIfTheCoilTurnsBackBefore) {
+TEST(SimulatedContact, DoesNotMoveIfTheCoilReturnsBeforeTheOperateTime) {
   EXPECT_EQ(contact_after({1000, 1001}), Edges{});
   EXPECT_EQ(contact_after({1000, 1063}), Edges{});
 }
 
-TEST(SimulatedContact, MovesTwiceIfTheCoilTurnsBackAfterwards) {
+TEST(SimulatedContact, MovesTwiceIfTheCoilReturnsAfterTheOperateTime) {
   EXPECT_EQ(contact_after({1000, 1064}), (Edges{{1064, false}, {1128, true}}));
 }
 

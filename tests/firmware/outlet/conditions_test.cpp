@@ -46,7 +46,7 @@ TEST(Conditions, NoConditionIsMetAtOrAboveNominal) {
   EXPECT_TRUE(met(std::nextafter(50.0F, 0.0F), -10.0F));
 }
 
-TEST(Conditions, BelowTheLowestRowAnyFallCounts) {
+TEST(Conditions, BelowTheLowestRowAnyFallMeetsTheCondition) {
   EXPECT_TRUE(met(49.79F, -1e-6F));
   EXPECT_FALSE(met(49.79F, 0.0F));
   EXPECT_FALSE(met(49.79F, 0.1F));

@@ -93,7 +93,7 @@ TEST(LossLse, ExactSlopesGiveTheLoss) {
 
 // Uniform noise of ±0.01 Hz, as in the paper's Table 3. The slope of n samples at intervals T of
 // 16 ms has the standard deviation σ/(T·√(n·(n²−1)/12)): 0.40 p.u. of 100 MW for ten.
-TEST(LossLse, ItsSpreadInNoiseIsThatOfLeastSquares) {
+TEST(LossLse, HasTheStandardDeviationOfLeastSquaresInNoise) {
   constexpr double kSigma_hz = 0.01 / 1.7320508075688772;
   const Response response = test::response_of(SfrModel(test::ieee24()));
   const double expected_mw = std::abs(static_cast<double>(k_lse_mw_per_hz_s(response))) *
@@ -235,7 +235,7 @@ void expect_within_bounds(const EkfSettings& settings, const EkfState<float>& ek
   ASSERT_TRUE(std::abs(ekf.p_lt) <= 1.0001F * std::sqrt(ekf.p_ll * ekf.p_tt)) << ekf.p_lt;
 }
 
-TEST(LossEkf, NoMeasurementsMakeItDiverge) {
+TEST(LossEkf, DoesNotDivergeForAnyMeasurements) {
   const Response response = test::response_of(SfrModel(test::ieee24()));
   const EkfSettings settings = ekf_settings(0.005F);
   Hostile hostile(1);
@@ -255,7 +255,7 @@ TEST(LossEkf, NoMeasurementsMakeItDiverge) {
 }
 
 // Settings over the whole range that validate() accepts.
-TEST(LossEkf, NoAcceptedSettingsMakeItDiverge) {
+TEST(LossEkf, DoesNotDivergeForAnyAcceptedSettings) {
   Hostile hostile(2);
   int accepted = 0;
   for (int run = 0; run < 20'000; ++run) {

@@ -1,4 +1,4 @@
-// Phase jumps, dips, interruptions and a dead bus must not be measured as a change of frequency.
+// Phase steps, dips, interruptions and a dead bus must not be measured as a change of frequency.
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
 
@@ -86,9 +86,9 @@ Course worst_course(const std::function<void(SignalSpec&, double)>& disturb) {
   return worst;
 }
 
-// The filter's 56 ms spread a jump of 4° over several reports, at most 2° each. This is more than
+// The filter's 56 ms spread a step of 4° over several reports, at most 2° each. This is more than
 // twice innovation_gate_rad.
-TEST(TrackerDisturbance, CoastsOverPhaseJumpsOfFourDegreesAndMore) {
+TEST(TrackerDisturbance, CoastsOverPhaseStepsOfFourDegreesAndMore) {
   for (const double degrees : {-60.0, -20.0, -10.0, -4.0, 4.0, 10.0, 20.0, 60.0}) {
     const Course course = worst_course([&](SignalSpec& signal, double at_s) {
       signal.phase_jumps = {{at_s, degrees}};
@@ -97,15 +97,15 @@ TEST(TrackerDisturbance, CoastsOverPhaseJumpsOfFourDegreesAndMore) {
     EXPECT_EQ(course.invalid, 0) << degrees;
     EXPECT_GE(course.held, 3) << degrees;
     EXPECT_LE(course.held, 8) << degrees;
-    // Without the gate, a jump of 4° would read as 0.1 Hz or more.
+    // Without the gate, a step of 4° would read as 0.1 Hz or more.
     EXPECT_LT(course.largest_error_mhz, 60.0) << degrees;
     EXPECT_LT(course.last_bad_s, 0.3) << degrees;
   }
 }
 
-// Smaller jumps are within the gate, like changes of a grid. They appear as a swing of the
+// Smaller steps are within the gate, like changes of a grid. They appear as a swing of the
 // frequency, which may look like an event but must not trip.
-TEST(TrackerDisturbance, SmallerPhaseJumpsDisturbTheFrequencyButDoNotTrip) {
+TEST(TrackerDisturbance, SmallerPhaseStepsDisturbTheFrequencyButDoNotTrip) {
   for (const double degrees : {-2.0, -1.0, 1.0, 2.0}) {
     const Course course = worst_course([&](SignalSpec& signal, double at_s) {
       signal.phase_jumps = {{at_s, degrees}};
@@ -116,7 +116,7 @@ TEST(TrackerDisturbance, SmallerPhaseJumpsDisturbTheFrequencyButDoNotTrip) {
   }
 }
 
-// A fault in the network and its clearing: the voltage dips and its phase jumps, and both return
+// A fault in the network and its clearing: the voltage dips with a phase step, and both return
 // when the fault is cleared, before the tracker has recovered from the onset.
 TEST(TrackerDisturbance, DoesNotTripOnAFaultAndItsClearing) {
   for (const double level_pct : {5.0, 12.0, 40.0, 70.0}) {
@@ -134,7 +134,7 @@ TEST(TrackerDisturbance, DoesNotTripOnAFaultAndItsClearing) {
   }
 }
 
-TEST(TrackerDisturbance, DoesNotTripOnTwoJumpsInTheSameDirection) {
+TEST(TrackerDisturbance, DoesNotTripOnTwoPhaseStepsInTheSameDirection) {
   for (const double degrees : {-180.0, -60.0, -20.0, 20.0, 60.0}) {
     for (const double apart_s : {0.03, 0.06, 0.1, 0.15, 0.2}) {
       const Course course = worst_course([&](SignalSpec& signal, double at_s) {
@@ -146,7 +146,7 @@ TEST(TrackerDisturbance, DoesNotTripOnTwoJumpsInTheSameDirection) {
   }
 }
 
-// Test pattern after IEC 61000-4-11, without phase jumps.
+// Test pattern after IEC 61000-4-11, without phase steps.
 TEST(TrackerDisturbance, DoesNotTripOnDips) {
   struct Dip {
     double level_pct;

@@ -88,11 +88,11 @@ TEST(Trust, AnInfiniteMeasurementIsNotTrusted) {
   }
 }
 
-TEST(Trust, ALossBeyondTheSystemIsAtItsBound) {
+TEST(Trust, TheEstimateOfALossAboveTheLargestIsAtItsUpperBound) {
   EXPECT_EQ(trust_of(play(loss_of(4000.0))), Trust::kAtBound);
 }
 
-TEST(Trust, ARisingFrequencyIsAtTheBoundOfZeroLoss) {
+TEST(Trust, TheEstimateForARisingFrequencyIsAtItsLowerBound) {
   EXPECT_EQ(trust_of(play(loss_of(-500.0))), Trust::kAtBound);
 }
 
@@ -108,7 +108,7 @@ TEST(Estimator, AGapDuringTheLseRestartsIt) {
   EXPECT_FALSE(played.state.started);
 }
 
-TEST(Estimator, AGapDuringTheEkfIsSkippedWithItsTime) {
+TEST(Estimator, TheEkfContinuesAfterAGapAtTheRightTime) {
   const Deviation deviation = loss_of(500.0);
   Played played = play(deviation, 0.0F, 20);
   for (int k = 20; k < 50; ++k) {

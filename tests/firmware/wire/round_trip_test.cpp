@@ -117,7 +117,7 @@ TEST(RoundTrip, EveryNaNIsEncodedAsTheProtocolsNaN) {
   EXPECT_EQ(hex(encoded(message, 1)), "84 05 01 05 fa 7f c0 00 00");
 }
 
-TEST(RoundTrip, HelloOfAnotherVersionIsReadUpToItsId) {
+TEST(RoundTrip, OfAHelloOfAnotherVersionOnlyVersionAndIdAreRead) {
   std::mt19937 random(1);
   Uplink message = uplink(UplinkKind::kHello, Fill::kHighest, random);
   // [1, 3, 9, version 9, "a-7", fields unknown to this version]

@@ -49,7 +49,8 @@ struct EstimateResult {
   double bound_mw = 0.0;  // Cramér–Rao bound of σ for ΔP, with t_x unknown, from all samples
 };
 
-// As in the shipped firmware and the paper: LSE takes the first samples, the EKF the others.
+// As in the shipped firmware and the paper: LSE over the first samples, EKF over the later ones
+// and, in the firmware, also over the last gs::outlet::kSharedSamples of the LSE.
 constexpr std::size_t kLseSamples = gs::outlet::Settings{}.lse_samples;
 constexpr std::size_t kEkfSamples = gs::outlet::Settings{}.ekf_samples;
 constexpr std::size_t kSamples = kLseSamples + kEkfSamples;

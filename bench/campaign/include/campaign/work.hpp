@@ -27,16 +27,16 @@ class Reduction {
   virtual ~Reduction() = default;
   // The blocks of this process.
   virtual Range share(std::uint64_t blocks) const { return {0, blocks}; }
-  // Replaces both by the sum over all processes, in each of them.
+  // Replaces both arguments, in every process, by the sum over all processes.
   virtual void add_up(Histograms& /*histograms*/, std::uint64_t& /*blocks_done*/) const {}
 };
 
 inline const Reduction kOneProcess{};
 
-// Throws std::invalid_argument with the message `otherwise` unless the condition holds.
-inline void demand(bool holds, const std::string& otherwise) {
-  if (!holds) {
-    throw std::invalid_argument(otherwise);
+// Throws std::invalid_argument(message) if the condition is false.
+inline void demand(bool condition, const std::string& message) {
+  if (!condition) {
+    throw std::invalid_argument(message);
   }
 }
 
@@ -57,7 +57,7 @@ inline void report_progress(const Execution& execution, double done, double all)
   }
 }
 
-// The same without progress, for a part whose caller reports the progress.
+// A copy without the progress callback, for a nested step.
 inline Execution quiet(const Execution& execution) {
   Execution silent = execution;
   silent.progress = nullptr;

@@ -20,7 +20,7 @@ struct Case {
 
   double seconds(std::int64_t tick) const;
   double milliseconds_between(std::int64_t from_tick, std::int64_t to_tick) const;
-  // The delay that the outlet declares: a reported frequency is that of this long before its stamp.
+  // The declared delay: a report with time stamp t gives the frequency at t − delay.
   double tracker_delay_s() const;
   // The first loss of power in the profile.
   std::optional<std::int64_t> first_loss_tick() const;
@@ -29,7 +29,7 @@ struct Case {
   // Amplitude at the outlet's terminals in p.u. of nominal, without noise and harmonics.
   double reference_voltage_pu(double t_s) const;
   const record::Mark* first_mark(const std::string& kind, std::int64_t from_tick = 0) const;
-  // The first opening of the relay that the outlet reports.
+  // The outlet's first report of a command to open its relay.
   const record::Mark* first_reported_opening(std::int64_t from_tick = 0) const;
 };
 

@@ -24,8 +24,9 @@ Judgement judge_text(const Reading& reading, const std::string& expected);
 // and in the profile's order. The others follow for information.
 std::vector<record::MeasurementResult> measure(const Case& c);
 
-// Fills in the measurements and the verdict of an outlet. The verdict of a faulty or excluded
-// outlet is ERROR. A faulty one is still measured, an excluded one is not.
+// Fills in the measurements and the verdict of an outlet. An outlet with a fault during the run is
+// ERROR and is still measured from its recorded data. An outlet that did not take part is ERROR
+// without measurements.
 void judge_outlet(const profile::Plan& plan, const waveform::ReferenceSignal& reference,
                   const record::BenchUncertainty& uncertainty, record::OutletRecord& outlet);
 

@@ -19,8 +19,8 @@ struct Reading {
   std::string text = {};     // value of a measure with text values
   double uncertainty = 0.0;  // expanded (k = 2), in the measure's unit
   std::string missing = {};  // why there is no value; empty if there is one
-  // Verdict if the value is missing. True: FAIL, the outlet did not do what is measured. False:
-  // INCONCLUSIVE, the bench could not measure it.
+  // True if a missing value is FAIL (the outlet did not act); false if it is INCONCLUSIVE (the
+  // bench could not measure).
   bool missing_fails = true;
 };
 

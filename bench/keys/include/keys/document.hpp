@@ -1,5 +1,5 @@
-// A TOML file as plain values, each with its position in the file, and the error that names a
-// position. Only document.cpp uses the TOML library.
+// Parsed TOML values with their positions, and an error type whose message contains a position.
+// Only document.cpp uses the TOML library.
 #pragma once
 
 #include <cstdint>

@@ -38,8 +38,8 @@ class Table {
   Position at() const { return value_->at; }
   const Document& document() const { return *document_; }
 
-  // The value, or the declared default; nullopt if there is neither. `narrower`: a range within the
-  // declared one that depends on the rest of the document; outside it throws ConfigurationError.
+  // The value, or the declared default; nullopt if there is neither. `narrower`: an additional
+  // range, which depends on the rest of the document. A value outside it throws ConfigurationError.
   std::optional<double> find_number(const std::string& key, const Range& narrower = {}) const;
   std::optional<std::int64_t> find_whole(const std::string& key) const;
   std::optional<std::string> find_text(const std::string& key) const;  // also of kId and kChoice

@@ -19,7 +19,8 @@ namespace gsbench::profile {
 
 using keys::ConfigurationError;
 
-// $GSBENCH_PROFILES if set, otherwise the folder of the shipped profiles.
+// The first folder searched: $GSBENCH_PROFILES if set, otherwise the folder of the shipped
+// profiles, which the user's own folder follows (profile/files.hpp).
 std::string profiles_folder();
 
 // Seeds are 0 … 2⁵³, which every JSON reader represents exactly.
@@ -28,13 +29,14 @@ constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 // Values of the command line that replace those of the profile.
 struct Overrides {
   std::optional<std::uint64_t> seed;
-  // Plays this recording in full length in place of the profile's frequency, amplitude steps and
-  // phase jumps; noise, harmonics and DC offset stay. Empty: none.
+  // Plays this recording in full length in place of the profile's losses, frequency points or
+  // recording, amplitude steps and phase steps; noise, harmonics and DC offset stay. Empty: none.
   std::string trace_path;
   recording::TraceColumns trace_columns;
 };
 
-// `name`: a shipped profile ("paper/loss-500mw") or the path of a .toml file.
+// `name`: a shipped profile ("paper/loss-500mw") or one in the user's folder, or the path of a
+// .toml file.
 Plan load_profile(const std::string& name, const Overrides& overrides = {});
 
 // The same for a text, e.g. from a run record. Relative paths of grids and recordings are relative
@@ -42,7 +44,7 @@ Plan load_profile(const std::string& name, const Overrides& overrides = {});
 Plan parse_profile(const std::string& text, const std::string& path,
                    const Overrides& overrides = {});
 
-// `name`: a shipped grid ("ieee24") or the path of a .toml file.
+// `name`: a shipped grid ("ieee24") or one in the user's folder, or the path of a .toml file.
 grid::Grid load_grid(const std::string& name);
 
 struct ProfileSummary {

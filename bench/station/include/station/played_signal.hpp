@@ -1,6 +1,6 @@
-// The signal that a source plays in a run: the plan's signal. For outlets with their own sample
-// clock, steady mains with marker dips precede and follow it, which align their clocks
-// (capture/clock.hpp).
+// The signal that a source plays in a run: the plan's signal. If outlets have their own sample
+// clocks, voltage dips at nominal frequency (markers) are played before and after it. They are used
+// to align the outlets' clocks (capture/clock.hpp).
 #pragma once
 
 #include <cstdint>

@@ -35,9 +35,9 @@ struct StationFile {
   std::string name;
   std::string title;
   std::string path;
-  // Number of outlets; none: as many as the plan has.
+  // Number of outlets; nullopt: as many as the plan has.
   std::optional<std::size_t> outlets = {};
-  // Outlets that can be reached without a run; none: they exist only during a run.
+  // Outlets that can be reached without a run; nullopt: they exist only during a run.
   std::optional<PhysicalOutlets> reachable = {};
   // Throws profile::ConfigurationError if the station has no source, std::runtime_error if its
   // set-up fails.
@@ -47,15 +47,16 @@ struct StationFile {
 
 const keys::Key& station_keys();
 
-// `name`: a shipped station ("emulated") or a path to a .toml file. Throws
-// profile::ConfigurationError.
+// `name`: a shipped station ("emulated") or one in the user's folder, or the path of a .toml file.
+// Throws profile::ConfigurationError.
 StationFile load_station(const std::string& name);
 
 // In alphabetical order. A file that cannot be read is listed with the reason as its title.
 std::vector<profile::ProfileSummary> list_stations();
 
-// Reduces a plan to the number of outlets of the station; some outlets of each group remain. Throws
-// profile::ConfigurationError if the plan has more groups than the station has outlets.
+// Reduces a plan to the number of outlets of the station; at least one outlet of each group
+// remains. Throws profile::ConfigurationError if the plan has more groups than the station has
+// outlets.
 profile::Plan fit_to_station(const StationFile& station, const profile::Plan& plan);
 
 }  // namespace gsbench::station

@@ -1,8 +1,8 @@
 // Voltage samples of a signal. Sample n is a pure function of n: the samples are bit-identical for
 // any division into blocks and any number of threads.
 //
-// A step or jump takes effect with the first sample at or after its time. A time within a
-// nanosecond of a sample is at that sample, so that 0.1 s + 0.2 s is 0.3 s.
+// A step takes effect with the first sample at or after its time. A time within a nanosecond of a
+// sample is at that sample, so that 0.1 s + 0.2 s is 0.3 s.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace gsbench::waveform {
 struct Harmonic {
   int order;             // 2 … 50, each at most once, below half of the sample rate
   double amplitude_pct;  // of the fundamental's amplitude; 0 … 100
-  double phase_deg;      // at the fundamental's zero phase
+  double phase_deg;      // at the rising zero crossing of the fundamental
 };
 
 // Multiplies the amplitude by `level_pct` from at_s, for duration_s (infinity: to the end).

@@ -12,8 +12,9 @@
 
 namespace gsbench::link {
 
-// An outlet that has sent its hello. A faulty outlet is excluded: nothing is sent to it and its
-// messages are ignored, so that it does not affect other outlets.
+// An outlet that has sent its hello. If it has another protocol version, or a wrong or duplicate
+// id, the link sends nothing to it and ignores its messages. After any other fault it goes on with
+// it.
 struct OutletPresence {
   std::string id;
   std::string where;  // "simulated", "/dev/ttyUSB0", "mqtts://127.0.0.1:8883"
@@ -21,7 +22,7 @@ struct OutletPresence {
   std::string fault = {};  // as in Fault; empty: none
 };
 
-// A fault of one outlet. The link goes on with the others.
+// A fault of one outlet; it does not affect the others.
 struct Fault {
   std::string id;
   std::string what;  // one sentence, for people
@@ -36,7 +37,7 @@ struct Received {
 // Each event occurs once; for each outlet, each kind is in the order of time.
 struct Happenings {
   std::vector<OutletPresence> joined;
-  std::vector<Fault> left;  // with the reason; these outlets cannot be reached any more
+  std::vector<Fault> left;  // with the reason; these outlets can no longer be reached
   std::vector<Received> messages;
   std::vector<Fault> faults;
 

@@ -10,7 +10,7 @@
 namespace gsbench::link {
 
 // `named`: ids, or places (OutletPresence::where) if the id is not known. Blocks until all of them
-// have joined and 200 ms more, to find a second outlet with the same id; `patience` at most. With
+// have joined and 200 ms more, to find a second outlet with the same id; at most `patience`. With
 // `others_for` > 0 it blocks for at least that time.
 //
 // Returns one entry for each name, in the same order. An outlet that did not join has a fault, its

@@ -18,8 +18,8 @@
 namespace gsbench::source {
 
 enum class Kind {
-  kStreamed,  // gets samples while it plays
-  kLoaded,    // gets the whole waveform before it plays
+  kStreamed,  // receives samples while playing
+  kLoaded,    // receives the whole waveform before playing
   kStepped    // plays a list of steps of frequency and voltage
 };
 

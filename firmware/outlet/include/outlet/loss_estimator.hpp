@@ -1,6 +1,6 @@
 // Lost power from the frequencies measured after an event: LSE over the first measurements, EKF
-// over the rest (§5.3, §5.4). Shared by the outlet (Real = float) and by campaigns (Real = a vector
-// with one trajectory per lane).
+// over the later ones and the last kSharedSamples of the LSE (§5.3, §5.4). Shared by the outlet
+// (Real = float) and by campaigns (Real = a vector with one trajectory per lane).
 #pragma once
 
 #include <outlet/loss_ekf.hpp>
@@ -9,7 +9,7 @@
 
 namespace gs::outlet {
 
-// The EKF also takes the newest measurements of the LSE, this many. The older ones were measured
+// Number of the LSE's last measurements that the EKF also takes. The older ones were measured
 // before the tracker had settled after the onset: with all ten, the estimate of 500 MW is 1.6 % too
 // high. With one, its standard deviation is 0.52 % instead of 0.37 %.
 constexpr int kSharedSamples = 4;
@@ -38,8 +38,9 @@ void restart_lse(LossEstimator<Real>& s) {
   s.lse = LseState<Real>{};
 }
 
-// Takes one measurement: `deviation_hz` from the frequency before the event, `report` reports after
-// the event's own report, which is 0. An outlet passes settings.response as `response`.
+// Takes one measurement. `deviation_hz`: from the frequency before the event. `report`: index of
+// the measurement; the one that completed the event has index 0. An outlet passes settings.response
+// as `response`.
 template <class Model, class Real>
 void take(const Settings& settings, const Model& response, LossEstimator<Real>& s,
           Real deviation_hz, int report) {

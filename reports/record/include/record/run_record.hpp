@@ -141,7 +141,7 @@ struct RunRecord {
   std::string verdict_reason;  // one sentence; empty for PASS
   std::vector<Comparison> comparisons;
   ReferenceTrace reference;
-  std::vector<Mark> stimulus;  // losses, phase jumps, dips, …, as played
+  std::vector<Mark> stimulus;  // losses, phase steps, dips, …, as played
   std::vector<OutletRecord> outlets;
 };
 

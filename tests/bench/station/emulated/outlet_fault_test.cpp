@@ -37,7 +37,7 @@ class OutletFault : public FaultyStation {
   }
 };
 
-TEST_F(OutletFault, IsAbsentIfAllFourPassAndTheRecordHasTheirLinks) {
+TEST_F(OutletFault, IsAbsentInAnUndisturbedRunAndTheRecordHasAllLinks) {
   play();
   expect_all_complete();
   EXPECT_THAT(record_.outlets[kM4].link, StartsWith("tcp://127.0.0.1:"));
@@ -207,7 +207,7 @@ TEST_F(OutletFault, LostSamplesAreReported) {
 }
 
 // Link, relay sense and source must refer to the same outlet in any order of the station's list.
-TEST_F(OutletFault, IsAbsentIfTheStationListsRadiosFirst) {
+TEST_F(OutletFault, IsAbsentIfTheStationListsMqttOutletsFirst) {
   Outlets outlets = station_of_four();
   std::rotate(outlets.begin(), outlets.begin() + 2, outlets.end());
   plan_ = plan(1.5, "noise_pct = 1.0\n",

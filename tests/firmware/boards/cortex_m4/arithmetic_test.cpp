@@ -108,7 +108,7 @@ class BitIdentity : public testing::Test {
   EmulatedOutlet outlet_;
 };
 
-TEST(Fingerprint, InProcessEqualsTheConstant) {
+TEST(Fingerprint, OfTheInProcessFirmwareEqualsTheConstant) {
   EXPECT_EQ(app::arithmetic_fingerprint(), app::kFingerprint);
 }
 

@@ -193,7 +193,7 @@ TEST_F(Mps2, TheWatchdogDoesNotResetAnIdleOutlet) {
 
 // Exercises the deepest calls: settings, stored settings at start-up, self test, a decision, every
 // downlink message.
-TEST_F(Mps2, TheStackHasAnEighthInReserve) {
+TEST_F(Mps2, AtLeastAnEighthOfTheStackIsNeverUsed) {
   start();
   outlet_.line().send(settings_of(1));
   outlet_.line().wait_for(UplinkKind::kSettingsAnswer);

@@ -151,7 +151,7 @@ class ErasesTheOtherSlot final : public SimulatedFlash {
   }
 };
 
-TEST(SettingsStorage, ErasingTheSlotInUseIsDetected) {
+TEST(SettingsStorage, ErasingTheSlotInUseFailsTheLossOfPowerTest) {
   EXPECT_GT(steps_that_leave_neither<ErasesTheOtherSlot>(load), 0);
 }
 
@@ -172,7 +172,7 @@ std::optional<outlet::Settings> load_without_crc(Flash& flash) {
   return found;
 }
 
-TEST(SettingsStorage, LoadingWithoutTheCrcIsDetected) {
+TEST(SettingsStorage, LoadingWithoutTheCrcFailsTheLossOfPowerTest) {
   EXPECT_GT(steps_that_leave_neither<SimulatedFlash>(load_without_crc), 0);
 }
 
