@@ -239,10 +239,10 @@ PageSection table4(Study& study, const Execution& execution) {
           {plot},
           {"The innovation is that of the full model, f − h(X); eq. (28) as printed has its "
            "linearisation.",
-           "The firmware gets the first report after the loss as its event, and the exact "
-           "frequency before it. An outlet detects its event about 120 ms later and measures that "
-           "frequency: Fig. 19 and `gsbench study` show its estimates, starting from the sampled "
-           "voltage.",
+           "The firmware's event is given: it is the first report after the loss, and the "
+           "frequency before the loss is exact. A shipped outlet detects the event about 120 ms "
+           "later and measures that frequency: Fig. 19 and `gsbench study` show its estimates, "
+           "starting from the sampled voltage.",
            "The bound is that of all fifty measurements without knowledge of the instant. The "
            "firmware may pass it: its EKF also gets the last four of LSE's measurements and a "
            "standard deviation of the instant."}};

@@ -56,7 +56,7 @@ std::vector<std::pair<std::string, std::string>> facts(const grid::Grid& grid,
           {"instant of the loss", text_of(choices.loss_instant)},
           {"load-shedding conditions, paper's method", text_of(choices.counting)},
           {"EKF start, paper's method",
-           fmt::format("σ of LSE {:g} MW, σ of the instant {:g} ms", choices.ekf_loss_sigma_mw,
+           fmt::format("σ of ΔP {:g} MW, σ of the instant {:g} ms", choices.ekf_loss_sigma_mw,
                        1000.0 * choices.ekf_t_x_sigma_s)}};
 }
 
@@ -77,10 +77,10 @@ record::Page reproduce(const grid::Grid& grid, const Options& options, const Exe
   page.subtitle =
       "Xiang et al., Distributed Frequency Emergency Control with Coordinated Edge Intelligence. "
       "\"Paper\": the printed figure. \"Paper's method\": its equations and procedure. \"Firmware, "
-      "known event\": the estimators of the outlets, which get the first report after the loss as "
-      "their event and the exact frequency before it (event_drops 1, event_lag_s 0; an outlet "
-      "ships "
-      "with 5 and 0.008, and detects the event and measures that frequency itself). "
+      "known event\": the firmware's estimators. The event is given: it is the first report after "
+      "the loss, and the frequency before the loss is exact (settings event_drops = 1, "
+      "event_lag_s = 0; shipped: 5 and 0.008 s). A shipped outlet detects the event and measures "
+      "that frequency itself. "
       "\"Experiment\": not part of any product.";
   page.facts = facts(grid, options);
   Study study{grid, options};

@@ -19,8 +19,8 @@ constexpr double kLoss_mw = 500.0;
 constexpr double kPu_mw = 100.0;  // the paper's unit
 constexpr double kNoise_hz = 0.01;
 
-// Names of columns and rows. The firmware's estimators and conditions are the shipped code, but an
-// outlet has to detect the event, which is known here.
+// Names of columns and rows. The firmware's estimators and conditions are the shipped code. The
+// event is given; a shipped outlet has to detect it.
 constexpr const char* kPaperMethod = "paper's method";
 constexpr const char* kFirmware = "firmware, known event";
 constexpr const char* kReconciled = "experiment: reconciled parameters";

@@ -20,8 +20,8 @@ struct RequestedSettings {
   std::map<std::string, double> settings;  // by the names in outlet/settings.hpp
 };
 
-// The settings that are the same for all outlets of a grid: response, threshold, largest loss,
-// conditions and standard deviation of the LSE; the rest are the firmware's defaults.
+// The settings that are the same for all outlets of a grid: response, threshold loss, largest
+// loss, conditions and standard deviation of the LSE; the rest are the firmware's defaults.
 // accumulated_mw and switch_off_hz are 0. Throws std::invalid_argument if the grid is invalid
 // (GridError) or has more conditions than an outlet stores.
 gs::outlet::Settings grid_settings(const grid::Grid& grid);
