@@ -71,7 +71,9 @@ const std::atomic<bool>& catch_interrupts() {
 }
 
 void print_json(const nlohmann::ordered_json& value) {
-  std::fputs((value.dump(2) + '\n').c_str(), stdout);
+  // A file name need not be UTF-8.
+  constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
+  std::fputs((value.dump(2, ' ', false, kReplace) + '\n').c_str(), stdout);
 }
 
 CLI::Option* add_profile(CLI::App& command, std::string& profile) {

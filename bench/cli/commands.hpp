@@ -50,7 +50,7 @@ void print_json(const nlohmann::ordered_json& value);
 void print_wrapped(const std::string& line, std::size_t indent = 0);
 
 // "gsbench: ", the text and a line end, for standard error: wrapped if that is a terminal,
-// otherwise one line, so that scripts find "FILE:LINE:COLUMN: …" at its start.
+// otherwise one line: "gsbench: FILE:LINE:COLUMN: …".
 std::string error_line(const std::string& text);
 void print_error(const std::string& text);
 

@@ -50,7 +50,7 @@ std::string unknown_command(const CLI::App& app, const std::string& name) {
 std::string usage_mistake(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> commands = app->get_subcommands();
   const std::vector<std::string> unknown = app->remaining(true);
-  std::string what = error.what();
+  std::string what = commands.empty() ? "a command is required" : error.what();
   if (!unknown.empty()) {
     what = commands.empty() ? unknown_command(*app, unknown.front())
                             : "unknown argument '" + unknown.front() + "'";
@@ -64,8 +64,8 @@ int complain(const char* what, int exit_code) {
   return exit_code;
 }
 
-// What the installation asks for: completion by a shell, and the manual page. False: a usual
-// command.
+// Prints candidates for a shell's completion, or the manual page, if asked for. Returns false for
+// all other commands.
 bool answer_installation(const CLI::App& app, const std::vector<std::string>& words) {
   if (words.empty() || (words[0] != "__complete" && words[0] != "__manual")) {
     return false;

@@ -70,7 +70,8 @@ std::string italic(const std::string& text) {
 }
 
 std::string positional_name(const CLI::Option& option) {
-  const std::string name = option.get_name(true, false);
+  const std::string name =
+      option.get_name(true, false) + (option.get_items_expected_max() > 1 ? "..." : "");
   return option.get_required() ? name : '[' + name + ']';
 }
 
@@ -111,7 +112,7 @@ std::string list(const char* const (&rows)[count][2]) {
 
 std::string manual_page(const CLI::App& app) {
   std::string page = ".TH GSBENCH 1 \"\" \"gsbench " + installation::version() +
-                     "\" \"User Commands\"\n.SH NAME\n"
+                     "\" \"User Commands\"\n.nh\n.SH NAME\n"
                      "gsbench \\- hardware-in-the-loop bench for frequency-responsive outlets\n"
                      ".SH SYNOPSIS\n" +
                      bold("gsbench") + ' ' + italic("COMMAND") + " [" + italic("OPTIONS") +

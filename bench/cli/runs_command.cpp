@@ -47,7 +47,7 @@ nlohmann::ordered_json as_json(const std::vector<record::RunRecord>& heads) {
   return all;
 }
 
-// The profile comes last: of one that is not shipped it is a path.
+// The profile comes last, since its name may be long.
 void print(const std::vector<record::RunRecord>& heads) {
   std::vector<std::vector<std::string>> rows = {{"run", "verdict", "seed", "profile"}};
   for (const record::RunRecord& run : heads) {

@@ -57,8 +57,10 @@ bool is_toml_path(const std::string& name) {
 // Adds every .toml file below `folder`; the name is its relative path without the extension.
 void add_files_below(const fs::path& folder, std::vector<NamedFile>& found) {
   std::error_code ignored;  // a missing folder is treated as empty
-  for (fs::recursive_directory_iterator at(folder, ignored), end; at != end;
-       at.increment(ignored)) {
+  for (fs::recursive_directory_iterator
+           at(folder, fs::directory_options::skip_permission_denied, ignored),
+       end;
+       at != end; at.increment(ignored)) {
     if (at->path().extension() != kExtension || !at->is_regular_file(ignored)) {
       continue;
     }
@@ -67,8 +69,7 @@ void add_files_below(const fs::path& folder, std::vector<NamedFile>& found) {
   }
 }
 
-// Every .toml file below `part` of folders(), sorted by name. Throws ConfigurationError if two have
-// the same name.
+// Every .toml file below `part` of folders(), sorted by name.
 std::vector<NamedFile> all_files(const fs::path& part) {
   std::vector<NamedFile> found;
   for (const fs::path& folder : folders()) {
@@ -76,14 +77,22 @@ std::vector<NamedFile> all_files(const fs::path& part) {
   }
   std::sort(found.begin(), found.end(),
             [](const NamedFile& a, const NamedFile& b) { return a.name < b.name; });
-  const auto twin =
-      std::adjacent_find(found.begin(), found.end(),
-                         [](const NamedFile& a, const NamedFile& b) { return a.name == b.name; });
-  if (twin != found.end()) {
-    throw ConfigurationError(
-        fmt::format("{} and {} have the same name; rename one", twin->path, (twin + 1)->path));
-  }
   return found;
+}
+
+// The file with this name in a sorted list; none if there is none. Throws ConfigurationError if a
+// shipped file and the user's own have the same name.
+std::optional<NamedFile> only_named(const std::string& name, const std::vector<NamedFile>& files) {
+  const auto is_named = [&](const NamedFile& file) { return file.name == name; };
+  const auto found = std::find_if(files.begin(), files.end(), is_named);
+  if (found == files.end()) {
+    return std::nullopt;
+  }
+  if (const auto twin = std::find_if(found + 1, files.end(), is_named); twin != files.end()) {
+    throw ConfigurationError(fmt::format("{} and {} have the same name; rename one, or give a path",
+                                         found->path, twin->path));
+  }
+  return *found;
 }
 
 std::vector<std::string> names_of(const std::vector<NamedFile>& files) {
@@ -96,14 +105,14 @@ std::vector<std::string> names_of(const std::vector<NamedFile>& files) {
 }
 
 // Message for a name that is not in `known`.
-std::string not_found(const std::string& kind, const std::string& name, const std::string& where,
+std::string not_found(const std::string& kind, const std::string& name,
                       const std::vector<NamedFile>& known, const std::string& known_kind) {
-  return fmt::format("unknown {} \"{}\"{}{} (for your own file, give its path, ending in .toml)",
-                     kind, name, where, keys::suggestion(name, names_of(known), known_kind));
+  return fmt::format("unknown {} \"{}\"{} (for your own file, give its path, ending in .toml)",
+                     kind, name, keys::suggestion(name, names_of(known), known_kind));
 }
 
 NamedFile find_file(const std::string& name_or_path, const std::string& kind,
-                    const std::string& where, std::vector<NamedFile> (*all)()) {
+                    std::vector<NamedFile> (*all)()) {
   if (is_toml_path(name_or_path)) {
     if (!is_regular_file(name_or_path)) {
       throw ConfigurationError(fmt::format("{}: the {} file does not exist", name_or_path, kind));
@@ -111,12 +120,10 @@ NamedFile find_file(const std::string& name_or_path, const std::string& kind,
     return {fs::path(name_or_path).stem().string(), name_or_path};
   }
   const std::vector<NamedFile> known = all();
-  const auto found = std::find_if(known.begin(), known.end(),
-                                  [&](const NamedFile& file) { return file.name == name_or_path; });
-  if (found == known.end()) {
-    throw ConfigurationError(not_found(kind, name_or_path, where, known, kind + 's'));
+  if (const auto found = only_named(name_or_path, known)) {
+    return *found;
   }
-  return *found;
+  throw ConfigurationError(not_found(kind, name_or_path, known, kind + 's'));
 }
 
 }  // namespace
@@ -127,11 +134,11 @@ std::string profiles_folder() {
 }
 
 std::string find_profile(const std::string& name_or_path) {
-  return find_file(name_or_path, "profile", " in " + profiles_folder(), all_profiles).path;
+  return find_file(name_or_path, "profile", all_profiles).path;
 }
 
 NamedFile find_station(const std::string& name_or_path) {
-  return find_file(name_or_path, "station", "", all_stations);
+  return find_file(name_or_path, "station", all_stations);
 }
 
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder) {
@@ -142,16 +149,11 @@ std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::s
     }
     return NamedFile{path.stem().string(), path.string()};
   }
-  for (NamedFile& grid : all_grids()) {
-    if (grid.name == name_or_path) {
-      return std::move(grid);
-    }
-  }
-  return std::nullopt;
+  return only_named(name_or_path, all_grids());
 }
 
 std::string unknown_grid(const std::string& name_or_path) {
-  return not_found("grid", name_or_path, "", all_grids(), "grids");
+  return not_found("grid", name_or_path, all_grids(), "grids");
 }
 
 std::string profile_name(const std::string& path) {

@@ -28,14 +28,16 @@ expect "$(gsbench run paper/loss-500mw)" "^Report: $home/.local/share/gsbench/ru
 expect "$(gsbench run paper/loss-500mw --station emulated)" '^PASS'
 expect "$(gsbench runs)" '^[0-9TZa-f-]+ +PASS +1 +paper/loss-500mw'
 
-# The user's own profile has a name of its own; one with a shipped name is refused.
+# The user's own profile has a name of its own; one with a shipped name is refused, the others are not.
 sed 's/^title = .*/title = "My loss"/' "$prefix/opt/share/gsbench/profiles/paper/loss-500mw.toml" \
   >.local/share/gsbench/profiles/mine/loss.toml
 expect "$(gsbench list)" 'mine/loss +My loss'
 expect "$(gsbench check mine/loss)" 'mine/loss'
+cp .local/share/gsbench/profiles/mine/{loss,'my loss'}.toml
 mkdir .local/share/gsbench/profiles/paper
 cp .local/share/gsbench/profiles/{mine/loss,paper/loss-500mw}.toml
-expect "$(gsbench list 2>&1)" 'have the same name'
+expect "$(gsbench run regression/command)" '^PASS'
+expect "$(gsbench check paper/loss-500mw 2>&1)" 'have the same name'
 rm -r .local/share/gsbench/profiles/paper
 
 expect "$(man --local-file "$prefix"/opt/share/man/man1/gsbench.1.gz)" '^ +gsbench run \[OPTIONS\]'
@@ -52,6 +54,7 @@ completed() {
   )
 }
 [ "$(completed run paper/loss-5)" = paper/loss-500mw ] || fail "completion of a profile: $(completed run paper/loss-5)"
+[ "$(completed run 'mine/my')" = 'mine/my\ loss' ] || fail "completion of a name with a space"
 expect "$(completed check mine/loss paper/)" '^paper/loss-320mw$'
 expect "$(completed run paper/loss-500mw --station = emu)" '^emulated$'
 expect "$(completed params '')" '^ieee24$'

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include <gmock/gmock.h>
 
@@ -97,7 +98,7 @@ TEST(ShippedProfiles, AreSuggestedForAMisspeltName) {
 }
 
 TEST(ShippedProfiles, DoNotIncludeGrids) {
-  EXPECT_THAT(refusal_of_name("grids/ieee24"), StartsWith("unknown profile \"grids/ieee24\" in "));
+  EXPECT_THAT(refusal_of_name("grids/ieee24"), StartsWith("unknown profile \"grids/ieee24\"; "));
 }
 
 TEST(ShippedGrids, AreListedAndValid) {
@@ -109,6 +110,46 @@ TEST(ShippedGrids, AreListedAndValid) {
     EXPECT_EQ(grid.title, summary.title);
   }
   EXPECT_THAT(names, testing::ElementsAre("ieee24", "ieee24-by-unit", "island-60hz"));
+}
+
+// $XDG_DATA_HOME with a folder of own profiles, for the length of a test.
+class OwnProfiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const char* before = std::getenv("XDG_DATA_HOME")) {
+      before_ = before;
+    }
+    ::setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
+    for (const char* folder : {"mine", "paper", "grids"}) {
+      fs::create_directories(profiles_ / folder);
+    }
+  }
+  void TearDown() override { ::setenv("XDG_DATA_HOME", before_.c_str(), 1); }
+  void write(const std::string& name) const {
+    std::ofstream(profiles_ / (name + ".toml")) << kMinimal;
+  }
+
+  const TemporaryFolder data_;
+  const fs::path profiles_ = data_.path() / "gsbench/profiles";
+  std::string before_;  // an empty one counts as unset
+};
+
+TEST_F(OwnProfiles, AreFoundByNameBesideTheShippedOnes) {
+  write("mine/case");
+  EXPECT_EQ(load_profile("mine/case").name, "mine/case");
+  EXPECT_THAT(profile_names(), testing::IsSupersetOf({"mine/case", "paper/loss-500mw"}));
+}
+
+TEST_F(OwnProfiles, WithAShippedNameAreRefusedByThatNameOnly) {
+  write("paper/loss-500mw");
+  EXPECT_THAT(refusal_of_name("paper/loss-500mw"), HasSubstr("have the same name; rename one"));
+  EXPECT_EQ(load_profile("paper/loss-600mw").name, "paper/loss-600mw");
+}
+
+TEST_F(OwnProfiles, GridsAreFoundByName) {
+  fs::copy_file(profiles_folder() + "/grids/ieee24.toml", profiles_ / "grids/own.toml");
+  EXPECT_EQ(load_grid("own").name, "own");
+  EXPECT_EQ(load_grid("ieee24").name, "ieee24");
 }
 
 TEST(ProfilesFolder, IsTakenFromTheEnvironment) {

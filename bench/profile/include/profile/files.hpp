@@ -13,11 +13,12 @@ struct NamedFile {
   std::string path;
 };
 
-// Throw ConfigurationError if the file does not exist.
+// Throw ConfigurationError if the file does not exist, or a shipped file and the user's own have
+// this name.
 std::string find_profile(const std::string& name_or_path);  // returns the path
 NamedFile find_station(const std::string& name_or_path);
 
-// `folder`: the base of a relative path. nullopt if the file does not exist.
+// The same; `folder` is the base of a relative path. nullopt if the file does not exist.
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder);
 std::string unknown_grid(const std::string& name_or_path);  // the message for it
 
@@ -36,8 +37,8 @@ std::string read_file(const std::string& path);
 std::string sha256(const std::string& text);
 std::string sha256_of_file(const std::string& path);
 
-// Sorted by name. Throw ConfigurationError if the folder of profiles does not exist, or two files
-// have the same name.
+// Sorted by name. Throw ConfigurationError if the folder of profiles does not exist. Subfolders
+// that may not be read are left out.
 std::vector<NamedFile> all_profiles();
 std::vector<NamedFile> all_grids();
 std::vector<NamedFile> all_stations();
