@@ -105,6 +105,10 @@ const std::vector<Row>& rows() {
         {"errors up to 5 %: ([0-9.]+) MW", cell("fig21", "experiment", "shed, MW")},
         {"nadir ([0-9.]+) Hz", cell("fig22", "with Grid Sense", "nadir, Hz")},
         {"and ([0-9.]+) Hz with", cell("fig22", "delay-aware", "nadir, Hz")}}},
+      {"fleet --closed-loop",
+       {{"required ([0-9.]+) MW", cell("closed-loop", "required", "threshold loss by")},
+        {"\\(15\\): ([0-9.]+) MW", cell("closed-loop", "shed, MW", "threshold loss by")},
+        {"delay-aware threshold: ([0-9.]+) MW", cell("closed-loop", "shed, MW", "delay-aware")}}},
   };
   return all;
 }
