@@ -88,6 +88,16 @@ void print_parameters(const grid::SfrModel& model, double threshold_mw,
       "lrll");
 }
 
+// Decimals that show the edges of rows of this height exactly: 3, or up to 6 if it needs them.
+int decimals_of_edges(double height_hz) {
+  int decimals = 3;
+  for (double scaled = 1e3 * height_hz;
+       decimals < 6 && std::abs(scaled - std::round(scaled)) > 1e-6; scaled *= 10.0) {
+    ++decimals;
+  }
+  return decimals;
+}
+
 void print_conditions(const std::vector<control_centre::Condition>& conditions,
                       const std::vector<double>& published_hz_s) {
   Rows rows = {{"from, Hz", "to, Hz", "ROCOF below, Hz/s"}};
@@ -95,7 +105,9 @@ void print_conditions(const std::vector<control_centre::Condition>& conditions,
     rows[0].emplace_back("published");
   }
   for (std::size_t i = 0; i < conditions.size(); ++i) {
-    rows.push_back({render::fixed(conditions[i].from_hz, 3), render::fixed(conditions[i].to_hz, 3),
+    const int decimals = decimals_of_edges(conditions[0].to_hz - conditions[0].from_hz);
+    rows.push_back({render::fixed(conditions[i].from_hz, decimals),
+                    render::fixed(conditions[i].to_hz, decimals),
                     render::fixed(conditions[i].rocof_below_hz_s, 4)});
     if (i < published_hz_s.size()) {
       rows.back().push_back(render::fixed(published_hz_s[i], 4));

@@ -161,7 +161,8 @@ std::string share_text(const StudyResult& study, const std::string& measure, dou
   const double share_pct = 100.0 * row->values.share_within(limit);
   // A step of the share is 100/n percent.
   const int decimals = render::decimals_for({share_pct}, 100.0 / static_cast<double>(all));
-  return fmt::format("|{}| ≤ {:g} {}: {} % of {}", measure, limit, row->unit,
+  const std::string unit = row->unit.empty() ? "" : ' ' + row->unit;
+  return fmt::format("|{}| ≤ {:g}{}: {} % of {}", measure, limit, unit,
                      render::fixed(share_pct, std::max(1, decimals)), all);
 }
 
