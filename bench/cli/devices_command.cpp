@@ -107,8 +107,8 @@ int devices(const DevicesArguments& arguments) {
 }  // namespace
 
 void add_devices(CommandLine& line) {
-  const auto [command, arguments] =
-      line.command("devices", "List the outlets on serial ports or behind a broker", devices);
+  const auto [command, arguments] = line.command(
+      "devices", "List the outlets on serial ports, TCP ports or behind an MQTT broker", devices);
   add_link_options(command, arguments.link);
   add_json_flag(command, arguments.json);
   command.footer(

@@ -88,11 +88,12 @@ void print_parameters(const grid::SfrModel& model, double threshold_mw,
       "lrll");
 }
 
-// Decimals that show the edges of rows of this height exactly: 3, or up to 6 if it needs them.
+// Decimals that show the edges of rows of this height exactly: 3, or up to 6 if needed.
 int decimals_of_edges(double height_hz) {
   int decimals = 3;
-  for (double scaled = 1e3 * height_hz;
-       decimals < 6 && std::abs(scaled - std::round(scaled)) > 1e-6; scaled *= 10.0) {
+  double scaled = 1e3 * height_hz;
+  while (decimals < 6 && std::abs(scaled - std::round(scaled)) > 1e-6) {
+    scaled *= 10.0;
     ++decimals;
   }
   return decimals;
@@ -119,7 +120,7 @@ void print_conditions(const std::vector<control_centre::Condition>& conditions,
 
 void print_blocks(const std::vector<control_centre::BlockSetting>& blocks) {
   constexpr std::size_t kNameColumns = 40;
-  Rows rows = {{"block", "power, MW", "accumulated, MW", "switches off below, Hz"}};
+  Rows rows = {{"block", "power, MW", "accumulated, MW", "backup: switches off below, Hz"}};
   std::vector<double> powers_mw;
   for (const control_centre::BlockSetting& block : blocks) {
     powers_mw.insert(powers_mw.end(), {block.power_mw, block.accumulated_mw});

@@ -183,8 +183,8 @@ void print_study(const StudyResult& study, const Shares& shares) {
   for (const auto& [measure, limit] : shares) {
     print_wrapped(share_text(study, measure, limit), 4);
   }
-  print_wrapped(fmt::format("{} seeds, {:.2f} outlet-hours: {}", study.seeds_done, study.hours,
-                            verdicts_of(study.verdicts)),
+  print_wrapped(fmt::format("{} seeds, {:.2f} outlet-hours; outlets: {}", study.seeds_done,
+                            study.hours, verdicts_of(study.verdicts)),
                 4);
   if (!study.first_reason.empty()) {
     print_wrapped("First that did not pass: " + study.first_reason, 4);

@@ -36,7 +36,7 @@ const std::vector<Measure>& catalogue() {
       {"event.count", "", "Frequency events that the outlet detected during the run.", "nothing"},
       {"event.false", "",
        "Detected events for which the reference did not fall by at least half of event_drop_hz. "
-       "The fall is measured in the 0.5 s before the time stamp minus the declared delay.",
+       "The fall is measured over the 0.5 s that end at the time stamp minus the declared delay.",
        "the outlet's setting event_drop_hz"},
       {"event.delay", "ms",
        "Time from the first loss to the first event after it, by the outlet's time stamp.",
@@ -45,7 +45,7 @@ const std::vector<Measure>& catalogue() {
        "Measurements that met a load-shedding condition, as reported with the first decision.",
        "a decision"},
       {"lse.loss", "MW",
-       "Lost power estimated by least squares (LSE) at the first event, eq. (18).",
+       "Lost power of the first least-squares estimate (LSE), eq. (18), after the first event.",
        "a least-squares estimate, which follows an event"},
       {"lse.error", "%",
        "Relative error of the first least-squares estimate (LSE). "
@@ -79,7 +79,7 @@ const std::vector<Measure>& catalogue() {
        "a loss in the profile and a reported command to open after it"},
       {"relay.report_difference", "ms",
        "Time from the reported command to open to the opening of the contact, by the relay sense. "
-       "Only those from the first loss on count; without a loss, as relay.operate_time.",
+       "The first of each from the first loss on count; without a loss, of the whole run.",
        "a reported command to open and a sensed opening"},
       {"relay.operate_time", "ms",
        "Time from the reported command to open to the opening of the contact, by the relay sense. "

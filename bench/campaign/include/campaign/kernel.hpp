@@ -32,9 +32,9 @@ template <class Parameter>
 Estimates estimate_as_paper(const PaperStart& start, float k_lse_mw_per_hz_s,
                             const PaperModel<Parameter>& model, const float* deviations_hz);
 
-// Counts in `hits` how often the load-shedding conditions are met. There are counted.first +
-// counted.count measurements. The slope at measurement k is fitted over measurements
-// k − window + 1 … k; those of the first slope that counts must exist.
+// Counts in `hits` how often the load-shedding conditions are met. `deviations_hz` has
+// counted.first + counted.count measurements. The slope at measurement k is fitted over
+// measurements k − window + 1 … k; those of the first slope that counts must exist.
 void count_conditions(const gs::outlet::Settings& settings, float nominal_hz,
                       const Counting& counted, const float* deviations_hz, float hits[kLanes]);
 

@@ -11,11 +11,12 @@ namespace gsbench::control_centre {
 // ΔP_s, eq. (15), MW. Throws std::invalid_argument unless 0 < threshold_hz < f_n.
 double threshold_mw(const grid::SfrModel& model, double threshold_hz);
 
-// The threshold loss that allows for the delay, MW: outlets that act `delay_s` after a loss keep
-// the nadir at threshold_hz with it. Eq. (15) assumes immediate shedding and therefore sheds too
-// little. The result equals eq. (15) for a delay of 0, and decreases with the delay and the loss;
-// use the largest loss to be covered. 0 if no shedding suffices. Throws std::invalid_argument like
-// threshold_mw, and for a negative loss or delay.
+// The threshold loss that allows for the delay, MW. With it, outlets that act `delay_s` after the
+// loss `loss_mw` keep the nadir at threshold_hz. With eq. (15), which assumes immediate shedding,
+// they shed too little. The result equals eq. (15) for a delay of 0, and decreases with the delay
+// and the loss; use the largest loss to be covered. 0 if the nadir is below threshold_hz even when
+// the whole loss is shed. Throws std::invalid_argument like threshold_mw, and for a negative loss
+// or delay.
 double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, double loss_mw,
                               double delay_s);
 
@@ -29,8 +30,8 @@ struct Condition {
   double rocof_below_hz_s;  // ROCOF after the threshold loss when f passes from_hz, <= 0
 };
 
-// Rows from f_n down to f_s, row_hz high; the last one may be lower. Throws std::invalid_argument
-// like threshold_mw, and if row_hz < grid::kLowestConditionRow_hz.
+// Rows from f_n down to f_s, each row_hz wide; the last one may be narrower. Throws
+// std::invalid_argument like threshold_mw, and if row_hz < grid::kLowestConditionRow_hz.
 std::vector<Condition> conditions(const grid::SfrModel& model, double threshold_hz, double row_hz);
 
 }  // namespace gsbench::control_centre

@@ -50,7 +50,7 @@ Reading after_loss(const Case& c) {
   return loss_tick ? kRead(c, *loss_tick) : not_known("the profile contains no loss of power");
 }
 
-// One row for each measure: its name and the function that reads it. One file for each subject.
+// One row for each measure: its name and the function that reads it.
 using Readings = std::vector<std::pair<std::string, Read>>;
 Readings tracker_readings();
 Readings event_readings();

@@ -19,8 +19,8 @@ namespace gsbench::profile {
 
 using keys::ConfigurationError;
 
-// The first folder searched: $GSBENCH_PROFILES if set, otherwise the folder of the shipped
-// profiles, which the user's own folder follows (profile/files.hpp).
+// The first folder searched: $GSBENCH_PROFILES if set, and then no other; otherwise the folder of
+// the shipped profiles. The user's own folder is searched after that one (profile/files.hpp).
 std::string profiles_folder();
 
 // Seeds are 0 … 2⁵³, which every JSON reader represents exactly.
@@ -35,8 +35,8 @@ struct Overrides {
   recording::TraceColumns trace_columns;
 };
 
-// `name`: a shipped profile ("paper/loss-500mw") or one in the user's folder, or the path of a
-// .toml file.
+// `name`: a profile in one of the folders searched ("paper/loss-500mw"), or the path of a .toml
+// file.
 Plan load_profile(const std::string& name, const Overrides& overrides = {});
 
 // The same for a text, e.g. from a run record. Relative paths of grids and recordings are relative
@@ -44,7 +44,7 @@ Plan load_profile(const std::string& name, const Overrides& overrides = {});
 Plan parse_profile(const std::string& text, const std::string& path,
                    const Overrides& overrides = {});
 
-// `name`: a shipped grid ("ieee24") or one in the user's folder, or the path of a .toml file.
+// `name`: a grid in one of the folders searched ("ieee24"), or the path of a .toml file.
 grid::Grid load_grid(const std::string& name);
 
 struct ProfileSummary {
@@ -52,7 +52,7 @@ struct ProfileSummary {
   std::string title;
 };
 
-// In alphabetical order. The title of an unreadable profile is the reason.
+// In alphabetical order. If a profile cannot be read, its title is the reason why.
 std::vector<ProfileSummary> list_profiles();
 std::vector<ProfileSummary> list_grids();
 std::vector<ProfileSummary> summaries_of(

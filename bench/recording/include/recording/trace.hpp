@@ -23,8 +23,8 @@ struct TraceColumns {
 // Reads a CSV recording whose first row has the names of the columns. Time is seconds, or date and
 // time such as `28-Apr-2025 11:00:02`, `2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`; the first
 // row is t = 0. A row with frequency or voltage `NaN` is a gap and gives no point. Throws
-// std::runtime_error with `file:line:column: …` if the file or a column is missing, a row is too
-// short, a value is not a number, or time does not increase.
+// std::runtime_error with `file:line:column: …` if the file cannot be read, or a column, row, value
+// or time in it is not valid.
 std::vector<TracePoint> read_trace(const std::string& path, const TraceColumns& columns);
 
 }  // namespace gsbench::recording

@@ -75,7 +75,8 @@ Real exponential(Real x) {
   return sum * sum;
 }
 
-// Angle of (x, y), −π … π; 0 for (0, 0). Error below 5e-7 rad.
+// Angle of the point (x, y), with the arguments in the order of atan2, −π … π; 0 for (0, 0). Error
+// below 5e-7 rad.
 inline float angle_of(float y, float x) {
   const float ax = x < 0.0f ? -x : x;
   const float ay = y < 0.0f ? -y : y;
