@@ -18,7 +18,7 @@ struct KeyMeasure {
 constexpr std::array kByImportance = {
     KeyMeasure{"event.delay", "Event", "after"},
     KeyMeasure{"decision.delay", "Decision", "after"},
-    KeyMeasure{"ekf.loss", "ΔP", ""},
+    KeyMeasure{"ekf.loss", "", "ΔP"},
     KeyMeasure{"ekf.error", "ΔP", "error"},
     KeyMeasure{"relay.delay", "Relay", "sensed"},
     KeyMeasure{"relay.delay_reported", "Relay", "reported"},
@@ -30,7 +30,7 @@ constexpr std::array kByImportance = {
     KeyMeasure{"decision.cause", "", "Cause"},
     KeyMeasure{"tracker.error.max", "Largest", "error"},
     KeyMeasure{"tracker.error.rms", "RMS", "error"},
-    KeyMeasure{"validity.valid_share", "Valid", ""},
+    KeyMeasure{"validity.valid_share", "", "Valid"},
     KeyMeasure{"validity.dead_bus_claims", "Dead-bus", "claims"},
 };
 
