@@ -144,12 +144,11 @@ void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& dist
 }
 
 void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation) {
-  add_choice(
-      command, "--accumulated", accumulation,
-      {{"half", control_centre::Accumulation::kHalfGroup},
-       {"whole", control_centre::Accumulation::kWholeGroup}},
-      "Share of an outlet's own load block in its accumulated power P^A; half: the mean shed "
-      "power is correct; whole: as in eq. (11)");
+  add_choice(command, "--accumulated", accumulation,
+             {{"half", control_centre::Accumulation::kHalfGroup},
+              {"whole", control_centre::Accumulation::kWholeGroup}},
+             "Share of an outlet's own load block in its accumulated power P^A; half: the shed "
+             "power is the required power on average; whole: as in eq. (11)");
 }
 
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {

@@ -33,13 +33,13 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-// Threads for simulated outlets, the default of --threads: one per core.
+// Threads for simulated outlets, the default of --threads: one per logical processor.
 std::size_t default_threads();
 
 ExitCode exit_code_of(record::Verdict verdict);
 
-// Set once SIGINT or SIGTERM has arrived, so that a run ends in its safe state. A second signal
-// ends the process.
+// Handles SIGINT and SIGTERM. The returned flag is set when one of them arrives, so that a run ends
+// in its safe state. A second signal of the same kind ends the process.
 const std::atomic<bool>& catch_interrupts();
 
 // Indented, on standard output.
@@ -49,8 +49,8 @@ void print_json(const nlohmann::ordered_json& value);
 // with `indent` spaces.
 void print_wrapped(const std::string& line, std::size_t indent = 0);
 
-// "gsbench: ", the text and a line end, for standard error: wrapped if that is a terminal,
-// otherwise one line: "gsbench: FILE:LINE:COLUMN: …".
+// Returns "gsbench: ", the text and a line end. The text is wrapped if standard error is a
+// terminal; otherwise it is one line, for tools that read "FILE:LINE:COLUMN: …".
 std::string error_line(const std::string& text);
 void print_error(const std::string& text);
 

@@ -114,7 +114,7 @@ void add_devices(CommandLine& line) {
   command.footer(
       "Exit code 4 if an outlet does not answer, has the same id as another outlet, or uses "
       "another\n"
-      "protocol.\n"
+      "version of the protocol.\n"
       "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"

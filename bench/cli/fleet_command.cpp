@@ -29,7 +29,7 @@ int run_fleet(const FleetArguments& arguments) {
 
 void add_outlets(CLI::App& command, fleet::FleetOptions& fleet) {
   add_with_default(command, "--groups", fleet.groups, "N",
-                   "Number of groups (load blocks), the least important first");
+                   "Number of groups (load blocks); the least important is shed first");
   add_with_default(command, "--per-group", fleet.per_group, "N", "Outlets in each group");
   add_with_default(command, "--least", fleet.least_w, "W",
                    "Smallest power of an appliance (uniform distribution), W");
@@ -58,8 +58,7 @@ void add_sweep(CLI::App& command, FleetArguments& arguments) {
 
 void add_fleet(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "fleet",
-      "Simulate the load shedding of up to 100 million outlets and the frequency after a loss",
+      "fleet", "Simulate a loss: load shedding by up to 100 million outlets, and the frequency",
       run_fleet);
   fleet::Study& study = arguments.study;
   fleet::ScenarioOptions& scenario = study.scenario;

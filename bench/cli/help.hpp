@@ -8,14 +8,15 @@
 
 namespace gsbench::cli {
 
-// Lines of at most render::kLineColumns. An option is shown with the name of its value; its
-// default, and the option that it needs, follow the description.
+// Formats the help in lines of at most render::kLineColumns columns. An option is shown with the
+// name of its value. After its description come the option that it needs, its default, and
+// "(required)".
 std::shared_ptr<CLI::Formatter> help_formatter();
 
 // "PROFILE", "N": what an option takes.
 std::string value_name(const CLI::Option& option);
 
-// Its description, with the option that it needs and its default.
+// The option's description, followed by the option that it needs and its default.
 std::string description_of(const CLI::Option& option);
 
 }  // namespace gsbench::cli

@@ -187,10 +187,10 @@ void add_params(CommandLine& line) {
       params);
   add_grid(command, arguments.grid)->required();
   command
-      .add_option(
-          "--row", arguments.row_hz,
-          "Frequency step between the rows of Table 1, 0.001 to 1000 Hz (default: condition_row_hz "
-          "of the grid's file)")
+      .add_option("--row", arguments.row_hz,
+                  "Frequency step between the rows of load-shedding conditions, 0.001 to 1000 Hz "
+                  "(default: condition_row_hz "
+                  "of the grid's file)")
       ->type_name("HZ")
       ->check(CLI::Range(grid::kConditionRow_hz.low, grid::kConditionRow_hz.high));
   add_accumulation(command, arguments.accumulation);

@@ -16,7 +16,7 @@ struct Section {
 };
 
 constexpr Section kSections[] = {
-    {"fig13", "Fig. 8 and 13: frequency after a loss (§4.2, §6.1)", fig8_and_13},
+    {"fig13", "Figs. 8 and 13: frequency after a loss (§4.2, §6.1)", fig8_and_13},
     {"table1", "Fig. 9 and Table 1: load-shedding conditions (§4.3, §6.2)", fig9_and_table1},
     {"fig14", "Fig. 14: ROCOF and frequency for several losses (§6.2)", fig14},
     {"table2", "Table 2: decisions whether load shedding is needed (§6.2)", table2},
@@ -25,7 +25,7 @@ constexpr Section kSections[] = {
     {"table4", "Fig. 17 and Table 4: estimates by EKF (§6.3.2)", table4},
     {"table5", "Table 5: estimates by EKF with wrong parameters (§6.3.3)", table5},
     {"fig19", "Fig. 19: the 500 MW experiment, starting from the sampled voltage (§6.4)", fig19},
-    {"fig21", "Fig. 20 and 21: a million outlets (§6.5.1, §6.5.2)", fig20_and_21},
+    {"fig21", "Figs. 20 and 21: a million outlets (§6.5.1, §6.5.2)", fig20_and_21},
     {"fig22", "Fig. 22: frequency with and without Grid Sense (§6.5.1)", fig22},
 };
 

@@ -14,7 +14,7 @@ namespace gsbench::profile {
 // The records of a run are kept in memory: 130 MB per outlet for this duration. Longer times are
 // studied with several seeds.
 constexpr double kLongestRun_s = 1.0e5;
-// An outlet has 96 ms to acknowledge its settings.
+// A run is longer than the 96 ms that an outlet has to acknowledge its settings.
 constexpr double kShortestRun_s = 0.1;
 
 // at_s: a time before the end of the run.
@@ -27,8 +27,8 @@ grid::Grid read_grid_file(const NamedFile& file);
 // `title` and `source`: the profile's, used for an inline grid.
 grid::Grid read_grid_section(const keys::Table& section, const std::string& title,
                              const std::string& source);
-// Refuses a grid with more load-shedding conditions than an outlet stores. The grid file alone is
-// valid.
+// Refuses a grid with more load-shedding conditions than an outlet stores. Such a grid is valid in
+// a grid file, but not in a profile.
 void check_conditions(const keys::Table& section, const grid::Grid& grid);
 
 // [signal] and [[grid.loss]]. `skip_recording`: another recording replaces [signal.trace], whose

@@ -1,4 +1,4 @@
-// Parses numbers and times of recordings, independent of the locale.
+// Parses numbers and times of recordings, independently of the locale.
 #pragma once
 
 #include <charconv>
@@ -9,7 +9,7 @@
 
 namespace gsbench::recording {
 
-// The number, if the whole text is a finite one.
+// Returns the number if the whole text is a finite number, otherwise nullopt.
 inline std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
   const char* end = text.data() + text.size();

@@ -1,6 +1,6 @@
-// The frequency after a loss in the paper's parameters, eq. (20) and (24)–(27), for the firmware's
-// EKF. The paper adds independent errors to these five parameters, which the four settings of an
-// outlet cannot represent.
+// The frequency after a loss by the paper's five parameters, eqs. (20) and (24)–(27), as a model
+// for the firmware's EKF. The paper adds independent errors to these five parameters, which the
+// four settings of an outlet cannot represent.
 #pragma once
 
 #include <outlet/response.hpp>
@@ -16,7 +16,7 @@ struct PaperModel {
   Parameter phi{};             // rad
 };
 
-// |ω_r·τ + φ| <= π.
+// Frequency response to a unit loss at time τ. Precondition: |ω_r·τ + φ| <= π.
 template <class Parameter, class Real>
 gs::outlet::UnitResponse<Real> unit_response(const PaperModel<Parameter>& m, Real tau_s) {
   using gs::outlet::exponential;

@@ -1,5 +1,5 @@
-// Collects the outlets' reports and the edges of the relay sense and converts them to records on
-// one time base.
+// Collects the outlets' reports, the edges of the relay sense and the commands, and stores them as
+// records on one time base.
 #pragma once
 
 #include <cstdint>
@@ -31,11 +31,11 @@ class Capture {
   std::optional<gs::outlet::SettingsError> settings_answer(const std::string& id) const {
     return track(id).settings_answer;
   }
-  // Bits of gs::wire::SelfTestPart; 0 also without a result.
+  // Bits of gs::wire::SelfTestPart; 0 if all passed, or no result came.
   std::uint32_t self_test_failed(const std::string& id) const { return track(id).self_test_failed; }
   // Sample count of the latest measurement; 0 before the first.
   std::uint64_t last_report_sample(const std::string& id) const;
-  // Without window_samples, which the caller sets.
+  // Does not fill in window_samples; the caller sets it.
   VoltageTrace voltage_trace(const std::string& id) const;
 
   // Moves the traces, estimates and marks (ascending in time) of the outlet record.id into the
@@ -70,8 +70,8 @@ class Capture {
   double sample_rate_hz_;
 };
 
-// The reference every 16 ms and on both sides of each corner, thinned: linear interpolation
-// reproduces the omitted entries within 0.05 mHz and 5 mHz/s.
+// Samples the reference every 16 ms and on both sides of each corner. Entries are omitted if linear
+// interpolation reproduces them within 0.05 mHz and 5 mHz/s.
 record::ReferenceTrace reference_trace(const waveform::ReferenceSignal& reference,
                                        std::int64_t duration_ticks, std::int64_t sample_rate_hz);
 

@@ -1,6 +1,6 @@
-// Reads a document according to its declared keys. Opening a document checks everything that is
-// declared: unknown and missing keys, types, ranges. Limits that depend on other values are checked
-// by the caller.
+// Reads a document according to its declared keys. Opening a document checks it against
+// the declaration: unknown and missing keys, types, ranges. Limits that depend on other values are
+// checked by the caller.
 #pragma once
 
 #include <cstdint>

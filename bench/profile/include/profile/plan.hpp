@@ -23,7 +23,7 @@ struct Recording {
   std::string path;    // as opened
   std::string sha256;  // of the content, hexadecimal
   recording::TraceColumns columns;
-  bool replaces_profile = false;  // given on the command line in place of the profile's signal
+  bool replaces_profile = false;  // given on the command line (Overrides)
 };
 
 struct Stimulus {
@@ -48,7 +48,7 @@ struct Outlet {
 // The groups of these outlets, each once, in the order of the profile.
 std::vector<std::string> groups_of(const std::vector<Outlet>& outlets);
 
-// A command of the control centre: criterion (3) of §5.5.
+// A command of the control centre, which switches outlets by criterion (3) of §5.5.
 struct Command {
   double at_s = 0.0;
   std::vector<std::string> outlets;  // ids; empty: all

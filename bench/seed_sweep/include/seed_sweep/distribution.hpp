@@ -13,15 +13,15 @@ class Distribution {
   void add(double value);  // NaN counts as missing
   void add_text(const std::string& value) { ++texts_[value]; }
   void merge(const Distribution& other);
-  // To be called after the last add() and before the functions below.
+  // To be called after the last add() or merge() and before quantile().
   void sort();
 
   std::size_t count() const { return values_.size(); }
   std::size_t missing() const { return missing_; }
   // Number of occurrences of each text value.
   const std::map<std::string, std::size_t>& texts() const { return texts_; }
-  // Quantile by the nearest-rank method, p in 0 … 1. NaN without values, like the mean; the
-  // standard deviation needs two values.
+  // Quantile by the nearest-rank method, p in 0 … 1. Quantile and mean are NaN if there are no
+  // values. The standard deviation is NaN if there are fewer than two.
   double quantile(double p) const;
   double mean() const;
   double standard_deviation() const;
