@@ -66,8 +66,9 @@ Result<std::unique_ptr<ScratchFolder>> ScratchFolder::create() {
     folder->path_ = (place() / (kPrefix + name)).string();
   }
   if (!folder->lock_.is_open() || ::rename(made.c_str(), folder->path_.c_str()) != 0) {
-    return Error{std::string("emulated outlets: cannot create a folder for their files: ") +
-                 std::strerror(errno)};
+    const int reason = errno;
+    return Error{"emulated outlets: cannot create a folder for their files in " + place().string() +
+                 ": " + std::strerror(reason)};
   }
   return folder;
 }
