@@ -12,8 +12,8 @@ namespace gsbench::cli {
 
 class OutputFile {
  public:
-  // Throws profile::ConfigurationError if `path` is one of `inputs`, also by another name, and
-  // render::WriteError if it cannot be written.
+  // Throws profile::ConfigurationError if `path` is the same file as one of `inputs`, even under a
+  // different name. Throws render::WriteError if it cannot be written.
   OutputFile(const std::string& path, const std::vector<std::string>& inputs);
 
   bool is_standard_output() const { return file_ == nullptr; }

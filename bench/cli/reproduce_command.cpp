@@ -50,7 +50,7 @@ void add_choices(CLI::App& command, paper::Choices& choices) {
       ->check(CLI::Range(2, 64));
   add_with_default(command, "--count-from", counting.first, "N",
                    "Table 2, the paper's method: first measurement whose slope counts, 0 to 1000; "
-                   "0 is the first after the loss; its slope also uses earlier measurements")
+                   "0 is the first measurement after the loss")
       ->check(CLI::Range(0, 1000));
   add_with_default(
       command, "--count-lines", counting.count, "N",

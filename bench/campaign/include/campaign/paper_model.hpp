@@ -1,6 +1,6 @@
-// The frequency after a loss by the paper's five parameters, eqs. (20) and (24)–(27), as a model
-// for the firmware's EKF. The paper adds independent errors to these five parameters, which the
-// four settings of an outlet cannot represent.
+// A model for the firmware's EKF: the frequency after a loss, computed from the paper's five
+// parameters, eqs. (20) and (24)–(27). The paper adds independent errors to these five parameters,
+// which the four settings of an outlet cannot represent.
 #pragma once
 
 #include <outlet/response.hpp>

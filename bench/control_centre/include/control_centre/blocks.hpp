@@ -23,7 +23,7 @@ struct BlockSetting {
   std::string id;
   double power_mw;
   double accumulated_mw;  // P^A
-  double switch_off_hz;   // f^B, eq. (17), summed over all less important blocks
+  double switch_off_hz;   // f^B, eq. (17); all less important blocks are off
 };
 
 // For each block, in order. Throws grid::GridError like grid::check, and if the switching-off

@@ -30,7 +30,7 @@ struct Row {
   std::string unit;  // as in the catalogue
   Distribution values;
   std::map<record::Verdict, std::size_t> verdicts;  // one for each outlet, seed and limit
-  double uncertainty = 0.0;  // the largest of the values, expanded (k = 2), in `unit`
+  double uncertainty = 0.0;  // the largest one of any value, expanded (k = 2), in `unit`
 };
 
 struct StudyResult {

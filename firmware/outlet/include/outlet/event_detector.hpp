@@ -4,13 +4,12 @@
 // tracker's smooth output meets it more often: over a thousand false events an hour at 1 % noise.
 // Two further conditions apply:
 // - The sum of the drops must be at least event_drop_hz. This rejects slow drifts: 14 mHz in 80 ms
-// is
-//   0.175 Hz/s.
+//   are 0.175 Hz/s.
 // - The newest measurement must lie event_departure_hz or more below the baseline. This rejects
 //   noise: 18 mHz is eight standard deviations of a measurement at 1 % noise. A loss of 500 MW
 //   exceeds it before the fifth drop.
-// Together they delay detection by 3 ms. Fewer than one false event in a million hours remains,
-// extrapolated from the tail observed in 20 hours at lower limits.
+// Together they delay detection by 3 ms. Fewer than one false event in a million hours remains.
+// This is extrapolated from the false events of 20 hours with both limits set lower.
 #pragma once
 
 #include <outlet/history.hpp>
