@@ -15,14 +15,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words names_of(const std::vector<profile::NamedFile>& files) {
-  Words names;
-  for (const profile::NamedFile& file : files) {
-    names.push_back(file.name);
-  }
-  return names;
-}
-
 Words section_ids() {
   Words ids;
   for (const paper::Item& section : paper::items()) {
@@ -68,10 +60,6 @@ Words values_of(const CLI::Option& option) {
     return section_ids();
   }
   return name == "RUN" ? run_ids() : fixed_set(option.get_type_name());
-}
-
-bool takes_value(const CLI::Option& option) {
-  return option.get_items_expected_max() > 0;
 }
 
 // Those of `candidates` that `word` is the beginning of.
@@ -176,10 +164,9 @@ Words completions(const CLI::App& app, Words words) {
       return {};  // for instance no folder of profiles: there is nothing to offer
     }
   }
-  Words candidates = option_names(app);
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    candidates.push_back(command->get_name());
-  }
+  Words candidates = command_names(app);
+  const Words options = option_names(app);
+  candidates.insert(candidates.end(), options.begin(), options.end());
   return beginning_with(words[0], candidates);
 }
 

@@ -24,8 +24,7 @@ class HelpFormatter : public CLI::Formatter {
 
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     std::string name = make_option_name(option, is_positional);
-    const bool takes_value = option->get_items_expected_max() > 0;
-    if (takes_value && !is_positional) {
+    if (takes_value(*option) && !is_positional) {
       name += ' ' + value_name(*option);
     }
     return entry(name, description_of(*option));
@@ -48,6 +47,22 @@ class HelpFormatter : public CLI::Formatter {
 
 }  // namespace
 
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands_of(app)) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_items_expected_max() > 0;
+}
+
 std::string value_name(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   return type.substr(0, type.find(':'));  // CLI11 adds ":" and the checks
@@ -58,7 +73,7 @@ std::string description_of(const CLI::Option& option) {
   for (const CLI::Option* needed : option.get_needs()) {
     text += "; needs " + needed->get_name();
   }
-  if (option.get_items_expected_max() > 0 && !option.get_default_str().empty()) {
+  if (takes_value(option) && !option.get_default_str().empty()) {
     text += " (default: " + option.get_default_str() + ')';
   }
   if (option.get_required() && !option.get_positional()) {

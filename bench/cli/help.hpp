@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -12,6 +13,12 @@ namespace gsbench::cli {
 // name of its value. After its description come the option that it needs, its default, and
 // "(required)".
 std::shared_ptr<CLI::Formatter> help_formatter();
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app);
+std::vector<std::string> command_names(const CLI::App& app);
+
+// False for a flag.
+bool takes_value(const CLI::Option& option);
 
 // "PROFILE", "N": what an option takes.
 std::string value_name(const CLI::Option& option);

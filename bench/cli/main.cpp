@@ -40,11 +40,8 @@ void add_commands(cli::CommandLine& line) {
 }
 
 std::string unknown_command(const CLI::App& app, const std::string& name) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(command->get_name());
-  }
-  return "unknown command '" + name + "'" + gsbench::keys::suggestion(name, names, "commands");
+  return "unknown command '" + name + "'" +
+         gsbench::keys::suggestion(name, cli::command_names(app), "commands");
 }
 
 std::string usage_mistake(const CLI::App* app, const CLI::Error& error) {

@@ -76,10 +76,9 @@ std::string positional_name(const CLI::Option& option) {
 }
 
 std::string option_item(const CLI::Option& option) {
-  const bool takes_value = option.get_items_expected_max() > 0;
   std::string term = option.get_positional() ? italic(option.get_name(true, false))
                                              : bold(option.get_name(false, true));
-  if (!option.get_positional() && takes_value) {
+  if (!option.get_positional() && takes_value(option)) {
     term += ' ' + italic(value_name(option));
   }
   return item(term, description_of(option));
@@ -118,7 +117,7 @@ std::string manual_page(const CLI::App& app) {
                      bold("gsbench") + ' ' + italic("COMMAND") + " [" + italic("OPTIONS") +
                      "]\n.SH DESCRIPTION\n" + verbatim(app.get_description()) +
                      ".SH COMMANDS\nEvery command has \\fB\\-\\-help\\fR.\n";
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* command : commands_of(app)) {
     page += command_section(*command);
   }
   return page + ".SH EXIT STATUS\n" + verbatim(app.get_footer()) + ".SH ENVIRONMENT\n" +

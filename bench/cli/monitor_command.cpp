@@ -92,7 +92,8 @@ std::string details(const Uplink& m) {
 // filter them.
 void print_line(const std::string& line) {
   constexpr std::size_t kIndent = 33;
-  if (isatty(STDOUT_FILENO) == 1) {
+  static const bool terminal = isatty(STDOUT_FILENO) == 1;
+  if (terminal) {
     print_wrapped(line, kIndent);
   } else {
     std::puts(line.c_str());

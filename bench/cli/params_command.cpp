@@ -2,7 +2,7 @@
 #include <control_centre/blocks.hpp>
 #include <control_centre/threshold.hpp>
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -73,7 +73,7 @@ void print_parameters(const grid::SfrModel& model, double threshold_mw,
     if (!published) {
       return {name, render::figure(value), unit};
     }
-    const int decimals = render::decimals_of_published(*published);
+    const int decimals = render::decimals_of_written(*published);
     return {name, render::fixed(value, decimals + 1), unit,
             "published " + render::fixed(*published, decimals)};
   };
@@ -88,25 +88,16 @@ void print_parameters(const grid::SfrModel& model, double threshold_mw,
       "lrll");
 }
 
-// Decimals that show the edges of rows of this height exactly: 3, or up to 6 if needed.
-int decimals_of_edges(double height_hz) {
-  int decimals = 3;
-  double scaled = 1e3 * height_hz;
-  while (decimals < 6 && std::abs(scaled - std::round(scaled)) > 1e-6) {
-    scaled *= 10.0;
-    ++decimals;
-  }
-  return decimals;
-}
-
 void print_conditions(const std::vector<control_centre::Condition>& conditions,
                       const std::vector<double>& published_hz_s) {
   Rows rows = {{"from, Hz", "to, Hz", "ROCOF below, Hz/s"}};
   if (!published_hz_s.empty()) {
     rows[0].emplace_back("published");
   }
+  // The edges of narrow rows need more than three decimals.
+  const double height_hz = conditions[0].to_hz - conditions[0].from_hz;
+  const int decimals = std::clamp(render::decimals_of_written(height_hz), 3, 6);
   for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const int decimals = decimals_of_edges(conditions[0].to_hz - conditions[0].from_hz);
     rows.push_back({render::fixed(conditions[i].from_hz, decimals),
                     render::fixed(conditions[i].to_hz, decimals),
                     render::fixed(conditions[i].rocof_below_hz_s, 4)});

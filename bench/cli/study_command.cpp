@@ -133,9 +133,7 @@ std::vector<std::string> number_table(const StudyResult& study) {
   std::vector<std::string> lines;
   for (const Quantiles& quantiles : kQuantilesOfTable) {
     lines = number_lines(study, quantiles);
-    if (std::all_of(lines.begin(), lines.end(), [](const std::string& line) {
-          return render::columns_of(line) <= render::kLineColumns;
-        })) {
+    if (render::fit(lines)) {
       break;
     }
   }

@@ -25,9 +25,8 @@ constexpr double kEventToAction_s = 0.8;  // from an outlet's event to its open 
 constexpr double kLossParts[] = {0.9, 1.0, 1.1, 1.2, 1.42, 1.7, 2.0};  // of the threshold loss
 
 constexpr const char* kTooLate =
-    "No threshold loss allows for the delay: the nadir is below f_s even if all of the lost power "
-    "is "
-    "shed.";
+    "No threshold loss allows for the delay: the nadir is below f_s even if all of the lost "
+    "power is shed.";
 constexpr const char* kGridSense = "Grid Sense";
 constexpr std::pair<Control, const char*> kControls[] = {
     {Control::kNone, "no control"},

@@ -37,12 +37,6 @@ std::string chosen_folder() {
 std::vector<fs::path> folders() {
   std::vector<fs::path> all = {profiles_folder()};
   std::error_code error;
-  if (!fs::is_directory(all[0], error)) {
-    throw ConfigurationError(
-        fmt::format("{}: the folder of profiles does not exist; set GSBENCH_PROFILES to one that "
-                    "does",
-                    all[0].string()));
-  }
   const fs::path own = installation::user_data("profiles");
   if (all[0] != chosen_folder() && fs::is_directory(own, error)) {
     all.push_back(own);
@@ -71,6 +65,13 @@ void add_files_below(const fs::path& folder, std::vector<NamedFile>& found) {
 
 // Every .toml file below `part` of folders(), sorted by name.
 std::vector<NamedFile> all_files(const fs::path& part) {
+  std::error_code error;
+  if (!fs::is_directory(profiles_folder(), error)) {
+    throw ConfigurationError(
+        fmt::format("{}: the folder of profiles does not exist; set GSBENCH_PROFILES to one that "
+                    "does",
+                    profiles_folder()));
+  }
   std::vector<NamedFile> found;
   for (const fs::path& folder : folders()) {
     add_files_below(folder / part, found);
@@ -93,15 +94,6 @@ std::optional<NamedFile> only_named(const std::string& name, const std::vector<N
                                          found->path, twin->path));
   }
   return *found;
-}
-
-std::vector<std::string> names_of(const std::vector<NamedFile>& files) {
-  std::vector<std::string> names;
-  names.reserve(files.size());
-  for (const NamedFile& file : files) {
-    names.push_back(file.name);
-  }
-  return names;
 }
 
 // Message for a name that is not in `known`.
@@ -225,6 +217,15 @@ std::vector<NamedFile> all_grids() {
 
 std::vector<NamedFile> all_stations() {
   return all_files(kStationsFolder);
+}
+
+std::vector<std::string> names_of(const std::vector<NamedFile>& files) {
+  std::vector<std::string> names;
+  names.reserve(files.size());
+  for (const NamedFile& file : files) {
+    names.push_back(file.name);
+  }
+  return names;
 }
 
 }  // namespace gsbench::profile

@@ -80,8 +80,8 @@ int decimals_of_two_digits(double value) {
              : std::clamp(1 - magnitude_of(value), 0, kMostDecimals);
 }
 
-int decimals_of_published(double published) {
-  const std::string text = figure(published, 6);
+int decimals_of_written(double value) {
+  const std::string text = figure(value, 6);
   const std::size_t point = text.find('.');
   return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
 }

@@ -83,7 +83,7 @@ List comparison_rows(const record::RunRecord& run) {
   std::map<std::string, int> decimals;
   for (const record::Comparison& comparison : run.comparisons) {
     int& most = decimals[comparison.unit];
-    most = std::max(most, decimals_of_published(comparison.published));
+    most = std::max(most, decimals_of_written(comparison.published));
   }
   for (const record::Comparison& comparison : run.comparisons) {
     const std::string unit = valid_text(comparison.unit);

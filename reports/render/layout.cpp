@@ -57,6 +57,11 @@ std::string wrapped(const std::string& text, std::size_t columns, std::size_t in
   return lines;
 }
 
+bool fit(const std::vector<std::string>& lines) {
+  return std::all_of(lines.begin(), lines.end(),
+                     [](const std::string& line) { return columns_of(line) <= kLineColumns; });
+}
+
 std::string shortened(const std::string& text, std::size_t columns) {
   const std::size_t all = columns_of(text);
   if (all <= columns) {

@@ -55,16 +55,11 @@ std::vector<std::string> table_of(const record::RunRecord& run,
   return aligned(rows, "l" + std::string(columns.size(), 'r') + "l");
 }
 
-bool fits(const std::vector<std::string>& lines) {
-  return std::all_of(lines.begin(), lines.end(),
-                     [](const std::string& line) { return columns_of(line) <= kLineColumns; });
-}
-
 // With as many key figures as fit a line.
 std::vector<std::string> outlet_table(const record::RunRecord& run) {
   std::vector<KeyColumn> columns = key_columns(run, kMostTerminalColumns);
   std::vector<std::string> lines = table_of(run, columns);
-  while (!fits(lines) && !columns.empty()) {
+  while (!fit(lines) && !columns.empty()) {
     columns.pop_back();
     lines = table_of(run, columns);
   }

@@ -100,9 +100,9 @@ TEST(Decimals, ShowTwoSignificantDigitsOfAStandardDeviation) {
 }
 
 TEST(Decimals, OfAPublishedFigureAreThoseItIsPrintedWith) {
-  EXPECT_EQ(decimals_of_published(3.72), 2);
-  EXPECT_EQ(decimals_of_published(351.9), 1);
-  EXPECT_EQ(decimals_of_published(310.0), 0);
+  EXPECT_EQ(decimals_of_written(3.72), 2);
+  EXPECT_EQ(decimals_of_written(351.9), 1);
+  EXPECT_EQ(decimals_of_written(310.0), 0);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // The shipped profiles and grids are valid, and are found by name and by path.
 #include <profile_test/texts.hpp>
+#include <test_support/environment.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -14,6 +14,7 @@ namespace gsbench::profile::test {
 namespace {
 
 namespace fs = std::filesystem;
+using gsbench::test::Environment;
 using gsbench::test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -29,15 +30,6 @@ std::vector<std::string> profile_names() {
   }
   return names;
 }
-
-// Sets GSBENCH_PROFILES during a test.
-class ProfilesElsewhere {
- public:
-  explicit ProfilesElsewhere(const fs::path& folder) {
-    ::setenv("GSBENCH_PROFILES", folder.c_str(), 1);
-  }
-  ~ProfilesElsewhere() { ::unsetenv("GSBENCH_PROFILES"); }
-};
 
 class Shipped : public testing::TestWithParam<std::string> {};
 
@@ -116,22 +108,18 @@ TEST(ShippedGrids, AreListedAndValid) {
 class OwnProfiles : public testing::Test {
  protected:
   void SetUp() override {
-    if (const char* before = std::getenv("XDG_DATA_HOME")) {
-      before_ = before;
-    }
-    ::setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
+    environment_.set("XDG_DATA_HOME", data_.path().c_str());
     for (const char* folder : {"mine", "paper", "grids"}) {
       fs::create_directories(profiles_ / folder);
     }
   }
-  void TearDown() override { ::setenv("XDG_DATA_HOME", before_.c_str(), 1); }
   void write(const std::string& name) const {
     std::ofstream(profiles_ / (name + ".toml")) << kMinimal;
   }
 
   const TemporaryFolder data_;
   const fs::path profiles_ = data_.path() / "gsbench/profiles";
-  std::string before_;  // an empty one counts as unset
+  Environment environment_;
 };
 
 TEST_F(OwnProfiles, AreFoundByNameBesideTheShippedOnes) {
@@ -159,7 +147,8 @@ TEST(ProfilesFolder, IsTakenFromTheEnvironment) {
   fs::copy_file(profiles_folder() + "/grids/ieee24.toml", folder.file("grids/own.toml"));
   folder.write("mine/case.toml", replaced(kMinimal, "ieee24", "own"));
   folder.write("mine/broken.toml", "title = ");
-  const ProfilesElsewhere elsewhere(folder.path());
+  Environment environment;
+  environment.set("GSBENCH_PROFILES", folder.path().c_str());
 
   EXPECT_EQ(profiles_folder(), folder.path());
   EXPECT_EQ(load_profile("mine/case").grid.name, "own");
@@ -171,11 +160,13 @@ TEST(ProfilesFolder, IsTakenFromTheEnvironment) {
 }
 
 TEST(ProfilesFolder, IsRefusedIfItDoesNotExist) {
-  const ProfilesElsewhere elsewhere("nowhere/at/all");
+  Environment environment;
+  environment.set("GSBENCH_PROFILES", "nowhere/at/all");
   const std::string message = "nowhere/at/all: the folder of profiles does not exist";
   EXPECT_THAT(refusal_of_name("paper/loss-500mw"), StartsWith(message));
   EXPECT_THROW(list_profiles(), ConfigurationError);
   EXPECT_THROW(list_grids(), ConfigurationError);
+  EXPECT_EQ(profile_name("my/case.toml"), "case");
 }
 
 TEST(ProfileFile, IsRefusedUnreadIfItIsTooLarge) {

@@ -42,5 +42,6 @@ std::string sha256_of_file(const std::string& path);
 std::vector<NamedFile> all_profiles();
 std::vector<NamedFile> all_grids();
 std::vector<NamedFile> all_stations();
+std::vector<std::string> names_of(const std::vector<NamedFile>& files);
 
 }  // namespace gsbench::profile

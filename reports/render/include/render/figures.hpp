@@ -22,8 +22,8 @@ int decimals_for(const std::vector<double>& values, double uncertainty = 0.0);
 // Digits after the point that show two significant digits of `value`, at least 0.
 int decimals_of_two_digits(double value);
 
-// Digits after the point of a published figure, of up to six significant digits. A computed figure
-// beside it has one more.
-int decimals_of_published(double published);
+// Digits after the point of a figure as it is written, of up to six significant digits: of a
+// published one (a computed figure beside it has one more), of a step.
+int decimals_of_written(double value);
 
 }  // namespace gsbench::render

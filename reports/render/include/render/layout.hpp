@@ -18,6 +18,9 @@ std::size_t columns_of(const std::string& text);
 std::string wrapped(const std::string& text, std::size_t columns = kLineColumns,
                     std::size_t indent = 0);
 
+// True if no line has more than kLineColumns.
+bool fit(const std::vector<std::string>& lines);
+
 // `text` in at most `columns` (at least 1): what does not fit is replaced by "…" in the middle.
 std::string shortened(const std::string& text, std::size_t columns);
 
