@@ -147,8 +147,8 @@ void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulat
   add_choice(command, "--accumulated", accumulation,
              {{"half", control_centre::Accumulation::kHalfGroup},
               {"whole", control_centre::Accumulation::kWholeGroup}},
-             "Share of an outlet's own load block in its accumulated power P^A. With half, the "
-             "power shed is on average the power required; whole is eq. (11) as printed");
+             "Share of an outlet's own load block in its accumulated power P^A; half: the "
+             "power shed is on average the power required; whole: eq. (11) as printed");
 }
 
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {

@@ -58,8 +58,7 @@ void add_sweep(CLI::App& command, FleetArguments& arguments) {
 
 void add_fleet(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "fleet", "Simulate a loss: load shedding by up to 100 million outlets, and the frequency",
-      run_fleet);
+      "fleet", "Simulate the load shedding by up to 100 million outlets after a loss", run_fleet);
   fleet::Study& study = arguments.study;
   fleet::ScenarioOptions& scenario = study.scenario;
   add_grid(command, arguments.grid)->capture_default_str();

@@ -14,7 +14,7 @@ namespace gsbench::profile {
 // The records of a run are kept in memory: 130 MB per outlet for this duration. Longer times are
 // studied with several seeds.
 constexpr double kLongestRun_s = 1.0e5;
-// A run is longer than the 96 ms that an outlet has to acknowledge its settings.
+// An outlet must acknowledge its settings within 96 ms; a run must last longer than that.
 constexpr double kShortestRun_s = 0.1;
 
 // at_s: a time before the end of the run.

@@ -26,8 +26,9 @@ struct RequestedSettings {
 // (GridError) or has more conditions than an outlet stores.
 gs::outlet::Settings grid_settings(const grid::Grid& grid);
 
-// All settings of one outlet. f^B is computed by eq. (17) for the outlet's own block (power_mw;
-// default accumulated_mw) and the load before it (accumulated_mw − power_mw/2). If accumulated_mw
+// All settings of one outlet. f^B is computed by eq. (17) from the power of the outlet's own
+// block (power_mw, or accumulated_mw if power_mw is not requested) and from the less important load
+// (accumulated_mw minus half of that power). If accumulated_mw
 // is 0, f^B is the threshold frequency. Throws std::invalid_argument, also if the firmware would
 // refuse the settings.
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,

@@ -46,10 +46,10 @@ struct Shed {
   std::size_t outlets = 0;
   std::vector<std::uint32_t> off_in_group;
   std::size_t first_partly = 0;  // index of the first group that is not fully off
-  std::size_t end_partly = 0;    // index of the first group from which on all outlets are on
+  std::size_t end_partly = 0;  // all outlets are on in the group with this index and in later ones
 };
 
-// `off`: one for each outlet, 0 for on.
+// `off`: a flag for each outlet; 0 means that the outlet is on.
 Shed count_shed(const Fleet& fleet, const std::vector<std::uint8_t>& off);
 
 // Whether this outlet sheds with this estimate of the loss: the firmware's rule, eq. (29).

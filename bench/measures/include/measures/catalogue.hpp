@@ -1,5 +1,5 @@
 // The catalogue of measures: what a profile can set limits to, as `gsbench measures` prints it.
-// bench/judge has one function for each that reads its value from a record.
+// For each measure, bench/judge has one function, which reads the value from a record.
 #pragma once
 
 #include <optional>
@@ -23,8 +23,8 @@ const std::vector<Measure>& catalogue();
 // nullptr for an unknown name.
 const Measure* find(const std::string& name);
 
-// Factor f with (x in `from`) = (f · x in `to`). No value if a unit is unknown or the dimensions
-// differ. The empty unit is that of plain numbers.
+// The factor by which a value in `from` is multiplied to give the value in `to`. No value if a unit
+// is unknown or the dimensions differ. The empty unit is that of plain numbers.
 std::optional<double> unit_scale(const std::string& from, const std::string& to);
 
 // All units of the same dimension, `unit` included; empty for an unknown unit.

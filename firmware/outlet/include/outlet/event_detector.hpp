@@ -3,8 +3,8 @@
 // The paper's rule is five successive drops. Independent noise meets it once in 720 windows, and a
 // tracker's smooth output meets it more often: over a thousand false events an hour at 1 % noise.
 // Two further conditions apply:
-// - The sum of the drops must be at least event_drop_hz. This rejects slow drifts: 14 mHz in 80 ms
-//   are 0.175 Hz/s.
+// - The sum of the drops must be at least event_drop_hz. This rejects slow drifts: the
+//   default, 14 mHz in 80 ms, corresponds to 0.175 Hz/s.
 // - The newest measurement must lie event_departure_hz or more below the baseline. This rejects
 //   noise: 18 mHz is eight standard deviations of a measurement at 1 % noise. A loss of 500 MW
 //   exceeds it before the fifth drop.
