@@ -1,4 +1,5 @@
-// A campaign's trajectories in batches of kLanes, several of which make a block of its work.
+// Runs a campaign's trajectories in batches of kLanes. Several batches form one block of work
+// (campaign/work.hpp).
 #pragma once
 
 #include <algorithm>

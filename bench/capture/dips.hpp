@@ -1,5 +1,6 @@
-// Finds the marker dips in an outlet's voltage trace, to within one interval of its readings: 16 ms
-// if none is lost. align() starts from them (capture/clock.hpp).
+// Finds the marker dips in an outlet's voltage trace. The error is at most one interval between
+// readings: 16 ms if no reading is lost. align() (capture/clock.hpp) starts its fit from these
+// dips.
 #pragma once
 
 #include <vector>

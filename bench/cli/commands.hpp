@@ -42,11 +42,11 @@ ExitCode exit_code_of(record::Verdict verdict);
 // in its safe state. A second signal of the same kind ends the process.
 const std::atomic<bool>& catch_interrupts();
 
-// Indented, on standard output.
+// Prints `value` on standard output, indented.
 void print_json(const nlohmann::ordered_json& value);
 
-// On standard output, wrapped to lines of at most render::kLineColumns; all but the first start
-// with `indent` spaces.
+// Prints `line` on standard output, wrapped to at most render::kLineColumns columns. All lines but
+// the first start with `indent` spaces.
 void print_wrapped(const std::string& line, std::size_t indent = 0);
 
 // Returns "gsbench: ", the text and a line end. The text is wrapped if standard error is a

@@ -9,8 +9,8 @@
 
 namespace gsbench::cli {
 
-// A new folder for a run. Without keep() it is removed with everything in it, and so are the
-// folders above it that were created for it, so that no incomplete run is left.
+// A new folder for a run. Without keep(), the destructor removes the folder with its contents and
+// the parent folders that were created for it. Thus no incomplete run is left.
 class RunFolder {
  public:
   // Throws record::StoreError if the folder cannot be created.
@@ -19,7 +19,7 @@ class RunFolder {
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  // Renames it to the id of the run and keeps it. Throws record::StoreError.
+  // Renames the folder to the id of the run and keeps it. Throws record::StoreError.
   void keep(const std::string& run_id);
 
   const std::string& path() const { return path_; }

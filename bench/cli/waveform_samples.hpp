@@ -9,7 +9,8 @@
 
 namespace gsbench::cli {
 
-// With the noise of the first outlet of a simulated station. Returns false if it was interrupted.
+// Writes the samples with the noise of the first outlet of a simulated station. Returns false if
+// interrupted.
 // Throws render::WriteError.
 bool write_samples(const profile::Plan& plan, const std::atomic<bool>& interrupted,
                    OutputFile& file);

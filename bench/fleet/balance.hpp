@@ -19,12 +19,13 @@ class Balance {
   Balance(const grid::SfrModel& model, double loss_mw)
       : model_(model), changes_({{0.0, loss_mw}}) {}
 
-  void shed(double at_s, double power_mw);  // 0 MW is not an action
+  void shed(double at_s, double power_mw);  // 0 MW is ignored
 
   double deviation_hz(double t_s) const;
-  double excess_cycles(double t_s) const;  // its integral
+  double excess_cycles(double t_s) const;  // integral of deviation_hz
 
-  // Frequency, nadir and actions up to duration_s. `shed`: the outlets; its power is set here.
+  // Frequency, nadir and actions up to duration_s. `shed` gives the outlets that are off; its
+  // power_mw is replaced by the power passed to shed().
   ScenarioResult result(const grid::Grid& grid, double duration_s, Shed shed) const;
 
  private:

@@ -19,8 +19,8 @@ constexpr double kLoss_mw = 500.0;
 constexpr double kPu_mw = 100.0;  // the paper's unit
 constexpr double kNoise_hz = 0.01;
 
-// Names of columns and rows. The firmware's estimators and conditions are the shipped code. The
-// event is given; a shipped outlet has to detect it.
+// Names of columns and rows. "Firmware" uses the estimators and conditions of the shipped code.
+// "Known event": the time of the event is given, while a shipped outlet has to detect the event.
 constexpr const char* kPaperMethod = "paper's method";
 constexpr const char* kFirmware = "firmware, known event";
 constexpr const char* kReconciled = "experiment: reconciled parameters";
@@ -29,8 +29,9 @@ struct Study {
   // The options for a campaign with 500 MW and ±0.01 Hz.
   campaign::EstimateOptions campaign(campaign::Mode mode, double parameter_error = 0.0) const;
 
-  // Computes each campaign once, whichever tables need it. `campaign` is the above with another
-  // mode, distribution, instant, error or EKF start.
+  // The result of a campaign. It is computed at the first call and then kept for the other tables.
+  // `campaign` may differ from the options above only in mode, noise distribution, loss instant,
+  // parameter error and initial deviations of the EKF.
   const campaign::EstimateResult& result(const campaign::EstimateOptions& campaign,
                                          const Execution& execution);
 
@@ -42,7 +43,7 @@ struct Study {
       results = {};
 };
 
-// The name of a row or column.
+// Names of rows and columns (name_of), and longer texts (text_of).
 std::string name_of(campaign::Mode mode, double parameter_error = 0.0);
 std::string name_of(campaign::NoiseDistribution distribution);  // "uniform"
 std::string text_of(campaign::NoiseDistribution distribution);  // "uniform ±0.01 Hz"
@@ -53,15 +54,16 @@ std::string text_of(const campaign::Counting& counting);
 // magnitude of the standard error.
 int decimals_of(double standard_error, int most);
 
-// Sets the decimals of a column of shares, 0 … whole, by their largest standard error √(p(1 − p)/n)
-// for n trajectories; that of a share of 0 or 1 is taken as 1/n.
+// Sets the decimals of a column of shares, given as 0 … whole. They follow from the largest
+// standard error in the column: √(p(1 − p)/n) for a share p of n trajectories, at least 1/n.
 void set_share_decimals(record::FigureTable& table, std::size_t column, double whole,
                         std::uint64_t trajectories);
 
-// Part n of `all` equal parts of the work: scales its progress to that of the whole.
+// The execution of part n (from 0) of `all` equal parts of the work. Scales the progress of the
+// part to progress of the whole.
 Execution nth_of(const Execution& execution, int n, int all);
 
-// One function for each section, or for a few that share their figures.
+// One function for each section, or for two sections that share their figures.
 PageSection fig8_and_13(Study& study, const Execution& execution);
 PageSection fig9_and_table1(Study& study, const Execution& execution);
 PageSection fig14(Study& study, const Execution& execution);

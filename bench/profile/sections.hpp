@@ -1,4 +1,5 @@
-// The sections of a profile, one source file each: declared keys and reading.
+// The sections of a profile. Each section has one source file, which declares its keys and reads
+// it.
 #pragma once
 
 #include <string>
@@ -17,22 +18,22 @@ constexpr double kLongestRun_s = 1.0e5;
 // An outlet must acknowledge its settings within 96 ms; a run must last longer than that.
 constexpr double kShortestRun_s = 0.1;
 
-// at_s: a time before the end of the run.
+// The key at_s: a time before the end of the run.
 keys::Key time_in_run(const char* meaning);
 keys::Range within_run(double duration_s);
 
 // [grid]: from a file, or inline.
 keys::Key grid_section_keys();
 grid::Grid read_grid_file(const NamedFile& file);
-// `title` and `source`: the profile's, used for an inline grid.
+// `title` and `source`: those of the profile, used for an inline grid.
 grid::Grid read_grid_section(const keys::Table& section, const std::string& title,
                              const std::string& source);
 // Refuses a grid with more load-shedding conditions than an outlet stores. Such a grid is valid in
 // a grid file, but not in a profile.
 void check_conditions(const keys::Table& section, const grid::Grid& grid);
 
-// [signal] and [[grid.loss]]. `skip_recording`: another recording replaces [signal.trace], whose
-// file need not exist then.
+// [signal] and [[grid.loss]]. `skip_recording`: another recording replaces that of [signal.trace],
+// so its file is not read and need not exist.
 keys::Key signal_keys();
 Stimulus read_stimulus(const keys::Table& signal, const keys::Table& grid_section,
                        const grid::Grid& grid, bool skip_recording);
@@ -41,14 +42,14 @@ std::vector<waveform::Harmonic> en50160_harmonics();
 // [signal.trace]: sets the stimulus's points, recording and duration.
 keys::Key trace_keys();
 void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus);
-// Plays the whole recording in place of the profile's losses, frequency points or recording,
-// amplitude steps and phase steps; noise, harmonics and DC offset stay.
+// Makes the stimulus play the whole recording. It replaces the profile's frequency source (losses,
+// points or recording) and its amplitude and phase steps. Noise, harmonics and DC offset stay.
 void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
                           double nominal_hz, Stimulus& stimulus);
 
 // Full scale of every source, per unit of the nominal peak amplitude.
 constexpr double kFullScale_pu = 1.5;
-// Refuses a signal beyond full scale. Noise is not counted: an outlet's input clips it.
+// Refuses a signal beyond full scale. Noise is not counted, because an outlet's input clips it.
 void check_full_scale(const keys::Table& signal, const Stimulus& stimulus,
                       const waveform::ReferenceSignal& reference);
 

@@ -33,8 +33,8 @@ struct Instant {
   }
 };
 
-// "12.5" · "28-Apr-2025 11:00:02" · "2025-04-28 11:00:02.5" · "2025-04-28T11:00:02Z" or with an
-// offset such as "+02:00". nullopt for other texts and for times that do not exist.
+// Accepts "12.5" · "28-Apr-2025 11:00:02" · "2025-04-28 11:00:02.5" · "2025-04-28T11:00:02Z" or
+// with an offset such as "+02:00". nullopt for other texts and for times that do not exist.
 std::optional<Instant> parse_instant(std::string_view text);
 
 }  // namespace gsbench::recording

@@ -1,4 +1,4 @@
-// Stations of emulated outlets.
+// Stations of emulated outlets: the firmware's image runs in an emulator process.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,8 @@
 
 namespace gsbench::station {
 
-// The outlets and the image in a station file. Relative paths are relative to `file_path`.
+// Reads the outlets and the firmware image from a station file. Relative paths are relative to
+// `file_path`.
 emulation::HardwareOptions read_emulated(const keys::Table& top, const std::string& file_path);
 
 // Emulated outlets, reached through the same links as physical ones.
@@ -29,7 +30,7 @@ class EmulatedStation final : public Station {
   link::Link& link() override { return *link_; }
   relay::RelaySense& relay_sense() override { return hardware_->relay_sense(); }
   std::vector<Slot> slots() const override { return slots_; }
-  // The processes start slowly on a busy machine.
+  // The emulator processes start slowly on a busy machine.
   std::chrono::milliseconds answers_within() const override { return std::chrono::seconds(10); }
   bool outlets_count_ticks() const override { return false; }
   double block_s() const override { return 0.016; }

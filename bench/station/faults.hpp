@@ -24,8 +24,8 @@ T require(drivers::Result<T> result) {
   return result.take();
 }
 
-// Keeps the first fault of an outlet: later ones often follow from it. `fault` is a predicate
-// without its subject: "refused its settings".
+// Keeps only the first fault of an outlet, because later faults often follow from it. `fault` is a
+// sentence without its subject, the outlet: "refused its settings".
 inline void note(record::OutletRecord& outlet, const std::string& fault) {
   if (outlet.fault.empty()) {
     outlet.fault = fault;

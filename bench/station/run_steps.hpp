@@ -13,23 +13,23 @@
 
 namespace gsbench::station {
 
-// The head of the record: the stimulus, the station and the versions. Throws
-// profile::ConfigurationError, before any device is used, if the firmware would refuse an outlet's
-// settings: that is an error in the profile.
+// Returns a record with its head: the stimulus, the station and the versions. Throws
+// profile::ConfigurationError if the firmware would refuse an outlet's settings, which is an error
+// in the profile. No device has been used then.
 record::RunRecord prepare(const profile::Plan& plan, Station& station);
 
 std::string utc_now();  // ISO 8601, to the second
 
-// One slot for each outlet of a plan, in the plan's order: the slot whose serial number is the
-// outlet's id, otherwise the next slot that no outlet of the plan names. Shorter than `outlets` if
-// there are too few slots.
+// Assigns one slot to each outlet of a plan, in the plan's order. An outlet gets the slot whose
+// serial number is its id. If there is none, it gets the next free slot whose serial number is not
+// an id in the plan. The result is shorter than `outlets` if there are too few slots.
 std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
                          const std::vector<Slot>& slots);
 
-// Waits for the outlets in `slots`, assigns them to the outlets of the plan in order and sends
-// their settings. An outlet that does not answer, is faulty or has the wrong sample rate is
-// excluded with that fault. An outlet without a link takes part without settings. Throws BenchFault
-// if there are too few slots.
+// Waits for the outlets in `slots` and sends them their settings. Slot i is for outlet i of the
+// plan. An outlet that does not answer, is faulty or has the wrong sample rate is excluded with
+// that fault. An outlet without a link takes part without settings. Throws BenchFault if there are
+// too few slots.
 std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::vector<Slot>& slots,
                                         Station& station);
 

@@ -11,14 +11,15 @@
 namespace gsbench::station {
 
 struct StationKind {
-  std::string name;             // as `kind` in a station file
+  std::string name;             // value of `kind` in a station file
   std::string meaning;          // description of its outlets, for the documentation
   std::vector<keys::Key> keys;  // keys of this kind only
-  // Fills in all of `file` but its name, title and path. Relative paths are relative to file.path.
+  // Fills in all members of `file` except name, title and path. Relative paths are relative to
+  // file.path.
   void (*read)(const keys::Table& top, StationFile& file);
 };
 
-// Each in its own file.
+// Each is defined in its own source file.
 StationKind simulated_kind();
 StationKind emulated_kind();
 StationKind physical_kind();

@@ -4,8 +4,8 @@
 
 namespace gsbench::waveform {
 
-// Throws std::invalid_argument, with the value and what would be right, if `spec`, the nominal
-// frequency or the sample rate is outside the limits of synthesizer.hpp.
+// Throws std::invalid_argument if `spec`, the nominal frequency or the sample rate is outside the
+// limits of synthesizer.hpp. The message has the value and the permitted range.
 void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz);
 
 }  // namespace gsbench::waveform

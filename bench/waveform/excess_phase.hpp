@@ -1,6 +1,8 @@
 // The phase of the samples: the phase of the nominal frequency plus the excess phase of the
-// reference. The excess is approximated by polynomials between corners, because evaluating the
-// reference at every sample would cost more than the rest of the synthesis.
+// reference. The excess phase is the integral of the deviation from nominal frequency. Between
+// corners (times at which a derivative of the frequency is discontinuous) it is approximated by
+// polynomials, because evaluating the reference at every sample would cost more than the rest of
+// the synthesis.
 #pragma once
 
 #include <array>
@@ -12,8 +14,8 @@
 
 namespace gsbench::waveform {
 
-// Phase of the nominal frequency at a tick, in integer arithmetic, so that the error does not grow
-// with time.
+// Phase of the nominal frequency at a tick. It is computed in integer arithmetic, so its error does
+// not grow with time.
 class NominalPhase {
  public:
   // A double is mantissa·2^exponent, so nominal/rate is a fraction of integers. nominal_hz >= 1.
@@ -24,7 +26,7 @@ class NominalPhase {
     denominator_ = static_cast<Wide>(sample_rate_hz) << (kMantissaBits - exponent);
   }
 
-  // The exact fraction of a cycle, rounded; within [0, 1]. tick >= 0.
+  // The fraction of a cycle, exact up to the final rounding; within [0, 1]. tick >= 0.
   double cycles_at(std::int64_t tick) const {
     const Wide remainder = static_cast<Wide>(tick) * numerator_ % denominator_;
     return static_cast<double>(remainder) / static_cast<double>(denominator_);
@@ -38,21 +40,22 @@ class NominalPhase {
   Wide denominator_ = 1;  // < 2⁷³ for rates up to 1 MHz
 };
 
-// A piece without corners, from position start to start+length, in samples from tick 0; u runs from
-// 0 to 1. The quintic has the phase, frequency and ROCOF of the reference at both ends. Between
-// frequency points f is a cubic and the quintic is exact. Otherwise its error is
-// h⁶/46080·|d⁵f/dt⁵|: below 10⁻¹² cycles for h = 16 ms and the time constants of a power system,
-// about 1 s.
+// A piece without corners, from position start to start+length, in samples from tick 0. Along it, u
+// runs from 0 to 1. The excess phase is a quintic in u, which has the phase, frequency and ROCOF of
+// the reference at both ends. If the reference interpolates frequency points, f is a cubic and the
+// quintic is exact. Otherwise the error is h⁶/46080·|d⁵f/dt⁵| for a piece of duration h. It is
+// below 10⁻¹² cycles for h = 16 ms and time constants of about 1 s, which are those of a power
+// system.
 struct SmoothPiece {
   double start;
   double length;
   double cycles_at_start;        // excess, within [0, 1)
-  std::array<double, 5> cycles;  // of u … u⁵, beyond cycles_at_start
+  std::array<double, 5> cycles;  // coefficients of u … u⁵, added to cycles_at_start
   double voltage_pu;             // at u = 0
   double voltage_slope_pu;       // per u
 };
 
-// Cuts blocks of samples at the reference's corners.
+// Divides blocks of samples into pieces at the reference's corners.
 class ExcessPhase {
  public:
   ExcessPhase(const ReferenceSignal& reference,
@@ -74,7 +77,7 @@ class ExcessPhase {
   SmoothPiece piece(const Edge& from, const Edge& to) const;
 
  private:
-  // Corners of the ReferenceSignal that have the same position after rounding.
+  // One or more corners of the ReferenceSignal that have the same position after rounding.
   struct Corner {
     double position;  // in samples from tick 0
     double first_s;

@@ -1,5 +1,6 @@
-// Piecewise cubic through given points that stays within the range of neighbouring points, with its
-// exact slope and integral. Constant outside the points.
+// Piecewise cubic through given points, with its exact slope and integral. Between neighbouring
+// points, it stays within the range of their values. It is constant before the first point and
+// after the last.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +23,8 @@ class MonotoneCubic {
   double integral(double x) const;  // from the first knot
 
  private:
-  // y + s·(slope + s·(quadratic + s·cubic)) with s = x − this x; constant in the last piece.
+  // The value at x is y + s·(slope + s·(quadratic + s·cubic)), with s = x − Piece::x. The last
+  // piece is constant.
   struct Piece {
     double x, y, slope, quadratic, cubic, integral_to_here;
   };

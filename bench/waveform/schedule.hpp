@@ -1,4 +1,4 @@
-// Combined amplitude steps and phase steps of a signal at each tick.
+// The combined effect of a signal's amplitude steps and phase steps at each tick.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace gsbench::waveform {
 struct ScheduleEntry {
   std::int64_t from_tick;
   double level;          // product of the active amplitude steps; 1 is nominal
-  double offset_cycles;  // initial phase and steps so far, within [0, 1)
+  double offset_cycles;  // initial phase plus all phase steps so far, within [0, 1)
 };
 
 class Schedule {

@@ -1,6 +1,6 @@
-// Samples of one stretch of the signal, in loops for SIMD and without libm. Each sample is computed
-// independently, so that the result does not depend on the division into stretches or on the vector
-// width.
+// Computes the samples of one stretch of the signal. The loops suit SIMD and do not call libm. Each
+// sample is computed independently, so that the result does not depend on the division into
+// stretches or on the vector width.
 #pragma once
 
 #include <array>
@@ -8,8 +8,9 @@
 
 namespace gsbench::waveform {
 
-// With x the index of the sample in the block and u = (x − start)·per_length:
-// phase = base_cycles + x·cycles_per_sample + Σ cycles[k]·u^(k+1), amplitude = amplitude + u·slope.
+// x is the index of the sample in the block, and u = (x − start)·per_length. At sample x, the phase
+// in cycles is base_cycles + x·cycles_per_sample + Σ cycles[k]·u^(k+1), and the amplitude is
+// amplitude + u·amplitude_slope.
 struct Stretch {
   double base_cycles;
   double cycles_per_sample;
@@ -21,8 +22,9 @@ struct Stretch {
   double offset;
 };
 
-// Entry k of a series: (cosine, sine) of harmonic k's phase at the fundamental's zero phase, times
-// its amplitude per unit of the fundamental. Entry 0 is not used, entry 1 is the fundamental.
+// Entry k of a series describes harmonic k: its amplitude, per unit of the fundamental, times
+// cosine and sine of its phase where the fundamental's phase is zero. Entry 1 is the fundamental;
+// entry 0 is not used.
 struct Phasor {
   double real = 0.0;
   double imaginary = 0.0;

@@ -24,7 +24,7 @@ struct SharedMemorySettings {
 
 class SharedMemoryFile {
  public:
-  // Creates the file, with erased flash, and the doorbell.
+  // Creates the file and the doorbell. The outlet's flash, in the file, is erased.
   static drivers::Result<SharedMemoryFile> create(const std::string& folder,
                                                   const SharedMemorySettings& settings);
   SharedMemoryFile(SharedMemoryFile&& other) noexcept = default;

@@ -1,7 +1,7 @@
 // Lossless compression of columns of numbers. Ticks are stored as second differences, which are
 // zero for a regular series. The bytes of all entries are then grouped by significance, because the
-// upper bytes of floats change slowly, and deflated. The checksum of deflate detects a damaged
-// blob.
+// upper bytes of floats change slowly. The grouped bytes are deflated. The checksum of deflate
+// detects a damaged blob.
 #pragma once
 
 #include <cstdint>

@@ -24,9 +24,10 @@ struct Series {
   std::vector<std::uint8_t> data;
 };
 
-// The digest of what one owner (the run or an outlet) has stored; it shows that a file is damaged.
+// The digest of all that is stored for one owner (the run or an outlet). A digest that does not
+// match shows that the file is damaged.
 struct Seal {
-  bool complete = false;  // the run: finish() was called
+  bool complete = false;  // for the run: finish() was called
   std::string sha256;
 };
 
@@ -37,11 +38,11 @@ std::string seal_of_outlet(const OutletRecord& outlet);
 template <class T>
 inline constexpr auto visit_fields = nullptr;
 
-// Name of the table, for parts that are rows of one.
+// Name of the table that holds parts of this type, one a row; nullptr if there is none.
 template <class T>
 inline constexpr const char* table_name = nullptr;
 
-// Fields that are equal for equal profile, seed and build.
+// Fields that are equal in all runs with equal profile, seed and build.
 inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
   visitor("gsbench_version", run.gsbench_version);
   visitor("profile", run.profile);

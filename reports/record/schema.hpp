@@ -1,5 +1,5 @@
-// The tables of a record file: one for each kind of part, with the owner (0: the run, n: the n-th
-// outlet) and the position of the part as key.
+// The tables of a record file, one for each kind of part. The key of a row is the owner (0: the
+// run, n: the n-th outlet) and the position of the part.
 #pragma once
 
 #include "fields.hpp"
@@ -19,8 +19,8 @@ constexpr std::int64_t kRunOwner = 0;
 
 std::string schema_sql();
 
-// Throws StoreError unless the file is a record of this version with exactly the expected tables; a
-// foreign view or trigger could run any SQL.
+// Throws StoreError unless the file is a record of this version with exactly the expected tables.
+// Nothing else is accepted, because a foreign view or trigger could run any SQL.
 void check_schema(Database& database);
 
 template <class Part>

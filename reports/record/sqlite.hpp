@@ -30,8 +30,8 @@ class Database {
   void execute(const std::string& sql);
   Statement prepare(const std::string& sql);
   template <class Value>
-  Value first(const std::string& sql);  // column of the first row
-  // Runs `work` in one transaction, which is rolled back if it throws.
+  Value first(const std::string& sql);  // first column of the first row
+  // Runs `work` in one transaction. If `work` throws, the transaction is rolled back.
   void transact(const std::function<void()>& work);
 
   [[noreturn]] void fail(const std::string& cause) const;  // "path: cause"

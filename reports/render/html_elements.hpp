@@ -19,7 +19,8 @@ using List = kainjow::mustache::list;
 // The template filled with `values`, the style sheet and the plotting library.
 std::string filled(std::string_view page_template, object values);
 
-// A template's section takes an empty text as true; a flag has its own value.
+// `value` for a section of a template. A text cannot be the flag: a section takes even an empty
+// text as true.
 kainjow::mustache::data flag(bool value);
 
 // "verdict", "class" (of CSS) and "sign".
@@ -29,7 +30,7 @@ void set_verdict(object& where, record::Verdict verdict);
 object outlet_object(const record::RunRecord& run, std::size_t index,
                      const std::vector<KeyColumn>& columns);
 
-// With U+2212 as minus sign; only for texts that are formatted here.
+// `text` with U+2212 as the minus sign of numbers; only for texts that this program formats.
 std::string typographic(std::string text);
 
 }  // namespace gsbench::render

@@ -1,4 +1,4 @@
-// The few measurements that show how the outlets of a run did: one column per measure.
+// The few measurements that summarise what the outlets of a run did: one column per measure.
 #pragma once
 
 #include <cstddef>

@@ -15,18 +15,20 @@ constexpr std::size_t kMostMarks = 200;    // of one outlet
 // JSON for a <script> element, without "<", ">" and "&".
 std::string plot_data(const record::RunRecord& run);
 
-// Selection of the entries of a long series that a plot needs: the extremes of each interval, so
-// that the thinned curve looks like the complete one and no spike is lost.
+// Thinning selects the entries of a long series that a plot needs: the extremes of each interval.
+// The thinned curve looks like the complete one, and no spike is lost.
 
 struct Stretch {
   std::int64_t from_tick;
   std::int64_t to_tick;
 };
 
-// Indices of the entries to keep, ascending, at most `most` (at least 20). All entries if there are
-// not more. Otherwise the first and the last entry; every entry within `whole`, in this order, up
-// to half of `most`; and from equal parts of the series the minimum and maximum of both columns and
-// the first NaN, so that gaps stay gaps.
+// Indices of the entries to keep, ascending, at most `most`. `most` is at least 20. If the series
+// has no more entries than that, all are kept. Otherwise these are kept:
+// - the first and the last entry;
+// - every entry within the stretches of `whole`, in their order, up to half of `most`;
+// - from each of equal parts of the series, the minimum and maximum of both columns, and the first
+//   NaN, so that gaps stay gaps.
 std::vector<std::size_t> thinned(const std::vector<std::int64_t>& tick,
                                  const std::vector<double>& first,
                                  const std::vector<double>& second,

@@ -31,18 +31,20 @@ class Arrivals {
   void take(std::string_view topic, const std::uint8_t* message, std::size_t size, bool retained);
   void note_all(const std::string& fault);
 
-  // ---- called by the bench; an outlet's number is its place in the order of first hellos
+  // ---- called by the bench; outlets are numbered from 0 in the order of their first hellos
 
-  // Outlets that must be sent `identify`, for instance because their hello was a retained one.
+  // Outlets to which the bench must send `identify`, for instance because their hello was retained.
   std::vector<std::size_t> take_newcomers();
   const std::string& id(std::size_t outlet);
   std::optional<std::size_t> find(const std::string& id);  // among those that joined
-  // Empty for a faulty outlet, and for one that has left the broker, which is noted as a fault.
+  // The message to the outlet, as bytes. Empty if the outlet is faulty. Empty also if the outlet
+  // has left the broker; this is noted as a fault.
   std::vector<std::uint8_t> encode(std::size_t outlet, const gs::wire::Downlink& message);
   void note(std::size_t outlet, const std::string& fault);
-  // Appends; OutletPresence::where is left empty.
+  // Appends what happened since the last call. OutletPresence::where is left empty.
   void hand_over(Happenings& happenings);
-  // Outlets of `wanted` that are not on the broker, and outlets that do not answer.
+  // Outlets of `wanted` that are not on the broker, and all outlets on the broker that do not
+  // answer.
   std::vector<Fault> missing(const std::vector<std::string>& wanted);
 
  private:
@@ -51,10 +53,10 @@ class Arrivals {
     std::string hello_topic;
     std::string up_topic;
     OutletStream stream{Delivery::kByBroker};
-    bool here = true;  // on the broker, by its newest hello
+    bool here = true;  // connected to the broker, according to its newest hello
     bool joined = false;
-    gs::wire::Hello hello;                 // the one with which it joined
-    std::vector<std::uint8_t> last_hello;  // as bytes
+    gs::wire::Hello hello;                 // with which it joined
+    std::vector<std::uint8_t> last_hello;  // newest hello, as bytes
     bool faulty = false;                   // excluded from the run
   };
   struct Place {
@@ -67,10 +69,10 @@ class Arrivals {
   bool take_identity(Outlet& outlet, const gs::wire::Hello& hello);
 
   std::mutex mutex_;
-  std::deque<Outlet> outlets_;  // their topics are the keys below
+  std::deque<Outlet> outlets_;  // own the topics that are the keys of places_
   std::unordered_map<std::string_view, Place> places_;
   std::vector<std::size_t> newcomers_;
-  Happenings happenings_;  // without faults: the streams keep those
+  Happenings happenings_;  // except faults: each outlet's stream keeps them
 };
 
 }  // namespace gsbench::link

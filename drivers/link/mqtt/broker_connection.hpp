@@ -35,14 +35,14 @@ class BrokerConnection final : private mqtt::callback, private mqtt::iaction_lis
   void on_failure(const mqtt::token& token) override;
   void on_success(const mqtt::token&) override {}
 
-  // The broker counts as back once it has confirmed all subscriptions: it may drop messages that
-  // arrive before.
+  // Waits for the subscriptions after a reconnection. The broker counts as back only when it has
+  // confirmed all of them. Until then, it may drop messages.
   class Resubscription final : public mqtt::iaction_listener {
    public:
     explicit Resubscription(BrokerConnection& connection) : connection_(connection) {}
     void begin(std::size_t filters) { left_ = filters; }
     void on_success(const mqtt::token&) override;
-    // Lost again; the next connection subscribes again.
+    // The connection is lost again. The next one subscribes again.
     void on_failure(const mqtt::token&) override {}
 
    private:

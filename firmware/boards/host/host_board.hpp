@@ -1,5 +1,5 @@
-// An outlet as a process of this machine. The terminals, a mapped file, replace ADC, relay coil and
-// flash; a line replaces a radio or a UART.
+// Board of an outlet that runs as a process on this machine. A mapped file, the terminals, replaces
+// the ADC, the relay coil and the flash. A line replaces the radio or the UART.
 #pragma once
 
 #include "line.hpp"
@@ -20,7 +20,7 @@ class HostBoard final : public superloop::Board {
   HostBoard& operator=(const HostBoard&) = delete;
 
   // Connects to the doorbell, a socket on which the bench sends a byte after each block of samples.
-  // Returns false with the reason in `why`.
+  // If the connection fails, returns false with the reason in `why`.
   bool start(const std::string& doorbell, std::string& why);
 
   // Blocks until samples or bytes arrive, at most a tenth of a second. Returns false if the bench
@@ -44,7 +44,8 @@ class HostBoard final : public superloop::Board {
   int doorbell_ = -1;
 };
 
-// Maps the file. Returns null with the reason in `why` if it is not a terminals file.
+// Maps a terminals file. If the file cannot be opened or is of another kind, returns null with the
+// reason in `why`.
 shared_memory_io::SharedMemory* map_terminals(const std::string& path, std::string& why);
 
 }  // namespace gs::host

@@ -11,7 +11,7 @@ namespace gs::host {
 class Line : public app::Carrier {
  public:
   virtual ~Line() = default;
-  // The next byte of a frame to the outlet.
+  // Takes the next received byte. Returns false if there is none.
   bool take_byte(std::uint8_t& byte) {
     if (received_.empty()) {
       return false;
@@ -20,15 +20,15 @@ class Line : public app::Carrier {
     received_.pop_front();
     return true;
   }
-  // Receives, and sends what is queued. Does not block.
+  // Receives bytes and sends queued bytes. Does not block.
   virtual void serve() = 0;
-  virtual int descriptor() const = 0;  // -1: none now
+  virtual int descriptor() const = 0;  // -1: no socket now
   virtual bool wants_to_write() const = 0;
   // True once after a reconnection: the outlet must then send its hello again.
   virtual bool take_reconnected() { return false; }
 
  protected:
-  std::deque<std::uint8_t> received_;  // bytes of frames, by serve()
+  std::deque<std::uint8_t> received_;  // bytes of frames, added by serve()
 };
 
 }  // namespace gs::host

@@ -1,5 +1,6 @@
 // An outlet's MQTT 5 client. Topics, one CBOR message per payload:
-//   gs/<id>/hello  the outlet's hello while it is connected (retained; the last will empties it)
+//   gs/<id>/hello  the outlet's hello, retained while the outlet is connected. When the outlet
+//                  disconnects, the last will, an empty message, deletes it.
 //   gs/<id>/up     all other messages from the outlet
 //   gs/<id>/down   messages to the outlet
 // Measurements have QoS 0, everything else QoS 1. A session ends with its connection, so that an
@@ -47,15 +48,17 @@ class MqttCarrier final : public app::Carrier {
   // is full.
   bool send(const std::uint8_t* message, std::size_t size) override;
 
-  // Receives, sends queued messages, keeps the connection alive and reconnects if it is lost. To be
-  // called at least ten times a second, and whenever the descriptor is ready.
+  // Receives messages, sends queued messages, keeps the connection alive, and reconnects after a
+  // loss of the connection. Call it at least ten times a second, and whenever the descriptor is
+  // ready.
   void serve();
-  int descriptor() const;  // -1: none now
+  int descriptor() const;  // -1: no socket now
   bool wants_to_write() const;
 
-  // The next message to the outlet.
+  // Takes the next message to the outlet. Returns false if there is none.
   bool take(std::vector<std::uint8_t>& message);
-  // True once after each reconnection: the broker may no longer have the hello.
+  // True once after each reconnection. The outlet must then send its hello again, because the
+  // broker may no longer have it.
   bool take_reconnected();
 
   bool connected() const { return connected_ && descriptor() >= 0; }

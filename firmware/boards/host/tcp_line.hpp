@@ -1,4 +1,4 @@
-// A line over TCP, like an emulated UART's. serve() reconnects after a loss of the connection.
+// A line over TCP, such as that of an emulated UART. If the connection is lost, serve() reconnects.
 #pragma once
 
 #include "line.hpp"
@@ -14,7 +14,8 @@ class TcpLine final : public Line {
   explicit TcpLine(std::string address) : address_(std::move(address)) {}  // "127.0.0.1:5000"
   ~TcpLine() override { close(); }
 
-  // Blocks until it is connected. Returns false with the reason in `why` if the connection fails.
+  // Connects, and blocks meanwhile. If the connection fails, returns false with the reason in
+  // `why`.
   bool open(std::string& why);
 
   // Returns false without a connection or if the send buffer is full: the bytes are then lost.

@@ -14,8 +14,8 @@ class Mps2Board final : public superloop::Board {
   explicit Mps2Board(shared_memory_io::SharedMemory& terminals)
       : terminals_(terminals), port_(terminals) {}
 
-  // Starts link, doorbell and watchdog. Sampling begins with the newest sample. The bench must have
-  // written the terminals.
+  // Starts the link, the watchdog and the doorbell (a UART on which the bench announces samples).
+  // Skips samples written before this call. The bench must have written the terminals.
   void start();
   void sleep();
 
@@ -24,9 +24,10 @@ class Mps2Board final : public superloop::Board {
   bool take_byte(std::uint8_t& byte) override;
   void drive_relay(bool closed) override { port_.drive_relay(closed); }
   void feed_watchdog() override;
-  // The outlet's time is its sample count. If samples arrive faster than real time and the link
-  // falls behind, up to half a ring of samples waits. Beyond that, messages are dropped as on a
-  // real board.
+  // True if no samples wait. Also true while the link's send buffer is nearly full and at most half
+  // a ring of samples waits. The outlet can pause because its time is its sample count: samples may
+  // arrive faster than real time, and the link may fall behind. If more than half a ring waits, the
+  // outlet takes samples again, and messages that do not fit are dropped, as on a real board.
   bool adc_idle() const override;
 
   void on_receive();
@@ -43,7 +44,8 @@ class Mps2Board final : public superloop::Board {
 
 // True if the watchdog caused this start; true only for the first call.
 bool reset_by_watchdog();
-// Handler of the watchdog's warning, half a period before the reset.
+// Handler of the watchdog's interrupt. The interrupt warns of the reset: it comes when half the
+// time from the last feed to the reset has passed.
 void note_watchdog();
 
 }  // namespace gs::mps2_an386

@@ -1,7 +1,7 @@
-// Settings in sectors 1 and 2 of the flash; memory.ld has the reason.
+// Settings in sectors 1 and 2 of the flash. memory.ld explains why in these sectors.
 //
-// Erasing a sector stalls the processor for up to half a second. The samples of that time are lost
-// and reported. Settings should be sent while the grid is quiet.
+// Erasing a sector stalls the processor for up to half a second. The samples of that time are lost,
+// and the outlet reports their number. Settings should be sent while the grid is quiet.
 #pragma once
 
 #include <settings_storage/settings_storage.hpp>

@@ -15,7 +15,8 @@ constexpr float kCounts_per_pu = 1365.0f;
 
 class Stm32Board final : public superloop::Board {
  public:
-  // Not constexpr: as a constant, its buffers would be copied from flash.
+  // Not constexpr. Otherwise the compiler would put the object's initial value, with all buffers,
+  // into flash.
   Stm32Board();
 
   void start(const Clocks& clocks);
@@ -43,7 +44,7 @@ class Stm32Board final : public superloop::Board {
   superloop::ByteRing<1024> to_send_;
   superloop::SampleQueue<256> samples_;
   volatile std::uint16_t converted_[2 * kBlock] = {};  // circular DMA buffer
-  std::uint32_t blocks_end_ = 0;                       // samples in the blocks handled so far
+  std::uint32_t blocks_end_ = 0;                       // sample count at the end of the last block
 };
 
 // True if the independent watchdog caused this start; true only for the first call.

@@ -8,12 +8,13 @@
 
 namespace gsbench::campaign {
 
-// How conditions are counted, which the paper leaves open. The defaults are the shipped firmware's.
+// How met conditions are counted. The paper does not state it. The defaults are those of the
+// shipped firmware.
 struct Counting {
   int window = 8;      // measurements over which a slope (ROCOF) is fitted
-  int first = 10;      // measurement whose slope is the first that counts, from 0
-  int count = 40;      // slopes that count
-  int more_than = 20;  // with more hits, load shedding is needed
+  int first = 10;      // index of the first measurement whose slope counts, from 0
+  int count = 40;      // number of slopes that count
+  int more_than = 20;  // load shedding is needed if more slopes than this meet a condition
 };
 
 struct ConditionOptions {
@@ -35,7 +36,7 @@ struct ConditionResult {
   }
 };
 
-// The shipped firmware's.
+// The counting of the shipped firmware with the settings for this grid.
 Counting shipped_counting(const grid::Grid& grid);
 
 // Throws as estimate() does.

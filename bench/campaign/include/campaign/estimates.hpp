@@ -14,13 +14,13 @@
 namespace gsbench::campaign {
 
 // kPaper: the paper's equations and procedure, LSE over ten samples and EKF over the next forty.
-// kFirmware: the firmware's estimators with a known event, which an outlet has to detect: see
-// estimate_settings().
+// kFirmware: the firmware's estimators. The event is given here; a real outlet has to detect it.
+// See estimate_settings().
 enum class Mode : std::uint8_t { kPaper, kFirmware };
 // The paper states only "within ±0.01 Hz", not the distribution.
 enum class NoiseDistribution : std::uint8_t { kUniform, kGaussian };
-// Instant of the loss: a whole report before the first sample, as in the paper, or uniformly
-// distributed over that report.
+// Instant of the loss. kOnReport: one report interval before the first sample, as in the paper.
+// kBetweenReports: uniformly distributed over that interval.
 enum class LossInstant : std::uint8_t { kOnReport, kBetweenReports };
 
 constexpr std::uint64_t kMostTrajectories = std::uint64_t{1} << 32;  // the number of noise streams
@@ -32,8 +32,8 @@ struct EstimateOptions {
   double noise_hz = 0.01;  // half width if uniform, standard deviation if Gaussian
   LossInstant instant = LossInstant::kOnReport;
   // Largest relative error of each of G_1, G_2, ω_n, ω_r and φ, uniformly distributed (Table 5).
-  // The firmware's four parameters (gs::outlet::ResponseOf) are then computed from these five: an
-  // experiment, a control centre does not do it.
+  // The firmware's four parameters (gs::outlet::ResponseOf) are then computed from these five. This
+  // is an experiment; a control centre does not send such parameters.
   double parameter_error = 0.0;
   // Initial standard deviations of the paper's EKF; the paper does not state them.
   double paper_loss_sigma_mw = 80.0;     // of ΔP
@@ -57,8 +57,9 @@ constexpr std::size_t kSamples = kLseSamples + kEkfSamples;
 constexpr double kReport_s = gs::outlet::kReport_ms / 1000.0;
 
 // Blocks until all trajectories are computed or `execution` is stopped. Throws
-// std::invalid_argument for options out of range, an invalid grid, or an overdamped grid if the
-// paper's parameters are needed, which do not exist for it.
+// std::invalid_argument for options out of range or an invalid grid. Also throws it for an
+// overdamped grid in mode kPaper or with a parameter error, because the paper's parameters do not
+// exist for it.
 //
 // `sink` gets the EKF's estimates of trajectories first … first+count−1, on any thread and in any
 // order. With a sink this process computes all trajectories and shares none with other processes.
@@ -77,9 +78,9 @@ std::vector<float> trajectory(const grid::Grid& grid, const EstimateOptions& opt
 // reports and event_lag_s before the event: 16 ms here, 88 ms as shipped.
 gs::outlet::Settings estimate_settings(const grid::Grid& grid);
 
-// Cramér–Rao bound: the lowest σ of an unbiased estimate of a loss from samples first … last, each
-// with sigma_hz, if the instant of the loss is unknown as well. Samples are 16 ms apart, sample 1
-// is 16 ms after the loss.
+// Cramér–Rao bound: the lowest σ, in MW, of an unbiased estimate of the loss from samples
+// first … last. The noise of each sample has σ = sigma_hz. The instant of the loss is also unknown.
+// Samples are 16 ms apart; sample 1 is 16 ms after the loss.
 double cramer_rao_mw(const grid::Grid& grid, double loss_mw, int first, int last, double sigma_hz);
 
 }  // namespace gsbench::campaign

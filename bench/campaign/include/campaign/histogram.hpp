@@ -1,7 +1,7 @@
 // The distribution of one figure over a campaign: a histogram, and sums for mean and standard
-// deviation. All are integers (the sums in very small units), so that the result does not depend on
-// the order of additions, and with it not on threads or processes. The memory does not grow with
-// the number of values.
+// deviation. Bins and sums are integers (the sums in very small units). The result therefore does
+// not depend on the order of additions, nor on the number of threads or processes. The memory does
+// not grow with the number of values.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ class Histogram {
   // Values in [from, to), both on edges of bins. Missing values are in no bin.
   std::int64_t count_between(double from, double to) const;
   double share_between(double from, double to) const;  // of all values, missing ones included
-  // p: 0 … 1. The middle of the bin of that quantile; NaN without a value.
+  // The quantile p, 0 … 1, as the middle of its bin. NaN without a value.
   double quantile(double p) const;
 
   double low() const { return low_; }

@@ -10,7 +10,7 @@
 
 namespace gsbench::campaign {
 
-constexpr std::size_t kWidth = 8;  // of AVX2; processors with narrower vectors need several steps
+constexpr std::size_t kWidth = 8;  // as in AVX2; narrower vectors need several steps
 constexpr std::size_t kVectors =
     4;  // hides the latency: others compute while one waits for its result
 constexpr std::size_t kLanes = kWidth * kVectors;
@@ -18,7 +18,8 @@ constexpr std::size_t kLanes = kWidth * kVectors;
 using Floats = float __attribute__((vector_size(kWidth * sizeof(float))));
 using Integers = std::int32_t __attribute__((vector_size(kWidth * sizeof(std::int32_t))));
 
-// AVX2's aligned moves need this alignment; a compiler for the baseline processor would give half.
+// AVX2's aligned moves need this alignment. Without it, a compiler for the baseline processor would
+// align to half of it.
 constexpr std::size_t kAlignment = kWidth * sizeof(float);
 struct alignas(kAlignment) Lanes {
   Floats v[kVectors];
@@ -44,7 +45,7 @@ inline float vector_of(float number, std::size_t /*i*/) {
   return number;
 }
 
-// Either operand may be a float.
+// Enables an operator if at least one operand is Lanes. The other may be a float.
 template <class A, class B>
 using IfLanes = std::enable_if_t<std::is_same_v<A, Lanes> || std::is_same_v<B, Lanes>>;
 
@@ -90,8 +91,8 @@ inline void store(const Lanes& lanes, float* values) {
   std::memcpy(values, &lanes, sizeof lanes);
 }
 
-// The firmware's templates find these by argument-dependent lookup, as overloads of those for
-// float.
+// The firmware has select() and root() for float. Its templates find these overloads for Lanes by
+// argument-dependent lookup.
 inline Lanes select(const Mask& condition, const Lanes& a, const Lanes& b) {
   return each_vector<Lanes>([&](std::size_t i) { return condition.v[i] ? a.v[i] : b.v[i]; });
 }

@@ -1,6 +1,6 @@
 // A model for the firmware's EKF: the frequency after a loss, computed from the paper's five
-// parameters, eqs. (20) and (24)–(27). The paper adds independent errors to these five parameters,
-// which the four settings of an outlet cannot represent.
+// parameters, eqs. (20) and (24)–(27). The paper adds independent errors to these five parameters.
+// The four parameters of an outlet cannot represent such errors.
 #pragma once
 
 #include <outlet/response.hpp>

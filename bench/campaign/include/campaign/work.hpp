@@ -16,8 +16,8 @@ namespace gsbench::campaign {
 using Histograms = std::vector<Histogram>;
 
 // How a campaign is distributed over processes: process k of N takes a range of the blocks. Only
-// histograms are combined, whose sum does not depend on the order; results kept for each outlet
-// stay in their process. This base class stands for a single process.
+// histograms are combined; their sum does not depend on the order. Results for single outlets stay
+// in their process. This base class stands for a single process.
 class Reduction {
  public:
   struct Range {
@@ -66,8 +66,9 @@ inline Execution quiet(const Execution& execution) {
 
 using Block = std::function<void(std::uint64_t block, Histograms& own)>;
 
-// Adds the results of all blocks to `histograms`, which must be empty. Blocks until done or
-// stopped; returns the number of blocks done. Rethrows an exception of a block.
+// Adds the results of all blocks to `histograms`, which must not contain values yet. Returns when
+// all blocks are done or `execution` is stopped. The result is the number of blocks done. Rethrows
+// an exception of a block.
 std::uint64_t run_blocks(std::uint64_t blocks, const Execution& execution, const Block& work,
                          Histograms& histograms);
 

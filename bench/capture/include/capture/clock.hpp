@@ -1,7 +1,7 @@
-// Alignment of an outlet's sample clock with the run. An outlet counts samples of its own crystal,
-// which is some ppm off, from its own start-up. The bench plays voltage dips at known ticks before
-// and after the run and finds them in the outlet's voltage trace. The latency of source and link
-// does not matter, since the outlet stamps the dips like all its reports.
+// Alignment of an outlet's sample clock with the run. An outlet counts its samples from its own
+// start-up, by its own crystal, which is some ppm off. The bench plays voltage dips at known ticks
+// before and after the run and finds them in the outlet's voltage trace. The latency of source and
+// link does not matter, since the outlet stamps the dips like all its reports.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace gsbench::capture {
 // Converts an outlet's sample count to ticks of the run, linearly.
 class OutletClock {
  public:
-  // The outlet counts ticks of the run.
+  // For an outlet whose sample count is the tick of the run.
   OutletClock() = default;
   OutletClock(double sample_at_zero, double samples_per_tick)
       : sample_at_zero_(sample_at_zero), samples_per_tick_(samples_per_tick) {}
@@ -60,8 +60,8 @@ struct Alignment {
 
 // Least-squares fit of offset and rate, so that the outlet's voltage in the edges of the dips
 // matches the RMS of the played signal. Dips are identified by their length and spacing. Without
-// the dips after the run the drift is 0 with the uncertainty of a crystal of ±100 ppm. No value
-// without the dips before the run.
+// the dips after the run, the drift is set to 0 and its uncertainty to that of a crystal of
+// ±100 ppm. Returns nullopt if the dips before the run are not found or the fit fails.
 std::optional<Alignment> align(const VoltageTrace& trace, const Markers& markers,
                                double sample_rate_hz);
 

@@ -26,8 +26,8 @@ struct BlockSetting {
   double switch_off_hz;   // f^B, eq. (17); all less important blocks are off
 };
 
-// For each block, in order. Throws grid::GridError like grid::check, and if the switching-off
-// frequency of a block is not above 0.
+// The settings for each block of the grid, in the grid's order. Throws grid::GridError like
+// grid::check, and if the switching-off frequency of a block is not above 0.
 std::vector<BlockSetting> block_settings(const grid::Grid& grid,
                                          Accumulation accumulation = Accumulation::kHalfGroup);
 

@@ -16,7 +16,7 @@ namespace gsbench::control_centre {
 // are the firmware's defaults.
 struct RequestedSettings {
   double accumulated_mw = 0.0;             // P^A as sent, >= 0
-  std::optional<double> power_mw;          // of its own block; P^A includes half of it
+  std::optional<double> power_mw;          // power of the outlet's block; P^A includes half of it
   std::map<std::string, double> settings;  // by the names in outlet/settings.hpp
 };
 
@@ -28,13 +28,13 @@ gs::outlet::Settings grid_settings(const grid::Grid& grid);
 
 // All settings of one outlet. f^B is computed by eq. (17) from the power of the outlet's own
 // block (power_mw, or accumulated_mw if power_mw is not requested) and from the less important load
-// (accumulated_mw minus half of that power). If accumulated_mw
-// is 0, f^B is the threshold frequency. Throws std::invalid_argument, also if the firmware would
-// refuse the settings.
+// (accumulated_mw minus half of that power). If accumulated_mw is 0, f^B is the threshold
+// frequency. Throws std::invalid_argument for invalid input and for settings that the firmware
+// would refuse.
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
                                      std::uint32_t version);
 
-// Every field by its name, for the run record; the conditions as condition_rows,
+// Every field by its name, for the run record. The conditions have the names condition_rows,
 // condition_01_from_hz, condition_01_rocof_below_hz_s, …
 std::map<std::string, double> described(const gs::outlet::Settings& settings);
 

@@ -12,11 +12,11 @@ namespace gsbench::control_centre {
 double threshold_mw(const grid::SfrModel& model, double threshold_hz);
 
 // The threshold loss that allows for the delay, MW. With it, outlets that act `delay_s` after the
-// loss `loss_mw` keep the nadir at threshold_hz. With eq. (15), which assumes immediate shedding,
-// they shed too little. The result equals eq. (15) for a delay of 0, and decreases with the delay
-// and the loss; use the largest loss to be covered. 0 if the nadir is below threshold_hz even when
-// the whole loss is shed. Throws std::invalid_argument like threshold_mw, and for a negative loss
-// or delay.
+// loss `loss_mw` keep the nadir at threshold_hz. Eq. (15) assumes immediate shedding; with its
+// threshold loss, delayed outlets shed too little. The result equals eq. (15) for a delay of 0, and
+// decreases with the delay and the loss; use the largest loss to be covered. 0 if the nadir is
+// below threshold_hz even when the whole loss is shed. Throws std::invalid_argument like
+// threshold_mw, and for a negative loss or delay.
 double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, double loss_mw,
                               double delay_s);
 

@@ -14,7 +14,7 @@ struct ClosedLoopOptions {
   double loss_mw = 500.0;
   double noise_pct = 1.0;     // σ of white noise on the voltage, % of its amplitude
   double threshold_mw = 0.0;  // threshold loss in the outlets' settings; 0: the grid's
-  double duration_s = 20.0;   // after the loss, which is at 1 s
+  double duration_s = 20.0;   // after the loss; the loss is at 1 s
   std::uint64_t seed = 1;
 };
 

@@ -4,7 +4,7 @@
 // Outlets measure every 16 ms, not synchronised. A measurement is the frequency 28 ms earlier
 // (front-end delay) plus noise. Load shed by other outlets changes the frequency that an outlet
 // measures. Outlets detect the loss at the sixth measurement after it, when enough
-// drops have been seen; the firmware's detector behind its tracker does so after 104 … 152 ms.
+// drops have been seen. (The firmware's detector, which follows its tracker, needs 104 … 152 ms.)
 // 49 measurements later they estimate the loss and decide, by the firmware's own code. The
 // firmware's load-shedding conditions and its check of the estimate are not part of this model.
 #pragma once
@@ -33,7 +33,7 @@ struct ScenarioOptions {
   double threshold_mw = 0.0;        // threshold loss of outlets and controller; 0: the grid's
   double further_delay_s = 0.0;     // of every outlet's action, added to its relay's
   double central_decision_s = 0.9;  // until the controller knows the loss
-  double central_delay_s = 1.0;     // of its commands' communication
+  double central_delay_s = 1.0;     // communication of its commands
   double ufls_first_hz = 0.0;       // first stage; 0: 0.98 of the nominal frequency (49 Hz)
   double ufls_step_hz = 0.2;        // between stages
   double ufls_part = 0.05;          // of the load, at each of five stages

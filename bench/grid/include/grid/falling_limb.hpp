@@ -8,12 +8,13 @@ namespace gsbench::grid {
 
 struct UnitNadir {
   double t_s;    // +infinity if the frequency falls to its final value without a minimum before
-  double depth;  // at the nadir, >= 1
+  double depth;  // at the nadir, >= 1; 1 without a minimum
 };
 
 UnitNadir unit_nadir(const SfrModel& model);
 
-// Time before the nadir at which the deviation reaches `depth`, 0 < depth < lowest.depth.
+// Time from the loss until the falling frequency first reaches `depth`, which is before the nadir.
+// Requires 0 < depth < lowest.depth.
 double time_at_depth_s(const SfrModel& model, const UnitNadir& lowest, double depth);
 
 struct Nadir {

@@ -63,8 +63,8 @@ struct PowerChange {
   double power_mw = 0.0;
 };
 
-// An invalid grid. what() gives the field, its value and what would be right. With field and index
-// the reader of a grid file finds the position.
+// An invalid grid. what() gives the field, its value and what would be right. The reader of a grid
+// file uses field and index to find the position in the file.
 struct GridError : std::invalid_argument {
   GridError(std::string field_path, int position, const std::string& message)
       : std::invalid_argument(message), field(std::move(field_path)), index(position) {}

@@ -19,7 +19,7 @@ struct Range {
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;   // low itself is not permitted
   bool high_open = false;  // high itself is not permitted
-  std::string note = {};   // the origin of the limit, for messages
+  std::string note = {};   // where the limit comes from, for messages
 
   bool holds(double value) const;
   std::string describe() const;  // "above 0 and at most 100"
@@ -55,12 +55,12 @@ struct Key {
   std::vector<Key> inner = {};            // keys of a table, item of an array, columns of a row
 
   bool required = false;
-  std::string remedy = {};  // of a required key: what to give, for messages
+  std::string remedy = {};  // for messages, if a required key is missing: what to write
   Default fallback = {};    // the default, if it is a fixed value
-  // For README and schema, if type, range and fallback do not suffice.
-  std::string permitted = {};
-  std::string otherwise = {};     // description of the default
-  std::string described_at = {};  // of a table: the section that documents its keys
+  // Texts for README and schema. They are given if type, range and fallback do not suffice.
+  std::string permitted = {};     // the permitted values
+  std::string otherwise = {};     // the default
+  std::string described_at = {};  // of a table: the README section that documents its keys
 
   // A copy of the key with another value of the field.
   template <class T>
@@ -102,7 +102,8 @@ Key text_or_table(std::string name, std::string meaning, std::vector<Key> inner)
 bool is_number(const Key& key);
 bool is_table(const Key& key);  // kTable, kTables or kTextOrTable
 
-// "[signal]", "[[outlet]]". `path`: names of the enclosing tables and its own, joined by dots.
+// The TOML header of a table: "[signal]", "[[outlet]]". `path`: the names of the enclosing tables
+// and of the table, joined by dots.
 std::string header_of(const Key& table, const std::string& path);
 
 // For profiles/README.md: a table of the keys, then a section for each inner table, in the order

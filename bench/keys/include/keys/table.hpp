@@ -24,7 +24,7 @@ struct PlacedText {
   Position at;
 };
 
-// One table of a document. The document and the declaration must outlive it. Asking for an
+// One table of a document. The document and the declaration must outlive the Table. Asking for an
 // undeclared key throws std::logic_error.
 class Table {
  public:
@@ -55,14 +55,14 @@ class Table {
   std::vector<PlacedText> texts(const std::string& key) const;
   std::vector<Row> rows(const std::string& key) const;
 
-  bool holds_table(const std::string& key) const;           // false for a text in its place
+  bool holds_table(const std::string& key) const;           // false if the value is a text
   Table table(const std::string& key) const;                // the key must be present
   std::vector<Table> tables(const std::string& key) const;  // empty if the key is missing
 
   // Throw ConfigurationError.
   [[noreturn]] void refuse(Position at, const std::string& message) const;
   [[noreturn]] void refuse(const std::string& key, const std::string& message) const;
-  // For a missing key; `remedy`: what to give.
+  // For a missing key; `remedy`: what to write.
   [[noreturn]] void refuse_missing(const std::string& key, const std::string& remedy) const;
 
  private:

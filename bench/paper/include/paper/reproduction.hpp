@@ -1,4 +1,5 @@
-// The tables and figures of the paper's §6, computed again and printed beside its own.
+// Reproduces the tables and figures of the paper's §6. The computed values are printed beside the
+// paper's values.
 #pragma once
 
 #include <control_centre/blocks.hpp>
@@ -19,7 +20,7 @@ namespace gsbench::paper {
 
 struct Item {
   std::string id;     // "table4"
-  std::string title;  // with the paper's section
+  std::string title;  // includes the number of the paper's section
 };
 
 // In the paper's order.
@@ -31,8 +32,8 @@ struct Choices {
   campaign::NoiseDistribution noise_distribution =
       campaign::NoiseDistribution::kUniform;  // "a noise within ±0.01 Hz"
   campaign::LossInstant loss_instant = campaign::LossInstant::kOnReport;
-  // Table 2: the slope over ten samples, 36 slopes from the first sample on (read from the paper's
-  // figures), more than 15 hits.
+  // For Table 2: each slope is over ten samples; 36 slopes are counted, from the first sample on
+  // (read from the paper's figures); more than 15 hits are required.
   campaign::Counting counting = {10, 0, 36, 15};
   // Initial standard deviations of the paper's EKF: of ΔP and of t_x.
   double ekf_loss_sigma_mw = 80.0;
@@ -44,15 +45,16 @@ struct Options {
   std::uint64_t trajectories = 1000000;  // simulated noisy frequency curves, for each table
   std::uint64_t seed = 1;
   Choices choices;
-  // P^A of the firmware's fleets; the paper's method uses eq. (11).
+  // How P^A is computed for the firmware's fleets. The paper's method always uses eq. (11).
   control_centre::Accumulation accumulation = control_centre::Accumulation::kHalfGroup;
-  // Runs the 500 MW experiment for Fig. 19, starting from the sampled voltage. Empty: not run.
+  // Runs the 500 MW experiment for Fig. 19, starting from voltage samples. Empty: the experiment
+  // is not run.
   std::function<record::RunRecord(const campaign::Execution&)> run_experiment;
 };
 
-// Computes the chosen sections; blocks until they are done or `execution` is stopped. A stopped
-// page has the sections done so far and a fact "stopped". Throws std::invalid_argument for an
-// unknown id, and as the campaigns do.
+// Computes the chosen sections. Blocks until they are done or `execution` is stopped. After a stop,
+// the page has the sections done so far and a fact "stopped". Throws std::invalid_argument for an
+// unknown id, and whatever the campaigns throw.
 record::Page reproduce(const grid::Grid& grid, const Options& options,
                        const campaign::Execution& execution);
 

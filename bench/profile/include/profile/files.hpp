@@ -13,27 +13,28 @@ struct NamedFile {
   std::string path;
 };
 
-// Throw ConfigurationError if the file does not exist, or a shipped file and the user's own have
-// this name.
+// Throw ConfigurationError if the file does not exist, or if both a shipped file and one of the
+// user's own files have this name.
 std::string find_profile(const std::string& name_or_path);  // returns the path
 NamedFile find_station(const std::string& name_or_path);
 
-// The same; `folder` is the base of a relative path. nullopt if the file does not exist.
+// The same for a grid. `folder` is the base of a relative path. nullopt if the file does not exist.
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder);
-std::string unknown_grid(const std::string& name_or_path);  // the message for it
+std::string unknown_grid(const std::string& name_or_path);  // the message for that case
 
 // "paper/loss-500mw" for a shipped or own profile, otherwise the file name without extension.
 std::string profile_name(const std::string& path);
 
-// An absolute `path` unchanged; a relative one below the folder of the file `beside`.
+// Returns an absolute `path` unchanged. A relative `path` is relative to the folder of the file
+// `beside`.
 std::string resolve(const std::string& path, const std::string& beside);
 
 bool is_regular_file(const std::string& path);
 
-// Throws ConfigurationError if it is not a readable regular file of at most 4 MiB.
+// Throws ConfigurationError if `path` is not a readable regular file of at most 4 MiB.
 std::string read_file(const std::string& path);
 
-// Hexadecimal. sha256_of_file throws ConfigurationError if the file cannot be read.
+// Checksums, hexadecimal. sha256_of_file throws ConfigurationError if the file cannot be read.
 std::string sha256(const std::string& text);
 std::string sha256_of_file(const std::string& path);
 

@@ -19,8 +19,9 @@ namespace gsbench::profile {
 
 using keys::ConfigurationError;
 
-// The first folder searched: $GSBENCH_PROFILES if set, and then no other; otherwise the folder of
-// the shipped profiles. The user's own folder is searched after that one (profile/files.hpp).
+// The first folder that is searched. If $GSBENCH_PROFILES is set, it is that folder, and no other
+// is searched. Otherwise it is the folder of the shipped profiles, and the user's own folder is
+// searched next (profile/files.hpp).
 std::string profiles_folder();
 
 // Seeds are 0 … 2⁵³, which every JSON reader represents exactly.
@@ -29,8 +30,9 @@ constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 // Values of the command line that replace those of the profile.
 struct Overrides {
   std::optional<std::uint64_t> seed;
-  // Plays this recording in full length in place of the profile's losses, frequency points or
-  // recording, amplitude steps and phase steps; noise, harmonics and DC offset stay. Empty: none.
+  // A recording to play in full length; empty: none. It replaces the profile's frequency source
+  // (losses, points or recording) and its amplitude and phase steps. Noise, harmonics and DC offset
+  // stay.
   std::string trace_path;
   recording::TraceColumns trace_columns;
 };
@@ -39,8 +41,8 @@ struct Overrides {
 // file.
 Plan load_profile(const std::string& name, const Overrides& overrides = {});
 
-// The same for a text, e.g. from a run record. Relative paths of grids and recordings are relative
-// to the folder of `path`.
+// The same for the text of a profile, e.g. from a run record. Relative paths of grids and
+// recordings are relative to the folder of `path`.
 Plan parse_profile(const std::string& text, const std::string& path,
                    const Overrides& overrides = {});
 

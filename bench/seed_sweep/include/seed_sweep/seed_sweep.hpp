@@ -20,7 +20,7 @@ struct StudyOptions {
   std::uint64_t seeds = 1;
   std::size_t threads = 1;
   const std::atomic<bool>* stop = nullptr;
-  // Called after each seed, from any thread, never concurrently.
+  // Called after each seed, from any thread, but never by two threads at once.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
 
@@ -30,7 +30,7 @@ struct Row {
   std::string unit;  // as in the catalogue
   Distribution values;
   std::map<record::Verdict, std::size_t> verdicts;  // one for each outlet, seed and limit
-  double uncertainty = 0.0;  // the largest one of any value, expanded (k = 2), in `unit`
+  double uncertainty = 0.0;  // largest expanded uncertainty (k = 2) of the values, in `unit`
 };
 
 struct StudyResult {

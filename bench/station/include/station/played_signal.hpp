@@ -1,6 +1,6 @@
-// The signal that a source plays in a run: the plan's signal. If outlets have their own sample
-// clocks, voltage dips at nominal frequency (markers) are played before and after it. They are used
-// to align the outlets' clocks (capture/clock.hpp).
+// The signal that a source plays in a run: the plan's signal, with or without markers. Markers are
+// voltage dips at nominal frequency, before and after the plan's signal. They are needed if outlets
+// have their own sample clocks, and serve to align these clocks (capture/clock.hpp).
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class PlayedSignal final : public source::Stimulus {
 
   // Number of source ticks before tick 0 of the run.
   std::int64_t lead_ticks() const { return lead_ticks_; }
-  // In ticks of the run, negative before it.
+  // In ticks of the run; negative before tick 0.
   const capture::Markers& markers() const { return markers_; }
 
   std::int64_t sample_rate_hz() const override {

@@ -19,10 +19,10 @@ struct RunOptions {
   std::function<void(double part)> progress;  // share played, 0 … 1
 };
 
-// Blocks until the run has ended. Faults of the bench or of outlets and a stop do not throw: the
-// record has the verdict ERROR and the reason. Throws profile::ConfigurationError before anything
-// is played or written if the firmware would refuse an outlet's settings, and record::StoreError if
-// the record cannot be written.
+// Blocks until the run has ended. A fault of the bench, a fault of an outlet or a stop does not
+// throw: the record has the verdict ERROR and the reason. Throws profile::ConfigurationError if the
+// firmware would refuse an outlet's settings; nothing has been played or written then. Throws
+// record::StoreError if the record cannot be written.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options);
 
 }  // namespace gsbench::station

@@ -1,5 +1,5 @@
-// Switches the source off and closes the links when it goes out of scope, so that every end of a
-// run, also by an exception, leaves the station in its safe state.
+// A guard: its destructor switches the source off and closes the links. So every end of a run, also
+// by an exception, leaves the station in its safe state.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace gsbench::station {
 
 class SafeState {
  public:
-  // The reason is appended to `fault` if the source cannot be made safe.
+  // If the source cannot be made safe, the destructor appends the reason to `fault`.
   SafeState(source::Source& source, link::Link& link, std::string& fault)
       : source_(source), link_(link), fault_(fault) {}
   ~SafeState() {

@@ -20,7 +20,7 @@ struct Slot {
   std::string place;                         // for messages
   std::string serial_number;                 // of the outlet at this place
   std::optional<std::string> link_id;        // none: the outlet has only its contact
-  std::optional<std::size_t> relay_channel;  // of the relay sense; none: not sensed
+  std::optional<std::size_t> relay_channel;  // of the relay sense; none: contact not sensed
 };
 
 class Station {
@@ -36,14 +36,14 @@ class Station {
   // True if the outlets' sample counts start at 0 with the source's first tick and stay in step
   // with it. If false, marker dips are played before and after the run.
   virtual bool outlets_count_ticks() const = 0;
-  // Duration of one block of the signal: short in real time, long in virtual time.
+  // Duration of one block of the signal. Short if the run is in real time, otherwise long.
   virtual double block_s() const = 0;
 };
 
 struct SimulatedOptions {
   bool real_time = false;
   std::size_t threads = 1;
-  double block_s = 0.0;  // 0: default for the pace; does not change the record
+  double block_s = 0.0;  // 0: the default; the record does not depend on it
 };
 
 // Outlets in this process that run the real firmware.

@@ -22,15 +22,15 @@ namespace gsbench::station {
 
 // Physical outlets on serial ports and on an MQTT broker.
 struct PhysicalOutlets {
-  link::FramedOptions serial;      // without ports: none
-  link::MqttOptions mqtt;          // without a URL: none
+  link::FramedOptions serial;      // no ports: no outlets on serial ports
+  link::MqttOptions mqtt;          // no URL: no outlets on a broker
   std::string password_file = {};  // its first line replaces mqtt.password; empty: no file
 };
 
 // Throws keys::ConfigurationError if the password file cannot be read.
 std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets);
 
-// A station file that was read.
+// The content of a station file.
 struct StationFile {
   std::string name;
   std::string title;
@@ -51,12 +51,12 @@ const keys::Key& station_keys();
 // Throws profile::ConfigurationError.
 StationFile load_station(const std::string& name);
 
-// In alphabetical order. A file that cannot be read is listed with the reason as its title.
+// In alphabetical order. If a file cannot be read, its title is the reason why.
 std::vector<profile::ProfileSummary> list_stations();
 
-// Reduces a plan to the number of outlets of the station; at least one outlet of each group
-// remains. Throws profile::ConfigurationError if the plan has more groups than the station has
-// outlets.
+// Reduces the outlets of a plan to the number that the station has. At least one outlet of each
+// group remains. Throws profile::ConfigurationError if the plan has more groups than the station
+// has outlets.
 profile::Plan fit_to_station(const StationFile& station, const profile::Plan& plan);
 
 }  // namespace gsbench::station

@@ -17,23 +17,24 @@ class ReferenceSignal {
   virtual double rocof_hz_s(double t_s) const = 0;
   // ∫ (f − nominal) dt from t = 0, in cycles; exact, so that phase never drifts.
   virtual double excess_cycles(double t_s) const = 0;
-  // Amplitude of the recording, per unit of nominal; 1 if it has none. Continuous, and linear
-  // between corners.
+  // Recorded amplitude, per unit of nominal; 1 if no amplitude was recorded. It is continuous, and
+  // linear between corners.
   virtual double voltage_pu(double t_s) const = 0;
-  // Times at which a derivative of f is discontinuous, ascending: interpolation must not span them.
-  // f itself is continuous; rocof_hz_s at a corner is the right-hand limit.
+  // Times at which a derivative of f is discontinuous, ascending. Interpolation must not span them.
+  // f itself is continuous. At a corner, rocof_hz_s is the right-hand limit.
   virtual std::vector<double> corners_s() const = 0;
 };
 
-// A negative time is a loss before the start; the excess phase still counts from t = 0.
+// The frequency after losses of power. A loss at a negative time occurs before the start of the
+// signal; the excess phase still counts from t = 0.
 std::unique_ptr<ReferenceSignal> reference_from_losses(grid::SfrModel model,
                                                        std::vector<grid::PowerChange> losses);
 
-// Monotone cubic interpolation (Fritsch–Carlson, with the slopes of Fritsch and Butland, as pchip
-// in MATLAB and SciPy): it passes through each point without overshoot. Constant before the first
-// point and after the last. Voltages are interpolated linearly. Throws std::invalid_argument if
-// there is no point, times do not increase, or a value is not finite and positive; a voltage may be
-// zero.
+// The frequency through given points, by monotone cubic interpolation (Fritsch–Carlson, with the
+// slopes of Fritsch and Butland, as pchip in MATLAB and SciPy). The curve passes through each point
+// without overshoot. It is constant before the first point and after the last. Voltages are
+// interpolated linearly. Throws std::invalid_argument if there is no point, times do not increase,
+// or a value is not finite and positive; a voltage may be zero.
 std::unique_ptr<ReferenceSignal> reference_from_points(double nominal_hz,
                                                        std::vector<recording::TracePoint> points);
 

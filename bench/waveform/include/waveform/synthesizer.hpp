@@ -2,7 +2,7 @@
 // any division into blocks and any number of threads.
 //
 // A step takes effect with the first sample at or after its time. A time within a nanosecond of a
-// sample is at that sample, so that 0.1 s + 0.2 s is 0.3 s.
+// sample counts as the time of that sample, so that 0.1 s + 0.2 s equals 0.3 s despite rounding.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Harmonic {
   double phase_deg;      // at the rising zero crossing of the fundamental
 };
 
-// Multiplies the amplitude by `level_pct` from at_s, for duration_s (infinity: to the end).
+// Multiplies the amplitude by `level_pct` from at_s on, for duration_s (infinity: to the end).
 // Overlapping steps multiply. 0 % is an interruption. Harmonics are scaled with the fundamental.
 struct AmplitudeStep {
   double at_s;        // >= 0
@@ -27,7 +27,8 @@ struct AmplitudeStep {
   double level_pct;   // 0 … 1000
 };
 
-// Advances the phase of the fundamental from at_s, and that of harmonic k by k times as much.
+// Advances the phase of the fundamental by `degrees` from at_s on, and the phase of harmonic k by k
+// times as much.
 struct PhaseJump {
   double at_s;  // >= 0
   double degrees;
@@ -66,7 +67,7 @@ class Synthesizer {
   std::shared_ptr<const Impl> impl_;
 };
 
-// The first tick at or after t_s. A time within a nanosecond of a sample is at that sample. Times
+// The first tick at or after t_s. A time within a nanosecond of a tick counts as that tick. Times
 // beyond the range of ticks give the largest tick.
 std::int64_t tick_at(double t_s, std::int64_t sample_rate_hz);
 

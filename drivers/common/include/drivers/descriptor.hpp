@@ -32,8 +32,8 @@ class Descriptor {
   int descriptor_ = -1;
 };
 
-// Blocks until poll() reports an event, timeout_ms at most, and returns the events; 0: timeout. A
-// signal restarts the wait.
+// Blocks until poll() reports an event, timeout_ms at most. Returns the events, or 0 after a
+// timeout or an error of poll(). An interruption by a signal restarts the wait.
 inline short wait_for(int descriptor, short events, int timeout_ms) {
   pollfd one{descriptor, events, 0};
   int ready = 0;

@@ -25,9 +25,9 @@ class [[nodiscard]] Result {
 
   bool ok() const { return std::holds_alternative<T>(content_); }
   const T& value() const { return std::get<T>(content_); }
-  // For move-only values.
+  // Moves the value out.
   T take() { return std::move(std::get<T>(content_)); }
-  // Does not change `place` if there is no value.
+  // Moves the value to `place`. If there is none, returns the error and leaves `place` unchanged.
   template <class Place>
   Status move_to(Place& place);
   const std::string& error() const { return std::get<Error>(content_).message; }

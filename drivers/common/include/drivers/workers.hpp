@@ -14,7 +14,8 @@ namespace gsbench::drivers {
 
 class Workers {
  public:
-  // At least 1, including the caller's thread. Runs with fewer if the system refuses more threads.
+  // `threads`: at least 1; the caller's thread is one of them. The pool has fewer if the system
+  // refuses to start more.
   explicit Workers(std::size_t threads);
   ~Workers();
   Workers(const Workers&) = delete;

@@ -1,5 +1,5 @@
-// A child process of the bench: an emulator or a broker. It ends with its owner, also if the bench
-// itself is killed.
+// A child process of the bench: an emulator or a broker. The process ends when its Child is
+// destroyed, and also if the bench is killed.
 #pragma once
 
 #include <sys/types.h>
@@ -19,8 +19,8 @@ struct Command {
 
 class Child {
  public:
-  // Linux kills the child when the thread that started it ends: start it from a thread that
-  // outlives it. An error if the program cannot be started.
+  // Linux kills the child when the thread that called start() ends, so that thread must outlive the
+  // child. Returns an error if the program cannot be started.
   static drivers::Result<Child> start(const Command& command);
 
   Child(Child&& other) noexcept : pid_(std::exchange(other.pid_, -1)) {}
@@ -33,9 +33,9 @@ class Child {
 
   pid_t pid() const { return pid_; }
   bool running();
-  // SIGTERM, then SIGKILL if it has not ended within 1 s. Blocks until it has ended.
+  // Sends SIGTERM, then SIGKILL if the process has not ended within 1 s. Blocks until it has ended.
   void stop() noexcept;
-  // SIGKILL at once. Blocks until it has ended.
+  // Sends SIGKILL at once. Blocks until the process has ended.
   void kill() noexcept;
 
  private:

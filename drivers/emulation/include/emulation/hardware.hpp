@@ -1,7 +1,7 @@
 // The hardware of an emulated station: one process for each outlet (the firmware's Cortex-M4F image
 // in qemu, or the firmware as a process of this machine), the mains at their terminals, cables to
-// outlets on serial lines, and a private broker for outlets on MQTT. All of it ends with its owner,
-// also if the bench is killed.
+// outlets on serial lines, and a private broker for outlets on MQTT. All of these end with the
+// Hardware object that owns them, also if the bench is killed.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,8 @@ class Hardware {
   Hardware(const Hardware&) = delete;
   Hardware& operator=(const Hardware&) = delete;
 
-  // Holds the outlets' files. Removed with this object, or when the next station is set up.
+  // The folder of the outlets' files. It is removed with this object. After a kill of the bench,
+  // the set-up of the next station removes it.
   const std::string& folder() const;
 
   source::Source& source() { return mains_->source(); }
@@ -72,7 +73,7 @@ class Hardware {
   drivers::Status set_up();
   drivers::Result<Child> start_process(std::size_t outlet) const;
 
-  // In the order of set-up; destroyed in reverse.
+  // The members are in the order of set-up. They are destroyed in reverse order.
   HardwareOptions options_;
   std::unique_ptr<ScratchFolder> folder_;
   std::unique_ptr<Mains> mains_;

@@ -25,8 +25,8 @@ class LoopbackPort {
   void refuse() { listening_.close(); }
   // The listening socket; -1: not listening.
   int descriptor() const { return listening_.get(); }
-  // The next connection, non-blocking and with TCP_NODELAY; closed: none is waiting. Does not
-  // block.
+  // Returns the next waiting connection, set to non-blocking and TCP_NODELAY. If none is waiting,
+  // the returned descriptor is closed. Does not block.
   Descriptor accept() const;
 
  private:

@@ -1,7 +1,7 @@
 // Source and relay sense of emulated outlets, through the shared memory of their terminals. Each
-// outlet has an ADC on its own crystal, some ppm off, whose sample count starts before the
-// stimulus. The contact follows the coil by models/relay_model.hpp. Source and relay sense share
-// state: use them from one thread.
+// outlet has an ADC on its own crystal, which is some ppm off. The ADC's sample count starts before
+// the stimulus. models/relay_model.hpp models how the contact follows the coil. Source and relay
+// sense share state: use them from one thread.
 #pragma once
 
 #include <cstdint>

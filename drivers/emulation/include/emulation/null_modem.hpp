@@ -30,17 +30,17 @@ class NullModem {
   NullModem(const NullModem&) = delete;
   NullModem& operator=(const NullModem&) = delete;
 
-  // "tcp://127.0.0.1:40001", a port name for transport/transport.hpp
+  // The bench's port name for transport/transport.hpp, such as "tcp://127.0.0.1:40001".
   std::string bench_end() const {
     return "tcp://127.0.0.1:" + std::to_string(bench_.port.number());
   }
-  std::uint16_t outlet_end() const { return outlet_.port.number(); }  // 40002, on 127.0.0.1
+  std::uint16_t outlet_end() const { return outlet_.port.number(); }  // on 127.0.0.1
 
   // For fault injection. unplug() closes both connections; after plug_in(), both ends accept again.
   void unplug();
   [[nodiscard]] drivers::Status plug_in();
 
-  // Empty: bytes pass unchanged.
+  // Sets the spoiler of one way. With an empty spoiler, bytes pass unchanged.
   void spoil(Spoiler spoiler, Way way = Way::kToBench);
 
  private:

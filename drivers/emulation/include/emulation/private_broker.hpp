@@ -27,8 +27,8 @@ struct Options {
 
 class PrivateBroker {
  public:
-  // Blocks until it accepts connections; an error after 10 s. Call it from a thread that outlives
-  // the broker (emulation/child.hpp).
+  // Blocks until the broker accepts connections. Returns an error if it does not within 10 s. Call
+  // start() from a thread that outlives the broker (emulation/child.hpp).
   static drivers::Result<PrivateBroker> start(const Options& options);
 
   std::uint16_t port() const { return port_; }
@@ -42,8 +42,8 @@ class PrivateBroker {
   bool running() { return child_.running(); }
 
   void kill() noexcept { child_.kill(); }
-  // On the same port, whether it still runs or not. After a kill, sessions and hellos of the last
-  // two seconds may be missing.
+  // Starts the broker again on the same port; stops it first if it still runs. After a kill, the
+  // sessions and hellos of the last two seconds may be missing.
   drivers::Status restart();
 
  private:

@@ -12,9 +12,9 @@
 
 namespace gsbench::link {
 
-// An outlet that has sent its hello. If it has another protocol version, or a wrong or duplicate
-// id, the link sends nothing to it and ignores its messages. After any other fault it goes on with
-// it.
+// An outlet that has sent its hello. If the outlet has another protocol version, or a wrong or
+// duplicate id, the link sends nothing to it and ignores its messages. After any other fault, the
+// link continues to exchange messages with the outlet.
 struct OutletPresence {
   std::string id;
   std::string where;  // "simulated", "/dev/ttyUSB0", "mqtts://127.0.0.1:8883"
@@ -34,7 +34,7 @@ struct Received {
   std::int64_t arrival_ns = 0;  // std::chrono::steady_clock; 0: none, as in simulation
 };
 
-// Each event occurs once; for each outlet, each kind is in the order of time.
+// Each event appears once. In each list, the events of one outlet are in the order of time.
 struct Happenings {
   std::vector<OutletPresence> joined;
   std::vector<Fault> left;  // with the reason; these outlets can no longer be reached
@@ -68,7 +68,7 @@ class Link {
                                              const gs::wire::Downlink& message) = 0;
   // Appends what happened since the last call. Does not wait for messages.
   [[nodiscard]] virtual drivers::Status poll(Happenings& happenings) = 0;
-  // Outlets that were asked for or seen and that have not joined, with the reason if known.
+  // Outlets that have not joined, although they were asked for or seen. With the reason if known.
   virtual std::vector<Fault> missing() { return {}; }
   virtual void close() noexcept = 0;
 };

@@ -1,5 +1,5 @@
-// The bench's end of one outlet's messages: decodes them, drops duplicates, and notes faults: lost
-// messages, damaged messages, restarts of the outlet.
+// The bench's end of one outlet's messages. It decodes them, drops duplicates, and notes faults
+// (lost messages, damaged messages, restarts of the outlet).
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@
 
 namespace gsbench::link {
 
-// How a link may disturb the order: on a cable a message may come twice or after the next one; a
-// broker may send all unacknowledged messages again.
+// How a link may disturb the order of messages. On a cable, a message may arrive twice, or after
+// the one that follows it. A broker may send all unacknowledged messages again.
 enum class Delivery : std::uint8_t { kByCable, kByBroker };
 
 class OutletStream {
  public:
   explicit OutletStream(Delivery delivery) : delivery_(delivery) {}
 
-  // Takes one whole message. Returns nothing for a duplicate, and for an unreadable message, which
-  // is noted as a fault. A restarted outlet sends a hello unasked; if that was lost, sequence and
-  // sample numbers that go back reveal the restart.
+  // Takes one whole message. Returns nothing for a duplicate. Returns nothing for an unreadable
+  // message either, and notes a fault. A restarted outlet sends a hello unasked. If that hello is
+  // lost, the restart shows in sequence and sample numbers that go back.
   std::optional<gs::wire::Uplink> take(const std::uint8_t* message, std::size_t size);
 
   // Notes any other fault of this outlet, such as a frame with a wrong CRC.
@@ -42,7 +42,7 @@ class OutletStream {
   std::uint32_t sent_ = 0;
   bool hello_received_ = false;
   std::uint64_t last_sample_ = 0;
-  std::vector<std::uint8_t> newest_;  // the newest message's bytes if it was a first hello
+  std::vector<std::uint8_t> newest_;  // bytes of the newest message if it is a hello with number 0
   std::vector<std::string> faults_;
 };
 

@@ -8,14 +8,14 @@
 
 namespace gsbench::link {
 
-// "0.1.0" of major·10⁶ + minor·10³ + patch.
+// Text such as "0.1.0". `version` is major·10⁶ + minor·10³ + patch.
 inline std::string version_text(std::uint32_t version) {
   return std::to_string(version / 1000000) + "." + std::to_string(version / 1000 % 1000) + "." +
          std::to_string(version % 1000);
 }
 
-// Empty if the outlet uses the bench's protocol version. With another version, only the identity in
-// a hello can be read (wire/README.md).
+// The fault of an outlet with another protocol version than the bench; empty: same version. With
+// another version, only the identity in a hello can be read (wire/README.md).
 inline std::string protocol_fault(const gs::wire::Hello& hello) {
   if (hello.protocol_version == gs::wire::kProtocolVersion) {
     return {};

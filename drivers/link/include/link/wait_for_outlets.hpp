@@ -9,15 +9,16 @@
 
 namespace gsbench::link {
 
-// `named`: ids, or places (OutletPresence::where) if the id is not known. Blocks until all of them
-// have joined and 200 ms more, to find a second outlet with the same id; at most `patience`. With
-// `others_for` > 0 it blocks for at least that time.
+// `named` lists outlets by id, or by place (OutletPresence::where) if the id is not known. The call
+// blocks until all of them have joined, then 200 ms more to find a second outlet with the same id.
+// It blocks for `patience` at most. With `others_for` > 0, it blocks for at least `others_for`.
 //
-// Returns one entry for each name, in the same order. An outlet that did not join has a fault, its
-// name as id, and no place. With `others_for` > 0, all other outlets found follow.
+// The result has one entry for each name, in the order of `named`. The entry of an outlet that did
+// not join has a fault, the name as id, and an empty place. With `others_for` > 0, the entries of
+// all other outlets follow.
 //
-// If two outlets report the same id in two places, both are faulty and their ids include their
-// places. Messages that outlets send meanwhile are dropped. An error if the link fails.
+// If two outlets report the same id in two places, both have a fault, and their ids include their
+// places. Messages that arrive during the call are dropped. Returns an error if the link fails.
 [[nodiscard]] drivers::Result<std::vector<OutletPresence>> wait_for_outlets(
     Link& link, const std::vector<std::string>& named, std::chrono::milliseconds patience,
     std::chrono::milliseconds others_for = {});

@@ -6,7 +6,7 @@
 
 namespace gsbench::models {
 
-// ±1.5 times the nominal peak.
+// The ADC's range is ±1.5 times the nominal peak voltage.
 constexpr double kFullScale_pu = 1.5;
 constexpr float kCounts_per_pu = static_cast<float>(32767.0 / kFullScale_pu);
 

@@ -1,6 +1,6 @@
-// An outlet's ADC on its own crystal: resamples the source's samples at the times of the outlet's
-// clock. Interpolates with a cubic through the four nearest samples; the error is below 1e-5 of the
-// amplitude at the 10th harmonic of 50 Hz and 8 kHz.
+// An outlet's ADC on its own crystal. It resamples the source's samples at the times of the
+// outlet's clock. It interpolates with a cubic through the four nearest samples. At 8 kHz, for the
+// 10th harmonic of 50 Hz, the error is below 1e-5 of the amplitude.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,15 @@ namespace gsbench::models {
 
 class CrystalAdc {
  public:
-  // `ppm`: frequency error of the crystal, positive if fast. noise_rms_pu: noise added to each of
-  // the outlet's samples, from the stream `noise`.
+  // `ppm`: frequency error of the crystal, positive if fast. `noise_rms_pu`: RMS of the noise added
+  // to the outlet's samples. The stream `noise` supplies the noise.
   CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stream noise);
 
   // Takes the next samples of the source and appends the resulting samples of the outlet.
   void take(const float* voltage_pu, std::size_t count, std::vector<std::int16_t>& samples);
 
-  // Position of the outlet's n-th sample, in ticks of the source, both from 0.
+  // Time of the outlet's sample number `sample`, in ticks of the source. Samples and ticks count
+  // from 0.
   double tick_of(double sample) const { return sample / rate_; }
 
  private:
@@ -28,7 +29,7 @@ class CrystalAdc {
   float counts_per_pu_;
   float noise_rms_pu_;
   Stream noise_;
-  std::int64_t made_ = 0;        // samples so far
+  std::int64_t made_ = 0;        // samples of the outlet so far
   std::int64_t first_held_ = 0;  // tick of held_[0]
   std::vector<float> held_;      // samples of the source that are still needed
   std::vector<float> volts_;

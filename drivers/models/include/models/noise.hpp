@@ -8,7 +8,7 @@
 
 namespace gsbench::models {
 
-// Streams keep independent uses of one seed apart.
+// A stream is one sequence of random values. Independent uses of one seed take different streams.
 struct Stream {
   std::uint64_t seed = 0;
   std::uint32_t purpose = 0;  // a `Purpose`
@@ -24,16 +24,16 @@ enum Purpose : std::uint32_t {
   kTest = 100
 };
 
-// out[i] += sigma · N(0, 1), value first+i of the stream.
+// Adds sigma · value first+i of the stream to out[i]. The values are N(0, 1).
 void add_gaussian(const Stream& stream, std::uint64_t first, std::size_t count, float sigma,
                   float* out);
 
-// out[i] += a uniform value within ±half_width, value first+i of the stream.
+// Adds value first+i of the stream to out[i]. The values are uniform within ±half_width.
 void add_uniform(const Stream& stream, std::uint64_t first, std::size_t count, float half_width,
                  float* out);
 
-// The same values for many streams at once, for trajectories that are computed in parallel:
-// out[sample·streams + i] += value `sample` of stream first.index + i.
+// These add the same values for many streams at once, for trajectories computed in parallel. Value
+// `sample` of the stream with index first.index + i is added to out[sample·streams + i].
 void add_uniform_to_each(const Stream& first, std::size_t streams, std::size_t samples,
                          float half_width, float* out);
 void add_gaussian_to_each(const Stream& first, std::size_t streams, std::size_t samples,

@@ -11,9 +11,9 @@ namespace gsbench::models {
 // The bounces of one operation must end before the next can begin:
 // 2·largest_bounces·bounce_ms < operate_ms − operate_spread_ms.
 struct RelayParameters {
-  double operate_ms = 8.0;         // coil to contact, mean
-  double operate_spread_ms = 1.5;  // ± of it, uniform
-  int largest_bounces = 3;         // pairs of edges on closing
+  double operate_ms = 8.0;         // mean time from coil to contact
+  double operate_spread_ms = 1.5;  // uniform, ± around the mean
+  int largest_bounces = 3;         // on closing; a bounce is a pair of edges
   double bounce_ms = 0.4;          // longest time between two edges
 };
 

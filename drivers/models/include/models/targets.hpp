@@ -1,5 +1,5 @@
-// Runtime dispatch, AVX2 or baseline: code is built twice, for AVX2 and for any machine. Everything
-// is inlined into both versions, so that neither calls code of the other.
+// Runtime dispatch between two versions of the same code: one built for AVX2, one for any machine.
+// Everything is inlined into both versions, so that neither calls code of the other.
 #pragma once
 
 namespace gsbench::models {

@@ -1,5 +1,5 @@
-// Measures when relay contacts move, on a clock of its own, independent of what outlets report. It
-// is the reference for switching times. An outlet may have no channel.
+// The relay sense measures when relay contacts move. It has its own clock and does not depend on
+// what outlets report. It is the reference for switching times. An outlet may have no channel.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ struct Edge {
 struct Alignment {
   double count_at_tick_0 = 0.0;
   double counts_per_tick = 1.0;
-  double uncertainty_ticks = 0.0;  // ± bound of an edge's tick
+  double uncertainty_ticks = 0.0;  // largest error of an edge's tick, ±
 
   std::int64_t tick_of(std::int64_t count) const {
     return std::llround((static_cast<double>(count) - count_at_tick_0) / counts_per_tick);

@@ -62,7 +62,7 @@ class Outlet {
   std::deque<Pending> pending_;
   std::vector<models::ContactEdge> edges_;
   std::uint64_t coil_changes_ = 0;
-  std::int64_t contact_moves_tick_ = 0;  // first edge of the newest change
+  std::int64_t contact_moves_tick_ = 0;  // first contact edge of the newest coil change
   std::vector<float> volts_;
   std::vector<std::int16_t> samples_;
 };

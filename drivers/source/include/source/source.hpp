@@ -36,7 +36,7 @@ struct Limits {
 // Largest deviation of the played voltage from the stimulus, without noise.
 struct Played {
   double frequency_hz = 0.0;
-  double voltage_pu = 0.0;  // of a sample, or of the amplitude for kStepped
+  double voltage_pu = 0.0;  // of a sample; for kStepped, of the amplitude
   double time_s = 0.0;      // early or late
 };
 
@@ -47,8 +47,8 @@ class Source {
   virtual ~Source() = default;
   virtual Limits limits() const = 0;
 
-  // Whether the stimulus can be played, and how accurately. Does not touch the output. Renders the
-  // whole stimulus: blocks for about 1 s for each 10 min of it.
+  // Checks whether the stimulus can be played, and how accurately. Does not touch the output.
+  // Renders the whole stimulus, which blocks for about 1 s for each 10 min of stimulus.
   drivers::Result<Played> check(const Stimulus& stimulus) const;
 
   // Refuses what check() refuses, and uploads the stimulus if the source can be loaded. Blocks
@@ -67,7 +67,7 @@ class Source {
   // least `until_tick`; later if the source plays on its own.
   drivers::Result<std::int64_t> advance(std::int64_t until_tick);
 
-  // Ends the stimulus, at its end or before; outlets keep their supply.
+  // Stops the stimulus, at its end or earlier. The outlets keep their supply.
   drivers::Status stop();
 
   // Output off. May be called at any time, more than once, and after a failure.

@@ -21,7 +21,8 @@ class Stimulus {
   virtual std::int64_t total_ticks() const = 0;
   virtual int nominal_hz() const = 0;
   virtual Noise noise() const = 0;
-  // Of the fundamental; phase steps, harmonics and offsets appear in the samples only.
+  // Frequency and amplitude are those of the fundamental. Phase steps, harmonics and offsets appear
+  // in the samples only.
   virtual double frequency_hz(std::int64_t tick) const = 0;
   virtual double amplitude_pu(std::int64_t tick) const = 0;  // per unit of nominal peak
   // Writes samples first_tick … first_tick + count − 1, per unit of nominal peak, without noise.

@@ -27,8 +27,8 @@ class Transport {
 
   const std::string& port() const { return port_; }  // as given to make_transport()
 
-  // Discards bytes received before. Blocks for 0.5 s at most for each address tried, plus the time
-  // to look up a host name.
+  // Opens the port and discards bytes received earlier. Blocks for 0.5 s at most for each address
+  // tried, plus the time to look up a host name.
   [[nodiscard]] virtual drivers::Status open() = 0;
   virtual void close() noexcept = 0;
   // For poll(); -1: not open.
@@ -37,14 +37,15 @@ class Transport {
 
   // Sends all bytes. An error if the port is gone, or accepts no data for 0.1 s.
   [[nodiscard]] drivers::Status send(const std::vector<std::uint8_t>& bytes);
-  // Blocks until bytes have arrived or the deadline has passed, and appends them; none if the far
-  // end is silent. An error if the port is gone.
+  // Blocks until bytes arrive or the deadline `until` passes. Appends the bytes; none if the far
+  // end is silent. Returns an error if the port is gone.
   [[nodiscard]] drivers::Status receive(std::vector<std::uint8_t>& bytes, Clock::time_point until);
 
  protected:
-  // Does not block. The number of bytes accepted, or an error if the port is gone.
+  // Returns the number of bytes accepted, or an error if the port is gone. Does not block.
   virtual drivers::Result<std::size_t> write_some(const std::uint8_t* bytes, std::size_t count) = 0;
-  // Appends; does not block. An error also if the far end has hung up.
+  // Appends the bytes that have arrived. Does not block. Returns an error if the port is gone or
+  // the far end has hung up.
   virtual drivers::Status read_some(std::vector<std::uint8_t>& bytes) = 0;
   drivers::Error failure(const std::string& doing, const std::string& why) const {
     return {port_ + ": " + doing + ": " + why};

@@ -13,7 +13,8 @@ namespace gs::app {
 
 constexpr std::uint32_t kFirmwareVersion = 1000;  // 0.1.0 as major·10⁶ + minor·10³ + patch
 
-// The hello's id, board, instance, build and capabilities. The application fills in the rest.
+// A hello in which the board sets id, board, instance, build and capabilities. The application
+// fills in the other fields.
 using Identity = wire::Hello;
 
 // Copies zero-terminated text into a field of Identity; text that is too long is truncated.
@@ -40,7 +41,7 @@ class Outbox {
 // Non-volatile storage of the settings.
 class SettingsStorage {
  public:
-  // Returns false if the settings could not be stored; those stored before are then still there.
+  // Returns false if the settings could not be stored. The settings stored before then remain.
   virtual bool keep(const outlet::Settings& settings) = 0;
   virtual bool usable() const = 0;
 
@@ -50,10 +51,10 @@ class SettingsStorage {
 
 class Application {
  public:
-  // Sends the first hello. Returns false if the hardware is not supported; the application then
-  // does nothing, as before its first start. `storage` may be null; it must outlive the
-  // application. `kept`, the stored settings, are in force before the hello; if they are refused,
-  // an error message follows it.
+  // Starts the application and sends the first hello. Returns false if the hardware is not
+  // supported; the application then does nothing, as before its first start. `storage` may be null;
+  // otherwise it must outlive the application. `kept` is the stored settings, which are applied
+  // before the hello is sent. If they are refused, an error message follows the hello.
   bool start(const outlet::Hardware& hardware, const Identity& identity, SettingsStorage* storage,
              Outbox& outbox, const outlet::Settings* kept = nullptr);
   // Applies stored settings before the first sample. Returns false if they are refused.
@@ -65,7 +66,7 @@ class Application {
   // Counts an error of the board or the link, and sends an error message.
   void note(wire::ErrorCode error, Outbox& outbox);
   void note_unsent() { ++counts_.messages_unsent; }
-  // Samples that the ADC delivered and the firmware did not take. They count in the time stamps.
+  // Notes samples that the ADC delivered but the firmware did not take. Time stamps include them.
   void note_samples_lost(std::uint32_t count, Outbox& outbox);
 
   bool relay_closed() const { return state_.relay_closed; }

@@ -1,5 +1,6 @@
-// The outlet's end of a link: encodes and numbers messages to send; decodes received ones, drops
-// duplicates and reports damaged ones. One class for a serial line, one for a broker.
+// The outlet's end of a link. It encodes and numbers the messages to send. It decodes received
+// messages, drops duplicates and reports damaged messages. There is one class for a serial line and
+// one for a broker.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +11,8 @@
 
 namespace gs::app {
 
-// Sends bytes without blocking. Returns false if it cannot take them now: the message is then lost
-// and counted.
+// Sends bytes without blocking. send() returns false if the carrier cannot take the bytes now. The
+// message is then lost, and the application counts it.
 class Carrier {
  public:
   virtual bool send(const std::uint8_t* bytes, std::size_t count) = 0;

@@ -1,6 +1,6 @@
-// Self test of the arithmetic: passes a known signal through LSE and Kalman filter and computes a
-// CRC over every bit of the results. A compiler, a flag or a processor whose floating-point results
-// differ gives a different fingerprint.
+// Self test of the arithmetic. It passes a known signal through the LSE and the Kalman filter. The
+// fingerprint is a CRC over every bit of the results. It changes if a compiler, a compiler flag or
+// a processor gives different floating-point results.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // Elementary functions as polynomials. The C library's results differ between machines in the last
-// bit; an outlet, its emulation and the bench must agree in every bit. The templates are
-// branch-free: with a vector of floats (one trajectory per lane) each lane has the scalar result.
+// bit. An outlet, its emulation and the bench must agree in every bit. The templates have no
+// branches, so `Real` may be a vector of floats (one trajectory per lane). Each lane then has the
+// same result as a single float.
 #pragma once
 
 #include <cstdint>
@@ -75,8 +76,8 @@ Real exponential(Real x) {
   return sum * sum;
 }
 
-// Angle of the point (x, y), with the arguments in the order of atan2, −π … π; 0 for (0, 0). Error
-// below 5e-7 rad.
+// Angle of the point (x, y), from −π to π; 0 for (0, 0). The order of the arguments is that of
+// atan2. Error below 5e-7 rad.
 inline float angle_of(float y, float x) {
   const float ax = x < 0.0f ? -x : x;
   const float ay = y < 0.0f ? -y : y;

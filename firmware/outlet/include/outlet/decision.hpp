@@ -6,7 +6,7 @@
 
 namespace gs::outlet {
 
-// Number of reports from the event's own report to the decision by criterion (1), both included.
+// Number of reports from the event's own to that of the decision by criterion (1), including both.
 inline int reports_to_decision(const Settings& settings) {
   return settings.lse_samples + settings.ekf_samples;
 }
@@ -16,7 +16,7 @@ inline bool enough_hits(int hits, int more_than) {
   return hits > more_than;
 }
 
-// ΔP_v, eq. (29): what all outlets together must shed.
+// ΔP_v, eq. (29): the power that all outlets together must shed.
 inline float required_mw(float loss_mw, float threshold_mw) {
   const float excess_mw = loss_mw - threshold_mw;
   return excess_mw > 0.0f ? excess_mw : 0.0f;

@@ -1,5 +1,6 @@
-// Estimate of the lost power after an event: counts load-shedding conditions, runs the LSE over the
-// first measurements and the EKF over the rest (§5.2–5.4, Fig. 10), and rates the result (Trust).
+// Estimate of the lost power after an event (§5.2–5.4, Fig. 10). The estimator runs the LSE over
+// the first measurements and the EKF over the rest. It counts how often the load-shedding
+// conditions are met, and rates the result (Trust).
 #pragma once
 
 #include <cstdint>
@@ -27,12 +28,12 @@ struct EstimatorState : LossEstimator<float> {
   std::uint16_t hits = 0;     // of the load-shedding conditions
 };
 
-// Starts an estimate. The event's own measurement is the first to pass to observe().
+// Starts an estimate. The first call of observe() must pass the event's own measurement.
 void begin(EstimatorState& state, const Baseline& baseline);
 
-// Takes one report of the current event, every 16 ms: its frequency, and the line through the
-// newest measurements, on which the conditions are evaluated. With `valid` false the measurement is
-// ignored, but its time counts.
+// Takes one report of the current event. Must be called for every report, each 16 ms. The
+// conditions are evaluated on `line`, which is fitted through the newest measurements. If `valid`
+// is false, the measurement is ignored, but the report still counts as elapsed time.
 void observe(const Settings& settings, float nominal_hz, EstimatorState& state, bool valid,
              float frequency_hz, const Line& line);
 

@@ -6,10 +6,11 @@
 // - The sum of the drops must be at least event_drop_hz. This rejects slow drifts: the
 //   default, 14 mHz in 80 ms, corresponds to 0.175 Hz/s.
 // - The newest measurement must lie event_departure_hz or more below the baseline. This rejects
-//   noise: 18 mHz is eight standard deviations of a measurement at 1 % noise. A loss of 500 MW
-//   exceeds it before the fifth drop.
-// Together they delay detection by 3 ms. Fewer than one false event in a million hours remains.
-// This is extrapolated from the false events of 20 hours with both limits set lower.
+//   noise: the default, 18 mHz, is eight standard deviations of a measurement at 1 % noise. A loss
+//   of 500 MW exceeds this limit before the fifth drop.
+// Together the two conditions delay detection by 3 ms. Fewer than one false event in a million
+// hours remains. This figure is extrapolated from the false events of 20 hours with both limits set
+// lower.
 #pragma once
 
 #include <outlet/history.hpp>

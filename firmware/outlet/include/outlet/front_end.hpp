@@ -27,15 +27,16 @@ constexpr int kVoltageWindow_ms = 50;
 constexpr float kVoltageDelay_s = 0.025f;
 
 constexpr std::int32_t kMaxSampleRate_hz = 32000;
-constexpr std::size_t kMaxTable = 1600;  // kMaxSampleRate_hz / gcd with 60
+constexpr std::size_t kMaxTable = 1600;  // kMaxSampleRate_hz / gcd(kMaxSampleRate_hz, 60)
 
 // The board's properties, fixed at start-up.
 struct Hardware {
   std::int32_t sample_rate_hz = 8000;  // whole multiple of 1000, up to kMaxSampleRate_hz
   std::int32_t nominal_hz = 50;        // 50 or 60
   float counts_per_pu = 21845.0f;      // ADC counts at the nominal amplitude (peak)
-  // False: the sample clock does not come from the crystal. An error of 1 % makes healthy mains
-  // look as if they were below f^B. The outlet then measures no frequency and only obeys commands.
+  // False: the sample clock does not come from the crystal. A clock error of 1 % makes healthy
+  // mains look as if their frequency were below f^B, at which the outlet switches off. Without a
+  // crystal the outlet therefore measures no frequency and only obeys commands.
   bool has_crystal = true;
 };
 
@@ -64,7 +65,7 @@ struct FrontEndState {
 struct Phasor {
   float in_phase = 0.0f;  // per unit of the nominal amplitude, relative to the table
   float quadrature = 0.0f;
-  float voltage_pu = 0.0f;  // RMS of everything, per unit of the nominal RMS
+  float voltage_pu = 0.0f;  // RMS of the whole voltage, per unit of the nominal RMS
   bool complete = false;    // the filter is full
 };
 

@@ -42,17 +42,18 @@ constexpr float kSteady_hz_s = 0.1f;
 
 template <class Real>
 struct LineOf {
-  Real mean_hz{};  // of the frequencies: the line's value in their middle
+  Real mean_hz{};  // mean of the frequencies: the line's value in the middle
   Real slope_hz_s{};
 };
 using Line = LineOf<float>;
 
 // Least-squares line through `count` >= 2 frequencies of successive reports; `back(n)` returns the
-// one n reports before the newest. `Real`: float, or a vector of floats with one trajectory per
-// lane.
+// frequency n reports before the newest. `Real`: float, or a vector of floats with one trajectory
+// per lane.
 template <class Real, class Back>
 LineOf<Real> fit_line(const Back& back, int count) {
-  // Sums are relative to the oldest: sums of values near 50 Hz would lose millihertz in a float.
+  // The sums are of differences from the oldest frequency. Sums of values near 50 Hz would lose
+  // millihertz in a float.
   const Real origin = back(count - 1);
   LseState<Real> sums{};
   for (int n = count - 1; n >= 0; --n) {

@@ -1,7 +1,7 @@
-// Extended Kalman filter (EKF) for X = (ΔP, t_x), eq. (22)–(28): the lost power and the instant of
-// the loss, both constant, from successive measured frequencies.
+// Extended Kalman filter (EKF), eq. (22)–(28). It estimates X = (ΔP, t_x), the lost power and the
+// instant of the loss, from successive measured frequencies. Both are constant.
 //
-// The innovation is f(k) − h(X) with the full model h; eq. (28) as printed is its linearisation.
+// The innovation is f(k) − h(X) with the full model h. Eq. (28) as printed uses the linearised h.
 // The state is bounded: ΔP to [0, largest], t_x to the half second before the event. The covariance
 // cannot grow, and its diagonal has a floor that single precision can represent. Therefore no
 // measurement, however wrong, makes the filter diverge.

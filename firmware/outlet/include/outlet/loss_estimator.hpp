@@ -1,6 +1,7 @@
-// Lost power from the frequencies measured after an event: LSE over the first measurements, EKF
-// over the later ones and the last kSharedSamples of the LSE (§5.3, §5.4). Shared by the outlet
-// (Real = float) and by campaigns (Real = a vector with one trajectory per lane).
+// Estimate of the lost power from the frequencies measured after an event (§5.3, §5.4). The LSE
+// takes the first measurements. The EKF takes the last kSharedSamples of these and all later ones.
+// The outlet (Real = float) and campaigns (Real = a vector with one trajectory per lane) share
+// this code.
 #pragma once
 
 #include <outlet/loss_ekf.hpp>
@@ -10,8 +11,9 @@
 namespace gs::outlet {
 
 // Number of the LSE's last measurements that the EKF also takes. The older ones were measured
-// before the tracker had settled after the onset: with all ten, the estimate of 500 MW is 1.6 % too
-// high. With one, its standard deviation is 0.52 % instead of 0.37 %.
+// before the tracker had settled after the onset. If the EKF took all ten, its estimate of 500 MW
+// would be 1.6 % too high. If it took only one, the estimate's standard deviation would be 0.52 %
+// instead of 0.37 %.
 constexpr int kSharedSamples = 4;
 
 template <class Real>
@@ -32,15 +34,15 @@ inline EkfSettings ekf_settings(const Settings& settings) {
   return ekf;
 }
 
-// Discards the LSE's measurements so far: they must be successive.
+// Discards the LSE's measurements so far. To be called after a gap: the LSE needs successive ones.
 template <class Real>
 void restart_lse(LossEstimator<Real>& s) {
   s.lse = LseState<Real>{};
 }
 
-// Takes one measurement. `deviation_hz`: from the frequency before the event. `report`: index of
-// the measurement; the one that completed the event has index 0. An outlet passes settings.response
-// as `response`.
+// Takes one measurement. `deviation_hz`: its deviation from the frequency before the event.
+// `report`: its index; the measurement that completed the event has index 0. An outlet passes
+// settings.response as `response`.
 template <class Model, class Real>
 void take(const Settings& settings, const Model& response, LossEstimator<Real>& s,
           Real deviation_hz, int report) {

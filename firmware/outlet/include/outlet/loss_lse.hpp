@@ -1,5 +1,5 @@
-// Least-squares estimate (LSE): the slope of the first measurements after the event, eq. (18) and
-// (19), from which the first estimate of the lost power follows.
+// Least-squares estimate (LSE), eq. (18) and (19): the slope of a line through the first
+// measurements after the event. The first estimate of the lost power follows from this slope.
 #pragma once
 
 #include <outlet/front_end.hpp>

@@ -77,7 +77,7 @@ bool configure(const Hardware& hardware, Config& config);
 // current event.
 SettingsError apply(Config& config, State& state, const Settings& settings);
 
-// To be called when samples are missing before the next one. Phase and time are then unknown: the
+// To be called when samples were lost, before the next step(). Phase and time are then unknown: the
 // tracker acquires the frequency again, and a current event is abandoned.
 void lose_track(State& state);
 

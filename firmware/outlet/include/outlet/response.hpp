@@ -2,8 +2,8 @@
 // control centre sends. With d = omega_n² − sigma² and z = d·τ²
 //   u(τ)  = 1 − e^(−sigma·τ)·[C − (g0 − sigma)·S],  C = cos √z, S = τ·sin √z / √z
 //   u'(τ) = e^(−sigma·τ)·[g0·C + (omega_n² − sigma·g0)·S]
-// and f(τ) = f_0 − K·ΔP·u(τ). For d < 0, cos and sin become cosh and sinh. Their power series in z
-// are the same, so that one branch-free form covers every damping.
+// and f(τ) = f_0 − K·ΔP·u(τ). For d < 0, cos and sin become cosh and sinh, but the power series of
+// C and S in z stay the same. Therefore one branch-free form covers every damping.
 #pragma once
 
 #include <outlet/arithmetic.hpp>
@@ -13,15 +13,15 @@ namespace gs::outlet {
 // `Parameter`: float, or a vector of floats if each lane of a campaign has its own parameters.
 template <class Parameter>
 struct ResponseOf {
-  Parameter gain_hz_per_mw{};       // K, final deviation
+  Parameter gain_hz_per_mw{};       // K, final deviation per MW
   Parameter sigma_per_s{};          // zeta·omega_n
   Parameter discriminant_per_s2{};  // d
   Parameter initial_slope_per_s{};  // g0 = omega_n²·T_R
 };
 using Response = ResponseOf<float>;
 
-// Limits of validity: of the series, on |d|·τ² (relative error 1e-6), and of e^(−sigma·τ), on
-// sigma·τ.
+// The model is valid up to these limits. The first bounds |d|·τ²: up to it, the series have a
+// relative error of 1e-6. The second bounds sigma·τ, for e^(−sigma·τ).
 constexpr float kLargestSeriesArgument = 16.0f;
 constexpr float kLargestDecay = 24.0f;
 
@@ -35,7 +35,7 @@ struct UnitResponse {
 template <class Parameter, class Real>
 UnitResponse<Real> unit_response(const ResponseOf<Parameter>& r, Real tau_s) {
   const Real z = tau_s * tau_s * r.discriminant_per_s2;
-  // Horner over 1/((2k)(2k−1)) and 1/((2k)(2k+1)).
+  // Horner's scheme. Ratio of successive terms: −z/((2k)(2k−1)) in C, −z/((2k)(2k+1)) in S.
   Real c = Real{} + 1.0f;
   Real s = Real{} + 1.0f;
   for (int k = 11; k >= 1; --k) {

@@ -14,7 +14,8 @@ namespace gs::outlet {
 
 constexpr int kMaxConditions = 32;
 
-// One row of Table 1: met while f is in [from_hz, the row above's from_hz) and ROCOF < the limit.
+// One row of Table 1. Its condition is met while f is at least from_hz, but below from_hz of the
+// row above, and the ROCOF is below rocof_below_hz_s.
 struct ConditionRow {
   float from_hz = 0.0f;
   float rocof_below_hz_s = 0.0f;
@@ -23,7 +24,7 @@ struct ConditionRow {
 constexpr std::uint32_t kNoSettings = 0;  // version of an outlet without settings
 
 struct Settings {
-  std::uint32_t version = kNoSettings;  // from 1, incremented with each set of the control centre
+  std::uint32_t version = kNoSettings;  // the control centre counts its sets of settings from 1
 
   // The system, for the ΔP estimate.
   Response response;
@@ -37,8 +38,9 @@ struct Settings {
   // Load-shedding conditions, from f_n down.
   ConditionRow conditions[kMaxConditions];
   std::uint8_t condition_rows = 0;
-  // n_max of §5.2: shed only with more hits than this in the ekf_samples reports. A loss at the
-  // threshold has 25 ± 3 hits, one of 320 MW 14 ± 3, one of 380 MW 33 ± 3.
+  // n_max of §5.2. A hit is a report that meets a condition. The outlet sheds only with more hits
+  // than this in the ekf_samples reports. A loss at the threshold has 25 ± 3 hits, a loss of 320 MW
+  // has 14 ± 3, and a loss of 380 MW has 33 ± 3.
   std::uint16_t condition_hits = 20;
   std::uint8_t rocof_samples = 8;  // measurements in the least-squares slope
 
@@ -52,14 +54,16 @@ struct Settings {
   std::uint8_t ekf_samples = 40;
   float measurement_sigma_hz = 0.005f;
   float loss_sigma_mw = 0.0f;  // of the LSE that starts the EKF
-  // Initial t_x of the EKF: this long before the event's first drop, because the loss occurs within
-  // a report and noise can hide the first drop; and its standard deviation. At 1 % noise on the
-  // voltage an event is detected 7 ms later than its drops take, with a spread of 11 ms.
+  // The EKF's initial t_x lies event_lag_s before the event's first drop, because the loss occurs
+  // within a report and noise can hide the first drop. t_x_sigma_s is its standard deviation. With
+  // noise of 1 % on the voltage, an event is detected 7 ms later than its drops take, with a spread
+  // of 11 ms.
   float event_lag_s = 0.008f;
   float t_x_sigma_s = 0.010f;
   float trusted_residual_hz = 0.015f;  // RMS of the EKF's innovations above which ΔP is not trusted
 
-  // Successive measurements below f^B: few enough for "immediately", enough to ignore a glitch.
+  // The outlet switches off after this many successive measurements below f^B. They are few enough
+  // for "immediately", and enough to ignore a glitch.
   std::uint8_t switch_off_samples = 3;
 
   TrackerSettings tracker;
@@ -86,7 +90,8 @@ const char* to_string(SettingsError error);
 
 SettingsError validate(const Settings& settings, float nominal_hz);
 
-// CRC-32 (IEEE 802.3) over every field in order, little-endian. The outlet acknowledges it.
+// CRC-32 (IEEE 802.3) over every field in order, little-endian. The outlet acknowledges settings
+// with it.
 std::uint32_t digest(const Settings& settings);
 
 // The list of all settings with name, unit and range. Validation, digest, wire format, the

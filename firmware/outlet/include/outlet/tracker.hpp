@@ -7,11 +7,12 @@
 // (imaginary part). Their noise is independent, so that no covariance between amplitude and phase
 // states is needed.
 //
-// Phase steps, dips and interruptions must not appear as frequency. The innovation gate is set
-// above what a grid changes in 16 ms. While innovations are outside it, the filter coasts. After
-// three reports within the gate it takes phase and amplitude from the phasor and keeps its
-// frequency. If it coasts for too long, it acquires the frequency again. A step of the ROCOF by
-// more than 4 Hz/s exceeds the gate, too, and is followed eight reports later.
+// Phase steps, dips and interruptions must not appear as frequency. An innovation gate, wider than
+// the changes of a grid in 16 ms, detects them. While innovations are outside the gate, the filter
+// coasts: it extrapolates without correction. After three reports within the gate, the filter takes
+// phase and amplitude from the phasor and keeps its frequency. If it coasts for too long, it
+// acquires the frequency again. A step of the ROCOF by more than 4 Hz/s exceeds the gate, too; the
+// filter follows it eight reports later.
 #pragma once
 
 #include <cstdint>
@@ -51,12 +52,12 @@ struct TrackerState {
   float alpha_rad_s2 = 0.0f;
   // Covariance of (φ, ω, a): pp, pw, pa, ww, wa, aa.
   float covariance[6] = {};
-  // Innovations of the last report that remained after its correction.
+  // What the last report's correction left of its innovations.
   float last_innovation_rad = 0.0f;
   float last_innovation_amplitude = 0.0f;
   std::uint16_t age = 0;   // reports since acquisition
   std::uint8_t held = 0;   // reports since the last valid measurement
-  std::uint8_t quiet = 0;  // newest reports while coasting with innovations within the gate
+  std::uint8_t quiet = 0;  // while coasting: successive newest reports within the gate
   bool coasting = false;   // after an innovation outside the gate
   bool dead = true;
 };

@@ -7,7 +7,8 @@
 
 namespace gs::wire::cbor {
 
-// Writes items while they fit; ok() is false once one did not. Integers have their shortest form.
+// Writes items while they fit. Once an item did not fit, ok() is false. Integers are written in
+// their shortest form.
 class Writer {
  public:
   Writer(std::uint8_t* out, std::size_t capacity) : out_(out), capacity_(capacity) {}
@@ -65,7 +66,7 @@ class Reader {
   static constexpr std::uint8_t kNone = 0xFF;
 
   Head peek() const;
-  bool pass(const Head& head);  // advances past it; always returns true
+  bool pass(const Head& head);  // advances past the item; always returns true
   bool container(std::uint8_t wanted, std::size_t items_each, std::size_t& count);
 
   const std::uint8_t* at_;

@@ -1,8 +1,8 @@
-// Messages as bytes: one CBOR array each,
+// Messages as bytes. Each message is one CBOR array:
 //   from the outlet  [kind, sequence, sample, field, …]
 //   to the outlet    [kind, sequence, field, …]
-// with the fields of fields.hpp. A reader ignores items after the fields it knows, so that later
-// versions can add some. A message with a field missing or of another type is malformed. Settings
+// fields.hpp lists the fields. A reader ignores items after the fields it knows, so that later
+// versions can add fields. A message with a field missing or of another type is malformed. Settings
 // are one field: a map with the keys of outlet/settings.hpp.
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace gs::wire {
 
-// Limit for messages of any version, which a link must carry, and the longest of this version:
-// settings with all their rows. Bytes.
+// Lengths in bytes. A link must carry kLongestMessage, the limit for messages of any version. The
+// longest message of this version is settings with all their rows.
 constexpr std::size_t kLongestMessage = 560;
 constexpr std::size_t kLongestOfThisVersion = 482;
 static_assert(kLongestOfThisVersion <= kLongestMessage, "");

@@ -1,7 +1,7 @@
-// Frames on a serial line: 0x00 COBS(message CRC-32) 0x00, the CRC little-endian over the message.
-// There are no other zero bytes, so that a receiver can resynchronise at any frame. The leading
-// zero ends a frame that was interrupted, for instance by a loss of power. Empty frames are
-// ignored.
+// Frames on a serial line: 0x00 COBS(message CRC-32) 0x00. The CRC is that of the message, in
+// little-endian order. A frame has no other zero bytes, so that a receiver can resynchronise at any
+// frame. The leading zero ends an earlier frame that was interrupted, for instance by a loss of
+// power. Empty frames are ignored.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ class FrameReader {
 
   std::uint8_t bytes_[kLongestMessage + kCrcLength] = {};
   std::size_t size_ = 0;      // bytes decoded so far, or of the complete message
-  std::uint8_t code_ = 0;     // of the current group; 0: none
+  std::uint8_t code_ = 0;     // code byte of the current COBS group; 0: none
   std::uint8_t to_come_ = 0;  // bytes missing from that group
   bool too_long_ = false;
 };
@@ -50,7 +50,7 @@ class Sequence {
   enum class Order : std::uint8_t {
     kNext = 0,
     kGap = 1,        // missed() messages were lost before this one
-    kDuplicate = 2,  // a duplicate, or late: to be ignored
+    kDuplicate = 2,  // a duplicate or late message: to be ignored
   };
 
   Order take(std::uint32_t sequence);

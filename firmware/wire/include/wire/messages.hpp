@@ -43,8 +43,8 @@ enum Capability : std::uint32_t {
   kHasWatchdog = 2,
 };
 
-// Every protocol version's hello begins with protocol_version and id. Of a hello of another version
-// only these two are read.
+// Every protocol version's hello begins with protocol_version and id. If the version is another
+// one, the receiver reads only these two fields.
 struct Hello {
   std::uint16_t protocol_version = kProtocolVersion;
   char id[kLongestId + 1] = {};        // set at manufacture: letters, digits, '-', '_', '.'
@@ -191,7 +191,7 @@ constexpr DownlinkKind kLastDownlink = DownlinkKind::kPing;
 struct Downlink {
   DownlinkKind kind = DownlinkKind::kCommand;
   outlet::Settings settings;  // of kSettings
-  // Of kSettings, from decoding: kNone or kUnknownField.
+  // Of kSettings, set by decode(): kNone or kUnknownField.
   outlet::SettingsError settings_error = outlet::SettingsError::kNone;
   bool close_relay = true;    // of kCommand
   std::uint32_t request = 0;  // of kCommand: repeated in its answer

@@ -14,7 +14,7 @@ constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();  // an em
 struct FigureColumn {
   std::string name;
   int decimals = 0;  // printed; JSON has every figure in full
-  // A figure outside least … most stands for "none" and is printed so.
+  // A figure outside least … most is printed as "none".
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
 };
@@ -22,7 +22,7 @@ struct FigureColumn {
 struct FigureRow {
   std::string name;
   std::vector<double> figures;       // one for each column; kNoFigure: an empty cell
-  std::optional<int> decimals = {};  // override the columns', for a row with its own unit
+  std::optional<int> decimals = {};  // instead of the columns', for a row with its own unit
 };
 
 struct FigureTable {

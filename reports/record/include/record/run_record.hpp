@@ -56,7 +56,8 @@ struct EstimateTrace {
   std::vector<std::uint8_t> trusted;  // 1 trusted, 0 not
 };
 
-// The outlet's sample clock against the source's ticks. All zero if the outlet counts these ticks.
+// The outlet's sample clock, compared with the source's ticks. All members are zero if the outlet
+// counts these ticks itself.
 struct Clock {
   double drift_ppm = 0.0;              // positive if its crystal runs fast
   double drift_uncertainty_ppm = 0.0;  // expanded, k = 2
@@ -73,7 +74,7 @@ struct OutletRecord {
   std::string fault;            // first communication or outlet fault; empty: none
   bool relay_sensed = true;     // the bench senses its relay contact
   Clock clock;
-  std::map<std::string, double> settings;  // that it was sent; the unit is in the name
+  std::map<std::string, double> settings;  // sent to the outlet; the unit is in the name
   Verdict verdict = Verdict::kPass;
   std::vector<MeasurementResult> measurements;
   std::vector<Mark> marks;
@@ -101,7 +102,7 @@ struct Comparison {
 struct Recording {
   std::string file;  // path as given
   std::string sha256;
-  std::string time;  // name of the column, as are the next two
+  std::string time;  // column name, as are the next two members
   std::string frequency;
   std::string voltage;            // empty: nominal voltage
   double nominal_voltage = 0.0;   // in that column's unit; 0: the column's median
@@ -136,7 +137,7 @@ struct RunRecord {
   double nominal_hz = 50.0;
   BenchUncertainty bench_uncertainty;
   bool interrupted = false;  // by a signal, before its end
-  std::string fault;         // of the bench, that ended the run; empty: none
+  std::string fault;         // fault of the bench that ended the run; empty: none
   Verdict verdict = Verdict::kPass;
   std::string verdict_reason;  // one sentence; empty for PASS
   std::vector<Comparison> comparisons;

@@ -19,10 +19,10 @@ class StoreError : public std::runtime_error {
 
 // Writes a run while it proceeds. Each call is one transaction: a crash loses the current call
 // only. A run without finish() reads back with the fault "the run did not finish" and verdict
-// ERROR. After destruction the record is one plain file, without -wal or -shm files. The order is
-// begin, outlets, finish; another order throws std::logic_error, columns of unequal length
-// std::invalid_argument, a failure of the file StoreError. Earlier calls remain stored after any
-// error. Not thread-safe.
+// ERROR. After destruction the record is one plain file, without -wal or -shm files. Call begin(),
+// then add_outlet() for each outlet, then finish(). Another order throws std::logic_error. Columns
+// of unequal length throw std::invalid_argument. A failure of the file throws StoreError. Earlier
+// calls remain stored after any error. Not thread-safe.
 class Writer {
  public:
   // Creates the file. Throws StoreError if it exists or cannot be written.
@@ -38,8 +38,8 @@ class Writer {
   std::unique_ptr<Impl> impl_;
 };
 
-// Throws StoreError if the file is not a record, is of another version, or was changed: a digest of
-// every part is stored with it.
+// Throws StoreError if the file is not a record, is of another version, or was changed. A stored
+// digest of every part detects changes.
 RunRecord read_run(const std::string& path);
 
 // The same without the outlets, which are most of the file.

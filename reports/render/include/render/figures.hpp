@@ -22,8 +22,8 @@ int decimals_for(const std::vector<double>& values, double uncertainty = 0.0);
 // Digits after the point that show two significant digits of `value`, at least 0.
 int decimals_of_two_digits(double value);
 
-// Digits after the point of a figure as it is written, of up to six significant digits: of a
-// published one (a computed figure beside it has one more), of a step.
+// Digits after the point of `value` as it is written with up to six significant digits. For steps
+// and for published figures; a computed figure beside a published one has one digit more.
 int decimals_of_written(double value);
 
 }  // namespace gsbench::render

@@ -19,7 +19,7 @@ std::string junit_xml(const record::RunRecord& run);
 std::string csv(const record::RunRecord& run);
 
 struct Format {
-  const char* name;  // of `gsbench report --format`
+  const char* name;  // value of `gsbench report --format`
   const char* file;  // in the run's folder; empty: not kept there
   const char* description;
   std::string (*render)(const record::RunRecord& run);

@@ -15,7 +15,8 @@ namespace gsbench::link {
 struct FramedOptions {
   std::vector<std::string> ports;  // port names for transport::make_transport()
   int baud = transport::kBaud;
-  // For discovery: a port that cannot be opened is skipped. Otherwise it is an error of open().
+  // If a port cannot be opened: true, for discovery, skips the port; with false, open() returns an
+  // error.
   bool skip_unusable = false;
 };
 

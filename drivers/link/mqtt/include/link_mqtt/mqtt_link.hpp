@@ -2,8 +2,8 @@
 // outlet is connected), gs/<id>/up, gs/<id>/down.
 //
 // The broker must allow MQTT's largest number of in-flight messages to the bench (Mosquitto:
-// max_inflight_messages 65535). With a lower limit it may hold back QoS 1 messages while later
-// measurements pass; the messages held back then count as lost.
+// max_inflight_messages 65535). With a lower limit, the broker may hold back QoS 1 messages while
+// later measurements pass. The messages held back then count as lost.
 #pragma once
 
 #include <memory>

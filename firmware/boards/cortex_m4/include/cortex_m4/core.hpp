@@ -22,7 +22,7 @@ struct SysTick {
 };
 constexpr At<SysTick, 0xE000E010u> systick;
 
-// Starts an interrupt every `cycles` of the processor's clock, at most 2^24.
+// Starts SysTick: one interrupt every `cycles` clock cycles of the processor, at most 2^24.
 inline void start_systick(std::uint32_t cycles) {
   constexpr std::uint32_t kEnable = 1u, kInterrupt = 2u, kProcessorClock = 4u;
   systick->RVR = cycles - 1;
@@ -34,7 +34,7 @@ inline void enable_interrupt(unsigned number) {
   word_at(0xE000E100u + 4 * (number / 32)) = 1u << (number % 32);
 }
 
-// Masks all interrupts but the NMI and faults in its scope. Must not be nested.
+// Masks interrupts while the object exists. The NMI and faults are not masked. Must not be nested.
 class InterruptsMasked {
  public:
   InterruptsMasked() { asm volatile("cpsid i" ::: "memory"); }
@@ -43,8 +43,9 @@ class InterruptsMasked {
   InterruptsMasked& operator=(const InterruptsMasked&) = delete;
 };
 
-// Sleeps unless `work_waits()`. Interrupts are masked meanwhile: one that arrives between the check
-// and the instruction is pending and wakes the processor at once.
+// Sleeps until an interrupt if `work_waits()` returns false. Interrupts are masked during the check
+// and the sleep. An interrupt that arrives between the check and the WFI instruction stays pending,
+// and wakes the processor at once.
 template <class Predicate>
 void sleep_unless(Predicate work_waits) {
   const InterruptsMasked masked;

@@ -1,6 +1,7 @@
-// The list of boards, one per line. From it derive the folders and images that are built
-// (boards/CMakeLists.txt reads this file), the images' tests, and the boards that the station file
-// of an emulated station may name.
+// The list of boards, one per line. The list determines three things:
+// - which folders and images are built (boards/CMakeLists.txt reads this file),
+// - which images are tested,
+// - which boards the station file of an emulated station may name.
 #pragma once
 
 #include <cstring>
@@ -11,7 +12,7 @@ struct Board {
   const char* folder;   // its image is gs-outlet-<folder>.elf
   const char* core;     // "cortex_m4": image of the cross build; "process": the program gs-outlet
   const char* name;     // in the hello and in station files
-  const char* machine;  // of qemu-system-arm, with the shared memory `psram`; empty: not emulated
+  const char* machine;  // for qemu-system-arm; `psram` is the shared memory; empty: no qemu
   bool has_radio;       // supports MQTT besides the serial line
 };
 

@@ -1,6 +1,6 @@
-// Settings in flash, in two slots. A new set is written to the slot that does not hold the newest,
-// and is valid only once its last word, the CRC, is written. A loss of power at any time leaves the
-// old or the new set valid.
+// Settings in flash, in two slots. One slot holds the newest valid set; a new set is written to the
+// other. The new set becomes valid when its last word, the CRC, is written. After a loss of power
+// at any time, either the old or the new set is valid.
 //
 // Format of a slot: magic, sequence number, length (32 bits each, little-endian), the settings as
 // CBOR (wire/codec.hpp), padding to a whole 32-bit word, CRC-32 over everything before it.
@@ -35,7 +35,7 @@ class FlashSettingsStorage final : public app::SettingsStorage {
   // Loads the newest valid set. Returns false if there is none.
   bool load(outlet::Settings& settings);
   bool keep(const outlet::Settings& settings) override;
-  // True if there is a valid set, or if none was ever completely written.
+  // False if the stored settings are corrupt: a set was completely written, but no set is valid.
   bool usable() const override;
 
  private:

@@ -1,4 +1,5 @@
-// An emulated outlet's flash: bytes in the terminals, which persist when its process ends.
+// An emulated outlet's flash. Its bytes are in the terminals, so they persist when the outlet's
+// process ends.
 #pragma once
 
 #include <settings_storage/settings_storage.hpp>

@@ -1,8 +1,8 @@
-// The terminals: shared memory in place of an emulated outlet's hardware. It holds the samples for
-// its ADC, its relay's coil, its manufacturing data and its flash. The outlet's board code accesses
-// it like registers; the bench maps the same file.
+// The terminals: shared memory in place of an emulated outlet's hardware. They hold the samples for
+// the ADC, the changes of the relay's coil, the manufacturing data and the flash. The outlet's
+// board code accesses them like registers. The bench maps the same file.
 //
-// Each counter has one writer, which updates it after the data that it counts.
+// Each counter has one writer. The writer stores the data first, then advances the counter.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ struct SharedMemory {
   char id[wire::kLongestId + 1];
   std::uint8_t crystal_fails;  // 1: the board behaves as if its crystal did not start
 
-  // Samples of the mains. The bench writes ring[written % kRingSamples], then increments `written`;
-  // the outlet advances `taken`. Both counters run modulo 2^32.
+  // Samples of the mains voltage. The bench writes ring[written % kRingSamples], then increments
+  // `written`; the outlet advances `taken`. Both counters run modulo 2^32.
   alignas(64) volatile std::uint32_t written;
   alignas(64) volatile std::uint32_t taken;
 

@@ -16,8 +16,8 @@ class SharedPort {
   void start();
 
   bool samples_wait() const { return terminals_.written != terminals_.taken; }
-  // Takes up to `most` of the oldest samples; returns the number taken. `lost`: samples that were
-  // overwritten before them.
+  // Takes up to `most` of the oldest samples and returns the number taken. Sets `lost` to the
+  // number of samples lost before them because the bench had overwritten the ring.
   std::size_t take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost);
 
   bool relay_closed() const;

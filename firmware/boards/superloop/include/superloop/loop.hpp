@@ -1,5 +1,6 @@
-// The main loop of a board without an operating system. Each turn takes the received bytes, at most
-// a millisecond of samples, and sets the relay. Shared by all boards and the tests on the host.
+// The main loop of a board without an operating system. Each turn takes received bytes (at most
+// one frame), then samples (at most 1 ms), then sets the relay. All boards and the tests on the
+// host share this loop.
 #pragma once
 
 #include <settings_storage/settings_storage.hpp>

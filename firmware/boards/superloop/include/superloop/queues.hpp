@@ -1,5 +1,5 @@
-// Queues between an interrupt and the loop: one side puts, the other takes. On a single core,
-// volatile is enough to store an item before it is counted.
+// Queues between an interrupt and the loop: one side puts, the other takes. An item must be
+// stored before the counter advances. On a single core, volatile ensures this order.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class Ring {
   std::size_t used() const { return put_ - taken_; }
   std::size_t room() const { return kItems - used(); }
 
-  // Returns false if it is full.
+  // Returns false if the ring is full.
   bool put(T item) {
     if (room() == 0) {
       return false;
@@ -54,9 +54,9 @@ class Ring {
 template <std::size_t kBytes>
 using ByteRing = Ring<std::uint8_t, kBytes>;
 
-// Samples between the ADC's interrupt and the loop. Lost samples are reported at their place in the
-// order: once a block did not fit, later blocks are dropped until the loop has taken the samples
-// before the gap.
+// Samples on their way from the ADC's interrupt to the loop. The loop learns of lost samples after
+// it has taken all samples before the gap. When a block does not fit, it and all later blocks are
+// dropped until then, so that there is only one gap at a time.
 template <std::size_t kSamples>
 class SampleQueue {
  public:
@@ -68,7 +68,8 @@ class SampleQueue {
   }
   void lose(std::uint32_t count) { lost_ = lost_ + count; }
 
-  // Called from the loop, with that interrupt masked. `lost`: samples lost before those returned.
+  // Called from the loop, with the ADC's interrupt masked. Returns the number of samples taken. At
+  // a gap, returns 0 and sets `lost` to the number of lost samples.
   std::size_t take(std::int16_t* out, std::size_t most, std::uint32_t& lost) {
     lost = 0;
     if (empty()) {
