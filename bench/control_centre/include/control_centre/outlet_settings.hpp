@@ -26,9 +26,9 @@ struct RequestedSettings {
 // (GridError) or has more conditions than an outlet stores.
 gs::outlet::Settings grid_settings(const grid::Grid& grid);
 
-// All settings of one outlet. f^B is computed by eq. (17) from the power of the outlet's own
-// block (power_mw, or accumulated_mw if power_mw is not requested) and from the less important load
-// (accumulated_mw minus half of that power). If accumulated_mw is 0, f^B is the threshold
+// All settings of one outlet. The power of its own block is power_mw, or accumulated_mw if power_mw
+// is not requested. The less important load is accumulated_mw minus half of the own block's power.
+// f^B is computed from these two by eq. (17). If accumulated_mw is 0, f^B is the threshold
 // frequency. Throws std::invalid_argument for invalid input and for settings that the firmware
 // would refuse.
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
