@@ -155,8 +155,8 @@ void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {
   add_choice(command, "--loss-instant", instant,
              {{"on-report", campaign::LossInstant::kOnReport},
               {"between-reports", campaign::LossInstant::kBetweenReports}},
-             "Instant of the loss; on-report: one report interval before the first measurement; "
-             "between-reports: at a random instant in that interval");
+             "Instant of the loss; on-report: at the instant of a report, one interval before the "
+             "first measurement that is used; between-reports: at random in that interval");
 }
 
 }  // namespace gsbench::cli

@@ -108,7 +108,7 @@ int devices(const DevicesArguments& arguments) {
 
 void add_devices(CommandLine& line) {
   const auto [command, arguments] = line.command(
-      "devices", "List the outlets on serial ports, TCP ports or behind an MQTT broker", devices);
+      "devices", "List the outlets on serial or TCP ports, or behind an MQTT broker", devices);
   add_link_options(command, arguments.link);
   add_json_flag(command, arguments.json);
   command.footer(

@@ -58,8 +58,9 @@ void add_trace(CLI::App& command, profile::Overrides& overrides) {
       command
           .add_option(
               "--trace", overrides.trace_path,
-              "Play this CSV recording. It replaces the profile's frequency (losses, points or "
-              "recording) and its amplitude and phase steps; noise, harmonics and DC offset stay")
+              "Play this CSV recording; --trace-time and --trace-frequency name its columns. It "
+              "replaces the profile's frequency (losses, points or recording) and its amplitude "
+              "and phase steps; noise, harmonics and DC offset stay")
           ->type_name("FILE");
   const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
     command.add_option(name, value, text)->type_name(type)->needs(trace);

@@ -120,7 +120,7 @@ void replace_by_recording(const std::string& path, const recording::TraceColumns
         "--trace requires --trace-time and --trace-frequency, the names of the columns");
   }
   if (!is_regular_file(path)) {
-    throw ConfigurationError(fmt::format("{}: the recording does not exist", path));
+    throw ConfigurationError(fmt::format("{}: is not an existing file", path));
   }
   auto points = read_recording(path, columns);
   if (points.size() < 2) {

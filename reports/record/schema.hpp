@@ -1,5 +1,6 @@
-// The tables of a record file, one for each kind of part. The key of a row is the owner (0: the
-// run, n: the n-th outlet) and the position of the part.
+// The tables of a record file. A record consists of parts: outlets, measurements, marks, … Each
+// kind of part has one table. The key of a row is the part's owner (0: the run, n: the n-th outlet)
+// and its position among the owner's parts of this kind.
 #pragma once
 
 #include "fields.hpp"

@@ -134,7 +134,7 @@ TEST_F(Recording, OfTheCommandLineIsNamedInItsRefusal) {
   EXPECT_EQ(refusal_here(kMinimal, replay("short.csv")),
             path("short.csv") + ": the recording is 0.09 s long; it must be at least 0.1 s");
   EXPECT_EQ(refusal_here(kMinimal, replay("none.csv")),
-            path("none.csv") + ": the recording does not exist");
+            path("none.csv") + ": is not an existing file");
   folder_.write("bad.csv", "t,f\n0,50\n1,fifty\n");
   EXPECT_THAT(refusal_here(kMinimal, replay("bad.csv")), StartsWith(path("bad.csv") + ":3:"));
 }

@@ -3,10 +3,11 @@
 //
 // Outlets measure every 16 ms, not synchronised. A measurement is the frequency 28 ms earlier
 // (front-end delay) plus noise. Load shed by other outlets changes the frequency that an outlet
-// measures. Outlets detect the loss at the sixth measurement after it, when enough
-// drops have been seen. (The firmware's detector, which follows its tracker, needs 104 … 152 ms.)
-// 49 measurements later they estimate the loss and decide, by the firmware's own code. The
-// firmware's load-shedding conditions and its check of the estimate are not part of this model.
+// measures. Outlets detect the loss at the sixth measurement that shows the time after it, 108 …
+// 124 ms after the loss. (The firmware needs 104 … 152 ms, because its tracker smooths the
+// frequency.) 49 measurements later they estimate the loss and compare it with the threshold, by
+// the firmware's own code. This model leaves out the load-shedding conditions of the firmware and
+// its check whether an estimate is plausible.
 #pragma once
 
 #include <optional>

@@ -57,7 +57,7 @@ struct EstimateTrace {
 };
 
 // The outlet's sample clock, compared with the source's ticks. All members are zero if the outlet
-// counts these ticks itself.
+// has no clock of its own but counts the source's ticks, as simulated outlets do.
 struct Clock {
   double drift_ppm = 0.0;              // positive if its crystal runs fast
   double drift_uncertainty_ppm = 0.0;  // expanded, k = 2
