@@ -130,6 +130,11 @@ Status Source::energise() {
   return ready.ok() ? enter(State::kEnergised, power_up()) : ready;
 }
 
+Status Source::hold() {
+  Status ready = expect("hold", State::kEnergised);
+  return ready.ok() ? enter(State::kEnergised, keep_up()) : ready;
+}
+
 Status Source::start() {
   Status ready = expect("start", State::kEnergised);
   return ready.ok() ? enter(State::kPlaying, begin()) : ready;

@@ -34,7 +34,7 @@ class RelaySense {
  public:
   virtual ~RelaySense() = default;
   // Valid from the source's start on, for the edges polled so far. `uncertainty_ticks` is valid at
-  // any time.
+  // any time; it may grow with each poll.
   virtual Alignment alignment() const = 0;
   // Appends the edges since the last call, bounces included, in time order for each channel. Does
   // not block.

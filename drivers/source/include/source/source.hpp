@@ -1,14 +1,16 @@
 // A source plays the mains voltage: simulated, emulated or an instrument. One source feeds all
 // outlets of a run. Used by one thread at a time.
 //
-// Order of calls: check → prepare → energise → start → advance … → stop; make_safe at any time. The
-// base class checks the order and the limits for all drivers; a driver implements the protected
-// functions. All errors are returned.
+// Order of calls: check → prepare → energise → hold … → start → advance … → stop; make_safe at any
+// time. The base class checks the order and the limits for all drivers; a driver implements the
+// protected functions. All errors are returned.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,11 +35,20 @@ struct Limits {
   bool noise_per_outlet = false;  // true: independent noise for each outlet; false: the same
 };
 
-// Largest deviation of the played voltage from the stimulus, without noise.
+// How a stimulus would be played, and the largest deviation of the played voltage from the
+// stimulus, without noise.
 struct Played {
-  double frequency_hz = 0.0;
-  double voltage_pu = 0.0;  // of a sample; for kStepped, of the amplitude
-  double time_s = 0.0;      // early or late
+  double frequency_hz = 0.0;  // over windows of 200 ms; includes the error of the source's clock
+  double voltage_pu = 0.0;    // of a sample; for kStepped, of the amplitude
+  double time_s = 0.0;        // early or late
+  std::vector<std::string> how = {};  // for people: "720 000 points at 16 kSa/s", …
+};
+
+// The source's ticks on this machine's steady clock: tick n is n · tick_s after tick_0.
+struct HostClock {
+  std::chrono::steady_clock::time_point tick_0;
+  double tick_s = 0.0;
+  double uncertainty_s = 0.0;  // of the time of any tick of the stimulus, ±
 };
 
 using Progress = std::function<void(double part)>;  // 0 … 1
@@ -56,21 +67,34 @@ class Source {
   // advance(). `stimulus` must live until make_safe().
   drivers::Result<Played> prepare(const Stimulus& stimulus, const Progress& progress = {});
 
-  // Plays nominal voltage until start(): outlets power up.
+  // Raises the voltage softly to nominal and keeps it there until start(): outlets power up. Blocks
+  // until the voltage is nominal, 1 s at most.
   drivers::Status energise();
 
-  // Starts the stimulus: its tick 0 is now.
+  // Keeps the voltage nominal. Must be called at least every 50 ms between energise() and start():
+  // a source that hears nothing from the bench switches off. An error if the output is no longer as
+  // it was set.
+  drivers::Status hold();
+
+  // Starts the stimulus. A kLoaded source blocks until the time for booting that was part of its
+  // waveform is over.
   drivers::Status start();
+
+  // Valid from start() on. nullopt: the source plays in virtual time. Needed by a relay sense that
+  // has this machine's clock.
+  virtual std::optional<HostClock> host_clock() const { return std::nullopt; }
 
   // Plays up to `until_tick` (excluded), which must be after the tick reached and not after the end
   // of the stimulus. Blocks while the source has no room for more. Returns the tick reached: at
   // least `until_tick`; later if the source plays on its own.
   drivers::Result<std::int64_t> advance(std::int64_t until_tick);
 
-  // Stops the stimulus, at its end or earlier. The outlets keep their supply.
+  // Stops the stimulus, at its end or earlier. Outlets keep their supply, except from a kLoaded
+  // source, whose waveform ends with the output off.
   drivers::Status stop();
 
-  // Output off. May be called at any time, more than once, and after a failure.
+  // Output off, verified if the source can be asked. May be called at any time, more than once, and
+  // after a failure. An error means that the state of the output is unknown.
   drivers::Status make_safe() noexcept;
 
  protected:
@@ -78,6 +102,7 @@ class Source {
   virtual drivers::Result<Played> deviation(const Stimulus& stimulus) const = 0;
   virtual drivers::Status upload(const Progress&) { return drivers::Done{}; }
   virtual drivers::Status power_up() = 0;
+  virtual drivers::Status keep_up() { return drivers::Done{}; }
   virtual drivers::Status begin() = 0;
   virtual drivers::Result<std::int64_t> play_until(std::int64_t until_tick) = 0;
   virtual drivers::Status end() { return drivers::Done{}; }
