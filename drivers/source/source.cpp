@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <models/noise.hpp>
 #include <source/source.hpp>
 
 namespace gsbench::source {
@@ -20,6 +21,11 @@ Status render(const Limits& limits, const Stimulus& stimulus, std::int64_t first
               std::int64_t count, std::vector<float>& out) {
   out.resize(static_cast<std::size_t>(count));
   stimulus.render(first_tick, out.size(), out.data());
+  if (const Noise noise = stimulus.noise(); !limits.noise_per_outlet && noise.rms_pu > 0.0F) {
+    models::add_gaussian({noise.seed, models::kSourceNoise, 0},
+                         static_cast<std::uint64_t>(first_tick), out.size(), noise.rms_pu,
+                         out.data());
+  }
   const auto full_scale = static_cast<float>(limits.full_scale_pu);
   const auto beyond = std::find_if(out.begin(), out.end(), [full_scale](float pu) {
     return !(std::fabs(pu) <= full_scale);  // true for NaN

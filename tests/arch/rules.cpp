@@ -40,7 +40,8 @@ const std::vector<FolderRule>& folder_rules() {
       {"drivers/common", {}, "drivers"},
       {"drivers/models", {}},
       {"drivers/transport", {"drivers/common"}},
-      {"drivers/source", {"drivers/common", "firmware/wire", "drivers/link", "drivers/relay"}},
+      {"drivers/source",
+       {"drivers/common", "drivers/models", "firmware/wire", "drivers/link", "drivers/relay"}},
       // Subfolders of drivers/link come before it: the first matching row counts.
       {"drivers/link/framed",
        {"drivers/common", "drivers/link", "drivers/transport", "firmware/wire"},

@@ -112,8 +112,9 @@ class Source {
   const Stimulus& stimulus() const { return *stimulus_; }
   // Played up to here (excluded).
   std::int64_t tick() const { return tick_; }
-  // Samples of the stimulus, per unit of nominal peak, valid until the next call. An error if one
-  // is beyond full scale: a source never clips.
+  // Samples of the stimulus, per unit of nominal peak, valid until the next call. They contain the
+  // stimulus's noise if limits().noise_per_outlet is false. An error if one is beyond full scale: a
+  // source never clips.
   drivers::Result<const float*> samples(std::int64_t first_tick, std::int64_t count);
 
  private:
