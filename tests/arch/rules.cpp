@@ -20,6 +20,7 @@ const std::vector<FolderRule>& folder_rules() {
       {"firmware/outlet", {}},
       {"firmware/wire", {"firmware/outlet"}},
       {"firmware/app", {"firmware/outlet", "firmware/wire"}},
+      {"firmware/head", {"firmware/outlet", "firmware/wire"}},
       {"firmware/boards/list", {}, "boards"},
       {"firmware/boards/settings_storage", {"firmware/outlet", "firmware/wire", "firmware/app"}},
       {"firmware/boards/shared_memory_io",
