@@ -1,14 +1,7 @@
-#include "shared_memory_file.hpp"
-
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include <emulation/mains.hpp>
 #include <models/adc.hpp>
-#include <models/crystal_adc.hpp>
-#include <models/relay_model.hpp>
 #include <simulated/pacer.hpp>
 
 namespace gsbench::emulation {
@@ -17,40 +10,18 @@ using drivers::Done;
 using drivers::Error;
 using drivers::Result;
 using drivers::Status;
-using models::ContactEdge;
 using models::kCounts_per_pu;
 
 // Shared by source and relay sense: all outlets, and the tick played up to.
 struct MainsState {
-  struct Outlet {
-    Outlet(SharedMemoryFile file, double ppm) : terminal(std::move(file)), crystal_ppm(ppm) {}
-
-    SharedMemoryFile terminal;
-    double crystal_ppm;
-    std::unique_ptr<models::CrystalAdc> adc;  // from power-up on
-    std::uint32_t first_sample = 0;           // the terminal's sample count at tick 0
-    std::uint32_t edges_read = 0;
-    std::uint64_t coil_changes = 0;
-    std::vector<ContactEdge> contact;  // edges that poll() has not returned yet, ascending
-    bool given_up = false;
-    std::vector<std::int16_t> samples;
-  };
-
   MainsOptions options;
-  std::vector<Outlet> outlets;
+  std::unique_ptr<Terminals> terminals;
   std::int64_t tick = 0;
-  std::uint64_t seed = 0;
 };
 
 namespace {
 
-// Without real time, the source waits for an outlet that is more than kMostBehind samples behind.
-// If the outlet is still behind after kGivenUpAfter, it has ended, and the source stops waiting.
-constexpr std::uint32_t kMostBehind = 4096;
 constexpr double kPi = 3.14159265358979323846;
-constexpr auto kGivenUpAfter = std::chrono::seconds(2);
-
-using Outlet = MainsState::Outlet;
 
 class MainsSource final : public source::Source {
  public:
@@ -75,21 +46,17 @@ class MainsSource final : public source::Source {
   }
 
   Status power_up() override {
-    const source::Noise noise = stimulus().noise();
-    state_->seed = noise.seed;
     state_->tick = 0;
-    for (std::size_t i = 0; i < state_->outlets.size(); ++i) {
-      Outlet& outlet = state_->outlets[i];
-      const models::Stream stream{noise.seed, models::kSourceNoise, static_cast<std::uint32_t>(i)};
-      outlet.adc = std::make_unique<models::CrystalAdc>(outlet.crystal_ppm, kCounts_per_pu,
-                                                        noise.rms_pu, stream);
-      outlet.given_up = false;
+    Terminals& terminals = *state_->terminals;
+    for (std::size_t i = 0; i < terminals.size(); ++i) {
       // A different sample count for each outlet.
-      if (Status fed = feed_nominal(outlet, 800 + 137 * i); !fed.ok()) {
-        return fed;
+      const Result<std::vector<std::int16_t>> nominal = nominal_counts(800 + 137 * i);
+      if (!nominal.ok()) {
+        return Error{nominal.error()};
       }
-      outlet.first_sample = outlet.terminal.terminals().written;
+      terminals.write(i, nominal.value());
     }
+    terminals.connect(state_->options.sample_rate_hz, stimulus().noise());
     return Done{};
   }
 
@@ -105,17 +72,10 @@ class MainsSource final : public source::Source {
       return Error{voltage_pu.error()};
     }
     pacer_.wait_until(until_tick);
-    for (Outlet& outlet : state_->outlets) {
-      outlet.samples.clear();
-      outlet.adc->take(voltage_pu.value(), static_cast<std::size_t>(count), outlet.samples);
-      outlet.terminal.write(outlet.samples.data(), outlet.samples.size());
-      outlet.terminal.ring();
-    }
+    state_->terminals->feed(voltage_pu.value(), static_cast<std::size_t>(count));
     state_->tick = until_tick;
     if (!state_->options.real_time) {
-      for (Outlet& outlet : state_->outlets) {
-        wait_for(outlet);
-      }
+      state_->terminals->wait_for_outlets();
     }
     return until_tick;
   }
@@ -124,7 +84,7 @@ class MainsSource final : public source::Source {
 
  private:
   // `count` samples of nominal voltage, in phase with the stimulus's first two samples.
-  Status feed_nominal(Outlet& outlet, std::size_t count) {
+  Result<std::vector<std::int16_t>> nominal_counts(std::size_t count) {
     const Result<const float*> first = samples(0, 2);
     if (!first.ok()) {
       return Error{first.error()};
@@ -135,23 +95,12 @@ class MainsSource final : public source::Source {
                             static_cast<double>(state_->options.sample_rate_hz);
     const double phase_rad =
         std::atan2((at_0 * std::cos(step_rad) - at_1) / std::sin(step_rad), at_0);
-    outlet.samples.resize(count);
+    std::vector<std::int16_t> counts(count);
     for (std::size_t n = 0; n < count; ++n) {
       const double angle_rad = phase_rad - step_rad * static_cast<double>(count - n);
-      outlet.samples[n] =
-          models::adc_counts(static_cast<float>(std::cos(angle_rad)), kCounts_per_pu);
+      counts[n] = models::adc_counts(static_cast<float>(std::cos(angle_rad)), kCounts_per_pu);
     }
-    outlet.terminal.write(outlet.samples.data(), count);
-    outlet.terminal.ring();
-    return Done{};
-  }
-
-  static void wait_for(Outlet& outlet) {
-    const auto end = std::chrono::steady_clock::now() + kGivenUpAfter;
-    while (!outlet.given_up && outlet.terminal.behind() > kMostBehind) {
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
-      outlet.given_up = std::chrono::steady_clock::now() > end;
-    }
+    return counts;
   }
 
   std::shared_ptr<MainsState> state_;
@@ -167,45 +116,19 @@ class TerminalRelaySense final : public relay::RelaySense {
   relay::Alignment alignment() const override { return {0.0, 1.0, 1.0}; }
 
   Status poll(std::vector<relay::Edge>& edges) override {
-    for (std::size_t i = 0; i < state_->outlets.size(); ++i) {
-      Outlet& outlet = state_->outlets[i];
-      follow_coil(outlet, i);
-      const auto future =
-          std::find_if(outlet.contact.begin(), outlet.contact.end(),
-                       [&](const ContactEdge& edge) { return edge.tick >= state_->tick; });
-      for (auto edge = outlet.contact.begin(); edge != future; ++edge) {
-        edges.push_back({i, edge->tick, edge->closed});
+    for (std::size_t i = 0; i < state_->terminals->size(); ++i) {
+      taken_.clear();
+      state_->terminals->take_edges(i, state_->tick, taken_);
+      for (const models::ContactEdge& edge : taken_) {
+        edges.push_back({i, edge.tick, edge.closed});
       }
-      outlet.contact.erase(outlet.contact.begin(), future);
     }
     return Done{};
   }
 
  private:
-  void follow_coil(Outlet& outlet, std::size_t index) {
-    const gs::shared_memory_io::SharedMemory& terminals = outlet.terminal.terminals();
-    for (const std::uint32_t there = terminals.edges; outlet.edges_read != there;
-         ++outlet.edges_read) {
-      const gs::shared_memory_io::PinEdge& pin =
-          terminals.edge[outlet.edges_read % gs::shared_memory_io::kPinEdges];
-      // Edges before tick 0 have no tick.
-      const auto since = static_cast<std::int32_t>(pin.sample - outlet.first_sample);
-      if (since < 0 || outlet.adc == nullptr) {
-        continue;
-      }
-      const auto tick = static_cast<std::int64_t>(std::llround(outlet.adc->tick_of(since)));
-      const models::Stream stream{state_->seed, models::kRelayModel,
-                                  static_cast<std::uint32_t>(index)};
-      for (const ContactEdge& edge :
-           contact_edges(models::RelayParameters(), stream, outlet.coil_changes, tick,
-                         pin.closed != 0, state_->options.sample_rate_hz)) {
-        outlet.contact.push_back(edge);
-      }
-      ++outlet.coil_changes;
-    }
-  }
-
   std::shared_ptr<MainsState> state_;
+  std::vector<models::ContactEdge> taken_;
 };
 
 }  // namespace
@@ -218,29 +141,29 @@ Mains::Mains(std::shared_ptr<MainsState> state)
 Result<std::unique_ptr<Mains>> Mains::create(const MainsOptions& options) {
   const auto state = std::make_shared<MainsState>();
   state->options = options;
-  for (const MainsOutlet& outlet : options.outlets) {
-    Result<SharedMemoryFile> file = SharedMemoryFile::create(
-        options.folder,
-        {outlet.id, static_cast<std::uint32_t>(state->outlets.size() + 1),
-         static_cast<std::int32_t>(options.sample_rate_hz), options.nominal_hz, kCounts_per_pu});
-    if (!file.ok()) {
-      return Error{file.error()};
-    }
-    state->outlets.emplace_back(file.take(), outlet.crystal_ppm);
+  if (const Status made = Terminals::create({options.folder, options.outlets,
+                                             options.sample_rate_hz, options.nominal_hz})
+                              .move_to(state->terminals);
+      !made.ok()) {
+    return Error{made.error()};
   }
   return std::unique_ptr<Mains>(new Mains(state));
 }
 
+Terminals& Mains::outlets() {
+  return *state_->terminals;
+}
+
 gs::shared_memory_io::SharedMemory& Mains::terminals(std::size_t outlet) {
-  return state_->outlets.at(outlet).terminal.terminals();
+  return state_->terminals->memory(outlet);
 }
 
 const std::string& Mains::terminal_path(std::size_t outlet) const {
-  return state_->outlets.at(outlet).terminal.path();
+  return state_->terminals->path(outlet);
 }
 
 const std::string& Mains::doorbell_path(std::size_t outlet) const {
-  return state_->outlets.at(outlet).terminal.doorbell();
+  return state_->terminals->doorbell(outlet);
 }
 
 }  // namespace gsbench::emulation

@@ -6,8 +6,9 @@
 
 namespace gsbench::models {
 
-CrystalAdc::CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stream noise)
-    : rate_(1.0 + 1e-6 * ppm),
+CrystalAdc::CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stream noise,
+                       double samples_per_tick)
+    : rate_(samples_per_tick * (1.0 + 1e-6 * ppm)),
       counts_per_pu_(counts_per_pu),
       noise_rms_pu_(noise_rms_pu),
       noise_(noise) {}

@@ -25,17 +25,18 @@ class FakeOutlet {
   using Use = std::function<void(const std::int16_t* samples, std::size_t count)>;
 
   // `use` is called on that thread.
-  FakeOutlet(const emulation::Mains& mains, std::size_t outlet, Use use = {})
+  FakeOutlet(emulation::Mains& mains, std::size_t outlet, Use use = {})
+      : FakeOutlet(mains.outlets(), outlet, std::move(use)) {}
+  FakeOutlet(const emulation::Terminals& terminals, std::size_t outlet, Use use = {})
       : use_(std::move(use)),
-        file_(::open(mains.terminal_path(outlet).c_str(), O_RDWR | O_CLOEXEC)),
+        file_(::open(terminals.path(outlet).c_str(), O_RDWR | O_CLOEXEC)),
         mapped_(mmap(nullptr, sizeof(gs::shared_memory_io::SharedMemory), PROT_READ | PROT_WRITE,
                      MAP_SHARED, file_.get(), 0)),
         port_(*static_cast<gs::shared_memory_io::SharedMemory*>(mapped_)),
         bell_(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
-    std::strncpy(address.sun_path, mains.doorbell_path(outlet).c_str(),
-                 sizeof address.sun_path - 1);
+    std::strncpy(address.sun_path, terminals.doorbell(outlet).c_str(), sizeof address.sun_path - 1);
     EXPECT_EQ(connect(bell_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
     port_.start();
     taking_ = std::thread([this] { take(); });

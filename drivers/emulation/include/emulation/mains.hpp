@@ -1,7 +1,6 @@
-// Source and relay sense of emulated outlets, through the shared memory of their terminals. Each
-// outlet has an ADC on its own crystal, which is some ppm off. The ADC's sample count starts before
-// the stimulus. models/relay_model.hpp models how the contact follows the coil. Source and relay
-// sense share state: use them from one thread.
+// Source and relay sense of emulated outlets, directly at their terminals
+// (emulation/terminals.hpp), without an instrument between. The outlets' sample counts start before
+// the stimulus. Source and relay sense share state: use them from one thread.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +9,11 @@
 #include <vector>
 
 #include <drivers/result.hpp>
+#include <emulation/terminals.hpp>
 #include <relay/relay_sense.hpp>
 #include <source/source.hpp>
 
-namespace gs::shared_memory_io {
-struct SharedMemory;
-}
-
 namespace gsbench::emulation {
-
-struct MainsOutlet {
-  std::string id;
-  double crystal_ppm = 0.0;  // positive: fast
-};
 
 struct MainsOptions {
   std::string folder;  // for the files that the emulators map; best on a memory file system
@@ -42,6 +33,8 @@ class Mains {
   const std::string& terminal_path(std::size_t outlet) const;
   const std::string& doorbell_path(std::size_t outlet) const;
 
+  // Not to be used while the source is energised.
+  Terminals& outlets();
   // For fault injection.
   gs::shared_memory_io::SharedMemory& terminals(std::size_t outlet);
 

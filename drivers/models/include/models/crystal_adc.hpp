@@ -1,6 +1,7 @@
 // An outlet's ADC on its own crystal. It resamples the source's samples at the times of the
 // outlet's clock. It interpolates with a cubic through the four nearest samples. At 8 kHz, for the
-// 10th harmonic of 50 Hz, the error is below 1e-5 of the amplitude.
+// 10th harmonic of 50 Hz, the error is below 1e-5 of the amplitude. It has no anti-aliasing filter:
+// of a source with a higher rate, content above half the outlet's rate must be removed before.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,10 @@ namespace gsbench::models {
 class CrystalAdc {
  public:
   // `ppm`: frequency error of the crystal, positive if fast. `noise_rms_pu`: RMS of the noise added
-  // to the outlet's samples. The stream `noise` supplies the noise.
-  CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stream noise);
+  // to the outlet's samples. The stream `noise` supplies the noise. `samples_per_tick`: sample rate
+  // of the outlet, as nominal, over the rate of the source's samples.
+  CrystalAdc(double ppm, float counts_per_pu, float noise_rms_pu, Stream noise,
+             double samples_per_tick = 1.0);
 
   // Takes the next samples of the source and appends the resulting samples of the outlet.
   void take(const float* voltage_pu, std::size_t count, std::vector<std::int16_t>& samples);
