@@ -54,6 +54,15 @@ Key amplitude_step_keys() {
            .require()});
 }
 
+// 0 is not permitted: no instrument plays without a deviation.
+Key tolerance(const char* name, const char* unit, double fallback, const char* of) {
+  return keys::number(name, unit, {0.0, 1000.0, true},
+                      fmt::format("largest accepted deviation of the played {}; a source that "
+                                  "deviates more is refused",
+                                  of))
+      .by_default(fallback);
+}
+
 Key phase_jump_keys() {
   return keys::tables("phase_jump", "Steps of the phase angle.",
                       {time_in_run("time; takes effect from the first sample at or after it"),
@@ -223,6 +232,11 @@ Key signal_keys() {
               keys::number("initial_phase_deg", "degrees", keys::between(-360.0, 360.0),
                            "phase of the fundamental at the start")
                   .by_default(0.0),
+              tolerance("frequency_tolerance_mhz", "mHz", Tolerances{}.frequency_mhz,
+                        "frequency, over windows of 200 ms"),
+              tolerance("voltage_tolerance_pct", "%", Tolerances{}.voltage_pct,
+                        "voltage, relative to the nominal peak amplitude"),
+              tolerance("time_tolerance_ms", "ms", Tolerances{}.time_ms, "time"),
               amplitude_step_keys(), phase_jump_keys(), trace_keys()})
       .require("the signal to play, e.g. [signal] duration_s = 6.0");
 }
@@ -260,6 +274,9 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
   stimulus.signal.phase_jumps = read_phase_jumps(signal, stimulus.duration_s);
   stimulus.signal.dc_offset_pct = signal.number("dc_offset_pct");
   stimulus.signal.initial_phase_deg = signal.number("initial_phase_deg");
+  stimulus.tolerances = {signal.number("frequency_tolerance_mhz"),
+                         signal.number("voltage_tolerance_pct"),
+                         signal.number("time_tolerance_ms")};
   return stimulus;
 }
 

@@ -169,6 +169,9 @@ TEST(Profile, KeepsTheGivenUnitOfLimits) {
 
 TEST(Profile, HoldsFrequencyPoints) {
   const Stimulus stimulus = parse(kPoints).stimulus;
+  EXPECT_EQ(stimulus.tolerances.frequency_mhz, 0.2);
+  EXPECT_EQ(stimulus.tolerances.voltage_pct, 0.5);
+  EXPECT_EQ(stimulus.tolerances.time_ms, 0.1);
   ASSERT_THAT(stimulus.points, SizeIs(3));
   EXPECT_EQ(stimulus.points[1].t_s, 2.0);
   EXPECT_EQ(stimulus.points[1].frequency_hz, 49.5);

@@ -218,12 +218,12 @@ const std::vector<Mistake> kOfPoints = {
     {"[2.0, 49.5]", "[2.0, \"49.5\"]",
      "7:33: hz is the text \"49.5\"; it must be a number, without quotes and unit"},
     {"[[outlet]]", "[signal.trace]\nfile = \"r\"\ntime = \"t\"\nfrequency = \"f\"\n[[outlet]]",
-     "8:1: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
+     "11:1: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
      "[signal.trace]"},
     {"[[outlet]]",
      "dc_offset_pct = 20.0\n[[signal.amplitude_step]]\nat_s = 1.0\nduration_s = 3.0\n"
      "level_pct = 140.0\n[[outlet]]",
-     "9:1: the voltage reaches 1.6 p.u. at 1 s, harmonics and offset included; it must be at most "
+     "12:1: the voltage reaches 1.6 p.u. at 1 s, harmonics and offset included; it must be at most "
      "1.5 p.u."},
 };
 

@@ -26,6 +26,14 @@ struct Recording {
   bool replaces_profile = false;  // given on the command line (Overrides)
 };
 
+// Largest accepted deviations of the played voltage from the signal. A source that cannot keep them
+// is refused before it is energised.
+struct Tolerances {
+  double frequency_mhz = 1.0;  // over windows of 200 ms
+  double voltage_pct = 1.0;    // of the nominal peak amplitude
+  double time_ms = 1.0;
+};
+
 struct Stimulus {
   // Source of the frequency: at most one of losses and points is not empty.
   std::vector<grid::PowerChange> losses;      // [[grid.loss]]
@@ -35,6 +43,7 @@ struct Stimulus {
   double duration_s = 0.0;             // > 0
   std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000
   double noise_pct = 0.0;              // white, RMS, % of the nominal peak amplitude
+  Tolerances tolerances;
 
   float noise_rms_pu() const { return static_cast<float>(noise_pct / 100.0); }
 };

@@ -37,7 +37,8 @@ class RelaySense {
   // any time; it may grow with each poll.
   virtual Alignment alignment() const = 0;
   // Appends the edges since the last call, bounces included, in time order for each channel. Does
-  // not block.
+  // not block. A contact counts as closed until its first edge: for a contact that is open when the
+  // bench first sees it, the first edge is an opening at that time.
   [[nodiscard]] virtual drivers::Status poll(std::vector<Edge>& edges) = 0;
 };
 

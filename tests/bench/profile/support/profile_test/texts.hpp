@@ -121,6 +121,9 @@ system = "ieee24"
 [signal]
 duration_s = 6.0
 frequency = [[0.0, 50.0], [2.0, 49.5], [6.0, 49.8]]
+frequency_tolerance_mhz = 0.2
+voltage_tolerance_pct = 0.5
+time_tolerance_ms = 0.1
 [[outlet]]
 [[expect]]
 measure = "event.count"
