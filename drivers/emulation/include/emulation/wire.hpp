@@ -1,0 +1,78 @@
+// The wire from an emulated instrument to the emulated outlets, in true time. The chain:
+//
+//   instrument's output (V, mean over each step of 64 kHz) → gain of the emulated amplifier and
+//   transformer → low-pass → per unit of the nominal peak → the ADC of each outlet
+//
+// The low-pass is a Butterworth filter of second order. It stands for what lies between a source
+// and the ADC of an outlet: the reconstruction filter after the source's DAC, and the divider and
+// anti-aliasing filter before the outlet's ADC. At 2 kHz it passes 50 Hz with less than 1e-6 of
+// attenuation and delays the voltage by 0.11 ms. It adds no noise: noise comes from the source.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <emulation/output.hpp>
+#include <emulation/terminals.hpp>
+
+namespace gsbench::emulation {
+
+struct WireOptions {
+  double gain = 1.0;         // V at the outlets per V at the instrument's terminals
+  double nominal_v = 230.0;  // RMS at the outlets
+  double cutoff_hz = 2000.0;
+  std::uint64_t seed = 0;  // of the contacts' operating times and bounces
+  // A contact has moved at `step` of true time, which is past. In order of time for each outlet.
+  // Called from the wire's thread; must not block.
+  std::function<void(std::size_t outlet, std::int64_t step, bool closed)> on_edge = {};
+};
+
+class Wire {
+ public:
+  // Connects the terminals at step 0 of `time`, and starts a thread that brings the outlets up to
+  // now about every 2 ms. It renders the output from step 0 on. `terminals` and `output` must
+  // outlive the wire; nobody else may use the terminals meanwhile.
+  Wire(Terminals& terminals, Output& output, const TrueTime& time, const WireOptions& options);
+  // Ends the thread. Blocks for a few ms.
+  ~Wire();
+  Wire(const Wire&) = delete;
+  Wire& operator=(const Wire&) = delete;
+
+  // May be called from any thread.
+  std::int64_t step() const { return step_; }  // the outlets have received the steps before it
+  bool contact_closed(std::size_t outlet) const { return closed_[outlet]; }
+  // How late the latest edge of a contact became known, s, at worst so far. Near 0 as long as the
+  // outlets' processes keep up with true time, because a contact follows its coil after 6 ms.
+  double worst_lateness_s() const;
+
+ private:
+  void run();
+  void bring_up_to(std::int64_t now_step);
+  void pass_edges();
+  void filter();
+
+  Terminals& terminals_;
+  Output& output_;
+  TrueTime time_;
+  WireOptions options_;
+  // One section in direct form II transposed: the numerator is b0·(1 + 2/z + 1/z²).
+  double b0_ = 0.0;
+  double a1_ = 0.0;
+  double a2_ = 0.0;
+  double z1_ = 0.0;
+  double z2_ = 0.0;
+  std::vector<float> voltage_;
+  std::vector<models::ContactEdge> edges_;
+  std::unique_ptr<std::atomic<bool>[]> closed_;
+  std::atomic<std::int64_t> step_{0};
+  std::atomic<std::int64_t> worst_lateness_steps_{0};
+  std::atomic<bool> ending_{false};
+  std::thread thread_;  // last: it uses the others
+};
+
+}  // namespace gsbench::emulation
