@@ -101,6 +101,7 @@ void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulat
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant);
 
 void add_check(CommandLine& line);
+void add_compare(CommandLine& line);
 void add_devices(CommandLine& line);
 void add_fleet(CommandLine& line);
 void add_list(CommandLine& line);

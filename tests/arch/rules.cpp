@@ -77,6 +77,7 @@ const std::vector<FolderRule>& folder_rules() {
        {"bench/installation", "bench/keys", "bench/grid", "bench/control_centre", "bench/waveform",
         "bench/profile", "bench/capture", "bench/judge", "drivers", "firmware/wire",
         "firmware/boards/list", "reports/record"}},
+      {"bench/equivalence", {"bench/grid", "bench/waveform", "bench/profile", kRecordData}},
       {"bench/seed_sweep",
        {"bench/measures", "bench/grid", "bench/waveform", "bench/profile", "bench/capture",
         "bench/station", "drivers", "firmware/wire", "reports/record"}},

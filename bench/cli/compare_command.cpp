@@ -1,0 +1,163 @@
+#include "commands.hpp"
+#include "progress.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include <equivalence/equivalence.hpp>
+#include <profile/load.hpp>
+#include <render/figures.hpp>
+#include <render/layout.hpp>
+#include <station/played_signal.hpp>
+#include <station/run.hpp>
+#include <station/station_file.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct CompareArguments {
+  std::string profile;
+  std::vector<std::string> stations = {"simulated", "emulated"};
+  bool json = false;
+};
+
+struct Comparison {
+  std::vector<record::RunRecord> runs;
+  std::vector<source::Played> planned;  // of each run
+  std::vector<equivalence::Row> rows;
+};
+
+Comparison play(const profile::Plan& plan, const std::vector<station::StationFile>& files,
+                const std::atomic<bool>& stop) {
+  Comparison comparison;
+  for (const station::StationFile& file : files) {
+    const profile::Plan fitted = station::fit_to_station(file, plan);
+    const auto station = file.make_station(fitted, {});
+    const station::PlayedSignal signal(fitted, !station->outlets_count_ticks());
+    const auto planned = station->source().check(signal);
+    comparison.planned.push_back(planned.ok() ? planned.value() : source::Played{});
+    Progress progress(file.name);
+    comparison.runs.push_back(station::run(
+        fitted, *station, {nullptr, &stop, [&](double part) { progress.show(part); }}));
+    if (stop) {
+      break;
+    }
+  }
+  comparison.rows = equivalence::compare(plan, comparison.runs);
+  return comparison;
+}
+
+const source::Played& planned_of(const Comparison& comparison, const std::string& station) {
+  const auto run = std::find_if(comparison.runs.begin(), comparison.runs.end(),
+                                [&](const auto& each) { return each.station == station; });
+  return comparison.planned[static_cast<std::size_t>(run - comparison.runs.begin())];
+}
+
+void print_table(const Comparison& comparison) {
+  std::vector<std::vector<std::string>> cells = {
+      {"station", "outlet", "f RMS", "max", "V RMS", "max", "f1 RMS", "max", "plan f", "V", "t"},
+      {"", "", "mHz", "mHz", "%", "%", "mHz", "mHz", "mHz", "%", "ms"}};
+  for (const equivalence::Row& row : comparison.rows) {
+    const source::Played& planned = planned_of(comparison, row.station);
+    cells.push_back(
+        {row.station, row.outlet, render::fixed(row.frequency_mhz.rms, 2),
+         render::fixed(row.frequency_mhz.largest, 2), render::fixed(row.voltage_pct.rms, 3),
+         render::fixed(row.voltage_pct.largest, 3), render::fixed(row.from_first_mhz.rms, 2),
+         render::fixed(row.from_first_mhz.largest, 2), render::fixed(1e3 * planned.frequency_hz, 3),
+         render::fixed(100.0 * planned.voltage_pu, 3), render::fixed(1e3 * planned.time_s, 3)});
+  }
+  for (const std::string& line : render::aligned(cells, "llrrrrrrrrr")) {
+    print_wrapped(line);
+  }
+  std::puts("");
+  for (const char* line :
+       {"f, V: reported frequency and voltage, less those of the profile. The drift of the "
+        "outlet's "
+        "clock against the source's is taken off the frequency.",
+        "f1: reported frequency, less that of the first outlet in the table.",
+        "plan: largest deviations that the source stated before the run, without noise."}) {
+    print_wrapped(line, 4);
+  }
+  std::puts("");
+  for (const record::RunRecord& run : comparison.runs) {
+    print_wrapped(run.station + ": " + record::to_string(run.verdict) +
+                      (run.verdict_reason.empty() ? "" : ", " + run.verdict_reason),
+                  4);
+  }
+}
+
+ordered_json json_of(const equivalence::Difference& difference) {
+  return {{"rms", difference.rms}, {"largest", difference.largest}};
+}
+
+ordered_json json_of(const profile::Plan& plan, const Comparison& comparison) {
+  ordered_json out = {{"profile", plan.name}, {"profile_sha256", plan.sha256}};
+  out["stations"] = ordered_json::array();
+  for (const record::RunRecord& run : comparison.runs) {
+    const source::Played& planned = planned_of(comparison, run.station);
+    ordered_json outlets = ordered_json::array();
+    for (const equivalence::Row& row : comparison.rows) {
+      if (row.station == run.station) {
+        outlets.push_back({{"id", row.outlet},
+                           {"frequency_mhz", json_of(row.frequency_mhz)},
+                           {"voltage_pct", json_of(row.voltage_pct)},
+                           {"from_first_mhz", json_of(row.from_first_mhz)}});
+      }
+    }
+    out["stations"].push_back({{"station", run.station},
+                               {"verdict", record::to_string(run.verdict)},
+                               {"planned",
+                                {{"frequency_mhz", 1e3 * planned.frequency_hz},
+                                 {"voltage_pct", 100.0 * planned.voltage_pu},
+                                 {"time_ms", 1e3 * planned.time_s}}},
+                               {"outlets", outlets}});
+  }
+  return out;
+}
+
+int compare(const CompareArguments& arguments) {
+  const profile::Plan plan = profile::load_profile(arguments.profile);
+  std::vector<station::StationFile> files;
+  for (const std::string& name : arguments.stations) {
+    files.push_back(station::load_station(name));
+  }
+  const std::atomic<bool>& stop = catch_interrupts();
+  const Comparison comparison = play(plan, files, stop);
+  if (arguments.json) {
+    print_json(json_of(plan, comparison));
+  } else {
+    print_table(comparison);
+  }
+  record::Verdict worst = record::Verdict::kPass;
+  for (const record::RunRecord& run : comparison.runs) {
+    worst = std::max(worst, run.verdict);
+  }
+  return stop ? kInterrupted : exit_code_of(worst);
+}
+
+}  // namespace
+
+void add_compare(CommandLine& line) {
+  const auto [command, arguments] = line.command(
+      "compare", "Play a profile at several stations and compare what outlets measured", compare);
+  add_profile(command, arguments.profile);
+  command
+      .add_option("--station", arguments.stations,
+                  "Name of a station, or a .toml file; may be given several times; the others are "
+                  "compared with the first (default: simulated and emulated)")
+      ->type_name("STATION")
+      ->allow_extra_args(false);
+  add_json_flag(command, arguments.json);
+  command.footer(
+      "Use a profile without noise: noise hides small differences. No run is stored.\n"
+      "\n"
+      "Examples:\n"
+      "  gsbench compare regression/equivalence\n"
+      "  gsbench compare regression/equivalence --station simulated --station my-station.toml");
+}
+
+}  // namespace gsbench::cli
