@@ -3,6 +3,7 @@ set(m4_libraries
     firmware_outlet
     firmware_wire
     firmware_app
+    firmware_queues
     firmware_boards_settings_storage
     firmware_boards_superloop
     firmware_boards_cortex_m4)

@@ -4,8 +4,9 @@
 
 #include <shared_memory_io/shared_port.hpp>
 
+#include <queues/queues.hpp>
+
 #include <superloop/board.hpp>
-#include <superloop/queues.hpp>
 
 namespace gs::mps2_an386 {
 
@@ -38,8 +39,8 @@ class Mps2Board final : public superloop::Board {
 
   const shared_memory_io::SharedMemory& terminals_;
   shared_memory_io::SharedPort port_;
-  superloop::ByteRing<512> received_;
-  superloop::ByteRing<1024> to_send_;
+  queues::ByteRing<512> received_;
+  queues::ByteRing<1024> to_send_;
 };
 
 // True if the watchdog caused this start; true only for the first call.

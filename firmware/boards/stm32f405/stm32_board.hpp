@@ -4,8 +4,9 @@
 
 #include "clocks.hpp"
 
+#include <queues/queues.hpp>
+
 #include <superloop/board.hpp>
-#include <superloop/queues.hpp>
 
 namespace gs::stm32f405 {
 
@@ -40,9 +41,9 @@ class Stm32Board final : public superloop::Board {
   void start_adc(std::uint32_t timer_hz);
   void pump();
 
-  superloop::ByteRing<512> received_;
-  superloop::ByteRing<1024> to_send_;
-  superloop::SampleQueue<256> samples_;
+  queues::ByteRing<512> received_;
+  queues::ByteRing<1024> to_send_;
+  queues::SampleQueue<256> samples_;
   volatile std::uint16_t converted_[2 * kBlock] = {};  // circular DMA buffer
   std::uint32_t blocks_end_ = 0;                       // sample count at the end of the last block
 };

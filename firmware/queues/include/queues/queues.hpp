@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace gs::superloop {
+namespace gs::queues {
 
 template <class T, std::size_t kItems>
 class Ring {
@@ -35,6 +35,9 @@ class Ring {
     }
     return true;
   }
+
+  // Only while neither side puts or takes.
+  void clear() { taken_ = put_; }
 
   bool take(T& item) {
     if (used() == 0) {
@@ -92,4 +95,4 @@ class SampleQueue {
   volatile std::uint32_t lost_ = 0;
 };
 
-}  // namespace gs::superloop
+}  // namespace gs::queues

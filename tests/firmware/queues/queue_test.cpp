@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <superloop/queues.hpp>
+#include <queues/queues.hpp>
 
-namespace gs::superloop {
+namespace gs::queues {
 namespace {
 
 TEST(ByteRing, ReturnsBytesInOrder) {
@@ -34,6 +34,18 @@ TEST(ByteRing, TakesAllBytesOrNone) {
   EXPECT_TRUE(ring.put(message.data(), 3));
   EXPECT_EQ(ring.room(), 0U);
   EXPECT_FALSE(ring.put(9));
+}
+
+TEST(ByteRing, IsEmptyAfterClear) {
+  ByteRing<8> ring;
+  const std::array<std::uint8_t, 5> message = {1, 2, 3, 4, 5};
+  ASSERT_TRUE(ring.put(message.data(), message.size()));
+  ring.clear();
+  EXPECT_EQ(ring.used(), 0U);
+  EXPECT_TRUE(ring.put(message.data() + 2, 1));
+  std::uint8_t byte = 0;
+  EXPECT_TRUE(ring.take(byte));
+  EXPECT_EQ(byte, 3);
 }
 
 using Queue = SampleQueue<16>;
@@ -89,4 +101,4 @@ TEST(SampleQueue, ReportsLostSamplesAtTheirPlace) {
 }
 
 }  // namespace
-}  // namespace gs::superloop
+}  // namespace gs::queues
