@@ -51,18 +51,12 @@ Comparison play(const profile::Plan& plan, const std::vector<station::StationFil
   return comparison;
 }
 
-const source::Played& planned_of(const Comparison& comparison, const std::string& station) {
-  const auto run = std::find_if(comparison.runs.begin(), comparison.runs.end(),
-                                [&](const auto& each) { return each.station == station; });
-  return comparison.planned[static_cast<std::size_t>(run - comparison.runs.begin())];
-}
-
 void print_table(const Comparison& comparison) {
   std::vector<std::vector<std::string>> cells = {
       {"station", "outlet", "f RMS", "max", "V RMS", "max", "f1 RMS", "max", "plan f", "V", "t"},
       {"", "", "mHz", "mHz", "%", "%", "mHz", "mHz", "mHz", "%", "ms"}};
   for (const equivalence::Row& row : comparison.rows) {
-    const source::Played& planned = planned_of(comparison, row.station);
+    const source::Played& planned = comparison.planned[row.run];
     cells.push_back(
         {row.station, row.outlet, render::fixed(row.frequency_mhz.rms, 2),
          render::fixed(row.frequency_mhz.largest, 2), render::fixed(row.voltage_pct.rms, 3),
@@ -97,11 +91,12 @@ ordered_json json_of(const equivalence::Difference& difference) {
 ordered_json json_of(const profile::Plan& plan, const Comparison& comparison) {
   ordered_json out = {{"profile", plan.name}, {"profile_sha256", plan.sha256}};
   out["stations"] = ordered_json::array();
-  for (const record::RunRecord& run : comparison.runs) {
-    const source::Played& planned = planned_of(comparison, run.station);
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
+    const record::RunRecord& run = comparison.runs[i];
+    const source::Played& planned = comparison.planned[i];
     ordered_json outlets = ordered_json::array();
     for (const equivalence::Row& row : comparison.rows) {
-      if (row.station == run.station) {
+      if (row.run == i) {
         outlets.push_back({{"id", row.outlet},
                            {"frequency_mhz", json_of(row.frequency_mhz)},
                            {"voltage_pct", json_of(row.voltage_pct)},

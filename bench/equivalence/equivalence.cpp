@@ -42,7 +42,7 @@ class Comparison {
         synthesizer_(plan.synthesizer()),
         rate_hz_(static_cast<double>(plan.stimulus.sample_rate_hz)) {}
 
-  Row row(const record::RunRecord& run, const record::OutletRecord& outlet,
+  Row row(std::size_t run, const record::OutletRecord& outlet,
           const record::OutletRecord& first) const {
     const double tracker_delay_s = setting(outlet, "tracker_delay_s");
     const double voltage_delay_s = setting(outlet, "voltage_delay_s");
@@ -65,8 +65,7 @@ class Comparison {
         from_first.add(1e3 * (reported_hz - *first_hz * (1.0 + 1e-6 * first.clock.drift_ppm)));
       }
     }
-    return {run.station, outlet.id, frequency.difference(), voltage.difference(),
-            from_first.difference()};
+    return {run, outlet.id, frequency.difference(), voltage.difference(), from_first.difference()};
   }
 
  private:
@@ -113,8 +112,8 @@ std::vector<Row> compare(const profile::Plan& plan, const std::vector<record::Ru
   const Comparison comparison(plan);
   const record::OutletRecord* first = nullptr;
   std::vector<Row> rows;
-  for (const record::RunRecord& run : runs) {
-    for (const record::OutletRecord& outlet : run.outlets) {
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (const record::OutletRecord& outlet : runs[run].outlets) {
       if (outlet.trace.tick.empty()) {
         continue;
       }

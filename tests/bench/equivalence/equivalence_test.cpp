@@ -45,7 +45,7 @@ TEST(Equivalence, MeasuresFromTheReferenceAndFromTheFirstOutlet) {
   const auto rows =
       equivalence::compare(plan(), {run("first", 1.0, 0.0), run("second", 4.0, -0.5)});
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[1].station, "second");
+  EXPECT_EQ(rows[1].run, 1U);
   EXPECT_EQ(rows[1].outlet, "second-1");
   // Reports are floats: 4 µHz.
   EXPECT_NEAR(rows[0].frequency_mhz.rms, 1.0, 0.005);

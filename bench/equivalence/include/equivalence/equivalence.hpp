@@ -2,6 +2,7 @@
 // shows whether a source plays what the profile states.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ struct Difference {
 // minus the delay that the outlet declares. An outlet measures with its own clock, so the measured
 // drift of that clock against the source's is taken off its frequency.
 struct Row {
-  std::string station;
+  std::size_t run = 0;  // index of its run
   std::string outlet;
   Difference frequency_mhz;  // from the reference
   // From the amplitude in the profile, in per cent of nominal. Reports whose RMS window contains a
