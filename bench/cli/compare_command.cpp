@@ -58,7 +58,7 @@ void print_table(const Comparison& comparison) {
   for (const equivalence::Row& row : comparison.rows) {
     const source::Played& planned = comparison.planned[row.run];
     cells.push_back(
-        {row.station, row.outlet, render::fixed(row.frequency_mhz.rms, 2),
+        {comparison.runs[row.run].station, row.outlet, render::fixed(row.frequency_mhz.rms, 2),
          render::fixed(row.frequency_mhz.largest, 2), render::fixed(row.voltage_pct.rms, 3),
          render::fixed(row.voltage_pct.largest, 3), render::fixed(row.from_first_mhz.rms, 2),
          render::fixed(row.from_first_mhz.largest, 2), render::fixed(1e3 * planned.frequency_hz, 3),
