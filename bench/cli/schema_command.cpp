@@ -112,11 +112,31 @@ ordered_json schema_of(const keys::Key& key) {
   return schema;
 }
 
+constexpr const char* kDraft = "http://json-schema.org/draft-07/schema#";
+
 ordered_json json_schema(const keys::Key& format) {
-  ordered_json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                         {"title", format.name}};
+  ordered_json schema = {{"$schema", kDraft}, {"title", format.name}};
   schema.update(object(format));
   return schema;
+}
+
+// The keys of a station depend on its kind.
+ordered_json station_schema() {
+  ordered_json schema = {
+      {"$schema", kDraft}, {"title", "a station"}, {"oneOf", ordered_json::array()}};
+  for (const std::string& kind : station::station_kind_names()) {
+    schema["oneOf"].push_back(object(station::station_keys(kind)));
+  }
+  return schema;
+}
+
+std::string station_markdown() {
+  std::string text;
+  for (const std::string& kind : station::station_kind_names()) {
+    text += (text.empty() ? "" : "\n") + ("Keys of a station of kind `" + kind + "`:\n\n") +
+            keys::markdown(station::station_keys(kind));
+  }
+  return text;
 }
 
 struct SchemaArguments {
@@ -124,14 +144,17 @@ struct SchemaArguments {
   bool markdown = false;
 };
 
-const keys::Key& keys_of(const std::string& format) {
-  return format == "profile" ? profile::profile_keys()
-         : format == "grid"  ? profile::grid_keys()
-                             : station::station_keys();
-}
-
 int schema(const SchemaArguments& arguments) {
-  const keys::Key& keys = keys_of(arguments.format);
+  if (arguments.format == "station") {
+    if (arguments.markdown) {
+      std::fputs(station_markdown().c_str(), stdout);
+    } else {
+      print_json(station_schema());
+    }
+    return kPassed;
+  }
+  const keys::Key& keys =
+      arguments.format == "profile" ? profile::profile_keys() : profile::grid_keys();
   if (arguments.markdown) {
     std::fputs(keys::markdown(keys).c_str(), stdout);
   } else {

@@ -84,12 +84,12 @@ StationKind emulated_kind() {
   return {
       "emulated",
       "firmware processes that the bench starts and stops",
-      {keys::text("image", "firmware image of the boards in qemu; emulated stations only")
+      {keys::text("image", "firmware image of the boards in qemu")
            .permits("path")
            .or_else("the firmware that comes with gsbench"),
        keys::tables(
            "outlet",
-           "1 … 64 outlets, emulated stations only. If a profile has more outlets than the "
+           "1 … 64 outlets. If a profile has more outlets than the "
            "station, each group is reduced; at least one outlet of it remains. A profile with more "
            "groups than the station has outlets is refused.",
            {keys::id("id", kLongestId, "name of the outlet; unique, and not `bench`")

@@ -198,7 +198,7 @@ TEST(Devices, AMissingPortIsNamed) {
 }
 
 TEST(Devices, AStationWithOutletsOnlyDuringARunIsRefused) {
-  expect_refused({"devices", "--station", "simulated"}, "has outlets only during a run");
+  expect_refused({"devices", "--station", "simulated"}, "can be reached without a run");
   expect_refused({"monitor", "--station", "emulatd"}, "\"emulated\"");
 }
 

@@ -70,6 +70,12 @@ std::string invalid_at(const json& value, const json& schema, const std::string&
       holds = std::any_of(asked.begin(), asked.end(), [&](const json& choice) {
         return invalid_at(value, choice, path).empty();
       });
+    } else if (keyword == "oneOf") {
+      // The alternatives differ in `kind`.
+      const auto chosen = std::find_if(asked.begin(), asked.end(), [&](const json& choice) {
+        return invalid_at(value["kind"], choice["properties"]["kind"], "").empty();
+      });
+      return chosen == asked.end() ? path + ".kind" : invalid_at(value, *chosen, path);
     } else if (keyword == "required") {
       holds = std::all_of(asked.begin(), asked.end(),
                           [&](const json& key) { return value.contains(key); });

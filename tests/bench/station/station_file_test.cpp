@@ -49,7 +49,7 @@ TEST_F(StationFiles, OfEmulatedOutletsHaveDefaults) {
   EXPECT_EQ(file.outlets, 2U);
   EXPECT_FALSE(file.reachable);
   const keys::Document document = keys::parse_toml(text, file.path);
-  const auto station = read_emulated(keys::Table(document, station_keys()), file.path);
+  const auto station = read_emulated(keys::Table(document, station_keys("emulated")), file.path);
   EXPECT_EQ(station.image, image);
   ASSERT_EQ(station.outlets.size(), 2U);
   EXPECT_EQ(station.outlets[0].board, "host");
@@ -74,6 +74,27 @@ TEST_F(StationFiles, OfPhysicalOutletsDescribeTheirLinks) {
   EXPECT_EQ(station.mqtt.ca_file, folder_.file("ca.crt"));
   EXPECT_EQ(station.password_file, folder_.file("pw"));
   EXPECT_THAT(station.mqtt.outlets, ElementsAre("k-1"));
+}
+
+TEST_F(StationFiles, OfSlotsAreReachedByTheLinksOfTheSlots) {
+  const auto file =
+      load(std::string(kPhysical) +
+           "[serial]\nbaud = 9600\n[mqtt]\nurl = \"mqtt://b:1883\"\n[[outlet]]\nplace = \"a\"\n"
+           "link = \"/dev/ttyUSB0\"\n[[outlet]]\nplace = \"b\"\nserial_number = \"GS-7\"\n"
+           "link = \"mqtt\"\n");
+  EXPECT_EQ(file.outlets, 2U);
+  ASSERT_TRUE(file.reachable);
+  EXPECT_THAT(file.reachable->serial.ports, ElementsAre("/dev/ttyUSB0"));
+  EXPECT_EQ(file.reachable->serial.baud, 9600);
+  EXPECT_EQ(file.reachable->mqtt.url, "mqtt://b:1883");
+  EXPECT_THAT(file.reachable->mqtt.outlets, ElementsAre("GS-7"));
+}
+
+TEST_F(StationFiles, OfSlotsDoNotUseABrokerWithoutOutlets) {
+  const auto file = load(std::string(kPhysical) +
+                         "[mqtt]\nurl = \"mqtt://b:1883\"\n[[outlet]]\nplace = \"a\"\n"
+                         "link = \"/dev/ttyUSB0\"\n");
+  EXPECT_EQ(file.reachable->mqtt.url, "");
 }
 
 TEST_F(StationFiles, NeedNoCertificateWithoutTls) {
@@ -106,7 +127,7 @@ TEST_F(StationFiles, AreRefusedWithLineColumnAndReason) {
       {emulated + "[[outlet]]\nid = \"a\"\n[serial]\nports = [\"p\"]\n", "5:1",
        "is not a key of a station"},
       {many, "3:1", "at most 64"},
-      {physical, "1:1", "[serial], [mqtt] or both"},
+      {physical, "1:1", "[serial] or [mqtt]"},
       {physical + "[serial]\n", "3:1", "ports = "},
       {physical + "[mqtt]\nurl = \"http://b\"\n", "4:7", "mqtts://host:port"},
       {physical + "[mqtt]\nurl = \"mqtts://b\"\n", "4:7", "mqtts://host:port"},
@@ -116,7 +137,27 @@ TEST_F(StationFiles, AreRefusedWithLineColumnAndReason) {
        "letters, digits"},
       {physical + "[mqtt]\nurl = \"mqtt://b:1883\"\noutlets = [\"a\", \"a\"]\n", "5:17",
        "listed twice"},
-      {physical + "[[outlet]]\nid = \"a\"\n", "3:1", "is not a key of a station"},
+      {physical + "[[outlet]]\nid = \"a\"\n", "4:1", "unknown key \"id\" in [[outlet]]"},
+      {physical + "image = \"x\"\n[mqtt]\nurl = \"mqtt://b:1\"\n", "3:9",
+       "is not a key of a station of kind \"physical\""},
+      {physical + "[[outlet]]\nplace = \"a\"\n", "3:1", "the channel that senses its contact"},
+      {physical + "[[outlet]]\nplace = \"a\"\nlink = \"mqtt\"\n", "3:1", "the id of the outlet"},
+      {physical + "[[outlet]]\nplace = \"a\"\nserial_number = \"a\"\nlink = \"mqtt\"\n", "6:8",
+       "the station has no broker; add [mqtt]"},
+      {physical +
+           "[[outlet]]\nplace = \"a\"\nlink = \"p\"\n[[outlet]]\nplace = \"a\"\nlink = \"q\"\n",
+       "7:9", "must be unique"},
+      {physical +
+           "[[outlet]]\nplace = \"a\"\nlink = \"p\"\n[[outlet]]\nplace = \"b\"\nlink = \"p\"\n",
+       "8:8", "must be unique"},
+      {physical + "[[outlet]]\nplace = \"a\"\nlink = \"p\"\n[[outlet]]\nplace = \"b\"\n"
+                  "serial_number = \"a\"\nlink = \"q\"\n",
+       "8:17", "must be unique"},
+      {physical + "[serial]\nports = [\"p\"]\n[[outlet]]\nplace = \"a\"\nlink = \"q\"\n", "4:9",
+       "as the link of its [[outlet]]"},
+      {physical + "[mqtt]\nurl = \"mqtt://b:1\"\noutlets = [\"x\"]\n[[outlet]]\nplace = \"a\"\n"
+                  "link = \"q\"\n",
+       "5:11", "as an [[outlet]] with link"},
   };
   for (const auto& [text, place, message] : all) {
     EXPECT_THAT(

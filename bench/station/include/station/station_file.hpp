@@ -37,7 +37,8 @@ struct StationFile {
   std::string path;
   // Number of outlets; nullopt: as many as the plan has.
   std::optional<std::size_t> outlets = {};
-  // Outlets that can be reached without a run; nullopt: they exist only during a run.
+  // Outlets that can be reached without a run; nullopt: they exist only during a run, or none has a
+  // link.
   std::optional<PhysicalOutlets> reachable = {};
   // Throws profile::ConfigurationError if the station has no source, std::runtime_error if its
   // set-up fails.
@@ -45,7 +46,9 @@ struct StationFile {
       make_station = {};
 };
 
-const keys::Key& station_keys();
+// Keys of a station file of this kind, one of station_kind_names().
+const keys::Key& station_keys(const std::string& kind);
+std::vector<std::string> station_kind_names();
 
 // `name`: a shipped station ("emulated") or one in the user's folder, or the path of a .toml file.
 // Throws profile::ConfigurationError.

@@ -1,3 +1,5 @@
+#include "outlet_links.hpp"
+
 #include "station_kind.hpp"
 
 #include <algorithm>
@@ -63,31 +65,6 @@ void read_mqtt(const keys::Table& table, const std::string& file_path, PhysicalO
   outlets.password_file = beside(table.find_text("password_file"));
 }
 
-void read_physical(const keys::Table& top, StationFile& file) {
-  PhysicalOutlets outlets;
-  if (top.has("serial")) {
-    const keys::Table serial = top.table("serial");
-    for (const keys::PlacedText& port : serial.texts("ports")) {
-      outlets.serial.ports.push_back(port.text);
-    }
-    outlets.serial.baud = static_cast<int>(serial.whole("baud"));
-  }
-  if (top.has("mqtt")) {
-    read_mqtt(top.table("mqtt"), file.path, outlets);
-  }
-  if (outlets.serial.ports.empty() && outlets.mqtt.url.empty()) {
-    top.refuse_missing("serial", "the links to the outlets: [serial], [mqtt] or both");
-  }
-  file.reachable = std::move(outlets);
-  file.make_station = [path = file.path](const profile::Plan&,
-                                         const SimulatedOptions&) -> std::unique_ptr<Station> {
-    throw profile::ConfigurationError(
-        path +
-        ": this station has no source, so nothing can be played to its outlets; only "
-        "`gsbench devices` and `gsbench monitor` work on it");
-  };
-}
-
 std::string first_line(const std::string& path) {
   std::string line;
   if (!std::getline(std::ifstream(path), line)) {
@@ -99,34 +76,46 @@ std::string first_line(const std::string& path) {
 
 }  // namespace
 
-StationKind physical_kind() {
+std::vector<keys::Key> link_keys() {
   return {
-      "physical",
-      "existing outlets that the bench connects to",
-      {keys::table("serial",
-                   "Outlets on serial ports. Physical stations only; they have `[serial]`, "
-                   "`[mqtt]` or both.",
-                   {keys::array("ports", keys::text("", ""),
-                                "ports with one outlet each; no answer on a port is a fault")
-                        .permits("array of device paths or `tcp://host:port`, at least one")
-                        .require("the ports, e.g. ports = [\"/dev/ttyUSB0\"]"),
-                    keys::whole("baud", "bit/s", 9600, 4000000, "baud rate of the serial ports")
-                        .by_default(transport::kBaud)}),
-       keys::table(
-           "mqtt", "Outlets behind an MQTT broker. Physical stations only.",
-           {keys::text("url", "address of the broker")
-                .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
-                .require(),
-            keys::text("ca_file", "CA certificate to verify the broker with")
-                .permits("path")
-                .or_else("required with `mqtts`"),
-            keys::text("user", "user name of the bench at the broker"),
-            keys::text("password_file", "file with the password in its first line").permits("path"),
-            keys::array("outlets", keys::id("", kLongestId, ""),
-                        "outlets to use; a listed outlet that is not found is a fault")
-                .permits("array of ids, each once")
-                .or_else("all that are found")})},
-      read_physical};
+      keys::table("serial", "Serial ports of the outlets.",
+                  {keys::array("ports", keys::text("", ""),
+                               "ports with one outlet each, in a station without `[[outlet]]`; no "
+                               "answer on a port is a fault")
+                       .permits("array of device paths or `tcp://host:port`, at least one")
+                       .or_else("the `link` of each `[[outlet]]`"),
+                   keys::whole("baud", "bit/s", 9600, 4000000, "baud rate of the serial ports")
+                       .by_default(transport::kBaud)}),
+      keys::table(
+          "mqtt", "The MQTT broker of the outlets.",
+          {keys::text("url", "address of the broker")
+               .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
+               .require(),
+           keys::text("ca_file", "CA certificate to verify the broker with")
+               .permits("path")
+               .or_else("required with `mqtts`"),
+           keys::text("user", "user name of the bench at the broker"),
+           keys::text("password_file", "file with the password in its first line").permits("path"),
+           keys::array("outlets", keys::id("", kLongestId, ""),
+                       "outlets to use, in a station without `[[outlet]]`; a listed outlet "
+                       "that is not found is a fault")
+               .permits("array of ids, each once")
+               .or_else("all that are found, or each `[[outlet]]` with `link = \"mqtt\"`")})};
+}
+
+PhysicalOutlets read_links(const keys::Table& top, const std::string& file_path) {
+  PhysicalOutlets outlets;
+  if (top.has("serial")) {
+    const keys::Table serial = top.table("serial");
+    for (const keys::PlacedText& port : serial.texts("ports")) {
+      outlets.serial.ports.push_back(port.text);
+    }
+    outlets.serial.baud = static_cast<int>(serial.whole("baud"));
+  }
+  if (top.has("mqtt")) {
+    read_mqtt(top.table("mqtt"), file_path, outlets);
+  }
+  return outlets;
 }
 
 std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets) {
