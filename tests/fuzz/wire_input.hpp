@@ -25,6 +25,11 @@ std::string wrong_with_settings(const std::uint8_t* bytes, std::size_t size);
 // be stored whatever the contents.
 std::string wrong_with_flash(const std::uint8_t* bytes, std::size_t size);
 
+// Messages for a DAC head: a message that is not accepted has no effect on its output, stop always
+// has one, and the head sends only messages that can be decoded.
+std::string wrong_with_head(const std::uint8_t* bytes, std::size_t size);
+std::vector<std::string> head_seeds();
+
 // Each of the above with its seeds.
 struct WireFuzzer {
   const char* name;

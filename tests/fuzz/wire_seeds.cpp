@@ -98,6 +98,7 @@ const std::vector<WireFuzzer>& wire_fuzzers() {
       {"cbor", wrong_with_message, message_seeds},
       {"settings", wrong_with_settings, settings_seeds},
       {"flash", wrong_with_flash, flash_seeds},
+      {"head", wrong_with_head, head_seeds},
   };
   return fuzzers;
 }

@@ -215,6 +215,7 @@ TEST(Watchdog, IsNotKeptQuietByWhatIsNotAccepted) {
       {"unknown kind", Bytes(9, 0x77)},
       {"too short", Bytes(2, 0x06)},
       {"state", encoded(Arm{7}, 19)},
+      {"position", encoded(stream(4097, 1), 19)},
       {"beyond full scale", encoded(beyond, 19)}};
   for (const auto& [name, message] : messages) {
     Rig rig;
