@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -96,6 +97,20 @@ Reading trip_time(const Case& c) {
                  : not_done("the contact did not open");
 }
 
+// Its uncertainty is what the frequency changes within the uncertainty of the opening's time.
+Reading operate_hz(const Case& c) {
+  const auto opening = first_opening(c);
+  if (!opening) {
+    return not_done("the contact did not open");
+  }
+  const double at_s = c.seconds(*opening);
+  const double within_s = 1e-3 * c.uncertainty.relay_sense_ms;
+  const double opened_hz = c.reference.frequency_hz(at_s);
+  return number(opened_hz,
+                std::max(std::fabs(c.reference.frequency_hz(at_s - within_s) - opened_hz),
+                         std::fabs(c.reference.frequency_hz(at_s + within_s) - opened_hz)));
+}
+
 // A measure that requires a relay sense.
 template <Reading (*kRead)(const Case&)>
 Reading with_sense(const Case& c) {
@@ -112,6 +127,7 @@ Readings contact_readings() {
       {"relay.chatter", with_sense<chatter>},
       {"command.delay", with_sense<command_delay>},
       {"trip.time", with_sense<trip_time>},
+      {"relay.operate_hz", with_sense<operate_hz>},
   };
 }
 

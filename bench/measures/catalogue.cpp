@@ -105,6 +105,10 @@ const std::vector<Measure>& catalogue() {
       {"trip.time", "s",
        "Time from the start of the run to the first opening of the contact, by the relay sense.",
        "an opening"},
+      {"relay.operate_hz", "Hz",
+       "Frequency of the reference when the contact first opens, by the relay sense. "
+       "It is below the pick-up value of a relay by what the frequency falls during its delay.",
+       "an opening"},
       {"clock.drift", "ppm",
        "Rate error of the outlet's sample clock; positive if it runs fast. "
        "It is measured from dips of the voltage before and after the run.",

@@ -17,17 +17,55 @@ namespace gsbench::station {
 namespace {
 
 constexpr double kMost_ppm = 1000.0;
+constexpr double kLeastPickup_hz = 25.0;
+constexpr double kMostPickup_hz = 90.0;
+constexpr double kLongestDelay_s = 60.0;
 constexpr std::size_t kMostEmulated = 64;  // one process each
 constexpr const char* kBenchUser = "bench";
 
-std::vector<std::string> emulated_boards() {
-  std::vector<std::string> names;
+constexpr const char* kFrequencyRelay = "frequency-relay";
+
+std::vector<std::string> emulated_devices() {
+  std::vector<std::string> names = {kFrequencyRelay};
   for (const gs::boards::Board& board : gs::boards::kBoards) {
     if (gs::boards::is_emulated(board)) {
       names.emplace_back(board.name);
     }
   }
   return names;
+}
+
+// A device without firmware and without a link.
+void read_frequency_relay(const keys::Table& table, emulation::HardwareOutlet& outlet) {
+  if (table.has("link") && table.text("link") != "none") {
+    table.refuse("link", fmt::format("link is \"{}\", but a {} has only a contact; it must be "
+                                     "\"none\"",
+                                     table.text("link"), kFrequencyRelay));
+  }
+  outlet.connection = emulation::Connection::kNone;
+  outlet.frequency_relay = {table.number("pickup_hz"), table.number("delay_s")};
+}
+
+void read_board(const keys::Table& table, emulation::HardwareOutlet& outlet) {
+  for (const char* key : {"pickup_hz", "delay_s"}) {
+    if (table.has(key)) {
+      table.refuse(key, fmt::format("{} is a key of the board \"{}\" only", key, kFrequencyRelay));
+    }
+  }
+  const std::string link = table.text("link");
+  if (link == "none") {
+    table.refuse("link", fmt::format("link is \"none\", but the board {} reports over its link; it "
+                                     "must be \"serial\" or \"mqtt\"",
+                                     outlet.board));
+  }
+  outlet.connection =
+      link == "mqtt" ? emulation::Connection::kMqtt : emulation::Connection::kSerial;
+  if (link == "mqtt" && !gs::boards::find(outlet.board.c_str())->has_radio) {
+    table.refuse(
+        "link",
+        fmt::format("link is \"mqtt\", but the board {} has no radio; it must be \"serial\"",
+                    outlet.board));
+  }
 }
 
 std::vector<emulation::HardwareOutlet> read_outlets(const keys::Table& top) {
@@ -42,14 +80,11 @@ std::vector<emulation::HardwareOutlet> read_outlets(const keys::Table& top) {
                             outlet.id));
     }
     outlet.board = table.text("board");
-    const bool by_radio = table.text("link") == "mqtt";
-    outlet.connection = by_radio ? emulation::Connection::kMqtt : emulation::Connection::kSerial;
     outlet.crystal_ppm = table.number("crystal_ppm");
-    if (by_radio && !gs::boards::find(outlet.board.c_str())->has_radio) {
-      table.refuse(
-          "link",
-          fmt::format("link is \"mqtt\", but the board {} has no radio; it must be \"serial\"",
-                      outlet.board));
+    if (outlet.board == kFrequencyRelay) {
+      read_frequency_relay(table, outlet);
+    } else {
+      read_board(table, outlet);
     }
     if (!ids.insert(outlet.id).second) {
       table.refuse("id", fmt::format("the id \"{}\" is used twice; it must be unique", outlet.id));
@@ -94,12 +129,21 @@ StationKind emulated_kind() {
            "groups than the station has outlets is refused.",
            {keys::id("id", kLongestId, "name of the outlet; unique, and not `bench`")
                 .require("the name of the outlet, e.g. id = \"m4-1\""),
-            keys::choice("board", emulated_boards(),
-                         "`mps2-an386`: a Cortex-M4F in qemu; `host`: the firmware as a process")
+            keys::choice("board", emulated_devices(),
+                         "`mps2-an386`: a Cortex-M4F in qemu; `host`: the firmware as a process; "
+                         "`frequency-relay`: a contact-only device without this firmware, which "
+                         "opens its contact at low frequency")
                 .by_default("host"),
-            keys::choice("link", {"serial", "mqtt"},
-                         "connection to the bench; boards in qemu support `serial` only")
+            keys::choice("link", {"serial", "mqtt", "none"},
+                         "connection to the bench; boards in qemu support `serial` only, a "
+                         "`frequency-relay` only `none`")
                 .by_default("serial"),
+            keys::number("pickup_hz", "Hz", keys::between(kLeastPickup_hz, kMostPickup_hz),
+                         "of a `frequency-relay`: its contact opens below this frequency")
+                .by_default(emulation::FrequencyRelayOptions().pickup_hz),
+            keys::number("delay_s", "s", keys::between(0.0, kLongestDelay_s),
+                         "of a `frequency-relay`: how long the frequency must be low")
+                .by_default(emulation::FrequencyRelayOptions().delay_s),
             keys::number("crystal_ppm", "ppm", keys::between(-kMost_ppm, kMost_ppm),
                          "frequency error of the sample clock; positive: fast")
                 .by_default(0.0)})},
@@ -127,6 +171,10 @@ EmulatedStation::EmulatedStation(std::string name, emulation::HardwareOptions op
   hardware_ = hardware.take();
   std::size_t on_cable = 0;
   for (const emulation::HardwareOutlet& outlet : options.outlets) {
+    if (outlet.connection == emulation::Connection::kNone) {
+      slots_.push_back({outlet.board, outlet.id, std::nullopt, slots_.size()});
+      continue;
+    }
     // A serial port does not identify its outlet: only the outlet's messages do.
     const bool by_broker = outlet.connection == emulation::Connection::kMqtt;
     const std::string place =

@@ -31,7 +31,7 @@ Status Hardware::set_up() {
   MainsOptions mains{
       folder_->path(), {}, options_.sample_rate_hz, options_.nominal_hz, options_.real_time};
   for (const HardwareOutlet& outlet : options_.outlets) {
-    mains.outlets.push_back({outlet.id, outlet.crystal_ppm});
+    mains.outlets.push_back({outlet.id, outlet.crystal_ppm, outlet.frequency_relay});
   }
   if (Status made = Mains::create(mains).move_to(mains_); !made.ok()) {
     return made;
@@ -45,6 +45,10 @@ Status Hardware::set_up() {
   }
   for (std::size_t i = 0; i < options_.outlets.size(); ++i) {
     cables_.emplace_back();
+    processes_.emplace_back();
+    if (options_.outlets[i].frequency_relay) {
+      continue;
+    }
     if (options_.outlets[i].connection == Connection::kSerial) {
       if (Status made = NullModem::create().move_to(cables_.back()); !made.ok()) {
         return made;
@@ -54,9 +58,14 @@ Status Hardware::set_up() {
     if (!child.ok()) {
       return Error{child.error()};
     }
-    processes_.push_back(child.take());
+    processes_.back() = child.take();
   }
   return Done{};
+}
+
+Wire& Hardware::connect(Output& output, const TrueTime& time, const WireOptions& options) {
+  wire_ = std::make_unique<Wire>(mains_->outlets(), output, time, options);
+  return *wire_;
 }
 
 Status Hardware::restart_outlet(std::size_t outlet) {

@@ -84,6 +84,7 @@ const std::vector<Missing>& all_missing() {
       {"relay.chatter", false, "no relay sense", no_sense},
       {"command.delay", false, "no relay sense", no_sense},
       {"trip.time", false, "no relay sense", no_sense},
+      {"relay.operate_hz", false, "no relay sense", no_sense},
       {"relay.delay_reported", false, "contains no loss", no_loss},
       {"relay.delay_reported", true, "did not report a command to open", without("relay.reported")},
       {"relay.operate_time", true, "both sensed and reported", without("relay.reported")},
@@ -104,6 +105,7 @@ const std::vector<Missing>& all_missing() {
          c.remove_marks("relay.sense");
        }},
       {"trip.time", true, "did not open", without("relay.sense")},
+      {"relay.operate_hz", true, "did not open", without("relay.sense")},
       {"clock.drift", false, "counts the source's ticks", no_clock},
       {"clock.uncertainty", false, "counts the source's ticks", no_clock},
   };

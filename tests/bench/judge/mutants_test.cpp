@@ -111,6 +111,7 @@ const std::vector<Mutant>& mutants() {
       {"relay.chatter", {}, 0.0, bounces},
       {"command.delay", {}, 50.0, moved("relay.sense", 40), nullptr, true},
       {"trip.time", 3.0, 4.0, moved("relay.sense", 1000)},
+      {"relay.operate_hz", 49.61, 49.64, moved("relay.sense", 60)},
       {"clock.drift", -100.0, 100.0, [](SyntheticCase& c) { c.outlet.clock.drift_ppm = 109.0; }},
       {"clock.uncertainty", {}, 0.5, [](SyntheticCase& c) { c.outlet.clock.uncertainty_ms = 0.6; }},
   };

@@ -70,13 +70,13 @@ std::string test_name(const testing::TestParamInfo<std::string>& profile) {
 INSTANTIATE_TEST_SUITE_P(Profile, Shipped, testing::ValuesIn(profile_names()), test_name);
 
 TEST(ShippedProfiles, AreListedInAlphabeticalOrder) {
-  EXPECT_THAT(
-      profile_names(),
-      testing::ElementsAre("disturbances/dead-bus", "disturbances/dips", "disturbances/harmonics",
-                           "disturbances/phase-jump", "events/gb-2019", "events/iberia-2025",
-                           "paper/loss-320mw", "paper/loss-351.9mw", "paper/loss-500mw",
-                           "paper/loss-600mw", "regression/backup", "regression/command",
-                           "regression/equivalence", "regression/steady"));
+  EXPECT_THAT(profile_names(),
+              testing::ElementsAre(
+                  "disturbances/dead-bus", "disturbances/dips", "disturbances/harmonics",
+                  "disturbances/phase-jump", "events/gb-2019", "events/iberia-2025",
+                  "paper/loss-320mw", "paper/loss-351.9mw", "paper/loss-500mw", "paper/loss-600mw",
+                  "regression/backup", "regression/command", "regression/contact-only",
+                  "regression/equivalence", "regression/steady"));
 }
 
 TEST(ShippedProfiles, KeepTheirNamesWhenGivenByPath) {

@@ -60,6 +60,24 @@ TEST_F(StationFiles, OfEmulatedOutletsHaveDefaults) {
   EXPECT_EQ(station.outlets[1].crystal_ppm, -40.0);
 }
 
+TEST_F(StationFiles, OfEmulatedOutletsMayHaveContactOnlyDevices) {
+  const std::string text = std::string(kEmulated) +
+                           "[[outlet]]\nid = \"a\"\nboard = \"frequency-relay\"\n"
+                           "pickup_hz = 48.7\ndelay_s = 0.2\n"
+                           "[[outlet]]\nid = \"b\"\nboard = \"frequency-relay\"\nlink = \"none\"\n";
+  const StationFile file = load(text);
+  const keys::Document document = keys::parse_toml(text, file.path);
+  const auto station = read_emulated(keys::Table(document, station_keys()), file.path);
+  ASSERT_EQ(station.outlets.size(), 2U);
+  for (const emulation::HardwareOutlet& outlet : station.outlets) {
+    EXPECT_EQ(outlet.connection, emulation::Connection::kNone);
+    ASSERT_TRUE(outlet.frequency_relay);
+  }
+  EXPECT_EQ(station.outlets[0].frequency_relay->pickup_hz, 48.7);
+  EXPECT_EQ(station.outlets[0].frequency_relay->delay_s, 0.2);
+  EXPECT_EQ(station.outlets[1].frequency_relay->pickup_hz, 49.0);
+}
+
 TEST_F(StationFiles, OfPhysicalOutletsDescribeTheirLinks) {
   const auto file = load(std::string(kPhysical) +
                          "[serial]\nports = [\"/dev/ttyUSB0\", \"/dev/ttyUSB1\"]\n"
@@ -124,6 +142,10 @@ TEST_F(StationFiles, AreRefusedWithLineColumnAndReason) {
       {emulated + "[[outlet]]\nid = \"a\"\nboard = \"mps2-an386\"\nlink = \"mqtt\"\n", "6:8",
        "no radio"},
       {emulated + "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"a\"\n", "6:6", "used twice"},
+      {emulated + "[[outlet]]\nid = \"a\"\nboard = \"frequency-relay\"\nlink = \"mqtt\"\n", "6:8",
+       "has only a contact"},
+      {emulated + "[[outlet]]\nid = \"a\"\nlink = \"none\"\n", "5:8", "reports over its link"},
+      {emulated + "[[outlet]]\nid = \"a\"\ndelay_s = 0.1\n", "5:11", "frequency-relay\" only"},
       {emulated + "[[outlet]]\nid = \"a\"\n[serial]\nports = [\"p\"]\n", "5:1",
        "is not a key of a station"},
       {many, "3:1", "at most 64"},
@@ -196,7 +218,7 @@ TEST(Stations, ShippedOnesAreReadableAndAreNotListedAsProfiles) {
     names.push_back(station.name);
     EXPECT_NO_THROW((void)load_station(station.name)) << station.title;
   }
-  EXPECT_THAT(names, ElementsAre("emulated", "mqtt", "serial", "simulated"));
+  EXPECT_THAT(names, ElementsAre("contact-only", "emulated", "mqtt", "serial", "simulated"));
   for (const profile::ProfileSummary& profile : profile::list_profiles()) {
     EXPECT_EQ(profile.name.rfind("stations/", 0), std::string::npos) << profile.name;
   }

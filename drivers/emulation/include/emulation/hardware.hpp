@@ -1,11 +1,12 @@
 // The hardware of an emulated station: one process for each outlet (the firmware's Cortex-M4F image
-// in qemu, or the firmware as a process of this machine), the mains at their terminals, cables to
-// outlets on serial lines, and a private broker for outlets on MQTT. All of these end with the
-// Hardware object that owns them, also if the bench is killed.
+// in qemu, or the firmware as a process of this machine), the mains or the wire from an instrument
+// at their terminals, cables to outlets on serial lines, and a private broker for outlets on MQTT.
+// All of these end with the Hardware object that owns them, also if the bench is killed.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,19 @@
 #include <emulation/mains.hpp>
 #include <emulation/null_modem.hpp>
 #include <emulation/private_broker.hpp>
+#include <emulation/wire.hpp>
 
 namespace gsbench::emulation {
 
-enum class Connection { kSerial, kMqtt };
+enum class Connection { kSerial, kMqtt, kNone };
 
 struct HardwareOutlet {
   std::string id;
   std::string board = "host";  // an emulated board of boards/boards.hpp
   Connection connection = Connection::kSerial;
   double crystal_ppm = 0.0;  // positive: fast
+  // A contact-only device in place of a board. It has no process, and connection is kNone.
+  std::optional<FrequencyRelayOptions> frequency_relay = {};
 };
 
 struct HardwareOptions {
@@ -60,8 +64,12 @@ class Hardware {
   std::vector<std::string> mqtt_ids() const;
   PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
 
+  // Connects the outlets to an instrument in place of source(), from now on; `output` must outlive
+  // this object. Call it once. relay_sense() does not work then.
+  Wire& connect(Output& output, const TrueTime& time, const WireOptions& options);
+
   // For fault injection.
-  Child& outlet_process(std::size_t outlet) { return processes_.at(outlet); }
+  Child& outlet_process(std::size_t outlet) { return processes_.at(outlet).value(); }
   drivers::Status restart_outlet(std::size_t outlet);
   NullModem& cable(std::size_t outlet) { return *cables_.at(outlet); }
   gs::shared_memory_io::SharedMemory& terminals(std::size_t outlet) {
@@ -79,7 +87,8 @@ class Hardware {
   std::unique_ptr<Mains> mains_;
   std::unique_ptr<PrivateBroker> broker_;
   std::vector<std::unique_ptr<NullModem>> cables_;  // null for outlets behind the broker
-  std::vector<Child> processes_;
+  std::vector<std::optional<Child>> processes_;     // none for contact-only devices
+  std::unique_ptr<Wire> wire_;                      // none: the outlets are at source()
 };
 
 }  // namespace gsbench::emulation
