@@ -48,6 +48,11 @@ id = "a"
 board = "host"
 link = "mqtt"
 crystal_ppm = 20.0
+[[outlet]]
+id = "b"
+board = "frequency-relay"
+pickup_hz = 48.8
+delay_s = 0.1
 )";
 constexpr const char* kPhysicalStation = R"(title = "all keys of a physical station"
 kind = "physical"

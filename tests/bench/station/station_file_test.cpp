@@ -67,7 +67,7 @@ TEST_F(StationFiles, OfEmulatedOutletsMayHaveContactOnlyDevices) {
                            "[[outlet]]\nid = \"b\"\nboard = \"frequency-relay\"\nlink = \"none\"\n";
   const StationFile file = load(text);
   const keys::Document document = keys::parse_toml(text, file.path);
-  const auto station = read_emulated(keys::Table(document, station_keys()), file.path);
+  const auto station = read_emulated(keys::Table(document, station_keys("emulated")), file.path);
   ASSERT_EQ(station.outlets.size(), 2U);
   for (const emulation::HardwareOutlet& outlet : station.outlets) {
     EXPECT_EQ(outlet.connection, emulation::Connection::kNone);
