@@ -137,6 +137,9 @@ Status Source::energise() {
 }
 
 Status Source::hold() {
+  if (state_ == State::kStopped) {
+    return limits_.kind == Kind::kStreamed ? enter(State::kStopped, keep_up()) : Done{};
+  }
   Status ready = expect("hold", State::kEnergised);
   return ready.ok() ? enter(State::kEnergised, keep_up()) : ready;
 }

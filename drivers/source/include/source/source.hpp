@@ -71,9 +71,9 @@ class Source {
   // until the voltage is nominal, 1 s at most.
   drivers::Status energise();
 
-  // Keeps the voltage nominal. Must be called at least every 50 ms between energise() and start():
-  // a source that hears nothing from the bench switches off. An error if the output is no longer as
-  // it was set.
+  // Keeps the voltage nominal between energise() and start(), and after the stop() of a kStreamed
+  // source. Must be called at least every 50 ms there: a source that hears nothing from the bench
+  // switches off. An error if the output is no longer as it was set.
   drivers::Status hold();
 
   // Starts the stimulus. A kLoaded source blocks until the time for booting that was part of its

@@ -63,6 +63,7 @@ class Head {
   void edges_missed(std::uint32_t edges) { edges_.add_missed(edges); }
 
   State state() const { return player_.state(); }
+  std::size_t buffered() const { return kBufferSamples - player_.room(); }  // samples
 
  private:
   enum class Session : std::uint8_t { kNone, kOtherVersion, kOpen };

@@ -1,0 +1,80 @@
+#include "head_relay_sense.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace gsbench::head {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Status;
+
+relay::Alignment HeadRelaySense::alignment() const {
+  const double counts_per_tick = std::max(session_->hello.counts_per_sample, std::uint32_t{1});
+  const double opto_delay_ticks = session_->options.opto_delay_s * protocol::kSampleRate_hz;
+  const auto tick_0_sample = static_cast<double>(session_->tick_0_sample.value_or(0));
+  relay::Alignment alignment;
+  alignment.count_at_tick_0 = (tick_0_sample + opto_delay_ticks) * counts_per_tick;
+  alignment.counts_per_tick = counts_per_tick;
+  // One count; the opto-coupler; half a tick, because an edge is put on a whole one.
+  alignment.uncertainty_ticks =
+      1.0 / counts_per_tick +
+      session_->options.opto_delay_uncertainty_s * protocol::kSampleRate_hz + 0.5;
+  return alignment;
+}
+
+Status HeadRelaySense::poll(std::vector<relay::Edge>& edges) {
+  if (!session_->is_armed() || !session_->tick_0_sample) {
+    return Done{};
+  }
+  if (Status heard = session_->listen(Clock::now()); !heard.ok()) {
+    return heard;
+  }
+  if (run_ != session_->run) {
+    begin_run();
+  }
+  session_->connection.edges().move_to(waiting_);
+  open_inputs_reported_ = open_inputs_reported_ || append_open_inputs(edges);
+  if (open_inputs_reported_) {
+    for (const gs::head::Edge& edge : waiting_) {
+      edges.push_back({edge.input, edge.count, edge.closed});
+    }
+    waiting_.clear();
+  }
+  const std::uint32_t missed = session_->connection.status()->edges_missed - missed_before_;
+  if (missed > 0) {
+    return Error{
+        fmt::format("{}: the head missed {} edges of its inputs: they were too close "
+                    "together to be measured",
+                    session_->options.port, missed)};
+  }
+  return Done{};
+}
+
+void HeadRelaySense::begin_run() {
+  run_ = session_->run;
+  open_inputs_reported_ = false;
+  missed_before_ = session_->missed_at_arm;
+  waiting_.clear();
+}
+
+bool HeadRelaySense::append_open_inputs(std::vector<relay::Edge>& edges) const {
+  const protocol::Status& status = *session_->connection.status();
+  if (waiting_.size() < status.edges) {
+    return false;
+  }
+  for (std::uint8_t input = 0; input < session_->hello.inputs; ++input) {
+    const auto end = waiting_.begin() + status.edges;
+    const auto first = std::find_if(
+        waiting_.begin(), end, [input](const protocol::Edge& edge) { return edge.input == input; });
+    const bool was_open = first != end ? first->closed : (status.closed >> input & 1) == 0;
+    if (was_open) {
+      // At the beginning of the stream.
+      edges.push_back({input, 0, false});
+    }
+  }
+  return true;
+}
+
+}  // namespace gsbench::head

@@ -1,0 +1,58 @@
+// A DAC head (firmware/head): source and relay sense in one board, on one connection and one clock.
+// The bench streams samples to it, 0.15 s ahead of what the head plays. If the bench falls silent,
+// the head switches its output off within 203 ms of the last message.
+//
+// Source and relay sense share the connection: use them from one thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <drivers/result.hpp>
+#include <relay/relay_sense.hpp>
+#include <source/source.hpp>
+#include <transport/transport.hpp>
+
+namespace gsbench::head {
+
+struct HeadOptions {
+  std::string port;  // for transport::make_transport()
+  int baud = transport::kBaud;
+
+  double nominal_v = 230.0;        // RMS at the outlets
+  double gain = 236.0;             // V at the outlets for 1 V at the DAC's pin
+  double dac_full_scale_v = 1.65;  // largest deviation from mid-scale at the DAC's pin; 1 … 2
+  double voltage_limit_v = 265.0;  // RMS at the outlets; √2 times this is the largest peak
+  double clock_ppm = 30.0;         // accuracy of the board's crystal, ±
+
+  // The opto-couplers report an edge later than the contact moved, by the delay ± its uncertainty.
+  double opto_delay_s = 10e-6;
+  double opto_delay_uncertainty_s = 10e-6;
+};
+
+class Connection;
+struct Session;
+
+class Head {
+ public:
+  // An error if an option is out of range, or nominal voltage is beyond the DAC's full scale or the
+  // voltage limit. Does not open the port: the source connects in prepare() or make_safe().
+  static drivers::Result<std::unique_ptr<Head>> create(const HeadOptions& options);
+  ~Head();
+
+  // Blocking: prepare() 2.5 s at most, energise() 1 s at most, make_safe() 2 s at most.
+  source::Source& source() { return *source_; }
+
+  // Channel i is input i of the head. Reports no edges before the source's start().
+  relay::RelaySense& relay_sense() { return *relay_sense_; }
+
+ private:
+  explicit Head(const HeadOptions& options);
+
+  std::shared_ptr<Session> session_;
+  std::unique_ptr<source::Source> source_;
+  std::unique_ptr<relay::RelaySense> relay_sense_;
+};
+
+}  // namespace gsbench::head

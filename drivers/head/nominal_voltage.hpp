@@ -1,0 +1,32 @@
+// Nominal voltage before and after a stimulus, in phase with it.
+#pragma once
+
+#include <cstdint>
+
+#include <source/stimulus.hpp>
+
+namespace gsbench::head {
+
+// Phase of the stimulus's fundamental at `tick`, as a cosine. Measured by its Fourier coefficient
+// over the nominal periods from `first_tick` on, so that harmonics have no influence.
+double phase_rad(const source::Stimulus& stimulus, std::int64_t first_tick, std::int64_t tick);
+
+// Smallest number of samples that is a whole number of nominal periods.
+std::int64_t repeats_after(std::int64_t sample_rate_hz, int nominal_hz);
+
+class NominalVoltage {
+ public:
+  // The phase at sample `anchor`. Before `ramp_samples` the amplitude rises softly from 0.
+  NominalVoltage(const source::Stimulus& stimulus, std::int64_t anchor, double phase_rad,
+                 std::int64_t ramp_samples);
+  double at_pu(std::int64_t sample) const;
+
+ private:
+  std::int64_t rate_hz_;
+  int nominal_hz_;
+  std::int64_t anchor_;
+  double phase_rad_;
+  std::int64_t ramp_samples_;
+};
+
+}  // namespace gsbench::head
