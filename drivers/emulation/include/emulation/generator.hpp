@@ -44,6 +44,7 @@ struct GeneratorFaults {
   bool memory_full = false;       // has no room for one more waveform
   std::optional<double> silent_limit_vpp;  // clamps higher amplitudes and reports no error
   bool ignores_output_off = false;         // as with a stuck relay
+  bool upload_switches_on = false;         // a complete upload switches the output on
   std::string identity;                    // the answer to *IDN?; empty: that of the model
 };
 
