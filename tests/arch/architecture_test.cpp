@@ -91,7 +91,7 @@ TEST(Walk, SettingTouchesTheTableOfSettingsAndItsAlgorithm) {
 }
 
 TEST(Walk, BoardTouchesItsFolderAndTheTableOfBoards) {
-  EXPECT_THAT(files_that_name("stm32f405", "firmware/boards/stm32f405/"),
+  EXPECT_THAT(files_that_name("mps2_an386", "firmware/boards/mps2_an386/"),
               ElementsAre("firmware/boards/list/include/boards/boards.hpp"));
 }
 

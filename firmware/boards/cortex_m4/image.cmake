@@ -2,18 +2,17 @@ set(m4_folder ${CMAKE_CURRENT_SOURCE_DIR})
 set(m4_libraries
     firmware_outlet
     firmware_wire
-    firmware_app
     firmware_queues
-    firmware_boards_settings_storage
-    firmware_boards_superloop
     firmware_boards_cortex_m4)
+# What the images of outlets have besides.
+set(GSBENCH_M4_OUTLET firmware_app firmware_boards_settings_storage firmware_boards_superloop)
 
 # Options of images. CONTRACTED must never ship: tests use it to show that they detect it.
 set(GSBENCH_M4_O2 -O2 -ffp-contract=off)
 set(GSBENCH_M4_OS -Os -ffp-contract=off)
 set(GSBENCH_M4_CONTRACTED -O2 -ffp-contract=fast)
 
-# gs_m4_image(NAME LIBRARIES board libraries… OPTIONS compiler options…) makes bin/NAME.elf.
+# gs_m4_image(NAME LIBRARIES further libraries… OPTIONS compiler options…) makes bin/NAME.elf.
 #
 # All firmware is compiled again for each image, with the image's own options. The libraries only
 # supply their sources and include roots, and are not built themselves.

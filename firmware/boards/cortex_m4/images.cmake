@@ -18,6 +18,7 @@ set(images "")
 foreach(name IN LISTS GSBENCH_BOARDS_cortex_m4 ITEMS mps2_an386-Os mps2_an386-contracted)
   list(APPEND images ${GSBENCH_M4_IMAGE_FOLDER}/gs-outlet-${name}.elf)
 endforeach()
+list(APPEND images ${GSBENCH_M4_IMAGE_FOLDER}/gs-head-stm32f405.elf)
 
 file(
   GLOB_RECURSE
@@ -50,3 +51,5 @@ foreach(board IN LISTS GSBENCH_BOARDS_cortex_m4)
   install(FILES ${GSBENCH_M4_IMAGE_FOLDER}/gs-outlet-${board}.elf
           DESTINATION ${CMAKE_INSTALL_DATADIR}/gsbench/firmware)
 endforeach()
+install(FILES ${GSBENCH_M4_IMAGE_FOLDER}/gs-head-stm32f405.elf
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/gsbench/firmware)

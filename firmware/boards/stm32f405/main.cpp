@@ -1,9 +1,8 @@
-#include "clocks.hpp"
-#include "rm0090.hpp"
 #include "sector_flash.hpp"
 #include "stm32_board.hpp"
 #include <cortex_m4/core.hpp>
 #include <cortex_m4/vectors.hpp>
+#include <stm32f405_chip/chip.hpp>
 
 #include <superloop/loop.hpp>
 

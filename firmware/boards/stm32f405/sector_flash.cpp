@@ -1,6 +1,6 @@
 #include "sector_flash.hpp"
 
-#include "rm0090.hpp"
+#include <stm32f405_chip/rm0090.hpp>
 
 namespace gs::stm32f405 {
 namespace {

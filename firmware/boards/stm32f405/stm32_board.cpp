@@ -1,7 +1,9 @@
 #include "stm32_board.hpp"
 
-#include "rm0090.hpp"
 #include <cortex_m4/core.hpp>
+#include <stm32f405_chip/chip.hpp>
+
+#include <algorithm>
 
 #include <outlet/crc32.hpp>
 
@@ -10,38 +12,20 @@ namespace {
 
 using cortex_m4::InterruptsMasked;
 
-constexpr std::uint32_t kBaud = 921'600;
-constexpr std::int16_t kMiddle = 2048;                      // of 12 bits
-constexpr unsigned kMainsPin = 1, kTxPin = 9, kRxPin = 10;  // of port A
-constexpr unsigned kRelayPin = 6;                           // of port C
-constexpr std::uint32_t kUsartFunction = 7;
-
-void set_mode(Gpio& port, unsigned pin, std::uint32_t mode) {
-  port.MODER = (port.MODER & ~(3u << (2 * pin))) | mode << (2 * pin);
-}
-
-void set_function(Gpio& port, unsigned pin, std::uint32_t function) {
-  Register& half = port.AFR[pin / 8];
-  const unsigned shift = 4 * (pin % 8);
-  half = (half & ~(15u << shift)) | function << shift;
-  set_mode(port, pin, GPIO_MODER_ALTERNATE);
-}
+constexpr std::int16_t kMiddle = 2048;  // of 12 bits
+constexpr unsigned kMainsPin = 1;       // of port A
+constexpr unsigned kRelayPin = 6;       // of port C
 
 }  // namespace
 
-bool reset_by_watchdog() {
-  const bool expired = (RCC->CSR & RCC_CSR_IWDGRSTF) != 0;
-  RCC->CSR = RCC->CSR | RCC_CSR_RMVF;
-  return expired;
-}
-
 std::uint32_t instance() {
-  // On other chips or in an emulator, reading the unique id's address may fault.
-  if ((*DBGMCU_IDCODE & DBGMCU_IDCODE_DEV_ID) != kF405) {
+  std::uint8_t id[kUniqueIdBytes];
+  read_unique_id(id);
+  if (std::all_of(id, id + kUniqueIdBytes, [](std::uint8_t byte) { return byte == 0; })) {
     return 0;
   }
   outlet::Crc32 crc;
-  crc.add(reinterpret_cast<const std::uint8_t*>(kUniqueId), 12);
+  crc.add(id, kUniqueIdBytes);
   return crc.value();
 }
 
@@ -49,14 +33,11 @@ Stm32Board::Stm32Board() {}
 
 void Stm32Board::start(const Clocks& clocks) {
   start_pins();
-  start_link(clocks.apb2_hz);
+  link_.start(clocks.apb2_hz);
   start_adc(clocks.apb1_timer_hz);
   // 32 kHz / 64: resets after 2 s nominally, 1.4 … 3.8 s by the datasheet. This is longer than the
   // erase of a sector.
-  IWDG->KR = IWDG_KR_UNLOCK;
-  IWDG->PR = 4;
-  IWDG->RLR = 1000;
-  IWDG->KR = IWDG_KR_START;
+  start_watchdog(4, 1000);
 }
 
 void Stm32Board::start_pins() {
@@ -65,16 +46,8 @@ void Stm32Board::start_pins() {
   RCC->APB2ENR = RCC->APB2ENR | RCC_APB2ENR_USART1EN | RCC_APB2ENR_ADC1EN;
   static_cast<void>(RCC->APB2ENR);  // a clock is available two cycles after it is enabled
   set_mode(*GPIOA, kMainsPin, GPIO_MODER_ANALOG);
-  set_function(*GPIOA, kTxPin, kUsartFunction);
-  set_function(*GPIOA, kRxPin, kUsartFunction);
   drive_relay(true);  // before the pin becomes an output, so that the load is not interrupted
   set_mode(*GPIOC, kRelayPin, GPIO_MODER_OUTPUT);
-}
-
-void Stm32Board::start_link(std::uint32_t apb2_hz) {
-  USART1->BRR = (apb2_hz + kBaud / 2) / kBaud;
-  USART1->CR1 = USART_CR1_UE | USART_CR1_TE | USART_CR1_RE | USART_CR1_RXNEIE;
-  cortex_m4::enable_interrupt(kUsart1Irq);
 }
 
 // Timer 3 starts each conversion and timer 2 counts them, so that the number of lost samples is
@@ -103,14 +76,11 @@ void Stm32Board::start_adc(std::uint32_t timer_hz) {
 }
 
 void Stm32Board::sleep() {
-  cortex_m4::sleep_unless([this] { return received_.used() > 0 || !samples_.idle(); });
+  cortex_m4::sleep_unless([this] { return link_.has_received() || !samples_.idle(); });
 }
 
 bool Stm32Board::send(const std::uint8_t* bytes, std::size_t count) {
-  const InterruptsMasked masked;
-  const bool taken = to_send_.put(bytes, count);
-  pump();
-  return taken;
+  return link_.send(bytes, count);
 }
 
 std::size_t Stm32Board::take_samples(std::int16_t* out, std::size_t most, std::uint32_t& lost) {
@@ -119,7 +89,7 @@ std::size_t Stm32Board::take_samples(std::int16_t* out, std::size_t most, std::u
 }
 
 bool Stm32Board::take_byte(std::uint8_t& byte) {
-  return received_.take(byte);
+  return link_.take(byte);
 }
 
 void Stm32Board::drive_relay(bool closed) {
@@ -127,15 +97,7 @@ void Stm32Board::drive_relay(bool closed) {
 }
 
 void Stm32Board::feed_watchdog() {
-  IWDG->KR = IWDG_KR_FEED;
-}
-
-void Stm32Board::on_usart() {
-  // Reading DR after SR also clears an overrun. Its frame is reported as bad.
-  while ((USART1->SR & (USART_SR_RXNE | USART_SR_ORE)) != 0) {
-    received_.put(static_cast<std::uint8_t>(USART1->DR));
-  }
-  pump();
+  stm32f405::feed_watchdog();
 }
 
 // Handles each full half of converted_.
@@ -156,16 +118,6 @@ void Stm32Board::on_samples() {
   }
   samples_.put(block, kBlock);
   blocks_end_ = end;
-}
-
-// Writes what the transmitter takes now; its interrupt requests the rest.
-void Stm32Board::pump() {
-  std::uint8_t byte = 0;
-  while ((USART1->SR & USART_SR_TXE) != 0 && to_send_.take(byte)) {
-    USART1->DR = byte;
-  }
-  const std::uint32_t receiving = USART1->CR1 & ~USART_CR1_TXEIE;
-  USART1->CR1 = to_send_.used() > 0 ? receiving | USART_CR1_TXEIE : receiving;
 }
 
 }  // namespace gs::stm32f405

@@ -2,7 +2,8 @@
 // 1.65 V), PA9 and PA10 TX and RX of the link, PC6 relay driver (high: closed).
 #pragma once
 
-#include "clocks.hpp"
+#include <stm32f405_chip/clocks.hpp>
+#include <stm32f405_chip/usart_link.hpp>
 
 #include <queues/queues.hpp>
 
@@ -30,26 +31,21 @@ class Stm32Board final : public superloop::Board {
   void feed_watchdog() override;
   bool adc_idle() const override { return false; }
 
-  void on_usart();
+  void on_usart() { link_.on_interrupt(); }
   void on_samples();
 
  private:
   static constexpr std::uint32_t kBlock = 8;  // 1 ms
 
   void start_pins();
-  void start_link(std::uint32_t apb2_hz);
   void start_adc(std::uint32_t timer_hz);
-  void pump();
 
-  queues::ByteRing<512> received_;
-  queues::ByteRing<1024> to_send_;
+  UsartLink link_;
   queues::SampleQueue<256> samples_;
   volatile std::uint16_t converted_[2 * kBlock] = {};  // circular DMA buffer
   std::uint32_t blocks_end_ = 0;                       // sample count at the end of the last block
 };
 
-// True if the independent watchdog caused this start; true only for the first call.
-bool reset_by_watchdog();
 // CRC-32 of the chip's unique id; 0 on any other chip.
 std::uint32_t instance();
 

@@ -11,6 +11,7 @@ namespace gs::head {
 class Count64 {
  public:
   // To be called at least once in 2^31 counts, in order: 25 s at 84 MHz.
+  std::uint64_t now() const { return now_; }  // of the last advance()
   void advance(std::uint32_t timer) { now_ = extend(timer); }
 
   // A count of up to 2^31 − 1 before or after the last advance(). Before start-up, 0 is the result.

@@ -4,7 +4,8 @@
 //
 // Two sides share the object, as on a board without an operating system:
 // - the main loop calls take, bad_frame and next_message;
-// - interrupts call next_codes and fail (from the same interrupt), edge and edges_missed.
+// - interrupts call next_codes and fail (from the same interrupt), set_input, edge and
+//   edges_missed.
 // An interrupt may interrupt the main loop at any point, and the interrupt of the edges that of the
 // codes; never the reverse. On a host, one thread at a time uses the object.
 //
@@ -55,7 +56,9 @@ class Head {
   }
   // The board cannot play: faulted, if armed or playing.
   void fail(Fault fault) { player_.fail(fault); }
-  // Input 0 … kInputs − 1 has changed, or has this state at start-up. All are open before.
+  // The state of an input, 0 … kInputs − 1, without an edge. All are open at start-up.
+  void set_input(std::size_t input, bool closed) { edges_.add(input, closed, 0, false); }
+  // The input has changed.
   void edge(std::size_t input, bool closed, std::uint64_t count) {
     edges_.add(input, closed, count, player_.has_begun());
   }

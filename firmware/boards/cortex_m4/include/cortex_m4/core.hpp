@@ -34,6 +34,13 @@ inline void enable_interrupt(unsigned number) {
   word_at(0xE000E100u + 4 * (number / 32)) = 1u << (number % 32);
 }
 
+// 0 is the most urgent of the 16 priorities of the chips in use, and that after reset. Interrupts
+// of one priority do not interrupt each other.
+inline void set_priority(unsigned number, std::uint8_t priority) {
+  *reinterpret_cast<volatile std::uint8_t*>(0xE000E400u + number) =
+      static_cast<std::uint8_t>(priority << 4);
+}
+
 // Masks interrupts while the object exists. The NMI and faults are not masked. Must not be nested.
 class InterruptsMasked {
  public:

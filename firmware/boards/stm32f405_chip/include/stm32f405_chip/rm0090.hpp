@@ -1,4 +1,4 @@
-// The registers of the STM32F405 that the board uses, by their names in the reference manual
+// The registers of the STM32F405 that the boards use, by their names in the reference manual
 // RM0090.
 #pragma once
 
@@ -22,8 +22,10 @@ constexpr std::uint32_t RCC_PLLCFGR_PLLSRC_HSE = 1u << 22;
 constexpr std::uint32_t RCC_CFGR_SW_PLL = 2u, RCC_CFGR_SWS = 3u << 2, RCC_CFGR_SWS_PLL = 2u << 2;
 constexpr std::uint32_t RCC_CFGR_PPRE1_DIV4 = 5u << 10, RCC_CFGR_PPRE2_DIV2 = 4u << 13;
 constexpr std::uint32_t RCC_AHB1ENR_GPIOAEN = 1u << 0, RCC_AHB1ENR_GPIOCEN = 1u << 2;
+constexpr std::uint32_t RCC_AHB1ENR_DMA1EN = 1u << 21;
 constexpr std::uint32_t RCC_AHB1ENR_DMA2EN = 1u << 22;
 constexpr std::uint32_t RCC_APB1ENR_TIM2EN = 1u << 0, RCC_APB1ENR_TIM3EN = 1u << 1;
+constexpr std::uint32_t RCC_APB1ENR_DACEN = 1u << 29, RCC_APB2ENR_TIM8EN = 1u << 1;
 constexpr std::uint32_t RCC_APB2ENR_USART1EN = 1u << 4, RCC_APB2ENR_ADC1EN = 1u << 8;
 constexpr std::uint32_t RCC_CSR_IWDGRSTF = 1u << 29, RCC_CSR_RMVF = 1u << 24;
 
@@ -50,10 +52,31 @@ constexpr std::uint32_t USART_CR1_RE = 1u << 2, USART_CR1_TE = 1u << 3, USART_CR
 constexpr std::uint32_t USART_CR1_TXEIE = 1u << 7, USART_CR1_UE = 1u << 13;
 
 struct Timer {
-  Register CR1, CR2, SMCR, DIER, SR, EGR, CCMR1, CCMR2, CCER, CNT, PSC, ARR;
+  Register CR1, CR2, SMCR, DIER, SR, EGR, CCMR1, CCMR2, CCER, CNT, PSC, ARR, RCR, CCR[4];
 };
-constexpr std::uint32_t TIM_CR1_CEN = 1u << 0, TIM_CR2_MMS_UPDATE = 2u << 4;
+constexpr std::uint32_t TIM_CR1_CEN = 1u << 0, TIM_CR1_CKD_DIV4 = 2u << 8;
+constexpr std::uint32_t TIM_CR2_MMS_ENABLE = 1u << 4, TIM_CR2_MMS_UPDATE = 2u << 4;
+constexpr std::uint32_t TIM_SMCR_SMS_TRIGGER = 6u, TIM_SMCR_TS_ITR1 = 1u << 4;
 constexpr std::uint32_t TIM_SMCR_SMS_EXTERNAL1 = 7u, TIM_SMCR_TS_ITR2 = 2u << 4;
+
+// Of channel `channel`, 0 … 3: of the half of CCMR that it is in, of CCER, of DIER and SR.
+constexpr std::uint32_t TIM_CCMR_CAPTURE = 1u, TIM_CCMR_FILTER_DIV32_8 = 15u << 4;
+constexpr std::uint32_t TIM_CCER_BOTH_EDGES = 1u << 0 | 1u << 1 | 1u << 3;
+constexpr std::uint32_t TIM_SR_CCIF(unsigned channel) {
+  return 2u << channel;
+}
+constexpr std::uint32_t TIM_SR_CCOF(unsigned channel) {
+  return 0x200u << channel;
+}
+
+struct Dac {
+  Register CR, SWTRIGR, DHR12R1, DHR12L1, DHR8R1, DHR12R2, DHR12L2, DHR8R2, DHR12RD, DHR12LD,
+      DHR8RD, DOR1, DOR2, SR;
+};
+static_assert(sizeof(Dac) == 0x38);
+constexpr std::uint32_t DAC_CR_EN1 = 1u << 0, DAC_CR_TEN1 = 1u << 2, DAC_CR_TSEL1_TIM8 = 1u << 3;
+constexpr std::uint32_t DAC_CR_DMAEN1 = 1u << 12, DAC_CR_DMAUDRIE1 = 1u << 13;
+constexpr std::uint32_t DAC_SR_DMAUDR1 = 1u << 13;
 
 struct Adc {
   Register SR, CR1, CR2, SMPR1, SMPR2, JOFR[4], HTR, LTR, SQR1, SQR2, SQR3, JSQR, JDR[4], DR;
@@ -77,8 +100,10 @@ struct Dma {
 constexpr std::uint32_t DMA_SxCR_EN = 1u << 0, DMA_SxCR_HTIE = 1u << 3, DMA_SxCR_TCIE = 1u << 4;
 constexpr std::uint32_t DMA_SxCR_CIRC = 1u << 8, DMA_SxCR_MINC = 1u << 10;
 constexpr std::uint32_t DMA_SxCR_PSIZE_16 = 1u << 11, DMA_SxCR_MSIZE_16 = 1u << 13;
+constexpr std::uint32_t DMA_SxCR_DIR_FROM_MEMORY = 1u << 6;
+constexpr std::uint32_t DMA_SxCR_CHSEL_7 = 7u << 25;
 constexpr std::uint32_t DMA_SxCR_PL_HIGH = 2u << 16;
-constexpr std::uint32_t DMA_LIFCR_STREAM0 = 0x3Du;
+constexpr std::uint32_t DMA_LIFCR_STREAM0 = 0x3Du, DMA_HIFCR_STREAM5 = 0x3Du << 6;
 
 struct Iwdg {
   Register KR, PR, RLR, SR;
@@ -88,6 +113,8 @@ constexpr std::uint32_t IWDG_KR_START = 0xCCCCu, IWDG_KR_UNLOCK = 0x5555u, IWDG_
 constexpr cortex_m4::At<Timer, 0x40000000u> TIM2;
 constexpr cortex_m4::At<Timer, 0x40000400u> TIM3;
 constexpr cortex_m4::At<Iwdg, 0x40003000u> IWDG;
+constexpr cortex_m4::At<Dac, 0x40007400u> DAC;
+constexpr cortex_m4::At<Timer, 0x40010400u> TIM8;
 constexpr cortex_m4::At<Usart, 0x40011000u> USART1;
 constexpr cortex_m4::At<Adc, 0x40012000u> ADC1;
 constexpr cortex_m4::At<AdcCommon, 0x40012300u> ADC;
@@ -95,6 +122,7 @@ constexpr cortex_m4::At<Gpio, 0x40020000u> GPIOA;
 constexpr cortex_m4::At<Gpio, 0x40020800u> GPIOC;
 constexpr cortex_m4::At<Rcc, 0x40023800u> RCC;
 constexpr cortex_m4::At<Flash, 0x40023C00u> FLASH;
+constexpr cortex_m4::At<Dma, 0x40026000u> DMA1;
 constexpr cortex_m4::At<Dma, 0x40026400u> DMA2;
 // Device id: 0x413 for the STM32F405/407 and 415/417.
 constexpr cortex_m4::At<Register, 0xE0042000u> DBGMCU_IDCODE;
@@ -103,6 +131,7 @@ constexpr std::uint32_t DBGMCU_IDCODE_DEV_ID = 0xFFFu, kF405 = 0x413u;
 // The chip's unique id, 96 bits.
 constexpr std::uintptr_t kUniqueId = 0x1FFF7A10u;
 
+constexpr unsigned kDma1Stream5Irq = 16, kTim2Irq = 28, kTim6DacIrq = 54;
 constexpr unsigned kUsart1Irq = 37, kDma2Stream0Irq = 56, kInterrupts = 57;
 
 }  // namespace gs::stm32f405

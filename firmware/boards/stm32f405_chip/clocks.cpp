@@ -1,6 +1,5 @@
-#include "clocks.hpp"
-
-#include "rm0090.hpp"
+#include <stm32f405_chip/clocks.hpp>
+#include <stm32f405_chip/rm0090.hpp>
 
 namespace gs::stm32f405 {
 namespace {
@@ -48,12 +47,12 @@ Clocks start_clocks() {
   RCC->CR = RCC->CR | RCC_CR_HSEON;
   const bool crystal = comes(RCC->CR, RCC_CR_HSERDY, RCC_CR_HSERDY);
   if (crystal && start_pll(kCrystal_hz, RCC_PLLCFGR_PLLSRC_HSE) && run_on_pll()) {
-    return {kPll_hz / 2, kPll_hz / 2, true};
+    return {kPll_hz / 2, kPll_hz / 2, kPll_hz, true};
   }
   if (start_pll(kHsi_hz, 0) && run_on_pll()) {
-    return {kPll_hz / 2, kPll_hz / 2, false};
+    return {kPll_hz / 2, kPll_hz / 2, kPll_hz, false};
   }
-  return {kHsi_hz, kHsi_hz, false};
+  return {kHsi_hz, kHsi_hz, kHsi_hz, false};
 }
 
 }  // namespace gs::stm32f405

@@ -1,4 +1,5 @@
-// Clock tree: 8 MHz crystal → PLL → 168 MHz; APB2 84 MHz, timers of APB1 84 MHz.
+// Clock tree: 8 MHz crystal → PLL → 168 MHz; APB2 84 MHz, timers of APB1 84 MHz and of
+// APB2 168 MHz.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@ namespace gs::stm32f405 {
 struct Clocks {
   std::uint32_t apb2_hz;
   std::uint32_t apb1_timer_hz;
+  std::uint32_t apb2_timer_hz;
   bool crystal_runs;  // false: clocked by the internal oscillator, accurate to about 1 %
 };
 

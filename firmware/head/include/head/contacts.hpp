@@ -1,0 +1,34 @@
+// From the captures of a timer, one channel for each input, to the edges of a head. The timer
+// filters the inputs, so that an edge is one of the filtered input and its pin may already have
+// changed again. Each capture is therefore a change of the state before; only if the timer reports
+// that it has lost captures, the pin decides.
+//
+// All calls must come from interrupts of one priority.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <head/head.hpp>
+
+namespace gs::head {
+
+class Contacts {
+ public:
+  explicit Contacts(Head& head) : head_(head) {}
+
+  // `closed`: bit i is the state of input i, here and below.
+  void start(std::uint8_t closed);
+  // A capture at `count`. `lost`: the timer has lost captures of this input before it.
+  void capture(std::size_t input, std::uint64_t count, bool lost, std::uint8_t closed);
+  // To be called once a millisecond. Finds inputs whose pin has for a while not been as the
+  // captures imply: edges were missed.
+  void compare(std::uint8_t closed);
+
+ private:
+  Head& head_;
+  std::uint8_t closed_ = 0;
+  std::uint8_t differed_ = 0;  // at the last compare(), and not captured since
+};
+
+}  // namespace gs::head
