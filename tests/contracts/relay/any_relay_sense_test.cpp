@@ -34,6 +34,7 @@ class AnyRelaySense : public testing::TestWithParam<std::unique_ptr<RelayRig> (*
 
 INSTANTIATE_TEST_SUITE_P(Simulated, AnyRelaySense, testing::Values(&simulated_sense));
 INSTANTIATE_TEST_SUITE_P(Emulated, AnyRelaySense, testing::Values(&emulated_sense));
+INSTANTIATE_TEST_SUITE_P(Head, AnyRelaySense, testing::Values(&head_sense));
 INSTANTIATE_TEST_SUITE_P(Counter, AnyRelaySense, testing::Values(&counter_sense));
 INSTANTIATE_TEST_SUITE_P(ModemLine, AnyRelaySense, testing::Values(&modem_line_sense));
 
