@@ -63,11 +63,6 @@ Status Hardware::set_up() {
   return Done{};
 }
 
-Wire& Hardware::connect(Output& output, const TrueTime& time, const WireOptions& options) {
-  wire_ = std::make_unique<Wire>(mains_->outlets(), output, time, options);
-  return *wire_;
-}
-
 Status Hardware::restart_outlet(std::size_t outlet) {
   return start_process(outlet).move_to(processes_.at(outlet));
 }

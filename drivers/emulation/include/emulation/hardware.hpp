@@ -15,7 +15,6 @@
 #include <emulation/mains.hpp>
 #include <emulation/null_modem.hpp>
 #include <emulation/private_broker.hpp>
-#include <emulation/wire.hpp>
 
 namespace gsbench::emulation {
 
@@ -64,9 +63,8 @@ class Hardware {
   std::vector<std::string> mqtt_ids() const;
   PrivateBroker* broker() { return broker_.get(); }  // null: no outlet needs one
 
-  // Connects the outlets to an instrument in place of source(), from now on; `output` must outlive
-  // this object. Call it once. relay_sense() does not work then.
-  Wire& connect(Output& output, const TrueTime& time, const WireOptions& options);
+  // For a wire from an instrument in place of source(); relay_sense() does not work then.
+  Terminals& outlets() { return mains_->outlets(); }
 
   // For fault injection.
   Child& outlet_process(std::size_t outlet) { return processes_.at(outlet).value(); }
@@ -88,7 +86,6 @@ class Hardware {
   std::unique_ptr<PrivateBroker> broker_;
   std::vector<std::unique_ptr<NullModem>> cables_;  // null for outlets behind the broker
   std::vector<std::optional<Child>> processes_;     // none for contact-only devices
-  std::unique_ptr<Wire> wire_;                      // none: the outlets are at source()
 };
 
 }  // namespace gsbench::emulation

@@ -12,8 +12,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
-#include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -27,9 +28,11 @@ struct WireOptions {
   double nominal_v = 230.0;  // RMS at the outlets
   double cutoff_hz = 2000.0;
   std::uint64_t seed = 0;  // of the contacts' operating times and bounces
+  // Both are called from the wire's thread and must not block.
   // A contact has moved at `step` of true time, which is past. In order of time for each outlet.
-  // Called from the wire's thread; must not block.
   std::function<void(std::size_t outlet, std::int64_t step, bool closed)> on_edge = {};
+  // The next steps at the outlets' terminals, from step 0 on.
+  std::function<void(const float* voltage_pu, std::size_t count)> on_voltage = {};
 };
 
 class Wire {
@@ -45,14 +48,16 @@ class Wire {
 
   // May be called from any thread.
   std::int64_t step() const { return step_; }  // the outlets have received the steps before it
-  bool contact_closed(std::size_t outlet) const { return closed_[outlet]; }
-  // How late the latest edge of a contact became known, s, at worst so far. Near 0 as long as the
-  // outlets' processes keep up with true time, because a contact follows its coil after 6 ms.
+  // Now, in true time.
+  bool contact_closed(std::size_t outlet) const;
+  // How long after it happened an edge of a contact became known, s, at worst so far. 0 as long as
+  // the outlets' processes keep up with true time, because a contact follows its coil after 6 ms.
   double worst_lateness_s() const;
 
  private:
   void run();
   void bring_up_to(std::int64_t now_step);
+  void look_ahead();
   void pass_edges();
   void filter();
 
@@ -68,7 +73,12 @@ class Wire {
   double z2_ = 0.0;
   std::vector<float> voltage_;
   std::vector<models::ContactEdge> edges_;
-  std::unique_ptr<std::atomic<bool>[]> closed_;
+  struct Contact {
+    std::deque<models::ContactEdge> ahead;  // known edges that were not passed yet, ascending
+    bool closed = true;                     // before them
+  };
+  mutable std::mutex contacts_mutex_;
+  std::vector<Contact> contacts_;  // under contacts_mutex_
   std::atomic<std::int64_t> step_{0};
   std::atomic<std::int64_t> worst_lateness_steps_{0};
   std::atomic<bool> ending_{false};

@@ -1,0 +1,67 @@
+// A relay sense that exists in emulation only: it sees the contacts at the outlets' terminals with
+// their true step, and the voltage there. It is aligned with the source by the first dip of the
+// stimulus, so it does not depend on when the bench believes that the source has started.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include <drivers/result.hpp>
+#include <emulation/output.hpp>
+#include <relay/relay_sense.hpp>
+#include <source/source.hpp>
+
+namespace gsbench::emulation {
+
+// Finds the first dip in a voltage: the mean square over one nominal period falls below `ratio` of
+// the mean square over the three periods before it.
+class DipFinder {
+ public:
+  DipFinder(std::int64_t samples_per_period, double ratio);
+  // The next sample. Returns the end of the period in which the mean square has fallen, in samples,
+  // interpolated, once it is found; the first sample is the interval 0 … 1.
+  std::optional<double> take(double voltage);
+
+ private:
+  std::int64_t period_;
+  double ratio_;
+  std::vector<double> squares_;  // of the newest four periods, as a ring
+  std::int64_t taken_ = 0;
+  double recent_ = 0.0;  // sum over the newest period
+  double before_ = 0.0;  // and over the three before it
+  double last_excess_ = 0.0;
+};
+
+// seen() and moved() are called from the wire's thread (emulation/wire.hpp), the others from the
+// run's.
+class TerminalSense final : public relay::RelaySense {
+ public:
+  // `stimulus`: as the source will be given it, with a dip after at least four nominal periods.
+  // `clock_ppm`: true error of the source's clock, positive: fast. `source` must outlive this.
+  TerminalSense(const source::Stimulus& stimulus, const source::Source& source, double clock_ppm);
+
+  void seen(const float* voltage_pu, std::size_t count);
+  void moved(std::size_t channel, std::int64_t step, bool closed);
+
+  // Counts are steps of true time.
+  relay::Alignment alignment() const override;
+  // Edges are held back until the dip has been seen. An error if it has not been seen 1 s after the
+  // source says that it was played.
+  drivers::Status poll(std::vector<relay::Edge>& edges) override;
+
+ private:
+  const source::Source& source_;
+  double rate_hz_;
+  double steps_per_tick_;
+  double dip_ticks_ = 0.0;
+  mutable std::mutex mutex_;
+  // Under mutex_:
+  std::optional<DipFinder> finder_;  // none: the stimulus has no dip
+  std::optional<double> dip_steps_;
+  std::vector<relay::Edge> edges_;
+};
+
+}  // namespace gsbench::emulation

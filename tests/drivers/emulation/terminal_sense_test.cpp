@@ -1,0 +1,126 @@
+// The emulated relay sense at the outlets' terminals: where it puts tick 0, and what it says if it
+// cannot.
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+
+#include <emulation/terminal_sense.hpp>
+
+namespace gsbench::test {
+namespace {
+
+using emulation::DipFinder;
+using emulation::TerminalSense;
+using emulation::TrueTime;
+using testing::HasSubstr;
+
+constexpr double kTurn = 6.283185307179586;
+
+// Nominal voltage of 50 Hz with a dip to 60 % from 0.5 s to 0.7 s.
+struct WithADip final : source::Stimulus {
+  static double voltage_pu(double t_s) {
+    return (t_s >= 0.5 && t_s < 0.7 ? 0.6 : 1.0) * std::sin(kTurn * 50.0 * t_s);
+  }
+  std::int64_t sample_rate_hz() const override { return 8000; }
+  std::int64_t total_ticks() const override { return 8000; }
+  int nominal_hz() const override { return 50; }
+  source::Noise noise() const override { return {}; }
+  double frequency_hz(std::int64_t) const override { return 50.0; }
+  double amplitude_pu(std::int64_t tick) const override {
+    return has_dip && tick >= 4000 && tick < 5600 ? 0.6 : 1.0;
+  }
+  void render(std::int64_t first_tick, std::size_t count, float* out) const override {
+    for (std::size_t i = 0; i < count; ++i) {
+      out[i] = static_cast<float>(
+          voltage_pu(static_cast<double>(first_tick + static_cast<std::int64_t>(i)) / 8000.0));
+    }
+  }
+  bool has_dip = true;
+};
+
+class SourceWithClock final : public source::Source {
+ public:
+  source::Limits limits() const override { return {}; }
+  std::optional<source::HostClock> host_clock() const override { return clock; }
+  std::optional<source::HostClock> clock;
+
+ protected:
+  drivers::Result<source::Played> deviation(const source::Stimulus&) const override {
+    return source::Played{};
+  }
+  drivers::Status power_up() override { return drivers::Done{}; }
+  drivers::Status begin() override { return drivers::Done{}; }
+  drivers::Result<std::int64_t> play_until(std::int64_t until_tick) override { return until_tick; }
+  drivers::Status switch_off() noexcept override { return drivers::Done{}; }
+};
+
+class AtTheTerminals : public testing::Test {
+ protected:
+  // Silence, a soft rise over 0.5 s, nominal voltage, then the stimulus from `start_s` on, with the
+  // source's clock 200 ppm fast, at `scale` of its voltage.
+  void play(double start_s, double scale, double noise_pu = 0.0) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    std::vector<float> pu(static_cast<std::size_t>((start_s + 1.0) * TrueTime::kRate_hz));
+    for (std::size_t step = 0; step < pu.size(); ++step) {
+      const double t_s = (static_cast<double>(step) + 0.5) / TrueTime::kRate_hz;
+      const double rise = std::min(std::max((t_s - 0.2) / 0.5, 0.0), 1.0);
+      pu[step] =
+          static_cast<float>(scale * rise * WithADip::voltage_pu((t_s - start_s) * (1.0 + 200e-6)) +
+                             noise_pu * noise(random));
+    }
+    for (std::size_t step = 0; step < pu.size(); step += 128) {
+      sense_.seen(pu.data() + step, std::min<std::size_t>(128, pu.size() - step));
+    }
+  }
+  double tick_0_s() const { return sense_.alignment().count_at_tick_0 / TrueTime::kRate_hz; }
+
+  WithADip stimulus_;
+  SourceWithClock source_;
+  TerminalSense sense_{stimulus_, source_, 200.0};
+};
+
+TEST_F(AtTheTerminals, TheDipGivesTick0WithinTenMicroseconds) {
+  play(1.2345, 1.0);
+  EXPECT_NEAR(tick_0_s(), 1.2345, 10e-6);
+  EXPECT_NEAR(sense_.alignment().counts_per_tick, 8.0 * (1.0 - 200e-6), 1e-6);
+}
+
+TEST_F(AtTheTerminals, AnErrorOfTheAmplitudeDoesNotMoveTick0) {
+  play(1.5, 0.97);
+  EXPECT_NEAR(tick_0_s(), 1.5, 20e-6);
+}
+
+TEST_F(AtTheTerminals, NoiseMovesTick0WithinTheStatedUncertainty) {
+  play(1.5, 1.0, 0.01);
+  EXPECT_NEAR(tick_0_s(), 1.5, sense_.alignment().uncertainty_ticks / 8000.0);
+  EXPECT_NEAR(sense_.alignment().uncertainty_ticks, 2.4 + 1.0, 1e-9);
+}
+
+TEST_F(AtTheTerminals, EdgesWaitForTheDip) {
+  std::vector<relay::Edge> edges;
+  sense_.moved(3, 1000, false);
+  EXPECT_TRUE(sense_.poll(edges).ok());
+  EXPECT_TRUE(edges.empty());
+  play(1.5, 1.0);
+  sense_.moved(1, 2 * TrueTime::kRate_hz, true);
+  EXPECT_TRUE(sense_.poll(edges).ok());
+  ASSERT_EQ(edges.size(), 2U);
+  EXPECT_EQ(edges[0].channel, 3U);
+  EXPECT_TRUE(edges[1].closed);
+  // 2 s is tick 4000 from 1.5 s on, of a clock that is 200 ppm fast: 0.8 ticks more.
+  EXPECT_NEAR(static_cast<double>(sense_.alignment().tick_of(edges[1].count)), 4000.8, 1.0);
+}
+
+TEST_F(AtTheTerminals, ADipThatDoesNotComeIsAnError) {
+  std::vector<relay::Edge> edges;
+  const auto now = std::chrono::steady_clock::now();
+  source_.clock = {now - std::chrono::milliseconds(400), 1.0 / 8000.0, 0.001};
+  EXPECT_TRUE(sense_.poll(edges).ok()) << "not yet due";
+  source_.clock = {now - std::chrono::seconds(3), 1.0 / 8000.0, 0.001};
+  EXPECT_THAT(sense_.poll(edges).error(), HasSubstr("dip of the stimulus was not seen"));
+}
+
+}  // namespace
+}  // namespace gsbench::test
