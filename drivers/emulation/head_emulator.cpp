@@ -98,7 +98,7 @@ std::uint16_t HeadEmulator::code(std::int64_t number) {
 
 void HeadEmulator::render(std::int64_t first_step, std::size_t count, float* volts) {
   const Lock lock(mutex_);
-  const double step_v = options_.full_scale_v * 16.0 / gs::head::kLargestSample;
+  const double step_v = options_.full_scale_v * 16.0 / gs::head::kFullScale;
   double from = code_at(first_step);
   for (std::size_t i = 0; i < count; ++i) {
     const double until = code_at(first_step + static_cast<std::int64_t>(i) + 1);

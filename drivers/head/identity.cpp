@@ -35,7 +35,7 @@ Status check(const gs::head::Hello& hello, const HeadOptions& options) {
         require(port, "number of codes for each sample", std::uint32_t{hello.oversampling},
                 gs::head::kOversampling),
         require(port, "resolution in bits", int{hello.dac_bits}, 12),
-        require(port, "largest sample", int{hello.full_scale}, int{gs::head::kLargestSample})}) {
+        require(port, "largest sample", int{hello.full_scale}, int{gs::head::kFullScale})}) {
     if (!same.ok()) {
       return same;
     }

@@ -95,7 +95,7 @@ Amplitude::Amplitude(const HeadOptions& options)
     : nominal_peak_v_(kSqrt2 * options.nominal_v),
       dac_full_scale_pu_(options.dac_full_scale_v * options.gain / nominal_peak_v_),
       voltage_limit_pu_(options.voltage_limit_v / options.nominal_v),
-      samples_per_pu_(gs::head::kLargestSample / dac_full_scale_pu_) {}
+      samples_per_pu_(gs::head::kFullScale / dac_full_scale_pu_) {}
 
 double Amplitude::full_scale_pu() const {
   return std::min(dac_full_scale_pu_, voltage_limit_pu_);

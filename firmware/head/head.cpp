@@ -135,10 +135,9 @@ Refusal Head::apply(const Samples& samples) {
   if (samples.count > player_.room()) {
     return Refusal::kNoRoom;
   }
-  const int full_scale = hardware_.full_scale;
   const bool in_range = std::all_of(
       samples.samples, samples.samples + samples.count,
-      [&](std::int16_t sample) { return sample >= -full_scale && sample <= full_scale; });
+      [](std::int16_t sample) { return sample >= -kFullScale && sample <= kFullScale; });
   if (!in_range) {
     return Refusal::kRange;
   }
@@ -235,7 +234,6 @@ Hello Head::hello() const {
   std::copy(hardware_.unique_id, hardware_.unique_id + kUniqueIdBytes, hello.unique_id);
   hello.firmware_version = kFirmwareVersion;
   hello.build = hardware_.build;
-  hello.full_scale = hardware_.full_scale;
   hello.full_scale_mv = hardware_.full_scale_mv;
   hello.counts_per_sample = hardware_.counts_per_sample;
   return hello;

@@ -57,9 +57,4 @@ class HeadBoard {
   volatile bool dac_starved_ = false;
 };
 
-// Full scale is limited by the DAC's output buffer, which reaches from 0.2 V to 0.2 V below the
-// supply (datasheet, table 73): ±1792 steps around 1.65 V are 0.21 … 3.09 V.
-constexpr std::int16_t kFullScale = 1792 * 16;
-constexpr std::uint16_t kFullScale_mv = 1444;
-
 }  // namespace gs::stm32f405

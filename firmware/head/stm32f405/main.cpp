@@ -22,8 +22,6 @@ head::Hardware hardware(const Clocks& clocks) {
     hardware.flags = static_cast<std::uint16_t>(hardware.flags | head::kRestartedByWatchdog);
   }
   hardware.counts_per_sample = clocks.apb1_timer_hz / head::kSampleRate_hz;
-  hardware.full_scale = kFullScale;
-  hardware.full_scale_mv = kFullScale_mv;
   return hardware;
 }
 

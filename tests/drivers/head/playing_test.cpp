@@ -114,8 +114,8 @@ TEST_F(HeadPlays, WithTheStatedAmplitude) {
   rig_.play(mains_);
   const std::vector<std::uint16_t> codes = rig_.codes();
   const auto highest = *std::max_element(codes.begin(), codes.end());
-  // 230 V · √2 / 236 = 1.3783 V of 1.65 V.
-  EXPECT_NEAR(highest - 2048, 1.3783 / 1.65 * 2047.0, 1.0);
+  // 230 V · √2 / 260 = 1.2510 V of 1.444 V.
+  EXPECT_NEAR(highest - 2048, 1.2510 / 1.444 * 1792.0, 1.0);
 }
 
 TEST(HeadOptions, ThatCannotPlayNominalVoltageAreRefusedWithTheNumbers) {
@@ -128,8 +128,8 @@ TEST(HeadOptions, ThatCannotPlayNominalVoltageAreRefusedWithTheNumbers) {
   };
   EXPECT_EQ(refusal([](head::HeadOptions&) {}), "");
   EXPECT_THAT(refusal([](head::HeadOptions& o) { o.gain = 190.0; }),
-              HasSubstr("325.3 V peak, is beyond full scale: 1.65 V at the DAC with a gain of 190 "
-                        "is 313.5 V"));
+              HasSubstr("325.3 V peak, is beyond full scale: 1.444 V at the DAC with a gain of 190 "
+                        "is 274.4 V"));
   EXPECT_THAT(refusal([](head::HeadOptions& o) { o.voltage_limit_v = 229.0; }),
               HasSubstr("230 V RMS, is beyond the voltage limit of 229 V RMS"));
   EXPECT_THAT(refusal([](head::HeadOptions& o) { o.gain = 0.0; }), HasSubstr("gain is 0"));
@@ -142,7 +142,7 @@ TEST(HeadLimits, AreThoseOfTheDacOrTheInterlock) {
   EXPECT_NEAR(head::Head::create(options).take()->source().limits().full_scale_pu, 1.1, 1e-9);
   options.voltage_limit_v = 500.0;
   EXPECT_NEAR(head::Head::create(options).take()->source().limits().full_scale_pu,
-              1.65 * 236.0 / (230.0 * std::sqrt(2.0)), 1e-9);
+              1.444 * 260.0 / (230.0 * std::sqrt(2.0)), 1e-9);
 }
 
 }  // namespace

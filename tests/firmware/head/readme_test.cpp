@@ -66,8 +66,6 @@ std::vector<std::pair<std::string, Bytes>> goldens() {
                                     hello.unique_id);
                           hello.firmware_version = kFirmwareVersion;
                           hello.build = board.build;
-                          hello.full_scale = board.full_scale;
-                          hello.full_scale_mv = board.full_scale_mv;
                           hello.counts_per_sample = board.counts_per_sample;
                           return hello;
                         }(),

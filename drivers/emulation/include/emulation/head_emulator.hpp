@@ -28,8 +28,8 @@
 namespace gsbench::emulation {
 
 struct HeadEmulatorOptions {
-  double clock_ppm = 0.0;      // positive: fast
-  double full_scale_v = 1.65;  // largest deviation from mid-scale at the DAC's pin
+  double clock_ppm = 0.0;       // positive: fast
+  double full_scale_v = 1.444;  // largest deviation from mid-scale at the DAC's pin
   std::string board = "emulated";
   std::uint16_t flags = gs::head::kCrystalRuns;
 };

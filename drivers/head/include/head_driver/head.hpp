@@ -20,11 +20,11 @@ struct HeadOptions {
   std::string port;  // for transport::make_transport()
   int baud = transport::kBaud;
 
-  double nominal_v = 230.0;        // RMS at the outlets
-  double gain = 236.0;             // V at the outlets for 1 V at the DAC's pin
-  double dac_full_scale_v = 1.65;  // largest deviation from mid-scale at the DAC's pin; 1 … 2
-  double voltage_limit_v = 265.0;  // RMS at the outlets; √2 times this is the largest peak
-  double clock_ppm = 30.0;         // accuracy of the board's crystal, ±
+  double nominal_v = 230.0;         // RMS at the outlets
+  double gain = 260.0;              // V at the outlets for 1 V at the DAC's pin
+  double dac_full_scale_v = 1.444;  // largest deviation from mid-scale at the DAC's pin; 1 … 2
+  double voltage_limit_v = 265.0;   // RMS at the outlets; √2 times this is the largest peak
+  double clock_ppm = 30.0;          // accuracy of the board's crystal, ±
 
   // The opto-couplers report an edge later than the contact moved, by the delay ± its uncertainty.
   double opto_delay_s = 10e-6;

@@ -30,8 +30,7 @@ struct Hardware {
   std::uint32_t build = 0;
   std::uint16_t flags = 0;  // HelloFlag
   std::uint32_t counts_per_sample = 0;
-  std::int16_t full_scale = kLargestSample;  // at most kLargestSample
-  std::uint16_t full_scale_mv = 0;           // nominal voltage of full scale, peak
+  std::uint16_t full_scale_mv = kFullScale_mv;  // nominal voltage of kFullScale, peak
 };
 
 class Head {

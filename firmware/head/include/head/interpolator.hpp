@@ -9,8 +9,10 @@
 namespace gs::head {
 
 constexpr std::uint16_t kMidScale = 2048;
-// A step of the DAC is 16. From −kLargestSample to kLargestSample no code overflows.
+// From −kLargestSample to kLargestSample no code overflows. A head accepts samples up to
+// kFullScale.
 constexpr std::int16_t kLargestSample = 2047 * 16;
+static_assert(kFullScale <= kLargestSample);
 
 class Interpolator {
  public:

@@ -15,6 +15,10 @@ constexpr std::uint16_t kProtocolVersion = 1;
 constexpr std::uint32_t kSampleRate_hz = 8000;  // of the stream
 constexpr std::uint32_t kOversampling = 8;      // codes of the DAC for each sample
 constexpr std::uint32_t kCodeRate_hz = kSampleRate_hz * kOversampling;
+// The largest sample, 1792 steps of the DAC: its output buffer reaches from 0.2 V to 0.2 V below
+// the supply of 3.3 V (datasheet of the STM32F405, DAC characteristics); this is 1.65 V ± 1.444 V.
+constexpr std::int16_t kFullScale = 1792 * 16;
+constexpr std::uint16_t kFullScale_mv = 1444;
 constexpr std::size_t kBufferSamples = 4096;
 constexpr std::size_t kLongestSamples = 256;  // in one message
 constexpr std::size_t kInputs = 4;
@@ -97,7 +101,7 @@ struct Samples {
   static constexpr Kind kKind = Kind::kSamples;
   std::uint64_t first_sample = 0;
   std::uint16_t count = 0;  // 1 … kLongestSamples
-  // Deviation from mid-scale in 1/16 of a step of the DAC, −Hello::full_scale … +full_scale.
+  // Deviation from mid-scale in 1/16 of a step of the DAC, −kFullScale … kFullScale.
   std::int16_t samples[kLongestSamples] = {};
 };
 
@@ -139,8 +143,8 @@ struct Hello {
   std::uint32_t sample_rate_hz = kSampleRate_hz;
   std::uint8_t oversampling = kOversampling;
   std::uint8_t dac_bits = 12;
-  std::int16_t full_scale = 0;      // largest sample
-  std::uint16_t full_scale_mv = 0;  // nominal peak voltage of the largest sample
+  std::int16_t full_scale = kFullScale;
+  std::uint16_t full_scale_mv = kFullScale_mv;  // nominal, peak
   std::uint16_t buffer_samples = kBufferSamples;
   std::uint16_t longest_samples = kLongestSamples;
   std::uint32_t counts_per_sample = 0;  // counts of the capture timer

@@ -11,14 +11,14 @@ namespace gs::stm32f405 {
 constexpr std::size_t kUniqueIdBytes = 12;
 
 void set_mode(Gpio& port, unsigned pin, std::uint32_t mode);
-// Alternate function 0 … 15 (datasheet, table 9).
+// Alternate function 0 … 15 (datasheet, alternate function mapping).
 void set_function(Gpio& port, unsigned pin, std::uint32_t function);
 void pull_up(Gpio& port, unsigned pin);
 
 // True if the independent watchdog caused this start; true only for the first call.
 bool reset_by_watchdog();
 // Starts the independent watchdog: it resets after `ticks` of 32 kHz / 4 · 2^prescaler, and its
-// clock is between 17 kHz and 47 kHz (datasheet, table 42). Feed it in time.
+// clock is between 17 kHz and 47 kHz (datasheet, LSI oscillator characteristics). Feed it in time.
 void start_watchdog(std::uint32_t prescaler, std::uint32_t ticks);
 inline void feed_watchdog() {
   IWDG->KR = IWDG_KR_FEED;

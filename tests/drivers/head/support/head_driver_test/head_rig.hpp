@@ -81,7 +81,7 @@ struct HeadRig {
   }
 
   std::vector<std::uint16_t> interpolated(const std::vector<float>& voltage_pu) const {
-    const double units = gs::head::kLargestSample * std::sqrt(2.0) * options.nominal_v /
+    const double units = gs::head::kFullScale * std::sqrt(2.0) * options.nominal_v /
                          (options.gain * options.dac_full_scale_v);
     const auto sample = [units](float pu) {
       return static_cast<std::int16_t>(std::lround(units * static_cast<double>(pu)));

@@ -14,8 +14,6 @@ Hardware hardware() {
   hardware.build = 0xDEADBEEFU;
   hardware.flags = kCrystalRuns;
   hardware.counts_per_sample = kCountsPerSample;
-  hardware.full_scale = kFullScale;
-  hardware.full_scale_mv = 1444;
   return hardware;
 }
 

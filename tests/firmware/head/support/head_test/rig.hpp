@@ -13,7 +13,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint32_t kCountsPerSample = 10500;  // as on the board: 84 MHz
 constexpr std::uint32_t kCodesPerMs = kCodeRate_hz / 1000;
-constexpr std::int16_t kFullScale = 28672;
 
 Hardware hardware();
 
