@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 constexpr auto kAhead = static_cast<std::int64_t>(kAhead_s * gs::head::kSampleRate_hz);
 // A message is not sent for fewer samples, unless a call waits for them.
 constexpr std::int64_t kFewest = 32;
+constexpr std::int64_t kReturnSamples = 800;  // from the stimulus's last amplitude to nominal
 constexpr std::uint16_t kPrefill = 800;
 constexpr auto kListened = 10ms;
 
@@ -52,7 +53,7 @@ Status HeadSource::upload(const source::Progress&) {
 Status HeadSource::power_up() {
   queued_ = 0;
   // Sample 0 has the phase of tick 0, so that the stimulus can begin after any number of periods.
-  nominal_.emplace(stimulus(), 0, phase_rad(stimulus(), 0, 0), kRampSamples);
+  nominal_.emplace(stimulus(), 0, phase_rad(stimulus(), 0, 0), 0.0, kRampSamples);
   if (Status armed = session_->arm(); !armed.ok()) {
     return armed;
   }
@@ -158,13 +159,16 @@ Status HeadSource::write(std::int64_t count, std::int16_t* out) {
   return Done{};
 }
 
-// Nominal voltage from this sample on, in phase with the stimulus before it.
+// Nominal voltage from this sample on, in phase with the stimulus before it. The amplitude gets
+// there softly.
 void HeadSource::end_stimulus_at(std::int64_t sample) {
   stimulus_end_ = sample;
   const std::int64_t tick = sample - *session_->tick_0_sample;
   const std::int64_t period = repeats_after(stimulus().sample_rate_hz(), stimulus().nominal_hz());
+  const std::int64_t last = std::max<std::int64_t>(tick - 1, 0);
   nominal_.emplace(stimulus(), sample,
-                   phase_rad(stimulus(), std::max<std::int64_t>(tick - period, 0), tick), 0);
+                   phase_rad(stimulus(), std::max<std::int64_t>(tick - period, 0), tick),
+                   tick > 0 ? stimulus().amplitude_pu(last) : 1.0, kReturnSamples);
 }
 
 }  // namespace gsbench::head

@@ -40,20 +40,22 @@ double phase_rad(const source::Stimulus& stimulus, std::int64_t first_tick, std:
 }
 
 NominalVoltage::NominalVoltage(const source::Stimulus& stimulus, std::int64_t anchor,
-                               double phase_rad, std::int64_t ramp_samples)
+                               double phase_rad, double from_pu, std::int64_t ramp_samples)
     : rate_hz_(stimulus.sample_rate_hz()),
       nominal_hz_(stimulus.nominal_hz()),
       anchor_(anchor),
       phase_rad_(phase_rad),
+      from_pu_(from_pu),
       ramp_samples_(ramp_samples) {}
 
 double NominalVoltage::at_pu(std::int64_t sample) const {
-  const double turns = static_cast<double>(nominal_hz_ * (sample - anchor_) % rate_hz_) /
-                       static_cast<double>(rate_hz_);
-  const double amplitude_pu = sample < ramp_samples_
-                                  ? 0.5 - 0.5 * std::cos(0.5 * kTau * static_cast<double>(sample) /
-                                                         static_cast<double>(ramp_samples_))
-                                  : 1.0;
+  const std::int64_t since = sample - anchor_;
+  const double turns =
+      static_cast<double>(nominal_hz_ * since % rate_hz_) / static_cast<double>(rate_hz_);
+  const double part =
+      std::min(static_cast<double>(since) / static_cast<double>(ramp_samples_), 1.0);
+  const double amplitude_pu =
+      from_pu_ + (1.0 - from_pu_) * (0.5 - 0.5 * std::cos(0.5 * kTau * part));
   return amplitude_pu * std::cos(phase_rad_ + kTau * turns);
 }
 

@@ -16,9 +16,10 @@ std::int64_t repeats_after(std::int64_t sample_rate_hz, int nominal_hz);
 
 class NominalVoltage {
  public:
-  // The phase at sample `anchor`. Before `ramp_samples` the amplitude rises softly from 0.
+  // The phase at sample `anchor`. From there on, the amplitude changes softly from `from_pu` to
+  // nominal, for `ramp_samples`.
   NominalVoltage(const source::Stimulus& stimulus, std::int64_t anchor, double phase_rad,
-                 std::int64_t ramp_samples);
+                 double from_pu, std::int64_t ramp_samples);
   double at_pu(std::int64_t sample) const;
 
  private:
@@ -26,6 +27,7 @@ class NominalVoltage {
   int nominal_hz_;
   std::int64_t anchor_;
   double phase_rad_;
+  double from_pu_;
   std::int64_t ramp_samples_;
 };
 
