@@ -1,6 +1,4 @@
-// Rigol DG1000Z. Sources: DG1000Z Programming Guide (Rigol, 2013 and later), and public drivers and
-// their tests; what only users report says so.
-#include "generator_scpi_dialect.hpp"
+#include "generator_rigol.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,70 +9,8 @@ namespace gsbench::emulation {
 
 namespace {
 
-constexpr std::size_t kErrorsKept = 20;
-// The guide has packets of up to 16 384 points; two public drivers state that 8192 points, 16 384
-// bytes, are the most that works. So does this one.
-constexpr std::size_t kMostPacketBytes = 16384;
-// Users pause 50 to 200 ms between packets, or wait for *OPC?, because packets that follow each
-// other at once are lost.
-constexpr std::int64_t kPacket_steps = TrueTime::kRate_hz / 20;
-constexpr int kHighestCode = 0x3fff;
-constexpr std::string_view kVolatile = "VOLATILE";
-
-std::string rigol_number(double value) {
-  return std::isinf(value) ? "9.900000E+37" : fmt::format("{:.6E}", value);
-}
-std::string on_or_off(bool on) {
-  return on ? "ON" : "OFF";
-}
-
-class Rigol : public ScpiDialect {
- public:
-  explicit Rigol(GeneratorState& state) : ScpiDialect(state, {kErrorsKept, false}) {
-    add_output();
-    add_wave();
-    add_burst();
-    add_data();
-  }
-  void lose_power() override {
-    ScpiDialect::lose_power();
-    reset();
-  }
-
- private:
-  void add_output();
-  void add_wave();
-  void add_burst();
-  void add_data();
-  void apply(GeneratorFunction function, std::string_view argument);
-  void take_packet(std::string_view argument);
-  void take_values(std::string_view argument);
-  void end_upload(std::vector<std::int16_t> codes);
-
-  std::optional<double> out_of_range(double /*limit*/) override {
-    error(-222, "Data out of range");  // the setting stays
-    return std::nullopt;
-  }
-  std::int64_t ready_for_query() const override { return busy_until_; }
-  std::int64_t complete() const override { return busy_until_; }
-  // "Only for the manual source, and when the output is on" (guide, BURSt:TRIGger:IMMediate).
-  void trigger() override {
-    const GeneratorSettings& now = state_.settings();
-    if (now.burst_on && now.trigger == TriggerSource::kManual && now.output_on) {
-      state_.player().trigger();
-    } else {
-      error(-211, "Trigger ignored");
-    }
-  }
-  void reset() override {
-    packets_.clear();
-    idle_ = "FPT";
-  }
-
-  std::vector<std::int16_t> packets_;  // before END
-  std::int64_t busy_until_ = std::numeric_limits<std::int64_t>::min();
-  std::string idle_ = "FPT";
-};
+constexpr std::size_t kRigolErrorsKept = 20;
+constexpr double kMostRigolCycles = 1e6;
 
 struct RigolFunction {
   GeneratorFunction function;
@@ -88,38 +24,54 @@ constexpr RigolFunction kRigolFunctions[] = {
     {GeneratorFunction::kArbitrary, "USER"},     {GeneratorFunction::kArbitrary, "CUSTom"},
     {GeneratorFunction::kArbitrary, "ARBitrary"}};
 
-void Rigol::add_output() {
-  add(
-      "OUTPut[:STATe]",
-      [this](std::string_view argument) {
-        flag(argument, [this](bool on) {
-          change([&](GeneratorSettings& next) {
-            next.output_on = on || (next.output_on && state_.faults().ignores_output_off);
-          });
-        });
-      },
-      [this](std::string_view) { return on_or_off(state_.settings().output_on); });
-  for (const std::string_view pattern : {"OUTPut:LOAD", "OUTPut:IMPedance"}) {
-    add(
-        pattern,
-        [this](std::string_view argument) {
-          if (is_form_of(argument, "INFinity")) {
-            state_.set_load(std::numeric_limits<double>::infinity());
-            return;
-          }
-          number(argument, 1, 10e3, [this](double load_ohm) { state_.set_load(load_ohm); });
-        },
-        [this](std::string_view) { return rigol_number(state_.settings().load_ohm); });
+constexpr std::string_view kRigolSources[] = {"INTernal", "EXTernal", "MANual"};
+
+}  // namespace
+
+Rigol::Rigol(GeneratorState& state) : ScpiDialect(state, {kRigolErrorsKept, false}) {
+  add_output();
+  add_wave();
+  add_burst();
+  add_idle();
+  add_data();
+}
+
+void Rigol::lose_power() {
+  ScpiDialect::lose_power();
+  reset();
+}
+
+void Rigol::reset() {
+  packets_.clear();
+  idle_ = "FPT";
+}
+
+// Seven digits; INFinity is 9.900000E+37 (guide, OUTPut:IMPedance).
+std::string Rigol::written(double value) const {
+  return std::isinf(value) ? "9.900000E+37" : fmt::format("{:.6E}", value);
+}
+
+// The setting stays.
+std::optional<double> Rigol::out_of_range(double /*limit*/) {
+  error(-222, "Data out of range");
+  return std::nullopt;
+}
+
+// A trigger counts with the manual source and the output on (guide, BURSt:TRIGger:IMMediate).
+void Rigol::trigger() {
+  const GeneratorSettings& now = state_.settings();
+  if (now.burst_on && now.trigger == TriggerSource::kManual && now.output_on) {
+    state_.player().trigger();
+  } else {
+    error(-211, "Trigger ignored");
   }
-  add(
-      "OUTPut:POLarity",
-      [this](std::string_view argument) {
-        const auto name = one_of(argument, {"NORMal", "INVerted"});
-        if (!name.empty()) {
-          change([&](GeneratorSettings& next) { next.inverted = name == "INVerted"; });
-        }
-      },
-      [this](std::string_view) { return state_.settings().inverted ? "INVERTED" : "NORMAL"; });
+}
+
+void Rigol::add_output() {
+  add_flag("OUTPut[:STATe]", &GeneratorSettings::output_on);
+  add_load("OUTPut:LOAD");
+  add_load("OUTPut:IMPedance");
+  add_polarity("NORMAL", "INVERTED");
 }
 
 void Rigol::add_wave() {
@@ -141,33 +93,15 @@ void Rigol::add_wave() {
                                              });
         return short_form(row->name);
       });
-  add(
-      "[SOURce:]FREQuency[:FIXed]",
-      [this](std::string_view argument) {
-        number(argument, 1e-6, state_.highest_frequency_hz(state_.settings().function),
-               [this](double value) {
-                 change([&](GeneratorSettings& next) { next.frequency_hz = value; });
-               });
-      },
-      [this](std::string_view) { return rigol_number(state_.settings().frequency_hz); });
-  add(
-      "[SOURce:]VOLTage[:LEVel][:IMMediate][:AMPLitude]",
-      [this](std::string_view argument) {
-        number(argument, state_.lowest_vpp(), state_.highest_vpp(state_.settings().offset_v),
-               [this](double value) {
-                 change([&](GeneratorSettings& next) { next.amplitude_vpp = value; });
-               });
-      },
-      [this](std::string_view) { return rigol_number(state_.settings().amplitude_vpp); });
-  add(
-      "[SOURce:]VOLTage[:LEVel][:IMMediate]:OFFSet",
-      [this](std::string_view argument) {
-        const double room = state_.highest_peak_v() - state_.settings().amplitude_vpp / 2;
-        number(argument, -room, room, [this](double value) {
-          change([&](GeneratorSettings& next) { next.offset_v = value; });
-        });
-      },
-      [this](std::string_view) { return rigol_number(state_.settings().offset_v); });
+  add_number("[SOURce:]FREQuency[:FIXed]", &GeneratorSettings::frequency_hz, frequencies());
+  add_number("[SOURce:]VOLTage[:LEVel][:IMMediate][:AMPLitude]", &GeneratorSettings::amplitude_vpp,
+             [this] {
+               return std::pair(state_.lowest_vpp(),
+                                state_.highest_vpp(state_.settings().offset_v));
+             });
+  add_number("[SOURce:]VOLTage[:LEVel][:IMMediate]:OFFSet", &GeneratorSettings::offset_v,
+             offsets());
+  add_number("[SOURce:]PHASe[:ADJust]", &GeneratorSettings::phase_deg, 0, 360);
   add(
       "[SOURce:]VOLTage:UNIT",
       [this](std::string_view argument) {
@@ -176,14 +110,6 @@ void Rigol::add_wave() {
         }
       },
       [](std::string_view) { return "VPP"; });
-  add(
-      "[SOURce:]PHASe",
-      [this](std::string_view argument) {
-        number(argument, 0, 360, [this](double value) {
-          change([&](GeneratorSettings& next) { next.phase_deg = value; });
-        });
-      },
-      [this](std::string_view) { return rigol_number(state_.settings().phase_deg); });
   add(
       "[SOURce:]FUNCtion:ARB:MODE",
       [this](std::string_view argument) {
@@ -197,14 +123,8 @@ void Rigol::add_wave() {
       [this](std::string_view) {
         return state_.settings().point_rate == PointRate::kSampleRate ? "SRATE" : "FREQ";
       });
-  add(
-      "[SOURce:]FUNCtion:ARB:SRATe",
-      [this](std::string_view argument) {
-        number(argument, 1e-6, state_.facts().highest_rate_hz, [this](double value) {
-          change([&](GeneratorSettings& next) { next.sample_rate_hz = value; });
-        });
-      },
-      [this](std::string_view) { return rigol_number(state_.settings().sample_rate_hz); });
+  add_number("[SOURce:]FUNCtion:ARB:SRATe", &GeneratorSettings::sample_rate_hz, 1e-6,
+             state_.facts().highest_rate_hz);
   // APPLy does not switch the output on. APPLy:ARBitrary sets USER and SRATE (guide).
   const auto add_apply = [this](std::string_view pattern, GeneratorFunction function) {
     add(pattern, [this, function](std::string_view argument) { apply(function, argument); }, {});
@@ -232,13 +152,7 @@ void Rigol::apply(GeneratorFunction function, std::string_view argument) {
 }
 
 void Rigol::add_burst() {
-  add(
-      "[SOURce:]BURSt[:STATe]",
-      [this](std::string_view argument) {
-        flag(argument,
-             [this](bool on) { change([&](GeneratorSettings& next) { next.burst_on = on; }); });
-      },
-      [this](std::string_view) { return on_or_off(state_.settings().burst_on); });
+  add_flag("[SOURce:]BURSt[:STATe]", &GeneratorSettings::burst_on);
   // Gated bursts are not emulated.
   add(
       "[SOURce:]BURSt:MODE",
@@ -259,42 +173,34 @@ void Rigol::add_burst() {
   add(
       "[SOURce:]BURSt:NCYCles",
       [this](std::string_view argument) {
-        number(argument, 1, 1e6, [this](double value) {
+        number(argument, 1, kMostRigolCycles, [this](double value) {
           change([&](GeneratorSettings& next) { next.burst_cycles = std::round(value); });
         });
       },
-      [this](std::string_view) { return rigol_number(state_.settings().burst_cycles); });
-  add(
-      "[SOURce:]BURSt:INTernal:PERiod",
-      [this](std::string_view argument) {
-        number(argument, 1e-6, 500, [this](double value) {
-          change([&](GeneratorSettings& next) { next.burst_period_s = value; });
-        });
-      },
-      [this](std::string_view) { return rigol_number(state_.settings().burst_period_s); });
+      [this](std::string_view) { return written(state_.settings().burst_cycles); });
+  add_number("[SOURce:]BURSt:INTernal:PERiod", &GeneratorSettings::burst_period_s, 1e-6, 500);
+  add_number("[SOURce:]BURSt:PHASe", &GeneratorSettings::phase_deg, 0, 360);
   add(
       "[SOURce:]BURSt:TRIGger:SOURce",
       [this](std::string_view argument) {
         const auto name = one_of(argument, {"INTernal", "EXTernal", "MANual"});
         if (!name.empty()) {
+          const auto* const at =
+              std::find(std::begin(kRigolSources), std::end(kRigolSources), name);
           change([&](GeneratorSettings& next) {
-            next.trigger = name == "INTernal"   ? TriggerSource::kInternal
-                           : name == "EXTernal" ? TriggerSource::kExternal
-                                                : TriggerSource::kManual;
+            next.trigger = static_cast<TriggerSource>(at - std::begin(kRigolSources));
           });
         }
       },
       [this](std::string_view) {
-        constexpr std::string_view kSources[] = {"INT", "EXT", "MAN"};
-        return std::string(kSources[static_cast<std::size_t>(state_.settings().trigger)]);
+        return short_form(kRigolSources[static_cast<std::size_t>(state_.settings().trigger)]);
       });
   add("[SOURce:]BURSt:TRIGger[:IMMediate]", [this](std::string_view) { trigger(); }, {});
   add("TRIGger[:IMMediate]", [this](std::string_view) { trigger(); }, {});
-  add(
-      "[SOURce:]BURSt:TDELay",
-      [this](std::string_view argument) { number(argument, 0, 85, [](double) {}); },
-      [](std::string_view) { return rigol_number(0); });
-  // A code of 14 bits, or the first point, top, centre, bottom.
+}
+
+// Between bursts: a code of 14 bits, or the first point, top, centre, bottom.
+void Rigol::add_idle() {
   add(
       "[SOURce:]BURSt:IDLE",
       [this](std::string_view argument) {
@@ -318,120 +224,6 @@ void Rigol::add_burst() {
       },
       [this](std::string_view) { return idle_; });
 }
-
-void Rigol::add_data() {
-  add("[SOURce:][TRACe:]DATA:DAC16", [this](std::string_view argument) { take_packet(argument); },
-      {});
-  add("[SOURce:][TRACe:]DATA[:DATA]", [this](std::string_view argument) { take_values(argument); },
-      {});
-  add("[SOURce:][TRACe:]DATA:POINts", {}, [this](std::string_view argument) {
-    const GeneratorWaveform* const found =
-        upper(argument) == kVolatile ? state_.find(std::string(kVolatile)) : nullptr;
-    return std::to_string(found == nullptr ? 0 : found->points());
-  });
-  add(
-      "[SOURce:][TRACe:]DATA:POINts:INTerpolate",
-      [this](std::string_view argument) {
-        const auto name = one_of(argument, {"LINear", "OFF"});
-        if (!name.empty()) {
-          change([&](GeneratorSettings& next) {
-            next.between = name == "OFF" ? Between::kHold : Between::kLine;
-          });
-        }
-      },
-      [this](std::string_view) {
-        return state_.settings().between == Between::kLine ? "LINEAR" : "OFF";
-      });
-  // The syntax of the DG1000 and DG4000 is known, and refused.
-  for (const std::string_view older :
-       {"[SOURce:][TRACe:]DATA:DAC", "[SOURce:]FUNCtion:USER", "[SOURce:]DATA:LOAD"}) {
-    add(older, [this](std::string_view) { error(-220, "Parameter error"); }, {});
-  }
-}
-
-// "VOLATILE,CON|END,#5…": little-endian codes 0 … 3FFF.
-void Rigol::take_packet(std::string_view argument) {
-  const auto comma = argument.find(',');
-  const auto second = comma == std::string_view::npos ? comma : argument.find(',', comma + 1);
-  if (second == std::string_view::npos || upper(argument.substr(0, comma)) != kVolatile) {
-    error(-220, "Parameter error");
-    return;
-  }
-  const std::string flag = upper(trimmed(argument.substr(comma + 1, second - comma - 1)));
-  const auto bytes = block_of(left_trimmed(argument.substr(second + 1)));
-  if (!bytes || bytes->size() % 2 != 0 || (flag != "CON" && flag != "END")) {
-    error(-220, "Parameter error");
-    return;
-  }
-  const std::int64_t now = state_.time().now();
-  if (now < busy_until_) {
-    return;  // lost, and not reported
-  }
-  busy_until_ = now + kPacket_steps;
-  if (bytes->size() > kMostPacketBytes || bytes->size() / 2 < state_.facts().fewest_points) {
-    error(bytes->size() > kMostPacketBytes ? -223 : -220,
-          bytes->size() > kMostPacketBytes ? "Too much data" : "Parameter error");
-    return;
-  }
-  std::vector<std::int16_t> codes = packets_;
-  for (std::size_t i = 0; i < bytes->size(); i += 2) {
-    const auto low = static_cast<unsigned char>((*bytes)[i]);
-    const auto high = static_cast<unsigned char>((*bytes)[i + 1]);
-    const int code = low | high << 8;
-    if (code > kHighestCode) {
-      error(-222, "Data out of range");
-      return;
-    }
-    codes.push_back(static_cast<std::int16_t>(code));
-  }
-  if (flag == "CON") {
-    packets_ = std::move(codes);
-  } else {
-    packets_.clear();
-    end_upload(std::move(codes));
-  }
-}
-
-// "VOLATILE,0.1,-0.5,…": −1 … 1.
-void Rigol::take_values(std::string_view argument) {
-  const auto fields = fields_of(argument);
-  if (fields.size() < 2 || upper(fields[0]) != kVolatile) {
-    error(-220, "Parameter error");
-    return;
-  }
-  std::vector<std::int16_t> codes;
-  for (std::size_t i = 1; i < fields.size(); ++i) {
-    const auto value = number_of(fields[i]);
-    if (!value || std::abs(*value) > 1) {
-      error(-222, "Data out of range");
-      return;
-    }
-    codes.push_back(static_cast<std::int16_t>(std::lround((*value + 1) / 2 * kHighestCode)));
-  }
-  end_upload(std::move(codes));
-}
-
-// The output switches to the waveform by itself, in SRATE mode, and leaves burst mode. It is not
-// switched on.
-void Rigol::end_upload(std::vector<std::int16_t> codes) {
-  const std::size_t points = codes.size();
-  state_.forget_waveforms();
-  if (points > state_.facts().most_points || !state_.has_room(points)) {
-    error(-321, "Out of memory");
-    return;
-  }
-  const double zero = kHighestCode / 2.0;
-  state_.store({std::string(kVolatile), std::move(codes), zero, 1 / zero});
-  change([&](GeneratorSettings& next) {
-    next.function = GeneratorFunction::kArbitrary;
-    next.waveform = kVolatile;
-    next.point_rate = PointRate::kSampleRate;
-    next.burst_on = false;
-    next.output_on = next.output_on || state_.faults().upload_switches_on;
-  });
-}
-
-}  // namespace
 
 std::unique_ptr<GeneratorDialect> make_rigol(GeneratorState& state) {
   return std::make_unique<Rigol>(state);

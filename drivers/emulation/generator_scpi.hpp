@@ -14,6 +14,7 @@
 
 namespace gsbench::emulation {
 
+bool is_space(char c);
 std::string upper(std::string_view text);
 std::string_view left_trimmed(std::string_view text);
 std::string_view trimmed(std::string_view text);

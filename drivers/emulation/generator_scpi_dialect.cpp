@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gsbench::emulation {
 
@@ -131,6 +132,68 @@ std::string_view ScpiDialect::one_of(std::string_view argument,
     return "";
   }
   return *found;
+}
+
+void ScpiDialect::add_number(std::string_view pattern, double GeneratorSettings::*setting,
+                             Range range) {
+  add(
+      pattern,
+      [this, setting, range = std::move(range)](std::string_view argument) {
+        const auto [low, high] = range();
+        number(argument, low, high, [&](double value) {
+          change([&](GeneratorSettings& next) { next.*setting = value; });
+        });
+      },
+      [this, setting](std::string_view) { return written(state_.settings().*setting); });
+}
+
+void ScpiDialect::add_flag(std::string_view pattern, bool GeneratorSettings::*setting) {
+  add(
+      pattern,
+      [this, setting](std::string_view argument) {
+        flag(argument,
+             [&](bool on) { change([&](GeneratorSettings& next) { next.*setting = on; }); });
+      },
+      [this, setting](std::string_view) { return written(state_.settings().*setting); });
+}
+
+void ScpiDialect::add_load(std::string_view pattern) {
+  add(
+      pattern,
+      [this](std::string_view argument) {
+        if (is_form_of(argument, "INFinity")) {
+          state_.set_load(std::numeric_limits<double>::infinity());
+          return;
+        }
+        number(argument, 1, 10e3, [this](double load_ohm) { state_.set_load(load_ohm); });
+      },
+      [this](std::string_view) { return written(state_.settings().load_ohm); });
+}
+
+void ScpiDialect::add_polarity(std::string_view normal, std::string_view inverted) {
+  add(
+      "OUTPut:POLarity",
+      [this](std::string_view argument) {
+        const auto name = one_of(argument, {"NORMal", "INVerted"});
+        if (!name.empty()) {
+          change([&](GeneratorSettings& next) { next.inverted = name == "INVerted"; });
+        }
+      },
+      [this, normal, inverted](std::string_view) {
+        return std::string(state_.settings().inverted ? inverted : normal);
+      });
+}
+
+ScpiDialect::Range ScpiDialect::frequencies() const {
+  return
+      [this] { return std::pair(1e-6, state_.highest_frequency_hz(state_.settings().function)); };
+}
+
+ScpiDialect::Range ScpiDialect::offsets() const {
+  return [this] {
+    const double room = state_.highest_peak_v() - state_.settings().amplitude_vpp / 2;
+    return std::pair(-room, room);
+  };
 }
 
 void ScpiDialect::change(const std::function<void(GeneratorSettings&)>& edit) {

@@ -50,9 +50,25 @@ class ScpiDialect : public GeneratorDialect {
   void flag(std::string_view argument, const std::function<void(bool)>& take);
   // The name of `names` of which the argument is a form; empty and an error if of none.
   std::string_view one_of(std::string_view argument, std::initializer_list<std::string_view> names);
+  // Rows of settings. `range` is asked when a number is set.
+  using Range = std::function<std::pair<double, double>()>;
+  void add_number(std::string_view pattern, double GeneratorSettings::*setting, Range range);
+  void add_number(std::string_view pattern, double GeneratorSettings::*setting, double low,
+                  double high) {
+    add_number(pattern, setting, [low, high] { return std::pair(low, high); });
+  }
+  void add_flag(std::string_view pattern, bool GeneratorSettings::*setting);
+  void add_load(std::string_view pattern);
+  void add_polarity(std::string_view normal, std::string_view inverted);  // as they are answered
+  // The lowest and highest of a setting, with the others as they are.
+  Range frequencies() const;
+  Range offsets() const;
+
   // A copy of the settings is changed and set.
   void change(const std::function<void(GeneratorSettings&)>& edit);
 
+  virtual std::string written(double value) const = 0;
+  virtual std::string written(bool on) const = 0;
   // What a maker does with a number out of range: refuse it (none) or take the limit.
   virtual std::optional<double> out_of_range(double limit) = 0;
   // Step from which on queries, *OPC? and *WAI are answered.

@@ -19,6 +19,7 @@ namespace {
 // How long an instrument waits for the rest of a block before it gives up.
 constexpr int kBlockPatience_ms = 2000;
 constexpr int kSendPatience_ms = 2000;
+constexpr std::size_t kLongestEntry = 200;  // of the log
 
 }  // namespace
 
@@ -123,7 +124,7 @@ bool GeneratorServer::take_message(std::string_view message) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     faults = state_.faults();
-    log_.emplace_back(message.substr(0, dialect_.text_size(message)));
+    log_.emplace_back(message.substr(0, std::min(kLongestEntry, dialect_.text_size(message))));
     if (++messages_ == faults.drop_at_message) {
       return false;
     }

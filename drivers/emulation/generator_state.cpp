@@ -35,7 +35,9 @@ GeneratorState::GeneratorState(const GeneratorOptions& options)
 
 void GeneratorState::set(const GeneratorSettings& settings) {
   const bool otherwise = plays_otherwise(settings, settings_);
+  const bool stuck = settings_.output_on && faults_.ignores_output_off;
   settings_ = settings;
+  settings_.output_on = settings_.output_on || stuck;
   if (faults_.silent_limit_vpp) {
     settings_.amplitude_vpp = std::min(settings_.amplitude_vpp, *faults_.silent_limit_vpp);
   }
@@ -60,7 +62,9 @@ void GeneratorState::restart() {
 }
 
 void GeneratorState::reset() {
+  const bool stuck = settings_.output_on && faults_.ignores_output_off;
   settings_ = facts_.defaults;
+  settings_.output_on = stuck;
   idle_.reset();
   play(true);
 }
@@ -69,6 +73,7 @@ void GeneratorState::lose_power() {
   if (!facts_.keeps_waveforms) {
     waveforms_.clear();
   }
+  settings_.output_on = false;
   reset();
 }
 

@@ -126,7 +126,7 @@ class Generator : public Output {
   std::optional<std::vector<std::int16_t>> waveform(const std::string& name) const;
   // Whether a burst is being played at the time of the shared clock.
   bool is_playing() const;
-  // The messages received, without terminators; bytes of waveforms are left out.
+  // The messages received, without terminators and bytes of waveforms; 200 characters of each.
   std::vector<std::string> messages() const;
   void clear_messages();
 
