@@ -8,6 +8,7 @@
 
 #include <keys/key.hpp>
 #include <profile/load.hpp>
+#include <station/instrument_file.hpp>
 #include <station/station_file.hpp>
 
 namespace gsbench::cli {
@@ -153,8 +154,9 @@ int schema(const SchemaArguments& arguments) {
     }
     return kPassed;
   }
-  const keys::Key& keys =
-      arguments.format == "profile" ? profile::profile_keys() : profile::grid_keys();
+  const keys::Key& keys = arguments.format == "profile" ? profile::profile_keys()
+                          : arguments.format == "grid"  ? profile::grid_keys()
+                                                        : station::instrument_keys();
   if (arguments.markdown) {
     std::fputs(keys::markdown(keys).c_str(), stdout);
   } else {
@@ -168,11 +170,13 @@ int schema(const SchemaArguments& arguments) {
 void add_schema(CommandLine& line) {
   const auto [command, arguments] = line.command(
       "schema", "Print the JSON Schema of a file format, for editors and other tools", schema);
-  command.add_option("FORMAT", arguments.format, "File format: profile, grid or station")
+  command
+      .add_option("FORMAT", arguments.format, "File format: profile, grid, station or instrument")
       ->type_name("FORMAT")
       ->required()
-      ->check(CLI::IsMember({"profile", "grid", "station"}));
-  command.add_flag("--markdown", arguments.markdown, "Print the tables of profiles/README.md");
+      ->check(CLI::IsMember({"profile", "grid", "station", "instrument"}));
+  command.add_flag("--markdown", arguments.markdown,
+                   "Print the tables of profiles/README.md and drivers/README.md");
   command.footer("Example:\n  gsbench schema profile > profile.schema.json");
 }
 

@@ -1,6 +1,6 @@
 # Files installed beside the programs, and the .deb package.
 include(GNUInstallDirs)
-install(DIRECTORY profiles DESTINATION ${CMAKE_INSTALL_DATADIR}/gsbench)
+install(DIRECTORY profiles drivers/source/scpi/instruments DESTINATION ${CMAKE_INSTALL_DATADIR}/gsbench)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(PROGRAMS bench/ci/check-firmware DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/ci)
 install(FILES bench/ci/README.md bench/ci/gitlab-ci.yml bench/ci/station.toml

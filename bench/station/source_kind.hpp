@@ -48,6 +48,9 @@ struct SourceKind {
 
 const std::vector<SourceKind>& source_kinds();
 
+// Each is defined in its own source file.
+SourceKind scpi_source_kind();
+
 // Keys of [source]: `kind`, those that all kinds share, and those of each kind. Without `port`.
 std::vector<keys::Key> source_keys();
 // Reads them. The tolerances are those of a profile by default. Refuses keys of other kinds.

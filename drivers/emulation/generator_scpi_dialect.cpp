@@ -104,15 +104,14 @@ void ScpiDialect::number(std::string_view argument, double low, double high,
     return;
   }
   // The rounding of decimal numbers is not out of range.
-  const double lowest = low - 1e-9 * std::abs(low);
-  const double highest = high + 1e-9 * std::abs(high);
-  if (!(*value >= lowest && *value <= highest)) {
+  const double slack = 1e-9 * std::max(std::abs(low), std::abs(high));
+  if (*value < low - slack || *value > high + slack) {
     if (const auto taken = out_of_range(*value < low ? low : high); taken) {
       take(*taken);
     }
     return;
   }
-  take(*value < low ? low : std::min(*value, high));
+  take(*value);
 }
 
 void ScpiDialect::flag(std::string_view argument, const std::function<void(bool)>& take) {
@@ -192,8 +191,7 @@ ScpiDialect::Range ScpiDialect::frequencies() const {
 
 ScpiDialect::Range ScpiDialect::offsets() const {
   return [this] {
-    const double room =
-        std::max(0.0, state_.highest_peak_v() - state_.settings().amplitude_vpp / 2);
+    const double room = state_.highest_peak_v() - state_.settings().amplitude_vpp / 2;
     return std::pair(-room, room);
   };
 }

@@ -14,18 +14,18 @@ using drivers::Done;
 using drivers::Error;
 using drivers::Status;
 
-Status Transport::send(const std::vector<std::uint8_t>& bytes) {
+Status Transport::send(const std::vector<std::uint8_t>& bytes, std::chrono::milliseconds patience) {
   if (!is_open()) {
     return failure("cannot be sent to", "not open");
   }
-  constexpr int kWrite_ms = 100;
   for (std::size_t sent = 0; sent < bytes.size();) {
     const auto taken = write_some(bytes.data() + sent, bytes.size() - sent);
     if (!taken.ok()) {
       return Error{taken.error()};
     }
     sent += taken.value();
-    if (sent < bytes.size() && !drivers::wait_for(descriptor(), POLLOUT, kWrite_ms)) {
+    if (sent < bytes.size() &&
+        !drivers::wait_for(descriptor(), POLLOUT, static_cast<int>(patience.count()))) {
       return failure("cannot be sent to", "accepts no data");
     }
   }

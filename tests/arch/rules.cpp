@@ -49,6 +49,10 @@ const std::vector<FolderRule>& folder_rules() {
       {"drivers/common", {}, "drivers"},
       {"drivers/models", {}},
       {"drivers/transport", {"drivers/common"}},
+      // Subfolders of a role come before it: the first matching row counts.
+      {"drivers/source/scpi",
+       {"drivers/common", "drivers/source", "drivers/transport", "drivers/models"},
+       "source_scpi"},
       {"drivers/source",
        {"drivers/common", "drivers/models", "firmware/wire", "drivers/link", "drivers/relay"}},
       // Subfolders of drivers/link come before it: the first matching row counts.

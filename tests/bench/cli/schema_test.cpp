@@ -120,26 +120,35 @@ json read(const fs::path& path) {
 
 std::string format_of(const fs::path& path) {
   const std::string folder = path.parent_path().filename();
-  return folder == "grids" ? "grid" : folder == "stations" ? "station" : "profile";
+  return folder == "grids"         ? "grid"
+         : folder == "stations"    ? "station"
+         : folder == "instruments" ? "instrument"
+                                   : "profile";
 }
 
 TEST(Schema, AcceptsEveryShippedFileAndRejectsUnknownKeys) {
   std::map<std::string, int> seen;
-  const std::map<std::string, json> schemas = {{"profile", run_for_json({"schema", "profile"})},
-                                               {"grid", run_for_json({"schema", "grid"})},
-                                               {"station", run_for_json({"schema", "station"})}};
-  for (const auto& entry : fs::recursive_directory_iterator(GSBENCH_SOURCE_DIR "/profiles")) {
-    if (entry.path().extension() != ".toml") {
-      continue;
+  const std::map<std::string, json> schemas = {
+      {"profile", run_for_json({"schema", "profile"})},
+      {"grid", run_for_json({"schema", "grid"})},
+      {"station", run_for_json({"schema", "station"})},
+      {"instrument", run_for_json({"schema", "instrument"})}};
+  for (const char* const folder : {"/profiles", "/drivers/source/scpi/instruments"}) {
+    for (const auto& entry :
+         fs::recursive_directory_iterator(std::string(GSBENCH_SOURCE_DIR) + folder)) {
+      if (entry.path().extension() != ".toml") {
+        continue;
+      }
+      const std::string format = format_of(entry.path());
+      const json& schema = schemas.at(format);
+      json file = read(entry.path());
+      EXPECT_EQ(invalid_at(file, schema, ""), "") << entry.path();
+      file["titel"] = "misspelt";
+      EXPECT_EQ(invalid_at(file, schema, ""), ".titel") << entry.path();
+      ++seen[format];
     }
-    const std::string format = format_of(entry.path());
-    const json& schema = schemas.at(format);
-    json file = read(entry.path());
-    EXPECT_EQ(invalid_at(file, schema, ""), "") << entry.path();
-    file["titel"] = "misspelt";
-    EXPECT_EQ(invalid_at(file, schema, ""), ".titel") << entry.path();
-    ++seen[format];
   }
+  EXPECT_GT(seen["instrument"], 3);
   EXPECT_GT(seen["profile"], 10);
   EXPECT_GT(seen["grid"], 2);
   EXPECT_GT(seen["station"], 3);

@@ -18,7 +18,9 @@
 
 #include <keys/document.hpp>
 #include <keys/key.hpp>
+#include <profile/files.hpp>
 #include <profile/load.hpp>
+#include <station/instrument_file.hpp>
 #include <station/station_file.hpp>
 
 namespace gsbench::profile::test {
@@ -68,11 +70,47 @@ outlets = ["a"]
 )";
 constexpr const char* kSlots = R"(title = "all keys of slots"
 kind = "physical"
+[source]
+kind = "scpi"
+port = "tcp://127.0.0.1:5025"
+nominal_v = 230.0
+gain = 100.0
+voltage_limit_v = 253.0
+boot_s = 20.0
+instrument = "siglent-sdg2000x"
+channel = 1
+baud = 115200
 [[outlet]]
 place = "socket-1"
 serial_number = "a"
 link = "/dev/ttyUSB0"
 )";
+
+// Each array on one line, without comments: the tests below replace single lines.
+std::string on_single_lines(const std::string& text) {
+  std::string joined;
+  std::istringstream lines(text);
+  std::string array;
+  for (std::string line; std::getline(lines, line);) {
+    line.erase(std::min(line.find('#'), line.size()));
+    array += line;
+    if (std::count(array.begin(), array.end(), '[') ==
+        std::count(array.begin(), array.end(), ']')) {
+      joined += array + "\n";
+      array.clear();
+    }
+  }
+  return joined;
+}
+
+// The shipped instruments together use every key.
+std::vector<std::string> instrument_texts() {
+  std::vector<std::string> texts;
+  for (const NamedFile& file : station::all_instruments()) {
+    texts.push_back(on_single_lines(read_file(file.path)));
+  }
+  return texts;
+}
 
 struct File {
   const char* name;
@@ -244,9 +282,12 @@ TEST_P(EveryKey, IsReportedIfItIsRequiredAndMissing) {
 }
 
 TEST_P(EveryKey, IsDocumentedInTheReadme) {
-  std::ifstream file(GSBENCH_SOURCE_DIR "/profiles/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_THAT(readme, HasSubstr(keys::markdown(GetParam().declared())))
+  std::string readmes;
+  for (const char* const name : {"/profiles/README.md", "/drivers/README.md"}) {
+    std::ifstream file(std::string(GSBENCH_SOURCE_DIR) + name);
+    readmes.append(std::istreambuf_iterator<char>(file), {});
+  }
+  EXPECT_THAT(readmes, HasSubstr(keys::markdown(GetParam().declared())))
       << "replace the tables with the output of `gsbench schema FORMAT --markdown`";
 }
 
@@ -264,6 +305,8 @@ const File kFiles[] = {
      [] { return std::cref(station::station_keys("physical")); },
      {kPhysicalStation, kSlots},
      [](const std::string& path) { (void)station::load_station(path); }},
+    {"instrument", [] { return std::cref(station::instrument_keys()); }, instrument_texts(),
+     [](const std::string& path) { (void)station::load_instrument(path); }},
 };
 INSTANTIATE_TEST_SUITE_P(OfA, EveryKey, testing::ValuesIn(kFiles),
                          [](const auto& file) { return std::string(file.param.name); });

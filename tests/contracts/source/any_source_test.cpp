@@ -73,8 +73,8 @@ TEST_P(AnySource, PlaysTheStimulusWithinTheStatedDeviation) {
   EXPECT_TRUE(source().stop().ok());
   int read = 0;
   for (const Reading& reading : rig_->readings()) {
-    // The tracker settles for 0.2 s after its start, and after the corner at 1 s. Its window reaches
-    // into the nominal voltage that a streamed source plays after the stimulus.
+    // The tracker settles for 0.2 s after its start, and after the corner at 1 s. Its window
+    // reaches into the nominal voltage that a streamed source plays after the stimulus.
     if (reading.tick % 8000 < 1600 || reading.tick > mains_.total_ticks() - 200) {
       continue;
     }

@@ -35,8 +35,10 @@ class Transport {
   virtual int descriptor() const = 0;
   bool is_open() const { return descriptor() >= 0; }
 
-  // Sends all bytes. An error if the port is gone, or accepts no data for 0.1 s.
-  [[nodiscard]] drivers::Status send(const std::vector<std::uint8_t>& bytes);
+  // Sends all bytes. An error if the port is gone, or accepts no data for `patience`.
+  [[nodiscard]] drivers::Status send(
+      const std::vector<std::uint8_t>& bytes,
+      std::chrono::milliseconds patience = std::chrono::milliseconds(100));
   // Blocks until bytes arrive or the deadline `until` passes. Appends the bytes; none if the far
   // end is silent. Returns an error if the port is gone.
   [[nodiscard]] drivers::Status receive(std::vector<std::uint8_t>& bytes, Clock::time_point until);

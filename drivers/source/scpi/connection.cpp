@@ -1,0 +1,258 @@
+#include "connection.hpp"
+
+#include "text.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace gsbench::scpi {
+
+using drivers::Done;
+using drivers::Error;
+using drivers::Result;
+using drivers::Status;
+using transport::Clock;
+
+namespace {
+
+constexpr const char* kIdentify = "*IDN?";
+constexpr std::size_t kSentAtOnce = 16384;
+// An instrument that writes to its memory accepts nothing for a while.
+constexpr auto kSendingPatience = std::chrono::seconds(2);
+constexpr std::size_t kLongestHeader = 1000;
+
+void pause(double time_s) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(time_s));
+}
+
+struct WaveformHeader {
+  std::size_t data = 0;  // position of the first byte
+  std::size_t bytes = 0;
+};
+
+// nullopt: not complete yet.
+Result<std::optional<WaveformHeader>> waveform_header(const std::vector<std::uint8_t>& received) {
+  const std::string text(
+      received.begin(),
+      received.begin() + static_cast<std::ptrdiff_t>(std::min(received.size(), kLongestHeader)));
+  constexpr const char* kData = "WAVEDATA,";
+  const std::size_t data = text.find(kData);
+  if (data == std::string::npos) {
+    if (received.size() > kLongestHeader || text.find('\n') != std::string::npos) {
+      return Error{fmt::format("\"{}\" has no WAVEDATA", printable(text))};
+    }
+    return std::optional<WaveformHeader>();
+  }
+  const Result<std::string> length = value_in(text.substr(0, data) + "WAVEDATA", "LENGTH");
+  if (!length.ok()) {
+    return Error{length.error()};
+  }
+  const Result<double> bytes = number_in(length.value(), "B");
+  if (!bytes.ok() || bytes.value() < 0.0 || bytes.value() > 1e9) {
+    return Error{fmt::format("\"{}\" is no number of bytes", printable(length.value()))};
+  }
+  return std::optional<WaveformHeader>(
+      {data + std::string(kData).size(), static_cast<std::size_t>(bytes.value())});
+}
+
+}  // namespace
+
+Connection::Connection(const Instrument& instrument, const std::string& port, int baud)
+    : instrument_(instrument), transport_(transport::make_transport(port, baud)) {}
+
+Clock::time_point Connection::answer_deadline() const {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                            std::chrono::duration<double>(instrument_.timing.answer_s));
+}
+
+Status Connection::open() {
+  speaks_to_another_ = false;
+  late_answers_ = false;
+  received_.clear();
+  if (Status opened = transport_->open(); !opened.ok()) {
+    return opened;
+  }
+  const Result<std::string> answer = ask(kIdentify);
+  if (!answer.ok()) {
+    close();
+    return Error{answer.error()};
+  }
+  identification_ = answer.value();
+  if (!instrument_.is(identification_)) {
+    close();
+    speaks_to_another_ = true;
+    return Error{fmt::format("{}: \"{}\" is not {}, whose identity begins with \"{}\"",
+                             transport_->port(), printable(identification_), instrument_.title,
+                             fmt::join(instrument_.identity, "\" or \""))};
+  }
+  return Done{};
+}
+
+Status Connection::write(const std::vector<std::uint8_t>& bytes) {
+  Status sent = transport_->send(bytes, kSendingPatience);
+  if (!sent.ok()) {
+    close();
+  }
+  return sent;
+}
+
+Status Connection::send_at_once(const std::string& command) {
+  std::vector<std::uint8_t> bytes(command.begin(), command.end());
+  bytes.push_back('\n');
+  Status sent = write(bytes);
+  return sent.ok() ? sent : Error{fmt::format("{} (sending \"{}\")", sent.error(), command)};
+}
+
+Status Connection::send(const std::string& command) {
+  Status sent = send_at_once(command);
+  if (sent.ok()) {
+    pause(instrument_.timing.command_s);
+  }
+  return sent;
+}
+
+Status Connection::send_block(const std::string& header, const std::vector<std::uint8_t>& bytes,
+                              const std::function<void(std::size_t)>& sent) {
+  std::vector<std::uint8_t> part(header.begin(), header.end());
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t count = std::min(kSentAtOnce, bytes.size() - at);
+    part.insert(part.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                bytes.begin() + static_cast<std::ptrdiff_t>(at + count));
+    at += count;
+    if (at == bytes.size()) {
+      part.push_back('\n');
+    }
+    if (Status written = write(part); !written.ok()) {
+      return Error{
+          fmt::format("{} (in the waveform, at byte {} of {})", written.error(), at, bytes.size())};
+    }
+    part.clear();
+    if (sent) {
+      sent(at);
+    }
+  }
+  return Done{};
+}
+
+Error Connection::no_answer(const std::string& query) {
+  late_answers_ = true;
+  const std::string so_far(received_.begin(), received_.end());
+  return {fmt::format("{}: no answer to \"{}\" within {} s{}{}", transport_->port(), query,
+                      instrument_.timing.answer_s,
+                      so_far.empty() ? "" : fmt::format(", only \"{}\"", printable(so_far)),
+                      instrument_.has(Quirk::kSilentIfUnknown)
+                          ? "; it does not answer what it does not know"
+                          : "")};
+}
+
+Status Connection::receive(const std::string& query, Clock::time_point until) {
+  if (Clock::now() >= until) {
+    return no_answer(query);
+  }
+  Status got = transport_->receive(received_, until);
+  if (!got.ok()) {
+    close();
+    return Error{fmt::format("{} (waiting for the answer to \"{}\")", got.error(), query)};
+  }
+  return got;
+}
+
+Result<std::string> Connection::line(const std::string& query, Clock::time_point until) {
+  for (;;) {
+    const auto end = std::find(received_.begin(), received_.end(), '\n');
+    if (end != received_.end()) {
+      std::string text(received_.begin(), end);
+      received_.erase(received_.begin(), end + 1);
+      if (!text.empty() && text.back() == '\r') {
+        text.pop_back();
+      }
+      return text;
+    }
+    if (Status got = receive(query, until); !got.ok()) {
+      return Error{got.error()};
+    }
+  }
+}
+
+// Answers come in the order of the queries: what arrives before the identity is late.
+Status Connection::synchronise() {
+  // Twice: the first identity may be glued to half an answer.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    received_.clear();
+    if (Status sent = send_at_once(kIdentify); !sent.ok()) {
+      return sent;
+    }
+    const auto until = answer_deadline();
+    for (Result<std::string> text = line(kIdentify, until); text.ok();
+         text = line(kIdentify, until)) {
+      if (instrument_.is(text.value())) {
+        late_answers_ = false;
+        received_.clear();
+        return Done{};
+      }
+    }
+    if (!is_open()) {
+      break;
+    }
+  }
+  close();
+  return Error{fmt::format("{}: does not answer any more", transport_->port())};
+}
+
+Status Connection::prepare_query(const std::string& query) {
+  if (late_answers_) {
+    if (Status synchronised = synchronise(); !synchronised.ok()) {
+      return synchronised;
+    }
+  }
+  // Nothing was asked: what is here answers no query of ours.
+  if (Status got = transport_->receive(received_, Clock::now()); !got.ok()) {
+    close();
+    return got;
+  }
+  received_.clear();
+  return send_at_once(query);
+}
+
+Result<std::string> Connection::ask(const std::string& query) {
+  if (Status sent = prepare_query(query); !sent.ok()) {
+    return Error{sent.error()};
+  }
+  return line(query, answer_deadline());
+}
+
+Result<std::vector<std::uint8_t>> Connection::ask_waveform(const std::string& query) {
+  if (Status sent = prepare_query(query); !sent.ok()) {
+    return Error{sent.error()};
+  }
+  std::optional<WaveformHeader> header;
+  for (;;) {
+    // Each part that arrives extends the wait.
+    if (Status got = receive(query, answer_deadline()); !got.ok()) {
+      return Error{got.error()};
+    }
+    if (!header) {
+      if (Status read = waveform_header(received_).move_to(header); !read.ok()) {
+        late_answers_ = true;
+        return Error{fmt::format("{}: {}: {}", transport_->port(), query, read.error())};
+      }
+    }
+    if (header && received_.size() > header->data + header->bytes) {
+      const auto first = received_.begin() + static_cast<std::ptrdiff_t>(header->data);
+      const auto last = first + static_cast<std::ptrdiff_t>(header->bytes);
+      if (*last != '\n') {
+        late_answers_ = true;
+        return Error{fmt::format("{}: {}: no newline after {} bytes", transport_->port(), query,
+                                 header->bytes)};
+      }
+      std::vector<std::uint8_t> bytes(first, last);
+      received_.clear();
+      return bytes;
+    }
+  }
+}
+
+}  // namespace gsbench::scpi

@@ -1,0 +1,24 @@
+// The whole voltage that is loaded into a generator, at the rate of the stimulus.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <source/source.hpp>
+
+namespace gsbench::scpi {
+
+struct LoadedWaveform {
+  std::int64_t lead_ticks = 0;    // before tick 0 of the stimulus
+  std::vector<float> voltage_pu;  // per unit of nominal peak; begins and ends at 0
+};
+
+// Soft rise, nominal voltage in phase with the stimulus's first period, the stimulus, and a soft
+// fall that goes on with its last period. In the last 0.1 s before the stimulus, the amplitude goes
+// softly to that of the first period. Without the stimulus's noise.
+LoadedWaveform loaded_waveform(const source::Stimulus& stimulus, double boot_s);
+
+// The stimulus's noise alone, 0 before and after it; of the same size as `waveform`.
+std::vector<float> noise_of(const source::Stimulus& stimulus, const LoadedWaveform& waveform);
+
+}  // namespace gsbench::scpi
