@@ -133,7 +133,7 @@ void Keysight::take_data(std::string_view argument, bool dac) {
       std::int16_t code = 0;
       float part = 0;
       std::memcpy(dac ? static_cast<void*>(&code) : &part, point, size);
-      take(dac ? code : part);
+      take(dac ? static_cast<double>(code) : static_cast<double>(part));
     }
   } else {
     for (const std::string_view field : fields_of(rest)) {

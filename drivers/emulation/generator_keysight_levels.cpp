@@ -5,24 +5,29 @@
 
 namespace gsbench::emulation {
 
+// dBm needs a load; into high impedance, it becomes Vpp by itself (guide, VOLTage:UNIT).
+std::string_view Keysight::unit() const {
+  return unit_ == "DBM" && std::isinf(state_.settings().load_ohm) ? "VPP" : unit_;
+}
+
 // RMS of full-scale sine, square and ramp; others are set peak to peak only.
 double Keysight::volts_of(double amplitude) const {
   const GeneratorSettings& now = state_.settings();
   const double crest = now.function == GeneratorFunction::kSine     ? std::sqrt(2.0)
                        : now.function == GeneratorFunction::kSquare ? 1.0
                                                                     : std::sqrt(3.0);
-  if (unit_ == "VRMS") {
+  if (unit() == "VRMS") {
     return 2 * crest * amplitude;
   }
-  if (unit_ == "DBM") {
+  if (unit() == "DBM") {
     return 2 * crest * std::sqrt(1e-3 * std::pow(10, amplitude / 10) * now.load_ohm);
   }
   return amplitude;
 }
 
 double Keysight::amplitude_of(double vpp) const {
-  const double one_v = unit_ == "DBM" ? 1.0 : volts_of(1.0);
-  if (unit_ == "DBM") {
+  const double one_v = unit() == "DBM" ? 1.0 : volts_of(1.0);
+  if (unit() == "DBM") {
     const double zero_dbm = volts_of(0.0);
     return 20 * std::log10(vpp / zero_dbm);
   }
@@ -64,7 +69,7 @@ void Keysight::add_levels() {
           unit_ = name;
         }
       },
-      [this](std::string_view) { return std::string(unit_); });
+      [this](std::string_view) { return std::string(unit()); });
   add_number("[SOURce:]VOLTage[:LEVel][:IMMediate]:OFFSet", &GeneratorSettings::offset_v,
              offsets());
   const auto low = [this] {

@@ -104,14 +104,15 @@ void ScpiDialect::number(std::string_view argument, double low, double high,
     return;
   }
   // The rounding of decimal numbers is not out of range.
-  const double slack = 1e-9 * std::max(std::abs(low), std::abs(high));
-  if (*value < low - slack || *value > high + slack) {
+  const double lowest = low - 1e-9 * std::abs(low);
+  const double highest = high + 1e-9 * std::abs(high);
+  if (!(*value >= lowest && *value <= highest)) {
     if (const auto taken = out_of_range(*value < low ? low : high); taken) {
       take(*taken);
     }
     return;
   }
-  take(*value);
+  take(*value < low ? low : std::min(*value, high));
 }
 
 void ScpiDialect::flag(std::string_view argument, const std::function<void(bool)>& take) {
@@ -191,7 +192,8 @@ ScpiDialect::Range ScpiDialect::frequencies() const {
 
 ScpiDialect::Range ScpiDialect::offsets() const {
   return [this] {
-    const double room = state_.highest_peak_v() - state_.settings().amplitude_vpp / 2;
+    const double room =
+        std::max(0.0, state_.highest_peak_v() - state_.settings().amplitude_vpp / 2);
     return std::pair(-room, room);
   };
 }

@@ -84,7 +84,7 @@ std::vector<ScpiUnit> units_of(std::string_view message) {
       header.erase(0, 1);
       path.clear();
     } else if (header.empty() || header.front() != '*') {
-      header = path + header;
+      header.insert(0, path);
     }
     if (header.empty() || header.front() != '*') {
       const auto last = header.rfind(':');

@@ -203,7 +203,7 @@ void Siglent::set_wave(std::string_view argument) {
           std::clamp(in_steps(*number, 0.001), state_.lowest_vpp(),
                      std::max(state_.lowest_vpp(), state_.highest_vpp(next.offset_v)));
     } else if (key == "OFST") {
-      const double room = peak - next.amplitude_vpp / 2;
+      const double room = std::max(0.0, peak - next.amplitude_vpp / 2);
       next.offset_v = std::clamp(in_steps(*number, 0.001), -room, room);
     } else if (key == "PHSE") {
       next.phase_deg = *number - 360 * std::floor(*number / 360);

@@ -84,7 +84,7 @@ class GeneratorClient {
       received_.append(more.begin(), more.end());
       wanted = size();
     }
-    const std::string result = received_.substr(0, wanted == 0 ? 0 : wanted - cut);
+    std::string result = received_.substr(0, wanted == 0 ? 0 : wanted - cut);
     received_.erase(0, wanted);
     return result;
   }

@@ -130,6 +130,15 @@ void Debugger::go_to(std::uint32_t address) {
   set_register(kProgramCounter, address);
 }
 
+std::uint32_t Debugger::program_counter() {
+  const std::string bytes = ask("p" + hex(kProgramCounter, 1));
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value |= static_cast<std::uint32_t>(std::stoul(bytes.substr(2 * i, 2), nullptr, 16)) << (8 * i);
+  }
+  return value;
+}
+
 void Debugger::call(std::uint32_t function, std::uint32_t argument, std::uint32_t return_to) {
   const std::string breakpoint = "1," + hex(return_to) + ",2";
   demand_ok("Z" + breakpoint);

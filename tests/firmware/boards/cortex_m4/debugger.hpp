@@ -21,6 +21,7 @@ class Debugger {
   std::vector<std::uint8_t> memory(std::uint32_t address, std::size_t count);
   void write(std::uint32_t address, const std::vector<std::uint8_t>& bytes);
   void go_to(std::uint32_t address);
+  std::uint32_t program_counter();
   // Runs a function until it returns to `return_to`, an address that the function itself must not
   // execute. The machine's previous execution is not restored.
   void call(std::uint32_t function, std::uint32_t argument, std::uint32_t return_to);

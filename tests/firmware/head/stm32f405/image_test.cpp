@@ -1,84 +1,11 @@
-// The head's image in qemu's netduinoplus2. The emulated chip has memories and USARTs. It has no
-// clocks, so that the firmware finds no crystal, no unique id, and no DAC, DMA or captures: armed
-// is as far as a run goes there, and a prefill waits in the buffer.
-#include <cortex_m4/machine.hpp>
-#include <head_test/rig.hpp>
+// What the head's image answers.
+#include "head_image.hpp"
 
 #include <algorithm>
 #include <random>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
-
-#include <wire/frame.hpp>
 
 namespace gs::head::test {
 namespace {
-
-using gsbench::test::demand;
-using gsbench::transport::Clock;
-
-class HeadImage : public testing::Test {
- protected:
-  void send_bytes(const Bytes& bytes) { demand(machine_.line().send(bytes)); }
-
-  template <class Message>
-  void send(const Message& message, std::uint32_t number) {
-    const Bytes bytes = encoded(message, number);
-    Bytes frame(wire::kLongestFrame);
-    frame.resize(wire::frame(bytes.data(), bytes.size(), frame.data(), frame.size()));
-    send_bytes(frame);
-  }
-
-  // The next message of this kind; those before it are dropped.
-  template <class Message>
-  Message wait_for() {
-    const auto end = Clock::now() + gs::test::kPatience;
-    for (;;) {
-      while (!messages_.empty()) {
-        const Bytes bytes = messages_.front();
-        messages_.erase(messages_.begin());
-        Message message;
-        if (decode(bytes.data(), bytes.size(), message)) {
-          return message;
-        }
-      }
-      if (Clock::now() > end) {
-        throw std::runtime_error("timeout while waiting for a message of the head");
-      }
-      read();
-    }
-  }
-
-  // A status after all that was sent before.
-  Status status(std::uint32_t next_number) {
-    send(Ping{++token_}, next_number);
-    Status status;
-    while (status.echo != token_) {
-      status = wait_for<Status>();
-    }
-    return status;
-  }
-
- private:
-  void read() {
-    Bytes received;
-    demand(machine_.line().receive(received, Clock::now() + std::chrono::milliseconds(100)));
-    for (const std::uint8_t byte : received) {
-      const auto taken = reader_.take(byte);
-      ASSERT_NE(taken, wire::FrameReader::Taken::kBadFrame);
-      if (taken == wire::FrameReader::Taken::kMessage) {
-        messages_.emplace_back(reader_.message(), reader_.message() + reader_.size());
-      }
-    }
-  }
-
-  gs::test::Machine machine_{
-      {"qemu-system-arm", "-M", "netduinoplus2", "-kernel", GSBENCH_HEAD_IMAGE}};
-  wire::FrameReader reader_;
-  std::vector<Bytes> messages_;
-  std::uint32_t token_ = 0;
-};
 
 TEST_F(HeadImage, StartsAndSaysHelloWithoutAClock) {
   const auto hello = wait_for<Hello>();

@@ -1,0 +1,64 @@
+// The interrupts of the head's image, on an emulated Cortex-M4F.
+#include "head_image.hpp"
+
+namespace gs::head::test {
+namespace {
+
+TEST_F(HeadImage, MakesTheCodesOfTheStreamInItsInterrupt) {
+  std::uint32_t next = play(512);
+  make_codes(20);
+  const Status playing = status(next);
+  EXPECT_EQ(playing.state, State::kPlaying);
+  EXPECT_EQ(playing.position, 160U);
+  EXPECT_EQ(playing.room, kBufferSamples - 512 + 161);
+  // Sample 0 is the first code of block 2, the first block that is made, and at the output after
+  // two more codes. In 30 s timer 2 moves by less than 500 000 counts.
+  constexpr std::int64_t kCount = 20 * kBlock_counts + 50 - (2 * 64 + 2) * 2000 / 8;
+  EXPECT_GE(playing.count, kCount);
+  EXPECT_LT(playing.count, kCount + 500'000);
+  // The DMA's buffer has the two newest milliseconds.
+  const std::vector<std::uint16_t> all = codes_of_stream(20 * kCodesPerMs);
+  const std::uint32_t buffer = find_in_memory({all.end() - 2 * kCodesPerMs, all.end()});
+  ASSERT_NE(buffer, 0U);
+
+  send(Stop{}, next++);
+  ASSERT_EQ(status(next).state, State::kOff);
+  make_codes(2);
+  ASSERT_EQ(status(next).state, State::kOff);
+  const std::vector<std::uint8_t> off = memory(buffer, 4 * kCodesPerMs);
+  for (std::size_t i = 0; i < off.size(); i += 2) {
+    ASSERT_EQ(off[i] | off[i + 1] << 8U, kMidScale);
+  }
+}
+
+// The main loop stands still while the codes are made.
+TEST_F(HeadImage, SwitchesOffWhenTheBenchIsSilentAlsoIfTheMainLoopHangs) {
+  const std::uint32_t next = play(4096);
+  make_codes(205);
+  const Status now = status(next);
+  EXPECT_EQ(now.state, State::kFaulted);
+  EXPECT_EQ(now.fault, Fault::kWatchdog);
+  EXPECT_EQ(now.position, 8U * kWatchdog_ms);
+}
+
+TEST_F(HeadImage, FailsIfAnInterruptOfItsCodesWasLost) {
+  const std::uint32_t next = play(512);
+  make_codes(3);
+  ASSERT_EQ(status(next).state, State::kPlaying);
+  interrupt(kDma1Stream5, 5 * kBlock_counts + 50);
+  const Status now = status(next);
+  EXPECT_EQ(now.state, State::kFaulted);
+  EXPECT_EQ(now.fault, Fault::kHardware);
+  EXPECT_EQ(now.position, 24U);
+}
+
+TEST_F(HeadImage, FailsIfTheDacGetsNoCodes) {
+  const std::uint32_t next = play(512);
+  make_codes(3);
+  ASSERT_EQ(status(next).state, State::kPlaying);
+  interrupt(kTim6Dac, 3 * kBlock_counts + 100);
+  EXPECT_EQ(status(next).fault, Fault::kHardware);
+}
+
+}  // namespace
+}  // namespace gs::head::test
