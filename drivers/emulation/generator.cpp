@@ -34,6 +34,7 @@ class GeneratorCore {
         dialect(dialect_of(options.model, state)),
         server(std::move(port), state, *dialect, mutex) {}
 
+  std::mutex plug;   // of starting and stopping the server; before `mutex`
   std::mutex mutex;  // of state, dialect and the server's log
   GeneratorState state;
   std::unique_ptr<GeneratorDialect> dialect;
@@ -124,6 +125,7 @@ void Generator::press(const PanelChange& change) {
 }
 
 void Generator::reset_now(std::chrono::milliseconds starting_up) {
+  const std::lock_guard<std::mutex> plug(core_->plug);
   core_->server.stop();
   {
     const std::lock_guard<std::mutex> lock(core_->mutex);
@@ -135,9 +137,12 @@ void Generator::reset_now(std::chrono::milliseconds starting_up) {
 }
 
 void Generator::unplug() {
+  const std::lock_guard<std::mutex> plug(core_->plug);
   core_->server.stop();
 }
+
 Status Generator::plug_in() {
+  const std::lock_guard<std::mutex> plug(core_->plug);
   return core_->server.start();
 }
 

@@ -83,7 +83,7 @@ void Keysight::add_output() {
   for (const std::string_view pattern :
        {"DISPlay[:STATe]", "DISPlay:TEXT", "DISPlay:TEXT:CLEar", "SYSTem:BEEPer[:IMMediate]",
         "SYSTem:REMote", "SYSTem:LOCal", "SYSTem:RWLock", "STATus:PRESet", "OUTPut:SYNC[:STATe]",
-        "UNIT:ANGLe"}) {
+        "UNIT:ANGLe", "[SOURce:]VOLTage:RANGe:AUTO"}) {
     add(pattern, [](std::string_view) {}, {});
   }
 }

@@ -138,9 +138,10 @@ std::shared_ptr<const GeneratorWaveform> GeneratorState::played_waveform() const
   }
   selected_ = selected;
   derived_for_ = settings_.point_rate;
-  derived_.reset();
-  if (selected) {
-    const bool by_table = settings_.point_rate == PointRate::kFrequency && facts_.table_points > 0;
+  const bool by_table = settings_.point_rate == PointRate::kFrequency && facts_.table_points > 0;
+  if (!selected || (!by_table && facts_.dropped_bits == 0)) {
+    derived_ = selected;
+  } else {
     derived_ = std::make_shared<const GeneratorWaveform>(
         (by_table ? selected->in_table(facts_.table_points) : *selected)
             .without_bits(facts_.dropped_bits));
