@@ -162,20 +162,28 @@ bool decode(const std::uint8_t* bytes, std::size_t size, Message& message) {
   return reader.ok() && (reader.at_end() || is_open_ended(message));
 }
 
-#define GS_HEAD_MESSAGE(Message)                                                          \
-  template std::size_t encode(const Message&, std::uint32_t, std::uint8_t*, std::size_t); \
-  template bool decode(const std::uint8_t*, std::size_t, Message&);
-GS_HEAD_MESSAGE(Identify)
-GS_HEAD_MESSAGE(Arm)
-GS_HEAD_MESSAGE(Samples)
-GS_HEAD_MESSAGE(Play)
-GS_HEAD_MESSAGE(Stop)
-GS_HEAD_MESSAGE(Ping)
-GS_HEAD_MESSAGE(ResendEdges)
-GS_HEAD_MESSAGE(Hello)
-GS_HEAD_MESSAGE(Status)
-GS_HEAD_MESSAGE(Edge)
-GS_HEAD_MESSAGE(Refused)
-#undef GS_HEAD_MESSAGE
+template std::size_t encode(const Identify&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Arm&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Samples&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Play&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Stop&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Ping&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const ResendEdges&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Hello&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Status&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Edge&, std::uint32_t, std::uint8_t*, std::size_t);
+template std::size_t encode(const Refused&, std::uint32_t, std::uint8_t*, std::size_t);
+
+template bool decode(const std::uint8_t*, std::size_t, Identify&);
+template bool decode(const std::uint8_t*, std::size_t, Arm&);
+template bool decode(const std::uint8_t*, std::size_t, Samples&);
+template bool decode(const std::uint8_t*, std::size_t, Play&);
+template bool decode(const std::uint8_t*, std::size_t, Stop&);
+template bool decode(const std::uint8_t*, std::size_t, Ping&);
+template bool decode(const std::uint8_t*, std::size_t, ResendEdges&);
+template bool decode(const std::uint8_t*, std::size_t, Hello&);
+template bool decode(const std::uint8_t*, std::size_t, Status&);
+template bool decode(const std::uint8_t*, std::size_t, Edge&);
+template bool decode(const std::uint8_t*, std::size_t, Refused&);
 
 }  // namespace gs::head

@@ -8,12 +8,22 @@
 namespace gsbench::fuzz {
 namespace {
 
-using gs::head::Kind;
+using gs::head::Arm;
+using gs::head::Edge;
+using gs::head::Hello;
+using gs::head::Identify;
+using gs::head::Ping;
+using gs::head::Play;
+using gs::head::Refused;
+using gs::head::ResendEdges;
+using gs::head::Samples;
 using gs::head::State;
 using gs::head::Status;
+using gs::head::Stop;
 using gs::head::test::Bytes;
 using gs::head::test::encoded;
 using gs::head::test::Rig;
+using gs::head::test::stream;
 
 template <class Message>
 bool is(const Bytes& bytes) {
@@ -45,7 +55,6 @@ std::string wrong_with_encodings(const Bytes& bytes) {
 
 // The head's answers are messages, and the codes are within the range of the DAC.
 std::string wrong_with_output(const Rig& rig, State state, std::size_t first_code) {
-  using namespace gs::head;
   for (const Bytes& bytes : rig.received_bytes()) {
     if (!is<Hello>(bytes) && !is<Status>(bytes) && !is<Edge>(bytes) && !is<Refused>(bytes)) {
       return "a message of the head cannot be decoded";
@@ -78,7 +87,6 @@ std::vector<std::uint16_t> next_codes_of(Rig rig) {
 
 // Gives the message to the head, and compares with a head that does not get it.
 std::string wrong_with_one(Rig& rig, const Bytes& message) {
-  using namespace gs::head;
   const Rig without = rig;
   const std::size_t first_code = rig.codes().size();
   rig.send(message);
@@ -95,7 +103,7 @@ std::string wrong_with_one(Rig& rig, const Bytes& message) {
     if (!is<Ping>(message) && next_codes_of(rig) != next_codes_of(without)) {
       return "a message that was not accepted changes the output";
     }
-  } else if (is<gs::head::Samples>(message)) {
+  } else if (is<Samples>(message)) {
     Samples samples;
     static_cast<void>(decode(message.data(), message.size(), samples));
     if (before.room - after.room != samples.count) {
@@ -106,7 +114,7 @@ std::string wrong_with_one(Rig& rig, const Bytes& message) {
   }
   const State state = rig.head().state();
   rig.run_ms(1);
-  const std::string wrong = wrong_with_output(rig, state, first_code);
+  std::string wrong = wrong_with_output(rig, state, first_code);
   rig.forget();
   return wrong;
 }
@@ -114,7 +122,7 @@ std::string wrong_with_one(Rig& rig, const Bytes& message) {
 // Off, armed, playing, faulted: a message meets each.
 std::vector<Rig> rigs_in_all_states() {
   std::vector<Rig> rigs(4);
-  rigs[0].send(gs::head::Identify{});
+  rigs[0].send(Identify{});
   rigs[1].arm();
   rigs[2].play(512);
   rigs[2].run_ms(1);
@@ -152,7 +160,6 @@ std::string sequence_of(const std::vector<Bytes>& messages) {
 }  // namespace
 
 std::string wrong_with_head(const std::uint8_t* bytes, std::size_t size) {
-  using namespace gs::head;
   static const std::vector<Rig> bases = rigs_in_all_states();
   const std::vector<Bytes> messages = messages_in(bytes, size);
   Rig rig;
@@ -168,7 +175,7 @@ std::string wrong_with_head(const std::uint8_t* bytes, std::size_t size) {
   }
   for (std::size_t i = 0; !messages.empty() && i < bases.size(); ++i) {
     Rig base = bases[i];
-    const std::string wrong = wrong_with_one(base, messages.front());
+    std::string wrong = wrong_with_one(base, messages.front());
     if (!wrong.empty()) {
       return wrong;
     }
@@ -177,8 +184,6 @@ std::string wrong_with_head(const std::uint8_t* bytes, std::size_t size) {
 }
 
 std::vector<std::string> head_seeds() {
-  using namespace gs::head;
-  using gs::head::test::stream;
   const std::vector<Bytes> start = {encoded(Identify{}, 0), encoded(Arm{1}, 1),
                                     encoded(stream(0, 20), 2), encoded(Play{20}, 3)};
   std::vector<Bytes> run = start;

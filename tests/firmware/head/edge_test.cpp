@@ -41,7 +41,7 @@ TEST(Edges, ShortlyBeforeSample0HaveANegativeCount) {
   later.run_ms(100);
   later.play(4096);
   const std::uint64_t begin = later.now();
-  later.make_codes(kCodesPerMs);
+  later.make_codes(kBlockCodes);
   later.head().edge(1, true, begin - 50);
   later.receive();
   ASSERT_EQ(later.received<Edge>().size(), 1U);
@@ -168,7 +168,7 @@ TEST(Edges, HaveExactCountsAcrossAnOverflowOfTheTimer) {
     count.advance(static_cast<std::uint32_t>(at));
   }
   rig.play(256);
-  std::vector<std::uint16_t> codes(kCodesPerMs);
+  std::vector<std::uint16_t> codes(kBlockCodes);
   count.advance(static_cast<std::uint32_t>(kStart));
   rig.head().next_codes(kStart, codes.data(), codes.size());
   rig.head().edge(0, true, count.extend(static_cast<std::uint32_t>(kStart + 41999)));

@@ -410,7 +410,7 @@ TEST(Flow, OverALossyLineThePlayedStreamIsComplete) {
     const auto& codes = line.rig().codes();
     std::size_t begin = 0;
     while (begin < codes.size() && codes[begin] == kMidScale) {
-      begin += kCodesPerMs;
+      begin += kBlockCodes;
     }
     ASSERT_LT(begin, codes.size() / 2);
     const std::vector<std::uint16_t> played(codes.begin() + static_cast<std::ptrdiff_t>(begin),

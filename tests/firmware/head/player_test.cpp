@@ -33,7 +33,7 @@ TEST(Output, IsTheStreamFromTheFirstCodeOfTheNextMillisecond) {
   rig.play(256);
   const std::size_t begin = rig.codes().size();
   rig.run_ms(30);
-  EXPECT_EQ(part(rig.codes(), begin, 30 * kCodesPerMs), codes_of_stream(30 * kCodesPerMs));
+  EXPECT_EQ(part(rig.codes(), begin, 30 * kBlockCodes), codes_of_stream(30 * kBlockCodes));
   EXPECT_EQ(rig.head().state(), State::kPlaying);
 }
 
@@ -50,7 +50,7 @@ TEST(Output, BeginsWhenThePrefillIsThere) {
   rig.send(stream(299, 1));
   const std::size_t begin = rig.codes().size();
   rig.run_ms(5);
-  EXPECT_EQ(part(rig.codes(), begin, 5 * kCodesPerMs), codes_of_stream(5 * kCodesPerMs));
+  EXPECT_EQ(part(rig.codes(), begin, 5 * kBlockCodes), codes_of_stream(5 * kBlockCodes));
 }
 
 TEST(Output, GoesOnAcrossManyBuffers) {
@@ -63,7 +63,7 @@ TEST(Output, GoesOnAcrossManyBuffers) {
     rig.send(stream(sent, 8));
     sent += 8;
   }
-  EXPECT_EQ(rig.codes(), codes_of_stream(kMs * kCodesPerMs));
+  EXPECT_EQ(rig.codes(), codes_of_stream(kMs * kBlockCodes));
   EXPECT_EQ(rig.status().position, kMs * 8);
   EXPECT_TRUE(rig.received<Refused>().empty());
 }
@@ -185,7 +185,7 @@ TEST(Watchdog, IsKeptQuietByPings) {
     rig.ping();
   }
   EXPECT_EQ(rig.head().state(), State::kPlaying);
-  EXPECT_EQ(rig.codes(), codes_of_stream(400 * kCodesPerMs));
+  EXPECT_EQ(rig.codes(), codes_of_stream(400 * kBlockCodes));
 }
 
 TEST(Watchdog, WatchesWhileArmed) {
@@ -247,7 +247,7 @@ TEST(Watchdog, TrippedNeedsAStopBeforeTheNextRun) {
   rig.send(Play{256});
   const std::size_t begin = rig.codes().size();
   rig.run_ms(10);
-  EXPECT_EQ(part(rig.codes(), begin, 10 * kCodesPerMs), codes_of_stream(10 * kCodesPerMs));
+  EXPECT_EQ(part(rig.codes(), begin, 10 * kBlockCodes), codes_of_stream(10 * kBlockCodes));
   EXPECT_EQ(rig.status().watchdog_trips, 1U);
   EXPECT_EQ(rig.status().run, 8U);
 }

@@ -138,7 +138,7 @@ std::vector<std::string> types_in_readme(const std::string& heading) {
   for (const std::string& line : lines_of_readme()) {
     if (line.rfind("### ", 0) == 0) {
       within = line.rfind("### " + heading, 0) == 0;
-    } else if (within && line.rfind("|", 0) == 0) {
+    } else if (within && !line.empty() && line[0] == '|') {
       if (++row > 2) {
         const auto second = line.find('|', 1) + 2;
         types.push_back(line.substr(second, line.find(" |", second) - second));
@@ -181,7 +181,7 @@ std::size_t rows_of_table(const std::string& head) {
   for (const std::string& line : lines_of_readme()) {
     if (line.rfind(head, 0) == 0) {
       within = true;
-    } else if (within && line.rfind("|", 0) != 0) {
+    } else if (within && (line.empty() || line[0] != '|')) {
       break;
     } else if (within && line.rfind("|--", 0) != 0) {
       const std::size_t number = std::stoul(line.substr(2));

@@ -17,15 +17,15 @@ TEST_F(HeadImage, MakesTheCodesOfTheStreamInItsInterrupt) {
   EXPECT_GE(playing.count, kCount);
   EXPECT_LT(playing.count, kCount + 500'000);
   // The DMA's buffer has the two newest milliseconds.
-  const std::vector<std::uint16_t> all = codes_of_stream(20 * kCodesPerMs);
-  const std::uint32_t buffer = find_in_memory({all.end() - 2 * kCodesPerMs, all.end()});
+  const std::vector<std::uint16_t> all = codes_of_stream(20 * kBlockCodes);
+  const std::uint32_t buffer = find_in_memory({all.end() - 2 * kBlockCodes, all.end()});
   ASSERT_NE(buffer, 0U);
 
   send(Stop{}, next++);
   ASSERT_EQ(status(next).state, State::kOff);
   make_codes(2);
   ASSERT_EQ(status(next).state, State::kOff);
-  const std::vector<std::uint8_t> off = memory(buffer, 4 * kCodesPerMs);
+  const std::vector<std::uint8_t> off = memory(buffer, 4 * kBlockCodes);
   for (std::size_t i = 0; i < off.size(); i += 2) {
     ASSERT_EQ(off[i] | off[i + 1] << 8U, kMidScale);
   }

@@ -80,7 +80,7 @@ void Rig::play(std::uint16_t samples) {
 
 void Rig::run_ms(std::size_t ms) {
   for (std::size_t i = 0; i < ms; ++i) {
-    make_codes(kCodesPerMs);
+    make_codes(kBlockCodes);
     receive();
   }
 }

@@ -11,8 +11,8 @@ namespace gs::head::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::uint32_t kCountsPerSample = 10500;  // as on the board: 84 MHz
-constexpr std::uint32_t kCodesPerMs = kCodeRate_hz / 1000;
+constexpr std::uint32_t kCountsPerSample = 10500;           // as on the board: 84 MHz
+constexpr std::uint32_t kBlockCodes = kCodeRate_hz / 1000;  // of a millisecond
 
 Hardware hardware();
 
