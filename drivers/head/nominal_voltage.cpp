@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numeric>
 #include <vector>
 
@@ -19,24 +18,39 @@ std::int64_t repeats_after(std::int64_t sample_rate_hz, int nominal_hz) {
 
 double phase_rad(const source::Stimulus& stimulus, std::int64_t first_tick, std::int64_t tick) {
   const std::int64_t rate_hz = stimulus.sample_rate_hz();
+  const std::int64_t last_tick = stimulus.total_ticks() - 1;
   const std::int64_t count =
-      std::min(repeats_after(rate_hz, stimulus.nominal_hz()), stimulus.total_ticks() - first_tick);
+      std::min(repeats_after(rate_hz, stimulus.nominal_hz()), last_tick + 1 - first_tick);
+  // Angles of the fundamental, less its angle at `tick`.
+  const auto step_rad = [&](std::int64_t at) {
+    return kTau * stimulus.frequency_hz(std::min(at, last_tick)) / static_cast<double>(rate_hz);
+  };
+  double angle_rad = 0.0;
+  for (std::int64_t at = first_tick; at < tick; ++at) {
+    angle_rad -= step_rad(at);
+  }
   std::vector<float> voltage_pu(static_cast<std::size_t>(count));
   stimulus.render(first_tick, voltage_pu.size(), voltage_pu.data());
-  std::complex<double> sum;
+  double cos_cos = 0.0;
+  double cos_sin = 0.0;
+  double sin_sin = 0.0;
+  double cos_voltage = 0.0;
+  double sin_voltage = 0.0;
   for (std::int64_t n = 0; n < count; ++n) {
-    const double angle_rad = kTau * static_cast<double>(stimulus.nominal_hz() * n % rate_hz) /
-                             static_cast<double>(rate_hz);
-    sum +=
-        static_cast<double>(voltage_pu[static_cast<std::size_t>(n)]) * std::polar(1.0, -angle_rad);
+    const double cosine = std::cos(angle_rad);
+    const double sine = std::sin(angle_rad);
+    const auto pu = static_cast<double>(voltage_pu[static_cast<std::size_t>(n)]);
+    cos_cos += cosine * cosine;
+    cos_sin += cosine * sine;
+    sin_sin += sine * sine;
+    cos_voltage += cosine * pu;
+    sin_voltage += sine * pu;
+    angle_rad += step_rad(first_tick + n);
   }
-  // A coefficient over a window shows the phase in its middle.
-  const double middle = 0.5 * static_cast<double>(count - 1);
-  const double nominal_rad = kTau * stimulus.nominal_hz() / static_cast<double>(rate_hz);
-  const double step_rad =
-      kTau * stimulus.frequency_hz(first_tick + count / 2) / static_cast<double>(rate_hz);
-  return std::arg(sum) + nominal_rad * middle +
-         step_rad * (static_cast<double>(tick - first_tick) - middle);
+  // v = a·cos + b·sin with the smallest squared error; both sides times the determinant.
+  const double a = cos_voltage * sin_sin - sin_voltage * cos_sin;
+  const double b = sin_voltage * cos_cos - cos_voltage * cos_sin;
+  return std::atan2(-b, a);
 }
 
 NominalVoltage::NominalVoltage(const source::Stimulus& stimulus, std::int64_t anchor,

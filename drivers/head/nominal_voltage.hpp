@@ -7,8 +7,9 @@
 
 namespace gsbench::head {
 
-// Phase of the stimulus's fundamental at `tick`, as a cosine. Measured by its Fourier coefficient
-// over the nominal periods from `first_tick` on, so that harmonics have no influence.
+// Phase of the stimulus's fundamental at `tick`, as a cosine: the best fit of its course of
+// frequency to the samples of some nominal periods from `first_tick` on. Harmonics of nominal
+// frequency have no influence. `tick` may be the stimulus's end.
 double phase_rad(const source::Stimulus& stimulus, std::int64_t first_tick, std::int64_t tick);
 
 // Smallest number of samples that is a whole number of nominal periods.

@@ -22,7 +22,7 @@ struct HeadOptions {
 
   double nominal_v = 230.0;         // RMS at the outlets
   double gain = 260.0;              // V at the outlets for 1 V at the DAC's pin
-  double dac_full_scale_v = 1.444;  // largest deviation from mid-scale at the DAC's pin; 1 … 2
+  double dac_full_scale_v = 1.444;  // largest deviation from mid-scale at the DAC's pin
   double voltage_limit_v = 265.0;   // RMS at the outlets; √2 times this is the largest peak
   double clock_ppm = 30.0;          // accuracy of the board's crystal, ±
 
