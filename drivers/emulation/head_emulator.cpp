@@ -165,6 +165,12 @@ void HeadEmulator::serve() {
       if (ending_) {
         return;
       }
+      if (unplugging_) {
+        port_.refuse();
+        connection_.close();
+        unplugging_ = false;
+        unplugged_.notify_all();
+      }
       waited[0] = {wake_.get(), POLLIN, 0};
       waited[1] = {silent_ ? -1 : port_.descriptor(), POLLIN, 0};
       waited[2] = {silent_ ? -1 : connection_.get(), POLLIN, 0};
@@ -245,13 +251,12 @@ void HeadEmulator::ring() const {
 
 // ---- fault injection
 
+// The thread closes the sockets: one that it polls would go on to listen.
 void HeadEmulator::unplug() {
-  {
-    const Lock lock(mutex_);
-    port_.refuse();
-    connection_.close();
-  }
+  std::unique_lock<std::mutex> lock(mutex_);
+  unplugging_ = true;
   ring();
+  unplugged_.wait(lock, [this] { return !unplugging_; });
 }
 
 Status HeadEmulator::plug_in() {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -123,6 +124,8 @@ class HeadEmulator final : public Output {
   Spoiler to_bench_;
   bool silent_ = false;
   bool ending_ = false;
+  bool unplugging_ = false;
+  std::condition_variable unplugged_;
   std::thread thread_;
 };
 
