@@ -103,6 +103,15 @@ TEST_F(KeysightGenerator, RefusesANameThatIsLoadedUntilItIsCleared) {
   EXPECT_THAT(bench.generator->waveform("same"), Optional(Codes(8, 2)));
 }
 
+TEST_F(KeysightGenerator, KeepsVolatileWaveformsAfterAResetButNotWithoutPower) {
+  upload("same", Codes(8, 1));
+  bench.say({"*RST"});
+  upload("same", Codes(8, 2));
+  EXPECT_THAT(bench.ask("SYST:ERR?"), StartsWith("+786,"));
+  bench.generator->reset_now(std::chrono::milliseconds(1));
+  EXPECT_FALSE(bench.generator->waveform("same"));
+}
+
 TEST_F(KeysightGenerator, HoldsEightToAMillionPoints) {
   upload("few", Codes(7, 1));
   EXPECT_THAT(bench.ask("SYST:ERR?"), StartsWith("-222,"));

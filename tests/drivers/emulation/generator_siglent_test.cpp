@@ -229,6 +229,25 @@ TEST_F(SiglentGenerator, KeepsItsOldWaveformWhenMemoryIsFull) {
   EXPECT_FALSE(bench.generator->waveform("other"));
 }
 
+TEST_F(SiglentGenerator, KeepsWaveformsWithoutPower) {
+  upload("kept", Codes(100, 0x1100));
+  bench.say({});
+  bench.generator->reset_now(std::chrono::milliseconds(1));
+  EXPECT_TRUE(bench.generator->waveform("kept"));
+}
+
+TEST_F(SiglentGenerator, IgnoresTheSelectionOfAnUnknownWaveform) {
+  upload("known", Codes(100, 0x1100));
+  bench.say({"C1:ARWV NAME,known", "C1:ARWV NAME,unknown"});
+  EXPECT_EQ(bench.ask("C1:ARWV?"), "C1:ARWV INDEX,0,NAME,known");
+}
+
+TEST_F(SiglentGenerator, IgnoresTheSecondChannel) {
+  bench.say({"C2:OUTP ON", "C2:BSWV FRQ,50"});
+  EXPECT_FALSE(bench.generator->output_is_on());
+  EXPECT_DOUBLE_EQ(bench.settings().frequency_hz, 1000);
+}
+
 TEST_F(SiglentGenerator, LogsMessagesWithoutTheBytesOfWaveforms) {
   upload("wave", Codes(10, 0x1100));
   bench.say({"C1:OUTP ON"});
