@@ -11,7 +11,10 @@ namespace {
 constexpr const char* kIntroduction =
     "Outlets send a frequency report every 16 ms. Tracker: the outlet's measurement of frequency "
     "and ROCOF. Declared delay: the measuring delay that the outlet reports about itself. Relay "
-    "sense: the bench's own input that sees the relay contact.\n";
+    "sense: the bench's own input that sees the relay contact. \"Without link: yes\" marks "
+    "measures "
+    "that can also be limited for devices without a link, which are tested by their contact "
+    "alone.\n";
 
 std::string unit_or_words(const measures::Measure& measure) {
   if (!measure.is_text()) {
@@ -28,7 +31,8 @@ int measures(const bool& json) {
                      {"unit", measure.unit},
                      {"words", measure.text_values},
                      {"definition", measure.definition},
-                     {"needs", measure.needs}});
+                     {"needs", measure.needs},
+                     {"needs_link", measure.needs_link}});
     }
     print_json(out);
     return kPassed;
@@ -38,8 +42,9 @@ int measures(const bool& json) {
     constexpr std::size_t kIndent = 4;
     const std::string needs =
         measure.needs == "nothing" ? "" : fmt::format("\nNeeds: {}.", measure.needs);
-    print_wrapped(fmt::format("{} [{}]\n{}{}", measure.name, unit_or_words(measure),
-                              measure.definition, needs),
+    const char* by_contact = measure.needs_link ? "" : " Without link: yes.";
+    print_wrapped(fmt::format("{} [{}]\n{}{}{}", measure.name, unit_or_words(measure),
+                              measure.definition, needs, by_contact),
                   kIndent);
   }
   return kPassed;

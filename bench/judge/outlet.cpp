@@ -51,7 +51,8 @@ MeasurementResult judged(const profile::Expectation& expectation, const measures
 }
 
 Reading read(const std::string& measure, const Case& c) {
-  return c.outlet.link.empty() && !is_sensed(measure)
+  const measures::Measure* known = measures::find(measure);
+  return c.outlet.link.empty() && known != nullptr && known->needs_link
              ? not_known("the outlet has no link: it reports nothing")
              : reading_of(measure)(c);
 }
@@ -75,7 +76,8 @@ std::vector<MeasurementResult> measure(const Case& c) {
     }
   }
   for (const measures::Measure& measure : measures::catalogue()) {
-    if (named.count(measure.name) == 0) {
+    const bool is_offered = !measure.needs_link || !c.outlet.link.empty();
+    if (is_offered && named.count(measure.name) == 0) {
       results.push_back(result_of(measure, read(measure.name, c)));
     }
   }

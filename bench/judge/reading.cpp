@@ -26,12 +26,6 @@ Read reading_of(const std::string& measure) {
   return found->second;
 }
 
-bool is_sensed(const std::string& measure) {
-  static const Readings sensed = contact_readings();
-  return std::any_of(sensed.begin(), sensed.end(),
-                     [&](const auto& row) { return row.first == measure; });
-}
-
 Reading number(double value, double uncertainty) {
   return {value, "", uncertainty};
 }

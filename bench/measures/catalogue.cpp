@@ -3,6 +3,11 @@
 #include <measures/catalogue.hpp>
 
 namespace gsbench::measures {
+namespace {
+
+constexpr bool kByContact = false;  // needs_link
+
+}  // namespace
 
 const std::vector<Measure>& catalogue() {
   static const std::vector<Measure> all = {
@@ -70,9 +75,12 @@ const std::vector<Measure>& catalogue() {
        "Criterion that first opened the relay, as reported by the outlet.",
        "nothing",
        {"none", "loss", "frequency", "command"}},
-      {"relay.delay", "ms",
+      {"relay.delay",
+       "ms",
        "Time from the first loss to the opening of the relay contact, by the relay sense.",
-       "a loss in the profile and an opening after it"},
+       "a loss in the profile and an opening after it",
+       {},
+       kByContact},
       {"relay.delay_reported", "ms",
        "Time from the first loss to the outlet's command to open its relay, as reported by the "
        "outlet.",
@@ -89,26 +97,39 @@ const std::vector<Measure>& catalogue() {
        "",
        "Position of the relay contact at the end of the run, by the relay sense.",
        "a relay sense",
-       {"closed", "open"}},
-      {"relay.edges", "",
+       {"closed", "open"},
+       kByContact},
+      {"relay.edges",
+       "",
        "Number of lasting changes of the relay contact, by the relay sense; bounces are not "
        "counted.",
-       "a relay sense"},
-      {"relay.chatter", "",
+       "a relay sense",
+       {},
+       kByContact},
+      {"relay.chatter",
+       "",
        "Number of extra edges of the relay contact (bounces), by the relay sense: all edges minus "
        "one for each lasting change.",
-       "a relay sense"},
+       "a relay sense",
+       {},
+       kByContact},
       {"command.delay", "ms",
        "Time from the first command to the first change of the contact in the commanded direction, "
        "by the relay sense.",
        "a command in the profile and a change of the contact in its direction after it"},
-      {"trip.time", "s",
+      {"trip.time",
+       "s",
        "Time from the start of the run to the first opening of the contact, by the relay sense.",
-       "an opening"},
-      {"relay.operate_hz", "Hz",
+       "an opening",
+       {},
+       kByContact},
+      {"relay.operate_hz",
+       "Hz",
        "Frequency of the reference when the contact first opens, by the relay sense. "
        "It is below the pick-up value of a relay by what the frequency falls during its delay.",
-       "an opening"},
+       "an opening",
+       {},
+       kByContact},
       {"clock.drift", "ppm",
        "Rate error of the outlet's sample clock; positive if it runs fast. "
        "It is measured from dips of the voltage before and after the run.",
@@ -118,6 +139,16 @@ const std::vector<Measure>& catalogue() {
        "an outlet with a sample clock of its own"},
   };
   return all;
+}
+
+std::vector<std::string> measured_by_contact() {
+  std::vector<std::string> names;
+  for (const Measure& measure : catalogue()) {
+    if (!measure.needs_link) {
+      names.push_back(measure.name);
+    }
+  }
+  return names;
 }
 
 const Measure* find(const std::string& name) {

@@ -19,6 +19,8 @@ void align(const Station& station, const capture::Markers& markers, capture::Cap
       if (alignment) {
         clock = alignment->clock;
         outlet.clock = alignment->measured;
+        // The dips are as early or late as all that the source plays.
+        outlet.clock.uncertainty_ms += run.bench_uncertainty.time_ms;
       } else if (!run.interrupted) {
         note(outlet,
              "did not report the marker dips played before the run: its time stamps cannot be "

@@ -3,7 +3,10 @@
 #include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include <link/version_text.hpp>
 #include <link/wait_for_outlets.hpp>
@@ -39,19 +42,28 @@ void send_settings(const profile::Plan& plan, const profile::Outlet& planned,
 }
 
 // Waits for the outlets of all slots that have a link. Keeps the order of the slots.
-std::vector<link::OutletPresence> present_outlets(const std::vector<Slot>& slots,
-                                                  Station& station) {
+std::vector<link::OutletPresence> present_outlets(const std::vector<Slot>& slots, Station& station,
+                                                  Boot& boot) {
   std::vector<std::string> named;
   for (const Slot& slot : slots) {
     if (slot.link_id) {
       named.push_back(*slot.link_id);
     }
   }
-  auto present = link::wait_for_outlets(station.link(), named, station.answers_within());
+  auto present = link::wait_on_open_link(station.link(), named, station.answers_within(), {},
+                                         [&boot](std::size_t joined) { return boot.hold(joined); });
+  boot.check_stop();
   if (!present.ok()) {
     throw BenchFault(present.error());
   }
   return present.take();
+}
+
+// " within 30 s", for an outlet that did not join.
+std::string waited(const link::OutletPresence& outlet, const Station& station) {
+  const double waited_s = std::chrono::duration<double>(station.answers_within()).count();
+  return outlet.where.empty() && waited_s > 0.0 ? fmt::format(" (waited {:.3g} s for it)", waited_s)
+                                                : "";
 }
 
 }  // namespace
@@ -80,12 +92,12 @@ std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
 }
 
 std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::vector<Slot>& slots,
-                                        Station& station) {
+                                        Station& station, Boot& boot) {
   if (slots.size() < plan.outlets.size()) {
     throw BenchFault("the profile needs " + std::to_string(plan.outlets.size()) +
                      " outlets; the station has " + std::to_string(slots.size()));
   }
-  const std::vector<link::OutletPresence> present = present_outlets(slots, station);
+  const std::vector<link::OutletPresence> present = present_outlets(slots, station, boot);
   auto next = present.begin();
   std::vector<record::OutletRecord> records;
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -104,10 +116,11 @@ std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::ve
       record.id = outlet.id;
       record.link = outlet.where;
     }
+    require(boot.hold(slots.size()));
     if (outlet.fault.empty()) {
       send_settings(plan, plan.outlets[i], outlet, station.link(), record);
     } else {
-      note(record, outlet.fault);
+      note(record, outlet.fault + waited(outlet, station));
     }
   }
   return records;

@@ -53,6 +53,7 @@ std::unique_ptr<Station> make_physical_station(const Wiring& wiring, const profi
   std::size_t channel = 0;
   for (std::size_t i = 0; i < wiring.slots.size(); ++i) {
     if (!wiring.slots[i].relay.empty()) {
+      parts.slots[i].relay_name = wiring.slots[i].relay;
       parts.slots[i].relay_channel = wiring.relay->number_of(channels, channel++);
     }
   }

@@ -37,6 +37,11 @@ class PhysicalStation final : public Station {
   std::vector<Slot> slots() const override { return parts_.slots; }
   std::chrono::milliseconds answers_within() const override;
   bool outlets_count_ticks() const override { return false; }
+  std::string source_accuracy() const override {
+    return "not calibrated; from the instrument's table";
+  }
+  std::string relay_aligned_by() const override { return parts_.relay_aligned_by; }
+  std::vector<std::string> ports() const override { return parts_.ports; }
   double block_s() const override { return 0.016; }
 
  private:

@@ -35,8 +35,15 @@ struct Player {
   std::uint32_t requests = 0;
   link::Happenings happenings = {};
   std::vector<relay::Edge> edges = {};
+  std::vector<bool> open_at_start = std::vector<bool>(slots.size());
 
   bool play() {
+    const bool to_the_end = play_signal();
+    add_positions_at_start();
+    return to_the_end;
+  }
+
+  bool play_signal() {
     const std::int64_t lead = signal.lead_ticks();
     const std::int64_t end = signal.total_ticks();
     // Without marker dips before the run, the answers arrive with its first reports.
@@ -90,14 +97,28 @@ struct Player {
     add_edges();
   }
 
+  // Edges before the run are not kept, but the position of the contact at tick 0 is: an open one is
+  // an opening at tick 0.
   void add_edges() {
     const relay::Alignment alignment = station.relay_sense().alignment();
     for (std::size_t i = 0; i < slots.size(); ++i) {
       for (const relay::Edge& edge : edges) {
         if (slots[i].relay_channel == edge.channel) {
-          capture.add_edge(outlets[i].id, alignment.tick_of(edge.count) - signal.lead_ticks(),
-                           edge.closed);
+          const std::int64_t tick = alignment.tick_of(edge.count) - signal.lead_ticks();
+          if (tick > 0) {
+            capture.add_edge(outlets[i].id, tick, edge.closed);
+          } else {
+            open_at_start[i] = !edge.closed;
+          }
         }
+      }
+    }
+  }
+
+  void add_positions_at_start() {
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      if (open_at_start[i]) {
+        capture.add_edge(outlets[i].id, 0, false);
       }
     }
   }

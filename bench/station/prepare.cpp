@@ -135,9 +135,6 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
       source.file,     source.sha256,           columns.time,           columns.frequency,
       columns.voltage, columns.nominal_voltage, source.replaces_profile};
   run.station = station.name();
-  // Excludes the outlets' clocks, which are measured in each run.
-  run.bench_uncertainty.relay_sense_ms = 1e3 * station.relay_sense().alignment().uncertainty_ticks /
-                                         static_cast<double>(plan.stimulus.sample_rate_hz);
   run.noise = noise_text(plan, station.source().limits());
   run.seed = plan.seed;
   run.sample_rate_hz = plan.stimulus.sample_rate_hz;

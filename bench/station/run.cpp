@@ -1,16 +1,47 @@
+#include "boot.hpp"
 #include "faults.hpp"
 #include "run_steps.hpp"
 
+#include <fmt/format.h>
+
 #include <judge/judge.hpp>
 #include <station/safe_state.hpp>
+#include <station/source_check.hpp>
 
 namespace gsbench::station {
+
+namespace {
+
+source::Played upload(const profile::Plan& plan, const PlayedSignal& signal, Station& station,
+                      const RunOptions& options) {
+  source::Played played = require(station.source().prepare(signal, [&](double part) {
+    if (options.waiting) {
+      options.waiting(fmt::format("uploading the waveform: {:.0f} %", 100.0 * part));
+    }
+  }));
+  // A source may know its deviations better once it is connected.
+  const std::string excess = beyond(plan.stimulus.tolerances, deviations_of(played));
+  if (!excess.empty()) {
+    throw BenchFault(station.source().limits().name +
+                     ": the played signal would deviate too much from the profile: " + excess);
+  }
+  if (options.stop != nullptr && options.stop->load()) {
+    throw Stopped{};
+  }
+  return played;
+}
+
+}  // namespace
 
 // The steps before judge() record facts and faults only; the verdicts come from bench/judge.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options) {
   record::RunRecord run = prepare(plan, station);
   const std::vector<Slot> slots = assign(plan.outlets, station.slots());
-  const PlayedSignal signal(plan, !station.outlets_count_ticks());
+  check_offered(plan, slots);
+  const PlayedSignal signal = signal_of(plan, slots, station);
+  if (!station.source_accuracy().empty()) {
+    check_source(plan, signal, station.source());
+  }
   capture::Capture capture(plan.stimulus.sample_rate_hz);
   {
     const SafeState safe_state(station.source(), station.link(), run.fault);
@@ -18,15 +49,22 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
       options.writer->begin(run);
     }
     try {
-      require(station.source().prepare(signal));
+      note_source(upload(plan, signal, station, options), station, run);
+      require(station.link().open());
       require(station.source().energise());
-      run.outlets = claim(plan, slots, station);
+      Boot boot(station, slots, options);
+      run.outlets = claim(plan, slots, station, boot);
+      boot.finish();
       run.interrupted = !play(plan, slots, signal, station, options, run.outlets, capture);
     } catch (const BenchFault& fault) {
       run.fault = fault.what();
+    } catch (const Stopped&) {
+      run.interrupted = true;
     }
+    note_relay_sense(station, run);
   }
   align(station, signal.markers(), capture, run);
+  note_clocks(station, run);
   judge::judge(plan, run);
   run.finished_utc = utc_now();
   if (options.writer != nullptr) {

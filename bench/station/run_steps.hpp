@@ -1,6 +1,8 @@
 // The steps of a run, in the order in which run.cpp calls them.
 #pragma once
 
+#include "boot.hpp"
+
 #include <string>
 #include <vector>
 
@@ -26,12 +28,22 @@ std::string utc_now();  // ISO 8601, to the second
 std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
                          const std::vector<Slot>& slots);
 
-// Waits for the outlets in `slots` and sends them their settings. Slot i is for outlet i of the
-// plan. An outlet that does not answer, is faulty or has the wrong sample rate is excluded with
-// that fault. An outlet without a link takes part without settings. Throws BenchFault if there are
-// too few slots.
+// Refuses limits and commands that need a link for an outlet whose slot has none, and such an
+// outlet without any limit. Throws profile::ConfigurationError.
+void check_offered(const profile::Plan& plan, const std::vector<Slot>& slots);
+
+// What the source states about the signal that it plays.
+void note_source(const source::Played& played, Station& station, record::RunRecord& run);
+
+// The uncertainty of the relay sense, which may have grown during the run.
+void note_relay_sense(Station& station, record::RunRecord& run);
+
+// Waits for the outlets in `slots` and sends them their settings. The link is open and the source
+// is energised. Slot i is for outlet i of the plan. An outlet that does not join, is faulty or has
+// the wrong sample rate is excluded with that fault. An outlet without a link takes part without
+// settings. Throws BenchFault if there are too few slots, and Stopped.
 std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::vector<Slot>& slots,
-                                        Station& station);
+                                        Station& station, Boot& boot);
 
 // Plays the whole signal and notes the faults of `outlets`. Returns false if `options.stop` ended
 // it. Throws BenchFault.
@@ -43,5 +55,8 @@ bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const Playe
 // with their own sample clock are aligned by the marker dips in `markers`.
 void align(const Station& station, const capture::Markers& markers, capture::Capture& capture,
            record::RunRecord& run);
+
+// Notes how each clock was aligned. Called after align().
+void note_clocks(const Station& station, record::RunRecord& run);
 
 }  // namespace gsbench::station

@@ -35,11 +35,12 @@ class RollCall {
     faults_.insert(faults_.end(), happenings.faults.begin(), happenings.faults.end());
   }
 
-  bool is_complete() const {
-    return std::all_of(named_.begin(), named_.end(), [&](const std::string& name) {
-      return std::any_of(joined_.begin(), joined_.end(),
-                         [&](const auto& outlet) { return is_called(outlet, name); });
-    });
+  std::size_t joined() const {
+    return static_cast<std::size_t>(
+        std::count_if(named_.begin(), named_.end(), [&](const std::string& name) {
+          return std::any_of(joined_.begin(), joined_.end(),
+                             [&](const auto& outlet) { return is_called(outlet, name); });
+        }));
   }
 
   // Call once, at the end. `missing`: from Link::missing().
@@ -105,10 +106,16 @@ class RollCall {
 drivers::Result<std::vector<OutletPresence>> wait_for_outlets(
     Link& link, const std::vector<std::string>& named, std::chrono::milliseconds patience,
     std::chrono::milliseconds others_for) {
-  using Clock = std::chrono::steady_clock;
   if (const drivers::Status opened = link.open(); !opened.ok()) {
     return drivers::Error{opened.error()};
   }
+  return wait_on_open_link(link, named, patience, others_for);
+}
+
+drivers::Result<std::vector<OutletPresence>> wait_on_open_link(
+    Link& link, const std::vector<std::string>& named, std::chrono::milliseconds patience,
+    std::chrono::milliseconds others_for, const Meanwhile& meanwhile) {
+  using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   Clock::time_point end = begin + patience;
   RollCall roll_call(named);
@@ -116,12 +123,17 @@ drivers::Result<std::vector<OutletPresence>> wait_for_outlets(
   Happenings happenings;
   while (true) {
     happenings.clear();
-    if (const drivers::Status polled = link.poll(happenings); !polled.ok()) {
-      link.close();
-      return drivers::Error{polled.error()};
-    }
+    drivers::Status going_well = link.poll(happenings);
     roll_call.take(happenings);
-    if (!was_complete && roll_call.is_complete()) {
+    const std::size_t joined = roll_call.joined();
+    if (going_well.ok() && meanwhile) {
+      going_well = meanwhile(joined);
+    }
+    if (!going_well.ok()) {
+      link.close();
+      return drivers::Error{going_well.error()};
+    }
+    if (!was_complete && joined == named.size()) {
       was_complete = true;
       end = std::min(end, Clock::now() + kTimeForATwin);
     }

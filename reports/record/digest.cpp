@@ -61,6 +61,7 @@ class Digest {
   // Without outlets, run id and wall-clock times.
   void add_content(const RunRecord& head) {
     visit_content(head, [&](const char*, const auto& field) { add(field); });
+    add_parts(head.clocks);
     add_parts(head.comparisons);
     add_fields(head.reference);
     add_parts(head.stimulus);

@@ -68,6 +68,11 @@ inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
   visitor("nominal_hz", run.nominal_hz);
   visitor("uncertainty_relay_sense_ms", run.bench_uncertainty.relay_sense_ms);
   visitor("uncertainty_frequency_mhz", run.bench_uncertainty.frequency_mhz);
+  visitor("uncertainty_voltage_pct", run.bench_uncertainty.voltage_pct);
+  visitor("uncertainty_time_ms", run.bench_uncertainty.time_ms);
+  visitor("source_name", run.source.name);
+  visitor("source_how", run.source.how);
+  visitor("source_accuracy", run.source.accuracy);
   visitor("interrupted", run.interrupted);
   visitor("fault", run.fault);
   visitor("verdict", run.verdict);
@@ -136,6 +141,15 @@ inline constexpr auto visit_fields<Mark> = [](auto& mark, auto&& visitor) {
   visitor("kind", mark.kind);
   visitor("value", mark.value);
   visitor("text", mark.text);
+};
+
+template <>
+inline constexpr const char* table_name<AlignedClock> = "clock";
+template <>
+inline constexpr auto visit_fields<AlignedClock> = [](auto& clock, auto&& visitor) {
+  visitor("what", clock.what);
+  visitor("aligned_by", clock.aligned_by);
+  visitor("uncertainty_ms", clock.uncertainty_ms);
 };
 
 template <>

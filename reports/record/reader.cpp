@@ -75,6 +75,7 @@ RunRecord read_parts(Database& database, Extent extent) {
     return never_begun;
   }
   auto run = select_one<RunRecord>(database, kRunOwner);
+  run.clocks = select<AlignedClock>(database, kRunOwner);
   run.comparisons = select<Comparison>(database, kRunOwner);
   run.stimulus = select<Mark>(database, kRunOwner);
   unpack_trace(select_series(database, kRunOwner), run.reference);

@@ -41,10 +41,10 @@ std::string tables_of(Database& database) {
 }  // namespace
 
 std::string schema_sql() {
-  return create_table<RunRecord>() + create_table<Comparison>() + create_table<OutletRecord>() +
-         create_table<Setting>() + create_table<MeasurementResult>() + create_table<Mark>() +
-         create_table<Series>() + create_table<Seal>() +
-         "CREATE UNIQUE INDEX outlet_id ON \"outlet\" (id);\n";
+  return create_table<RunRecord>() + create_table<AlignedClock>() + create_table<Comparison>() +
+         create_table<OutletRecord>() + create_table<Setting>() +
+         create_table<MeasurementResult>() + create_table<Mark>() + create_table<Series>() +
+         create_table<Seal>() + "CREATE UNIQUE INDEX outlet_id ON \"outlet\" (id);\n";
 }
 
 void check_schema(Database& database) {

@@ -59,13 +59,14 @@ struct Writer::Impl {
     std::vector<Series> series;
     insert_trace(series, run.reference);
     database.transact([&] {
-      for (const char* table : {"run", "comparison", "mark", "series", "seal"}) {
+      for (const char* table : {"run", "clock", "comparison", "mark", "series", "seal"}) {
         database.execute("DELETE FROM \"" + std::string(table) +
                          "\" WHERE owner = " + std::to_string(kRunOwner));
       }
       RunRecord head = run;
       head.outlets.clear();
       insert(database, kRunOwner, std::vector<RunRecord>{head});
+      insert(database, kRunOwner, run.clocks);
       insert(database, kRunOwner, run.comparisons);
       insert(database, kRunOwner, run.stimulus);
       insert(database, kRunOwner, series);

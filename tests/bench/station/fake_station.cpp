@@ -24,15 +24,25 @@ source::Limits FakeStation::limits() const {
   limits.full_scale_pu = 1.5;
   limits.sample_rates_hz = {8000};
   limits.nominal_hz = {50};
+  limits.kind = script_.kind;
   limits.noise_per_outlet = script_.noise_per_outlet;
   return limits;
 }
 
 Status FakeStation::power_up() {
   touched_ = true;
+  energised_ = true;
+  open_when_energised_ = link_open_;
   source_on_ = true;  // a source that failed to start may still be live
   if (!script_.start_error.empty()) {
     return Error{script_.start_error};
+  }
+  return Done{};
+}
+
+Status FakeStation::keep_up() {
+  if (script_.hold_fails_at == holds_++) {
+    return Error{"fake source: someone switched it off"};
   }
   return Done{};
 }
@@ -90,7 +100,7 @@ Status FakeStation::open() {
 
 void FakeStation::join(std::vector<link::OutletPresence>& joined) const {
   for (std::size_t i = 0; i < script_.outlets; ++i) {
-    if (!is_linked(i)) {
+    if (!is_linked(i) || (is_last(i) && !script_.joins)) {
       continue;
     }
     link::OutletPresence outlet{id_of(i), "fake", {}};

@@ -2,6 +2,7 @@
 // answer and report like real ones, without firmware.
 #pragma once
 
+#include <chrono>
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,9 +19,17 @@ struct Script {
   std::size_t relay_channels = 2;
   bool noise_per_outlet = false;
   double block_s = 0.1;
+  source::Kind kind = source::Kind::kStreamed;
+  source::Played played = {};
+  std::string accuracy = {};
+  bool counts_ticks = true;
+  std::chrono::milliseconds answers_within{0};
+  double sense_uncertainty_ticks = 0.0;        // before the run
+  double sense_uncertainty_grows_ticks = 0.0;  // by the first poll
 
   // Failures. Calls are counted from 0.
   std::string start_error;  // of the source; it is live nevertheless
+  std::optional<int> hold_fails_at;
   std::string make_safe_error;
   std::string open_error;
   std::optional<int> play_fails_at;
@@ -31,6 +40,7 @@ struct Script {
 
   // Behaviour of the last outlet.
   bool without_link = false;
+  bool joins = true;
   std::vector<relay::Edge> edges;  // returned by the first poll of the relay sense
   std::uint16_t protocol_version = gs::wire::kProtocolVersion;
   gs::outlet::SettingsError settings_error = gs::outlet::SettingsError::kNone;
@@ -58,12 +68,17 @@ class FakeStation final : public Station,
   link::Link& link() override { return *this; }
   relay::RelaySense& relay_sense() override { return *this; }
   std::vector<Slot> slots() const override;
-  bool outlets_count_ticks() const override { return true; }
+  bool outlets_count_ticks() const override { return script_.counts_ticks; }
+  std::chrono::milliseconds answers_within() const override { return script_.answers_within; }
+  std::string source_accuracy() const override { return script_.accuracy; }
   double block_s() const override { return script_.block_s; }
 
   // True if the source is off and the link is closed, each as its last call.
   bool is_safe() const { return made_safe_ > 0 && closed_ > 0 && !source_on_ && !link_open_; }
   bool was_touched() const { return touched_; }
+  bool was_energised() const { return energised_; }
+  bool was_open_when_energised() const { return open_when_energised_; }
+  int holds() const { return holds_; }
   int blocks_played() const { return plays_; }
   std::int64_t tick() const { return played_tick_; }
   const std::vector<gs::wire::Downlink>& sent_to(std::size_t outlet) const {
@@ -73,8 +88,9 @@ class FakeStation final : public Station,
  private:
   source::Limits limits() const override;
   drivers::Result<source::Played> deviation(const source::Stimulus&) const override {
-    return source::Played{};
+    return script_.played;
   }
+  drivers::Status keep_up() override;
   drivers::Status power_up() override;
   drivers::Status begin() override { return drivers::Done{}; }
   drivers::Result<std::int64_t> play_until(std::int64_t until_tick) override;
@@ -85,7 +101,11 @@ class FakeStation final : public Station,
   drivers::Status poll(link::Happenings& happenings) override;
   void close() noexcept override;
 
-  relay::Alignment alignment() const override { return {0.0, 1.0, 0.0}; }
+  relay::Alignment alignment() const override {
+    return {0.0, 1.0,
+            script_.sense_uncertainty_ticks +
+                (relay_polls_ > 0 ? script_.sense_uncertainty_grows_ticks : 0.0)};
+  }
   drivers::Status poll(std::vector<relay::Edge>& edges) override;
 
   bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }
@@ -95,6 +115,9 @@ class FakeStation final : public Station,
 
   Script script_;
   bool touched_ = false;
+  bool energised_ = false;
+  bool open_when_energised_ = false;
+  int holds_ = 0;
   bool source_on_ = false;
   bool link_open_ = false;
   bool joined_ = false;

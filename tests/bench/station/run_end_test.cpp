@@ -77,9 +77,9 @@ TEST(RunEnd, SourceThatDoesNotStartIsError) {
 
 TEST(RunEnd, SourceThatCannotBeSwitchedOffIsError) {
   Script script = with(&Script::make_safe_error, "fake source: relay welded");
-  expect_error(script, "the source may still be live: fake source: relay welded");
+  expect_error(script, "output state unknown: fake source: relay welded");
   script.play_fails_at = 3;
-  expect_error(script, "fake source: tripped; the source may still be live");
+  expect_error(script, "fake source: tripped; output state unknown");
 }
 
 TEST(RunEnd, LinkThatDoesNotOpenIsError) {

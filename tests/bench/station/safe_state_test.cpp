@@ -42,7 +42,10 @@ TEST_F(SafeStateTest, ReportsASourceThatCannotBeSwitchedOff) {
   FakeStation welded(with(&Script::make_safe_error, "fake source: relay welded"));
   { const SafeState safe_state(welded.source(), welded.link(), failure_); }
   EXPECT_TRUE(welded.is_safe());
-  EXPECT_EQ(failure_, "the source may still be live: fake source: relay welded");
+  EXPECT_EQ(
+      failure_,
+      "output state unknown: fake source: relay welded; the outlets may be live: switch the source "
+      "off by hand, or unplug it");
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ Judgement judge_number(const Reading& reading, double low, double high);
 Judgement judge_text(const Reading& reading, const std::string& expected);
 
 // All measures of the catalogue for one outlet. Those with limits in the profile come first, judged
-// and in the profile's order. The others follow for information.
+// and in the profile's order. The others follow for information; without a link, only those that
+// need none.
 std::vector<record::MeasurementResult> measure(const Case& c);
 
 // Fills in the measurements and the verdict of an outlet. An outlet with a fault during the run is

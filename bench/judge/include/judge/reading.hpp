@@ -30,9 +30,6 @@ using Read = Reading (*)(const Case&);
 // std::logic_error if bench/judge has none.
 Read reading_of(const std::string& measure);
 
-// True if the measure is read from the relay sense only and needs no report of the outlet.
-bool is_sensed(const std::string& measure);
-
 // Helpers for the functions that read measures.
 Reading number(double value, double uncertainty = 0.0);
 Reading text(std::string value);

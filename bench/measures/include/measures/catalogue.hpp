@@ -15,11 +15,17 @@ struct Measure {
   std::string definition;  // one or two sentences
   std::string needs;       // condition for having a value; "nothing" if it always has one
   std::vector<std::string> text_values = {};  // the possible texts; empty for a number
+  // True if the outlet must have a link: it reports what is measured, or is sent a command. False
+  // if the relay sense suffices.
+  bool needs_link = true;
 
   bool is_text() const { return !text_values.empty(); }
 };
 
 const std::vector<Measure>& catalogue();
+
+// Names of the measures that need no link, for messages.
+std::vector<std::string> measured_by_contact();
 
 // nullptr for an unknown name.
 const Measure* find(const std::string& name);

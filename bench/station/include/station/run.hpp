@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include <profile/plan.hpp>
 #include <record/run_record.hpp>
@@ -17,11 +18,15 @@ struct RunOptions {
   record::Writer* writer = nullptr;           // stores the run while it proceeds; none: no file
   const std::atomic<bool>* stop = nullptr;    // set from outside to end the run early
   std::function<void(double part)> progress;  // share played, 0 … 1
+  // What the run waits for before it plays: "waiting for outlets: 2 of 4 joined, 18 s left".
+  std::function<void(const std::string& what)> waiting = {};
 };
 
 // Blocks until the run has ended. A fault of the bench, a fault of an outlet or a stop does not
 // throw: the record has the verdict ERROR and the reason. Throws profile::ConfigurationError if the
-// firmware would refuse an outlet's settings; nothing has been played or written then. Throws
+// firmware would refuse an outlet's settings, if the profile asks for what the station's slots
+// cannot give, or if the source cannot keep the profile's tolerances; nothing has been energised or
+// written then. Throws
 // record::StoreError if the record cannot be written.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options);
 

@@ -9,6 +9,12 @@
 
 namespace gsbench::station {
 
+// What a person must know if a source could not be made safe.
+inline std::string unknown_state(const std::string& error) {
+  return "output state unknown: " + error +
+         "; the outlets may be live: switch the source off by hand, or unplug it";
+}
+
 class SafeState {
  public:
   // If the source cannot be made safe, the destructor appends the reason to `fault`.
@@ -18,7 +24,7 @@ class SafeState {
     const drivers::Status safe = source_.make_safe();
     link_.close();
     if (!safe.ok()) {
-      fault_ += (fault_.empty() ? "" : "; ") + ("the source may still be live: " + safe.error());
+      fault_ += (fault_.empty() ? "" : "; ") + unknown_state(safe.error());
     }
   }
   SafeState(const SafeState&) = delete;

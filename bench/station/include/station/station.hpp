@@ -21,6 +21,7 @@ struct Slot {
   std::string serial_number;                 // of the outlet at this place
   std::optional<std::string> link_id;        // none: the outlet has only its contact
   std::optional<std::size_t> relay_channel;  // of the relay sense; none: contact not sensed
+  std::string relay_name = {};               // of the channel, for messages: "/dev/ttyUSB0 CTS"
 };
 
 class Station {
@@ -31,11 +32,18 @@ class Station {
   virtual link::Link& link() = 0;
   virtual relay::RelaySense& relay_sense() = 0;
   virtual std::vector<Slot> slots() const = 0;
-  // How long a run waits for its outlets to answer; 0: they answer at once or not at all.
+  // How long a run waits, at nominal voltage, for its outlets to boot and join; 0: they answer at
+  // once or not at all. A device without a link, or a source of Kind::kLoaded, needs all of it.
   virtual std::chrono::milliseconds answers_within() const { return {}; }
   // True if the outlets' sample counts start at 0 with the source's first tick and stay in step
   // with it. If false, marker dips are played before and after the run.
   virtual bool outlets_count_ticks() const = 0;
+  // Where the deviations that the source states come from, for reports; empty: it plays exactly.
+  virtual std::string source_accuracy() const { return {}; }
+  // How the times of the relay sense are aligned with the source's, for reports.
+  virtual std::string relay_aligned_by() const { return "counts the source's ticks"; }
+  // Ports that only one bench at a time may use.
+  virtual std::vector<std::string> ports() const { return {}; }
   // Duration of one block of the signal. Short if the run is in real time, otherwise long.
   virtual double block_s() const = 0;
 };

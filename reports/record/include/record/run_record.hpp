@@ -111,8 +111,25 @@ struct Recording {
 
 // Uncertainty of the bench, expanded (k = 2), without that of the outlets' clocks.
 struct BenchUncertainty {
-  double relay_sense_ms = 0.0;  // of the time of an edge
-  double frequency_mhz = 0.0;   // of the played frequency
+  double relay_sense_ms = 0.0;  // of the time of an edge on the time base of the run
+  // Of the played voltage, as the source states them.
+  double frequency_mhz = 0.0;
+  double voltage_pct = 0.0;  // of the nominal peak amplitude
+  double time_ms = 0.0;
+};
+
+// How the times of a device were put on the time base of the run.
+struct AlignedClock {
+  std::string what;  // "source", "relay sense", the ids of outlets
+  std::string aligned_by;
+  double uncertainty_ms = 0.0;  // expanded, k = 2
+};
+
+// What played the signal.
+struct SourceUsed {
+  std::string name;      // maker and model
+  std::string how;       // how the signal was played; lines
+  std::string accuracy;  // where its deviations come from; empty: it plays exactly
 };
 
 struct RunRecord {
@@ -135,11 +152,13 @@ struct RunRecord {
   std::int64_t sample_rate_hz = 0;
   std::int64_t duration_ticks = 0;
   double nominal_hz = 50.0;
+  SourceUsed source;
   BenchUncertainty bench_uncertainty;
   bool interrupted = false;  // by a signal, before its end
   std::string fault;         // fault of the bench that ended the run; empty: none
   Verdict verdict = Verdict::kPass;
   std::string verdict_reason;  // one sentence; empty for PASS
+  std::vector<AlignedClock> clocks;
   std::vector<Comparison> comparisons;
   ReferenceTrace reference;
   std::vector<Mark> stimulus;  // losses, phase steps, dips, …, as played
