@@ -25,7 +25,11 @@ constexpr std::size_t kLongestEntry = 200;  // of the log
 
 GeneratorServer::GeneratorServer(LoopbackPort port, GeneratorState& state,
                                  GeneratorDialect& dialect, std::mutex& mutex)
-    : port_(std::move(port)), state_(state), dialect_(dialect), mutex_(mutex) {}
+    : port_(std::move(port)),
+      port_number_(port_.number()),
+      state_(state),
+      dialect_(dialect),
+      mutex_(mutex) {}
 
 Status GeneratorServer::start(std::chrono::milliseconds delay) {
   stop();

@@ -27,7 +27,7 @@ class GeneratorServer {
   GeneratorServer(const GeneratorServer&) = delete;
   GeneratorServer& operator=(const GeneratorServer&) = delete;
 
-  std::uint16_t port_number() const { return port_.number(); }
+  std::uint16_t port_number() const { return port_number_; }
   // Accepts connections from now on, or after `delay`.
   [[nodiscard]] drivers::Status start(std::chrono::milliseconds delay = {});
   // Closes the connection and refuses others.
@@ -47,6 +47,7 @@ class GeneratorServer {
   void close_connection();
 
   LoopbackPort port_;
+  const std::uint16_t port_number_;  // LoopbackPort::listen() writes its own in the thread
   GeneratorState& state_;
   GeneratorDialect& dialect_;
   std::mutex& mutex_;
