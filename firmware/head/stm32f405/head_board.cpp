@@ -47,6 +47,9 @@ void HeadBoard::start() {
   cortex_m4::set_priority(kDma1Stream5Irq, kTimingPriority);
   cortex_m4::set_priority(kTim6DacIrq, kTimingPriority);
   cortex_m4::set_priority(kTim2Irq, kTimingPriority);
+  for (const unsigned pin : kInputPins) {
+    pull_up(*GPIOA, pin);  // first, so that the inputs are at rest when they are read
+  }
   start_dac();
   start_inputs();
   start_timers();
@@ -78,7 +81,6 @@ void HeadBoard::start_dac() {
 
 void HeadBoard::start_inputs() {
   for (const unsigned pin : kInputPins) {
-    pull_up(*GPIOA, pin);
     set_function(*GPIOA, pin, kTimer2Function);
   }
   TIM2->ARR = 0xFFFFFFFFu;
@@ -93,8 +95,6 @@ void HeadBoard::start_inputs() {
   }
   TIM2->CCER = enable;
   TIM2->DIER = interrupts;
-  contacts_.start(closed_inputs());
-  cortex_m4::enable_interrupt(kTim2Irq);
 }
 
 // Timer 8 runs at twice the clock of timer 2: 84 MHz cannot be divided to 64 kHz, 168 MHz can.
@@ -104,6 +104,9 @@ void HeadBoard::start_timers() {
   TIM8->SMCR = TIM_SMCR_SMS_TRIGGER | TIM_SMCR_TS_ITR1;  // started by timer 2
   TIM2->CR2 = TIM_CR2_MMS_ENABLE;
   TIM2->CR1 = TIM_CR1_CKD_DIV4 | TIM_CR1_CEN;
+  TIM2->SR = 0;  // captures that precede the state that is read now
+  contacts_.start(closed_inputs());
+  cortex_m4::enable_interrupt(kTim2Irq);
 }
 
 void HeadBoard::turn() {
