@@ -27,6 +27,8 @@ class GeneratorDialect {
   virtual bool in_block() const { return false; }
   // The rest of a block did not come.
   virtual void give_up_block() {}
+  // When the bytes arrived of the messages that are executed next.
+  virtual void arrived(std::int64_t /*step*/) {}
   // `message`: with its newline.
   virtual GeneratorReply execute(std::string_view message) = 0;
   // What of a message is text: its size without newline and block.

@@ -15,6 +15,7 @@ class Rigol : public ScpiDialect {
 
   explicit Rigol(GeneratorState& state);
   void lose_power() override;
+  void arrived(std::int64_t step) override { arrived_ = step; }
 
  private:
   void add_output();
@@ -36,6 +37,7 @@ class Rigol : public ScpiDialect {
   void reset() override;
 
   std::vector<std::int16_t> packets_;  // before END
+  std::int64_t arrived_ = 0;
   std::int64_t busy_until_ = std::numeric_limits<std::int64_t>::min();
   std::string idle_ = "FPT";
 };

@@ -63,11 +63,10 @@ void Rigol::take_packet(std::string_view argument) {
     error(-220, "Parameter error");
     return;
   }
-  const std::int64_t now = state_.time().now();
-  if (now < busy_until_) {
+  if (arrived_ < busy_until_) {
     return;  // lost, and not reported
   }
-  busy_until_ = now + kPacket_steps;
+  busy_until_ = arrived_ + kPacket_steps;
   if (bytes->size() > kMostPacketBytes || bytes->size() / 2 < state_.facts().fewest_points) {
     error(bytes->size() > kMostPacketBytes ? -223 : -220,
           bytes->size() > kMostPacketBytes ? "Too much data" : "Parameter error");

@@ -103,6 +103,7 @@ void GeneratorServer::serve() {
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    dialect_.arrived(state_.time().now());
     bytes_ += static_cast<std::size_t>(got);
     const std::size_t last = state_.faults().drop_at_byte;
     if (last > 0 && bytes_ >= last) {

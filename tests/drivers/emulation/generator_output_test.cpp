@@ -181,7 +181,7 @@ TEST_P(GeneratorFaultsOf, AnswersNothing) {
 }
 
 TEST_P(GeneratorFaultsOf, AnswersLate) {
-  set([](GeneratorFaults& faults) { faults.answer_delay_s = 0.3; });
+  set([](GeneratorFaults& faults) { faults.answer_delay_s = 1.0; });
   bench.client->say("*OPC?");
   EXPECT_EQ(bench.client->line(100ms), "");
   EXPECT_EQ(bench.client->line(), "1");
@@ -242,7 +242,7 @@ TEST_P(GeneratorFaultsOf, KeepsAnOutputOnWhoseRelayIsStuck) {
 TEST_P(GeneratorFaultsOf, StartsWithTheOutputOffAfterAPowerCycle) {
   bench.say({"C1:OUTP ON", ":OUTP1 ON"});
   bench.output(10);
-  bench.generator->reset_now(200ms);
+  bench.generator->reset_now(1000ms);
   EXPECT_FALSE(bench.generator->output_is_on());
   EXPECT_TRUE(bench.client->hangs_up());
   EXPECT_FALSE(GeneratorClient(bench.generator->port()).is_open());
