@@ -71,8 +71,8 @@ std::uint32_t HeadImage::play(std::uint16_t samples) {
   return number;
 }
 
-void HeadImage::make_codes(std::uint32_t ms) {
-  interrupt(kDma1Stream5, ms, (blocks_ + 1) * kBlock_counts + 50, kBlock_counts);
+void HeadImage::make_codes(std::uint32_t ms, std::uint32_t offset_counts) {
+  interrupt(kDma1Stream5, ms, (blocks_ + 1) * kBlock_counts + offset_counts, kBlock_counts);
   blocks_ += ms;
 }
 
@@ -95,7 +95,8 @@ void HeadImage::interrupt(std::uint32_t number, std::uint32_t times, std::uint32
     debugger.write(kUnusedRam, bytes);
     debugger.go_to(kUnusedRam);
   }
-  send_bytes({0});  // an empty frame, to wake the processor
+  // The ping wakes the processor; the main loop answers it after the inserted code.
+  static_cast<void>(status(0));
 }
 
 std::vector<std::uint8_t> HeadImage::memory(std::uint32_t address, std::size_t size) {

@@ -55,7 +55,8 @@ class HeadImage : public testing::Test {
   // Identified and armed; so many samples sent, and play. Returns the next number.
   std::uint32_t play(std::uint16_t samples);
   // Makes codes of so many further milliseconds, while the main loop stands still.
-  void make_codes(std::uint32_t ms);
+  // `offset_counts`: of the interrupts, from the end of their blocks; modulo 2^32.
+  void make_codes(std::uint32_t ms, std::uint32_t offset_counts = 50);
   // Calls the handler of an interrupt, with timer 2 at this count.
   void interrupt(std::uint32_t number, std::uint32_t count) { interrupt(number, 1, count, 0); }
 

@@ -31,6 +31,20 @@ TEST_F(HeadImage, MakesTheCodesOfTheStreamInItsInterrupt) {
   }
 }
 
+// By up to 4 codes early: the DMA reads ahead. By up to 59 late: the block can still be written.
+TEST_F(HeadImage, TakesEarlyAndLateInterruptsOfItsCodes) {
+  constexpr std::uint32_t kCode_counts = 2000 / 8;
+  const std::uint32_t next = play(512);
+  make_codes(5, 0U - 4 * kCode_counts);
+  make_codes(5, 59 * kCode_counts);
+  make_codes(5, 0);
+  const Status playing = status(next);
+  EXPECT_EQ(playing.state, State::kPlaying);
+  EXPECT_EQ(playing.position, 15U * 8U);
+  make_codes(1, 0U - 5 * kCode_counts - 1);
+  EXPECT_EQ(status(next).fault, Fault::kHardware);
+}
+
 // The main loop stands still while the codes are made.
 TEST_F(HeadImage, SwitchesOffWhenTheBenchIsSilentAlsoIfTheMainLoopHangs) {
   const std::uint32_t next = play(4096);
