@@ -1,6 +1,8 @@
 // The interrupts of the head's image, on an emulated Cortex-M4F.
 #include "head_image.hpp"
 
+#include <algorithm>
+
 namespace gs::head::test {
 namespace {
 
@@ -53,6 +55,28 @@ TEST_F(HeadImage, SwitchesOffWhenTheBenchIsSilentAlsoIfTheMainLoopHangs) {
   EXPECT_EQ(now.state, State::kFaulted);
   EXPECT_EQ(now.fault, Fault::kWatchdog);
   EXPECT_EQ(now.position, 8U * kWatchdog_ms);
+}
+
+TEST_F(HeadImage, LeavesAtLeastAnEighthOfTheStackUnused) {
+  std::uint32_t next = play(4096);
+  make_codes(20);
+  send(stream(4096, kLongestSamples), next);  // no room
+  EXPECT_EQ(wait_for<Refused>().reason, Refusal::kNoRoom);
+  send(stream(4096, 100), next++);
+  send(ResendEdges{0}, next++);
+  send(Stop{}, next++);
+  send(Identify{}, next++);
+  wait_for<Hello>();
+  make_codes(2);
+  const std::uint32_t bottom = gs::test::address_of_symbol(GSBENCH_HEAD_IMAGE, "gs_stack_bottom");
+  const std::uint32_t top = gs::test::address_of_symbol(GSBENCH_HEAD_IMAGE, "gs_stack_top");
+  const std::vector<std::uint8_t> stack = memory(bottom, top - bottom);
+  const auto used =
+      std::find_if(stack.begin(), stack.end(), [](std::uint8_t byte) { return byte != 0xA5; });
+  const auto unused = static_cast<std::size_t>(used - stack.begin());
+  RecordProperty("stack_bytes_used", static_cast<int>(stack.size() - unused));
+  EXPECT_GE(unused, stack.size() / 8);
+  EXPECT_LT(unused, stack.size() * 7 / 8) << "no fill pattern, or no code ran";
 }
 
 TEST_F(HeadImage, FailsIfAnInterruptOfItsCodesWasLost) {
