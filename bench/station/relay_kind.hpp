@@ -31,6 +31,9 @@ struct RelayKind {
 
 const std::vector<RelayKind>& relay_kinds();
 
+// Each is defined in its own source file.
+RelayKind head_relay_kind();
+
 // Keys of [relay].
 std::vector<keys::Key> relay_keys();
 const RelayKind& read_relay_kind(const keys::Table& relay);

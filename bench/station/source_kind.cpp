@@ -19,7 +19,7 @@ const SourceKind& kind_of(const keys::Table& source) {
 }  // namespace
 
 const std::vector<SourceKind>& source_kinds() {
-  static const std::vector<SourceKind> kinds = {scpi_source_kind()};
+  static const std::vector<SourceKind> kinds = {scpi_source_kind(), head_source_kind()};
   return kinds;
 }
 

@@ -50,6 +50,7 @@ const std::vector<SourceKind>& source_kinds();
 
 // Each is defined in its own source file.
 SourceKind scpi_source_kind();
+SourceKind head_source_kind();
 
 // Keys of [source]: `kind`, those that all kinds share, and those of each kind. Without `port`.
 std::vector<keys::Key> source_keys();

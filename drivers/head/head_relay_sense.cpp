@@ -1,6 +1,7 @@
 #include "head_relay_sense.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,16 +13,22 @@ using drivers::Status;
 
 relay::Alignment HeadRelaySense::alignment() const {
   const double counts_per_tick = std::max(session_->hello.counts_per_sample, std::uint32_t{1});
-  const double opto_delay_ticks = session_->options.opto_delay_s * protocol::kSampleRate_hz;
-  const auto tick_0_sample = static_cast<double>(session_->tick_0_sample.value_or(0));
   relay::Alignment alignment;
-  alignment.count_at_tick_0 = (tick_0_sample + opto_delay_ticks) * counts_per_tick;
+  alignment.count_at_tick_0 =
+      static_cast<double>(session_->tick_0_sample.value_or(0)) * counts_per_tick;
   alignment.counts_per_tick = counts_per_tick;
   // One count; the opto-coupler; half a tick, because an edge is put on a whole one.
   alignment.uncertainty_ticks =
-      1.0 / counts_per_tick +
-      session_->options.opto_delay_uncertainty_s * protocol::kSampleRate_hz + 0.5;
+      1.0 / counts_per_tick + session_->options.opto_uncertainty_s * protocol::kSampleRate_hz + 0.5;
   return alignment;
+}
+
+// When the contact moved.
+std::int64_t HeadRelaySense::contact_count(const protocol::Edge& edge) const {
+  const double delay_s =
+      edge.closed ? session_->options.opto_close_delay_s : session_->options.opto_open_delay_s;
+  return edge.count - std::llround(delay_s * protocol::kSampleRate_hz *
+                                   static_cast<double>(session_->hello.counts_per_sample));
 }
 
 Status HeadRelaySense::poll(std::vector<relay::Edge>& edges) {
@@ -38,7 +45,7 @@ Status HeadRelaySense::poll(std::vector<relay::Edge>& edges) {
   open_inputs_reported_ = open_inputs_reported_ || append_open_inputs(edges);
   if (open_inputs_reported_) {
     for (const gs::head::Edge& edge : waiting_) {
-      edges.push_back({edge.input, edge.count, edge.closed});
+      edges.push_back({edge.input, contact_count(edge), edge.closed});
     }
     waiting_.clear();
   }

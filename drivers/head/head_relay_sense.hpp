@@ -21,6 +21,7 @@ class HeadRelaySense final : public relay::RelaySense {
 
  private:
   void begin_run();
+  std::int64_t contact_count(const gs::head::Edge& edge) const;
   // An edge for each input that was open at the beginning of the stream. Returns false if it is not
   // known yet.
   bool append_open_inputs(std::vector<relay::Edge>& edges) const;

@@ -68,6 +68,12 @@ Status positive(const char* name, double value) {
              : Error{fmt::format("DAC head: {} is {}: it must be above 0", name, value)};
 }
 
+Status not_negative(const char* name, double value) {
+  return value >= 0.0 && std::isfinite(value)
+             ? Status(Done{})
+             : Error{fmt::format("DAC head: {} is {}: it must be 0 or more", name, value)};
+}
+
 std::vector<std::string> explanation(const HeadOptions& options, const Amplitude& amplitude,
                                      const source::Played& rounding, double highest_hz) {
   const double peak_v = amplitude.nominal_peak_v();
@@ -109,7 +115,11 @@ Status check(const HeadOptions& options) {
   for (const Status& checked :
        {positive("nominal_v", options.nominal_v), positive("gain", options.gain),
         positive("dac_full_scale_v", options.dac_full_scale_v),
-        positive("voltage_limit_v", options.voltage_limit_v)}) {
+        positive("voltage_limit_v", options.voltage_limit_v),
+        not_negative("clock_ppm", options.clock_ppm),
+        not_negative("opto_close_delay_s", options.opto_close_delay_s),
+        not_negative("opto_open_delay_s", options.opto_open_delay_s),
+        not_negative("opto_uncertainty_s", options.opto_uncertainty_s)}) {
     if (!checked.ok()) {
       return checked;
     }

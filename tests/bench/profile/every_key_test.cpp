@@ -86,6 +86,25 @@ serial_number = "a"
 link = "/dev/ttyUSB0"
 )";
 
+constexpr const char* kHeadStation = R"(title = "all keys of a DAC head"
+kind = "physical"
+[source]
+kind = "head"
+port = "/dev/ttyUSB1"
+gain = 247.6
+voltage_limit_v = 252.0
+dac_full_scale_v = 1.44
+clock_ppm = 10.0
+opto_close_delay_us = 4.0
+opto_open_delay_us = 30.0
+opto_uncertainty_us = 15.0
+[relay]
+kind = "head"
+[[outlet]]
+place = "socket-1"
+relay = "0"
+)";
+
 // Each array on one line, without comments: the tests below replace single lines.
 std::string on_single_lines(const std::string& text) {
   std::string joined;
@@ -303,7 +322,7 @@ const File kFiles[] = {
      [](const std::string& path) { (void)station::load_station(path); }},
     {"physical_station",
      [] { return std::cref(station::station_keys("physical")); },
-     {kPhysicalStation, kSlots},
+     {kPhysicalStation, kSlots, kHeadStation},
      [](const std::string& path) { (void)station::load_station(path); }},
     {"instrument", [] { return std::cref(station::instrument_keys()); }, instrument_texts(),
      [](const std::string& path) { (void)station::load_instrument(path); }},

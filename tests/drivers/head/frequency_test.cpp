@@ -98,8 +98,7 @@ class HeadFrequency : public testing::TestWithParam<double> {
   // The codes of the stimulus as V, in the head's own time.
   std::vector<double> played() {
     const relay::Alignment alignment = driver_->relay_sense().alignment();
-    const std::int64_t tick_0 = std::llround(alignment.count_at_tick_0 / alignment.counts_per_tick -
-                                             options_.opto_delay_s * 8000.0);
+    const std::int64_t tick_0 = std::llround(alignment.count_at_tick_0 / alignment.counts_per_tick);
     const std::vector<std::uint16_t> codes = head_->recorded_codes();
     const auto begin = head_->observe().stream_begin + 8 * tick_0;
     std::vector<double> volts;

@@ -29,7 +29,7 @@ struct Recording {
 // Largest accepted deviations of the played voltage from the signal. A source that cannot keep them
 // is refused before it is energised.
 struct Tolerances {
-  double frequency_mhz = 1.0;  // over windows of 200 ms
+  double frequency_mhz = 2.0;  // over windows of 200 ms
   double voltage_pct = 1.0;    // of the nominal peak amplitude
   double time_ms = 1.0;
 };

@@ -26,12 +26,13 @@ struct HeadOptions {
   double voltage_limit_v = 265.0;   // RMS at the outlets; √2 times this is the largest peak
   double clock_ppm = 30.0;          // accuracy of the board's crystal, ±
 
-  // The opto-couplers report an edge later than the contact moved, by the delay ± its uncertainty.
-  double opto_delay_s = 10e-6;
-  double opto_delay_uncertainty_s = 10e-6;
+  // The opto-couplers report an edge later than the contact moved: by these delays, ± the
+  // uncertainty.
+  double opto_close_delay_s = 5e-6;
+  double opto_open_delay_s = 35e-6;
+  double opto_uncertainty_s = 20e-6;
 };
 
-class Connection;
 struct Session;
 
 class Head {

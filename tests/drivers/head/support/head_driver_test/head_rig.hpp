@@ -50,8 +50,7 @@ struct HeadRig {
   // Sample of the stream at tick 0.
   std::int64_t tick_0_sample() {
     const relay::Alignment alignment = relay_sense().alignment();
-    return std::llround(alignment.count_at_tick_0 / alignment.counts_per_tick -
-                        options.opto_delay_s * 8000.0);
+    return std::llround(alignment.count_at_tick_0 / alignment.counts_per_tick);
   }
 
   // All codes of the newest stream so far: the recording begins with code 0.
