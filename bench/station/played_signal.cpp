@@ -52,6 +52,20 @@ SteadyMains steady_mains(double frequency_hz, double phase_turns, const double (
       {waveform::reference_from_points(frequency_hz, {{0.0, frequency_hz}}), spec, sample_rate_hz}};
 }
 
+// Phase after the last sample of the run. The voltage then has no step there: a source could play
+// one only with an error of its instant.
+double turns_at_end(const profile::Plan& plan) {
+  const waveform::SignalSpec& signal = plan.stimulus.signal;
+  const double end_s = static_cast<double>(plan.duration_ticks()) /
+                       static_cast<double>(plan.stimulus.sample_rate_hz);
+  double phase_turns = signal.initial_phase_deg / 360.0 + plan.grid.nominal_hz * end_s +
+                       plan.reference()->excess_cycles(end_s);
+  for (const waveform::PhaseJump& jump : signal.phase_jumps) {
+    phase_turns += jump.at_s < end_s ? jump.degrees / 360.0 : 0.0;
+  }
+  return turns(phase_turns);
+}
+
 }  // namespace
 
 PlayedSignal::PlayedSignal(const profile::Plan& plan, bool with_markers)
@@ -69,7 +83,7 @@ PlayedSignal::PlayedSignal(const profile::Plan& plan, bool with_markers)
   const SteadyMains before = steady_mains(first_hz, turns(run_turns - first_hz * kLead_s),
                                           kBefore_s, markers_.level, rate_hz);
   const SteadyMains after =
-      steady_mains(plan.grid.nominal_hz, 0.0, kAfter_s, markers_.level, rate_hz);
+      steady_mains(plan.grid.nominal_hz, turns_at_end(plan), kAfter_s, markers_.level, rate_hz);
   parts_.push_back({0, before.synthesizer});
   parts_.push_back({lead_ticks_, plan.synthesizer()});
   parts_.push_back({lead_ticks_ + run_ticks_, after.synthesizer});

@@ -48,8 +48,9 @@ std::optional<double> DipFinder::take(double voltage) {
 }
 
 TerminalSense::TerminalSense(const source::Stimulus& stimulus, const source::Source& source,
-                             double clock_ppm)
+                             double clock_ppm, const TrueTime& time)
     : source_(source),
+      time_(time),
       rate_hz_(static_cast<double>(stimulus.sample_rate_hz())),
       steps_per_tick_(TrueTime::kRate_hz / (rate_hz_ * (1.0 + 1e-6 * clock_ppm))) {
   const double steady_pu = stimulus.amplitude_pu(0);
@@ -95,20 +96,28 @@ relay::Alignment TerminalSense::alignment() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   relay::Alignment alignment;
   alignment.counts_per_tick = steps_per_tick_;
-  alignment.count_at_tick_0 = dip_steps_.value_or(0.0) - dip_ticks_ * steps_per_tick_;
   // Half a tick for the edge, half for the outlet's sample at which the coil changed.
-  alignment.uncertainty_ticks = kDipUncertainty_s * rate_hz_ + 1.0;
+  alignment.uncertainty_ticks = 1.0;
+  const auto clock = source_.host_clock();
+  if (finder_) {
+    alignment.count_at_tick_0 = dip_steps_.value_or(0.0) - dip_ticks_ * steps_per_tick_;
+    alignment.uncertainty_ticks += kDipUncertainty_s * rate_hz_;
+  } else if (clock) {
+    alignment.count_at_tick_0 =
+        TrueTime::kRate_hz * std::chrono::duration<double>(clock->tick_0 - time_.start).count();
+    alignment.uncertainty_ticks += clock->uncertainty_s * rate_hz_;
+  }
   return alignment;
 }
 
 Status TerminalSense::poll(std::vector<relay::Edge>& edges) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (dip_steps_) {
+  const auto clock = source_.host_clock();
+  if (finder_ ? dip_steps_.has_value() : clock.has_value()) {
     edges.insert(edges.end(), edges_.begin(), edges_.end());
     edges_.clear();
     return Done{};
   }
-  const auto clock = source_.host_clock();
   const double since_0_s =
       clock
           ? std::chrono::duration<double>(std::chrono::steady_clock::now() - clock->tick_0).count()

@@ -56,6 +56,38 @@ board = "frequency-relay"
 pickup_hz = 48.8
 delay_s = 0.1
 )";
+constexpr const char* kEmulatedGenerator = R"(title = "all keys of an emulated generator"
+kind = "emulated"
+[source]
+kind = "scpi"
+nominal_v = 230.0
+gain = 100.0
+voltage_limit_v = 253.0
+boot_s = 5.0
+instrument = "siglent-sdg2000x"
+emulates = "sdg1032x"
+channel = 1
+baud = 115200
+clock_error_ppm = 3.0
+[relay]
+kind = "modem"
+[[outlet]]
+id = "a"
+)";
+constexpr const char* kEmulatedHead = R"(title = "all keys of an emulated head"
+kind = "emulated"
+[source]
+kind = "head"
+gain = 236.0
+voltage_limit_v = 253.0
+dac_full_scale_v = 1.4
+clock_ppm = 10.0
+opto_close_delay_us = 1.0
+opto_open_delay_us = 2.0
+opto_uncertainty_us = 3.0
+[[outlet]]
+id = "a"
+)";
 constexpr const char* kPhysicalStation = R"(title = "all keys of a physical station"
 kind = "physical"
 [serial]
@@ -318,7 +350,7 @@ const File kFiles[] = {
     {"grid", &grid_keys, {grid_file()}, [](const std::string& path) { (void)load_grid(path); }},
     {"emulated_station",
      [] { return std::cref(station::station_keys("emulated")); },
-     {kEmulatedStation},
+     {kEmulatedStation, kEmulatedGenerator, kEmulatedHead},
      [](const std::string& path) { (void)station::load_station(path); }},
     {"physical_station",
      [] { return std::cref(station::station_keys("physical")); },

@@ -144,5 +144,22 @@ TEST(PlayedSignal, HasNoTransientAtTheStartOfTheRun) {
   EXPECT_GE(in_first_second, 62);
 }
 
+// A source would play a step of the voltage with an error of its instant, which would count as a
+// deviation of the phase.
+TEST(PlayedSignal, HasNoStepOfTheVoltageAtTheEndOfTheRun) {
+  profile::Plan off = plan(2.0,
+                           "frequency = [[0.0, 49.8], [2.0, 49.7]]\n"
+                           "[[signal.phase_jump]]\nat_s = 1.0\ndegrees = 40.0\n");
+  off.stimulus.signal.initial_phase_deg = 75.0;
+  const PlayedSignal signal(off, true);
+  const std::int64_t end = signal.lead_ticks() + 16000;
+  const std::vector<float> around = rendered(signal, end - 400, 800);
+  for (std::size_t i = 1; i + 1 < around.size(); ++i) {
+    // The second difference of a sine of 50 Hz is at most 0.00154; a corner from 49.7 to 50 Hz adds
+    // 0.00024.
+    EXPECT_LE(std::fabs(around[i + 1] - 2.0F * around[i] + around[i - 1]), 0.0018F) << i;
+  }
+}
+
 }  // namespace
 }  // namespace gsbench::station

@@ -41,7 +41,7 @@ TEST(SourceCheck, RunIsRefusedBeforeAnythingIsTouched) {
   EXPECT_EQ(gsbench::test::refusal_of<profile::ConfigurationError>(
                 [&] { (void)run(plan(0.5), station, {}); }),
             "test.toml: fake source: the played signal would deviate too much from the profile: "
-            "frequency by 2.1 mHz (frequency_tolerance_mhz is 1)");
+            "frequency by 2.1 mHz (frequency_tolerance_mhz is 2)");
   EXPECT_FALSE(station.was_touched());
   EXPECT_EQ(run(plan(0.5, "frequency_tolerance_mhz = 2.2\n"), station, {}).verdict,
             record::Verdict::kPass);

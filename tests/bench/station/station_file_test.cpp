@@ -218,7 +218,8 @@ TEST(Stations, ShippedOnesAreReadableAndAreNotListedAsProfiles) {
     names.push_back(station.name);
     EXPECT_NO_THROW((void)load_station(station.name)) << station.title;
   }
-  EXPECT_THAT(names, ElementsAre("contact-only", "emulated", "mqtt", "serial", "simulated"));
+  EXPECT_THAT(names, ElementsAre("contact-only", "emulated", "head-emulated", "mqtt",
+                                 "scpi-emulated", "serial", "simulated"));
   for (const profile::ProfileSummary& profile : profile::list_profiles()) {
     EXPECT_EQ(profile.name.rfind("stations/", 0), std::string::npos) << profile.name;
   }

@@ -78,7 +78,8 @@ class AtTheTerminals : public testing::Test {
 
   WithADip stimulus_;
   SourceWithClock source_;
-  TerminalSense sense_{stimulus_, source_, 200.0};
+  TrueTime time_;
+  TerminalSense sense_{stimulus_, source_, 200.0, time_};
 };
 
 TEST_F(AtTheTerminals, TheDipGivesTick0WithinTenMicroseconds) {
@@ -111,6 +112,20 @@ TEST_F(AtTheTerminals, EdgesWaitForTheDip) {
   EXPECT_TRUE(edges[1].closed);
   // 2 s is tick 4000 from 1.5 s on, of a clock that is 200 ppm fast: 0.8 ticks more.
   EXPECT_NEAR(static_cast<double>(sense_.alignment().tick_of(edges[1].count)), 4000.8, 1.0);
+}
+
+TEST_F(AtTheTerminals, WithoutADipTheSourcesClockOnTheHostGivesTick0) {
+  stimulus_.has_dip = false;
+  TerminalSense sense(stimulus_, source_, 0.0, time_);
+  std::vector<relay::Edge> edges;
+  sense.moved(0, 100, false);
+  EXPECT_TRUE(sense.poll(edges).ok());
+  EXPECT_TRUE(edges.empty()) << "before the start";
+  source_.clock = {time_.start + std::chrono::milliseconds(1500), 1.0 / 8000.0, 0.01};
+  EXPECT_TRUE(sense.poll(edges).ok());
+  EXPECT_EQ(edges.size(), 1U);
+  EXPECT_NEAR(sense.alignment().count_at_tick_0, 1.5 * 64000, 1e-3);
+  EXPECT_NEAR(sense.alignment().uncertainty_ticks, 81.0, 1e-9);
 }
 
 TEST_F(AtTheTerminals, ADipThatDoesNotComeIsAnError) {

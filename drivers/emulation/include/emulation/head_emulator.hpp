@@ -37,6 +37,8 @@ struct HeadEmulatorOptions {
 
 class HeadEmulator final : public Output {
  public:
+  static constexpr std::size_t kContacts = gs::head::kInputs;
+
   static drivers::Result<std::unique_ptr<HeadEmulator>> create(const HeadEmulatorOptions& options);
   ~HeadEmulator() override;
   HeadEmulator(const HeadEmulator&) = delete;

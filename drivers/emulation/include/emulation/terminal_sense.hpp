@@ -1,6 +1,7 @@
 // A relay sense that exists in emulation only: it sees the contacts at the outlets' terminals with
 // their true step, and the voltage there. It is aligned with the source by the first dip of the
-// stimulus, so it does not depend on when the bench believes that the source has started.
+// stimulus, so it does not depend on when the bench believes that the source has started. If the
+// stimulus has no dip, it is aligned by Source::host_clock().
 #pragma once
 
 #include <cstddef>
@@ -39,9 +40,10 @@ class DipFinder {
 // run's.
 class TerminalSense final : public relay::RelaySense {
  public:
-  // `stimulus`: as the source will be given it, with a dip after at least four nominal periods.
+  // `stimulus`: as the source will be given it. A dip counts after at least four nominal periods.
   // `clock_ppm`: true error of the source's clock, positive: fast. `source` must outlive this.
-  TerminalSense(const source::Stimulus& stimulus, const source::Source& source, double clock_ppm);
+  TerminalSense(const source::Stimulus& stimulus, const source::Source& source, double clock_ppm,
+                const TrueTime& time);
 
   void seen(const float* voltage_pu, std::size_t count);
   void moved(std::size_t channel, std::int64_t step, bool closed);
@@ -54,6 +56,7 @@ class TerminalSense final : public relay::RelaySense {
 
  private:
   const source::Source& source_;
+  TrueTime time_;
   double rate_hz_;
   double steps_per_tick_;
   double dip_ticks_ = 0.0;
