@@ -176,7 +176,10 @@ void Connection::take(const protocol::Status& status, Clock::time_point arrival)
   }
   accept_until(status.expected);
   if (status.run == run_) {
-    edges_to_ask_for_ = edges_.missing(status.edges, arrival);
+    // Several statuses may arrive at once; only the first one asks.
+    if (const auto missing = edges_.missing(status.edges, arrival)) {
+      edges_to_ask_for_ = missing;
+    }
   }
 }
 
