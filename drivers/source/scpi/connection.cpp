@@ -231,8 +231,12 @@ Result<std::vector<std::uint8_t>> Connection::ask_waveform(const std::string& qu
   std::optional<WaveformHeader> header;
   for (;;) {
     // Each part that arrives extends the wait.
+    const std::size_t before = received_.size();
     if (Status got = receive(query, answer_deadline()); !got.ok()) {
       return Error{got.error()};
+    }
+    if (received_.size() == before) {
+      return no_answer(query);
     }
     if (!header) {
       if (Status read = waveform_header(received_).move_to(header); !read.ok()) {

@@ -92,6 +92,10 @@ Status Session::load_once(const Plan& plan, const source::Progress& progress) {
   }
   if (done.ok() && !instrument_.dialect.clear.empty()) {
     done = connection_.send(text(instrument_.dialect.clear));
+    wait(instrument_.timing.packet_s);
+    if (done.ok() && instrument_.has(Quirk::kUploadSwitchesOn)) {
+      done = switch_output(false);
+    }
   }
   if (done.ok()) {
     done = upload(plan, progress);

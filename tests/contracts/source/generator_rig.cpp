@@ -19,8 +19,12 @@ const GeneratorCase kGeneratorCases[4] = {
 
 scpi::Instrument quick_instrument(const GeneratorCase& of) {
   scpi::Instrument instrument = station::load_instrument(of.instrument);
-  // Packets that come faster are lost.
-  instrument.timing = {0.0, instrument.timing.packet_s, 0.0, 0.0, 0.0};
+  // Packets that come faster than every 50 ms are lost.
+  instrument.timing = {0.0, instrument.timing.packet_s > 0.0 ? 0.06 : 0.0, 0.0, 0.0, 0.0};
+  // An emulator is triggered when the message arrives.
+  instrument.accuracy.trigger_latency_s = 0.0;
+  // 2.3 s at 8 kSa/s: three packets.
+  instrument.memory.points = std::min<std::int64_t>(instrument.memory.points, 20000);
   instrument.timing.answer_s = 0.3;
   return instrument;
 }
@@ -30,6 +34,7 @@ GeneratorRig::GeneratorRig(const GeneratorCase& of, double clock_ppm)
   emulation::GeneratorOptions emulated;
   emulated.model = of.model;
   emulated.clock_ppm = clock_ppm;
+  emulated.time = time;
   auto started = emulation::Generator::start(emulated);
   if (!started.ok()) {
     throw std::runtime_error(started.error());
@@ -41,24 +46,71 @@ GeneratorRig::GeneratorRig(const GeneratorCase& of, double clock_ppm)
   options.make_safe_s = 1.0;
 }
 
-std::unique_ptr<source::Source> GeneratorRig::make_source() const {
-  return make_source(instrument);
+void GeneratorRig::set_answers(Answers answers) {
+  emulation::GeneratorFaults faults;
+  faults.silent = answers == Answers::kNone;
+  faults.half_answers = answers == Answers::kHalf;
+  faults.garbage_answers = answers == Answers::kGarbage;
+  faults.answer_delay_s = answers == Answers::kSlow      ? 0.03
+                          : answers == Answers::kTooSlow ? 2.0 * instrument.timing.answer_s
+                                                         : 0.0;
+  generator_->set_faults(faults);
 }
 
-std::unique_ptr<source::Source> GeneratorRig::make_source(const scpi::Instrument& altered) const {
-  return scpi::make_scpi_source(altered, options);
+void GeneratorRig::lose_connection_at(int command) {
+  emulation::GeneratorFaults faults;
+  faults.drop_at_message = command;
+  generator_->set_faults(faults);
 }
 
-std::string first_error_of_run(source::Source& source, const source::Stimulus& stimulus) {
+void GeneratorRig::plug_in() {
+  demand(generator_->plug_in());
+}
+
+void GeneratorRig::become_another_model() {
+  emulation::GeneratorFaults faults;
+  faults.identity = "Maker,Oscilloscope,1,2";
+  generator_->set_faults(faults);
+  // Whoever is connected has to ask again.
+  generator_->unplug();
+  demand(generator_->plug_in());
+}
+
+std::unique_ptr<InstrumentRig> sdg1032x() {
+  return std::make_unique<GeneratorRig>(kGeneratorCases[0]);
+}
+std::unique_ptr<InstrumentRig> sdg2042x() {
+  return std::make_unique<GeneratorRig>(kGeneratorCases[1]);
+}
+std::unique_ptr<InstrumentRig> dg1062z() {
+  return std::make_unique<GeneratorRig>(kGeneratorCases[2]);
+}
+std::unique_ptr<InstrumentRig> k33522b() {
+  return std::make_unique<GeneratorRig>(kGeneratorCases[3]);
+}
+
+std::string first_error_of_run(source::Source& source, const source::Stimulus& stimulus,
+                               const std::function<void(const std::string&)>& before) {
+  const auto announce = [&](const char* call) {
+    if (before) {
+      before(call);
+    }
+  };
+  announce("prepare");
   if (const auto prepared = source.prepare(stimulus); !prepared.ok()) {
     return prepared.error();
   }
-  for (const auto call :
-       {&source::Source::energise, &source::Source::hold, &source::Source::start}) {
+  const std::pair<const char*, drivers::Status (source::Source::*)()> calls[] = {
+      {"energise", &source::Source::energise},
+      {"hold", &source::Source::hold},
+      {"start", &source::Source::start}};
+  for (const auto& [name, call] : calls) {
+    announce(name);
     if (const drivers::Status done = (source.*call)(); !done.ok()) {
       return done.error();
     }
   }
+  announce("advance");
   for (std::int64_t tick = 0; tick < stimulus.total_ticks();) {
     const auto played = source.advance(std::min(tick + 800, stimulus.total_ticks()));
     if (!played.ok()) {
@@ -66,6 +118,7 @@ std::string first_error_of_run(source::Source& source, const source::Stimulus& s
     }
     tick = played.value();
   }
+  announce("stop");
   const drivers::Status stopped = source.stop();
   return stopped.ok() ? "" : stopped.error();
 }

@@ -1,6 +1,7 @@
 // An emulated waveform generator and sources that drive it, for the suites.
 #pragma once
 
+#include "instrument_rig.hpp"
 #include <source_scpi/scpi_source.hpp>
 
 #include <cstdint>
@@ -24,23 +25,31 @@ extern const GeneratorCase kGeneratorCases[4];
 // answers.
 scpi::Instrument quick_instrument(const GeneratorCase& of);
 
-class GeneratorRig {
+class GeneratorRig final : public InstrumentRig {
  public:
   explicit GeneratorRig(const GeneratorCase& of, double clock_ppm = 0.0);
 
-  emulation::Generator& generator() { return *generator_; }
-  // Another source for the same instrument, as of another bench process.
-  std::unique_ptr<source::Source> make_source() const;
-  std::unique_ptr<source::Source> make_source(const scpi::Instrument& instrument) const;
+  std::unique_ptr<source::Source> make_source() override { return make_source(instrument); }
+  std::unique_ptr<source::Source> make_source(const scpi::Instrument& altered) const {
+    return scpi::make_scpi_source(altered, options);
+  }
+  bool output_is_on() override { return generator_->output_is_on(); }
+  std::size_t commands() override { return generator_->messages().size(); }
+  void set_answers(Answers answers) override;
+  void lose_connection_at(int command) override;
+  void unplug() override { generator_->unplug(); }
+  void plug_in() override;
+  void reset(std::chrono::milliseconds starting_up) override { generator_->reset_now(starting_up); }
+  void become_another_model() override;
 
+  emulation::Generator& generator() { return *generator_; }
+
+  emulation::TrueTime time;
   scpi::Instrument instrument;
   scpi::SourceOptions options;
 
  private:
   std::unique_ptr<emulation::Generator> generator_;
 };
-
-// Makes all calls of a run in their order. Returns the first error, or nothing.
-std::string first_error_of_run(source::Source& source, const source::Stimulus& stimulus);
 
 }  // namespace gsbench::test

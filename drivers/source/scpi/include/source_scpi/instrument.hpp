@@ -121,8 +121,8 @@ struct Timing {
 
 struct Dialect {
   std::vector<std::string> reset;  // after the output is off
-  std::string clear;               // frees the memory before an upload; empty: not needed
-  std::string upload;              // header of an upload or packet, up to the block
+  std::string clear;   // frees or overwrites the memory before an upload; empty: not needed
+  std::string upload;  // header of an upload or packet, up to the block
   std::string more_part;
   std::string last_part;
   std::string read_back;  // query of the waveform; its answer has LENGTH,<n>B … WAVEDATA,<bytes>

@@ -1,0 +1,246 @@
+// The conformance suite of drivers of instruments: whatever happens to the instrument or to the
+// connection, the output is off afterwards wherever the bench can reach it. Otherwise the error
+// says that its state is unknown.
+#include "instrument_rig.hpp"
+#include <test_support/mains.hpp>
+
+#include <atomic>
+#include <set>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+namespace gsbench::test {
+namespace {
+
+using testing::AllOf;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+
+struct Rig {
+  const char* name;
+  std::unique_ptr<InstrumentRig> (*make)();
+};
+
+class AnyInstrument : public testing::TestWithParam<Rig> {
+ protected:
+  AnyInstrument() { mains_.duration_s = 0.3; }
+
+  void new_rig() {
+    source_.reset();
+    rig_ = GetParam().make();
+    source_ = rig_->make_source();
+  }
+
+  // The run fails if `fault` happens before `call`. Returns the error.
+  std::string run_with(const std::function<void()>& fault, const std::string& call) {
+    bool happened = false;
+    std::string error = first_error_of_run(*source_, mains_, [&](const std::string& next) {
+      if (next == call && !happened) {
+        happened = true;
+        fault();
+      }
+    });
+    EXPECT_TRUE(happened) << call << ": " << error;
+    return error;
+  }
+
+  // Whether it could be made safe. Either way, what the source says is so.
+  bool make_safe(source::Source& source) {
+    const drivers::Status safe = source.make_safe();
+    if (safe.ok()) {
+      EXPECT_FALSE(rig_->output_is_on());
+    } else {
+      EXPECT_THAT(safe.error(), AllOf(HasSubstr("output state unknown"), HasSubstr("by hand"),
+                                      HasSubstr("by itself")));
+    }
+    return safe.ok();
+  }
+
+  // As `gsbench safe`: without having prepared anything.
+  void expect_reachable() {
+    source_.reset();
+    EXPECT_TRUE(make_safe(*rig_->make_source()));
+    EXPECT_FALSE(rig_->output_is_on());
+  }
+
+  Mains mains_;
+  std::unique_ptr<InstrumentRig> rig_ = GetParam().make();
+  std::unique_ptr<source::Source> source_ = rig_->make_source();
+};
+
+INSTANTIATE_TEST_SUITE_P(Of, AnyInstrument,
+                         testing::Values(Rig{"Sdg1032x", &sdg1032x}, Rig{"Sdg2042x", &sdg2042x},
+                                         Rig{"Dg1062z", &dg1062z}, Rig{"K33522b", &k33522b}),
+                         [](const auto& rig) { return std::string(rig.param.name); });
+
+const char* const kCalls[] = {"prepare", "energise", "hold", "start", "advance", "stop"};
+
+TEST_P(AnyInstrument, PlaysAWholeRunWithTheOutputOnOnlyFromEnergiseToStop) {
+  const std::set<std::string> on = {"hold", "start", "advance", "stop"};
+  EXPECT_EQ(first_error_of_run(*source_, mains_,
+                               [&](const std::string& call) {
+                                 EXPECT_EQ(rig_->output_is_on(), on.count(call) > 0) << call;
+                               }),
+            "");
+  EXPECT_FALSE(rig_->output_is_on());
+  EXPECT_TRUE(make_safe(*source_));
+}
+
+TEST_P(AnyInstrument, IsNotUsedIfItIsOfAnotherModel) {
+  rig_->become_another_model();
+  EXPECT_THAT(first_error_of_run(*source_, mains_), HasSubstr("\"Maker,Oscilloscope,1,2\" is not"));
+  EXPECT_FALSE(make_safe(*source_));
+}
+
+TEST_P(AnyInstrument, IsOffIfTheConnectionIsLostAtAnyCommandOfPrepare) {
+  EXPECT_TRUE(source_->prepare(mains_).ok());
+  const auto commands = static_cast<int>(rig_->commands());
+  EXPECT_GT(commands, 15);
+  for (int command = 1; command <= commands; ++command) {
+    new_rig();
+    rig_->lose_connection_at(command);
+    // The driver reconnects once and starts again.
+    const auto prepared = source_->prepare(mains_);
+    EXPECT_TRUE(prepared.ok()) << command << ": " << prepared.error();
+    EXPECT_FALSE(rig_->output_is_on()) << command;
+    EXPECT_TRUE(make_safe(*source_)) << command;
+  }
+}
+
+TEST_P(AnyInstrument, IsOffIfTheConnectionIsLostAtAnyCommandOfEnergise) {
+  EXPECT_TRUE(source_->prepare(mains_).ok());
+  const auto before = rig_->commands();
+  EXPECT_TRUE(source_->energise().ok());
+  const auto commands = static_cast<int>(rig_->commands() - before);
+  EXPECT_GT(commands, 5);
+  for (int command = 1; command <= commands; ++command) {
+    new_rig();
+    EXPECT_TRUE(source_->prepare(mains_).ok());
+    rig_->lose_connection_at(command);
+    static_cast<void>(source_->energise().ok());
+    if (command % 2 == 0) {
+      EXPECT_TRUE(make_safe(*source_)) << command;
+    }
+    expect_reachable();
+  }
+}
+
+TEST_P(AnyInstrument, IsOffIfTheConnectionIsLostAtCommandsWhilePlaying) {
+  for (int command = 1; command <= 9; command += 2) {
+    new_rig();
+    const std::string error = run_with([&] { rig_->lose_connection_at(command); }, "hold");
+    // The driver reconnects once, and the waveform went on.
+    EXPECT_EQ(error, "") << command;
+    EXPECT_FALSE(rig_->output_is_on()) << command;
+    expect_reachable();
+  }
+}
+
+TEST_P(AnyInstrument, IsOfUnknownStateWhileUnplugged) {
+  for (const char* const call : kCalls) {
+    new_rig();
+    EXPECT_NE(run_with([&] { rig_->unplug(); }, call), "") << call;
+    EXPECT_FALSE(make_safe(*source_)) << call;
+    rig_->plug_in();
+    EXPECT_TRUE(make_safe(*source_)) << call;
+    expect_reachable();
+  }
+}
+
+TEST_P(AnyInstrument, IsOffIfItIsUnpluggedAtAboutAnyCommand) {
+  EXPECT_TRUE(source_->prepare(mains_).ok());
+  const std::size_t commands = rig_->commands();
+  for (std::size_t command = 1; command <= commands; command += 4) {
+    new_rig();
+    std::atomic<bool> ended = false;
+    std::thread cable([&] {
+      while (!ended && rig_->commands() < command) {
+        std::this_thread::yield();
+      }
+      rig_->unplug();
+    });
+    static_cast<void>(source_->prepare(mains_).ok());
+    ended = true;
+    cable.join();
+    EXPECT_FALSE(rig_->output_is_on()) << command;
+    EXPECT_FALSE(make_safe(*source_)) << command;
+    rig_->plug_in();
+    EXPECT_TRUE(make_safe(*source_)) << command;
+  }
+}
+
+TEST_P(AnyInstrument, IsOffOrOfUnknownStateIfAnswersAreMissingOrWrong) {
+  for (const Answers answers : {Answers::kNone, Answers::kHalf, Answers::kGarbage}) {
+    for (const char* const call : kCalls) {
+      new_rig();
+      EXPECT_NE(run_with([&] { rig_->set_answers(answers); }, call), "")
+          << static_cast<int>(answers) << " before " << call;
+      make_safe(*source_);
+      rig_->set_answers(Answers::kNormal);
+      EXPECT_TRUE(make_safe(*source_)) << static_cast<int>(answers) << " before " << call;
+      expect_reachable();
+    }
+  }
+}
+
+TEST_P(AnyInstrument, ThatDoesNotAnswerStillObeysToSwitchOff) {
+  run_with([&] { rig_->set_answers(Answers::kNone); }, "start");
+  EXPECT_FALSE(make_safe(*source_));
+  EXPECT_FALSE(rig_->output_is_on());
+}
+
+TEST_P(AnyInstrument, MayAnswerSlowly) {
+  rig_->set_answers(Answers::kSlow);
+  EXPECT_EQ(first_error_of_run(*source_, mains_), "");
+  EXPECT_FALSE(rig_->output_is_on());
+}
+
+TEST_P(AnyInstrument, ThatAnswersTooLateIsUsableAfterwards) {
+  EXPECT_THAT(run_with([&] { rig_->set_answers(Answers::kTooSlow); }, "energise"),
+              HasSubstr("within 0.3 s"));
+  rig_->set_answers(Answers::kNormal);
+  EXPECT_TRUE(make_safe(*source_));
+  EXPECT_EQ(first_error_of_run(*source_, mains_), "");
+  EXPECT_FALSE(rig_->output_is_on());
+}
+
+TEST_P(AnyInstrument, ThatIsResetEndsTheRun) {
+  for (const char* const call : {"energise", "hold", "start", "advance"}) {
+    new_rig();
+    EXPECT_NE(run_with([&] { rig_->reset(std::chrono::milliseconds(0)); }, call), "") << call;
+    EXPECT_TRUE(make_safe(*source_)) << call;
+    EXPECT_FALSE(rig_->output_is_on()) << call;
+    // The next run loads everything again.
+    EXPECT_TRUE(source_->prepare(mains_).ok()) << call;
+  }
+}
+
+TEST_P(AnyInstrument, CanBeMadeSafeWithoutAnyRunTwiceAndWhileItReboots) {
+  EXPECT_TRUE(make_safe(*source_));
+  EXPECT_TRUE(make_safe(*source_));
+  rig_->reset(std::chrono::milliseconds(400));
+  EXPECT_TRUE(make_safe(*source_));
+  rig_->reset(std::chrono::milliseconds(400));
+  expect_reachable();
+}
+
+TEST_P(AnyInstrument, CanBeMadeSafeByAnotherBenchIfTheFirstWasKilled) {
+  for (const char* const call : kCalls) {
+    new_rig();
+    struct Killed {};
+    try {
+      first_error_of_run(*source_, mains_, [&](const std::string& next) {
+        if (next == call) {
+          throw Killed();
+        }
+      });
+    } catch (const Killed&) {
+    }
+    expect_reachable();
+  }
+}
+
+}  // namespace
+}  // namespace gsbench::test

@@ -1,0 +1,168 @@
+// Faults that only waveform generators have.
+#include "generator_rig.hpp"
+#include <test_support/mains.hpp>
+
+#include <thread>
+
+#include <gmock/gmock.h>
+
+namespace gsbench::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class AnyGenerator : public testing::TestWithParam<GeneratorCase> {
+ protected:
+  AnyGenerator() { mains_.duration_s = 0.3; }
+
+  bool has_error_queue() const { return !rig_.instrument.dialect.next_error.empty(); }
+
+  // The error of a run in which `fault` happens before `call`; the output is off afterwards.
+  std::string run_with(const std::function<void()>& fault, const std::string& call) {
+    std::string error = first_error_of_run(*source_, mains_, [&](const std::string& next) {
+      if (next == call) {
+        fault();
+      }
+    });
+    EXPECT_TRUE(source_->make_safe().ok());
+    EXPECT_FALSE(rig_.output_is_on());
+    return error;
+  }
+  std::string run_with(const emulation::GeneratorFaults& faults, const std::string& call) {
+    return run_with([&] { rig_.generator().set_faults(faults); }, call);
+  }
+
+  Mains mains_;
+  GeneratorRig rig_{GetParam()};
+  std::unique_ptr<source::Source> source_ = rig_.make_source();
+};
+
+INSTANTIATE_TEST_SUITE_P(Of, AnyGenerator, testing::ValuesIn(kGeneratorCases),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+TEST_P(AnyGenerator, StatesItsLimits) {
+  const source::Limits limits = source_->limits();
+  EXPECT_EQ(limits.kind, source::Kind::kLoaded);
+  EXPECT_THAT(limits.name, AllOf(HasSubstr(rig_.instrument.title), HasSubstr("tcp://127.0.0.1")));
+  // The voltage limit of 253 V.
+  EXPECT_DOUBLE_EQ(limits.full_scale_pu, 1.1);
+  mains_.level_pu = 1.11;
+  EXPECT_THAT(source_->prepare(mains_).error(), HasSubstr("beyond"));
+  EXPECT_EQ(rig_.commands(), 0U) << "refused before anything is sent";
+}
+
+TEST_P(AnyGenerator, StoresTheWaveformAsItWasPlanned) {
+  ASSERT_TRUE(source_->prepare(mains_).ok());
+  const auto plan = scpi::make_plan(mains_, rig_.instrument, rig_.options.plan);
+  ASSERT_TRUE(plan.ok());
+  const emulation::GeneratorSettings settings = rig_.generator().settings();
+  EXPECT_NEAR(settings.amplitude_vpp, plan.value().amplitude_vpp, 1e-9);
+  EXPECT_TRUE(settings.burst_on);
+  EXPECT_EQ(settings.burst_cycles, 1.0);
+  EXPECT_EQ(settings.trigger, emulation::TriggerSource::kManual);
+  const auto stored = rig_.generator().waveform(settings.waveform);
+  ASSERT_TRUE(stored);
+  ASSERT_EQ(stored->size(), plan.value().codes.size());
+  const double middle = rig_.instrument.middle_code();
+  const double scale = 32767.0 / rig_.instrument.full_scale_code();
+  for (std::size_t i = 0; i < stored->size(); ++i) {
+    // The emulator rounds to its own scale.
+    ASSERT_NEAR((*stored)[i], scale * (plan.value().codes[i] - middle), 4.0) << i;
+  }
+}
+
+TEST_P(AnyGenerator, ThatHasNoRoomForTheWaveformEndsPrepare) {
+  emulation::GeneratorFaults faults;
+  faults.memory_full = true;
+  EXPECT_NE(run_with(faults, "prepare"), "");
+}
+
+TEST_P(AnyGenerator, ThatClampsTheAmplitudeSilentlyIsFound) {
+  emulation::GeneratorFaults faults;
+  faults.silent_limit_vpp = 5.0;
+  EXPECT_THAT(run_with(faults, "prepare"),
+              testing::ContainsRegex("amplitude is [+]?5.*, but 6[.]5"));
+}
+
+TEST_P(AnyGenerator, MayHaveOldErrorsButNoNewOnes) {
+  emulation::GeneratorFaults faults;
+  faults.error_queue_full = true;
+  EXPECT_EQ(run_with(faults, "prepare"), "");
+  const std::string error = run_with(faults, "energise");
+  if (has_error_queue()) {
+    EXPECT_THAT(error, HasSubstr("reports an error after the trigger: "));
+  } else {
+    EXPECT_EQ(error, "");
+  }
+}
+
+TEST_P(AnyGenerator, WhoseSettingsAreChangedAtTheFrontPanelEndsTheRun) {
+  const struct {
+    const char* setting;
+    emulation::PanelChange change;
+  } cases[] = {
+      {"output", {false, {}, {}, {}, {}, {}, {}, {}}},
+      {"function", {{}, emulation::GeneratorFunction::kSquare, {}, {}, {}, {}, {}, {}}},
+      {"amplitude", {{}, {}, {}, 6.6, {}, {}, {}, {}}},
+      {"offset", {{}, {}, {}, {}, 0.5, {}, {}, {}}},
+      {"load", {{}, {}, {}, {}, {}, 50.0, {}, {}}},
+      {"burst", {{}, {}, {}, {}, {}, {}, {}, false}},
+  };
+  for (const auto& one : cases) {
+    // The emulated Keysight keeps its function apart from what the front panel shows.
+    if (one.change.function && GetParam().model == emulation::GeneratorModel::k33522b) {
+      continue;
+    }
+    for (const char* const call : {"hold", "advance"}) {
+      EXPECT_THAT(run_with([&] { rig_.generator().press(one.change); }, call),
+                  AllOf(HasSubstr(one.setting), HasSubstr("was set")))
+          << one.setting << " before " << call;
+    }
+  }
+}
+
+TEST_P(AnyGenerator, WhoseOutputStaysOnIsReported) {
+  emulation::GeneratorFaults faults;
+  faults.ignores_output_off = true;
+  static_cast<void>(first_error_of_run(*source_, mains_, [&](const std::string& call) {
+    if (call == "start") {
+      rig_.generator().set_faults(faults);
+    }
+  }));
+  const drivers::Status safe = source_->make_safe();
+  ASSERT_FALSE(safe.ok());
+  EXPECT_THAT(safe.error(), AllOf(HasSubstr("output state unknown"),
+                                  HasSubstr("the output is on, but off was set"),
+                                  HasSubstr("Switch the generator off by hand")));
+  EXPECT_TRUE(rig_.output_is_on());
+}
+
+TEST_P(AnyGenerator, IsStartedInTimeOrNotAtAll) {
+  ASSERT_TRUE(source_->prepare(mains_).ok());
+  ASSERT_TRUE(source_->energise().ok());
+  EXPECT_TRUE(source_->hold().ok());
+  // The margin of 1 s passes.
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  EXPECT_THAT(source_->start().error(), HasSubstr("make the time for outlets to boot longer"));
+  EXPECT_TRUE(source_->make_safe().ok());
+}
+
+TEST_P(AnyGenerator, PlacesTheStimulusOnTheHostsClock) {
+  EXPECT_FALSE(source_->host_clock());
+  ASSERT_TRUE(source_->prepare(mains_).ok());
+  const auto before = std::chrono::steady_clock::now();
+  ASSERT_TRUE(source_->energise().ok());
+  const auto clock = source_->host_clock();
+  ASSERT_TRUE(clock);
+  EXPECT_DOUBLE_EQ(clock->tick_s, 1.0 / 8000.0);
+  // 0.5 s rise and 1 s margin after the trigger.
+  EXPECT_GT(clock->tick_0, before + std::chrono::milliseconds(1500));
+  EXPECT_LT(clock->tick_0, std::chrono::steady_clock::now() + std::chrono::milliseconds(1020));
+  EXPECT_GE(clock->uncertainty_s, rig_.instrument.accuracy.trigger_uncertainty_s);
+  EXPECT_LT(clock->uncertainty_s, 1.0);
+  EXPECT_TRUE(source_->make_safe().ok());
+}
+
+}  // namespace
+}  // namespace gsbench::test
