@@ -73,11 +73,7 @@ std::shared_ptr<relay::RelaySense> modem_line_sense(const emulation::Wire& wire,
   system.ioctl = [lines](int descriptor, unsigned long request, int* bits) {
     return lines->ioctl(descriptor, request, bits);
   };
-  auto sense = std::make_shared<relay::ModemLineSense>(options, source, system);
-  if (const drivers::Status opened = sense->open(); !opened.ok()) {
-    throw std::runtime_error(opened.error());
-  }
-  return sense;
+  return std::make_shared<relay::ModemLineSense>(options, source, system);
 }
 
 }  // namespace

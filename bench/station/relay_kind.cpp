@@ -5,7 +5,7 @@
 namespace gsbench::station {
 
 const std::vector<RelayKind>& relay_kinds() {
-  static const std::vector<RelayKind> kinds = {head_relay_kind()};
+  static const std::vector<RelayKind> kinds = {head_relay_kind(), modem_line_relay_kind()};
   return kinds;
 }
 

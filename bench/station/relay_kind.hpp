@@ -33,6 +33,7 @@ const std::vector<RelayKind>& relay_kinds();
 
 // Each is defined in its own source file.
 RelayKind head_relay_kind();
+RelayKind modem_line_relay_kind();
 
 // Keys of [relay].
 std::vector<keys::Key> relay_keys();

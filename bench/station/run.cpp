@@ -51,6 +51,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
     try {
       note_source(upload(plan, signal, station, options), station, run);
       require(station.link().open());
+      require(station.relay_sense().open());
       require(station.source().energise());
       Boot boot(station, slots, options);
       run.outlets = claim(plan, slots, station, boot);

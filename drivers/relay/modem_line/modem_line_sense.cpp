@@ -167,11 +167,15 @@ ModemLineSense::ModemLineSense(const ModemLineOptions& options, const source::So
 ModemLineSense::~ModemLineSense() = default;
 
 Status ModemLineSense::open() {
+  if (is_open_) {
+    return Done{};
+  }
   for (const auto& port : ports_) {
     if (Status opened = port->open(); !opened.ok()) {
       return opened;
     }
   }
+  is_open_ = true;
   return Done{};
 }
 

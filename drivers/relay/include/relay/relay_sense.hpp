@@ -33,6 +33,8 @@ struct Alignment {
 class RelaySense {
  public:
   virtual ~RelaySense() = default;
+  // Connects. Called before the source is energised. Blocks until ports are open.
+  [[nodiscard]] virtual drivers::Status open() { return drivers::Done{}; }
   // Valid from the source's start on, for the edges polled so far. `uncertainty_ticks` is valid at
   // any time; it may grow with each poll.
   virtual Alignment alignment() const = 0;

@@ -62,9 +62,9 @@ class ModemLineSense final : public RelaySense {
   // Ends the threads. Blocks for a few ms.
   ~ModemLineSense() override;
 
-  // Opens the ports, switches RTS and DTR on and starts to read. Call it once, before the source is
-  // started. Returns an error if a port cannot be opened or has no modem lines.
-  [[nodiscard]] drivers::Status open();
+  // Opens the ports, switches RTS and DTR on and starts to read; does nothing if that was done.
+  // Returns an error if a port cannot be opened or has no modem lines.
+  [[nodiscard]] drivers::Status open() override;
 
   // Counts are nanoseconds of the steady clock, from this object's creation on.
   // `uncertainty_ticks` is the largest one of the edges polled so far; before the first one, that
@@ -81,6 +81,7 @@ class ModemLineSense final : public RelaySense {
   ModemLineSystem system_;
   std::chrono::steady_clock::time_point epoch_;
   double largest_half_s_;
+  bool is_open_ = false;
   std::vector<std::unique_ptr<Port>> ports_;
 };
 

@@ -1,0 +1,52 @@
+// The relay sense of kind "modem": modem lines of serial adapters.
+#include "relay_kind.hpp"
+#include <relay_modem_line/modem_line_sense.hpp>
+
+#include <optional>
+
+namespace gsbench::station {
+namespace {
+
+struct LineName {
+  const char* name;
+  relay::ModemLine line;
+};
+constexpr LineName kLineNames[] = {{" CTS", relay::ModemLine::kCts},
+                                   {" DSR", relay::ModemLine::kDsr},
+                                   {" DCD", relay::ModemLine::kDcd}};
+
+// "/dev/ttyUSB0 CTS".
+std::optional<relay::ModemLineContact> contact_of(const std::string& channel) {
+  for (const LineName& row : kLineNames) {
+    const std::string end = row.name;
+    if (channel.size() > end.size() && channel[0] == '/' &&
+        channel.compare(channel.size() - end.size(), end.size(), end) == 0) {
+      return relay::ModemLineContact{channel.substr(0, channel.size() - end.size()), row.line};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+RelayKind modem_line_relay_kind() {
+  RelayKind kind;
+  kind.name = "modem";
+  kind.meaning = "modem lines of serial adapters, read about every millisecond";
+  kind.channel = "a serial port and its line CTS, DSR or DCD, such as \"/dev/ttyUSB0 CTS\"";
+  kind.aligned_by = "this machine's clock, to which the source's start is known";
+  kind.is_channel = [](const std::string& channel) { return contact_of(channel).has_value(); };
+  kind.port_of = [](const std::string& channel) { return contact_of(channel).value().port; };
+  kind.number_of = [](const std::vector<std::string>&, std::size_t i) { return i; };
+  kind.make = [](const std::vector<std::string>& channels,
+                 const BuiltSource& source) -> std::shared_ptr<relay::RelaySense> {
+    relay::ModemLineOptions options;
+    for (const std::string& channel : channels) {
+      options.contacts.push_back(contact_of(channel).value());
+    }
+    return std::make_shared<relay::ModemLineSense>(options, *source.source);
+  };
+  return kind;
+}
+
+}  // namespace gsbench::station
