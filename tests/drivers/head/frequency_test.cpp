@@ -9,7 +9,7 @@
 namespace gsbench::test {
 namespace {
 
-constexpr double kTau = 6.283185307179586;
+constexpr double kTurn_rad = 6.283185307179586;
 constexpr std::size_t kWindow = 12800;  // codes, 200 ms
 constexpr std::size_t kStride = 6400;
 constexpr double kCode_s = 1.0 / 64000.0;
@@ -25,9 +25,10 @@ double fitted_hz(const double* samples, double start_hz) {
     for (std::size_t i = 0; i < kWindow; ++i) {
       const double t_s =
           (static_cast<double>(i) - 0.5 * static_cast<double>(kWindow - 1)) * kCode_s;
-      const double cosine = std::cos(kTau * hz * t_s);
-      const double sine = std::sin(kTau * hz * t_s);
-      const double row[] = {cosine, sine, 1.0, kTau * t_s * (b * cosine - a * sine), samples[i]};
+      const double cosine = std::cos(kTurn_rad * hz * t_s);
+      const double sine = std::sin(kTurn_rad * hz * t_s);
+      const double row[] = {cosine, sine, 1.0, kTurn_rad * t_s * (b * cosine - a * sine),
+                            samples[i]};
       for (int r = 0; r < (step == 0 ? 3 : 4); ++r) {
         for (int c = 0; c < 5; ++c) {
           m[r][c] += row[r] * row[c];

@@ -9,23 +9,22 @@
 #include <thread>
 
 int main(int, char** argv) {
-  using namespace gsbench;
   try {
-    head::HeadOptions options;
+    gsbench::head::HeadOptions options;
     options.port = argv[1];
-    const auto head = head::Head::create(options).take();
-    source::Source& source = head->source();
-    const test::Mains mains;
-    test::demand(source.prepare(mains));
-    test::demand(source.energise());
+    const auto head = gsbench::head::Head::create(options).take();
+    gsbench::source::Source& source = head->source();
+    const gsbench::test::Mains mains;
+    gsbench::test::demand(source.prepare(mains));
+    gsbench::test::demand(source.energise());
     for (int i = 0; i < 15; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      test::demand(source.hold());
+      gsbench::test::demand(source.hold());
     }
-    test::demand(source.start());
+    gsbench::test::demand(source.start());
     for (std::int64_t tick = 0; tick < mains.total_ticks();) {
       const auto played = source.advance(std::min(tick + 80, mains.total_ticks()));
-      test::demand(played);
+      gsbench::test::demand(played);
       tick = played.value();
     }
   } catch (const std::exception& error) {
