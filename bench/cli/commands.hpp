@@ -112,6 +112,7 @@ void add_report(CommandLine& line);
 void add_reproduce(CommandLine& line);
 void add_run(CommandLine& line);
 void add_runs(CommandLine& line);
+void add_safe(CommandLine& line);
 void add_schema(CommandLine& line);
 void add_study(CommandLine& line);
 void add_waveform(CommandLine& line);

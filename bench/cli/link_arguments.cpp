@@ -29,7 +29,8 @@ station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
   if (!arguments.station.empty()) {
     const auto file = station::load_station(arguments.station);
     if (!file.reachable) {
-      throw profile::ConfigurationError(file.path + ": no outlet of this station can be reached without a run");
+      throw profile::ConfigurationError(file.path +
+                                        ": no outlet of this station can be reached without a run");
     }
     require_ports(file.reachable->serial.ports);
     return *file.reachable;

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include <fmt/format.h>
+
 #include <render/layout.hpp>
 
 namespace gsbench::cli {
@@ -34,9 +36,21 @@ void Progress::show(double part) {
   if (!drawn_ && elapsed_s + left_s < 2.0) {
     return;
   }
-  last_ = now;
+  print(fmt::format("{}: {:3.0f} %, {:.0f} s left", what_, 100.0 * part, left_s));
+}
+
+void Progress::show(const std::string& what) {
+  const auto now = steady_clock::now();
+  if (terminal_ && duration<double>(now - started_).count() >= 0.5 &&
+      duration<double>(now - last_).count() >= 0.1) {
+    print(what_ + ": " + what);
+  }
+}
+
+void Progress::print(const std::string& line) {
+  last_ = steady_clock::now();
   drawn_ = true;
-  std::fprintf(stderr, "\r\033[K%s: %3.0f %%, %.0f s left", what_.c_str(), 100.0 * part, left_s);
+  std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);
 }
 

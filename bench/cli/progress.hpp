@@ -1,5 +1,6 @@
 // A line on the terminal with the progress of long work and its remaining time. Nothing is printed
-// if standard error is not a terminal, or for work of less than two seconds.
+// if standard error is not a terminal, or for work of less than two seconds. A text is shown from
+// half a second on.
 #pragma once
 
 #include <chrono>
@@ -14,9 +15,12 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(double part);  // 0 … 1; prints at most ten times per second
+  void show(double part);              // 0 … 1; prints at most ten times per second
+  void show(const std::string& what);  // of work without a known part, as often
 
  private:
+  void print(const std::string& line);
+
   std::string what_;
   bool terminal_;
   bool drawn_ = false;

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "dry_run.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include <unistd.h>
@@ -21,6 +22,7 @@ struct RunArguments {
   std::string output_folder = default_runs_folder();
   std::string station = "simulated";
   station::SimulatedOptions simulated;
+  bool dry_run = false;
   bool json = false;
 };
 
@@ -31,13 +33,17 @@ int run(const RunArguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const auto station = file.make_station(plan, arguments.simulated);
 
+  if (arguments.dry_run) {
+    return dry_run(plan, *station, arguments.json);
+  }
   RunFolder folder(arguments.output_folder);
   record::RunRecord run;
   {
     record::Writer writer(folder.file(kRecordFile));
     Progress progress(plan.name);
     run = station::run(plan, *station,
-                       {&writer, &interrupted, [&](double part) { progress.show(part); }});
+                       {&writer, &interrupted, [&](double part) { progress.show(part); },
+                        [&](const std::string& what) { progress.show(what); }});
   }
   folder.keep(run.run_id);
   write_reports(run, folder.path());
@@ -87,6 +93,9 @@ void add_run(CommandLine& line) {
                    "Play simulated outlets in real time, not as fast as possible");
   add_threads(command, arguments.simulated.threads);
   add_trace(command, arguments.overrides);
+  command.add_flag("--dry-run", arguments.dry_run,
+                   "Print what would be played, how accurately, and into which outlets; energise "
+                   "nothing");
   add_json_flag(command, arguments.json);
   command.footer(
       "With --trace, the limits of the profile also apply to the recording. Measures that need a\n"
@@ -94,6 +103,7 @@ void add_run(CommandLine& line) {
       "\n"
       "Examples:\n"
       "  gsbench run paper/loss-500mw\n"
+      "  gsbench run paper/loss-500mw --station my-station.toml --dry-run\n"
       "  gsbench run my-profile.toml --seed 7 --out my-runs --json\n"
       "  gsbench run my-profile.toml --trace grid.csv --trace-time time --trace-frequency f");
 }

@@ -41,6 +41,7 @@ RelayKind modem_line_relay_kind() {
   kind.make = [](const std::vector<std::string>& channels,
                  const BuiltSource& source) -> std::shared_ptr<relay::RelaySense> {
     relay::ModemLineOptions options;
+    options.sample_rate_hz = source.sample_rate_hz;
     for (const std::string& channel : channels) {
       options.contacts.push_back(contact_of(channel).value());
     }

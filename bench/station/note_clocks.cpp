@@ -11,7 +11,6 @@ namespace {
 
 constexpr const char* kTimeBase = "time base of the run";
 constexpr const char* kTicks = "count the source's ticks";
-constexpr const char* kDips = "voltage dips before and after the run";
 
 }  // namespace
 
@@ -43,7 +42,7 @@ void note_clocks(const Station& station, record::RunRecord& run) {
   bool any_in_step = false;
   for (const record::OutletRecord& outlet : run.outlets) {
     if (outlet.clock.drift_uncertainty_ppm > 0.0) {
-      run.clocks.push_back({outlet.id, kDips, outlet.clock.uncertainty_ms});
+      run.clocks.push_back({outlet.id, kAlignedByDips, outlet.clock.uncertainty_ms});
     } else {
       any_in_step = any_in_step || (station.outlets_count_ticks() && !outlet.link.empty());
     }

@@ -42,32 +42,27 @@ void check_relay(const keys::Table& slot, const RelayKind* relay, const std::str
 }  // namespace
 
 keys::Key slot_keys() {
-  std::vector<keys::Key> all = {
-      keys::id("place", kLongestId, "name of the place, as on its label; unique")
-          .require("the name of the place, e.g. place = \"socket-1\""),
-      keys::id("serial_number", kLongestId, "id of the outlet at this place; unique")
-          .or_else("`place`; required with `link = \"mqtt\"`"),
-      keys::text("link",
-                 "connection of the outlet: its port, or `mqtt`: by its serial number at the "
-                 "broker of `[mqtt]`")
-          .permits("device path, `tcp://host:port` or `mqtt`")
-          .or_else("none: a contact-only device, tested by its contact alone")};
-  if (!relay_kinds().empty()) {
-    std::string forms;
-    for (const RelayKind& kind : relay_kinds()) {
-      forms += (forms.empty() ? "" : "; ") + kind.channel;
-    }
-    all.push_back(
-        keys::text("relay", "channel of the relay sense that sees the contact of the outlet")
-            .permits(forms)
-            .or_else("none: contact not sensed; required without `link`"));
+  std::string forms;
+  for (const RelayKind& kind : relay_kinds()) {
+    forms += (forms.empty() ? "" : "; ") + kind.channel;
   }
   return keys::tables(
       "outlet",
       "The slots of the station, at most 64: places with one outlet each. An outlet of a profile "
       "gets the slot with its id as `serial_number`, else the next free one. If a profile has more "
       "outlets than the station, each group is reduced.",
-      std::move(all));
+      {keys::id("place", kLongestId, "name of the place, as on its label; unique")
+           .require("the name of the place, e.g. place = \"socket-1\""),
+       keys::id("serial_number", kLongestId, "id of the outlet at this place; unique")
+           .or_else("`place`; required with `link = \"mqtt\"`"),
+       keys::text("link",
+                  "connection of the outlet: its port, or `mqtt`: by its serial number at the "
+                  "broker of `[mqtt]`")
+           .permits("device path, `tcp://host:port` or `mqtt`")
+           .or_else("none: a contact-only device, tested by its contact alone"),
+       keys::text("relay", "channel of the relay sense that sees the contact of the outlet")
+           .permits(forms)
+           .or_else("none: contact not sensed; required without `link`")});
 }
 
 std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* relay) {
@@ -81,7 +76,7 @@ std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* re
     slot.place = table.text("place");
     slot.serial_number = table.find_text("serial_number").value_or(slot.place);
     slot.link = table.find_text("link").value_or("");
-    slot.relay = relay_kinds().empty() ? "" : table.find_text("relay").value_or("");
+    slot.relay = table.find_text("relay").value_or("");
     places.require(table, slot.place);
     serial_numbers.require(table, slot.serial_number);
     if (slot.link == kByBroker) {

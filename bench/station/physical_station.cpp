@@ -38,6 +38,7 @@ std::unique_ptr<Station> make_physical_station(const Wiring& wiring, const profi
   SourceSettings settings = wiring.source;
   settings.tolerances = plan.stimulus.tolerances;
   parts.source = wiring.make_source(wiring.port, settings);
+  parts.source.sample_rate_hz = plan.stimulus.sample_rate_hz;
   std::vector<std::string> channels;
   for (const PhysicalSlot& slot : wiring.slots) {
     Slot& made = parts.slots.emplace_back();
@@ -69,11 +70,6 @@ std::unique_ptr<Station> make_physical_station(const Wiring& wiring, const profi
   return std::make_unique<PhysicalStation>(std::move(parts));
 }
 
-// Without a kind of source, the keys of [source] are not declared.
-bool has_source(const keys::Table& top) {
-  return !source_kinds().empty() && top.has("source");
-}
-
 // The links of [[outlet]] complete those of [serial] and [mqtt].
 void add_links(const keys::Table& top, const std::vector<PhysicalSlot>& slots,
                PhysicalOutlets& links) {
@@ -99,7 +95,7 @@ void add_links(const keys::Table& top, const std::vector<PhysicalSlot>& slots,
 }
 
 const RelayKind* read_relay(const keys::Table& top, const std::string& source_kind) {
-  if (relay_kinds().empty() || !top.has("relay")) {
+  if (!top.has("relay")) {
     return nullptr;
   }
   const keys::Table table = top.table("relay");
@@ -116,7 +112,7 @@ void read_physical(const keys::Table& top, StationFile& file) {
   std::string source_kind;
   Wiring wiring;
   wiring.name = file.name;
-  if (has_source(top)) {
+  if (top.has("source")) {
     const keys::Table source = top.table("source");
     source_kind = source.text("kind");
     wiring.port = source.text("port");
@@ -128,7 +124,7 @@ void read_physical(const keys::Table& top, StationFile& file) {
   if (!wiring.slots.empty()) {
     add_links(top, wiring.slots, links);
     file.outlets = wiring.slots.size();
-  } else if (has_source(top)) {
+  } else if (top.has("source")) {
     top.refuse_missing("outlet", "at least one [[outlet]], a place with an outlet");
   } else if (links.serial.ports.empty() && links.mqtt.url.empty()) {
     if (top.has("serial")) {
@@ -141,7 +137,7 @@ void read_physical(const keys::Table& top, StationFile& file) {
     file.reachable = links;
   }
   wiring.links = std::move(links);
-  if (!has_source(top)) {
+  if (!top.has("source")) {
     file.make_station = [path = file.path](const profile::Plan&,
                                            const SimulatedOptions&) -> std::unique_ptr<Station> {
       throw profile::ConfigurationError(
@@ -151,28 +147,27 @@ void read_physical(const keys::Table& top, StationFile& file) {
     };
     return;
   }
+  file.source_port = wiring.port;
+  file.make_source = [wiring] { return wiring.make_source(wiring.port, wiring.source).source; };
   file.make_station = [wiring](const profile::Plan& plan, const SimulatedOptions&) {
     return make_physical_station(wiring, plan);
   };
 }
 
 std::vector<keys::Key> physical_keys() {
-  std::vector<keys::Key> all;
-  if (!source_kinds().empty()) {
-    std::vector<keys::Key> source = source_keys();
-    source.insert(source.begin() + 1, keys::text("port", "port of the source")
-                                          .permits("`tcp://host:port` or a device path")
-                                          .require("the port of the source, e.g. port = "
-                                                   "\"tcp://192.168.1.5:5025\""));
-    all.push_back(
-        keys::table("source", "The source: the instrument that plays the mains voltage.", source));
-  }
-  if (!relay_kinds().empty()) {
-    all.push_back(keys::table("relay",
-                              "The relay sense: the input that sees the contacts of the outlets.",
-                              relay_keys()));
-  }
-  all.push_back(slot_keys());
+  std::vector<keys::Key> source = source_keys();
+  source.insert(source.begin() + 1,
+                keys::text("port", "port of the source")
+                    .permits("`tcp://host:port` or a device path")
+                    .require("the port of the source, e.g. port = \"tcp://192.168.1.5:5025\""));
+  std::vector<keys::Key> all = {
+      keys::table("source",
+                  "The source: the instrument that plays the mains voltage. Without it, `run` "
+                  "refuses the station.",
+                  source),
+      keys::table("relay", "The relay sense: the input that sees the contacts of the outlets.",
+                  relay_keys()),
+      slot_keys()};
   for (keys::Key& key : link_keys()) {
     all.push_back(std::move(key));
   }

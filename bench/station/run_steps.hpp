@@ -56,6 +56,8 @@ bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const Playe
 void align(const Station& station, const capture::Markers& markers, capture::Capture& capture,
            record::RunRecord& run);
 
+constexpr const char* kAlignedByDips = "voltage dips before and after the run";
+
 // Notes how each clock was aligned. Called after align().
 void note_clocks(const Station& station, record::RunRecord& run);
 

@@ -3,6 +3,7 @@
 // instrument. An emulated station makes the same driver with the port of its emulator.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -29,6 +30,7 @@ struct SourceSettings {
 struct BuiltSource {
   std::shared_ptr<source::Source> source;
   std::shared_ptr<relay::RelaySense> relay_sense;
+  std::int64_t sample_rate_hz = 8000;  // of the stimulus, for relay senses of other kinds
 };
 
 // Makes the driver. Opens no port: the driver connects in prepare(), or in make_safe() if it is not

@@ -101,6 +101,24 @@ List comparison_rows(const record::RunRecord& run) {
   return list;
 }
 
+List clock_rows(const record::RunRecord& run) {
+  List list;
+  for (const record::AlignedClock& clock : run.clocks) {
+    list.push_back(object{{"what", valid_text(clock.what)},
+                          {"aligned_by", valid_text(clock.aligned_by)},
+                          {"uncertainty", typographic(clock_uncertainty(clock))}});
+  }
+  return list;
+}
+
+List source_rows(const record::RunRecord& run) {
+  List list;
+  for (const std::string& line : source_lines(run)) {
+    list.push_back(object{{"line", typographic(line)}});
+  }
+  return list;
+}
+
 // For a CSS string: every byte but letters, digits and "-" as an escape.
 std::string css_text(const std::string& text) {
   std::string css;
@@ -156,6 +174,10 @@ object page(const record::RunRecord& run) {
       {"drawn_first", std::to_string(outlet_drawn_first(run))},
       {"has_comparisons", flag(!run.comparisons.empty())},
       {"comparisons", comparison_rows(run)},
+      {"has_source", flag(!source_lines(run).empty())},
+      {"source_lines", source_rows(run)},
+      {"has_clocks", flag(has_clocks(run))},
+      {"clocks", clock_rows(run)},
       {"has_thinning_note", flag(!note.empty())},
       {"thinning_note", note},
       {"profile_heading",

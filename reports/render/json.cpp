@@ -35,6 +35,21 @@ Json outlet(const record::OutletRecord& outlet) {
           {"measurements", array_of(outlet.measurements, measurement)}};
 }
 
+Json clock(const record::AlignedClock& clock) {
+  return {{"what", clock.what},
+          {"aligned_by", clock.aligned_by},
+          {"uncertainty_ms", clock.uncertainty_ms}};
+}
+
+Json source(const record::RunRecord& run) {
+  return {{"name", run.source.name},
+          {"how", run.source.how},
+          {"accuracy", text_or_null(run.source.accuracy)},
+          {"frequency_mhz", run.bench_uncertainty.frequency_mhz},
+          {"voltage_pct", run.bench_uncertainty.voltage_pct},
+          {"time_ms", run.bench_uncertainty.time_ms}};
+}
+
 Json recording(const record::Recording& recording) {
   if (recording.file.empty()) {
     return nullptr;
@@ -60,6 +75,8 @@ std::string json(const record::RunRecord& run) {
                    {"recording", recording(run.recording)},
                    {"firmware_sha256", run.firmware_sha256},
                    {"seed", run.seed},
+                   {"source", source(run)},
+                   {"clocks", array_of(run.clocks, clock)},
                    {"interrupted", run.interrupted},
                    {"fault", text_or_null(run.fault)},
                    {"verdict", record::to_string(run.verdict)},

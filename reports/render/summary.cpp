@@ -74,6 +74,37 @@ std::string played_sentence(const record::RunRecord& run) {
                         : what + " is its [signal.trace].");
 }
 
+std::vector<std::string> source_lines(const record::RunRecord& run) {
+  if (run.source.accuracy.empty()) {
+    return {};
+  }
+  const record::BenchUncertainty& played = run.bench_uncertainty;
+  std::vector<std::string> lines = {valid_text(run.source.name)};
+  for (std::size_t from = 0; from < run.source.how.size();) {
+    const std::size_t end = std::min(run.source.how.find('\n', from), run.source.how.size());
+    lines.push_back(valid_text(run.source.how.substr(from, end - from)));
+    from = end + 1;
+  }
+  lines.push_back(fmt::format("Largest deviations from the profile: {}, {}, {} ({})",
+                              with_unit(figure(played.frequency_mhz, 2), "mHz"),
+                              with_unit(figure(played.voltage_pct, 2), "%"),
+                              with_unit(figure(played.time_ms, 2), "ms"),
+                              valid_text(run.source.accuracy)));
+  return lines;
+}
+
+bool has_clocks(const record::RunRecord& run) {
+  return !run.clocks.empty() &&
+         (!run.source.accuracy.empty() ||
+          std::any_of(run.outlets.begin(), run.outlets.end(),
+                      [](const auto& outlet) { return outlet.clock.uncertainty_ms > 0.0; }));
+}
+
+std::string clock_uncertainty(const record::AlignedClock& clock) {
+  return clock.uncertainty_ms > 0.0 ? "± " + with_unit(figure(clock.uncertainty_ms, 2), "ms")
+                                    : "exact";
+}
+
 std::string verdict_sentence(const record::RunRecord& run) {
   std::size_t judged = 0;
   for (const record::OutletRecord& outlet : run.outlets) {

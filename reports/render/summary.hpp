@@ -17,6 +17,13 @@ std::string outlet_sentence(const record::OutletRecord& outlet);
 // Outlets with a fault.
 std::vector<const record::OutletRecord*> faulty_outlets(const record::RunRecord& run);
 
+// What played the signal, how, and how accurately: lines. Empty if it was played exactly.
+std::vector<std::string> source_lines(const record::RunRecord& run);
+
+// False if all devices count the ticks of a source that plays exactly: nothing was aligned.
+bool has_clocks(const record::RunRecord& run);
+std::string clock_uncertainty(const record::AlignedClock& clock);  // "± 0.13 ms"
+
 // Which recording was played; empty if none was.
 std::string played_sentence(const record::RunRecord& run);
 

@@ -140,6 +140,15 @@ std::string text_of(const record::RunRecord& run, Target target) {
   if (missed.size() > kMostTerminalShortfalls) {
     text.add(fmt::format("… and {} more", missed.size() - kMostTerminalShortfalls));
   }
+  for (const std::string& line : source_lines(run)) {
+    text.add("Source: " + one_line(line));
+  }
+  if (has_clocks(run)) {
+    for (const record::AlignedClock& clock : run.clocks) {
+      text.add(fmt::format("Clock of {}: {}, {}", one_line(clock.what), one_line(clock.aligned_by),
+                           clock_uncertainty(clock)));
+    }
+  }
   text.add(run.verdict, ": " + one_line(verdict_sentence(run)));
   return text.text();
 }

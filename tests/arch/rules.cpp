@@ -94,8 +94,8 @@ const std::vector<FolderRule>& folder_rules() {
        {"bench/measures", "bench/grid", "bench/waveform", "bench/profile", kRecordData}},
       {"bench/station",
        {"bench/installation", "bench/keys", "bench/measures", "bench/grid", "bench/control_centre",
-        "bench/waveform", "bench/profile", "bench/capture", "bench/judge", "drivers", "firmware/wire",
-        "firmware/boards/list", "reports/record"}},
+        "bench/waveform", "bench/profile", "bench/capture", "bench/judge", "drivers",
+        "firmware/wire", "firmware/boards/list", "reports/record"}},
       {"bench/equivalence", {"bench/grid", "bench/waveform", "bench/profile", kRecordData}},
       {"bench/seed_sweep",
        {"bench/measures", "bench/grid", "bench/waveform", "bench/profile", "bench/capture",
@@ -133,7 +133,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"vector instructions", {"immintrin.h"}, {"drivers/models"}},
       {"POSIX",
        {"arpa/", "dirent.h", "fcntl.h", "getopt.h", "netdb.h", "netinet/", "poll.h", "pthread.h",
-        "signal.h", "sys/", "termios.h", "unistd.h"},
+        "pwd.h", "signal.h", "sys/", "termios.h", "unistd.h"},
        {"bench/station", "bench/cli", "drivers", "firmware/boards/host", "reports"}},
   };
   return rules;

@@ -112,10 +112,13 @@ boot_s = 20.0
 instrument = "siglent-sdg2000x"
 channel = 1
 baud = 115200
+[relay]
+kind = "modem"
 [[outlet]]
 place = "socket-1"
 serial_number = "a"
 link = "/dev/ttyUSB0"
+relay = "/dev/ttyUSB1 CTS"
 )";
 
 constexpr const char* kHeadStation = R"(title = "all keys of a DAC head"

@@ -22,6 +22,7 @@ struct Script {
   source::Kind kind = source::Kind::kStreamed;
   source::Played played = {};
   std::string accuracy = {};
+  std::vector<std::string> ports = {};
   bool counts_ticks = true;
   std::chrono::milliseconds answers_within{0};
   double sense_uncertainty_ticks = 0.0;        // before the run
@@ -71,6 +72,7 @@ class FakeStation final : public Station,
   bool outlets_count_ticks() const override { return script_.counts_ticks; }
   std::chrono::milliseconds answers_within() const override { return script_.answers_within; }
   std::string source_accuracy() const override { return script_.accuracy; }
+  std::vector<std::string> ports() const override { return script_.ports; }
   double block_s() const override { return script_.block_s; }
 
   // True if the source is off and the link is closed, each as its last call.

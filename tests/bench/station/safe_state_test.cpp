@@ -44,8 +44,8 @@ TEST_F(SafeStateTest, ReportsASourceThatCannotBeSwitchedOff) {
   EXPECT_TRUE(welded.is_safe());
   EXPECT_EQ(
       failure_,
-      "output state unknown: fake source: relay welded; the outlets may be live: switch the source "
-      "off by hand, or unplug it");
+      "output state unknown: fake source: relay welded. The outlets may be live: switch the source "
+      "off by hand, or unplug it.");
 }
 
 }  // namespace

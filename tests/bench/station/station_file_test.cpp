@@ -36,6 +36,9 @@ std::string refusal_of(const Call& call) {
 
 constexpr const char* kEmulated = "title = \"A station\"\nkind = \"emulated\"\n";
 constexpr const char* kPhysical = "title = \"A station\"\nkind = \"physical\"\n";
+const std::string kSource =
+    "[source]\nkind = \"scpi\"\nport = \"tcp://127.0.0.1:1\"\ninstrument = \"siglent-sdg2000x\"\n"
+    "gain = 100.0\nvoltage_limit_v = 265.0\nboot_s = 12.0\n";
 
 TEST_F(StationFiles, OfEmulatedOutletsHaveDefaults) {
   const std::string image = folder_.write("my.elf", "code");
@@ -151,6 +154,16 @@ TEST_F(StationFiles, AreRefusedWithLineColumnAndReason) {
       {many, "3:1", "at most 64"},
       {physical, "1:1", "[serial] or [mqtt]"},
       {physical + "[serial]\n", "3:1", "ports = "},
+      {physical + kSource + "[[outlet]]\nplace = \"a\"\nrelay = \"/dev/ttyUSB0 CTS\"\n", "12:9",
+       "has no relay sense; add [relay]"},
+      {physical + kSource +
+           "[relay]\nkind = \"modem\"\n[[outlet]]\nplace = \"a\"\nrelay = \"CTS\"\n",
+       "14:9", "a serial port and its line"},
+      {physical + kSource +
+           "[relay]\nkind = \"modem\"\n[[outlet]]\nplace = \"a\"\n"
+           "relay = \"/dev/ttyUSB0 RTS\"\n",
+       "14:9", "a serial port and its line"},
+      {physical + kSource, "1:1", "at least one [[outlet]]"},
       {physical + "[mqtt]\nurl = \"http://b\"\n", "4:7", "mqtts://host:port"},
       {physical + "[mqtt]\nurl = \"mqtts://b\"\n", "4:7", "mqtts://host:port"},
       {physical + "[mqtt]\nurl = \"mqtts://b:70000\"\n", "4:7", "mqtts://host:port"},
@@ -218,8 +231,8 @@ TEST(Stations, ShippedOnesAreReadableAndAreNotListedAsProfiles) {
     names.push_back(station.name);
     EXPECT_NO_THROW((void)load_station(station.name)) << station.title;
   }
-  EXPECT_THAT(names, ElementsAre("contact-only", "emulated", "head-emulated", "mqtt",
-                                 "scpi-emulated", "serial", "simulated"));
+  EXPECT_THAT(names, ElementsAre("contact-only", "emulated", "generator", "head", "head-emulated",
+                                 "mqtt", "scpi-emulated", "serial", "simulated"));
   for (const profile::ProfileSummary& profile : profile::list_profiles()) {
     EXPECT_EQ(profile.name.rfind("stations/", 0), std::string::npos) << profile.name;
   }
@@ -266,6 +279,30 @@ TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
 TEST(Stations, PhysicalOneIsRefusedForARun) {
   EXPECT_THAT(refusal_of([] { (void)load_station("serial").make_station(plan(1.0), {}); }),
               AllOf(HasSubstr("serial.toml: "), HasSubstr("gsbench monitor")));
+}
+
+TEST_F(StationFiles, OfASourceMakeAStationWithoutOpeningAPort) {
+  const auto file = load(kPhysical + kSource +
+                         "[relay]\nkind = \"modem\"\n[[outlet]]\nplace = \"a\"\n"
+                         "link = \"/dev/gsbench-nowhere-0\"\n[[outlet]]\nplace = \"b\"\n"
+                         "relay = \"/dev/gsbench-nowhere-1 DSR\"\n");
+  EXPECT_EQ(file.outlets, 2U);
+  EXPECT_EQ(file.source_port, "tcp://127.0.0.1:1");
+  const auto station = file.make_station(plan(1.0), {});
+  const std::vector<Slot> slots = station->slots();
+  ASSERT_EQ(slots.size(), 2U);
+  EXPECT_EQ(slots[0].place, "a");
+  EXPECT_EQ(slots[0].link_id, "/dev/gsbench-nowhere-0");
+  EXPECT_FALSE(slots[0].relay_channel);
+  EXPECT_FALSE(slots[1].link_id);
+  EXPECT_EQ(slots[1].relay_channel, 0U);
+  EXPECT_EQ(slots[1].relay_name, "/dev/gsbench-nowhere-1 DSR");
+  EXPECT_EQ(station->answers_within(), std::chrono::seconds(12));
+  EXPECT_FALSE(station->outlets_count_ticks());
+  EXPECT_THAT(station->source_accuracy(), HasSubstr("not calibrated"));
+  EXPECT_THAT(station->ports(),
+              ElementsAre("tcp://127.0.0.1:1", "/dev/gsbench-nowhere-1", "/dev/gsbench-nowhere-0"));
+  EXPECT_FALSE(station->relay_sense().open().ok());
 }
 
 TEST(Stations, SimulatedOneCountsTheSourceTicks) {

@@ -107,6 +107,19 @@ TEST_F(TwoLinks, ReportTheSameIdOnBothLinksAsAFaultOfBothOutlets) {
                                    "twin on broker: has the same id as the outlet on port 2", "c"));
 }
 
+TEST_F(TwoLinks, AreWaitedForWhileSomethingElseIsKeptGoing) {
+  wait({{"a", "port 1", {}}}, {}, {"a"});
+  std::vector<std::size_t> joined;
+  const auto meanwhile = [&](std::size_t count) -> drivers::Status {
+    joined.push_back(count);
+    return joined.size() < 3 ? drivers::Status(drivers::Done{}) : drivers::Error{"tripped"};
+  };
+  const auto waited = wait_on_open_link(*link_, {"a", "b"}, std::chrono::hours(1), 0ms, meanwhile);
+  ASSERT_FALSE(waited.ok());
+  EXPECT_EQ(waited.error(), "tripped");
+  EXPECT_EQ(joined.size(), 3U);
+}
+
 TEST_F(TwoLinks, CannotBeOpenedIfOneOfThemCannot) {
   refused_ = true;
   wait({{"a", "port 1", {}}}, {}, {"a"});

@@ -26,7 +26,7 @@ struct RunOptions {
 // throw: the record has the verdict ERROR and the reason. Throws profile::ConfigurationError if the
 // firmware would refuse an outlet's settings, if the profile asks for what the station's slots
 // cannot give, or if the source cannot keep the profile's tolerances; nothing has been energised or
-// written then. Throws
+// written then. Throws StationBusy if another bench uses the station. Throws
 // record::StoreError if the record cannot be written.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options);
 

@@ -11,8 +11,11 @@ namespace gsbench::station {
 
 // What a person must know if a source could not be made safe.
 inline std::string unknown_state(const std::string& error) {
-  return "output state unknown: " + error +
-         "; the outlets may be live: switch the source off by hand, or unplug it";
+  const std::string known = "output state unknown";
+  const std::string sentence =
+      !error.empty() && error.back() == '.' ? error.substr(0, error.size() - 1) : error;
+  return (error.find(known) == std::string::npos ? known + ": " : "") + sentence +
+         ". The outlets may be live: switch the source off by hand, or unplug it.";
 }
 
 class SafeState {

@@ -44,6 +44,10 @@ struct StationFile {
   // set-up fails.
   std::function<std::unique_ptr<Station>(const profile::Plan&, const SimulatedOptions&)>
       make_station = {};
+  // The source of a physical station, not connected, and its port. Without them there is nothing to
+  // make safe once the bench has ended. Throws std::runtime_error.
+  std::function<std::shared_ptr<source::Source>()> make_source = {};
+  std::string source_port = {};
 };
 
 // Keys of a station file of this kind, one of station_kind_names().

@@ -1,0 +1,111 @@
+#include "run_steps.hpp"
+#include <fcntl.h>
+#include <pwd.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include <station/station_lock.hpp>
+
+namespace gsbench::station {
+namespace {
+
+constexpr const char* kFolder = "/tmp";
+constexpr mode_t kForAllUsers = 0666;
+
+[[noreturn]] void fail(const std::string& path, const char* doing) {
+  throw std::runtime_error(fmt::format("{}: {}: {}", path, doing, std::strerror(errno)));
+}
+
+// Linux refuses O_CREAT on another user's file in /tmp (fs.protected_regular), so an existing file
+// is opened without it.
+drivers::Descriptor open_lock_file(const std::string& path) {
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    drivers::Descriptor existing(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
+    if (existing.is_open() || errno != ENOENT) {
+      return existing;
+    }
+    drivers::Descriptor created(
+        ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kForAllUsers));
+    if (created.is_open()) {
+      (void)::fchmod(created.get(), kForAllUsers);  // whatever the umask
+      return created;
+    }
+  }
+  return drivers::Descriptor();
+}
+
+std::string content_of(const drivers::Descriptor& file) {
+  std::array<char, 512> text{};
+  const ssize_t count = ::pread(file.get(), text.data(), text.size(), 0);
+  return {text.data(), count > 0 ? static_cast<std::size_t>(count) : 0U};
+}
+
+std::string user_name() {
+  const passwd* user = ::getpwuid(::getuid());
+  return user != nullptr ? user->pw_name : std::to_string(::getuid());
+}
+
+}  // namespace
+
+std::string lock_file(const std::string& port) {
+  std::error_code ignored;  // a device that does not exist has its name only
+  const std::string device =
+      port.rfind('/', 0) == 0 ? std::filesystem::weakly_canonical(port, ignored).string() : port;
+  std::string name;
+  for (const char character : device.empty() ? port : device) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(character)) != 0 ||
+                       character == '.' || character == '-';
+    name += plain ? character : '_';
+  }
+  return fmt::format("{}/gsbench-{}.lock", kFolder, name);
+}
+
+StationLock::StationLock(const std::vector<std::string>& ports, const std::string& profile) {
+  std::set<std::string> paths;
+  for (const std::string& port : ports) {
+    if (port.empty() || !paths.insert(lock_file(port)).second) {
+      continue;
+    }
+    const std::string path = lock_file(port);
+    drivers::Descriptor file = open_lock_file(path);
+    if (!file.is_open()) {
+      fail(path, "the lock of a port cannot be opened");
+    }
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+      if (errno != EWOULDBLOCK) {
+        fail(path, "the lock of a port cannot be taken");
+      }
+      throw StationBusy(fmt::format("{}: in use by another bench: {}", port, content_of(file)));
+    }
+    const std::string owner = fmt::format("user {}, process {} (gsbench), profile {}, since {}",
+                                          user_name(), ::getpid(), profile, utc_now());
+    const auto size = static_cast<ssize_t>(owner.size());
+    if (::ftruncate(file.get(), 0) != 0 ||
+        ::pwrite(file.get(), owner.data(), owner.size(), 0) != size) {
+      fail(path, "the lock of a port cannot be written");
+    }
+    files_.push_back(std::move(file));
+  }
+}
+
+StationLock::~StationLock() = default;
+
+std::string lock_holder(const std::string& port) {
+  const drivers::Descriptor file(::open(lock_file(port).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
+  if (!file.is_open() || ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) {
+    return "";  // a lock that was taken here is released with the descriptor
+  }
+  return content_of(file);
+}
+
+}  // namespace gsbench::station

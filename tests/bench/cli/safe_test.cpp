@@ -1,0 +1,159 @@
+// `gsbench safe` and `run` on physical stations, against an emulated generator.
+#include "gsbench_process.hpp"
+#include <test_support/temporary_folder.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <memory>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <emulation/generator.hpp>
+#include <station/station_lock.hpp>
+
+namespace gsbench::test {
+namespace {
+
+using emulation::Generator;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class SafeCommand : public testing::Test {
+ protected:
+  SafeCommand() {
+    auto started = Generator::start({});
+    EXPECT_TRUE(started.ok()) << started.error();
+    generator_ = started.take();
+    switch_on();
+  }
+
+  void switch_on() const {
+    emulation::PanelChange on;
+    on.output_on = true;
+    generator_->press(on);
+    EXPECT_TRUE(generator_->output_is_on());
+  }
+
+  std::string station(const std::string& port) const {
+    return folder_.write("bench.toml",
+                         fmt::format("title = \"A generator\"\nkind = \"physical\"\n[source]\n"
+                                     "kind = \"scpi\"\nport = \"{}\"\n"
+                                     "instrument = \"siglent-sdg2000x\"\ngain = 100.0\n"
+                                     "voltage_limit_v = 350.0\nboot_s = 1.0\n"
+                                     "[[outlet]]\nplace = \"socket-1\"\n"
+                                     "link = \"/dev/gsbench-nowhere\"\n",
+                                     port));
+  }
+  std::string station() const { return station(generator_->port()); }
+
+  // Two seconds of nominal frequency; `more` are keys of [signal].
+  std::string profile(const std::string& more = "") const {
+    return folder_.write("short.toml",
+                         "title = \"Short\"\nsource = \"None\"\n[grid]\nsystem = \"ieee24\"\n"
+                         "[signal]\nduration_s = 2.0\n" +
+                             more + "[[outlet]]\n[[expect]]\nmeasure = \"event.count\"\nmax = 0\n");
+  }
+
+  const TemporaryFolder folder_;
+  std::unique_ptr<Generator> generator_;
+};
+
+TEST_F(SafeCommand, SwitchesTheOutputOffAlsoTwice) {
+  for (int time = 0; time < 2; ++time) {
+    const Outcome outcome = run_gsbench({"safe", station()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, AllOf(StartsWith(generator_->port() + ": "), HasSubstr("SDG2000X"),
+                                   HasSubstr(": output off\n")));
+    EXPECT_FALSE(generator_->output_is_on());
+  }
+}
+
+TEST_F(SafeCommand, WaitsForAnInstrumentThatReboots) {
+  generator_->reset_now(std::chrono::milliseconds(1500));
+  const Outcome outcome = run_gsbench({"safe", station(), "--wait", "60"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_FALSE(generator_->output_is_on());
+}
+
+TEST_F(SafeCommand, SaysThatTheStateIsUnknownIfNobodyAnswers) {
+  const std::string path = station();
+  generator_->unplug();
+  const Outcome outcome = run_gsbench({"safe", path, "--wait", "0"});
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("output state unknown"), HasSubstr(generator_->port()),
+                                 HasSubstr("switch the source off by hand")));
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST_F(SafeCommand, SaysThatTheStateIsUnknownIfTheOutputStaysOn) {
+  emulation::GeneratorFaults stuck;
+  stuck.ignores_output_off = true;
+  generator_->set_faults(stuck);
+  const Outcome outcome = run_gsbench({"safe", station(), "--wait", "0"});
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("output state unknown"));
+}
+
+TEST_F(SafeCommand, WarnsWhoUsesTheStationAndGoesOn) {
+  const std::string port = generator_->port();
+  {
+    const station::StationLock lock({port}, "paper/loss-500mw");
+    const Outcome outcome = run_gsbench({"safe", station()});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.err,
+                AllOf(HasSubstr("in use by another bench"), HasSubstr("profile paper/loss-500mw")));
+    EXPECT_FALSE(generator_->output_is_on());
+  }
+  std::filesystem::remove(station::lock_file(port));
+}
+
+TEST_F(SafeCommand, RefusesAStationWithoutASource) {
+  expect_refused({"safe", "simulated"}, "no source that outlives the bench");
+  expect_refused({"safe", "serial"}, "no source that outlives the bench");
+}
+
+TEST_F(SafeCommand, RunOnAStationInUseIsAnError) {
+  const std::string port = generator_->port();
+  {
+    const station::StationLock lock({port}, "paper/loss-500mw");
+    const Outcome outcome =
+        run_gsbench({"run", profile(), "--station", station(), "--out", folder_.file("runs")});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr(port + ": in use by another bench: user "),
+                                   HasSubstr("profile paper/loss-500mw")));
+  }
+  std::filesystem::remove(station::lock_file(port));
+}
+
+TEST_F(SafeCommand, DryRunPrintsThePlanAndSendsNothing) {
+  generator_->clear_messages();
+  const Outcome outcome = run_gsbench({"run", profile(), "--station", station(), "--dry-run"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("nothing was energised"), HasSubstr("SDG2000X"),
+                    HasSubstr("(tolerance 2)"), HasSubstr("not calibrated"),
+                    HasSubstr("place socket-1, link /dev/gsbench-nowhere, contact not sensed")));
+  EXPECT_TRUE(generator_->messages().empty());
+  EXPECT_TRUE(generator_->output_is_on()) << "as it was";
+}
+
+TEST_F(SafeCommand, DryRunIsAvailableAsJson) {
+  const json plan = run_for_json({"run", profile(), "--station", station(), "--dry-run", "--json"});
+  EXPECT_EQ(plan["outlets"].size(), 1U);
+  EXPECT_EQ(plan["outlets"][0]["place"], "socket-1");
+  EXPECT_EQ(plan["boot_s"], 1.0);
+  EXPECT_EQ(plan["markers_before_s"], 2.8);
+  EXPECT_GT(plan["source"]["frequency_mhz"], 0.0);
+  EXPECT_LE(plan["source"]["frequency_mhz"], plan["source"]["frequency_tolerance_mhz"]);
+}
+
+TEST_F(SafeCommand, DryRunRefusesATighterTolerance) {
+  expect_refused(
+      {"run", profile("frequency_tolerance_mhz = 1e-9\n"), "--station", station(), "--dry-run"},
+      "mHz");
+}
+
+}  // namespace
+}  // namespace gsbench::test

@@ -1,0 +1,140 @@
+// One bench at a time uses a port; the kernel releases a lock with its process.
+#include "fake_station.hpp"
+#include "plans.hpp"
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <test_support/refusal.hpp>
+#include <test_support/temporary_folder.hpp>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include <station/run.hpp>
+#include <station/station_lock.hpp>
+
+namespace gsbench::station::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Lock : public testing::Test {
+ protected:
+  // Ports of this process, so that tests that run at the same time do not meet.
+  std::string port(const std::string& name) {
+    const std::string port = "tcp://test-" + std::to_string(::getpid()) + ":" + name;
+    files_.push_back(lock_file(port));
+    return port;
+  }
+
+  ~Lock() override {
+    for (const std::string& file : files_) {
+      std::filesystem::remove(file);
+    }
+  }
+
+ private:
+  std::vector<std::string> files_;
+};
+
+std::string refusal_of(const std::vector<std::string>& ports) {
+  return gsbench::test::refusal_of<StationBusy>([&] { const StationLock lock(ports, "second"); });
+}
+
+TEST_F(Lock, SecondBenchIsRefusedAndSaysWhoUsesThePort) {
+  const std::string one = port("1");
+  const StationLock lock({one, port("2")}, "paper/loss-500mw");
+  EXPECT_THAT(refusal_of({port("3"), one}),
+              AllOf(StartsWith(one + ": in use by another bench: user "),
+                    HasSubstr("process " + std::to_string(::getpid()) + " (gsbench), "),
+                    HasSubstr("profile paper/loss-500mw, since 20")));
+  EXPECT_EQ(refusal_of({port("3")}), "") << "the lock that was not obtained held nothing";
+}
+
+TEST_F(Lock, EndsWithItsObject) {
+  const std::string one = port("1");
+  { const StationLock lock({one}, "first"); }
+  EXPECT_EQ(refusal_of({one}), "");
+  EXPECT_EQ(lock_holder(one), "");
+}
+
+TEST_F(Lock, HolderIsKnownWithoutDisturbingIt) {
+  const std::string one = port("1");
+  EXPECT_EQ(lock_holder(one), "") << "a port that was never used";
+  const StationLock lock({one}, "first");
+  for (int time = 0; time < 2; ++time) {
+    EXPECT_THAT(lock_holder(one), HasSubstr("profile first"));
+  }
+  EXPECT_NE(refusal_of({one}), "");
+}
+
+TEST_F(Lock, PortsThatAreEmptyOrListedTwiceCountOnce) {
+  const std::string one = port("1");
+  const StationLock lock({"", one, one}, "first");
+  EXPECT_NE(refusal_of({one}), "");
+}
+
+TEST_F(Lock, IsReleasedByTheKernelIfTheBenchIsKilled) {
+  const std::string one = port("1");
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const StationLock lock({one}, "killed");
+    (void)!::write(ready[1], "x", 1);
+    while (true) {
+      ::pause();
+    }
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_THAT(lock_holder(one), HasSubstr("process " + std::to_string(child)));
+  ASSERT_EQ(::kill(child, SIGKILL), 0);
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  ::close(ready[0]);
+  ::close(ready[1]);
+  EXPECT_EQ(refusal_of({one}), "");
+}
+
+TEST_F(Lock, FileMayBeUsedByAllUsers) {
+  const std::string one = port("1");
+  const StationLock lock({one}, "first");
+  struct stat state {};
+  ASSERT_EQ(::stat(lock_file(one).c_str(), &state), 0);
+  EXPECT_EQ(state.st_mode & 0777U, 0666U);
+}
+
+TEST_F(Lock, TwoNamesOfADeviceHaveOneLock) {
+  const gsbench::test::TemporaryFolder folder;
+  const std::string device = folder.write("ttyUSB0", "");
+  const std::string link = folder.file("by-id");
+  std::filesystem::create_symlink(device, link);
+  EXPECT_EQ(lock_file(link), lock_file(device));
+  EXPECT_NE(lock_file(device + "1"), lock_file(device));
+}
+
+TEST_F(Lock, RunIsRefusedBeforeAnythingIsTouched) {
+  const std::string one = port("1");
+  const StationLock lock({one}, "first");
+  Script script;
+  script.ports = {one};
+  FakeStation station(script);
+  EXPECT_THROW((void)run(plan(0.5), station, {}), StationBusy);
+  EXPECT_FALSE(station.was_touched());
+}
+
+TEST_F(Lock, RunReleasesItsLock) {
+  const std::string one = port("1");
+  Script script;
+  script.ports = {one};
+  FakeStation station(script);
+  EXPECT_EQ(run(plan(0.5), station, {}).verdict, record::Verdict::kPass);
+  EXPECT_EQ(lock_holder(one), "");
+}
+
+}  // namespace
+}  // namespace gsbench::station::test
