@@ -303,6 +303,7 @@ HeadEmulator::Observation HeadEmulator::observe() const {
 void HeadEmulator::record_codes() {
   const Lock lock(mutex_);
   recording_ = true;
+  recorded_.assign(static_cast<std::size_t>(observation_.code + 1), gs::head::kMidScale);
 }
 
 std::vector<std::uint16_t> HeadEmulator::recorded_codes() const {

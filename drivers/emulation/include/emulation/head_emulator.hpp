@@ -82,7 +82,7 @@ class HeadEmulator final : public Output {
     std::size_t buffered = 0;  // samples of the stream
   };
   Observation observe() const;
-  // Keeps all codes from now on.
+  // Keeps all codes from now on; those before are recorded as mid-scale. Element n is code n.
   void record_codes();
   std::vector<std::uint16_t> recorded_codes() const;
   // The head's count of the capture timer at a step of true time.
