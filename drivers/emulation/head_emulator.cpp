@@ -219,6 +219,11 @@ void HeadEmulator::read_connection() {
       case gs::wire::FrameReader::Taken::kMessage:
         observation_.last_frame = observation_.code;
         head_->take(reader_.message(), reader_.size());
+        if (frames_until_unplugged_ > 0 && --frames_until_unplugged_ == 0) {
+          port_.refuse();
+          connection_.close();
+          return;
+        }
         break;
     }
   }
@@ -257,6 +262,11 @@ void HeadEmulator::unplug() {
   unplugging_ = true;
   ring();
   unplugged_.wait(lock, [this] { return !unplugging_; });
+}
+
+void HeadEmulator::unplug_after(int frames) {
+  const Lock lock(mutex_);
+  frames_until_unplugged_ = frames;
 }
 
 Status HeadEmulator::plug_in() {

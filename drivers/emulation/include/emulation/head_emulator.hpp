@@ -58,6 +58,8 @@ class HeadEmulator final : public Output {
   // ---- Fault injection, from any thread.
 
   void unplug();
+  // Unplugs when this many more frames have arrived.
+  void unplug_after(int frames);
   [[nodiscard]] drivers::Status plug_in();
   // The firmware starts anew: output off, session forgotten, a hello.
   void restart();
@@ -124,6 +126,7 @@ class HeadEmulator final : public Output {
   std::vector<std::uint16_t> recorded_;
   Spoiler from_bench_;
   Spoiler to_bench_;
+  int frames_until_unplugged_ = 0;  // 0: not
   bool silent_ = false;
   bool ending_ = false;
   bool unplugging_ = false;
