@@ -19,8 +19,8 @@ using emulation::Child;
 
 constexpr int kKills = KILLS;
 constexpr int kHeads = 10;
-constexpr std::int64_t kCodesPerMs = 64;
-constexpr std::int64_t kLatestOff = 250 * kCodesPerMs;
+constexpr std::int64_t kCodes_per_ms = 64;
+constexpr std::int64_t kLatestOff = 250 * kCodes_per_ms;
 // Samples of the stream. The ramp takes 4000; after 0.3 s and what is sent ahead, the stimulus
 // begins.
 constexpr std::int64_t kRampEnds = 4000;
@@ -111,7 +111,7 @@ TEST(KilledBench, LeavesTheOutputOffWithin250Ms) {
   const auto slowest = std::max_element(
       kills.begin(), kills.end(),
       [](const Kill& a, const Kill& b) { return a.driven_codes < b.driven_codes; });
-  const double slowest_ms = static_cast<double>(slowest->driven_codes) / kCodesPerMs;
+  const double slowest_ms = static_cast<double>(slowest->driven_codes) / kCodes_per_ms;
   std::printf(
       "%d kills: %td before the output, %td in the ramp, %td in hold, %td in play; output "
       "off %.1f ms after the last message at the latest\n",

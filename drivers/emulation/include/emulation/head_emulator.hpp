@@ -61,7 +61,7 @@ class HeadEmulator final : public Output {
   // Unplugs when this many more frames have arrived.
   void unplug_after(int frames);
   [[nodiscard]] drivers::Status plug_in();
-  // The firmware starts anew: output off, session forgotten, a hello.
+  // The firmware restarts: output off, session forgotten, a hello.
   void restart();
   // Silent: it neither reads nor sends; the output goes on.
   void be_silent(bool silent);
