@@ -72,16 +72,19 @@ class Comparison {
   // The amplitude from `from_s` to `to_s` and a millisecond around, if it is constant.
   std::optional<double> steady_amplitude_pu(double from_s, double to_s) const {
     constexpr double kStep_s = 0.001;
-    const double amplitude_pu = at(from_s - kStep_s);
-    for (double t_s = from_s; t_s <= to_s + kStep_s; t_s += kStep_s) {
-      if (std::fabs(at(t_s) - amplitude_pu) > 1e-6) {
+    const std::int64_t step = std::llround(kStep_s * rate_hz_);
+    const std::int64_t last = std::llround(to_s * rate_hz_) + step;
+    const std::int64_t first = std::llround(from_s * rate_hz_) - step;
+    const double amplitude_pu = at(first);
+    for (std::int64_t tick = first; tick <= last; tick += step) {
+      if (std::fabs(at(tick) - amplitude_pu) > 1e-6) {
         return std::nullopt;
       }
     }
     return amplitude_pu;
   }
-  double at(double t_s) const {
-    return synthesizer_.amplitude_pu(std::max<std::int64_t>(std::llround(t_s * rate_hz_), 0));
+  double at(std::int64_t tick) const {
+    return synthesizer_.amplitude_pu(std::max<std::int64_t>(tick, 0));
   }
 
   // nullopt: the tick is not between two valid reports that follow each other.

@@ -38,7 +38,7 @@ Script contact_only() {
 
 std::string refusal_of(const profile::Plan& plan, Script script = contact_only()) {
   FakeStation station(std::move(script));
-  const std::string refusal =
+  std::string refusal =
       gsbench::test::refusal_of<profile::ConfigurationError>([&] { (void)run(plan, station, {}); });
   EXPECT_FALSE(station.was_touched());
   return refusal;

@@ -26,7 +26,7 @@ class Lock : public testing::Test {
  protected:
   // Ports of this process, so that tests that run at the same time do not meet.
   std::string port(const std::string& name) {
-    const std::string port = "tcp://test-" + std::to_string(::getpid()) + ":" + name;
+    std::string port = "tcp://test-" + std::to_string(::getpid()) + ":" + name;
     files_.push_back(lock_file(port));
     return port;
   }

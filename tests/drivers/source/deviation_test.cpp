@@ -9,7 +9,7 @@
 namespace gsbench::test {
 namespace {
 
-constexpr double kTau = 6.283185307179586;
+constexpr double kTurn_rad = 6.283185307179586;
 constexpr std::int64_t kRate_hz = 8000;
 constexpr double kDuration_s = 2.0;
 
@@ -17,7 +17,7 @@ std::vector<float> sine(double frequency_hz, double level_pu = 1.0) {
   std::vector<float> samples(static_cast<std::size_t>(kDuration_s * kRate_hz));
   for (std::size_t n = 0; n < samples.size(); ++n) {
     samples[n] = static_cast<float>(
-        level_pu * std::cos(kTau * frequency_hz * static_cast<double>(n) / kRate_hz));
+        level_pu * std::cos(kTurn_rad * frequency_hz * static_cast<double>(n) / kRate_hz));
   }
   return samples;
 }
@@ -54,10 +54,10 @@ TEST(DeviationMeter, ShowsAPhaseStepAsFrequencyInItsWindow) {
   std::vector<float> played = sine(50.0);
   for (std::size_t n = 8000; n < played.size(); ++n) {
     played[n] =
-        static_cast<float>(std::cos(kTau * 50.0 * static_cast<double>(n) / kRate_hz + 0.001));
+        static_cast<float>(std::cos(kTurn_rad * 50.0 * static_cast<double>(n) / kRate_hz + 0.001));
   }
   // The slope of ten points with a step of 1 mrad in the middle: 12.5/82.5 mrad a period.
-  EXPECT_NEAR(deviation(sine(50.0), played).frequency_hz, 0.001 * 12.5 / 82.5 / (kTau * 0.02),
+  EXPECT_NEAR(deviation(sine(50.0), played).frequency_hz, 0.001 * 12.5 / 82.5 / (kTurn_rad * 0.02),
               5e-5);
 }
 

@@ -1,7 +1,6 @@
 #include <array>
 
 #include <gtest/gtest.h>
-
 #include <queues/queues.hpp>
 
 namespace gs::queues {

@@ -14,8 +14,8 @@ std::string version();
 // A program installed beside this one, such as "gs-outlet".
 std::filesystem::path program(const std::string& name);
 
-// A folder of files that come with gsbench: "profiles", "instruments", "firmware". It is in share/gsbench, beside
-// the folder of this program (../share/gsbench).
+// A folder of files that come with gsbench: "profiles", "instruments", "firmware". It is in
+// share/gsbench, beside the folder of this program (../share/gsbench).
 std::filesystem::path shipped(const std::string& name);
 
 // A folder of the user's own files: "profiles", "runs". It is in $XDG_DATA_HOME/gsbench, by default
