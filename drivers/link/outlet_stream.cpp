@@ -47,6 +47,10 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
       received_.take(sequence);
       break;
     case Sequence::Order::kGap:
+      // What an outlet sends before it has connected for the first time is lost. That is no fault.
+      if (message.kind == UplinkKind::kHello && !reports_received_) {
+        break;
+      }
       note(std::to_string(received_.missed()) + " of its messages were lost before its sample " +
            std::to_string(message.sample));
       break;
@@ -57,6 +61,7 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
     note_restart();
   }
   hello_received_ = hello_received_ || message.kind == UplinkKind::kHello;
+  reports_received_ = reports_received_ || message.kind != UplinkKind::kHello;
   last_sample_ = message.sample;
   return message;
 }

@@ -59,6 +59,13 @@ TEST(OutletStream, ReportsLostMessages) {
               ElementsAre(HasSubstr("2 of its messages were lost")));
 }
 
+TEST(OutletStream, DoesNotReportWhatAnOutletSentBeforeItWasConnected) {
+  const Coming connected = {UplinkKind::kHello, 1211, 10};
+  EXPECT_THAT(faults_of(Delivery::kByBroker, {kHello, connected, measurement(11)}), IsEmpty());
+  EXPECT_THAT(faults_of(Delivery::kByBroker, {kHello, measurement(1), connected}),
+              ElementsAre(HasSubstr("8 of its messages were lost")));
+}
+
 TEST(OutletStream, ReportsUnreadableMessages) {
   OutletStream stream(Delivery::kByBroker);
   EXPECT_FALSE(takes(stream, {0xFF, 0x00}));

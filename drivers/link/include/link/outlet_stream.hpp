@@ -41,6 +41,7 @@ class OutletStream {
   gs::wire::Sequence received_;
   std::uint32_t sent_ = 0;
   bool hello_received_ = false;
+  bool reports_received_ = false;  // any message but hellos
   std::uint64_t last_sample_ = 0;
   std::vector<std::uint8_t> newest_;  // bytes of the newest message if it is a hello with number 0
   std::vector<std::string> faults_;
