@@ -218,10 +218,14 @@ void HeadEmulator::read_connection() {
         break;
       case gs::wire::FrameReader::Taken::kMessage:
         observation_.last_frame = observation_.code;
+        ++observation_.frames;
         head_->take(reader_.message(), reader_.size());
         if (frames_until_unplugged_ > 0 && --frames_until_unplugged_ == 0) {
-          port_.refuse();
+          if (refuses_afterwards_) {
+            port_.refuse();
+          }
           connection_.close();
+          delayed_.clear();
           return;
         }
         break;
@@ -235,6 +239,7 @@ void HeadEmulator::send_messages() {
   while (!silent_) {
     const std::size_t size = head_->next_message(now, message.data(), message.size());
     if (size == 0) {
+      send_what_is_due();
       return;
     }
     std::vector<std::uint8_t> frame(gs::wire::kLongestFrame);
@@ -242,8 +247,16 @@ void HeadEmulator::send_messages() {
     if (to_bench_) {
       to_bench_(frame);
     }
+    delayed_.push_back({std::chrono::steady_clock::now() + delay_, std::move(frame)});
+  }
+}
+
+void HeadEmulator::send_what_is_due() {
+  const auto now = std::chrono::steady_clock::now();
+  for (; !delayed_.empty() && delayed_.front().due <= now; delayed_.pop_front()) {
     // What nobody reads is lost, as on a line without flow control.
     if (connection_.is_open()) {
+      const auto& frame = delayed_.front().frame;
       static_cast<void>(
           ::send(connection_.get(), frame.data(), frame.size(), MSG_NOSIGNAL | MSG_DONTWAIT));
     }
@@ -267,6 +280,18 @@ void HeadEmulator::unplug() {
 void HeadEmulator::unplug_after(int frames) {
   const Lock lock(mutex_);
   frames_until_unplugged_ = frames;
+  refuses_afterwards_ = true;
+}
+
+void HeadEmulator::drop_after(int frames) {
+  const Lock lock(mutex_);
+  frames_until_unplugged_ = frames;
+  refuses_afterwards_ = false;
+}
+
+void HeadEmulator::delay_to_bench(std::chrono::milliseconds delay) {
+  const Lock lock(mutex_);
+  delay_ = delay;
 }
 
 Status HeadEmulator::plug_in() {

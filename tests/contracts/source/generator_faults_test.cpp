@@ -35,7 +35,7 @@ class AnyGenerator : public testing::TestWithParam<GeneratorCase> {
 
   Mains mains_;
   GeneratorRig rig_{GetParam()};
-  std::unique_ptr<source::Source> source_ = rig_.make_source();
+  std::shared_ptr<source::Source> source_ = rig_.make_source();
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, AnyGenerator, testing::ValuesIn(kGeneratorCases),

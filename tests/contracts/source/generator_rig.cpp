@@ -110,8 +110,8 @@ std::string first_error_of_run(source::Source& source, const source::Stimulus& s
       return done.error();
     }
   }
-  announce("advance");
   for (std::int64_t tick = 0; tick < stimulus.total_ticks();) {
+    announce("advance");
     const auto played = source.advance(std::min(tick + 800, stimulus.total_ticks()));
     if (!played.ok()) {
       return played.error();

@@ -29,7 +29,11 @@ class GeneratorRig final : public InstrumentRig {
  public:
   explicit GeneratorRig(const GeneratorCase& of, double clock_ppm = 0.0);
 
-  std::unique_ptr<source::Source> make_source() override { return make_source(instrument); }
+  Abilities abilities() const override {
+    return {"\"Maker,Oscilloscope,1,2\" is not", "within 0.3 s", 16, true, true,
+            std::chrono::milliseconds(400)};
+  }
+  std::shared_ptr<source::Source> make_source() override { return make_source(instrument); }
   std::unique_ptr<source::Source> make_source(const scpi::Instrument& altered) const {
     return scpi::make_scpi_source(altered, options);
   }

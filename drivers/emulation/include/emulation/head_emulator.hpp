@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -60,6 +61,10 @@ class HeadEmulator final : public Output {
   void unplug();
   // Unplugs when this many more frames have arrived.
   void unplug_after(int frames);
+  // Closes the connection when this many more frames have arrived; it can be opened again.
+  void drop_after(int frames);
+  // Frames reach the bench so much later.
+  void delay_to_bench(std::chrono::milliseconds delay);
   [[nodiscard]] drivers::Status plug_in();
   // The firmware restarts: output off, session forgotten, a hello.
   void restart();
@@ -82,6 +87,7 @@ class HeadEmulator final : public Output {
     std::int64_t last_frame = -1;    // at the output when the last complete frame arrived
     gs::head::State state = gs::head::State::kOff;
     std::size_t buffered = 0;  // samples of the stream
+    std::size_t frames = 0;    // complete ones that have arrived
   };
   Observation observe() const;
   // Keeps all codes from now on; those before are recorded as mid-scale. Element n is code n.
@@ -103,6 +109,7 @@ class HeadEmulator final : public Output {
   void serve();
   void read_connection();
   void send_messages();
+  void send_what_is_due();
   void pass_edges();
   double code_at(std::int64_t step) const;
   std::uint16_t code(std::int64_t number);
@@ -126,7 +133,14 @@ class HeadEmulator final : public Output {
   std::vector<std::uint16_t> recorded_;
   Spoiler from_bench_;
   Spoiler to_bench_;
+  struct Delayed {
+    std::chrono::steady_clock::time_point due;
+    std::vector<std::uint8_t> frame;
+  };
+  std::chrono::milliseconds delay_{0};
+  std::deque<Delayed> delayed_;
   int frames_until_unplugged_ = 0;  // 0: not
+  bool refuses_afterwards_ = true;
   bool silent_ = false;
   bool ending_ = false;
   bool unplugging_ = false;
