@@ -89,8 +89,8 @@ class OnAnInstrument : public testing::Test {
 
 TEST_F(OnAnInstrument, AGeneratorPlaysAndTheTerminalsSense) {
   play_shipped("scpi-emulated", "paper/loss-500mw");
-  expect_nominal_voltage_and_drift(0, 40.0 - 15.0);
-  expect_nominal_voltage_and_drift(1, -60.0 - 15.0);
+  expect_nominal_voltage_and_drift(0, 40.0 - 1.5);
+  expect_nominal_voltage_and_drift(1, -60.0 - 1.5);
   expect_operate_time(0, 1.0);
 }
 
