@@ -8,6 +8,8 @@
 namespace gsbench::test {
 namespace {
 
+constexpr double kNominal_v = 230.0;
+constexpr double kGain = 260.0;
 constexpr std::int64_t kStepsPerSample = emulation::TrueTime::kRate_hz / 8000;
 
 // An emulated head with a slow crystal. The outlet samples its output, through gain and low-pass
@@ -17,9 +19,11 @@ class HeadSourceRig final : public SourceRig {
   HeadSourceRig()
       : head_(HeadPace::kAsFed, emulated(),
               [this](std::int64_t, const float* volts, std::size_t count) { take(volts, count); }) {
-    options_ = options_for(*head_);
-    options_.clock_ppm = 50.0;
-    driver_ = head::Head::create(options_).take();
+    head::HeadOptions options = options_for(*head_);
+    options.gain = kGain;
+    options.nominal_v = kNominal_v;
+    options.clock_ppm = 50.0;
+    driver_ = head::Head::create(options).take();
   }
   source::Source& source() override { return driver_->source(); }
 
@@ -46,14 +50,13 @@ class HeadSourceRig final : public SourceRig {
       sum_v_ += static_cast<double>(volts[i]);
       if (++summed_ == kStepsPerSample) {
         const double mean_v = sum_v_ / static_cast<double>(kStepsPerSample);
-        outlet_.feed(mean_v * options_.gain / (options_.nominal_v * std::sqrt(2.0)));
+        outlet_.feed(mean_v * kGain / (kNominal_v * std::sqrt(2.0)));
         sum_v_ = 0.0;
         summed_ = 0;
       }
     }
   }
 
-  head::HeadOptions options_;
   std::mutex mutex_;
   MeasuringOutlet outlet_;
   double sum_v_ = 0.0;
