@@ -42,7 +42,7 @@ TEST_F(OutletClocks, AreMeasuredWithinTheirStatedUncertainty) {
 // Crystals with much larger errors than real ones, so that a wrong sign is obvious.
 TEST_F(OutletClocks, WithLargeErrorsAreMeasuredWithTheirSign) {
   Outlets outlets = station_of_four();
-  const double ppm[] = {900.0, -900.0, 600.0, -600.0};
+  const double ppm[] = {500.0, -500.0, 300.0, -300.0};
   for (std::size_t i = 0; i < 4; ++i) {
     outlets[i].crystal_ppm = ppm[i];
   }
