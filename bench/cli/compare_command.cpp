@@ -10,7 +10,6 @@
 #include <profile/load.hpp>
 #include <render/figures.hpp>
 #include <render/layout.hpp>
-#include <station/played_signal.hpp>
 #include <station/run.hpp>
 #include <station/station_file.hpp>
 
@@ -27,7 +26,6 @@ struct CompareArguments {
 
 struct Comparison {
   std::vector<record::RunRecord> runs;
-  std::vector<source::Played> planned;  // of each run
   std::vector<equivalence::Row> rows;
 };
 
@@ -37,9 +35,6 @@ Comparison play(const profile::Plan& plan, const std::vector<station::StationFil
   for (const station::StationFile& file : files) {
     const profile::Plan fitted = station::fit_to_station(file, plan);
     const auto station = file.make_station(fitted, {});
-    const station::PlayedSignal signal(fitted, !station->outlets_count_ticks());
-    const auto planned = station->source().check(signal);
-    comparison.planned.push_back(planned.ok() ? planned.value() : source::Played{});
     Progress progress(file.name);
     comparison.runs.push_back(station::run(
         fitted, *station, {nullptr, &stop, [&](double part) { progress.show(part); }}));
@@ -56,13 +51,13 @@ void print_table(const Comparison& comparison) {
       {"station", "outlet", "f RMS", "max", "V RMS", "max", "f1 RMS", "max", "plan f", "V", "t"},
       {"", "", "mHz", "mHz", "%", "%", "mHz", "mHz", "mHz", "%", "ms"}};
   for (const equivalence::Row& row : comparison.rows) {
-    const source::Played& planned = comparison.planned[row.run];
+    const record::BenchUncertainty& planned = comparison.runs[row.run].bench_uncertainty;
     cells.push_back(
         {comparison.runs[row.run].station, row.outlet, render::fixed(row.frequency_mhz.rms, 2),
          render::fixed(row.frequency_mhz.largest, 2), render::fixed(row.voltage_pct.rms, 3),
          render::fixed(row.voltage_pct.largest, 3), render::fixed(row.from_first_mhz.rms, 2),
-         render::fixed(row.from_first_mhz.largest, 2), render::fixed(1e3 * planned.frequency_hz, 3),
-         render::fixed(100.0 * planned.voltage_pu, 3), render::fixed(1e3 * planned.time_s, 3)});
+         render::fixed(row.from_first_mhz.largest, 2), render::fixed(planned.frequency_mhz, 3),
+         render::fixed(planned.voltage_pct, 3), render::fixed(planned.time_ms, 3)});
   }
   for (const std::string& line : render::aligned(cells, "llrrrrrrrrr")) {
     print_wrapped(line);
@@ -93,7 +88,7 @@ ordered_json json_of(const profile::Plan& plan, const Comparison& comparison) {
   out["stations"] = ordered_json::array();
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const record::RunRecord& run = comparison.runs[i];
-    const source::Played& planned = comparison.planned[i];
+    const record::BenchUncertainty& planned = run.bench_uncertainty;
     ordered_json outlets = ordered_json::array();
     for (const equivalence::Row& row : comparison.rows) {
       if (row.run == i) {
@@ -106,9 +101,9 @@ ordered_json json_of(const profile::Plan& plan, const Comparison& comparison) {
     out["stations"].push_back({{"station", run.station},
                                {"verdict", record::to_string(run.verdict)},
                                {"planned",
-                                {{"frequency_mhz", 1e3 * planned.frequency_hz},
-                                 {"voltage_pct", 100.0 * planned.voltage_pu},
-                                 {"time_ms", 1e3 * planned.time_s}}},
+                                {{"frequency_mhz", planned.frequency_mhz},
+                                 {"voltage_pct", planned.voltage_pct},
+                                 {"time_ms", planned.time_ms}}},
                                {"outlets", outlets}});
   }
   return out;

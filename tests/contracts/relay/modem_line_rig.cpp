@@ -1,5 +1,6 @@
 #include "modem_lines.hpp"
 #include "rigs.hpp"
+#include <test_support/clocked_source.hpp>
 #include <test_support/demand.hpp>
 
 #include <algorithm>

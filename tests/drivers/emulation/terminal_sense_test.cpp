@@ -1,5 +1,7 @@
 // The emulated relay sense at the outlets' terminals: where it puts tick 0, and what it says if it
 // cannot.
+#include <test_support/clocked_source.hpp>
+
 #include <cmath>
 #include <random>
 
@@ -39,22 +41,6 @@ struct WithADip final : source::Stimulus {
   bool has_dip = true;
 };
 
-class SourceWithClock final : public source::Source {
- public:
-  source::Limits limits() const override { return {}; }
-  std::optional<source::HostClock> host_clock() const override { return clock; }
-  std::optional<source::HostClock> clock;
-
- protected:
-  drivers::Result<source::Played> deviation(const source::Stimulus&) const override {
-    return source::Played{};
-  }
-  drivers::Status power_up() override { return drivers::Done{}; }
-  drivers::Status begin() override { return drivers::Done{}; }
-  drivers::Result<std::int64_t> play_until(std::int64_t until_tick) override { return until_tick; }
-  drivers::Status switch_off() noexcept override { return drivers::Done{}; }
-};
-
 class AtTheTerminals : public testing::Test {
  protected:
   // Silence, a soft rise over 0.5 s, nominal voltage, then the stimulus from `start_s` on, with the
@@ -77,7 +63,7 @@ class AtTheTerminals : public testing::Test {
   double tick_0_s() const { return sense_.alignment().count_at_tick_0 / TrueTime::kRate_hz; }
 
   WithADip stimulus_;
-  SourceWithClock source_;
+  ClockedSource source_;
   TrueTime time_;
   TerminalSense sense_{stimulus_, source_, 200.0, time_};
 };

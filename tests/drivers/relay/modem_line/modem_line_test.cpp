@@ -1,7 +1,9 @@
 // What is particular to modem lines: several contacts on a port, a busy machine, a lost port. The
 // rest is in tests/contracts/relay.
 #include "modem_lines.hpp"
+#include <test_support/clocked_source.hpp>
 #include <test_support/demand.hpp>
+#include <test_support/waiting.hpp>
 
 #include <gmock/gmock.h>
 
@@ -125,6 +127,8 @@ TEST_F(OnModemLines, ALostPortIsAnErrorOnceAndForAll) {
   lines_.fail("/dev/a", EIO);
   lines_.advance(3 * kMillisecond);
   std::vector<Edge> edges;
+  // The reader has met the error; it stores it a moment later.
+  ASSERT_TRUE(until([&] { return !sense_.poll(edges).ok(); }));
   for (int i = 0; i < 2; ++i) {
     const auto lost = sense_.poll(edges);
     ASSERT_FALSE(lost.ok());

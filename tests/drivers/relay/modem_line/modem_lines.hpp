@@ -141,22 +141,4 @@ class ModemLines {
   std::map<std::string, int> outputs_;
 };
 
-// A source of which only the clock is used.
-class ClockedSource final : public source::Source {
- public:
-  source::Limits limits() const override { return {}; }
-  std::optional<source::HostClock> host_clock() const override { return clock; }
-
-  std::optional<source::HostClock> clock;
-
- protected:
-  drivers::Result<source::Played> deviation(const source::Stimulus&) const override {
-    return source::Played{};
-  }
-  drivers::Status power_up() override { return drivers::Done{}; }
-  drivers::Status begin() override { return drivers::Done{}; }
-  drivers::Result<std::int64_t> play_until(std::int64_t until_tick) override { return until_tick; }
-  drivers::Status switch_off() noexcept override { return drivers::Done{}; }
-};
-
 }  // namespace gsbench::test
