@@ -180,11 +180,21 @@ void FakeStation::close() noexcept {
   ++closed_;
 }
 
-Status FakeStation::poll(std::vector<relay::Edge>& edges) {
-  if (script_.relay_poll_fails_at == relay_polls_) {
+Status FakeStation::Sense::open() {
+  return script_.sense_open_error.empty() ? Status(Done{}) : Error{script_.sense_open_error};
+}
+
+relay::Alignment FakeStation::Sense::alignment() const {
+  return {
+      0.0, 1.0,
+      script_.sense_uncertainty_ticks + (polls_ > 0 ? script_.sense_uncertainty_grows_ticks : 0.0)};
+}
+
+Status FakeStation::Sense::poll(std::vector<relay::Edge>& edges) {
+  if (script_.relay_poll_fails_at == polls_) {
     return Error{"fake relay sense: unplugged"};
   }
-  if (relay_polls_++ == 0) {
+  if (polls_++ == 0) {
     edges.insert(edges.end(), script_.edges.begin(), script_.edges.end());
   }
   return Done{};

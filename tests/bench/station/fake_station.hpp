@@ -32,7 +32,8 @@ struct Script {
   std::string start_error;  // of the source; it is live nevertheless
   std::optional<int> hold_fails_at;
   std::string make_safe_error;
-  std::string open_error;
+  std::string open_error;        // of the link
+  std::string sense_open_error;  // of the relay sense
   std::optional<int> play_fails_at;
   std::optional<int> play_throws_at;  // drivers must not throw
   std::optional<int> send_fails_at;
@@ -57,17 +58,14 @@ Script with(Field Script::*field, const Value& value) {
   return script;
 }
 
-class FakeStation final : public Station,
-                          private source::Source,
-                          private link::Link,
-                          private relay::RelaySense {
+class FakeStation final : public Station, private source::Source, private link::Link {
  public:
   explicit FakeStation(Script script) : script_(std::move(script)) {}
 
   std::string name() const override { return "fake"; }
   source::Source& source() override { return *this; }
   link::Link& link() override { return *this; }
-  relay::RelaySense& relay_sense() override { return *this; }
+  relay::RelaySense& relay_sense() override { return sense_; }
   std::vector<Slot> slots() const override;
   bool outlets_count_ticks() const override { return script_.counts_ticks; }
   std::chrono::milliseconds answers_within() const override { return script_.answers_within; }
@@ -103,12 +101,17 @@ class FakeStation final : public Station,
   drivers::Status poll(link::Happenings& happenings) override;
   void close() noexcept override;
 
-  relay::Alignment alignment() const override {
-    return {0.0, 1.0,
-            script_.sense_uncertainty_ticks +
-                (relay_polls_ > 0 ? script_.sense_uncertainty_grows_ticks : 0.0)};
-  }
-  drivers::Status poll(std::vector<relay::Edge>& edges) override;
+  class Sense final : public relay::RelaySense {
+   public:
+    explicit Sense(const Script& script) : script_(script) {}
+    drivers::Status open() override;
+    relay::Alignment alignment() const override;
+    drivers::Status poll(std::vector<relay::Edge>& edges) override;
+
+   private:
+    const Script& script_;
+    int polls_ = 0;
+  };
 
   bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }
   bool is_linked(std::size_t outlet) const { return !(is_last(outlet) && script_.without_link); }
@@ -116,6 +119,7 @@ class FakeStation final : public Station,
   void answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const;
 
   Script script_;
+  Sense sense_{script_};
   bool touched_ = false;
   bool energised_ = false;
   bool open_when_energised_ = false;
@@ -128,7 +132,6 @@ class FakeStation final : public Station,
   int plays_ = 0;
   int sends_ = 0;
   int link_polls_ = 0;
-  int relay_polls_ = 0;
   std::int64_t played_tick_ = 0;
   std::int64_t reported_tick_ = 0;
   std::vector<std::vector<gs::wire::Downlink>> sent_{script_.outlets};

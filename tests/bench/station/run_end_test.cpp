@@ -86,6 +86,17 @@ TEST(RunEnd, LinkThatDoesNotOpenIsError) {
   expect_error(with(&Script::open_error, "fake link: no broker"), "fake link: no broker");
 }
 
+// Without its relay sense a run could not judge the contacts, so no outlet gets voltage for it.
+TEST(RunEnd, RelaySenseThatDoesNotOpenIsErrorBeforeTheSourceIsEnergised) {
+  FakeStation station(with(&Script::sense_open_error, "/dev/ttyUSB1: No such file or directory"));
+  const record::RunRecord record = play(station);
+  EXPECT_EQ(record.verdict, Verdict::kError);
+  EXPECT_EQ(record.fault, "/dev/ttyUSB1: No such file or directory");
+  EXPECT_EQ(record.verdict_reason, record.fault);
+  EXPECT_FALSE(station.was_energised());
+  EXPECT_EQ(station.blocks_played(), 0);
+}
+
 // Settings and a self test to each of two outlets.
 TEST(RunEnd, LinkThatCannotSendAMessageIsError) {
   for (int message = 0; message < 4; ++message) {
