@@ -1,4 +1,4 @@
-// The bench's side of the protocol of firmware/head/README.md: frames, numbers, and repetition of
+// The bench's side of the protocol of firmware/head/protocol.md: frames, numbers, and repetition of
 // what was lost (go-back-N).
 #pragma once
 

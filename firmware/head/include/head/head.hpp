@@ -1,5 +1,5 @@
 // A DAC head without its hardware: plays the bench's stream and measures the edges of its inputs,
-// on one clock. README.md describes states, flow control and timing. The board and the bench's
+// on one clock. protocol.md describes states, flow control and timing. The board and the bench's
 // emulated head run this code.
 //
 // Two sides share the object, as on a board without an operating system:

@@ -1,4 +1,4 @@
-// Messages between the bench and a DAC head. README.md specifies the protocol; fields.hpp lists
+// Messages between the bench and a DAC head. protocol.md specifies the protocol; fields.hpp lists
 // each message's fields in their order on the wire. Plain data without pointers.
 //
 // Stream: the samples of a run, from 0, kSampleRate_hz of them a second. The head plays them on its

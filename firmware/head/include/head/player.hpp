@@ -1,4 +1,4 @@
-// Plays the stream: state, buffer, watchdog and the codes for the DAC. README.md describes them.
+// Plays the stream: state, buffer, watchdog and the codes for the DAC. protocol.md describes them.
 //
 // The main loop calls arm, put, play, feed and switch_off; the interrupt of the DAC calls
 // next_codes and fail. The main loop leaves a state only from kOff or to kOff, so that it never

@@ -1,4 +1,4 @@
-// The README's tables and examples against the code.
+// The tables and examples of protocol.md against the code.
 #include <head_test/rig.hpp>
 
 #include <cstdio>
@@ -14,8 +14,8 @@
 namespace gs::head::test {
 namespace {
 
-std::vector<std::string> lines_of_readme() {
-  std::ifstream file(GSBENCH_SOURCE_DIR "/firmware/head/README.md");
+std::vector<std::string> lines_of_text() {
+  std::ifstream file(GSBENCH_SOURCE_DIR "/firmware/head/protocol.md");
   EXPECT_TRUE(file.is_open());
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) {
@@ -84,11 +84,11 @@ std::vector<std::pair<std::string, Bytes>> goldens() {
 }
 
 // Each example is the line "**name**: …", and the next ```hex block.
-TEST(Readme, ExamplesAreTheEncodedMessages) {
+TEST(ProtocolText, ExamplesAreTheEncodedMessages) {
   std::map<std::string, std::string> examples;
   std::string name;
   bool within = false;
-  for (const std::string& line : lines_of_readme()) {
+  for (const std::string& line : lines_of_text()) {
     if (line.rfind("**", 0) == 0) {
       name = line.substr(2, line.find("**", 2) - 2);
     } else if (line == "```hex") {
@@ -107,7 +107,7 @@ TEST(Readme, ExamplesAreTheEncodedMessages) {
   EXPECT_EQ(examples, expected);
 }
 
-// The types of the fields, as the README names them.
+// The types of the fields, as the text names them.
 class TypeNames {
  public:
   template <class Integer>
@@ -131,11 +131,11 @@ class TypeNames {
 };
 
 // The second column of the first table after this heading.
-std::vector<std::string> types_in_readme(const std::string& heading) {
+std::vector<std::string> types_in_text(const std::string& heading) {
   std::vector<std::string> types;
   bool within = false;
   int row = 0;
-  for (const std::string& line : lines_of_readme()) {
+  for (const std::string& line : lines_of_text()) {
     if (line.rfind("### ", 0) == 0) {
       within = line.rfind("### " + heading, 0) == 0;
     } else if (within && !line.empty() && line[0] == '|') {
@@ -157,10 +157,10 @@ void expect_types() {
   TypeNames names;
   Message message;
   fields(message, names);
-  EXPECT_EQ(types_in_readme(heading), names.names()) << heading;
+  EXPECT_EQ(types_in_text(heading), names.names()) << heading;
 }
 
-TEST(Readme, TablesOfFieldsAreThoseOfTheCode) {
+TEST(ProtocolText, TablesOfFieldsAreThoseOfTheCode) {
   expect_types<Identify>();
   expect_types<Arm>();
   expect_types<Samples>();
@@ -178,7 +178,7 @@ TEST(Readme, TablesOfFieldsAreThoseOfTheCode) {
 std::size_t rows_of_table(const std::string& head) {
   bool within = false;
   std::size_t rows = 0;
-  for (const std::string& line : lines_of_readme()) {
+  for (const std::string& line : lines_of_text()) {
     if (line.rfind(head, 0) == 0) {
       within = true;
     } else if (within && (line.empty() || line[0] != '|')) {
@@ -192,7 +192,7 @@ std::size_t rows_of_table(const std::string& head) {
   return rows;
 }
 
-TEST(Readme, ListsAllStatesFaultsAndReasons) {
+TEST(ProtocolText, ListsAllStatesFaultsAndReasons) {
   EXPECT_EQ(rows_of_table("| state | output |"), static_cast<std::size_t>(kLastState) + 1);
   EXPECT_EQ(rows_of_table("| fault | cause |"), static_cast<std::size_t>(kLastFault) + 1);
   EXPECT_EQ(rows_of_table("| reason | |"), static_cast<std::size_t>(kLastRefusal));
