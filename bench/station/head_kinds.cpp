@@ -67,6 +67,7 @@ RelayKind head_relay_kind() {
   kind.is_channel = [](const std::string& channel) {
     return channel.size() == 1 && channel[0] >= '0' && channel[0] <= '3';
   };
+  kind.identity = [](const std::string& channel) { return channel; };
   kind.of_source = "head";
   kind.port_of = [](const std::string&) { return std::string(); };
   kind.number_of = [](const std::vector<std::string>& channels, std::size_t i) {

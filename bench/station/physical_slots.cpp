@@ -2,9 +2,11 @@
 
 #include "station_kind.hpp"
 
-#include <set>
+#include <map>
 
 #include <fmt/format.h>
+
+#include <station/station_lock.hpp>
 
 namespace gsbench::station {
 namespace {
@@ -16,16 +18,24 @@ class Uniqueness {
  public:
   explicit Uniqueness(std::string key) : key_(std::move(key)) {}
 
-  void require(const keys::Table& slot, const std::string& value) {
-    if (!seen_.insert(value).second) {
-      slot.refuse(key_,
-                  fmt::format("{} is \"{}\" for two outlets; it must be unique", key_, value));
+  void require(const keys::Table& slot, const std::string& value) { require(slot, value, value); }
+  // `identity`: the same for two values that mean one thing.
+  void require(const keys::Table& slot, const std::string& value, const std::string& identity) {
+    const auto [first, is_new] = seen_.emplace(identity, value);
+    if (is_new) {
+      return;
     }
+    slot.refuse(key_,
+                first->second == value
+                    ? fmt::format("{} is \"{}\" for two outlets; it must be unique", key_, value)
+                    : fmt::format("{} is \"{}\" and \"{}\" for two outlets, which are the "
+                                  "same; it must be unique",
+                                  key_, first->second, value));
   }
 
  private:
   std::string key_;
-  std::set<std::string> seen_;
+  std::map<std::string, std::string> seen_;  // first value of each identity
 };
 
 void check_relay(const keys::Table& slot, const RelayKind* relay, const std::string& channel) {
@@ -87,11 +97,11 @@ std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* re
         table.refuse("link", "link is \"mqtt\", but the station has no broker; add [mqtt]");
       }
     } else if (!slot.link.empty()) {
-      links.require(table, slot.link);
+      links.require(table, slot.link, device_of(slot.link));
     }
     if (!slot.relay.empty()) {
       check_relay(table, relay, slot.relay);
-      channels.require(table, slot.relay);
+      channels.require(table, slot.relay, relay->identity(slot.relay));
     }
     if (slot.link.empty() && slot.relay.empty()) {
       table.refuse_missing("relay",

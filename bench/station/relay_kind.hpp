@@ -18,6 +18,8 @@ struct RelayKind {
   std::string channel;     // form of an outlet's `relay`, for messages and the documentation
   std::string aligned_by;  // how its clock is aligned with the source's, for reports
   bool (*is_channel)(const std::string& channel);
+  // The same for two names of one channel.
+  std::string (*identity)(const std::string& channel);
   // Kind of source that it is part of; empty: it is independent of the source.
   std::string of_source;
   // The port that it opens for a channel; empty: none but that of the source.

@@ -57,12 +57,16 @@ std::string user_name() {
 
 }  // namespace
 
-std::string lock_file(const std::string& port) {
+std::string device_of(const std::string& port) {
   std::error_code ignored;  // a device that does not exist has its name only
   const std::string device =
       port.rfind('/', 0) == 0 ? std::filesystem::weakly_canonical(port, ignored).string() : port;
+  return device.empty() ? port : device;
+}
+
+std::string lock_file(const std::string& port) {
   std::string name;
-  for (const char character : device.empty() ? port : device) {
+  for (const char character : device_of(port)) {
     const bool plain = std::isalnum(static_cast<unsigned char>(character)) != 0 ||
                        character == '.' || character == '-';
     name += plain ? character : '_';

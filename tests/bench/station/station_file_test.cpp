@@ -156,13 +156,6 @@ TEST_F(StationFiles, AreRefusedWithLineColumnAndReason) {
       {physical + "[serial]\n", "3:1", "ports = "},
       {physical + kSource + "[[outlet]]\nplace = \"a\"\nrelay = \"/dev/ttyUSB0 CTS\"\n", "12:9",
        "has no relay sense; add [relay]"},
-      {physical + kSource +
-           "[relay]\nkind = \"modem\"\n[[outlet]]\nplace = \"a\"\nrelay = \"CTS\"\n",
-       "14:9", "a serial port and its line"},
-      {physical + kSource +
-           "[relay]\nkind = \"modem\"\n[[outlet]]\nplace = \"a\"\n"
-           "relay = \"/dev/ttyUSB0 RTS\"\n",
-       "14:9", "a serial port and its line"},
       {physical + kSource, "1:1", "at least one [[outlet]]"},
       {physical + "[mqtt]\nurl = \"http://b\"\n", "4:7", "mqtts://host:port"},
       {physical + "[mqtt]\nurl = \"mqtts://b\"\n", "4:7", "mqtts://host:port"},

@@ -37,6 +37,9 @@ class StationLock {
 // Who uses this port: "user anna, process 4711 (gsbench), profile x, since …". Empty: nobody.
 std::string lock_holder(const std::string& port);
 
+// The device that a path leads to, through symbolic links; other ports as they are.
+std::string device_of(const std::string& port);
+
 // The lock file of a port. Two names of one device have the same file.
 std::string lock_file(const std::string& port);
 

@@ -1,0 +1,88 @@
+// [[outlet]] of physical stations: channels of relay senses, and what is refused with its line.
+#include "plans.hpp"
+#include <test_support/refusal.hpp>
+#include <test_support/temporary_folder.hpp>
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include <station/station_file.hpp>
+
+namespace gsbench::station::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class PhysicalSlots : public testing::Test {
+ protected:
+  StationFile load(const std::string& text) const {
+    return load_station(folder_.write("hardware.toml", text));
+  }
+  std::string refusal_of(const std::string& text) const {
+    return gsbench::test::refusal_of<profile::ConfigurationError>([&] { (void)load(text); });
+  }
+
+  const gsbench::test::TemporaryFolder folder_;
+};
+
+// Nine lines.
+constexpr const char* kSourceOfSlots =
+    "title = \"A station\"\nkind = \"physical\"\n"
+    "[source]\nkind = \"scpi\"\nport = \"tcp://127.0.0.1:1\"\ninstrument = \"siglent-sdg2000x\"\n"
+    "gain = 100.0\nvoltage_limit_v = 265.0\nboot_s = 12.0\n";
+
+// Two outlets of a station with modem lines.
+std::string on_modem_lines(const std::string& first, const std::string& second) {
+  return std::string(kSourceOfSlots) +
+         "[relay]\nkind = \"modem\"\n[[outlet]]\nplace = \"a\"\nrelay = \"" + first +
+         "\"\n[[outlet]]\nplace = \"b\"\nrelay = \"" + second + "\"\n";
+}
+
+TEST_F(PhysicalSlots, RefuseAModemLineThatIsNotAPortAndALine) {
+  for (const char* channel :
+       {"/dev/ttyUSB0 RTS", "/dev/ttyUSB0 DTR", "/dev/ttyUSB0 RI", "/dev/ttyUSB0 cts",
+        "/dev/ttyUSB0 CTSX", "/dev/ttyUSB0", "/dev/ttyUSB0 ", "CTS", " CTS", "ttyUSB0 CTS",
+        "tcp://127.0.0.1:1 CTS", "/dev/ttyUSB0CTS", "/dev/ttyUSB0  CTS", "/dev/ttyUSB0 CTS ",
+        " /dev/ttyUSB0 CTS", "/dev/ttyUSB0\\tCTS", "/dev/ttyUSB0 DSR CTS", "0"}) {
+    const std::string text = on_modem_lines("/dev/ttyUSB9 DCD", channel);
+    EXPECT_THAT(refusal_of(text),
+                AllOf(StartsWith(folder_.file("hardware.toml") + ":17:9: relay is \""),
+                      HasSubstr("the path of a serial port, one space, and its line CTS, DSR or "
+                                "DCD, such as \"/dev/ttyUSB0 CTS\"")))
+        << channel;
+  }
+}
+
+TEST_F(PhysicalSlots, RefuseAModemLineThatIsUsedTwiceUnderAnyNameOfItsPort) {
+  const std::string device = folder_.write("ttyUSB0", "");
+  const std::string by_id = folder_.file("by-id");
+  std::filesystem::create_symlink(device, by_id);
+  const auto refusal = [&](const std::string& first, const std::string& second) {
+    return refusal_of(on_modem_lines(first, second));
+  };
+  const std::string at = folder_.file("hardware.toml") + ":17:9: ";
+  EXPECT_EQ(refusal(device + " CTS", device + " CTS"),
+            at + "relay is \"" + device + " CTS\" for two outlets; it must be unique");
+  EXPECT_EQ(refusal(device + " CTS", by_id + " CTS"),
+            at + "relay is \"" + device + " CTS\" and \"" + by_id +
+                " CTS\" for two outlets, which are the same; it must be unique");
+  EXPECT_EQ(refusal(device + " CTS", by_id + " DSR"), "") << "two lines of one port";
+  EXPECT_EQ(refusal(device + " CTS", device + "1 CTS"), "") << "two ports";
+}
+
+TEST_F(PhysicalSlots, GiveEachModemLineItsPort) {
+  const auto station =
+      load(on_modem_lines("/dev/nowhere-0 CTS", "/dev/nowhere-1 DCD")).make_station(plan(1.0), {});
+  EXPECT_THAT(station->ports(),
+              ElementsAre("tcp://127.0.0.1:1", "/dev/nowhere-0", "/dev/nowhere-1"));
+  ASSERT_EQ(station->slots().size(), 2U);
+  EXPECT_EQ(station->slots()[0].relay_channel, 0U);
+  EXPECT_EQ(station->slots()[1].relay_channel, 1U);
+}
+
+}  // namespace
+}  // namespace gsbench::station::test
