@@ -97,6 +97,7 @@ class HeadEmulator final : public Output {
   double count_at(std::int64_t step) const;
 
  private:
+  using Lock = std::lock_guard<std::mutex>;
   struct InputEdge {
     std::int64_t step;
     std::size_t channel;
