@@ -339,18 +339,22 @@ std::vector<profile::NamedFile> all_instruments() {
 scpi::Instrument load_instrument(const std::string& name_or_path, const std::string& beside) {
   if (fs::path(name_or_path).extension() == ".toml") {
     const std::string path = profile::resolve(name_or_path, beside);
+    if (!profile::is_regular_file(path)) {
+      throw NoSuchInstrument(
+          fmt::format("instrument is \"{}\", which is not an existing file", name_or_path));
+    }
     return read_instrument({fs::path(path).stem().string(), path});
   }
   const std::vector<profile::NamedFile> known = all_instruments();
   const auto named = [&](const profile::NamedFile& file) { return file.name == name_or_path; };
   const auto found = std::find_if(known.begin(), known.end(), named);
   if (found == known.end()) {
-    throw keys::ConfigurationError(fmt::format(
+    throw NoSuchInstrument(fmt::format(
         "unknown instrument \"{}\"{} (for your own file, give its path, ending in .toml)",
         name_or_path, keys::suggestion(name_or_path, profile::names_of(known), "instruments")));
   }
   if (const auto twin = std::find_if(found + 1, known.end(), named); twin != known.end()) {
-    throw keys::ConfigurationError(
+    throw NoSuchInstrument(
         fmt::format("{} and {} have the same name; rename one, or give "
                     "a path",
                     found->path, twin->path));

@@ -7,6 +7,14 @@
 namespace gsbench::station {
 namespace {
 
+scpi::Instrument read_instrument_of(const keys::Table& source, const std::string& file_path) {
+  try {
+    return load_instrument(source.text("instrument"), file_path);
+  } catch (const NoSuchInstrument& error) {
+    source.refuse("instrument", error.what());
+  }
+}
+
 SourceFactory read_scpi(const keys::Table& source, const std::string& file_path) {
   if (!source.has("instrument")) {
     source.refuse_missing("instrument", "instrument = \"siglent-sdg2000x\"");
@@ -14,7 +22,7 @@ SourceFactory read_scpi(const keys::Table& source, const std::string& file_path)
   scpi::SourceOptions options;
   options.channel = static_cast<int>(source.whole("channel"));
   options.baud = static_cast<int>(source.whole("baud"));
-  return [instrument = load_instrument(source.text("instrument"), file_path), options](
+  return [instrument = read_instrument_of(source, file_path), options](
              const std::string& port, const SourceSettings& settings) mutable {
     options.port = port;
     options.plan.wiring = {settings.nominal_v, settings.gain, settings.voltage_limit_v};

@@ -1,4 +1,4 @@
-// [[outlet]] of physical stations: channels of relay senses, and what is refused with its line.
+// Physical stations: the instrument, channels of relay senses, and what is refused with its line.
 #include "plans.hpp"
 #include <test_support/refusal.hpp>
 #include <test_support/temporary_folder.hpp>
@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class PhysicalSlots : public testing::Test {
+class PhysicalFile : public testing::Test {
  protected:
   StationFile load(const std::string& text) const {
     return load_station(folder_.write("hardware.toml", text));
@@ -42,7 +42,7 @@ std::string on_modem_lines(const std::string& first, const std::string& second) 
          "\"\n[[outlet]]\nplace = \"b\"\nrelay = \"" + second + "\"\n";
 }
 
-TEST_F(PhysicalSlots, RefuseAModemLineThatIsNotAPortAndALine) {
+TEST_F(PhysicalFile, RefusesAModemLineThatIsNotAPortAndALine) {
   for (const char* channel :
        {"/dev/ttyUSB0 RTS", "/dev/ttyUSB0 DTR", "/dev/ttyUSB0 RI", "/dev/ttyUSB0 cts",
         "/dev/ttyUSB0 CTSX", "/dev/ttyUSB0", "/dev/ttyUSB0 ", "CTS", " CTS", "ttyUSB0 CTS",
@@ -57,7 +57,7 @@ TEST_F(PhysicalSlots, RefuseAModemLineThatIsNotAPortAndALine) {
   }
 }
 
-TEST_F(PhysicalSlots, RefuseAModemLineThatIsUsedTwiceUnderAnyNameOfItsPort) {
+TEST_F(PhysicalFile, RefusesAModemLineThatIsUsedTwiceUnderAnyNameOfItsPort) {
   const std::string device = folder_.write("ttyUSB0", "");
   const std::string by_id = folder_.file("by-id");
   std::filesystem::create_symlink(device, by_id);
@@ -74,7 +74,7 @@ TEST_F(PhysicalSlots, RefuseAModemLineThatIsUsedTwiceUnderAnyNameOfItsPort) {
   EXPECT_EQ(refusal(device + " CTS", device + "1 CTS"), "") << "two ports";
 }
 
-TEST_F(PhysicalSlots, GiveEachModemLineItsPort) {
+TEST_F(PhysicalFile, GivesEachModemLineItsPort) {
   const auto station =
       load(on_modem_lines("/dev/nowhere-0 CTS", "/dev/nowhere-1 DCD")).make_station(plan(1.0), {});
   EXPECT_THAT(station->ports(),
@@ -82,6 +82,23 @@ TEST_F(PhysicalSlots, GiveEachModemLineItsPort) {
   ASSERT_EQ(station->slots().size(), 2U);
   EXPECT_EQ(station->slots()[0].relay_channel, 0U);
   EXPECT_EQ(station->slots()[1].relay_channel, 1U);
+}
+
+TEST_F(PhysicalFile, RefusesAnInstrumentThatIsUnknown) {
+  const auto refusal = [&](const std::string& instrument) {
+    std::string text = on_modem_lines("/dev/nowhere-0 CTS", "/dev/nowhere-1 CTS");
+    const std::string shipped = "siglent-sdg2000x";
+    return refusal_of(text.replace(text.find(shipped), shipped.size(), instrument));
+  };
+  const std::string at = folder_.file("hardware.toml") + ":6:14: ";
+  EXPECT_THAT(refusal("siglent-sdg200x"),
+              AllOf(StartsWith(at + "unknown instrument \"siglent-sdg200x\""),
+                    HasSubstr("\"siglent-sdg2000x\"")));
+  EXPECT_EQ(refusal("mine.toml"),
+            at + "instrument is \"mine.toml\", which is not an existing file");
+  // An error in the instrument's file has its own place.
+  const std::string mine = folder_.write("mine.toml", "title = 3\n");
+  EXPECT_THAT(refusal("mine.toml"), StartsWith(mine + ":1:"));
 }
 
 }  // namespace
