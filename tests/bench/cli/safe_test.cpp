@@ -1,5 +1,8 @@
-// `gsbench safe` and `run` on physical stations, against an emulated generator.
+// `gsbench safe`, and refusals of `run`, on physical stations: against an emulated generator and an
+// emulated head.
 #include "gsbench_process.hpp"
+#include <head_driver_test/running_head.hpp>
+#include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <chrono>
@@ -153,6 +156,29 @@ TEST_F(SafeCommand, DryRunRefusesATighterTolerance) {
   expect_refused(
       {"run", profile("frequency_tolerance_mhz = 1e-9\n"), "--station", station(), "--dry-run"},
       "mHz");
+}
+
+// The head's time stands still, so that it does not switch off because its bench is silent.
+TEST(SafeOnAHead, SwitchesTheOutputOff) {
+  RunningHead head(HeadPace::kRealTime);
+  const auto bench = demand(head::Head::create(options_for(*head)));
+  const Mains mains;
+  demand(bench->source().prepare(mains));
+  demand(bench->source().energise());
+  demand(bench->source().hold());
+  head.freeze();
+  EXPECT_EQ(head->observe().state, gs::head::State::kPlaying);
+  const TemporaryFolder folder;
+  const std::string station = folder.write(
+      "bench.toml", fmt::format("title = \"A head\"\nkind = \"physical\"\n[source]\n"
+                                "kind = \"head\"\nport = \"{}\"\ngain = 247.6\n"
+                                "voltage_limit_v = 252.0\n[[outlet]]\nplace = \"socket-1\"\n"
+                                "link = \"/dev/gsbench-nowhere\"\n",
+                                head->port()));
+  const Outcome outcome = run_gsbench({"safe", station, "--wait", "0"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(StartsWith(head->port() + ": "), HasSubstr(": output off\n")));
+  EXPECT_EQ(head->observe().state, gs::head::State::kOff);
 }
 
 }  // namespace
