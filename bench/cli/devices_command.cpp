@@ -87,7 +87,7 @@ void print(const std::vector<link::OutletPresence>& present) {
 }
 
 int devices(const DevicesArguments& arguments) {
-  const std::vector<link::OutletPresence> present = find_outlets(arguments.link).outlets;
+  const std::vector<link::OutletPresence> present = find_outlets(arguments.link, "devices").outlets;
   if (arguments.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const link::OutletPresence& outlet : present) {
@@ -114,7 +114,7 @@ void add_devices(CommandLine& line) {
   command.footer(
       "Exit code 4 if an outlet does not answer, has the same id as another outlet, or uses "
       "another\n"
-      "version of the protocol.\n"
+      "version of the protocol, or if another bench uses a port that was given.\n"
       "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"

@@ -45,6 +45,24 @@ station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
   return outlets;
 }
 
+// Keeps the ports that no other bench uses, locked.
+std::vector<std::unique_ptr<station::StationLock>> lock_free_ones(std::vector<std::string>& ports,
+                                                                  const std::string& doing) {
+  std::vector<std::unique_ptr<station::StationLock>> locks;
+  std::vector<std::string> free;
+  for (const std::string& port : ports) {
+    try {
+      locks.push_back(
+          std::make_unique<station::StationLock>(std::vector<std::string>{port}, doing));
+      free.push_back(port);
+    } catch (const station::StationBusy& busy) {
+      print_error(std::string(busy.what()) + "; this port is left out");
+    }
+  }
+  ports = free;
+  return locks;
+}
+
 }  // namespace
 
 void add_link_options(CLI::App& command, LinkArguments& arguments) {
@@ -61,14 +79,21 @@ void add_link_options(CLI::App& command, LinkArguments& arguments) {
       ->excludes(station);
 }
 
-FoundOutlets find_outlets(const LinkArguments& arguments) {
+FoundOutlets find_outlets(const LinkArguments& arguments, const std::string& command) {
   station::PhysicalOutlets there = outlets_of(arguments);
   const bool looking = arguments.station.empty() && arguments.ports.empty();
   there.serial.skip_unusable = looking;
+  FoundOutlets found;
+  if (looking) {
+    found.locks = lock_free_ones(there.serial.ports, "command " + command);
+  } else {
+    found.locks.push_back(
+        std::make_unique<station::StationLock>(there.serial.ports, "command " + command));
+  }
   std::vector<std::string> named = there.serial.ports;
   named.insert(named.end(), there.mqtt.outlets.begin(), there.mqtt.outlets.end());
   const bool any_on_broker = !there.mqtt.url.empty() && there.mqtt.outlets.empty();
-  FoundOutlets found{station::make_link(there), {}};
+  found.link = station::make_link(there);
   auto outlets = link::wait_for_outlets(*found.link, named, kPatience,
                                         any_on_broker ? kForSearching : std::chrono::seconds(0));
   if (!outlets.ok()) {

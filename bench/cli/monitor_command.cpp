@@ -151,7 +151,7 @@ void print(const MonitorArguments& arguments, const link::Happenings& happenings
 
 int monitor(const MonitorArguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const FoundOutlets found = find_outlets(arguments.link);
+  const FoundOutlets found = find_outlets(arguments.link, "monitor");
   if (std::none_of(found.outlets.begin(), found.outlets.end(), [&](const auto& outlet) {
         return outlet.fault.empty() && wanted(arguments, outlet.id);
       })) {
@@ -197,6 +197,8 @@ void add_monitor(CommandLine& line) {
   command.add_flag("--quiet", arguments.quiet,
                    "Leave out the measurements, which come every 16 ms");
   command.footer(
+      "A serial or TCP port is read by one bench at a time: exit code 4 if another bench uses it.\n"
+      "\n"
       "Examples:\n"
       "  gsbench monitor --port /dev/ttyUSB0\n"
       "  gsbench monitor --station my-station.toml --outlet kitchen-1 --quiet");

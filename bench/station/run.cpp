@@ -36,7 +36,7 @@ source::Played upload(const profile::Plan& plan, const PlayedSignal& signal, Sta
 
 // The steps before judge() record facts and faults only; the verdicts come from bench/judge.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options) {
-  const StationLock lock(station.ports(), plan.name);
+  const StationLock lock(station.ports(), "profile " + plan.name);
   record::RunRecord run = prepare(plan, station);
   const std::vector<Slot> slots = assign(plan.outlets, station.slots());
   check_offered(plan, slots);

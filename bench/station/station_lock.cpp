@@ -74,7 +74,7 @@ std::string lock_file(const std::string& port) {
   return fmt::format("{}/gsbench-{}.lock", kFolder, name);
 }
 
-StationLock::StationLock(const std::vector<std::string>& ports, const std::string& profile) {
+StationLock::StationLock(const std::vector<std::string>& ports, const std::string& doing) {
   std::set<std::string> paths;
   for (const std::string& port : ports) {
     if (port.empty() || !paths.insert(lock_file(port)).second) {
@@ -91,8 +91,8 @@ StationLock::StationLock(const std::vector<std::string>& ports, const std::strin
       }
       throw StationBusy(fmt::format("{}: in use by another bench: {}", port, content_of(file)));
     }
-    const std::string owner = fmt::format("user {}, process {} (gsbench), profile {}, since {}",
-                                          user_name(), ::getpid(), profile, utc_now());
+    const std::string owner = fmt::format("user {}, process {} (gsbench), {}, since {}",
+                                          user_name(), ::getpid(), doing, utc_now());
     const auto size = static_cast<ssize_t>(owner.size());
     if (::ftruncate(file.get(), 0) != 0 ||
         ::pwrite(file.get(), owner.data(), owner.size(), 0) != size) {

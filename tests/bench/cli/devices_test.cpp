@@ -18,11 +18,13 @@
 
 #include <emulation/hardware.hpp>
 #include <render/layout.hpp>
+#include <station/station_lock.hpp>
 
 namespace gsbench::test {
 namespace {
 
 using emulation::Connection;
+using testing::AllOf;
 using testing::HasSubstr;
 
 // An emulated station with one outlet at nominal voltage and frequency, for the duration of a test.
@@ -52,6 +54,7 @@ class OneOutlet : public testing::Test {
     if (mains_.joinable()) {
       mains_.join();
     }
+    std::filesystem::remove(station::lock_file(where_));
   }
 
   // The command with the options that reach the outlet.
@@ -160,6 +163,40 @@ TEST_F(SerialStation, IsMonitoredUntilTheReaderOfThePipeEnds) {
   EXPECT_EQ(lines_of(output_of(command).text).size(), 3U);
   // The shell waits for both processes: without the broken pipe monitor would run for 30 s.
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(15));
+}
+
+// To read a port that a run uses would spoil the run.
+TEST_F(SerialStation, IsNotReadWhileAnotherBenchUsesItsPort) {
+  const std::string station = folder_.write(
+      "serial.toml",
+      "title = \"Serial\"\nkind = \"physical\"\n[serial]\nports = [\"" + where_ + "\"]\n");
+  const station::StationLock lock({where_}, "profile paper/loss-500mw");
+  for (const Words& words : {to_it("devices"), to_it("monitor", {"--seconds", "1"}),
+                             Words{"devices", "--station", station},
+                             Words{"monitor", "--station", station, "--seconds", "1"}}) {
+    const Outcome outcome = run_gsbench(words);
+    EXPECT_EQ(outcome.exit_code, 4) << testing::PrintToString(words);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr(where_ + ": in use by another bench: user "),
+                                   HasSubstr("profile paper/loss-500mw, since 20")));
+  }
+}
+
+TEST_F(SerialStation, IsInUseWhileItIsMonitored) {
+  const Started started = start_gsbench(to_it("monitor"));
+  EXPECT_TRUE(until([&] { return text_of(started.out).find("pu valid") != std::string::npos; }));
+  const Outcome second = run_gsbench(to_it("devices"));
+  EXPECT_EQ(second.exit_code, 4);
+  EXPECT_THAT(second.err, HasSubstr("(gsbench), command monitor, since 20"));
+  EXPECT_EQ(stop(started, SIGINT).exit_code, 0) << "it was not disturbed";
+  EXPECT_EQ(run_gsbench(to_it("devices")).exit_code, 0);
+}
+
+TEST_F(MqttStation, IsListedWhileItIsMonitored) {
+  const Started started = start_gsbench(to_it("monitor"));
+  EXPECT_TRUE(until([&] { return text_of(started.out).find("pu valid") != std::string::npos; }));
+  EXPECT_EQ(run_gsbench(to_it("devices")).exit_code, 0);
+  EXPECT_EQ(stop(started, SIGINT).exit_code, 0);
 }
 
 TEST_P(AnyStation, HasNoOutletWithAnotherId) {

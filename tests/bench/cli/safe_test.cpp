@@ -102,7 +102,7 @@ TEST_F(SafeCommand, SaysThatTheStateIsUnknownIfTheOutputStaysOn) {
 TEST_F(SafeCommand, WarnsWhoUsesTheStationAndGoesOn) {
   const std::string port = generator_->port();
   {
-    const station::StationLock lock({port}, "paper/loss-500mw");
+    const station::StationLock lock({port}, "profile paper/loss-500mw");
     const Outcome outcome = run_gsbench({"safe", station()});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_THAT(outcome.err,
@@ -120,7 +120,7 @@ TEST_F(SafeCommand, RefusesAStationWithoutASource) {
 TEST_F(SafeCommand, RunOnAStationInUseIsAnError) {
   const std::string port = generator_->port();
   {
-    const station::StationLock lock({port}, "paper/loss-500mw");
+    const station::StationLock lock({port}, "profile paper/loss-500mw");
     const Outcome outcome =
         run_gsbench({"run", profile(), "--station", station(), "--out", folder_.file("runs")});
     EXPECT_EQ(outcome.exit_code, 4);

@@ -42,12 +42,13 @@ class Lock : public testing::Test {
 };
 
 std::string refusal_of(const std::vector<std::string>& ports) {
-  return gsbench::test::refusal_of<StationBusy>([&] { const StationLock lock(ports, "second"); });
+  return gsbench::test::refusal_of<StationBusy>(
+      [&] { const StationLock lock(ports, "profile second"); });
 }
 
 TEST_F(Lock, SecondBenchIsRefusedAndSaysWhoUsesThePort) {
   const std::string one = port("1");
-  const StationLock lock({one, port("2")}, "paper/loss-500mw");
+  const StationLock lock({one, port("2")}, "profile paper/loss-500mw");
   EXPECT_THAT(refusal_of({port("3"), one}),
               AllOf(StartsWith(one + ": in use by another bench: user "),
                     HasSubstr("process " + std::to_string(::getpid()) + " (gsbench), "),
@@ -57,7 +58,7 @@ TEST_F(Lock, SecondBenchIsRefusedAndSaysWhoUsesThePort) {
 
 TEST_F(Lock, EndsWithItsObject) {
   const std::string one = port("1");
-  { const StationLock lock({one}, "first"); }
+  { const StationLock lock({one}, "profile first"); }
   EXPECT_EQ(refusal_of({one}), "");
   EXPECT_EQ(lock_holder(one), "");
 }
@@ -65,7 +66,7 @@ TEST_F(Lock, EndsWithItsObject) {
 TEST_F(Lock, HolderIsKnownWithoutDisturbingIt) {
   const std::string one = port("1");
   EXPECT_EQ(lock_holder(one), "") << "a port that was never used";
-  const StationLock lock({one}, "first");
+  const StationLock lock({one}, "profile first");
   for (int time = 0; time < 2; ++time) {
     EXPECT_THAT(lock_holder(one), HasSubstr("profile first"));
   }
@@ -74,7 +75,7 @@ TEST_F(Lock, HolderIsKnownWithoutDisturbingIt) {
 
 TEST_F(Lock, PortsThatAreEmptyOrListedTwiceCountOnce) {
   const std::string one = port("1");
-  const StationLock lock({"", one, one}, "first");
+  const StationLock lock({"", one, one}, "profile first");
   EXPECT_NE(refusal_of({one}), "");
 }
 
@@ -84,7 +85,7 @@ TEST_F(Lock, IsReleasedByTheKernelIfTheBenchIsKilled) {
   ASSERT_EQ(::pipe(ready), 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    const StationLock lock({one}, "killed");
+    const StationLock lock({one}, "profile killed");
     (void)!::write(ready[1], "x", 1);
     while (true) {
       ::pause();
@@ -102,7 +103,7 @@ TEST_F(Lock, IsReleasedByTheKernelIfTheBenchIsKilled) {
 
 TEST_F(Lock, FileMayBeUsedByAllUsers) {
   const std::string one = port("1");
-  const StationLock lock({one}, "first");
+  const StationLock lock({one}, "profile first");
   struct stat state {};
   ASSERT_EQ(::stat(lock_file(one).c_str(), &state), 0);
   EXPECT_EQ(state.st_mode & 0777U, 0666U);
@@ -119,7 +120,7 @@ TEST_F(Lock, TwoNamesOfADeviceHaveOneLock) {
 
 TEST_F(Lock, RunIsRefusedBeforeAnythingIsTouched) {
   const std::string one = port("1");
-  const StationLock lock({one}, "first");
+  const StationLock lock({one}, "profile first");
   Script script;
   script.ports = {one};
   FakeStation station(script);

@@ -1,4 +1,5 @@
-// One bench at a time uses a station. For each port there is a lock file, which the bench locks
+// One bench at a time uses a station: `run`, `devices` and `monitor` lock the ports that they open.
+// For each port there is a lock file, which the bench locks
 // with flock(2): the kernel releases it when the bench ends, also by SIGKILL. The files are in
 // /tmp, which exists on each Debian and in which each user may write (/run/lock may be missing, or
 // for root only). They are never removed: a new file of the same name would be a second lock.
@@ -22,10 +23,10 @@ class StationBusy : public std::runtime_error {
 
 class StationLock {
  public:
-  // Locks all ports. `profile`: what is played, for the message to others. Empty ports, and a port
-  // that is listed twice, count once. Throws StationBusy, and std::runtime_error if a lock file
-  // cannot be used.
-  StationLock(const std::vector<std::string>& ports, const std::string& profile);
+  // Locks all ports. `doing`: for the message to others, "profile x" or "command monitor". Empty
+  // ports, and a port that is listed twice, count once. Throws StationBusy, and std::runtime_error
+  // if a lock file cannot be used.
+  StationLock(const std::vector<std::string>& ports, const std::string& doing);
   ~StationLock();
   StationLock(const StationLock&) = delete;
   StationLock& operator=(const StationLock&) = delete;
