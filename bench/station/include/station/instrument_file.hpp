@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <keys/document.hpp>
 #include <keys/key.hpp>
 #include <profile/files.hpp>
 
