@@ -66,6 +66,24 @@ std::string waited(const link::OutletPresence& outlet, const Station& station) {
                                                 : "";
 }
 
+bool is_another_than_required(const link::OutletPresence& outlet, const Slot& slot) {
+  return slot.requires_serial_number && outlet.fault.empty() && outlet.id != slot.serial_number;
+}
+
+// An outlet may report what is the name of another slot, whose own outlet did not answer or has no
+// link. Then the latter is named with its place: a record has each id once.
+void make_unique(const std::vector<Slot>& slots, std::vector<record::OutletRecord>& records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const bool is_shared =
+        std::count_if(records.begin(), records.end(), [&](const record::OutletRecord& other) {
+          return other.id == records[i].id;
+        }) > 1;
+    if (is_shared && (records[i].link.empty() || !records[i].took_part)) {
+      records[i].id += " at " + slots[i].place;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
@@ -110,19 +128,25 @@ std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::ve
       continue;
     }
     const link::OutletPresence& outlet = *next++;
-    if (outlet.where.empty()) {
-      record.link = slots[i].place;  // it did not answer at this place
-    } else {
-      record.id = outlet.id;
-      record.link = outlet.where;
-    }
+    record.link = outlet.where.empty() ? slots[i].place : outlet.where;
     require(boot.hold(slots.size()));
+    if (is_another_than_required(outlet, slots[i])) {
+      note(record,
+           fmt::format("is not at its place: the station names serial_number \"{}\" for {}, "
+                       "the outlet there reports \"{}\"",
+                       slots[i].serial_number, slots[i].place, outlet.id));
+      continue;
+    }
+    if (!outlet.where.empty()) {
+      record.id = outlet.id;
+    }
     if (outlet.fault.empty()) {
       send_settings(plan, plan.outlets[i], outlet, station.link(), record);
     } else {
       note(record, outlet.fault + waited(outlet, station));
     }
   }
+  make_unique(slots, records);
   return records;
 }
 

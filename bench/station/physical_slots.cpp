@@ -63,7 +63,10 @@ keys::Key slot_keys() {
       "outlets than the station, each group is reduced.",
       {keys::id("place", kLongestId, "name of the place, as on its label; unique")
            .require("the name of the place, e.g. place = \"socket-1\""),
-       keys::id("serial_number", kLongestId, "id of the outlet at this place; unique")
+       keys::id(
+           "serial_number", kLongestId,
+           "id of the outlet at this place; unique. An outlet on a port that reports another id "
+           "is at fault")
            .or_else("`place`; required with `link = \"mqtt\"`"),
        keys::text("link",
                   "connection of the outlet: its port, or `mqtt`: by its serial number at the "
@@ -85,12 +88,13 @@ std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* re
     PhysicalSlot slot;
     slot.place = table.text("place");
     slot.serial_number = table.find_text("serial_number").value_or(slot.place);
+    slot.has_serial_number = table.has("serial_number");
     slot.link = table.find_text("link").value_or("");
     slot.relay = table.find_text("relay").value_or("");
     places.require(table, slot.place);
     serial_numbers.require(table, slot.serial_number);
     if (slot.link == kByBroker) {
-      if (!table.has("serial_number")) {
+      if (!slot.has_serial_number) {
         table.refuse_missing("serial_number", "the id of the outlet at the broker");
       }
       if (!top.has("mqtt")) {

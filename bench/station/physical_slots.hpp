@@ -13,6 +13,7 @@ namespace gsbench::station {
 struct PhysicalSlot {
   std::string place;
   std::string serial_number;  // the place if the file gives none
+  bool has_serial_number = false;
   std::string link;           // a port, "mqtt", or empty: a contact-only device
   std::string relay;          // channel of the relay sense; empty: contact not sensed
 };

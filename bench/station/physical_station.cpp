@@ -44,6 +44,7 @@ std::unique_ptr<Station> make_physical_station(const Wiring& wiring, const profi
     Slot& made = parts.slots.emplace_back();
     made.place = slot.place;
     made.serial_number = slot.serial_number;
+    made.requires_serial_number = slot.has_serial_number;
     if (!slot.link.empty()) {
       made.link_id = slot.link == kByBroker ? slot.serial_number : slot.link;
     }

@@ -39,8 +39,9 @@ void note_source(const source::Played& played, Station& station, record::RunReco
 void note_relay_sense(Station& station, record::RunRecord& run);
 
 // Waits for the outlets in `slots` and sends them their settings. The link is open and the source
-// is energised. Slot i is for outlet i of the plan. An outlet that does not join, is faulty or has
-// the wrong sample rate is excluded with that fault. An outlet without a link takes part without
+// is energised. Slot i is for outlet i of the plan. An outlet that does not join, is faulty, has
+// another serial number than its slot requires or the wrong sample rate is excluded with that
+// fault. An outlet without a link takes part without
 // settings. Throws BenchFault if there are too few slots, and Stopped.
 std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::vector<Slot>& slots,
                                         Station& station, Boot& boot);

@@ -82,6 +82,10 @@ std::vector<Slot> FakeStation::slots() const {
     if (is_linked(i)) {
       slot.link_id = id_of(i);
     }
+    if (is_last(i) && !script_.requires_serial_number.empty()) {
+      slot.serial_number = script_.requires_serial_number;
+      slot.requires_serial_number = true;
+    }
     if (i < script_.relay_channels) {
       slot.relay_channel = i;
     }

@@ -43,7 +43,8 @@ struct Script {
   // Behaviour of the last outlet.
   bool without_link = false;
   bool joins = true;
-  std::vector<relay::Edge> edges;  // returned by the first poll of the relay sense
+  std::string requires_serial_number;  // of its slot, which has a port; empty: none
+  std::vector<relay::Edge> edges;      // returned by the first poll of the relay sense
   std::uint16_t protocol_version = gs::wire::kProtocolVersion;
   gs::outlet::SettingsError settings_error = gs::outlet::SettingsError::kNone;
   bool answers_settings = true;

@@ -84,6 +84,19 @@ TEST_F(PhysicalFile, GivesEachModemLineItsPort) {
   EXPECT_EQ(station->slots()[1].relay_channel, 1U);
 }
 
+TEST_F(PhysicalFile, RequiresTheSerialNumbersThatItStates) {
+  const auto station = load(std::string(kSourceOfSlots) +
+                            "[[outlet]]\nplace = \"a\"\nlink = \"/dev/nowhere-0\"\n"
+                            "[[outlet]]\nplace = \"b\"\nlink = \"/dev/nowhere-1\"\n"
+                            "serial_number = \"GS-7\"\n")
+                           .make_station(plan(1.0), {});
+  ASSERT_EQ(station->slots().size(), 2U);
+  EXPECT_FALSE(station->slots()[0].requires_serial_number);
+  EXPECT_EQ(station->slots()[0].serial_number, "a");
+  EXPECT_TRUE(station->slots()[1].requires_serial_number);
+  EXPECT_EQ(station->slots()[1].serial_number, "GS-7");
+}
+
 TEST_F(PhysicalFile, RefusesAnInstrumentThatIsUnknown) {
   const auto refusal = [&](const std::string& instrument) {
     std::string text = on_modem_lines("/dev/nowhere-0 CTS", "/dev/nowhere-1 CTS");

@@ -22,6 +22,8 @@ struct Slot {
   std::optional<std::string> link_id;        // none: the outlet has only its contact
   std::optional<std::size_t> relay_channel;  // of the relay sense; none: contact not sensed
   std::string relay_name = {};               // of the channel, for messages: "/dev/ttyUSB0 CTS"
+  // An outlet here that reports another serial number is at fault. False: any outlet may be here.
+  bool requires_serial_number = false;
 };
 
 class Station {
