@@ -3,6 +3,7 @@
 #include <emulation/mains.hpp>
 #include <models/adc.hpp>
 #include <simulated/pacer.hpp>
+#include <source/fundamental.hpp>
 
 namespace gsbench::emulation {
 
@@ -50,11 +51,7 @@ class MainsSource final : public source::Source {
     Terminals& terminals = *state_->terminals;
     for (std::size_t i = 0; i < terminals.size(); ++i) {
       // A different sample count for each outlet.
-      const Result<std::vector<std::int16_t>> nominal = nominal_counts(800 + 137 * i);
-      if (!nominal.ok()) {
-        return Error{nominal.error()};
-      }
-      terminals.write(i, nominal.value());
+      terminals.write(i, nominal_counts(800 + 137 * i));
     }
     terminals.connect(state_->options.sample_rate_hz, stimulus().noise());
     return Done{};
@@ -83,18 +80,11 @@ class MainsSource final : public source::Source {
   Status switch_off() noexcept override { return Done{}; }
 
  private:
-  // `count` samples of nominal voltage, in phase with the stimulus's first two samples.
-  Result<std::vector<std::int16_t>> nominal_counts(std::size_t count) {
-    const Result<const float*> first = samples(0, 2);
-    if (!first.ok()) {
-      return Error{first.error()};
-    }
-    const auto at_0 = static_cast<double>(first.value()[0]);
-    const auto at_1 = static_cast<double>(first.value()[1]);
+  // `count` samples of nominal voltage, in phase with the beginning of the stimulus.
+  std::vector<std::int16_t> nominal_counts(std::size_t count) {
     const double step_rad = 2.0 * kPi * static_cast<double>(state_->options.nominal_hz) /
                             static_cast<double>(state_->options.sample_rate_hz);
-    const double phase_rad =
-        std::atan2((at_0 * std::cos(step_rad) - at_1) / std::sin(step_rad), at_0);
+    const double phase_rad = std::arg(source::fundamental_pu(stimulus(), 0));
     std::vector<std::int16_t> counts(count);
     for (std::size_t n = 0; n < count; ++n) {
       const double angle_rad = phase_rad - step_rad * static_cast<double>(count - n);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <source/fundamental.hpp>
+
 namespace gsbench::head {
 
 using drivers::Done;
@@ -53,7 +55,7 @@ Status HeadSource::upload(const source::Progress&) {
 Status HeadSource::power_up() {
   queued_ = 0;
   // Sample 0 has the phase of tick 0, so that the stimulus can begin after any number of periods.
-  nominal_.emplace(stimulus(), 0, phase_rad(stimulus(), 0, 0), 0.0, kRampSamples);
+  nominal_.emplace(stimulus(), 0, 0, 0.0, kRampSamples);
   if (Status armed = session_->arm(); !armed.ok()) {
     return armed;
   }
@@ -72,7 +74,8 @@ Status HeadSource::keep_up() {
 }
 
 Status HeadSource::begin() {
-  const std::int64_t period = repeats_after(stimulus().sample_rate_hz(), stimulus().nominal_hz());
+  const std::int64_t period =
+      source::repeats_after(stimulus().sample_rate_hz(), stimulus().nominal_hz());
   const std::int64_t first = (queued_ + period - 1) / period * period;
   session_->tick_0_sample = first;
   stimulus_end_ = first + stimulus().total_ticks();
@@ -164,11 +167,9 @@ Status HeadSource::write(std::int64_t count, std::int16_t* out) {
 void HeadSource::end_stimulus_at(std::int64_t sample) {
   stimulus_end_ = sample;
   const std::int64_t tick = sample - *session_->tick_0_sample;
-  const std::int64_t period = repeats_after(stimulus().sample_rate_hz(), stimulus().nominal_hz());
   const std::int64_t last = std::max<std::int64_t>(tick - 1, 0);
-  nominal_.emplace(stimulus(), sample,
-                   phase_rad(stimulus(), std::max<std::int64_t>(tick - period, 0), tick),
-                   tick > 0 ? stimulus().amplitude_pu(last) : 1.0, kReturnSamples);
+  nominal_.emplace(stimulus(), tick, sample, tick > 0 ? stimulus().amplitude_pu(last) : 1.0,
+                   kReturnSamples);
 }
 
 }  // namespace gsbench::head

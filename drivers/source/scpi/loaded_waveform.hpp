@@ -13,9 +13,9 @@ struct LoadedWaveform {
   std::vector<float> voltage_pu;  // per unit of nominal peak; begins and ends at 0
 };
 
-// Soft rise, nominal voltage in phase with the stimulus's first period, the stimulus, and a soft
-// fall that goes on with its last period. In the last 0.1 s before the stimulus, the amplitude goes
-// softly to that of the first period. Without the stimulus's noise.
+// A soft rise, nominal voltage in phase with the beginning of the stimulus, the stimulus, and a
+// soft fall at its last frequency, in phase with its end. In the last 0.1 s before the stimulus,
+// the amplitude changes softly to that of its fundamental. Without the stimulus's noise.
 LoadedWaveform loaded_waveform(const source::Stimulus& stimulus, double boot_s);
 
 // The stimulus's noise alone, 0 before and after it; of the same size as `waveform`.
