@@ -28,20 +28,7 @@ double Boot::left_s() const {
                   0.0);
 }
 
-bool Boot::is_to_stop() const {
-  return options_.stop != nullptr && options_.stop->load();
-}
-
-void Boot::check_stop() const {
-  if (is_to_stop()) {
-    throw Stopped{};
-  }
-}
-
 drivers::Status Boot::hold(std::size_t joined) {
-  if (is_to_stop()) {
-    return drivers::Error{"stopped"};
-  }
   const double seconds = std::ceil(left_s());
   if (options_.waiting && seconds > 0.0) {
     options_.waiting(
@@ -53,13 +40,15 @@ drivers::Status Boot::hold(std::size_t joined) {
   return station_.source().hold();
 }
 
+void Boot::keep_up(std::size_t joined) {
+  require(station_.source(), hold(joined));
+}
+
 void Boot::finish() {
   while (needs_all_ && left_s() > 0.0) {
-    check_stop();
-    require(hold(linked_));
+    keep_up(linked_);
     std::this_thread::sleep_for(kBetweenHolds);
   }
-  check_stop();
 }
 
 }  // namespace gsbench::station

@@ -12,9 +12,6 @@
 
 namespace gsbench::station {
 
-// Thrown when RunOptions::stop ended the run before its start. Caught in run().
-struct Stopped {};
-
 class Boot {
  public:
   // Begins now: the source has just been energised.
@@ -23,15 +20,14 @@ class Boot {
   // Holds the voltage and shows the wait. Must be called at least every 50 ms. An error if the
   // source fails or the run is to stop.
   drivers::Status hold(std::size_t joined);
-  // Throws Stopped if the run is to stop.
-  void check_stop() const;
+  // The same, but throws BenchFault and Stopped.
+  void keep_up(std::size_t joined);
   // Holds the voltage to the end of the boot time, if something needs all of it. Throws BenchFault
   // and Stopped.
   void finish();
 
  private:
   double left_s() const;
-  bool is_to_stop() const;
 
   Station& station_;
   const RunOptions& options_;

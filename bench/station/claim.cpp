@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -52,11 +53,7 @@ std::vector<link::OutletPresence> present_outlets(const std::vector<Slot>& slots
   }
   auto present = link::wait_on_open_link(station.link(), named, station.answers_within(), {},
                                          [&boot](std::size_t joined) { return boot.hold(joined); });
-  boot.check_stop();
-  if (!present.ok()) {
-    throw BenchFault(present.error());
-  }
-  return present.take();
+  return require(station.source(), std::move(present));
 }
 
 // " within 30 s", for an outlet that did not join.
@@ -129,7 +126,7 @@ std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::ve
     }
     const link::OutletPresence& outlet = *next++;
     record.link = outlet.where.empty() ? slots[i].place : outlet.where;
-    require(boot.hold(slots.size()));
+    boot.keep_up(slots.size());
     if (is_another_than_required(outlet, slots[i])) {
       note(record,
            fmt::format("is not at its place: the station names serial_number \"{}\" for {}, "

@@ -4,9 +4,11 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <drivers/result.hpp>
 #include <record/run_record.hpp>
+#include <source/source.hpp>
 
 namespace gsbench::station {
 
@@ -15,6 +17,9 @@ struct BenchFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Thrown when RunOptions::stop ended the run. Caught in run().
+struct Stopped {};
+
 // Returns the value. Throws BenchFault if `result` is an error.
 template <class T>
 T require(drivers::Result<T> result) {
@@ -22,6 +27,15 @@ T require(drivers::Result<T> result) {
     throw BenchFault(result.error());
   }
   return result.take();
+}
+
+// The same for `result` of the last call of `source`. Throws Stopped if the call was interrupted.
+template <class T>
+T require(const source::Source& source, drivers::Result<T> result) {
+  if (!result.ok() && source.was_interrupted()) {
+    throw Stopped{};
+  }
+  return require(std::move(result));
 }
 
 // Keeps only the first fault of an outlet, because later faults often follow from it. `fault` is a

@@ -38,22 +38,25 @@ struct Player {
   std::vector<bool> open_at_start = std::vector<bool>(slots.size());
 
   bool play() {
-    const bool to_the_end = play_signal();
+    bool to_the_end = true;
+    try {
+      play_signal();
+    } catch (const Stopped&) {
+      to_the_end = false;
+    }
     add_positions_at_start();
     return to_the_end;
   }
 
-  bool play_signal() {
+  void play_signal() {
+    source::Source& source = station.source();
     const std::int64_t lead = signal.lead_ticks();
     const std::int64_t end = signal.total_ticks();
     // Without marker dips before the run, the answers arrive with its first reports.
     const std::int64_t answers_due = std::min(std::max(lead, tick_of(kSettingsAnswer_s)), end);
     std::size_t command = 0;
-    require(station.source().start());
+    require(source, source.start());
     for (std::int64_t tick = 0; tick < end;) {
-      if (options.stop != nullptr && options.stop->load()) {
-        return false;
-      }
       for (; command < plan.commands.size() && command_tick(command) <= tick; ++command) {
         send(plan.commands[command], tick);
       }
@@ -62,7 +65,7 @@ struct Player {
            {answers_due, command < plan.commands.size() ? command_tick(command) : end, end}) {
         next = stop > tick ? std::min(next, stop) : next;
       }
-      const std::int64_t played = require(station.source().advance(next));
+      const std::int64_t played = require(source, source.advance(next));
       listen(played);
       if (tick < answers_due && played >= answers_due) {
         watch.check_answers(capture);
@@ -74,8 +77,7 @@ struct Player {
         options.progress(static_cast<double>(tick) / static_cast<double>(end));
       }
     }
-    require(station.source().stop());
-    return true;
+    require(source, source.stop());
   }
 
   std::int64_t tick_of(double t_s) const {

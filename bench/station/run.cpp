@@ -15,7 +15,8 @@ namespace {
 
 source::Played upload(const profile::Plan& plan, const PlayedSignal& signal, Station& station,
                       const RunOptions& options) {
-  source::Played played = require(station.source().prepare(signal, [&](double part) {
+  source::Source& source = station.source();
+  source::Played played = require(source, source.prepare(signal, [&](double part) {
     if (options.waiting) {
       options.waiting(fmt::format("uploading the waveform: {:.0f} %", 100.0 * part));
     }
@@ -23,14 +24,25 @@ source::Played upload(const profile::Plan& plan, const PlayedSignal& signal, Sta
   // A source may know its deviations better once it is connected.
   const std::string excess = beyond(plan.stimulus.tolerances, deviations_of(played));
   if (!excess.empty()) {
-    throw BenchFault(station.source().limits().name +
+    throw BenchFault(source.limits().name +
                      ": the played signal would deviate too much from the profile: " + excess);
-  }
-  if (options.stop != nullptr && options.stop->load()) {
-    throw Stopped{};
   }
   return played;
 }
+
+// While it exists, RunOptions::stop also ends the calls of the source.
+class StoppableSource {
+ public:
+  StoppableSource(source::Source& source, const std::atomic<bool>* stop) : source_(source) {
+    source_.end_calls_if(stop);
+  }
+  ~StoppableSource() { source_.end_calls_if(nullptr); }
+  StoppableSource(const StoppableSource&) = delete;
+  StoppableSource& operator=(const StoppableSource&) = delete;
+
+ private:
+  source::Source& source_;
+};
 
 }  // namespace
 
@@ -46,6 +58,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
   }
   capture::Capture capture(plan.stimulus.sample_rate_hz);
   {
+    const StoppableSource stoppable(station.source(), options.stop);
     const SafeState safe_state(station.source(), station.link(), run.fault);
     if (options.writer != nullptr) {
       options.writer->begin(run);
@@ -54,7 +67,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
       note_source(upload(plan, signal, station, options), station, run);
       require(station.link().open());
       require(station.relay_sense().open());
-      require(station.source().energise());
+      require(station.source(), station.source().energise());
       Boot boot(station, slots, options);
       run.outlets = claim(plan, slots, station, boot);
       boot.finish();

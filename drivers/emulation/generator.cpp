@@ -107,6 +107,11 @@ void Generator::set_faults(const GeneratorFaults& faults) {
   core_->server.faults_changed();
 }
 
+void Generator::at_message(int message, std::function<void()> then) {
+  const std::lock_guard<std::mutex> lock(core_->mutex);
+  core_->server.at_message(message, std::move(then));
+}
+
 void Generator::press(const PanelChange& change) {
   const std::lock_guard<std::mutex> lock(core_->mutex);
   GeneratorState& state = core_->state;

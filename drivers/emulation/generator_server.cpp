@@ -130,6 +130,9 @@ bool GeneratorServer::take_message(std::string_view message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     faults = state_.faults();
     log_.emplace_back(message.substr(0, std::min(kLongestEntry, dialect_.text_size(message))));
+    if (messages_left_ > 0 && --messages_left_ == 0) {
+      then_();
+    }
     if (++messages_ == faults.drop_at_message) {
       return false;
     }

@@ -5,11 +5,13 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <emulation/listening.hpp>
@@ -34,6 +36,11 @@ class GeneratorServer {
   void stop();
   // The caller holds the mutex: faults count from now on.
   void faults_changed();
+  // The caller holds the mutex. See Generator.
+  void at_message(int message, std::function<void()> then) {
+    messages_left_ = message;
+    then_ = std::move(then);
+  }
   std::vector<std::string>& log() { return log_; }  // the caller holds the mutex
 
  private:
@@ -55,6 +62,8 @@ class GeneratorServer {
   Descriptor wake_;
   std::string received_;
   std::vector<std::string> log_;
+  int messages_left_ = 0;  // until then_ is called; 0: never
+  std::function<void()> then_;
   // Since the faults were set.
   int messages_ = 0;
   std::size_t bytes_ = 0;

@@ -73,6 +73,9 @@ void HeadEmulator::read_connection() {
         observation_.last_frame = observation_.code;
         ++observation_.frames;
         head_->take(reader_.message(), reader_.size());
+        if (frames_until_then_ > 0 && --frames_until_then_ == 0) {
+          then_();
+        }
         if (frames_until_unplugged_ > 0 && --frames_until_unplugged_ == 0) {
           if (refuses_afterwards_) {
             port_.refuse();
@@ -140,6 +143,12 @@ void HeadEmulator::drop_after(int frames) {
   const Lock lock(mutex_);
   frames_until_unplugged_ = frames;
   refuses_afterwards_ = false;
+}
+
+void HeadEmulator::after_frames(int frames, std::function<void()> then) {
+  const Lock lock(mutex_);
+  frames_until_then_ = frames;
+  then_ = std::move(then);
 }
 
 void HeadEmulator::delay_to_bench(std::chrono::milliseconds delay) {

@@ -57,17 +57,21 @@ drivers::Status Connection::open() {
   return transport_->open();
 }
 
-Result<protocol::Hello> Connection::identify() {
+Result<protocol::Hello> Connection::identify(source::Interrupt& interrupt) {
   in_session_ = false;
   hello_.reset();
   for (int attempt = 0; attempt < kIdentifyAttempts; ++attempt) {
+    if (interrupt.is_set()) {
+      return Error{port() + ": " + source::Interrupt::error().message};
+    }
     const drivers::Status sent = transport_->send(framed(protocol::Identify(), next_++));
     if (!sent.ok()) {
       return Error{sent.error()};
     }
     const auto end = Clock::now() + kIdentifyPatience;
-    while (!hello_ && Clock::now() < end) {
-      if (const drivers::Status received = receive(end); !received.ok()) {
+    while (!hello_ && Clock::now() < end && !interrupt.is_set()) {
+      if (const drivers::Status received = receive(source::Interrupt::part_of(end));
+          !received.ok()) {
         return Error{received.error()};
       }
     }

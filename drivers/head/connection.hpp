@@ -17,6 +17,7 @@
 #include <drivers/result.hpp>
 #include <head/codec.hpp>
 #include <head/messages.hpp>
+#include <source/interrupt.hpp>
 #include <transport/transport.hpp>
 #include <wire/frame.hpp>
 
@@ -37,8 +38,8 @@ class Connection {
   void close() noexcept { transport_->close(); }
 
   // Begins a session: the head switches its output off and clears everything. Blocks until its
-  // hello arrives, 1 s at most.
-  drivers::Result<protocol::Hello> identify();
+  // hello arrives, 1 s at most. An error if interrupted.
+  drivers::Result<protocol::Hello> identify(source::Interrupt& interrupt);
 
   // Sends a message with the next number. It is kept until the head has accepted it, and sent again
   // if it was lost. For identify(), arm() and ping(), use these functions.

@@ -49,14 +49,14 @@ std::optional<source::HostClock> HeadSource::host_clock() const {
 }
 
 Status HeadSource::upload(const source::Progress&) {
-  return session_->connect();
+  return session_->connect(interrupt());
 }
 
 Status HeadSource::power_up() {
   queued_ = 0;
   // Sample 0 has the phase of tick 0, so that the stimulus can begin after any number of periods.
   nominal_.emplace(stimulus(), 0, 0, 0.0, kRampSamples);
-  if (Status armed = session_->arm(); !armed.ok()) {
+  if (Status armed = session_->arm(interrupt()); !armed.ok()) {
     return armed;
   }
   if (Status filled = fill(); !filled.ok()) {
@@ -103,6 +103,9 @@ Status HeadSource::end() {
 
 Status HeadSource::stream_until_played(std::int64_t sample) {
   while (session_->samples_played() < sample) {
+    if (interrupt().is_set()) {
+      return source::Interrupt::error();
+    }
     if (Status filled = fill(); !filled.ok()) {
       return filled;
     }
@@ -117,6 +120,9 @@ Status HeadSource::fill() {
   const auto position = static_cast<std::int64_t>(session_->connection.status()->position);
   const std::int64_t until = std::min(position + kAhead, session_->room_until());
   while (until - queued_ >= kFewest) {
+    if (interrupt().is_set()) {
+      return source::Interrupt::error();
+    }
     const auto count = std::min<std::int64_t>(until - queued_,
                                               static_cast<std::int64_t>(gs::head::kLongestSamples));
     if (Status sent = send_samples(count); !sent.ok()) {

@@ -35,7 +35,7 @@ Error Session::failure(const std::string& what) const {
   return {options.port + ": " + what};
 }
 
-Status Session::connect() {
+Status Session::connect(source::Interrupt& interrupt) {
   run.reset();
   tick_0_sample.reset();
   has_played = false;
@@ -43,18 +43,21 @@ Status Session::connect() {
   if (Status opened = connection.open(); !opened.ok()) {
     return opened;
   }
-  if (Status identified = connection.identify().move_to(hello); !identified.ok()) {
+  if (Status identified = connection.identify(interrupt).move_to(hello); !identified.ok()) {
     return identified;
   }
   return check(hello, options);
 }
 
-Status Session::arm() {
+Status Session::arm(source::Interrupt& interrupt) {
   const std::uint32_t number = any_number();
   if (Status sent = connection.arm(number); !sent.ok()) {
     return sent;
   }
   for (const auto end = Clock::now() + kArmPatience; Clock::now() < end;) {
+    if (interrupt.is_set()) {
+      return failure(source::Interrupt::error().message);
+    }
     // Also finds the loss of the message before.
     if (Status asked = connection.ping(); !asked.ok()) {
       return asked;

@@ -18,9 +18,9 @@ struct Session {
   explicit Session(const HeadOptions& options);
 
   // Opens the port and identifies the head. Its output is off then.
-  drivers::Status connect();
+  drivers::Status connect(source::Interrupt& interrupt);
   // Blocks until the head is armed, 0.5 s at most.
-  drivers::Status arm();
+  drivers::Status arm(source::Interrupt& interrupt);
   // Reads what arrives. Blocks until a byte has arrived, at most until `until`. Asks for a status
   // if none has come for a while. An error if the head does not play what it should, and why.
   drivers::Status listen(Clock::time_point until);

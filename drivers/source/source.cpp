@@ -85,7 +85,8 @@ Status within_full_scale(const Limits& limits, const Stimulus& stimulus) {
 
 }  // namespace
 
-Status Source::expect(const char* call, State needed) const {
+Status Source::expect(const char* call, State needed) {
+  interrupt_.begin_call();
   if (state_ == needed) {
     return Done{};
   }
@@ -94,6 +95,13 @@ Status Source::expect(const char* call, State needed) const {
   return Error{fmt::format("{}: cannot {} while {}: it must be {}", limits().name, call,
                            kWords[static_cast<std::size_t>(state_)],
                            kWords[static_cast<std::size_t>(needed)])};
+}
+
+Status Source::ready_to(const char* call, State needed) {
+  Status expected = expect(call, needed);
+  return expected.ok() && interrupt_.is_set()
+             ? Error{fmt::format("{}: {}", limits().name, Interrupt::error().message)}
+             : expected;
 }
 
 Status Source::enter(State next, Status answer) {
@@ -115,7 +123,7 @@ Result<Played> Source::preview(const Stimulus& stimulus) const {
 }
 
 Result<Played> Source::prepare(const Stimulus& stimulus, const Progress& progress) {
-  if (const Status ready = expect("prepare", State::kOff); !ready.ok()) {
+  if (const Status ready = ready_to("prepare", State::kOff); !ready.ok()) {
     return Error{ready.error()};
   }
   Result<Played> played = limits().kind == Kind::kStreamed ? preview(stimulus) : check(stimulus);
@@ -132,7 +140,7 @@ Result<Played> Source::prepare(const Stimulus& stimulus, const Progress& progres
 }
 
 Status Source::energise() {
-  Status ready = expect("energise", State::kPrepared);
+  Status ready = ready_to("energise", State::kPrepared);
   return ready.ok() ? enter(State::kEnergised, power_up()) : ready;
 }
 
@@ -140,17 +148,17 @@ Status Source::hold() {
   if (state_ == State::kStopped) {
     return limits_.kind == Kind::kStreamed ? enter(State::kStopped, keep_up()) : Done{};
   }
-  Status ready = expect("hold", State::kEnergised);
+  Status ready = ready_to("hold", State::kEnergised);
   return ready.ok() ? enter(State::kEnergised, keep_up()) : ready;
 }
 
 Status Source::start() {
-  Status ready = expect("start", State::kEnergised);
+  Status ready = ready_to("start", State::kEnergised);
   return ready.ok() ? enter(State::kPlaying, begin()) : ready;
 }
 
 Result<std::int64_t> Source::advance(std::int64_t until_tick) {
-  if (const Status ready = expect("advance", State::kPlaying); !ready.ok()) {
+  if (const Status ready = ready_to("advance", State::kPlaying); !ready.ok()) {
     return Error{ready.error()};
   }
   const std::int64_t end_tick = stimulus_->total_ticks();
@@ -179,6 +187,8 @@ Status Source::stop() {
 
 Status Source::make_safe() noexcept {
   stimulus_ = nullptr;
+  interrupt_.begin_call();
+  const Interrupt::Ignored ignored(interrupt_);
   return enter(State::kOff, switch_off());
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -23,10 +22,6 @@ constexpr std::size_t kSentAtOnce = 16384;
 // An instrument that writes to its memory accepts nothing for a while.
 constexpr auto kSendingPatience = std::chrono::seconds(2);
 constexpr std::size_t kLongestHeader = 1000;
-
-void pause(double time_s) {
-  std::this_thread::sleep_for(std::chrono::duration<double>(time_s));
-}
 
 struct WaveformHeader {
   std::size_t data = 0;  // position of the first byte
@@ -60,8 +55,21 @@ Result<std::optional<WaveformHeader>> waveform_header(const std::vector<std::uin
 
 }  // namespace
 
-Connection::Connection(const Instrument& instrument, const std::string& port, int baud)
-    : instrument_(instrument), transport_(transport::make_transport(port, baud)) {}
+Connection::Connection(const Instrument& instrument, const std::string& port, int baud,
+                       source::Interrupt& interrupt)
+    : instrument_(instrument),
+      interrupt_(interrupt),
+      transport_(transport::make_transport(port, baud)) {}
+
+Error Connection::interrupted(const std::string& doing) const {
+  return {
+      fmt::format("{}: {} ({})", transport_->port(), source::Interrupt::error().message, doing)};
+}
+
+Status Connection::pause(double time_s) {
+  return interrupt_.wait_until(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                  std::chrono::duration<double>(time_s)));
+}
 
 Clock::time_point Connection::answer_deadline() const {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(
@@ -100,6 +108,9 @@ Status Connection::write(const std::vector<std::uint8_t>& bytes) {
 }
 
 Status Connection::send_at_once(const std::string& command) {
+  if (interrupt_.is_set()) {
+    return interrupted(fmt::format("before sending \"{}\"", command));
+  }
   std::vector<std::uint8_t> bytes(command.begin(), command.end());
   bytes.push_back('\n');
   Status sent = write(bytes);
@@ -108,16 +119,19 @@ Status Connection::send_at_once(const std::string& command) {
 
 Status Connection::send(const std::string& command) {
   Status sent = send_at_once(command);
-  if (sent.ok()) {
-    pause(instrument_.timing.command_s);
-  }
-  return sent;
+  return sent.ok() ? pause(instrument_.timing.command_s) : sent;
 }
 
 Status Connection::send_block(const std::string& header, const std::vector<std::uint8_t>& bytes,
                               const std::function<void(std::size_t)>& sent) {
   std::vector<std::uint8_t> part(header.begin(), header.end());
   for (std::size_t at = 0; at < bytes.size();) {
+    if (interrupt_.is_set()) {
+      if (at > 0) {
+        close();
+      }
+      return interrupted(fmt::format("in the waveform, after byte {} of {}", at, bytes.size()));
+    }
     const std::size_t count = std::min(kSentAtOnce, bytes.size() - at);
     part.insert(part.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
                 bytes.begin() + static_cast<std::ptrdiff_t>(at + count));
@@ -149,15 +163,22 @@ Error Connection::no_answer(const std::string& query) {
 }
 
 Status Connection::receive(const std::string& query, Clock::time_point until) {
-  if (Clock::now() >= until) {
-    return no_answer(query);
+  const std::size_t before = received_.size();
+  while (received_.size() == before) {
+    if (interrupt_.is_set()) {
+      late_answers_ = true;
+      return interrupted(fmt::format("waiting for the answer to \"{}\"", query));
+    }
+    if (Clock::now() >= until) {
+      return no_answer(query);
+    }
+    const Status got = transport_->receive(received_, source::Interrupt::part_of(until));
+    if (!got.ok()) {
+      close();
+      return Error{fmt::format("{} (waiting for the answer to \"{}\")", got.error(), query)};
+    }
   }
-  Status got = transport_->receive(received_, until);
-  if (!got.ok()) {
-    close();
-    return Error{fmt::format("{} (waiting for the answer to \"{}\")", got.error(), query)};
-  }
-  return got;
+  return Done{};
 }
 
 Result<std::string> Connection::line(const std::string& query, Clock::time_point until) {
@@ -197,6 +218,9 @@ Status Connection::synchronise() {
     if (!is_open()) {
       break;
     }
+    if (interrupt_.is_set()) {
+      return interrupted("waiting for late answers");
+    }
   }
   close();
   return Error{fmt::format("{}: does not answer any more", transport_->port())};
@@ -231,12 +255,8 @@ Result<std::vector<std::uint8_t>> Connection::ask_waveform(const std::string& qu
   std::optional<WaveformHeader> header;
   for (;;) {
     // Each part that arrives extends the wait.
-    const std::size_t before = received_.size();
     if (Status got = receive(query, answer_deadline()); !got.ok()) {
       return Error{got.error()};
-    }
-    if (received_.size() == before) {
-      return no_answer(query);
     }
     if (!header) {
       if (Status read = waveform_header(received_).move_to(header); !read.ok()) {

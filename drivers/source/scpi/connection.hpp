@@ -1,5 +1,6 @@
 // Messages to one instrument and its answers: lines, and blocks of bytes. One command at a time,
-// with the pauses that the instrument needs. Errors name the port, the message and the reason.
+// with the pauses that the instrument needs. Errors name the port, the message and the reason. All
+// functions return an error if interrupted.
 #pragma once
 
 #include <source_scpi/instrument.hpp>
@@ -12,14 +13,16 @@
 #include <vector>
 
 #include <drivers/result.hpp>
+#include <source/interrupt.hpp>
 #include <transport/transport.hpp>
 
 namespace gsbench::scpi {
 
 class Connection {
  public:
-  // `instrument` must outlive the connection.
-  Connection(const Instrument& instrument, const std::string& port, int baud);
+  // `instrument` and `interrupt` must outlive the connection.
+  Connection(const Instrument& instrument, const std::string& port, int baud,
+             source::Interrupt& interrupt);
 
   // Opens the port and asks for the instrument's identity. After an error the port is closed, but
   // see speaks_to_another() and open_mute().
@@ -35,9 +38,11 @@ class Connection {
   drivers::Status send(const std::string& command);
   // The same without the pause afterwards.
   drivers::Status send_at_once(const std::string& command);
-  // One message: header, bytes, newline. `sent`: called with the number of bytes sent so far.
+  // One message: header, bytes, newline. `sent`: called with the number of bytes sent so far. The
+  // port is closed if interrupted within the bytes.
   drivers::Status send_block(const std::string& header, const std::vector<std::uint8_t>& bytes,
                              const std::function<void(std::size_t)>& sent);
+  drivers::Status pause(double time_s);
   // Returns the line without its end. After an error by time-out the connection stays usable: what
   // arrives late is discarded before the next query.
   drivers::Result<std::string> ask(const std::string& query);
@@ -48,13 +53,15 @@ class Connection {
   drivers::Status prepare_query(const std::string& query);
   drivers::Status synchronise();
   drivers::Status write(const std::vector<std::uint8_t>& bytes);
-  // Appends to received_; an error after the time-out, or if the port is gone.
+  // Appends at least one byte to received_; an error after the time-out, or if the port is gone.
   drivers::Status receive(const std::string& query, transport::Clock::time_point until);
   drivers::Result<std::string> line(const std::string& query, transport::Clock::time_point until);
+  drivers::Error interrupted(const std::string& doing) const;
   drivers::Error no_answer(const std::string& query);
   transport::Clock::time_point answer_deadline() const;
 
   const Instrument& instrument_;
+  source::Interrupt& interrupt_;
   std::unique_ptr<transport::Transport> transport_;
   std::vector<std::uint8_t> received_;
   bool late_answers_ = false;  // after a time-out

@@ -1,7 +1,5 @@
 #include "loaded_waveform.hpp"
 
-#include <source_scpi/planner.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -18,15 +16,15 @@ constexpr double kFade_s = 0.1;
 
 }  // namespace
 
-LoadedWaveform loaded_waveform(const source::Stimulus& stimulus, double boot_s) {
+LoadedWaveform loaded_waveform(const source::Stimulus& stimulus, const PlanOptions& options) {
   const auto rate_hz = static_cast<double>(stimulus.sample_rate_hz());
   const std::int64_t total = stimulus.total_ticks();
   const auto ticks = [rate_hz](double time_s) {
     return static_cast<std::int64_t>(std::ceil(time_s * rate_hz - 1e-6));
   };
   LoadedWaveform loaded;
-  loaded.lead_ticks = ticks(kRise_s + boot_s + kMargin_s);
-  const std::int64_t fall_ticks = ticks(kFall_s);
+  loaded.lead_ticks = ticks(options.rise_s + options.boot_s + options.margin_s);
+  const std::int64_t fall_ticks = ticks(options.fall_s);
   std::vector<float>& out = loaded.voltage_pu;
   out.resize(static_cast<std::size_t>(loaded.lead_ticks + total + fall_ticks + ticks(kAtZero_s)));
   float* const played = out.data() + loaded.lead_ticks;
@@ -38,9 +36,9 @@ LoadedWaveform loaded_waveform(const source::Stimulus& stimulus, double boot_s) 
     const auto from_tick_0 = static_cast<double>(n - loaded.lead_ticks);
     const double faded = source::soft(1.0 + from_tick_0 / (kFade_s * rate_hz));
     const double amplitude = 1.0 + faded * (std::abs(begin) - 1.0);
-    out[static_cast<std::size_t>(n)] =
-        static_cast<float>(amplitude * source::soft(static_cast<double>(n) / (kRise_s * rate_hz)) *
-                           std::cos(std::arg(begin) + step_rad * from_tick_0));
+    out[static_cast<std::size_t>(n)] = static_cast<float>(
+        amplitude * source::soft(static_cast<double>(n) / (options.rise_s * rate_hz)) *
+        std::cos(std::arg(begin) + step_rad * from_tick_0));
   }
   const double last_step_rad = kTau * stimulus.frequency_hz(total - 1) / rate_hz;
   const std::complex<double> end = source::fundamental_pu(stimulus, total);

@@ -1,6 +1,8 @@
 // The whole voltage that is loaded into a generator, at the rate of the stimulus.
 #pragma once
 
+#include <source_scpi/planner.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +18,7 @@ struct LoadedWaveform {
 // A soft rise, nominal voltage in phase with the beginning of the stimulus, the stimulus, and a
 // soft fall at its last frequency, in phase with its end. In the last 0.1 s before the stimulus,
 // the amplitude changes softly to that of its fundamental. Without the stimulus's noise.
-LoadedWaveform loaded_waveform(const source::Stimulus& stimulus, double boot_s);
+LoadedWaveform loaded_waveform(const source::Stimulus& stimulus, const PlanOptions& options);
 
 // The stimulus's noise alone, 0 before and after it; of the same size as `waveform`.
 std::vector<float> noise_of(const source::Stimulus& stimulus, const LoadedWaveform& waveform);

@@ -78,7 +78,7 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
                   plan.rate_hz, between, plan.duration_s),
       fmt::format("{} s soft rise, {} s for outlets to boot, {} s margin; the stimulus begins "
                   "after {:.3f} s",
-                  kRise_s, options.boot_s, kMargin_s, plan.lead_s),
+                  options.rise_s, options.boot_s, options.margin_s, plan.lead_s),
       fmt::format("{} Vpp at the instrument's terminals, times {} at the outlets, where one step "
                   "of the DAC is {:.3g} V",
                   plan.amplitude_vpp, options.wiring.gain, step_v),
@@ -111,7 +111,7 @@ double full_scale_pu(const Instrument& instrument, const Wiring& wiring) {
 
 Result<Plan> make_plan(const source::Stimulus& stimulus, const Instrument& instrument,
                        const PlanOptions& options) {
-  const LoadedWaveform ideal = loaded_waveform(stimulus, options.boot_s);
+  const LoadedWaveform ideal = loaded_waveform(stimulus, options);
   const auto stimulus_hz = static_cast<double>(stimulus.sample_rate_hz());
   Plan plan;
   plan.duration_s = static_cast<double>(ideal.voltage_pu.size()) / stimulus_hz;

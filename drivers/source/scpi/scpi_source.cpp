@@ -5,7 +5,6 @@
 #include <cmath>
 #include <exception>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -19,7 +18,6 @@ using drivers::Status;
 using source::Played;
 using std::chrono::steady_clock;
 
-constexpr auto kBetweenChecks = std::chrono::milliseconds(250);
 constexpr std::int64_t kRateStep_hz = 1000;
 constexpr std::int64_t kHighestRate_hz = 32000;
 
@@ -32,7 +30,7 @@ class ScpiSource final : public source::Source {
   ScpiSource(Instrument instrument, SourceOptions options)
       : instrument_(std::move(instrument)),
         options_(std::move(options)),
-        session_(instrument_, options_.port, options_.baud, options_.channel) {}
+        session_(instrument_, options_.port, options_.baud, options_.channel, interrupt()) {}
 
   source::Limits limits() const override {
     source::Limits limits;
@@ -91,8 +89,7 @@ class ScpiSource final : public source::Source {
     const auto first_point = triggered_->sent + span(instrument_.accuracy.trigger_latency_s);
     tick_0_ = first_point + span(lead_s_);
     next_check_ = steady_clock::now();
-    std::this_thread::sleep_until(first_point + span(kRise_s));
-    return Done{};
+    return interrupt().wait_until(first_point + span(options_.plan.rise_s));
   }
 
   Status keep_up() override { return steady_clock::now() < tick_0_ ? check_if_due() : too_late(); }
@@ -117,6 +114,7 @@ class ScpiSource final : public source::Source {
   Status end() override {
     // Nothing may have been changed up to the last tick.
     Status unchanged = session_.check_playing();
+    const source::Interrupt::Ignored ignored(interrupt());
     Status off = switch_off();
     return off.ok() ? unchanged : off;
   }
@@ -143,7 +141,7 @@ class ScpiSource final : public source::Source {
     if (steady_clock::now() < next_check_) {
       return Done{};
     }
-    next_check_ = steady_clock::now() + kBetweenChecks;
+    next_check_ = steady_clock::now() + span(options_.check_every_s);
     return session_.check_playing();
   }
 
@@ -152,7 +150,9 @@ class ScpiSource final : public source::Source {
       if (Status same = check_if_due(); !same.ok()) {
         return same;
       }
-      std::this_thread::sleep_until(std::min(time, next_check_));
+      if (Status waited = interrupt().wait_until(std::min(time, next_check_)); !waited.ok()) {
+        return waited;
+      }
     } while (steady_clock::now() < time);
     return Done{};
   }

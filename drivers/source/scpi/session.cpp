@@ -23,20 +23,18 @@ namespace {
 constexpr int kMostErrors = 100;
 constexpr auto kBetweenTries = std::chrono::milliseconds(200);
 
-void wait(double time_s) {
-  std::this_thread::sleep_for(std::chrono::duration<double>(time_s));
-}
-
 double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
 }  // namespace
 
-Session::Session(const Instrument& instrument, const std::string& port, int baud, int channel)
+Session::Session(const Instrument& instrument, const std::string& port, int baud, int channel,
+                 source::Interrupt& interrupt)
     : instrument_(instrument),
       port_(port),
-      connection_(instrument, port, baud),
+      interrupt_(interrupt),
+      connection_(instrument, port, baud, interrupt),
       values_{{"channel", std::to_string(channel)}, {"name", "gsbench"}, {"offset_v", "0"}} {}
 
 Error Session::error(const std::string& what) const {
@@ -54,7 +52,8 @@ Status Session::reconnecting(const Step& step) {
   if (done.ok()) {
     done = step();
   }
-  if (done.ok() || connection_.is_open() || connection_.speaks_to_another()) {
+  if (done.ok() || connection_.is_open() || connection_.speaks_to_another() ||
+      interrupt_.is_set()) {
     return done;
   }
   const std::string first = done.error();
@@ -82,7 +81,9 @@ Status Session::load_once(const Plan& plan, const source::Progress& progress) {
         done = connection_.send(text(command));
       }
     }
-    wait(instrument_.timing.reset_s);
+  }
+  if (done.ok()) {
+    done = connection_.pause(instrument_.timing.reset_s);
   }
   if (done.ok()) {
     done = forget_errors();
@@ -92,7 +93,9 @@ Status Session::load_once(const Plan& plan, const source::Progress& progress) {
   }
   if (done.ok() && !instrument_.dialect.clear.empty()) {
     done = connection_.send(text(instrument_.dialect.clear));
-    wait(instrument_.timing.packet_s);
+    if (done.ok()) {
+      done = connection_.pause(instrument_.timing.packet_s);
+    }
     if (done.ok() && instrument_.has(Quirk::kUploadSwitchesOn)) {
       done = switch_output(false);
     }
@@ -101,7 +104,9 @@ Status Session::load_once(const Plan& plan, const source::Progress& progress) {
     done = upload(plan, progress);
   }
   if (done.ok()) {
-    wait(instrument_.timing.upload_s);
+    done = connection_.pause(instrument_.timing.upload_s);
+  }
+  if (done.ok()) {
     done = instrument_.has(Quirk::kUploadSwitchesOn) ? switch_output(false) : expect_output(false);
   }
   if (done.ok()) {
@@ -154,7 +159,9 @@ Status Session::upload_packets(const Plan& plan, const source::Progress& progres
     if (Status sent = connection_.send_block(header, bytes, {}); !sent.ok()) {
       return sent;
     }
-    wait(instrument_.timing.packet_s);
+    if (Status paused = connection_.pause(instrument_.timing.packet_s); !paused.ok()) {
+      return paused;
+    }
     at += count;
     if (progress) {
       progress(static_cast<double>(at) / static_cast<double>(total));

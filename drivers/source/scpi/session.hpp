@@ -22,8 +22,10 @@ struct Triggered {
 
 class Session {
  public:
-  // `instrument` must outlive the session.
-  Session(const Instrument& instrument, const std::string& port, int baud, int channel);
+  // `instrument` and `interrupt` must outlive the session. All functions return an error if
+  // interrupted.
+  Session(const Instrument& instrument, const std::string& port, int baud, int channel,
+          source::Interrupt& interrupt);
 
   // Connects if needed, switches the output off, sets everything and loads the waveform.
   drivers::Status load(const Plan& plan, const source::Progress& progress);
@@ -59,6 +61,7 @@ class Session {
 
   const Instrument& instrument_;
   std::string port_;
+  source::Interrupt& interrupt_;
   Connection connection_;
   Values values_;
 };

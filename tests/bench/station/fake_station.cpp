@@ -37,14 +37,22 @@ Status FakeStation::power_up() {
   if (!script_.start_error.empty()) {
     return Error{script_.start_error};
   }
-  return Done{};
+  return heed("power_up");
+}
+
+Status FakeStation::heed(const std::string& call) {
+  if (script_.stops_in != call) {
+    return Done{};
+  }
+  *script_.stop = true;
+  return interrupt().is_set() ? Status(Error{"fake source: interrupted"}) : Done{};
 }
 
 Status FakeStation::keep_up() {
   if (script_.hold_fails_at == holds_++) {
     return Error{"fake source: someone switched it off"};
   }
-  return Done{};
+  return heed("keep_up");
 }
 
 drivers::Result<std::int64_t> FakeStation::play_until(std::int64_t until_tick) {
@@ -53,6 +61,9 @@ drivers::Result<std::int64_t> FakeStation::play_until(std::int64_t until_tick) {
   }
   if (script_.play_fails_at == plays_) {
     return Error{"fake source: tripped"};
+  }
+  if (const Status heeded = heed("play_until"); !heeded.ok()) {
+    return Error{heeded.error()};
   }
   // Reads the samples like a streaming driver and discards them.
   const auto voltage_pu = samples(played_tick_, until_tick - played_tick_);

@@ -2,6 +2,7 @@
 // answer and report like real ones, without firmware.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <limits>
 #include <optional>
@@ -31,6 +32,9 @@ struct Script {
   // Failures. Calls are counted from 0.
   std::string start_error;  // of the source; it is live nevertheless
   std::optional<int> hold_fails_at;
+  // Sets the flag within this call of the source, which heeds it: "upload", "power_up", …
+  std::string stops_in;
+  std::atomic<bool>* stop = nullptr;
   std::string make_safe_error;
   std::string open_error;        // of the link
   std::string sense_open_error;  // of the relay sense
@@ -91,11 +95,14 @@ class FakeStation final : public Station, private source::Source, private link::
   drivers::Result<source::Played> deviation(const source::Stimulus&) const override {
     return script_.played;
   }
+  drivers::Status upload(const source::Progress&) override { return heed("upload"); }
   drivers::Status keep_up() override;
   drivers::Status power_up() override;
-  drivers::Status begin() override { return drivers::Done{}; }
+  drivers::Status begin() override { return heed("begin"); }
   drivers::Result<std::int64_t> play_until(std::int64_t until_tick) override;
+  drivers::Status end() override { return heed("end"); }
   drivers::Status switch_off() noexcept override;
+  drivers::Status heed(const std::string& call);
 
   drivers::Status open() override;
   drivers::Status send(const std::string& id, const gs::wire::Downlink& message) override;

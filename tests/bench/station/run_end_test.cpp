@@ -189,6 +189,37 @@ TEST(RunEnd, StopTakesEffectAfterTheCurrentBlock) {
   }
 }
 
+TEST(RunEnd, StopWithinACallOfTheSourceIsNoFault) {
+  for (const char* const call : {"upload", "power_up", "keep_up", "begin", "play_until", "end"}) {
+    std::atomic<bool> stop{false};
+    Script script;
+    script.stops_in = call;
+    script.stop = &stop;
+    FakeStation station(script);
+    RunOptions options;
+    options.stop = &stop;
+    const record::RunRecord record = play(station, options);
+    EXPECT_TRUE(stop) << call;
+    EXPECT_TRUE(record.interrupted) << call;
+    EXPECT_EQ(record.fault, "") << call;
+    EXPECT_EQ(record.verdict, Verdict::kError) << call;
+    EXPECT_EQ(station.blocks_played(), std::string(call) == "end" ? kBlocks : 0) << call;
+  }
+}
+
+TEST(RunEnd, FaultDuringAStopIsAFault) {
+  std::atomic<bool> stop{false};
+  Script script = with(&Script::start_error, "fake source: no such port");
+  script.stops_in = "upload";
+  script.stop = &stop;
+  FakeStation station(script);
+  // The run has no flag, so the source does not heed it.
+  const record::RunRecord record = play(station);
+  EXPECT_TRUE(stop);
+  EXPECT_FALSE(record.interrupted);
+  EXPECT_EQ(record.fault, "fake source: no such port");
+}
+
 TEST(RunEnd, StopAfterTheLastBlockChangesNothing) {
   FakeStation station({});
   const record::RunRecord record = stopped_at(1.0, station);

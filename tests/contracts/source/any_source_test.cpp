@@ -2,6 +2,7 @@
 #include "rigs.hpp"
 #include <test_support/mains.hpp>
 
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -128,6 +129,37 @@ TEST_P(AnySource, CanBeMadeSafeAtAnyTimeAndPreparedAgain) {
     }
     EXPECT_FALSE(source().advance(1).ok());
   }
+}
+
+TEST_P(AnySource, RefusesAllButStopAndMakeSafeOnceInterrupted) {
+  std::atomic<bool> stop{false};
+  source().end_calls_if(&stop);
+  const auto expect_refused = [&](const auto& done) {
+    ASSERT_FALSE(done.ok());
+    EXPECT_THAT(done.error(), HasSubstr(source().limits().name + ": interrupted"));
+    EXPECT_TRUE(source().was_interrupted());
+  };
+  stop = true;
+  expect_refused(source().prepare(mains_));
+  EXPECT_TRUE(source().make_safe().ok());
+  EXPECT_FALSE(source().was_interrupted());
+  stop = false;
+  ASSERT_TRUE(source().prepare(mains_).ok());
+  stop = true;
+  expect_refused(source().energise());
+  stop = false;
+  ASSERT_TRUE(source().energise().ok());
+  stop = true;
+  expect_refused(source().hold());
+  expect_refused(source().start());
+  stop = false;
+  ASSERT_TRUE(source().start().ok());
+  advance(source(), 8000);
+  stop = true;
+  expect_refused(source().advance(mains_.total_ticks()));
+  EXPECT_TRUE(source().make_safe().ok());
+  source().end_calls_if(nullptr);
+  EXPECT_TRUE(source().prepare(mains_).ok());
 }
 
 TEST_P(AnySource, PlaysAgainAfterMakeSafe) {

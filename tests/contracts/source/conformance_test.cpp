@@ -5,6 +5,7 @@
 #include <test_support/mains.hpp>
 
 #include <atomic>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -74,7 +75,53 @@ class AnyInstrument : public testing::TestWithParam<Rig> {
     EXPECT_FALSE(rig_->output_is_on());
   }
 
+  // Received in a run from the first call of a name in `calls` to the next one of another name.
+  std::size_t commands_of(const std::set<std::string>& calls) {
+    std::optional<std::size_t> before;
+    std::optional<std::size_t> after;
+    EXPECT_EQ(first_error_of_run(*source_, mains_,
+                                 [&](const std::string& next) {
+                                   if (calls.count(next) > 0) {
+                                     before = before.value_or(rig_->commands());
+                                   } else if (before) {
+                                     after = after.value_or(rig_->commands());
+                                   }
+                                 }),
+              "");
+    return after.value_or(rig_->commands()) - before.value_or(0);
+  }
+
+  // As by Ctrl-C, when the n-th command of `call` arrives, for each n.
+  void interrupt_at_each_command_of(const std::string& call) {
+    const std::size_t commands = commands_of({call});
+    std::size_t interrupted = 0;
+    for (std::size_t command = 1; command <= commands; ++command) {
+      stop_ = false;
+      new_rig();
+      source_->end_calls_if(&stop_);
+      std::size_t before = 0;
+      const std::string error = run_with(
+          [&] {
+            before = rig_->commands();
+            rig_->at_command(static_cast<int>(command), [this] { stop_ = true; });
+          },
+          call);
+      EXPECT_LE(rig_->commands() - before, command + abilities_.most_ahead) << command;
+      EXPECT_EQ(source_->was_interrupted(), !error.empty()) << command << ": " << error;
+      interrupted += error.empty() ? 0 : 1;
+      EXPECT_TRUE(make_safe(*source_)) << command;
+    }
+    // The flag has no effect on the commands that switch off, nor after the last call.
+    const std::size_t fewest = !must_fail(call) ? 0 : call == "stop" ? 1 : (commands + 1) / 2;
+    EXPECT_GE(interrupted, fewest) << "of " << commands;
+    // The same source can begin again. A head may receive nothing in start() and stop().
+    stop_ = false;
+    EXPECT_TRUE(make_safe(*source_));
+    EXPECT_TRUE(source_->prepare(mains_).ok());
+  }
+
   Mains mains_;
+  std::atomic<bool> stop_{false};  // the rig's thread may set it
   std::unique_ptr<InstrumentRig> rig_ = GetParam().make();
   std::shared_ptr<source::Source> source_ = rig_->make_source();
   const Abilities abilities_ = rig_->abilities();
@@ -149,6 +196,22 @@ TEST_P(AnyInstrument, IsOffIfTheConnectionIsLostAtCommandsWhilePlaying) {
     }
     expect_reachable();
   }
+}
+
+TEST_P(AnyInstrument, IsOffIfPrepareIsInterruptedAtAnyCommand) {
+  interrupt_at_each_command_of("prepare");
+}
+TEST_P(AnyInstrument, IsOffIfEnergiseIsInterruptedAtAnyCommand) {
+  interrupt_at_each_command_of("energise");
+}
+TEST_P(AnyInstrument, IsOffIfStartIsInterruptedAtAnyCommand) {
+  interrupt_at_each_command_of("start");
+}
+TEST_P(AnyInstrument, IsOffIfAdvanceIsInterruptedAtAnyCommand) {
+  interrupt_at_each_command_of("advance");
+}
+TEST_P(AnyInstrument, IsOffIfStopIsInterruptedAtAnyCommand) {
+  interrupt_at_each_command_of("stop");
 }
 
 TEST_P(AnyInstrument, IsOfUnknownStateWhileUnplugged) {

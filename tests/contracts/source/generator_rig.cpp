@@ -23,7 +23,6 @@ scpi::Instrument quick_instrument(const GeneratorCase& of) {
   instrument.timing = {0.0, instrument.timing.packet_s > 0.0 ? 0.06 : 0.0, 0.0, 0.0, 0.0};
   // An emulator is triggered when the message arrives.
   instrument.accuracy.trigger_latency_s = 0.0;
-  // 2.3 s at 8 kSa/s: three packets.
   instrument.memory.points = std::min<std::int64_t>(instrument.memory.points, 20000);
   instrument.timing.answer_s = 0.3;
   return instrument;
@@ -43,7 +42,25 @@ GeneratorRig::GeneratorRig(const GeneratorCase& of, double clock_ppm)
   options.port = generator_->port();
   options.plan.boot_s = 0.0;
   options.plan.tolerances.voltage_pu = 0.1;  // 16 384 points
+  options.plan.rise_s = 0.05;
+  options.plan.margin_s = 0.4;
+  options.plan.fall_s = 0.05;
   options.make_safe_s = 1.0;
+}
+
+Abilities GeneratorRig::abilities() const {
+  // All commands of a group of settings are sent before the first one is asked back.
+  std::size_t largest_group = 0;
+  for (const scpi::When when : {scpi::When::kBeforeUpload, scpi::When::kAfterUpload}) {
+    std::size_t group = 0;
+    for (const scpi::Setting& setting : instrument.settings) {
+      group += setting.when == when ? setting.commands.size() : 0;
+    }
+    largest_group = std::max(largest_group, group);
+  }
+  const std::size_t most_ahead = instrument.dialect.reset.size() + largest_group + 1;
+  return {"\"Maker,Oscilloscope,1,2\" is not", "within 0.3 s", 16, most_ahead, true, true,
+          std::chrono::milliseconds(400)};
 }
 
 void GeneratorRig::set_answers(Answers answers) {
@@ -51,7 +68,7 @@ void GeneratorRig::set_answers(Answers answers) {
   faults.silent = answers == Answers::kNone;
   faults.half_answers = answers == Answers::kHalf;
   faults.garbage_answers = answers == Answers::kGarbage;
-  faults.answer_delay_s = answers == Answers::kSlow      ? 0.03
+  faults.answer_delay_s = answers == Answers::kSlow      ? 0.02
                           : answers == Answers::kTooSlow ? 2.0 * instrument.timing.answer_s
                                                          : 0.0;
   generator_->set_faults(faults);

@@ -29,10 +29,7 @@ class GeneratorRig final : public InstrumentRig {
  public:
   explicit GeneratorRig(const GeneratorCase& of, double clock_ppm = 0.0);
 
-  Abilities abilities() const override {
-    return {"\"Maker,Oscilloscope,1,2\" is not", "within 0.3 s", 16, true, true,
-            std::chrono::milliseconds(400)};
-  }
+  Abilities abilities() const override;
   std::shared_ptr<source::Source> make_source() override { return make_source(instrument); }
   std::unique_ptr<source::Source> make_source(const scpi::Instrument& altered) const {
     return scpi::make_scpi_source(altered, options);
@@ -41,6 +38,9 @@ class GeneratorRig final : public InstrumentRig {
   std::size_t commands() override { return generator_->messages().size(); }
   void set_answers(Answers answers) override;
   void lose_connection_at(int command) override;
+  void at_command(int command, std::function<void()> then) override {
+    generator_->at_message(command, std::move(then));
+  }
   void unplug() override { generator_->unplug(); }
   void plug_in() override;
   void reset(std::chrono::milliseconds starting_up) override { generator_->reset_now(starting_up); }

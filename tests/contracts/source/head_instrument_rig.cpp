@@ -6,6 +6,9 @@
 namespace gsbench::test {
 namespace {
 
+// 0.15 s of samples, in the shortest messages, and a ping.
+constexpr std::size_t kMostAhead = 1200 / 32 + 1;
+
 class HeadInstrumentRig final : public InstrumentRig {
  public:
   Abilities abilities() const override {
@@ -13,6 +16,7 @@ class HeadInstrumentRig final : public InstrumentRig {
     return {"what answers is not a DAC head",
             "the head cannot be armed: it does not answer",
             1,
+            kMostAhead,
             false,
             false,
             std::chrono::milliseconds(0)};
@@ -42,6 +46,9 @@ class HeadInstrumentRig final : public InstrumentRig {
   }
 
   void lose_connection_at(int command) override { head_->drop_after(command); }
+  void at_command(int command, std::function<void()> then) override {
+    head_->after_frames(command, std::move(then));
+  }
   void unplug() override { head_->unplug(); }
   void plug_in() override { demand(head_->plug_in()); }
   // The line stays connected.

@@ -25,6 +25,7 @@ struct Abilities {
   std::string other_model;    // what prepare() says of one
   std::string too_late;       // what energise() says of answers that come too late
   std::size_t prepare_sends;  // commands, at least
+  std::size_t most_ahead;     // commands sent before the answer to the first of them is needed
   bool reconnects;  // a connection lost in prepare() or while playing does not end the run
   bool stop_asks_and_switches_off;        // else stop() leaves the output on, and may miss a fault
   std::chrono::milliseconds starting_up;  // make_safe() waits for an instrument that reboots
@@ -44,6 +45,8 @@ class InstrumentRig {
   // The connection is lost at the n-th command from now on (1: the next), before its answer; it can
   // be opened again at once.
   virtual void lose_connection_at(int command) = 0;
+  // Calls `then` when the n-th command from now on arrives, from a thread of the rig.
+  virtual void at_command(int command, std::function<void()> then) = 0;
   virtual void unplug() = 0;
   virtual void plug_in() = 0;
   // Cuts the power and switches on again. Does not wait.

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -132,6 +133,9 @@ class Generator : public Output {
 
   // For fault injection.
   void set_faults(const GeneratorFaults& faults);
+  // Calls `then`, once, when the n-th message from now on has arrived (1: the next), before it is
+  // executed. From the emulator's thread; `then` calls no function of this object.
+  void at_message(int message, std::function<void()> then);
   void press(const PanelChange& change);
   // Cuts the power and switches on again. The connection closes and new ones are refused for
   // `starting_up`. Output off, settings at their defaults, volatile waveforms lost. Does not wait.

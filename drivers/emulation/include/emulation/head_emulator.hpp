@@ -63,6 +63,9 @@ class HeadEmulator final : public Output {
   void unplug_after(int frames);
   // Closes the connection when this many more frames have arrived; it can be opened again.
   void drop_after(int frames);
+  // Calls `then`, once, when this many more frames have arrived. From the emulator's thread; `then`
+  // calls no function of this object.
+  void after_frames(int frames, std::function<void()> then);
   // Frames reach the bench so much later.
   void delay_to_bench(std::chrono::milliseconds delay);
   [[nodiscard]] drivers::Status plug_in();
@@ -141,6 +144,8 @@ class HeadEmulator final : public Output {
   std::chrono::milliseconds delay_{0};
   std::deque<Delayed> delayed_;
   int frames_until_unplugged_ = 0;  // 0: not
+  int frames_until_then_ = 0;       // 0: never
+  std::function<void()> then_;
   bool refuses_afterwards_ = true;
   bool silent_ = false;
   bool ending_ = false;

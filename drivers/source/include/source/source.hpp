@@ -6,6 +6,7 @@
 // protected functions. All errors are returned.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include <drivers/result.hpp>
+#include <source/interrupt.hpp>
 #include <source/stimulus.hpp>
 
 namespace gsbench::source {
@@ -57,6 +59,13 @@ class Source {
  public:
   virtual ~Source() = default;
   virtual Limits limits() const = 0;
+
+  // Once `*stop` is true, the calls from prepare() to advance() are refused, and one that blocks,
+  // also stop(), ends within 0.1 s and some commands with an error. make_safe() does not heed it.
+  // `stop` must live until it is replaced; nullptr, the default: never.
+  void end_calls_if(const std::atomic<bool>* stop) { interrupt_.heed(stop); }
+  // Whether the last call failed because of it, and not by a fault.
+  bool was_interrupted() const { return interrupt_.noticed(); }
 
   // Checks whether the stimulus can be played, and how accurately. Does not touch the output.
   // Renders the whole stimulus, which blocks for about 1 s for each 10 min of stimulus.
@@ -108,6 +117,8 @@ class Source {
   virtual drivers::Status end() { return drivers::Done{}; }
   virtual drivers::Status switch_off() noexcept = 0;
 
+  // What a driver that blocks must ask. It may return any error then.
+  Interrupt& interrupt() { return interrupt_; }
   // Valid from prepare() on.
   const Stimulus& stimulus() const { return *stimulus_; }
   // Played up to here (excluded).
@@ -121,7 +132,9 @@ class Source {
   enum class State { kOff, kPrepared, kEnergised, kPlaying, kStopped, kFailed };
 
   drivers::Result<Played> preview(const Stimulus& stimulus) const;
-  drivers::Status expect(const char* call, State needed) const;
+  drivers::Status expect(const char* call, State needed);
+  // The same; also an error if interrupted.
+  drivers::Status ready_to(const char* call, State needed);
   // Enters `next`, or kFailed if `answer` is an error; then only make_safe() is allowed.
   drivers::Status enter(State next, drivers::Status answer);
 
@@ -130,6 +143,7 @@ class Source {
   Limits limits_;  // from prepare() on
   std::int64_t tick_ = 0;
   std::vector<float> samples_;
+  Interrupt interrupt_;
 };
 
 }  // namespace gsbench::source

@@ -30,11 +30,11 @@ struct PlanOptions {
   Wiring wiring;
   double boot_s = 10.0;  // nominal voltage before the stimulus, for outlets to boot
   Tolerances tolerances;
+  // Shorter only for tests.
+  double rise_s = 0.5;
+  double margin_s = 1.0;  // after boot_s
+  double fall_s = 0.5;
 };
-
-constexpr double kRise_s = 0.5;
-constexpr double kMargin_s = 1.0;  // after boot_s
-constexpr double kFall_s = 0.5;
 
 struct Plan {
   source::Played played;

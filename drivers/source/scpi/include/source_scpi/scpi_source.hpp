@@ -21,6 +21,7 @@ struct SourceOptions {
   // make_safe() tries for so long to reach an instrument that does not answer, then reports that
   // the state of its output is unknown.
   double make_safe_s = 10.0;
+  double check_every_s = 0.25;  // while playing; shorter only for tests
 };
 
 // Nothing is opened or sent before prepare() or make_safe(). Calls block: prepare() for the upload,
