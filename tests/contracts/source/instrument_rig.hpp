@@ -45,7 +45,7 @@ class InstrumentRig {
   // The connection is lost at the n-th command from now on (1: the next), before its answer; it can
   // be opened again at once.
   virtual void lose_connection_at(int command) = 0;
-  // Calls `then` when the n-th command from now on arrives, from a thread of the rig.
+  // Calls `then` when the n-th command from now on arrives (0: never), from a thread of the rig.
   virtual void at_command(int command, std::function<void()> then) = 0;
   virtual void unplug() = 0;
   virtual void plug_in() = 0;
