@@ -28,6 +28,9 @@ source::Limits HeadSource::limits() const {
   source::Limits limits;
   limits.name = "DAC head";
   limits.full_scale_pu = session_->amplitude.full_scale_pu();
+  if (session_->amplitude.voltage_limit_pu() < session_->amplitude.dac_full_scale_pu()) {
+    limits.full_scale_is = "the voltage limit";
+  }
   limits.sample_rates_hz = {gs::head::kSampleRate_hz};
   limits.nominal_hz = {50, 60};
   return limits;

@@ -31,8 +31,10 @@ Status render(const Limits& limits, const Stimulus& stimulus, std::int64_t first
     return !(std::fabs(pu) <= full_scale);  // true for NaN
   });
   if (beyond != out.end()) {
-    return Error{fmt::format("{}: {} pu at tick {} is beyond its full scale of {} pu", limits.name,
-                             *beyond, first_tick + (beyond - out.begin()), limits.full_scale_pu)};
+    return Error{fmt::format("{}: {} pu at tick {} is beyond its full scale of {:.6g} pu{}",
+                             limits.name, *beyond, first_tick + (beyond - out.begin()),
+                             limits.full_scale_pu,
+                             limits.full_scale_is.empty() ? "" : ", " + limits.full_scale_is)};
   }
   return Done{};
 }

@@ -34,7 +34,8 @@ struct Limits {
   double longest_s = std::numeric_limits<double>::infinity();
   std::vector<std::int64_t> sample_rates_hz;  // supported rates of a stimulus, ascending
   std::vector<int> nominal_hz;
-  bool noise_per_outlet = false;  // true: independent noise for each outlet; false: the same
+  bool noise_per_outlet = false;   // true: independent noise for each outlet; false: the same
+  std::string full_scale_is = {};  // for messages: "the voltage limit"; empty: the hardware's
 };
 
 // How a stimulus would be played, and the largest deviation of the played voltage from the
