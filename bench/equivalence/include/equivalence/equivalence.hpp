@@ -1,5 +1,5 @@
-// Compares what outlets at several stations measured while the same profile was played to them. It
-// shows whether a source plays what the profile states.
+// Compares what outlets at several stations measured while the same profile was played to them.
+// This shows whether a source plays what the profile states.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ struct Difference {
 };
 
 // One outlet at one station. Only valid reports count. A report describes the time of its stamp
-// minus the delay that the outlet declares. An outlet measures with its own clock, so the measured
-// drift of that clock against the source's is taken off its frequency.
+// minus the delay that the outlet declares. The outlet measures frequency with its own clock; the
+// drift of that clock against the source's, as measured, is subtracted.
 struct Row {
   std::size_t run = 0;  // index of its run
   std::string outlet;

@@ -1,5 +1,5 @@
-// A guard: its destructor switches the source off and closes the links. So every end of a run, also
-// by an exception, leaves the station in its safe state.
+// A guard whose destructor switches the source off and closes the links, so that every end of a
+// run, also by an exception, leaves the station in its safe state.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace gsbench::station {
 
-// What a person must know if a source could not be made safe.
+// What a user must know if a source could not be made safe.
 inline std::string unknown_state(const std::string& error) {
   const std::string known = "output state unknown";
   const std::string sentence =

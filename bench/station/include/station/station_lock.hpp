@@ -1,8 +1,7 @@
 // One bench at a time uses a station: `run`, `devices` and `monitor` lock the ports that they open.
-// For each port there is a lock file, which the bench locks
-// with flock(2): the kernel releases it when the bench ends, also by SIGKILL. The files are in
-// /tmp, which exists on each Debian and in which each user may write (/run/lock may be missing, or
-// for root only). They are never removed: a new file of the same name would be a second lock.
+// For each port there is a lock file, which the bench locks with flock(2): the kernel releases it
+// when the bench ends, also by SIGKILL. The files are in /tmp, because /run/lock may be missing, or
+// for root only. They are never removed: a new file of the same name would be a second lock.
 //
 // The lock is known on this machine only. Two machines can still use one instrument over TCP.
 #pragma once

@@ -12,10 +12,9 @@ struct FrequencyRelayOptions {
   double delay_s = 0.15;
 };
 
-// Measures the frequency from the rising zero crossings of its samples, over the last kPeriods
-// periods, once a period. So it is about half of these periods late. A gap between two crossings of
-// more than twice the nominal period restarts the measurement, and while it restarts the delay does
-// not run.
+// Once a period, measures the frequency from the rising zero crossings of the last kPeriods
+// periods. So the frequency is about kPeriods/2 periods old. If two crossings are more than two
+// nominal periods apart, the measurement restarts, and the delay with it.
 class FrequencyRelay {
  public:
   static constexpr int kPeriods = 5;
@@ -33,7 +32,7 @@ class FrequencyRelay {
   FrequencyRelayOptions options_;
   double sample_s_;
   double longest_period_s_;
-  double armed_below_;  // counts; noise around zero does not count as further crossings
+  double armed_below_;  // counts; a hysteresis, so that noise around zero makes no crossings
   std::int64_t sample_ = 0;
   double last_ = 0.0;  // sample before, counts
   bool armed_ = false;

@@ -1,10 +1,10 @@
 // An emulated waveform generator with one output, behind a TCP port. It keeps state, follows the
 // syntax of its maker and has the faults of the real instrument, as far as manuals and users
-// describe them. The sources stand beside each behaviour in drivers/emulation/generator_*.cpp.
+// describe them. drivers/emulation/generator_*.cpp names the source of each behaviour.
 //
-// Voltages of settings are those that the instrument displays: into the load that it is set for.
-// The output has 50 Ω; with the default options, nothing but a high-impedance amplifier is
-// connected to it. So a generator that is set for a load of 50 Ω gives twice the displayed voltage.
+// Voltages of settings are as displayed: into the load that the instrument is set for. The output
+// has 50 Ω. By default, only a high-impedance amplifier is connected to it, so that a generator
+// that is set for a load of 50 Ω gives twice the displayed voltage.
 #pragma once
 
 #include <chrono>
@@ -28,14 +28,14 @@ struct GeneratorOptions {
   GeneratorModel model = GeneratorModel::kSdg2042x;
   double clock_ppm = 0.0;  // error of its time base; positive: fast
   TrueTime time;           // shared by all emulated devices of a station
-  double connected_ohm = std::numeric_limits<double>::infinity();  // what is at its output
+  double connected_ohm = std::numeric_limits<double>::infinity();  // load at its output
 };
 
 // Deviations from what a working instrument does. The default is none.
 struct GeneratorFaults {
   bool silent = false;            // executes commands and answers nothing
   double answer_delay_s = 0.0;    // each answer, and what follows it, waits so long
-  bool half_answers = false;      // sends the first half of the next answer, then nothing any more
+  bool half_answers = false;      // sends the first half of the next answer, then nothing more
   bool garbage_answers = false;   // answers have other bytes, of the same length
   int drop_at_message = 0;        // closes the connection instead of executing the n-th message
                                   // from now on (1: the next); 0: never
@@ -104,10 +104,11 @@ struct PanelChange {
 
 class GeneratorCore;
 
-// All functions may be called from any thread. render() is called from one thread, and without it
-// the instrument works as well: its output is just not observed.
+// All functions may be called from any thread, but render() from one only. The instrument also
+// works without render(): its output is then not observed.
 class Generator : public Output {
  public:
+  // An error if no port is free.
   static drivers::Result<std::unique_ptr<Generator>> start(const GeneratorOptions& options);
   ~Generator() override;
   Generator(const Generator&) = delete;

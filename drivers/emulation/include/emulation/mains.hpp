@@ -1,6 +1,6 @@
 // Source and relay sense of emulated outlets, directly at their terminals
-// (emulation/terminals.hpp), without an instrument between. The outlets' sample counts start before
-// the stimulus. Source and relay sense share state: use them from one thread.
+// (emulation/terminals.hpp), without an instrument in between. The outlets' ADCs have counted some
+// samples before the stimulus. Source and relay sense share state: use them from one thread.
 #pragma once
 
 #include <cstdint>

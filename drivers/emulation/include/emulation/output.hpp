@@ -24,10 +24,10 @@ struct TrueTime {
 class Output {
  public:
   virtual ~Output() = default;
-  // Writes the voltage at the instrument's terminals, V, as the mean over each of the steps
-  // first_step … first_step + count − 1. The mean over a step lets no image of the instrument's own
-  // sample rate fold back. Calls follow each other without gaps, from one thread, which is not the
-  // thread that serves the instrument's commands.
+  // Writes the voltage at the instrument's terminals, V: for each of the steps first_step …
+  // first_step + count − 1 the mean over the step, so that images of the instrument's own sample
+  // rate do not alias. Each call continues where the one before ended. All come from one thread,
+  // which is not that of the instrument's commands.
   virtual void render(std::int64_t first_step, std::size_t count, float* volts) = 0;
 };
 

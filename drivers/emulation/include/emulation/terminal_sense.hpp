@@ -1,7 +1,7 @@
-// A relay sense that exists in emulation only: it sees the contacts at the outlets' terminals with
-// their true step, and the voltage there. It is aligned with the source by the first dip of the
-// stimulus, so it does not depend on when the bench believes that the source has started. If the
-// stimulus has no dip, it is aligned by Source::host_clock().
+// A relay sense that exists in emulation only. It sees the contacts at the outlets' terminals, in
+// true time, and the voltage there. The first dip of the stimulus aligns it with the source, so
+// that it does not depend on when the bench believes that the source has started. If the stimulus
+// has no dip, Source::host_clock() aligns it.
 #pragma once
 
 #include <cstddef>
@@ -40,7 +40,7 @@ class DipFinder {
 // run's.
 class TerminalSense final : public relay::RelaySense {
  public:
-  // `stimulus`: as the source will be given it. A dip counts after at least four nominal periods.
+  // `stimulus`: that of the source. A dip counts after at least four nominal periods.
   // `clock_ppm`: true error of the source's clock, positive: fast. `source` must outlive this.
   TerminalSense(const source::Stimulus& stimulus, const source::Source& source, double clock_ppm,
                 const TrueTime& time);

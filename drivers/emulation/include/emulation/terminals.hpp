@@ -64,8 +64,8 @@ class Terminals {
   void wait_for_outlets();
 
   // Appends the edges of the outlet's contact before `end_step` that were not taken yet, in order
-  // of time, in input steps. The coil of an outlet that is behind may have changed long ago: its
-  // edge then comes late, with its true step.
+  // of time, in input steps. If an outlet's process is behind, an edge may be appended late, with
+  // its true step.
   void take_edges(std::size_t outlet, std::int64_t end_step,
                   std::vector<models::ContactEdge>& edges);
 

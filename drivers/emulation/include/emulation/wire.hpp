@@ -3,10 +3,10 @@
 //   instrument's output (V, mean over each step of 64 kHz) → gain of the emulated amplifier and
 //   transformer → low-pass → per unit of the nominal peak → the ADC of each outlet
 //
-// The low-pass is a Butterworth filter of second order. It stands for what lies between a source
-// and the ADC of an outlet: the reconstruction filter after the source's DAC, and the divider and
-// anti-aliasing filter before the outlet's ADC. At 2 kHz it passes 50 Hz with less than 1e-6 of
-// attenuation and delays the voltage by 0.11 ms. It adds no noise: noise comes from the source.
+// The low-pass is a Butterworth filter of second order. It stands for the reconstruction filter
+// after the source's DAC, and the divider and anti-aliasing filter before the outlet's ADC. With
+// 2 kHz it attenuates 50 Hz by less than 1e-6 and delays the voltage by 0.11 ms. It adds no noise:
+// noise comes from the source.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// A DAC head (firmware/head): source and relay sense in one board, on one connection and one clock.
-// The bench streams samples to it, 0.15 s ahead of what the head plays. If the bench falls silent,
+// A DAC head (firmware/head): source and relay sense in one board, with one connection and one
+// clock. The bench streams samples, 0.15 s ahead of what the head plays. If the bench falls silent,
 // the head switches its output off within 203 ms of the last message.
 //
 // Source and relay sense share the connection: use them from one thread.
@@ -26,8 +26,7 @@ struct HeadOptions {
   double voltage_limit_v = 265.0;   // RMS at the outlets; √2 times this is the largest peak
   double clock_ppm = 30.0;          // accuracy of the board's crystal, ±
 
-  // The opto-couplers report an edge later than the contact moved: by these delays, ± the
-  // uncertainty.
+  // The delays of the opto-couplers between contact and input. The uncertainty is that of both, ±.
   double opto_close_delay_s = 5e-6;
   double opto_open_delay_s = 35e-6;
   double opto_uncertainty_s = 20e-6;
@@ -42,10 +41,12 @@ class Head {
   static drivers::Result<std::unique_ptr<Head>> create(const HeadOptions& options);
   ~Head();
 
-  // Blocking: prepare() 2.5 s at most, energise() 1 s at most, make_safe() 2 s at most.
+  // Blocking: prepare() 1.5 s at most, energise() about 0.6 s, make_safe() 2.5 s at most. Owned by
+  // this object.
   source::Source& source() { return *source_; }
 
-  // Channel i is input i of the head. Reports no edges before the source's start().
+  // Channel i is input i of the head. Reports no edges before the source's start(). Owned by this
+  // object.
   relay::RelaySense& relay_sense() { return *relay_sense_; }
 
  private:

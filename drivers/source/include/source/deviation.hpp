@@ -10,16 +10,15 @@
 
 namespace gsbench::source {
 
-// Both voltages are given at the same ticks. The phase of each is measured once a nominal period,
-// by its Fourier coefficient at nominal frequency under a Hann window of two periods. The frequency
-// deviation in a window of 200 ms is the slope of the least-squares line through the phase
-// differences in it. Below 5 % of nominal voltage there is no phase; windows of 200 ms that contain
-// such a time are left out.
+// Measures the phase of both voltages once a nominal period, as the Fourier coefficient at nominal
+// frequency with a Hann window of two periods. The frequency deviation over 200 ms is the slope of
+// the least-squares line through the phase differences. A voltage below 5 % of nominal has no
+// phase; windows of 200 ms with such a voltage are left out.
 class DeviationMeter {
  public:
   DeviationMeter(std::int64_t sample_rate_hz, int nominal_hz);
 
-  // The next `count` ticks, per unit of nominal peak.
+  // The next `count` ticks of both voltages, per unit of nominal peak.
   void add(const float* ideal_pu, const float* played_pu, std::size_t count);
 
   // Largest deviations so far, of frequency and voltage; the time is 0.

@@ -31,7 +31,7 @@ struct Limits {
   std::string name;  // "simulated source", or maker and model; starts each error message
   Kind kind = Kind::kStreamed;
   double full_scale_pu = 0.0;  // largest voltage, per unit of nominal peak
-  double longest_s = std::numeric_limits<double>::infinity();
+  double longest_s = std::numeric_limits<double>::infinity();  // of a stimulus
   std::vector<std::int64_t> sample_rates_hz;  // supported rates of a stimulus, ascending
   std::vector<int> nominal_hz;
   bool noise_per_outlet = false;   // true: independent noise for each outlet; false: the same
@@ -77,8 +77,8 @@ class Source {
   // advance(). `stimulus` must live until make_safe().
   drivers::Result<Played> prepare(const Stimulus& stimulus, const Progress& progress = {});
 
-  // Raises the voltage softly to nominal and keeps it there until start(): outlets power up. Blocks
-  // until the voltage is nominal, 1 s at most.
+  // Raises the voltage softly to nominal and keeps it there until start(), so that outlets power
+  // up. Blocks until the voltage is nominal, about 1 s.
   drivers::Status energise();
 
   // Keeps the voltage nominal between energise() and start(), and after the stop() of a kStreamed
@@ -86,12 +86,12 @@ class Source {
   // switches off. An error if the output is no longer as it was set.
   drivers::Status hold();
 
-  // Starts the stimulus. A kLoaded source blocks until the time for booting that was part of its
-  // waveform is over.
+  // Starts the stimulus. A kLoaded source, whose waveform includes the time for outlets to boot,
+  // blocks until that time is over.
   drivers::Status start();
 
-  // Valid from start() on. nullopt: the source plays in virtual time. Needed by a relay sense that
-  // has this machine's clock.
+  // For a relay sense that has this machine's clock. Valid from start() on. nullopt: the source
+  // plays in virtual time, or does not know yet.
   virtual std::optional<HostClock> host_clock() const { return std::nullopt; }
 
   // Plays up to `until_tick` (excluded), which must be after the tick reached and not after the end
@@ -122,7 +122,7 @@ class Source {
   Interrupt& interrupt() { return interrupt_; }
   // Valid from prepare() on.
   const Stimulus& stimulus() const { return *stimulus_; }
-  // Played up to here (excluded).
+  // The next tick to play.
   std::int64_t tick() const { return tick_; }
   // Samples of the stimulus, per unit of nominal peak, valid until the next call. They contain the
   // stimulus's noise if limits().noise_per_outlet is false. An error if one is beyond full scale: a

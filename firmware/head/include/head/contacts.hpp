@@ -1,7 +1,6 @@
-// From the captures of a timer, one channel for each input, to the edges of a head. The timer
-// filters the inputs, so that an edge is one of the filtered input and its pin may already have
-// changed again. Each capture is therefore a change of the state before; only if the timer reports
-// that it has lost captures, the pin decides.
+// Turns the captures of a timer, one channel for each input, into the edges of a head. The timer
+// filters the inputs, so that a pin may have changed again before its capture is read. Therefore
+// each capture toggles the state; the pin decides only if the timer reports lost captures.
 //
 // All calls must come from interrupts of one priority.
 #pragma once
@@ -21,8 +20,8 @@ class Contacts {
   void start(std::uint8_t closed);
   // A capture at `count`. `lost`: the timer has lost captures of this input before it.
   void capture(std::size_t input, std::uint64_t count, bool lost, std::uint8_t closed);
-  // To be called once a millisecond. Finds inputs whose pin has for a while not been as the
-  // captures imply: edges were missed.
+  // To be called once a millisecond. If a pin differs from the state in two successive calls
+  // without a capture, an edge was missed: it is counted, and the state follows the pin.
   void compare(std::uint8_t closed);
 
  private:

@@ -10,11 +10,12 @@ namespace gs::head {
 
 class Count64 {
  public:
-  // To be called at least once in 2^31 counts, in order: 25 s at 84 MHz.
-  std::uint64_t now() const { return now_; }  // of the last advance()
+  std::uint64_t now() const { return now_; }  // the count of the last advance()
+  // To be called with ascending counts, at least once in 2^31 counts: 25 s at 84 MHz.
   void advance(std::uint32_t timer) { now_ = extend(timer); }
 
-  // A count of up to 2^31 − 1 before or after the last advance(). Before start-up, 0 is the result.
+  // `timer` may be up to 2^31 − 1 counts before or after the last advance(). Returns 0 for a count
+  // before start-up.
   std::uint64_t extend(std::uint32_t timer) const {
     const auto since = static_cast<std::int32_t>(timer - static_cast<std::uint32_t>(now_));
     const std::uint64_t count = now_ + static_cast<std::uint64_t>(std::int64_t{since});

@@ -13,7 +13,7 @@ class Edges {
  public:
   // ---- interrupt
 
-  // `keep`: false: only the state of the input changes.
+  // `keep` is false: only the state of the input changes, and no edge is kept.
   void add(std::size_t input, bool closed, std::uint64_t count, bool keep);
   void add_missed(std::uint32_t edges) { missed_ = missed_ + edges; }
 

@@ -2,14 +2,14 @@
 // on one clock. protocol.md describes states, flow control and timing. The board and the bench's
 // emulated head run this code.
 //
-// Two sides share the object, as on a board without an operating system:
-// - the main loop calls take, bad_frame and next_message;
-// - interrupts call next_codes and fail (from the same interrupt), set_input, edge and
-//   edges_missed.
-// An interrupt may interrupt the main loop at any point, and the interrupt of the edges that of the
-// codes; never the reverse. On a host, one thread at a time uses the object.
+// On a board, three contexts share the object, in order of rising priority:
+// - the main loop calls take, bad_frame and next_message
+// - the interrupt of the codes calls next_codes and fail
+// - the interrupt of the edges calls set_input, edge and edges_missed
+// Each may be interrupted at any point by one of a higher priority. On a host, one thread at a time
+// uses the object.
 //
-// A count is that of the capture timer since start-up. No call blocks.
+// Counts are those of the capture timer, from start-up on. No call blocks.
 #pragma once
 
 #include <cstddef>
@@ -24,11 +24,12 @@ namespace gs::head {
 
 constexpr std::uint32_t kFirmwareVersion = 1000;  // 0.1.0
 
+// What the board states about itself in the hello.
 struct Hardware {
-  char board[kBoardBytes + 1] = {};
-  std::uint8_t unique_id[kUniqueIdBytes] = {};
-  std::uint32_t build = 0;
-  std::uint16_t flags = 0;  // HelloFlag
+  char board[kBoardBytes + 1] = {};             // printable ASCII, then zeros
+  std::uint8_t unique_id[kUniqueIdBytes] = {};  // zeros: unknown
+  std::uint32_t build = 0;                      // first 32 bits of the sources' SHA-256
+  std::uint16_t flags = 0;                      // HelloFlag
   std::uint32_t counts_per_sample = 0;
   std::uint16_t full_scale_mv = kFullScale_mv;  // nominal voltage of kFullScale, peak
 };
@@ -53,7 +54,7 @@ class Head {
   void next_codes(std::uint64_t first_count, std::uint16_t* out, std::size_t count) {
     player_.next_codes(first_count, out, count);
   }
-  // The board cannot play: faulted, if armed or playing.
+  // The board cannot play: the head is then faulted, if it was armed or playing.
   void fail(Fault fault) { player_.fail(fault); }
   // The state of an input, 0 … kInputs − 1, without an edge. All are open at start-up.
   void set_input(std::size_t input, bool closed) { edges_.add(input, closed, 0, false); }

@@ -16,7 +16,7 @@ static_assert(kFullScale <= kLargestSample);
 
 class Interpolator {
  public:
-  // Begins at a sample.
+  // `sample` is the first one.
   void begin(std::int16_t sample) {
     from_ = sample;
     to_ = sample;

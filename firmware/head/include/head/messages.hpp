@@ -19,7 +19,7 @@ constexpr std::uint32_t kCodeRate_hz = kSampleRate_hz * kOversampling;
 // the supply of 3.3 V (datasheet of the STM32F405, DAC characteristics); this is 1.65 V ± 1.444 V.
 constexpr std::int16_t kFullScale = 1792 * 16;
 constexpr std::uint16_t kFullScale_mv = 1444;
-constexpr std::size_t kBufferSamples = 4096;
+constexpr std::size_t kBufferSamples = 4096;  // of the head
 constexpr std::size_t kLongestSamples = 256;  // in one message
 constexpr std::size_t kInputs = 4;
 constexpr std::uint16_t kWatchdog_ms = 200;
@@ -64,7 +64,7 @@ constexpr Fault kLastFault = Fault::kHardware;
 // Why a message was not accepted. It has no effect, and its number is still expected.
 enum class Refusal : std::uint8_t {
   kMalformed = 1,      // too short or too long for its kind, or too many samples
-  kUnknownKind = 2,    //
+  kUnknownKind = 2,    // not one of those from the bench
   kNotIdentified = 3,  // nothing but identify, stop and ping is accepted before an identify
   kVersion = 4,        // the same, if the identify was of another protocol version
   kGap = 5,            // messages before this one are missing
@@ -158,9 +158,9 @@ struct Status {
   Fault fault = Fault::kNone;   // of kFaulted
   std::uint32_t run = 0;        // of the newest arm
   std::uint32_t expected = 0;   // number of the next message from the bench
-  std::uint64_t position = 0;   // samples that were given to the DAC
-  std::uint16_t room = 0;       // samples that can be taken now
-  std::int64_t count = 0;       // now: timer counts since sample 0 was at the output; 0 before play
+  std::uint64_t position = 0;   // samples of this run that were given to the DAC
+  std::uint16_t room = 0;       // samples for which the buffer has room now
+  std::int64_t count = 0;       // timer counts from sample 0 at the output until now; 0 before play
   std::uint32_t echo = 0;       // token of the newest ping
   std::uint32_t edges = 0;      // since arm
   std::uint8_t closed = 0;      // bit i: input i is closed now
@@ -175,7 +175,7 @@ struct Edge {
   std::uint32_t edge = 0;  // 0, 1, … since arm
   std::uint8_t input = 0;  // 0 … kInputs − 1
   bool closed = false;
-  // Timer counts since sample 0 was at the output; negative shortly before.
+  // Timer counts from sample 0 at the output to the edge; may be negative, by up to 2.1 ms.
   std::int64_t count = 0;
 };
 

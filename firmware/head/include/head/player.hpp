@@ -1,8 +1,8 @@
 // Plays the stream: state, buffer, watchdog and the codes for the DAC. protocol.md describes them.
 //
 // The main loop calls arm, put, play, feed and switch_off; the interrupt of the DAC calls
-// next_codes and fail. The main loop leaves a state only from kOff or to kOff, so that it never
-// undoes a change that an interrupt has made meanwhile, except by switching off.
+// next_codes and fail. The main loop changes the state only from kOff or to kOff. So it never
+// undoes a change by an interrupt, except by switching off.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class Player {
 
   State state() const { return state_; }
   Fault fault() const { return fault_; }
-  void feed() { fed_ = true; }  // the watchdog
+  void feed() { fed_ = true; }  // restarts the watchdog
   void switch_off();
   // Only if off.
   void arm();
@@ -37,9 +37,8 @@ class Player {
 
   // Samples given to the DAC.
   std::uint64_t position() const;
-  // Of the stream; false: it has not begun.
   bool has_begun() const { return has_begun_; }
-  // When sample 0 is at the output. Only if the stream has begun.
+  // When sample 0 was at the output. Only if the stream has begun.
   std::uint64_t begin_count() const { return begin_count_; }
   // Codes made since start-up, modulo 2^32.
   std::uint32_t codes() const { return codes_; }

@@ -4,7 +4,7 @@
 //
 // A thread for each port reads the lines about every 1 ms (TIOCMGET). TIOCMIWAIT, which waits for a
 // change, is not used: some drivers of USB adapters do not support it, it cannot be interrupted
-// safely, and it reports a change without its time, too.
+// safely, and it does not report the time of the change either.
 //
 // An edge lies between the start of the last reading that did not see it and the end of the first
 // one that did. It is stamped with the middle, on this machine's steady clock. Its uncertainty is

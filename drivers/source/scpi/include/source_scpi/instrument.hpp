@@ -53,11 +53,11 @@ enum class When : std::uint8_t { kBeforeUpload, kAfterUpload };
 
 enum class Compare : std::uint8_t { kText, kNumber };
 
-// Where a value stands in an answer. Letters' case does not matter, nor do quotes around a text.
+// Where a value stands in an answer. Case, and quotes around a text, are ignored.
 struct Field {
   std::string query;
   // Empty: the whole answer. Otherwise the answer is a comma list, with or without a header such as
-  // "C1:BSWV ": a number counts its items from 1, a name is the item before the value.
+  // "C1:BSWV ". A number is that of the item, from 1 on; a name is the item before the value.
   std::string field;
 };
 
@@ -71,9 +71,9 @@ struct Setting {
   Compare compare = Compare::kText;
   double tolerance = 0.0;       // of a number, absolute, in the unit of the answer
   double tolerance_ppm = 0.0;   // of a number, relative; the larger of both counts
-  std::string unit;             // that may follow a number: "HZ"; letters' case does not matter
+  std::string unit;             // that may follow a number: "HZ"; case is ignored
   bool may_be_missing = false;  // older firmware does not list it
-  bool watched = true;          // asked while playing too
+  bool watched = true;          // asked while the waveform plays, too
 };
 
 struct Amplitude {
@@ -91,9 +91,9 @@ struct Rate {
 };
 
 struct Memory {
-  std::int64_t points = 0;
-  std::int64_t fewest_points = 2;
-  std::int64_t packet_points = 0;  // of kPackets
+  std::int64_t points = 0;         // of the longest waveform
+  std::int64_t fewest_points = 2;  // of the shortest waveform
+  std::int64_t packet_points = 0;  // of the largest packet; 0: no packets
 };
 
 struct Format {
@@ -107,7 +107,7 @@ struct Format {
 struct Accuracy {
   double clock_ppm = 0.0;              // ±
   double amplitude_pct = 0.0;          // ±
-  double trigger_latency_s = 0.0;      // from the sending of the trigger to the first point
+  double trigger_latency_s = 0.0;      // from sending the trigger to the first point
   double trigger_uncertainty_s = 0.0;  // ±
 };
 
@@ -121,15 +121,15 @@ struct Timing {
 
 struct Dialect {
   std::vector<std::string> reset;  // after the output is off
-  std::string clear;   // frees or overwrites the memory before an upload; empty: not needed
-  std::string upload;  // header of an upload or packet, up to the block
-  std::string more_part;
-  std::string last_part;
+  std::string clear;      // frees or overwrites the memory before an upload; empty: not needed
+  std::string upload;     // header of an upload or packet, up to the block
+  std::string more_part;  // {part} of a packet before the last one
+  std::string last_part;  // {part} of the last packet
   std::string read_back;  // query of the waveform; its answer has LENGTH,<n>B … WAVEDATA,<bytes>
-  std::string trigger;
+  std::string trigger;    // plays the waveform once
   std::string output_on;
   std::string output_off;
-  Field output;       // asks the state
+  Field output;       // asks for the state
   std::string is_on;  // alternatives, separated by |
   std::string is_off;
   std::string next_error;  // query of the error queue; empty: there is none
@@ -138,7 +138,7 @@ struct Dialect {
 struct Instrument {
   std::string name;                   // of the file: "siglent-sdg2000x"
   std::string title;                  // maker and model
-  std::vector<std::string> identity;  // how the answer to *IDN? begins; ? is any character
+  std::vector<std::string> identity;  // how an answer to *IDN? may begin; ? is any character
   Amplitude amplitude;
   Rate rate;
   Memory memory;
@@ -151,10 +151,11 @@ struct Instrument {
   std::vector<Setting> settings;  // in the order in which they are sent
 
   bool has(Quirk quirk) const;
+  // Whether this answer to *IDN? is of this model.
   bool is(const std::string& identification) const;
-  double middle_code() const;      // 0 V
-  double full_scale_code() const;  // half of the amplitude above the middle
-  int code_step() const;           // between two levels of the DAC
+  double middle_code() const;      // of 0 V
+  double full_scale_code() const;  // from the middle to the highest level: half the amplitude
+  int code_step() const;           // from one level of the DAC to the next
 };
 
 // An error names the first contradiction between the members: ranges, missing commands, unknown

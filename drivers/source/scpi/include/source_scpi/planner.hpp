@@ -1,7 +1,7 @@
-// What a waveform generator would play for a stimulus, computed before anything is sent. Pure.
+// Computes what a waveform generator would play for a stimulus, before anything is sent.
 //
-// One waveform is played once: a soft rise of the voltage, nominal voltage while outlets boot, a
-// margin, the stimulus, and a soft fall to 0 V.
+// One waveform is played, once: a soft rise of the voltage, nominal voltage while outlets boot and
+// for a margin, the stimulus, and a soft fall to 0 V.
 #pragma once
 
 #include <source_scpi/instrument.hpp>
@@ -15,9 +15,9 @@ namespace gsbench::scpi {
 
 // The largest deviations that are accepted.
 struct Tolerances {
-  double frequency_hz = 0.001;
-  double voltage_pu = 0.01;  // of a sample; without the accuracy of the amplitude
-  double time_s = 0.001;
+  double frequency_hz = 0.001;  // over windows of 200 ms, with the error of the clock
+  double voltage_pu = 0.01;     // of a sample, without the error of the amplitude
+  double time_s = 0.001;        // of a tick, early or late
 };
 
 struct Wiring {
@@ -32,19 +32,19 @@ struct PlanOptions {
   Tolerances tolerances;
   // Shorter only for tests.
   double rise_s = 0.5;
-  double margin_s = 1.0;  // after boot_s
+  double margin_s = 1.0;  // nominal voltage after boot_s, in which start() must be called
   double fall_s = 0.5;
 };
 
 struct Plan {
   source::Played played;
-  double rate_hz = 0.0;        // points a second
-  double frequency_hz = 0.0;   // repetitions a second of the whole memory
-  double amplitude_vpp = 0.0;  // at the instrument's terminals
-  double lead_s = 0.0;         // from the first point to tick 0 of the stimulus
-  double duration_s = 0.0;     // from the first point to 0 V
-  std::vector<std::int32_t> codes;
-  std::int32_t largest_nudge = 0;  // codes moved off a forbidden byte, in codes
+  double rate_hz = 0.0;             // points a second
+  double frequency_hz = 0.0;        // repetitions a second of all codes
+  double amplitude_vpp = 0.0;       // at the instrument's terminals
+  double lead_s = 0.0;              // from the first point to tick 0 of the stimulus
+  double duration_s = 0.0;          // from the first point to 0 V
+  std::vector<std::int32_t> codes;  // of the DAC, one for each point
+  std::int32_t largest_nudge = 0;   // codes moved off a forbidden byte, in codes
   std::int64_t bytes() const { return 2 * static_cast<std::int64_t>(codes.size()); }
 };
 

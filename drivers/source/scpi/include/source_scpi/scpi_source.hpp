@@ -18,16 +18,17 @@ struct SourceOptions {
   int baud = 115200;
   int channel = 1;
   PlanOptions plan;
-  // make_safe() tries for so long to reach an instrument that does not answer, then reports that
-  // the state of its output is unknown.
+  // How long make_safe() tries to reach an instrument that does not answer, before it reports that
+  // the state of the output is unknown.
   double make_safe_s = 10.0;
   double check_every_s = 0.25;  // while playing; shorter only for tests
 };
 
-// Nothing is opened or sent before prepare() or make_safe(). Calls block: prepare() for the upload,
-// about 1 s for each MB and the instrument's pauses; energise() for the rise of the voltage;
-// start() until tick 0; stop() and make_safe() until the output is asked to be off, make_safe_s at
-// most. make_safe() also works on a source that was never prepared.
+// Opens and sends nothing before prepare() or make_safe(); the latter needs no prepare(). Blocking:
+// - prepare(): for the upload, about 1 s for each MB, and the pauses of the instrument
+// - energise(): while the voltage rises
+// - start(): until tick 0
+// - stop(), make_safe(): until the instrument answers that its output is off; make_safe_s at most
 std::unique_ptr<source::Source> make_scpi_source(Instrument instrument, SourceOptions options);
 
 }  // namespace gsbench::scpi
