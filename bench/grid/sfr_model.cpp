@@ -32,6 +32,20 @@ Modes modes_at(const SfrModel& model, double t_s) {
   return {decay * (1.0 - 0.5 * lost), decay * (spread > 0.0 ? lost / (2.0 * spread) : t_s)};
 }
 
+// Integrals of the two modes from 0 to t_s. With A' = −sigma·A − d·B and B' = A − sigma·B they are
+// (1 − A − sigma·B)/omega_n² of B, and B + sigma·∫B of A.
+struct Areas {
+  double c;
+  double s;
+};
+
+Areas areas_until(const SfrModel& model, double t_s) {
+  const Modes mode = modes_at(model, t_s);
+  const double sigma = model.sigma_per_s();
+  const double s = (1.0 - mode.c - sigma * mode.s) / (model.omega_n() * model.omega_n());
+  return {mode.s + sigma * s, s};
+}
+
 double inertia_of_all_s(const Grid& grid) {  // eq. (2)
   double stored_mws = 0.0;
   for (const Plant& plant : grid.plants) {
@@ -71,7 +85,10 @@ SfrModel::SfrModel(const Grid& grid)
   gain_ = nominal_hz_ / (base_mw_ * stiffness_pu);
 }
 
-double SfrModel::unit_deviation_hz(double t_s) const {
+double SfrModel::unit_deviation_hz(double t_s, double ramp_s) const {
+  if (ramp_s > 0.0) {
+    return (unit_phase_cycles(t_s) - unit_phase_cycles(t_s - ramp_s)) / ramp_s;
+  }
   if (t_s < 0.0) {
     return 0.0;
   }
@@ -79,7 +96,10 @@ double SfrModel::unit_deviation_hz(double t_s) const {
   return -gain_ * (1.0 - mode.c + (g0_ - sigma_) * mode.s);
 }
 
-double SfrModel::unit_rocof_hz_s(double t_s) const {
+double SfrModel::unit_rocof_hz_s(double t_s, double ramp_s) const {
+  if (ramp_s > 0.0) {
+    return (unit_deviation_hz(t_s) - unit_deviation_hz(t_s - ramp_s)) / ramp_s;
+  }
   if (t_s < 0.0) {
     return 0.0;
   }
@@ -89,12 +109,22 @@ double SfrModel::unit_rocof_hz_s(double t_s) const {
 
 // With A = e^(−sigma·t)·C and B = e^(−sigma·t)·S: A' = −sigma·A − d·B and B' = A − sigma·B. Solved
 // for A and B, these give the integrals of A and B, and so the integral of the deviation.
-double SfrModel::unit_phase_cycles(double t_s) const {
+double SfrModel::unit_phase_cycles(double t_s, double ramp_s) const {
   if (t_s < 0.0) {
     return 0.0;
   }
-  const Modes mode = modes_at(*this, t_s);
   const double omega_n_squared = omega_n_ * omega_n_;
+  if (ramp_s > 0.0) {
+    // Neither the squares of the times nor the times are subtracted: the result would lose digits
+    // late in a long run.
+    const double moved_s = std::fmin(t_s, ramp_s);
+    const Areas from = areas_until(*this, t_s - moved_s);
+    const Areas to = areas_until(*this, t_s);
+    const double transient = (2.0 * sigma_ - g0_) * (moved_s - (to.c - from.c)) +
+                             (omega_n_squared - sigma_ * (2.0 * sigma_ - g0_)) * (to.s - from.s);
+    return -gain_ * (moved_s * (t_s - 0.5 * moved_s) - transient / omega_n_squared) / ramp_s;
+  }
+  const Modes mode = modes_at(*this, t_s);
   const double transient = (2.0 * sigma_ - g0_) * (1.0 - mode.c) +
                            (omega_n_squared - sigma_ * (2.0 * sigma_ - g0_)) * mode.s;
   return -gain_ * (t_s - transient / omega_n_squared);
@@ -119,18 +149,25 @@ std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& mode
 FrequencyResponse::FrequencyResponse(SfrModel model, std::vector<PowerChange> changes)
     : model_(std::move(model)), changes_(std::move(changes)) {
   for (std::size_t i = 0; i < changes_.size(); ++i) {
-    if (!std::isfinite(changes_[i].at_s) || !std::isfinite(changes_[i].power_mw)) {
+    const PowerChange& change = changes_[i];
+    if (!std::isfinite(change.at_s) || !std::isfinite(change.power_mw)) {
       throw std::invalid_argument(
           fmt::format("power change {} is {} MW at {} s; both must be finite", i + 1,
-                      changes_[i].power_mw, changes_[i].at_s));
+                      change.power_mw, change.at_s));
+    }
+    if (!std::isfinite(change.ramp_s) || change.ramp_s < 0.0) {
+      throw std::invalid_argument(
+          fmt::format("power change {} has a ramp of {} s; it must be finite and at least 0", i + 1,
+                      change.ramp_s));
     }
   }
 }
 
-double FrequencyResponse::sum(double (SfrModel::*of_one_mw)(double t_s) const, double t_s) const {
+double FrequencyResponse::sum(double (SfrModel::*of_one_mw)(double t_s, double ramp_s) const,
+                              double t_s) const {
   double sum = 0.0;
   for (const PowerChange& change : changes_) {
-    sum += change.power_mw * (model_.*of_one_mw)(t_s - change.at_s);
+    sum += change.power_mw * (model_.*of_one_mw)(t_s - change.at_s, change.ramp_s);
   }
   return sum;
 }

@@ -48,7 +48,7 @@ double Case::lost_mw(std::int64_t tick) const {
   double sum_mw = 0.0;
   for (const grid::PowerChange& loss : plan.stimulus.losses) {
     if (waveform::tick_at(loss.at_s, plan.stimulus.sample_rate_hz) <= tick) {
-      sum_mw += loss.power_mw;
+      sum_mw += loss.changed_mw(std::max(seconds(tick) - loss.at_s, 0.0));
     }
   }
   return sum_mw;

@@ -198,15 +198,7 @@ Key grid_section_keys() {
     part.meaning = "part of an inline grid";
     section.inner.push_back(part.described_in("a grid"));
   }
-  section.inner.push_back(
-      keys::tables("loss",
-                   "Steps of the power balance, superposed (eq. 10). Without losses the frequency "
-                   "stays nominal.",
-                   {time_in_run("time of the loss"),
-                    keys::number("power_mw", "MW", {}, "lost generation; negative: shed load")
-                        .permits("-load … +load of the grid, not 0; the sum of all steps must stay "
-                                 "in this range at any time")
-                        .require()}));
+  section.inner.push_back(loss_keys());
   return section;
 }
 

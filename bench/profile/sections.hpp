@@ -32,8 +32,13 @@ grid::Grid read_grid_section(const keys::Table& section, const std::string& titl
 // a grid file, but not in a profile.
 void check_conditions(const keys::Table& section, const grid::Grid& grid);
 
-// [signal] and [[grid.loss]]. `skip_recording`: the file of [signal.trace] is not read and need not
-// exist, because another recording replaces it.
+// [[grid.loss]]: changes of the power balance, ascending in time.
+keys::Key loss_keys();
+std::vector<grid::PowerChange> read_losses(const keys::Table& grid_section, const grid::Grid& grid,
+                                           double duration_s);
+
+// [signal] and the disturbances of [grid]. `skip_recording`: the file of [signal.trace] is not read
+// and need not exist, because another recording replaces it.
 keys::Key signal_keys();
 Stimulus read_stimulus(const keys::Table& signal, const keys::Table& grid_section,
                        const grid::Grid& grid, bool skip_recording);

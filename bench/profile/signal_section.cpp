@@ -164,34 +164,6 @@ std::vector<waveform::PhaseJump> read_phase_jumps(const Table& signal, double du
   return jumps;
 }
 
-std::vector<grid::PowerChange> read_losses(const Table& grid_section, const grid::Grid& grid,
-                                           double duration_s) {
-  std::vector<grid::PowerChange> losses;
-  for (const Table& table : grid_section.tables("loss")) {
-    const double at_s = table.number("at_s", within_run(duration_s));
-    const Range up_to_load = {-grid.load_mw, grid.load_mw, false, false, "the grid's load"};
-    const double power_mw = table.number("power_mw", up_to_load);
-    if (power_mw == 0.0) {
-      table.refuse("power_mw",
-                   "power_mw is 0; it must be above 0 (lost generation) or below 0 (shed load)");
-    }
-    losses.push_back({at_s, power_mw});
-  }
-  std::stable_sort(
-      losses.begin(), losses.end(),
-      [](const grid::PowerChange& a, const grid::PowerChange& b) { return a.at_s < b.at_s; });
-  double balance_mw = 0.0;
-  for (const grid::PowerChange& loss : losses) {
-    balance_mw += loss.power_mw;
-    if (std::abs(balance_mw) > grid.load_mw) {
-      grid_section.refuse("loss", fmt::format("the losses add up to {} MW at {} s; their sum must "
-                                              "stay within ± {} MW (the grid's load)",
-                                              balance_mw, loss.at_s, grid.load_mw));
-    }
-  }
-  return losses;
-}
-
 void refuse_second_source(const Table& signal, const Table& grid_section) {
   const char* message =
       "the frequency has more than one source; give only one of [[grid.loss]], frequency and "

@@ -24,6 +24,9 @@ class LossReference final : public ReferenceSignal {
     std::vector<double> corners;
     for (const grid::PowerChange& change : response_.changes()) {
       corners.push_back(change.at_s);
+      if (change.ramp_s > 0.0) {
+        corners.push_back(change.at_s + change.ramp_s);
+      }
     }
     std::sort(corners.begin(), corners.end());
     return corners;

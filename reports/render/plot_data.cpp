@@ -133,7 +133,8 @@ std::string mark_value(const record::Mark& mark) {
     return mark.value != 0.0 ? "closed" : "open";
   }
   const bool power = mark.kind == "lse" || mark.kind == "loss" || mark.kind == "shed" ||
-                     mark.kind == "decision" || mark.kind == "decision.loss";
+                     mark.kind == "ramp end" || mark.kind == "decision" ||
+                     mark.kind == "decision.loss";
   return with_unit(fixed(mark.value, decimals_for({mark.value})), power ? "MW" : "");
 }
 

@@ -81,6 +81,8 @@ TEST(FrequencyResponse, RefusesAChangeThatIsNotFinite) {
   EXPECT_THROW(FrequencyResponse(model, {{nan, 500.0}}), std::invalid_argument);
   EXPECT_THROW(FrequencyResponse(model, {{0.0, nan}}), std::invalid_argument);
   EXPECT_THROW(FrequencyResponse(model, {{0.0, 500.0}, {HUGE_VAL, 1.0}}), std::invalid_argument);
+  EXPECT_THROW(FrequencyResponse(model, {{0.0, 500.0, -0.1}}), std::invalid_argument);
+  EXPECT_THROW(FrequencyResponse(model, {{0.0, 500.0, nan}}), std::invalid_argument);
 }
 
 }  // namespace

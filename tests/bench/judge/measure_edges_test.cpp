@@ -181,6 +181,17 @@ TEST(FirstLoss, IsAtTheFirstTickThatTheSourcePlays) {
   EXPECT_EQ(c.view().lost_mw(102), 500.0);
 }
 
+TEST(FirstLoss, IsTheStartOfARampThatIsLostInProportionToTime) {
+  SyntheticCase c = loss_of_500_mw();
+  c.plan.stimulus.sample_rate_hz = 8000;
+  c.plan.stimulus.losses = {{3.0, 500.0, 2.0}};
+  EXPECT_EQ(c.view().first_loss_tick(), 24000);
+  EXPECT_EQ(c.view().lost_mw(24000), 0.0);
+  EXPECT_EQ(c.view().lost_mw(28000), 125.0);
+  EXPECT_EQ(c.view().lost_mw(40000), 500.0);
+  EXPECT_EQ(c.view().lost_mw(50000), 500.0);
+}
+
 TEST(TrackerError, IsRelativeToTheReferenceAtTheStampIfNoDelayIsDeclared) {
   SyntheticCase c = loss_of_500_mw();
   c.outlet.settings.erase("tracker_delay_s");

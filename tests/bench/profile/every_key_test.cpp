@@ -348,7 +348,7 @@ TEST_P(EveryKey, IsDocumentedInTheReadme) {
 const File kFiles[] = {
     {"profile",
      &profile_keys,
-     {kLossesInPlace, kPoints, kRecording},
+     {kLossesInPlace, kDisturbed, kPoints, kRecording},
      [](const std::string& path) { (void)load_profile(path); }},
     {"grid", &grid_keys, {grid_file()}, [](const std::string& path) { (void)load_grid(path); }},
     {"emulated_station",

@@ -71,6 +71,14 @@ TEST(Profile, HoldsTitleSourceSeedAndInlineGrid) {
   EXPECT_EQ(grid.reference.note, "Why they differ");
 }
 
+TEST(Profile, HoldsLossesAtOnceAndOverATime) {
+  const Stimulus stimulus = parse(kDisturbed).stimulus;
+  ASSERT_THAT(stimulus.losses, SizeIs(2));
+  EXPECT_EQ(stimulus.losses[0].ramp_s, 3.0);
+  EXPECT_EQ(stimulus.losses[1].at_s, 4.5);
+  EXPECT_EQ(stimulus.losses[1].ramp_s, 0.0);
+}
+
 TEST(Profile, HoldsTheSignalWithLossesSortedByTime) {
   const Stimulus stimulus = parse(kLossesInPlace).stimulus;
   EXPECT_EQ(stimulus.duration_s, 10.0);

@@ -209,6 +209,15 @@ const std::vector<Mistake> kOfLosses = {
      "31:31: an item of condition_rocof_hz_s is inf; it must be at least -1000 and at most 0"},
 };
 
+const std::vector<Mistake> kOfDisturbed = {
+    {"ramp_s = 3.0", "ramp_s = -1", "8:10: ramp_s is -1; it must be at least 0 and at most 3600"},
+    {"ramp_s = 3.0", "ramp_s = 0.0001",
+     "8:10: ramp_s is 0.0001; it must be at least 0.001, or 0 for a step"},
+    {"power_mw = -200.0", "power_mw = 2300.0",
+     "5:1: the losses add up to 2800 MW at 5 s; their sum must stay within ± 2745 MW (the grid's "
+     "load)"},
+};
+
 const std::vector<Mistake> kOfPoints = {
     {"[6.0, 49.8]", "[2.0, 49.8]",
      "7:41: t_s is 2; it must be above 2, the time of the previous point"},
@@ -230,6 +239,7 @@ const std::vector<Mistake> kOfPoints = {
 TEST(Refusal, GivesThePositionAndTheCorrection) {
   expect_refused(kMinimal, kOfMinimal);
   expect_refused(kLossesInPlace, kOfLosses);
+  expect_refused(kDisturbed, kOfDisturbed);
   expect_refused(kPoints, kOfPoints);
 }
 

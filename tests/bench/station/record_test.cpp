@@ -145,6 +145,20 @@ TEST(RunRecord, MarksTheStimulusInOrderOfTime) {
                                  "1800 shed -50", "1800 amplitude 100", "2400 amplitude 80"));
 }
 
+TEST(RunRecord, MarksTheStartAndTheEndOfARamp) {
+  const record::RunRecord record =
+      record_of(test::plan(0.5,
+                           "[[grid.loss]]\nat_s = 0.1\npower_mw = 500.0\nramp_s = 0.25\n"
+                           "[[grid.loss]]\nat_s = 0.2\npower_mw = -40.0\nramp_s = 3.0\n"));
+  std::vector<std::string> marks;
+  for (const record::Mark& mark : record.stimulus) {
+    marks.push_back(std::to_string(mark.tick) + " " + mark.kind + ": " + mark.text);
+  }
+  EXPECT_THAT(marks,
+              ElementsAre("800 loss: 500 MW lost over 0.25 s", "1600 shed: 40 MW shed over 3 s",
+                          "2800 ramp end: end of 500 MW lost over 0.25 s"));
+}
+
 TEST(RunRecord, SendsCommandsToTheirOutletsAndMarksThem) {
   FakeStation station({});
   const record::RunRecord record =

@@ -176,6 +176,11 @@ TEST(LossReference, HasACornerAtEachLossInOrderOfTime) {
   EXPECT_THAT(reference->corners_s(), ElementsAre(3.0, 4.0));
 }
 
+TEST(LossReference, HasCornersAtBothEndsOfARamp) {
+  const auto reference = reference_from_losses(ieee24(), {{3.0, 500.0, 2.0}, {4.0, -120.0}});
+  EXPECT_THAT(reference->corners_s(), ElementsAre(3.0, 4.0, 5.0));
+}
+
 TEST(LossReference, CountsExcessPhaseFromZeroAfterALossBeforeTheStart) {
   const auto reference = reference_from_losses(ieee24(), {{-2.0, 500.0}});
   EXPECT_EQ(reference->excess_cycles(0.0), 0.0);

@@ -57,10 +57,16 @@ struct Grid {
   Reference reference;
 };
 
-// One step of the power balance at `at_s`: positive is lost generation, negative is shed load.
+// One change of the power balance: positive is lost generation, negative is shed load.
 struct PowerChange {
   double at_s = 0.0;
   double power_mw = 0.0;
+  double ramp_s = 0.0;  // the power changes linearly over this time from at_s on; 0: at once
+
+  // The part that has changed `since_s` after at_s, MW; since_s >= 0.
+  double changed_mw(double since_s) const {
+    return since_s < ramp_s ? power_mw * since_s / ramp_s : power_mw;
+  }
 };
 
 // An invalid grid. what() gives the field, its value and what would be right. The reader of a grid

@@ -1,10 +1,12 @@
-// System frequency response of a grid to sudden power changes: eq. (1)–(10) in closed form, for
-// any damping (under-, critically and overdamped).
+// System frequency response of a grid to power changes: eq. (1)–(10) in closed form, for any
+// damping (under-, critically and overdamped).
 //
 // With sigma = zeta·omega_n and d = omega_n² − sigma² the response to a unit step of lost power is
 //   deviation(t) = −K·[1 − e^(−sigma·t)·C(t) + (g0 − sigma)·e^(−sigma·t)·S(t)]
 // where C = cos(√d·t), S = sin(√d·t)/√d for d > 0, their limits for d = 0, cosh and sinh for d < 0,
 // K = R/(D·R + K_m) and g0 = omega_n²·T_R. For zeta < 1 this is eq. (6), because α·sin(φ) = −1.
+// The response to power lost linearly over a time T is the mean of the response to a step over the
+// last T, also in closed form, because C and S can be integrated any number of times.
 // The denominator of eq. (3) is misprinted in the paper: it is s² + 2·zeta·omega_n·s + omega_n².
 #pragma once
 
@@ -31,10 +33,11 @@ class SfrModel {
   double nominal_hz() const { return nominal_hz_; }
   double base_mw() const { return base_mw_; }
 
-  // Response to one MW lost at t = 0; all zero for t < 0.
-  double unit_deviation_hz(double t_s) const;  // eq. (6), negative
-  double unit_rocof_hz_s(double t_s) const;    // eq. (12), right-hand limit at t = 0
-  double unit_phase_cycles(double t_s) const;  // ∫ unit_deviation_hz dt, cycles, exact
+  // Response to one MW lost at t = 0, or linearly from t = 0 to ramp_s; all zero for t < 0. Exact.
+  // ramp_s: 0, or so long that t_s/ramp_s stays below 10⁹, beyond which digits are lost.
+  double unit_deviation_hz(double t_s, double ramp_s = 0.0) const;  // eq. (6), negative
+  double unit_rocof_hz_s(double t_s, double ramp_s = 0.0) const;  // eq. (12); right-hand limit at 0
+  double unit_phase_cycles(double t_s, double ramp_s = 0.0) const;  // ∫ unit_deviation_hz dt
 
  private:
   double inertia_s_, droop_pu_, omega_n_, zeta_, sigma_, d_, g0_, gain_, nominal_hz_, base_mw_;
@@ -54,12 +57,13 @@ std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& mode
 // Several power changes superposed, eq. (10).
 class FrequencyResponse {
  public:
-  // Throws std::invalid_argument if a time or power is not finite.
+  // Throws std::invalid_argument if a time or power is not finite, or a ramp negative.
   FrequencyResponse(SfrModel model, std::vector<PowerChange> changes);
 
   double frequency_hz(double t_s) const {
     return model_.nominal_hz() + sum(&SfrModel::unit_deviation_hz, t_s);
   }
+  // At the start or end of a change, the right-hand limit.
   double rocof_hz_s(double t_s) const { return sum(&SfrModel::unit_rocof_hz_s, t_s); }
   // Phase advance relative to nominal, in cycles: ∫ (f − f_n) dt, exact; 0 before the first change.
   double excess_cycles(double t_s) const { return sum(&SfrModel::unit_phase_cycles, t_s); }
@@ -68,7 +72,7 @@ class FrequencyResponse {
   const std::vector<PowerChange>& changes() const { return changes_; }
 
  private:
-  double sum(double (SfrModel::*of_one_mw)(double t_s) const, double t_s) const;
+  double sum(double (SfrModel::*of_one_mw)(double t_s, double ramp_s) const, double t_s) const;
 
   SfrModel model_;
   std::vector<PowerChange> changes_;

@@ -22,7 +22,7 @@ measure = "event.count"
 max = 0
 )";
 
-// The following three use every key, each with a value other than its default.
+// The following four use every key, each with a value other than its default.
 inline constexpr const char* kLossesInPlace = R"(title = "Losses in a grid in place"
 source = "Somewhere"
 seed = 7
@@ -112,6 +112,30 @@ outlets = ["early"]
 [[expect]]
 measure = "relay.end"
 equals = "open"
+)";
+
+inline constexpr const char* kDisturbed = R"(title = "A disturbed grid"
+source = "Somewhere"
+[grid]
+system = "ieee24"
+[[grid.loss]]
+at_s = 2.0
+power_mw = 500.0
+ramp_s = 3.0
+[[grid.loss]]
+at_s = 4.5
+power_mw = -200.0
+[signal]
+duration_s = 10.0
+[[outlet]]
+count = 2
+id = "shed"
+accumulated_mw = 100.0
+[[outlet]]
+id = "alone"
+[[expect]]
+measure = "event.count"
+max = 1
 )";
 
 inline constexpr const char* kPoints = R"(title = "Points"
