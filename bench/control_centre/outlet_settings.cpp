@@ -109,6 +109,7 @@ gs::outlet::Settings grid_settings(const grid::Grid& grid) {
   settings.response.discriminant_per_s2 = static_cast<float>(model.discriminant_per_s2());
   settings.response.initial_slope_per_s = static_cast<float>(model.initial_slope_per_s());
   settings.threshold_mw = static_cast<float>(threshold_mw);
+  settings.threshold_hz = static_cast<float>(grid.threshold_hz);
   settings.largest_loss_mw = static_cast<float>(grid.base_mw);
   set_conditions(grid, model, settings);
   settings.loss_sigma_mw = static_cast<float>(kLseSpread * std::min(threshold_mw, grid.base_mw));

@@ -41,6 +41,7 @@ void Application::feed(const std::int16_t* samples, std::size_t count, Outbox& o
     counts_.samples += taken;
     if (ready) {
       send_report(report, outbox);
+      outlet::renew(config_, state_);
     }
   }
 }
@@ -92,8 +93,8 @@ void Application::send_hello(Outbox& outbox) const {
   hello.tracker_delay_s = outlet::kFrontEndDelay_s;
   hello.voltage_delay_s = outlet::kVoltageDelay_s;
   if (config_.has_settings) {
-    hello.settings_version = config_.settings.version;
-    hello.settings_digest = outlet::digest(config_.settings);
+    hello.settings_version = outlet::accepted(config_).version;
+    hello.settings_digest = outlet::digest(outlet::accepted(config_));
   }
   put(outbox, UplinkKind::kHello, &wire::Uplink::hello, hello);
 }
@@ -108,8 +109,8 @@ void Application::take_settings(const wire::Downlink& sent, Outbox& outbox) {
   const bool kept = tried && storage_->keep(settings);
   // Version and digest are 0 without settings, as in the hello.
   put(outbox, UplinkKind::kSettingsAnswer, &wire::Uplink::settings_answer,
-      {error, config_.has_settings ? config_.settings.version : 0,
-       config_.has_settings ? outlet::digest(config_.settings) : 0, kept});
+      {error, config_.has_settings ? outlet::accepted(config_).version : 0,
+       config_.has_settings ? outlet::digest(outlet::accepted(config_)) : 0, kept});
   if (tried && !kept) {
     note(wire::ErrorCode::kSettingsStorage, outbox);
   }
@@ -170,7 +171,8 @@ void Application::send_report(const outlet::Report& report, Outbox& outbox) cons
     const bool shed =
         (report.happened & outlet::kRelay) != 0 && report.cause == outlet::Cause::kLoss;
     put(outbox, UplinkKind::kDecision, &wire::Uplink::decision,
-        {report.loss_mw, report.required_mw, report.hits, report.trust, shed});
+        {report.loss_mw, report.loss_sigma_mw, report.nadir_hz, report.required_mw,
+         report.shed_before_mw, report.hits, report.trust, shed});
   }
   if ((report.happened & outlet::kRelay) != 0) {
     send_relay(outbox);

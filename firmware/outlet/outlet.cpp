@@ -1,12 +1,26 @@
+#include <outlet/arithmetic.hpp>
 #include <outlet/decision.hpp>
 #include <outlet/name_table.hpp>
 #include <outlet/outlet.hpp>
+#include <outlet/shedding.hpp>
 
 namespace gs::outlet {
 namespace {
 
 // After a decision, f must be steady for half a second before the detector is armed again.
 constexpr std::uint16_t kSteadyReports = 31;
+// Five drops make an event only if no report was held so shortly before: a disturbance of the
+// voltage leaves a transient of the tracked frequency behind.
+constexpr std::uint8_t kUndisturbedReports = 20;
+// From a phasor to the open relay: the front end's delay and 8 ms.
+constexpr float kLead_s = kFrontEndDelay_s + 0.008f;
+// A decision by the grid's state is due with this σ of the lost power, per threshold loss, or this
+// many reports later: then as far as it is sure, two σ.
+constexpr float kSureSigma = 0.034f;
+constexpr int kLatestReports = 20;
+constexpr float kSureSigmas = 2.0f;
+// An event without an onset of the follower was none.
+constexpr int kReportsWithoutOnset = 60;
 
 void open_relay(State& state, Report& report, Cause cause) {
   if (state.relay_closed) {
@@ -16,9 +30,14 @@ void open_relay(State& state, Report& report, Cause cause) {
   }
 }
 
-// Criterion (1): sheds if enough conditions were met, the estimate is trusted, and more is required
-// than less important outlets shed.
-void decide(const Settings& settings, State& state, Report& report) {
+void end_event(State& state) {
+  state.phase = Phase::kCooling;
+  state.steady_reports = 0;
+}
+
+// Criterion (1) as the paper has it: sheds if enough conditions were met, the estimate is trusted,
+// and more is required than less important outlets shed.
+void decide_by_paper(const Settings& settings, State& state, Report& report) {
   report.required_mw = required_mw(state.estimator.ekf.loss_mw, settings.threshold_mw);
   report.trust = trust(settings, state.estimator);
   report.happened |= kDecision;
@@ -26,8 +45,7 @@ void decide(const Settings& settings, State& state, Report& report) {
       report.trust == Trust::kTrusted && must_shed(report.required_mw, settings.accumulated_mw)) {
     open_relay(state, report, Cause::kLoss);
   }
-  state.phase = Phase::kCooling;
-  state.steady_reports = 0;
+  end_event(state);
 }
 
 void estimate(const Config& config, State& state, Report& report, bool valid) {
@@ -39,12 +57,64 @@ void estimate(const Config& config, State& state, Report& report, bool valid) {
   if (estimator.started && !had_lse) {
     report.happened |= kLse;
   }
-  if (estimator.ekf.count > had_updates) {
+  if (config.settings.method == kByPaper && estimator.ekf.count > had_updates) {
     report.happened |= kEstimate;
   }
-  if (complete(config.settings, estimator)) {
-    decide(config.settings, state, report);
+  if (config.settings.method == kByPaper && complete(config.settings, estimator)) {
+    decide_by_paper(config.settings, state, report);
   }
+}
+
+bool is_sure(const Settings& settings, float loss_sigma_mw) {
+  return loss_sigma_mw <= kSureSigma * settings.threshold_mw;
+}
+
+// Criterion (1) by the grid's state: sheds if more is required to keep the nadir at f_s than less
+// important outlets shed, now and before. Due once after each change of the lost power.
+void decide_by_grid_state(const Config& config, State& state, const Followed& followed,
+                          Report& report) {
+  GridFollower& follower = state.follower;
+  const Settings& settings = config.settings;
+  const bool is_event = state.phase == Phase::kEstimating;
+  if (!follower.changed) {
+    if (is_event && state.estimator.reports >= kReportsWithoutOnset) {
+      report.happened |= kDecision;
+      end_event(state);
+    }
+    return;
+  }
+  const bool sure = is_sure(settings, followed.loss_sigma_mw);
+  const int due = settings.decision_reports + (sure ? 0 : kLatestReports);
+  if (follower.since_onset < due) {
+    return;
+  }
+  follower.changed = false;
+  const auto nominal_hz = static_cast<float>(config.hardware.nominal_hz);
+  const Shedding needed = shedding(config.look_ahead, advanced(config.lead, followed.state),
+                                   settings.threshold_hz + settings.nadir_margin_hz - nominal_hz);
+  const float doubt_mw = sure ? 0.0f : kSureSigmas * followed.loss_sigma_mw;
+  const float required_mw = maximum(needed.required_mw - doubt_mw, 0.0f);
+  if (!is_event && !(required_mw > 0.0f)) {
+    return;
+  }
+  report.happened |= kDecision;
+  report.required_mw = required_mw;
+  report.nadir_hz = nominal_hz + needed.nadir_hz;
+  report.shed_before_mw = state.shed_before_mw;
+  if (required_mw > 0.0f && must_shed(state.shed_before_mw + required_mw, settings.accumulated_mw)) {
+    open_relay(state, report, Cause::kLoss);
+  }
+  state.shed_before_mw += required_mw;
+  end_event(state);
+}
+
+Followed follow_grid(const Config& config, State& state, const Phasor& z) {
+  if (state.tracker.dead || state.tracker.age == 0) {
+    return {};
+  }
+  return follow(config.follower, state.follower, angle_of(z.quadrature, z.in_phase) / kTwoPi,
+                root(z.in_phase * z.in_phase + z.quadrature * z.quadrature),
+                !state.tracker.coasting, state.tracker.omega_rad_s / kTwoPi);
 }
 
 void cool_down(State& state, const Report& report, bool valid) {
@@ -60,9 +130,7 @@ void cool_down(State& state, const Report& report, bool valid) {
 // Criterion (2), independent of the estimate.
 void watch_switch_off_frequency(const Settings& settings, State& state, Report& report,
                                 bool valid) {
-  if (!valid) {
-    state.below_switch_off = 0;
-  } else if (stays_below(report.measurement.frequency_hz, settings.switch_off_hz,
+  if (valid && stays_below(report.measurement.frequency_hz, settings.switch_off_hz,
                          settings.switch_off_samples, state.below_switch_off)) {
     open_relay(state, report, Cause::kFrequency);
   }
@@ -90,19 +158,37 @@ void invalidate_frequency(Measurement& measurement) {
   measurement.validity = Validity::kInvalid;
 }
 
-void act(const Config& config, State& state, Report& report) {
+bool event_begins(const Config& config, const State& state, bool valid, const Followed& followed) {
+  const bool by_state = config.settings.method == kByGridState;
+  if (by_state && followed.significant &&
+      state.follower.filter.x[kLoss] > state.follower.loss_before_mw) {
+    return true;
+  }
+  return state.phase == Phase::kQuiet && valid &&
+         !(by_state && state.undisturbed < kUndisturbedReports) &&
+         event_detected(config.settings, state.history);
+}
+
+void act(const Config& config, State& state, const Phasor& z, Report& report) {
   const Settings& settings = config.settings;
   const bool valid = report.measurement.validity == Validity::kValid;
+  state.undisturbed = static_cast<std::uint8_t>(
+      report.measurement.validity != Validity::kValid ? 0
+      : state.undisturbed < 0xFF                      ? state.undisturbed + 1
+                                                      : state.undisturbed);
   if (report.measurement.validity == Validity::kInvalid) {
     if (state.phase == Phase::kEstimating) {
       report.happened |= kAborted;
     }
     state.phase = Phase::kQuiet;
     state.below_switch_off = 0;
+    state.follower.count = 0;
     return;
   }
   watch_switch_off_frequency(settings, state, report, valid);
-  if (state.phase == Phase::kQuiet && valid && event_detected(settings, state.history)) {
+  const Followed followed =
+      settings.method == kByGridState ? follow_grid(config, state, z) : Followed{};
+  if (state.phase != Phase::kEstimating && event_begins(config, state, valid, followed)) {
     begin(state.estimator, baseline(state.history));
     state.phase = Phase::kEstimating;
     report.happened |= kEvent;
@@ -112,6 +198,33 @@ void act(const Config& config, State& state, Report& report) {
   } else if (state.phase == Phase::kCooling) {
     cool_down(state, report, valid);
   }
+  if (settings.method == kByGridState) {
+    report.loss_mw = followed.state.loss_mw;
+    report.loss_sigma_mw = followed.loss_sigma_mw;
+    report.trust = !state.follower.changed                          ? Trust::kNotYet
+                   : is_sure(settings, followed.loss_sigma_mw) ? Trust::kTrusted
+                                                                    : Trust::kUncertain;
+    if (state.phase == Phase::kEstimating && followed.valid) {
+      report.happened |= kEstimate;
+    }
+    decide_by_grid_state(config, state, followed, report);
+  }
+}
+
+// Puts accepted settings into force.
+void put_in_force(Config& config, const Settings& settings) {
+  config.settings = settings;
+  config.has_settings = true;
+  config.follower.response = settings.response;
+  config.follower.step = grid_step(settings.response, kReport_s);
+  config.follower.scale_mw = settings.threshold_mw;
+  config.follower.phase_sigma_rad = settings.tracker.phase_noise_rad;
+  config.look_ahead = grid_step(settings.response, kLookAhead_s);
+  config.lead = grid_step(settings.response, kLead_s);
+}
+
+bool event_under_way(const State& state) {
+  return state.phase == Phase::kEstimating || state.follower.changed;
 }
 
 }  // namespace
@@ -134,20 +247,36 @@ SettingsError apply(Config& config, State& state, const Settings& settings) {
   if (error != SettingsError::kNone) {
     return error;
   }
-  const std::uint32_t in_force = config.has_settings ? config.settings.version : kNoSettings;
-  if (settings.version <= in_force) {
+  const std::uint32_t newest = config.has_settings ? accepted(config).version : kNoSettings;
+  if (settings.version <= newest) {
     return SettingsError::kStale;
   }
-  config.settings = settings;
-  config.has_settings = true;
-  state.phase = Phase::kQuiet;
-  state.below_switch_off = 0;
+  config.has_next = config.has_settings && event_under_way(state);
+  if (config.has_next) {
+    config.next = settings;
+  } else {
+    put_in_force(config, settings);
+  }
   return SettingsError::kNone;
+}
+
+bool renew(Config& config, const State& state) {
+  if (!config.has_next || event_under_way(state)) {
+    return false;
+  }
+  config.has_next = false;
+  put_in_force(config, config.next);
+  return true;
+}
+
+const Settings& accepted(const Config& config) {
+  return config.has_next ? config.next : config.settings;
 }
 
 void lose_track(State& state) {
   state.front_end = FrontEndState{};
   state.tracker = TrackerState{};
+  state.follower.count = 0;
 }
 
 bool command(State& state, bool close) {
@@ -155,6 +284,7 @@ bool command(State& state, bool close) {
   state.relay_closed = close;
   if (changes) {
     state.cause = close ? Cause::kNone : Cause::kCommand;
+    state.shed_before_mw = close ? 0.0f : state.shed_before_mw;
   }
   return changes;
 }
@@ -162,14 +292,19 @@ bool command(State& state, bool close) {
 std::size_t step(const Config& config, State& state, const std::int16_t* samples, std::size_t count,
                  Report& report, bool& ready) {
   const std::size_t taken = feed(config.front_end, state.front_end, samples, count, ready);
+  if (config.has_settings && config.settings.method == kByGridState) {
+    // One filter a millisecond; the rest before the next report.
+    follow_swing(config.follower, state.follower,
+                 ready ? kSwingFilters : state.front_end.subsum - state.follower.bank_next);
+  }
   if (!ready) {
     return taken;
   }
   report = Report{};
   report.number = state.reports++;
   const float nominal_hz = static_cast<float>(config.hardware.nominal_hz);
-  report.measurement =
-      track(config.settings.tracker, nominal_hz, state.tracker, phasor(state.front_end));
+  const Phasor z = phasor(state.front_end);
+  report.measurement = track(config.settings.tracker, nominal_hz, state.tracker, z);
   if (!config.hardware.has_crystal) {
     invalidate_frequency(report.measurement);
   }
@@ -178,16 +313,18 @@ std::size_t step(const Config& config, State& state, const std::int16_t* samples
   report.line = state.history.unbroken >= window ? fit_line(state.history, 0, window)
                                                  : Line{kNotANumber, kNotANumber};
   if (config.has_settings) {
-    act(config, state, report);
+    act(config, state, z, report);
   }
   report.phase = state.phase;
   report.baseline = state.estimator.baseline;
   report.hits = state.estimator.hits;
   report.lse_loss_mw = state.estimator.lse_loss_mw;
-  report.loss_mw = state.estimator.ekf.loss_mw;
-  report.loss_sigma_mw = loss_sigma_mw(state.estimator);
   report.loss_instant_s = loss_instant_s(state.estimator);
-  report.trust = trust(config.settings, state.estimator);
+  if (config.settings.method == kByPaper) {
+    report.loss_mw = state.estimator.ekf.loss_mw;
+    report.loss_sigma_mw = loss_sigma_mw(state.estimator);
+    report.trust = trust(config.settings, state.estimator);
+  }
   report.relay_closed = state.relay_closed;
   report.cause = state.cause;
   return taken;

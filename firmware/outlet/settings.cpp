@@ -85,8 +85,9 @@ const char* to_string(SettingsError error) {
       "estimator settings out of range",
       "tracker settings out of range",
       "not newer than the settings in force",
+      "method, threshold frequency or margin out of range",
   };
-  return name_of<SettingsError::kStale>(error, kNames);
+  return name_of<kLastSettingsError>(error, kNames);
 }
 
 SettingsError validate(const Settings& s, float nominal_hz) {

@@ -76,6 +76,20 @@ Real exponential(Real x) {
   return sum * sum;
 }
 
+// Natural logarithm of a positive normal number. Error below 2e-5.
+inline float logarithm(float x) {
+  std::uint32_t bits = 0;
+  __builtin_memcpy(&bits, &x, sizeof bits);
+  const auto exponent = static_cast<std::int32_t>(bits >> 23) - 127;
+  const std::uint32_t mantissa_bits = (bits & 0x007FFFFFu) | 0x3F800000u;
+  float mantissa = 0.0f;  // 1 … 2
+  __builtin_memcpy(&mantissa, &mantissa_bits, sizeof mantissa);
+  const float t = (mantissa - 1.0f) / (mantissa + 1.0f);
+  const float z = t * t;
+  const float half = t * (1.0f + z * (0.33333333f + z * (0.2f + z * 0.14285714f)));
+  return 0.69314718f * static_cast<float>(exponent) + 2.0f * half;
+}
+
 // Angle of the point (x, y), from −π to π; 0 for (0, 0). The order of the arguments is that of
 // atan2. Error below 5e-7 rad.
 inline float angle_of(float y, float x) {
@@ -103,11 +117,14 @@ inline float angle_of(float y, float x) {
   return y < 0.0f ? -angle : angle;
 }
 
+// The whole number nearest to x, for |x| < 2³¹.
+inline float nearest_whole(float x) {
+  return static_cast<float>(static_cast<std::int32_t>(x + (x < 0.0f ? -0.5f : 0.5f)));
+}
+
 // x wrapped into [−π, π], for |x| up to a few hundred turns.
 inline float wrapped(float x) {
-  const float turns = x * (1.0f / kTwoPi);
-  const auto whole = static_cast<std::int32_t>(turns + (turns < 0.0f ? -0.5f : 0.5f));
-  return x - static_cast<float>(whole) * kTwoPi;
+  return x - nearest_whole(x * (1.0f / kTwoPi)) * kTwoPi;
 }
 
 }  // namespace gs::outlet

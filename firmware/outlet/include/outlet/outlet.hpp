@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include <outlet/estimator.hpp>
+#include <outlet/grid_follower.hpp>
 #include <outlet/settings.hpp>
 
 namespace gs::outlet {
@@ -27,6 +28,13 @@ struct Config {
   FrontEndConfig front_end;
   Settings settings;
   bool has_settings = false;  // false: measures and obeys commands, but decides nothing
+  // Accepted during an event: in force once the event is finished.
+  Settings next;
+  bool has_next = false;
+  // Derived from the settings.
+  FollowerSettings follower;
+  GridStep look_ahead;  // over kLookAhead_s
+  GridStep lead;        // from a report's phasor to the open relay
 };
 
 struct State {
@@ -34,6 +42,9 @@ struct State {
   TrackerState tracker;
   History history;
   EstimatorState estimator;
+  GridFollower follower;
+  float shed_before_mw = 0.0f;      // what earlier decisions found necessary
+  std::uint8_t undisturbed = 0;     // reports since the last one that was held, up to 255
   Phase phase = Phase::kQuiet;
   std::uint16_t steady_reports = 0;   // while cooling
   std::uint8_t below_switch_off = 0;  // successive measurements below f^B
@@ -65,7 +76,9 @@ struct Report {
   float loss_sigma_mw = 0.0f;
   float loss_instant_s = 0.0f;  // relative to the event's report
   Trust trust = Trust::kNotYet;
-  float required_mw = 0.0f;  // ΔP_v, eq. (29)
+  float required_mw = 0.0f;     // ΔP_v: what must be shed now, eq. (29)
+  float nadir_hz = kNotANumber;  // predicted at a decision by the grid's state
+  float shed_before_mw = 0.0f;
   bool relay_closed = true;
   Cause cause = Cause::kNone;
 };
@@ -73,9 +86,16 @@ struct Report {
 // Configures the outlet at start-up. Returns false if the hardware is not supported.
 bool configure(const Hardware& hardware, Config& config);
 
-// Applies new settings. Refused settings leave the old ones in force; accepted ones abandon a
-// current event.
+// Applies new settings. Refused settings leave the old ones in force. An event under way is
+// finished with the settings it began with; accepted ones are in force afterwards.
 SettingsError apply(Config& config, State& state, const Settings& settings);
+
+// Puts settings that were accepted during an event into force once it is finished. To be called
+// after each report. Returns true if it did.
+bool renew(Config& config, const State& state);
+
+// The settings accepted last. Requires has_settings.
+const Settings& accepted(const Config& config);
 
 // To be called when samples were lost, before the next step(). Phase and time are then unknown: the
 // tracker acquires the frequency again, and a current event is abandoned.

@@ -21,6 +21,10 @@ struct ConditionRow {
   float rocof_below_hz_s = 0.0f;
 };
 
+// Settings::method.
+constexpr std::uint8_t kByPaper = 0;
+constexpr std::uint8_t kByGridState = 1;
+
 constexpr std::uint32_t kNoSettings = 0;  // version of an outlet without settings
 
 struct Settings {
@@ -30,6 +34,13 @@ struct Settings {
   Response response;
   float threshold_mw = 0.0f;     // ΔP_s, eq. (15)
   float largest_loss_mw = 0.0f;  // bound of the estimate: the system's generation
+
+  // How the outlet decides: by the grid's state and its predicted nadir (grid_decision.hpp), or as
+  // the paper does, by the loss above the threshold and the load-shedding conditions.
+  std::uint8_t method = kByGridState;
+  float threshold_hz = 0.0f;         // f_s
+  float nadir_margin_hz = 0.003f;    // the nadir is kept this far above f_s
+  std::uint8_t decision_reports = 40;  // from the onset of a change to the decision
 
   // This outlet's place in the order of shedding.
   float accumulated_mw = 0.0f;  // P^A, eq. (11)
@@ -84,7 +95,10 @@ enum class SettingsError : std::uint8_t {
   kEstimator = 9,
   kTracker = 10,
   kStale = 11,  // version not above the one in force
+  kMethod = 12,  // method, threshold frequency or margin out of range
 };
+
+constexpr SettingsError kLastSettingsError = SettingsError::kMethod;
 
 const char* to_string(SettingsError error);
 
@@ -195,6 +209,14 @@ inline constexpr Field kSettingsFields[] = {
      from_to(1.0e-3f, 3.0f), SettingsError::kTracker},
     {"innovation_gate_amplitude", "pu", 27, GS_SETTING(tracker.innovation_gate_amplitude),
      from_to(1.0e-3f, 1.0f), SettingsError::kTracker},
+    {"method", "", 29, GS_SETTING(method), from_to(0.0f, 1.0f), SettingsError::kMethod,
+     "how the outlet decides: 1 by the grid's state and predicted nadir, 0 as the paper does"},
+    {"threshold_hz", "Hz", 30, GS_SETTING(threshold_hz), kSwitchOffRange, SettingsError::kMethod,
+     "f_s: threshold frequency, which the nadir must not fall below", "the grid's"},
+    {"nadir_margin_hz", "Hz", 31, GS_SETTING(nadir_margin_hz), from_to(0.0f, 0.1f),
+     SettingsError::kMethod, "margin of the predicted nadir above f_s"},
+    {"decision_reports", "", 32, GS_SETTING(decision_reports), from_to(8.0f, 200.0f),
+     SettingsError::kCounts, "reports of 16 ms from the onset of a change to the decision"},
     {"dead_bus_pu", "pu", 28, GS_SETTING(tracker.dead_bus_pu), from_to(0.01f, 0.5f),
      SettingsError::kTracker},
 };

@@ -44,7 +44,7 @@ void uplink_fields(U& m, V& visit) {
     case UplinkKind::kHello:
       return hello_fields(m.hello, visit);
     case UplinkKind::kSettingsAnswer:
-      visit.choice(m.settings_answer.error, outlet::SettingsError::kStale);
+      visit.choice(m.settings_answer.error, outlet::kLastSettingsError);
       return visit_all(visit, m.settings_answer.version, m.settings_answer.digest,
                        m.settings_answer.kept);
     case UplinkKind::kMeasurement:
@@ -59,7 +59,8 @@ void uplink_fields(U& m, V& visit) {
       visit_all(visit, m.estimate.loss_mw, m.estimate.loss_sigma_mw, m.estimate.loss_instant_s);
       return visit.choice(m.estimate.trust, outlet::kLastTrust);
     case UplinkKind::kDecision:
-      visit_all(visit, m.decision.loss_mw, m.decision.required_mw, m.decision.hits);
+      visit_all(visit, m.decision.loss_mw, m.decision.loss_sigma_mw, m.decision.nadir_hz,
+                m.decision.required_mw, m.decision.shed_before_mw, m.decision.hits);
       visit.choice(m.decision.trust, outlet::kLastTrust);
       return visit(m.decision.shed);
     case UplinkKind::kRelay:

@@ -1,0 +1,327 @@
+#include <outlet/grid_follower.hpp>
+
+namespace gs::outlet {
+namespace {
+
+// White noise of the phasors, whose windows of 56 ms overlap: their sum over many reports varies as
+// that of independent ones 1.57 times as large.
+constexpr float kOverlap = 1.57f;
+// Process noise of the lost power, parts of the typical one per report: outside an onset and in it.
+constexpr float kLossNoise = 1.4e-4f;
+constexpr float kOnsetLossNoise = 0.85f;
+// An onset: the sum of n normalised innovations is beyond this many √n, for n = 4, 8 or 16.
+constexpr float kOnsetSigmas = 4.5f;
+constexpr int kSumLengths[] = {4, 8, 16};
+constexpr int kReportsBetweenOnsets = 12;
+constexpr std::uint32_t kReportsBeforeFirstOnset = 40;
+// The filter goes back only if it has at least this many reports that it can take once more.
+constexpr std::uint32_t kLeastHistory = 8;
+// Measurements that are taken once more, and the most reports if gaps lie between them.
+constexpr int kOnsetMeasurements = 7;
+constexpr int kLongestOnset = 20;
+constexpr int kLongestOnsetWithSwing = 9;
+// Measurements just before a disturbance was recognised, in which it had begun.
+constexpr int kSpoiledMeasurements = 2;
+
+// The rival: the phase moves freely until this many reports after the onset was found, 1.8° each.
+constexpr int kFreePhaseReports = 4;
+constexpr float kFreePhase_cycles = 0.005f;
+constexpr float kRivalSumSigmas = 4.0f;
+constexpr float kRivalSquaresSigmas = 4.0f;
+constexpr float kRivalSquaresMargin = 6.0f;
+constexpr int kRivalReports = 16;
+
+// A change of the lost power is significant, at the earliest this many reports after the onset was
+// found.
+constexpr int kSignificantReports = 8;
+constexpr float kSignificantSigmas = 6.0f;
+constexpr float kSignificantPart = 0.11f;  // of the typical loss
+constexpr int kAnnouncedWithin = 60;       // reports
+
+// The bank is started again after 8 s without an oscillation. An oscillation is looked for only if
+// the follower's own explanation keeps failing.
+constexpr std::uint16_t kBankReports = 500;
+constexpr std::uint8_t kOnsetsOfSwing = 3;
+constexpr std::uint16_t kRecentOnset = 70;
+constexpr float kSwingEnds_hz = 0.006f;
+constexpr std::uint8_t kOnsetsThatEndSwing = 6;
+constexpr std::uint16_t kSwingOnsetReports = 400;
+
+constexpr float square(float x) {
+  return x * x;
+}
+
+float loss_noise_mw2(const FollowerSettings& settings, float part) {
+  return square(part * settings.scale_mw);
+}
+
+FollowedReport& at(GridFollower& f, std::uint32_t number) {
+  return f.reports[number & (kFollowedReports - 1)];
+}
+
+// Takes report `number`, or takes it once more.
+void take(const FollowerSettings& settings, GridFollower& f, std::uint32_t number) {
+  if (number % (kFollowedReports / kKeptFilters) == 0) {
+    f.kept[number / (kFollowedReports / kKeptFilters) % kKeptFilters] = f.filter;
+  }
+  FollowedReport& report = at(f, number);
+  predict(settings.step, f.filter,
+          {0.0f, loss_noise_mw2(settings, report.onset ? kOnsetLossNoise : kLossNoise)});
+  report.innovation = 0.0f;
+  const PhaseMeasurement& m = report.measurement;
+  if (m.measured && m.after_gap) {
+    take_phase(f.filter, m.phase_cycles, m.variance);
+  } else if (m.measured) {
+    report.innovation = correct(f.filter, m.phase_cycles, m.variance).normalised;
+  }
+}
+
+// Brings the filter back to its state before report `number` and returns that, or the nearest
+// report that is possible.
+std::uint32_t go_back(const FollowerSettings& settings, GridFollower& f, std::uint32_t number) {
+  constexpr std::uint32_t kSpacing = kFollowedReports / kKeptFilters;
+  number = number > f.oldest ? number : f.oldest;
+  std::uint32_t from = number / kSpacing * kSpacing;
+  if (from < f.oldest) {
+    from += kSpacing;
+    number = from;
+  }
+  f.filter = f.kept[from / kSpacing % kKeptFilters];
+  for (; from < number; ++from) {
+    take(settings, f, from);
+  }
+  return number;
+}
+
+void begin(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m,
+           float deviation_hz) {
+  f = GridFollower{};
+  start(settings.response, f.filter, m.phase_cycles, deviation_hz);
+  take_phase(f.filter, m.phase_cycles, m.variance);
+  start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
+}
+
+// Another filter continues: earlier reports were not taken by it.
+void continue_with(GridFollower& f, const GridFilter& filter) {
+  f.filter = filter;
+  f.oldest = f.count;
+  f.rival_lives = false;
+  f.announced = true;
+  for (FollowedReport& report : f.reports) {
+    report.innovation = 0.0f;
+  }
+}
+
+bool onset_found(GridFollower& f) {
+  if (f.count < kReportsBeforeFirstOnset || f.count < f.oldest + kLeastHistory ||
+      f.since_onset <= kReportsBetweenOnsets) {
+    return false;
+  }
+  float sum = 0.0f;
+  int taken = 0;
+  for (std::uint32_t age = 1; age < kFollowedReports; ++age) {
+    const FollowedReport& report = at(f, f.count - age);
+    if (!report.measurement.measured) {
+      continue;
+    }
+    sum += report.innovation;
+    ++taken;
+    for (const int length : kSumLengths) {
+      if (taken == length && sum * sum > square(kOnsetSigmas) * static_cast<float>(length)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// The first report of the onset: the newest measurements and the gap before them, if any.
+std::uint32_t first_of_onset(GridFollower& f) {
+  const int longest = f.filter.with_swing ? kLongestOnsetWithSwing : kLongestOnset;
+  int length = 0;
+  int measurements = 0;
+  while (length < longest && measurements < kOnsetMeasurements) {
+    ++length;
+    measurements += at(f, f.count - static_cast<std::uint32_t>(length)).measurement.measured ? 1 : 0;
+  }
+  while (length < longest &&
+         !at(f, f.count - static_cast<std::uint32_t>(length) - 1).measurement.measured) {
+    ++length;
+  }
+  return f.count - static_cast<std::uint32_t>(length);
+}
+
+void start_rival(const FollowerSettings& settings, GridFollower& f, std::uint32_t first) {
+  f.rival = f.filter;
+  for (std::uint32_t i = first; i < f.count; ++i) {
+    const PhaseMeasurement& m = at(f, i).measurement;
+    predict(settings.step, f.rival,
+            {square(kFreePhase_cycles), loss_noise_mw2(settings, kLossNoise)});
+    if (m.measured && m.after_gap) {
+      take_phase(f.rival, m.phase_cycles, m.variance);
+    } else if (m.measured) {
+      correct(f.rival, m.phase_cycles, m.variance);
+    }
+  }
+  f.rival_lives = true;
+  f.rival_reports = 0;
+  f.rival_sum = 0.0f;
+  f.rival_squares = 0.0f;
+}
+
+// Takes the last reports once more, with the lost power free to change.
+void open(const FollowerSettings& settings, GridFollower& f) {
+  const std::uint32_t first = go_back(settings, f, first_of_onset(f));
+  if (f.announced) {
+    f.loss_before_mw = f.filter.x[kLoss];
+    f.announced = false;
+  }
+  if (!f.rival_lives) {
+    start_rival(settings, f, first);
+  }
+  for (std::uint32_t i = first; i < f.count; ++i) {
+    at(f, i).onset = true;
+    take(settings, f, i);
+    at(f, i).innovation = 0.0f;
+  }
+  f.since_onset = 0;
+  f.changed = f.changed || !f.rival_lives;
+  f.onsets = static_cast<std::uint8_t>(f.onsets < 0xFF ? f.onsets + 1 : 0xFF);
+}
+
+// The rival fails, or is right.
+void follow_rival(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m) {
+  const float free_phase =
+      f.since_onset <= kFreePhaseReports ? square(kFreePhase_cycles) : 0.0f;
+  predict(settings.step, f.rival, {free_phase, loss_noise_mw2(settings, kLossNoise)});
+  if (!m.measured) {
+    return;
+  }
+  if (m.after_gap) {
+    take_phase(f.rival, m.phase_cycles, m.variance);
+    return;
+  }
+  const float innovation = correct(f.rival, m.phase_cycles, m.variance).normalised;
+  ++f.rival_reports;
+  f.rival_sum += innovation;
+  f.rival_squares += square(innovation);
+  const auto n = static_cast<float>(f.rival_reports);
+  const float excess = f.rival_squares - n - kRivalSquaresMargin;
+  if (square(f.rival_sum) > square(kRivalSumSigmas) * n ||
+      (excess > 0.0f && square(excess) > square(kRivalSquaresSigmas) * 2.0f * n)) {
+    f.rival_lives = false;
+    f.changed = true;
+  } else if (f.rival_reports >= kRivalReports) {
+    continue_with(f, f.rival);
+  }
+}
+
+// True once when the change of the lost power becomes significant.
+bool becomes_significant(const FollowerSettings& settings, GridFollower& f) {
+  if (f.announced) {
+    return false;
+  }
+  if (f.since_onset > kAnnouncedWithin) {
+    f.announced = true;
+    return false;
+  }
+  const float change_mw = f.filter.x[kLoss] - f.loss_before_mw;
+  const float least_mw = maximum(kSignificantSigmas * root(variance(f.filter, kLoss)),
+                                 kSignificantPart * settings.scale_mw);
+  if (f.rival_lives || f.since_onset < kSignificantReports ||
+      square(change_mw) < square(least_mw)) {
+    return false;
+  }
+  f.announced = true;
+  return true;
+}
+
+// Changes between following with and without an oscillation. The bank has taken all reports but the
+// one that comes now.
+void choose_swing(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m,
+                  float deviation_hz) {
+  ++f.since_swing;
+  if (f.filter.with_swing) {
+    if (f.since_swing % kSwingOnsetReports == 0) {
+      f.onsets = 0;
+    }
+    if (swing_hz(f.filter) < kSwingEnds_hz || f.onsets >= kOnsetsThatEndSwing) {
+      begin(settings, f, m, deviation_hz);
+    }
+    return;
+  }
+  const GridFilter* const swinging = established(f.bank);
+  if (swinging != nullptr && f.onsets >= kOnsetsOfSwing && f.since_onset < kRecentOnset) {
+    continue_with(f, *swinging);
+    f.since_onset = 0;
+    f.changed = false;
+    f.onsets = 0;
+    f.since_swing = 0;
+  } else if (f.bank.age >= kBankReports && m.measured) {
+    start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
+    f.onsets = 0;
+  }
+}
+
+}  // namespace
+
+Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_cycles,
+                float amplitude, bool measured, float deviation_hz) {
+  PhaseMeasurement m;
+  m.phase_cycles = phase_cycles;
+  // Noise rotates a shorter phasor further.
+  const float sigma_cycles = kOverlap / kTwoPi * settings.phase_sigma_rad;
+  m.variance = square(sigma_cycles / minimum(amplitude, 1.0f));
+  m.measured = measured;
+  m.after_gap = measured && f.gap > 0;
+  if (f.count == 0 && !measured) {
+    return {};
+  }
+  if (f.count == 0) {
+    begin(settings, f, m, deviation_hz);
+  } else {
+    choose_swing(settings, f, m, deviation_hz);
+  }
+  const std::uint32_t now = f.count++;
+  at(f, now) = FollowedReport{};
+  at(f, now).measurement = m;
+  if (!measured && f.gap == 0 && now >= f.oldest + kLeastHistory) {
+    for (std::uint32_t age = 1; age <= kSpoiledMeasurements; ++age) {
+      at(f, now - age).measurement.measured = false;
+    }
+    for (std::uint32_t i = go_back(settings, f, now - kSpoiledMeasurements); i <= now; ++i) {
+      take(settings, f, i);
+    }
+  } else {
+    take(settings, f, now);
+  }
+  f.gap = static_cast<std::uint16_t>(measured ? 0 : f.gap < 0xFFFF ? f.gap + 1 : f.gap);
+  f.since_onset =
+      static_cast<std::uint16_t>(f.since_onset < 0xFFFF ? f.since_onset + 1 : f.since_onset);
+  f.bank_measurement = m;
+  f.bank_next = 0;
+  if (f.rival_lives) {
+    follow_rival(settings, f, m);
+  }
+  if (measured && onset_found(f)) {
+    open(settings, f);
+  }
+  Followed result;
+  result.valid = true;
+  result.state = {f.filter.x[kDeviation], f.filter.x[kUnloadedRocof], f.filter.x[kLoss]};
+  result.loss_sigma_mw = root(variance(f.filter, kLoss));
+  result.significant = becomes_significant(settings, f);
+  return result;
+}
+
+void follow_swing(const FollowerSettings& settings, GridFollower& f, int filters) {
+  for (; filters > 0 && f.bank_next < kSwingFilters; --filters) {
+    if (!f.filter.with_swing) {
+      follow(settings.step, f.bank, f.bank_next, loss_noise_mw2(settings, kLossNoise),
+             f.bank_measurement);
+    }
+    ++f.bank_next;
+  }
+}
+
+}  // namespace gs::outlet
