@@ -119,7 +119,7 @@ void Application::take_settings(const wire::Downlink& sent, Outbox& outbox) {
 void Application::take_command(const wire::Downlink& command, Outbox& outbox) {
   const bool changed = outlet::command(state_, command.close_relay);
   put(outbox, UplinkKind::kCommandAnswer, &wire::Uplink::command_answer,
-      {command.request, state_.relay_closed});
+      {command.request, state_.relay.closed});
   if (changed) {
     send_relay(outbox);
   }
@@ -148,7 +148,7 @@ void Application::run_self_test(Outbox& outbox) const {
 
 void Application::send_status(Outbox& outbox) const {
   put(outbox, UplinkKind::kStatus, &wire::Uplink::status,
-      {state_.reports, state_.relay_closed, state_.cause, state_.phase, counts_.samples_lost,
+      {state_.reports, state_.relay.closed, state_.relay.cause, state_.phase, counts_.samples_lost,
        counts_.messages_bad, counts_.messages_unsent});
 }
 
@@ -168,11 +168,9 @@ void Application::send_report(const outlet::Report& report, Outbox& outbox) cons
         {report.loss_mw, report.loss_sigma_mw, report.loss_instant_s, report.trust});
   }
   if ((report.happened & outlet::kDecision) != 0) {
-    const bool shed =
-        (report.happened & outlet::kRelay) != 0 && report.cause == outlet::Cause::kLoss;
     put(outbox, UplinkKind::kDecision, &wire::Uplink::decision,
         {report.loss_mw, report.loss_sigma_mw, report.nadir_hz, report.required_mw,
-         report.shed_before_mw, report.hits, report.trust, shed});
+         report.shed_before_mw, report.hits, report.trust, report.shed});
   }
   if ((report.happened & outlet::kRelay) != 0) {
     send_relay(outbox);
@@ -198,7 +196,7 @@ void Application::put(Outbox& outbox, UplinkKind kind, Content wire::Uplink::*pa
 }
 
 void Application::send_relay(Outbox& outbox) const {
-  put(outbox, UplinkKind::kRelay, &wire::Uplink::relay, {state_.relay_closed, state_.cause});
+  put(outbox, UplinkKind::kRelay, &wire::Uplink::relay, {state_.relay.closed, state_.relay.cause});
 }
 
 }  // namespace gs::app

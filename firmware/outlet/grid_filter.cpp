@@ -13,8 +13,8 @@ constexpr float kSwingOmegaNoise_rad2_s2 = 9.0e-6f;
 // Limits of Ω: 0.08 … 1.2 Hz.
 constexpr float kLowestOmega_rad_s = kTwoPi * 0.08f;
 constexpr float kHighestOmega_rad_s = kTwoPi * 1.2f;
-constexpr float kUnknownSwing_hz = 0.1f;       // σ of an unknown oscillation's amplitude
-constexpr float kUnknownOmegaPart = 0.15f;     // σ of its Ω, relative
+constexpr float kUnknownSwing_hz = 0.1f;    // σ of an unknown oscillation's amplitude
+constexpr float kUnknownOmegaPart = 0.15f;  // σ of its Ω, relative
 
 // How well the start's equilibrium is known.
 constexpr float kStartDeviation_hz = 0.5f;
@@ -115,8 +115,7 @@ void remove_swing(GridFilter& f) {
 }
 
 float swing_hz(const GridFilter& f) {
-  return f.x[kSwingOmega] *
-         root(f.x[kSwing] * f.x[kSwing] + f.x[kSwingAcross] * f.x[kSwingAcross]);
+  return f.x[kSwingOmega] * root(f.x[kSwing] * f.x[kSwing] + f.x[kSwingAcross] * f.x[kSwingAcross]);
 }
 
 float swing_sigma_hz(const GridFilter& f) {
@@ -166,8 +165,8 @@ Innovation correct(GridFilter& f, float phase_cycles, float phase_variance) {
   for (int i = 0; i < n; ++i) {
     with_measured[i] = covariance(f, i, kPhase) + covariance(f, i, kSwing);
   }
-  const float width = with_measured[kPhase] + (f.with_swing ? with_measured[kSwing] : 0.0f) +
-                      phase_variance;
+  const float width =
+      with_measured[kPhase] + (f.with_swing ? with_measured[kSwing] : 0.0f) + phase_variance;
   const float inverse = 1.0f / width;
   for (int i = 0; i < n; ++i) {
     const float gain = with_measured[i] * inverse;

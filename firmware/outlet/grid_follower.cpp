@@ -142,7 +142,8 @@ std::uint32_t first_of_onset(GridFollower& f) {
   int measurements = 0;
   while (length < longest && measurements < kOnsetMeasurements) {
     ++length;
-    measurements += at(f, f.count - static_cast<std::uint32_t>(length)).measurement.measured ? 1 : 0;
+    measurements +=
+        at(f, f.count - static_cast<std::uint32_t>(length)).measurement.measured ? 1 : 0;
   }
   while (length < longest &&
          !at(f, f.count - static_cast<std::uint32_t>(length) - 1).measurement.measured) {
@@ -191,8 +192,7 @@ void open(const FollowerSettings& settings, GridFollower& f) {
 
 // The rival fails, or is right.
 void follow_rival(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m) {
-  const float free_phase =
-      f.since_onset <= kFreePhaseReports ? square(kFreePhase_cycles) : 0.0f;
+  const float free_phase = f.since_onset <= kFreePhaseReports ? square(kFreePhase_cycles) : 0.0f;
   predict(settings.step, f.rival, {free_phase, loss_noise_mw2(settings, kLossNoise)});
   if (!m.measured) {
     return;

@@ -86,6 +86,7 @@ const char* to_string(SettingsError error) {
       "tracker settings out of range",
       "not newer than the settings in force",
       "method, threshold frequency or margin out of range",
+      "delay or restoration out of range",
   };
   return name_of<kLastSettingsError>(error, kNames);
 }

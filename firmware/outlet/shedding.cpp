@@ -27,8 +27,7 @@ Shedding shedding(const GridStep& step, const GridState& state, float limit_hz) 
     free = advanced(step, free);
     of_1_mw = advanced(step, of_1_mw);
     const float lowest_hz = free.deviation_hz + loss_mw * of_1_mw.deviation_hz;
-    result.required_mw =
-        maximum(result.required_mw, (goal_hz - lowest_hz) / -of_1_mw.deviation_hz);
+    result.required_mw = maximum(result.required_mw, (goal_hz - lowest_hz) / -of_1_mw.deviation_hz);
   }
   result.required_mw = minimum(result.required_mw, loss_mw);
   return result;

@@ -85,14 +85,14 @@ struct SettingsDecoder {
 
 // Keys missing from the map have their defaults. `unknown` is set if a key is not a known setting.
 bool read_settings(cbor::Reader& reader, outlet::Settings& settings, bool& unknown) {
-  static_assert(kSettingsFieldCount <= 32, "one bit each");
+  static_assert(kSettingsFieldCount <= 64, "one bit each");
   std::size_t pairs = 0;
   if (!reader.map(pairs)) {
     return false;
   }
   settings = outlet::Settings{};
   unknown = false;
-  std::uint32_t seen = 0;
+  std::uint64_t seen = 0;
   for (; pairs > 0; --pairs) {
     std::uint64_t key = 0;
     if (!reader.unsigned_integer(key)) {
@@ -114,7 +114,7 @@ bool read_settings(cbor::Reader& reader, outlet::Settings& settings, bool& unkno
     if (!decoder.ok || (seen >> at & 1u) != 0) {
       return false;
     }
-    seen |= std::uint32_t{1} << at;
+    seen |= std::uint64_t{1} << at;
   }
   return true;
 }

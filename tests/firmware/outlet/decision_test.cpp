@@ -194,7 +194,7 @@ TEST(Outlet, ACopyOfItsStateContinuesIdentically) {
     ++expected;
   });
   EXPECT_EQ(expected, reports.end());
-  EXPECT_EQ(outlet.state.relay_closed, copy.state.relay_closed);
+  EXPECT_EQ(outlet.state.relay.closed, copy.state.relay.closed);
   EXPECT_EQ(outlet.state.tracker.phase_rad, copy.state.tracker.phase_rad);
 }
 

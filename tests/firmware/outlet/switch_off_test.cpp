@@ -88,20 +88,20 @@ TEST(SwitchOffFrequency, TripsWhenADeadBusReturnsBelowIt) {
 TEST(Command, OpensAndClosesTheRelay) {
   State state;
   EXPECT_TRUE(command(state, false));
-  EXPECT_FALSE(state.relay_closed);
-  EXPECT_EQ(state.cause, Cause::kCommand);
+  EXPECT_FALSE(state.relay.closed);
+  EXPECT_EQ(state.relay.cause, Cause::kCommand);
   EXPECT_TRUE(command(state, true));
-  EXPECT_TRUE(state.relay_closed);
-  EXPECT_EQ(state.cause, Cause::kNone);
+  EXPECT_TRUE(state.relay.closed);
+  EXPECT_EQ(state.relay.cause, Cause::kNone);
 }
 
 TEST(Command, ThatChangesNothingKeepsTheCause) {
   State state;
   EXPECT_FALSE(command(state, true));
-  state.relay_closed = false;
-  state.cause = Cause::kLoss;
+  state.relay.closed = false;
+  state.relay.cause = Cause::kLoss;
   EXPECT_FALSE(command(state, false));
-  EXPECT_EQ(state.cause, Cause::kLoss);
+  EXPECT_EQ(state.relay.cause, Cause::kLoss);
 }
 
 TEST(Command, ToCloseDoesNotOverrideTheSwitchOffFrequency) {
@@ -109,14 +109,14 @@ TEST(Command, ToCloseDoesNotOverrideTheSwitchOffFrequency) {
   int reports = 0;
   const auto count = [&](const Report&) { ++reports; };
   outlet.play(1.0, count);
-  ASSERT_FALSE(outlet.state.relay_closed);
+  ASSERT_FALSE(outlet.state.relay.closed);
   EXPECT_TRUE(command(outlet.state, true));
   reports = 0;
   // 8000 samples are 62.5 reports: half a report completes the next one.
   outlet.play(8000, 8064, count);
   ASSERT_EQ(reports, 1);
-  EXPECT_FALSE(outlet.state.relay_closed);
-  EXPECT_EQ(outlet.state.cause, Cause::kFrequency);
+  EXPECT_FALSE(outlet.state.relay.closed);
+  EXPECT_EQ(outlet.state.relay.cause, Cause::kFrequency);
 }
 
 TEST(Cause, EachHasItsOwnName) {

@@ -69,7 +69,7 @@ class Application {
   // Notes samples that the ADC delivered but the firmware did not take. Time stamps include them.
   void note_samples_lost(std::uint32_t count, Outbox& outbox);
 
-  bool relay_closed() const { return state_.relay_closed; }
+  bool relay_closed() const { return state_.relay.closed; }
   std::uint64_t samples_taken() const { return counts_.samples; }
 
  private:

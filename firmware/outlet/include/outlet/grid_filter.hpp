@@ -13,9 +13,9 @@
 namespace gs::outlet {
 
 // Indices of the filter's state; the first four are those of GridVariable.
-constexpr int kSwing = 4;         // a, cycles
-constexpr int kSwingAcross = 5;   // b, cycles
-constexpr int kSwingOmega = 6;    // Ω, rad/s
+constexpr int kSwing = 4;        // a, cycles
+constexpr int kSwingAcross = 5;  // b, cycles
+constexpr int kSwingOmega = 6;   // Ω, rad/s
 constexpr int kFilterStates = 7;
 constexpr int kCovariances = kFilterStates * (kFilterStates + 1) / 2;
 
@@ -59,7 +59,7 @@ float swing_sigma_hz(const GridFilter& filter);
 void predict(const GridStep& step, GridFilter& filter, const ProcessNoise& noise);
 
 struct Innovation {
-  float normalised = 0.0f;     // per standard deviation
+  float normalised = 0.0f;      // per standard deviation
   float relative_width = 1.0f;  // its variance, per variance of the measurement
 };
 

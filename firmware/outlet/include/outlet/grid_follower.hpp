@@ -17,8 +17,8 @@ constexpr int kKeptFilters = 8;       // one for each four reports
 
 struct FollowerSettings {
   Response response;
-  GridStep step;             // over 16 ms
-  float scale_mw = 0.0f;     // typical lost power: the threshold loss
+  GridStep step;          // over 16 ms
+  float scale_mw = 0.0f;  // typical lost power: the threshold loss
   float phase_sigma_rad = 0.0f;
 };
 
@@ -45,8 +45,8 @@ struct GridFollower {
   float rival_sum = 0.0f;      // of its normalised innovations
   float rival_squares = 0.0f;  // of their squares
 
-  bool changed = false;    // an onset is confirmed, and not yet taken by the outlet
-  bool announced = true;   // the change of the lost power is significant and was reported
+  bool changed = false;   // an onset is confirmed, and not yet taken by the outlet
+  bool announced = true;  // the change of the lost power is significant and was reported
 
   SwingBank bank;
   PhaseMeasurement bank_measurement;
@@ -57,9 +57,9 @@ struct GridFollower {
 
 struct Followed {
   bool valid = false;
-  GridState state;              // at the time of the report's phasor, kFrontEndDelay_s ago
+  GridState state;  // at the time of the report's phasor, kFrontEndDelay_s ago
   float loss_sigma_mw = 0.0f;
-  bool significant = false;     // now: the lost power has changed significantly
+  bool significant = false;  // now: the lost power has changed significantly
 };
 
 // One report of 16 ms. `phase_cycles` and `amplitude` (per unit) of the phasor; `measured`: the

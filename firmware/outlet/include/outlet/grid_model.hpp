@@ -19,7 +19,7 @@ struct GridStep {
   float to[kGridVariables][kGridVariables] = {};
 };
 
-// Requires 0 < step_s <= 0.1 and a stable response. Relative error below 1e-6.
+// Requires 0 < step_s <= 10 and a stable response. Relative error below 1e-5.
 GridStep grid_step(const Response& response, float step_s);
 
 // Deviation and q, with p constant. For the phase see GridStep.

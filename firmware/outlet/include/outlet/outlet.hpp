@@ -8,6 +8,7 @@
 
 #include <outlet/estimator.hpp>
 #include <outlet/grid_follower.hpp>
+#include <outlet/relay_control.hpp>
 #include <outlet/settings.hpp>
 
 namespace gs::outlet {
@@ -17,11 +18,6 @@ enum class Phase : std::uint8_t {
   kEstimating = 1,
   kCooling = 2,  // decided; waiting for a steady frequency
 };
-
-// Reason of the relay's last change: none, or one of the three criteria of §5.5.
-enum class Cause : std::uint8_t { kNone = 0, kLoss = 1, kFrequency = 2, kCommand = 3 };
-
-const char* to_string(Cause cause);
 
 struct Config {
   Hardware hardware;
@@ -43,13 +39,12 @@ struct State {
   History history;
   EstimatorState estimator;
   GridFollower follower;
-  float shed_before_mw = 0.0f;      // what earlier decisions found necessary
-  std::uint8_t undisturbed = 0;     // reports since the last one that was held, up to 255
+  float shed_before_mw = 0.0f;   // what earlier decisions found necessary
+  std::uint8_t undisturbed = 0;  // reports since the last one that was held, up to 255
   Phase phase = Phase::kQuiet;
   std::uint16_t steady_reports = 0;   // while cooling
   std::uint8_t below_switch_off = 0;  // successive measurements below f^B
-  bool relay_closed = true;
-  Cause cause = Cause::kNone;
+  RelayState relay;
   std::uint32_t reports = 0;  // since start-up
 };
 
@@ -76,9 +71,10 @@ struct Report {
   float loss_sigma_mw = 0.0f;
   float loss_instant_s = 0.0f;  // relative to the event's report
   Trust trust = Trust::kNotYet;
-  float required_mw = 0.0f;     // ΔP_v: what must be shed now, eq. (29)
+  float required_mw = 0.0f;      // ΔP_v: what must be shed now, eq. (29)
   float nadir_hz = kNotANumber;  // predicted at a decision by the grid's state
   float shed_before_mw = 0.0f;
+  bool shed = false;  // decided now: this outlet must go off
   bool relay_closed = true;
   Cause cause = Cause::kNone;
 };

@@ -38,8 +38,8 @@ struct Settings {
   // How the outlet decides: by the grid's state and its predicted nadir (grid_decision.hpp), or as
   // the paper does, by the loss above the threshold and the load-shedding conditions.
   std::uint8_t method = kByGridState;
-  float threshold_hz = 0.0f;         // f_s
-  float nadir_margin_hz = 0.003f;    // the nadir is kept this far above f_s
+  float threshold_hz = 0.0f;           // f_s
+  float nadir_margin_hz = 0.003f;      // the nadir is kept this far above f_s
   std::uint8_t decision_reports = 40;  // from the onset of a change to the decision
 
   // This outlet's place in the order of shedding.
@@ -77,6 +77,14 @@ struct Settings {
   // for "immediately", and enough to ignore a glitch.
   std::uint8_t switch_off_samples = 3;
 
+  // Time delay (§3.1), and restoration: an outlet that switched off by itself switches on again
+  // after restore_dwell_s and a random part of restore_spread_s above restore_hz. A command comes
+  // first.
+  float delay_s = 0.0f;
+  float restore_hz = 0.0f;  // 0: only by command
+  float restore_dwell_s = 60.0f;
+  float restore_spread_s = 300.0f;
+
   TrackerSettings tracker;
 };
 
@@ -94,11 +102,12 @@ enum class SettingsError : std::uint8_t {
 
   kEstimator = 9,
   kTracker = 10,
-  kStale = 11,  // version not above the one in force
+  kStale = 11,   // version not above the one in force
   kMethod = 12,  // method, threshold frequency or margin out of range
+  kRelay = 13,   // delay or restoration out of range
 };
 
-constexpr SettingsError kLastSettingsError = SettingsError::kMethod;
+constexpr SettingsError kLastSettingsError = SettingsError::kRelay;
 
 const char* to_string(SettingsError error);
 
@@ -209,6 +218,8 @@ inline constexpr Field kSettingsFields[] = {
      from_to(1.0e-3f, 3.0f), SettingsError::kTracker},
     {"innovation_gate_amplitude", "pu", 27, GS_SETTING(tracker.innovation_gate_amplitude),
      from_to(1.0e-3f, 1.0f), SettingsError::kTracker},
+    {"dead_bus_pu", "pu", 28, GS_SETTING(tracker.dead_bus_pu), from_to(0.01f, 0.5f),
+     SettingsError::kTracker},
     {"method", "", 29, GS_SETTING(method), from_to(0.0f, 1.0f), SettingsError::kMethod,
      "how the outlet decides: 1 by the grid's state and predicted nadir, 0 as the paper does"},
     {"threshold_hz", "Hz", 30, GS_SETTING(threshold_hz), kSwitchOffRange, SettingsError::kMethod,
@@ -217,8 +228,19 @@ inline constexpr Field kSettingsFields[] = {
      SettingsError::kMethod, "margin of the predicted nadir above f_s"},
     {"decision_reports", "", 32, GS_SETTING(decision_reports), from_to(8.0f, 200.0f),
      SettingsError::kCounts, "reports of 16 ms from the onset of a change to the decision"},
-    {"dead_bus_pu", "pu", 28, GS_SETTING(tracker.dead_bus_pu), from_to(0.01f, 0.5f),
-     SettingsError::kTracker},
+    {"delay_s", "s", 33, GS_SETTING(delay_s), from_to(0.0f, 5.0f), SettingsError::kRelay,
+     "time from the decision to switch off, or from f^B, to the opening of the relay"},
+    {"restore_hz",
+     "Hz",
+     34,
+     GS_SETTING(restore_hz),
+     {0.0f, 1.1f, false, false, true},
+     SettingsError::kRelay,
+     "frequency above which the outlet switches on again by itself; 0: only by command"},
+    {"restore_dwell_s", "s", 35, GS_SETTING(restore_dwell_s), from_to(0.0f, 3600.0f),
+     SettingsError::kRelay, "time for which the frequency must stay above restore_hz"},
+    {"restore_spread_s", "s", 36, GS_SETTING(restore_spread_s), from_to(0.0f, 3600.0f),
+     SettingsError::kRelay, "longest random time that is added to restore_dwell_s"},
 };
 #undef GS_SETTING
 

@@ -1,6 +1,6 @@
-// Search for an inter-area oscillation of 0.1 … 1 Hz beneath the frequency. Eight filters, each with
-// an oscillation near another frequency, follow the same measurements. Within one period of the
-// oscillation one of them explains it; its state then serves as that of the follower.
+// Search for an inter-area oscillation of 0.1 … 1 Hz beneath the frequency. Eight filters, each
+// with an oscillation near another frequency, follow the same measurements. Within one period of
+// the oscillation one of them explains it; its state then serves as that of the follower.
 #pragma once
 
 #include <outlet/grid_filter.hpp>
@@ -11,7 +11,7 @@ constexpr int kSwingFilters = 8;
 
 struct SwingBank {
   GridFilter filters[kSwingFilters];
-  float likelihood[kSwingFilters] = {};         // log, with a memory of 100 reports
+  float likelihood[kSwingFilters] = {};          // log, with a memory of 100 reports
   float innovation_squares[kSwingFilters] = {};  // mean of the normalised ones, 1 if they fit
   std::uint16_t age = 0;                         // reports since the start
 };

@@ -37,6 +37,7 @@ inline outlet::Settings ieee24_settings() {
   outlet::Settings settings;
   settings.version = 1;
   settings.response = response_of(model);
+  settings.threshold_hz = static_cast<float>(grid.threshold_hz);
   settings.threshold_mw =
       static_cast<float>(gsbench::control_centre::threshold_mw(model, grid.threshold_hz));
   settings.largest_loss_mw = static_cast<float>(grid.base_mw);

@@ -1,0 +1,211 @@
+// The criteria of §5.5: when an event begins, and when an outlet decides to shed.
+#include "criteria.hpp"
+
+#include <outlet/arithmetic.hpp>
+#include <outlet/decision.hpp>
+#include <outlet/shedding.hpp>
+
+namespace gs::outlet {
+namespace {
+
+// After a decision, f must be steady for half a second before the detector is armed again.
+constexpr std::uint16_t kSteadyReports = 31;
+// Five drops make an event only if no report was held so shortly before: a disturbance of the
+// voltage leaves a transient of the tracked frequency behind.
+constexpr std::uint8_t kUndisturbedReports = 20;
+// A decision by the grid's state is due with this σ of the lost power, per threshold loss, or this
+// many reports later: then as far as it is sure, two σ.
+constexpr float kSureSigma = 0.034f;
+constexpr int kLatestReports = 20;
+constexpr float kSureSigmas = 2.0f;
+// An event without an onset of the follower was none.
+constexpr int kReportsWithoutOnset = 60;
+
+void switch_off(const Settings& settings, State& state, Report& report, Cause cause) {
+  report.shed = cause == Cause::kLoss;
+  if (open(settings, state.relay, cause, report.measurement.frequency_hz)) {
+    report.happened |= kRelay;
+  }
+}
+
+void end_event(State& state) {
+  state.phase = Phase::kCooling;
+  state.steady_reports = 0;
+}
+
+// Criterion (1) as the paper has it: sheds if enough conditions were met, the estimate is trusted,
+// and more is required than less important outlets shed.
+void decide_by_paper(const Settings& settings, State& state, Report& report) {
+  report.required_mw = required_mw(state.estimator.ekf.loss_mw, settings.threshold_mw);
+  report.trust = trust(settings, state.estimator);
+  report.happened |= kDecision;
+  if (enough_hits(state.estimator.hits, settings.condition_hits) &&
+      report.trust == Trust::kTrusted && must_shed(report.required_mw, settings.accumulated_mw)) {
+    switch_off(settings, state, report, Cause::kLoss);
+  }
+  end_event(state);
+}
+
+// The paper's estimator runs with both methods: its hits and its instant of the loss are reported.
+void estimate(const Config& config, State& state, Report& report, bool valid) {
+  EstimatorState& estimator = state.estimator;
+  const bool had_lse = estimator.started;
+  const int had_updates = estimator.ekf.count;
+  observe(config.settings, static_cast<float>(config.hardware.nominal_hz), estimator, valid,
+          report.measurement.frequency_hz, report.line);
+  if (estimator.started && !had_lse) {
+    report.happened |= kLse;
+  }
+  if (config.settings.method == kByPaper && estimator.ekf.count > had_updates) {
+    report.happened |= kEstimate;
+  }
+  if (config.settings.method == kByPaper && complete(config.settings, estimator)) {
+    decide_by_paper(config.settings, state, report);
+  }
+}
+
+bool is_sure(const Settings& settings, float loss_sigma_mw) {
+  return loss_sigma_mw <= kSureSigma * settings.threshold_mw;
+}
+
+// Criterion (1) by the grid's state: sheds if more is required to keep the nadir at f_s than less
+// important outlets shed, now and before. Due once after each change of the lost power.
+void decide_by_grid_state(const Config& config, State& state, const Followed& followed,
+                          Report& report) {
+  GridFollower& follower = state.follower;
+  const Settings& settings = config.settings;
+  const bool is_event = state.phase == Phase::kEstimating;
+  if (!follower.changed) {
+    if (is_event && state.estimator.reports >= kReportsWithoutOnset) {
+      report.happened |= kDecision;
+      end_event(state);
+    }
+    return;
+  }
+  const bool sure = is_sure(settings, followed.loss_sigma_mw);
+  const int due = settings.decision_reports + (sure ? 0 : kLatestReports);
+  if (follower.since_onset < due) {
+    return;
+  }
+  follower.changed = false;
+  const auto nominal_hz = static_cast<float>(config.hardware.nominal_hz);
+  const Shedding needed = shedding(config.look_ahead, advanced(config.lead, followed.state),
+                                   settings.threshold_hz + settings.nadir_margin_hz - nominal_hz);
+  const float doubt_mw = sure ? 0.0f : kSureSigmas * followed.loss_sigma_mw;
+  const float required_mw = maximum(needed.required_mw - doubt_mw, 0.0f);
+  if (!is_event && !(required_mw > 0.0f)) {
+    return;
+  }
+  report.happened |= kDecision;
+  report.required_mw = required_mw;
+  report.nadir_hz = nominal_hz + needed.nadir_hz;
+  report.shed_before_mw = state.shed_before_mw;
+  if (required_mw > 0.0f &&
+      must_shed(state.shed_before_mw + required_mw, settings.accumulated_mw)) {
+    switch_off(settings, state, report, Cause::kLoss);
+  }
+  state.shed_before_mw += required_mw;
+  end_event(state);
+}
+
+Followed follow_grid(const Config& config, State& state, const Phasor& z) {
+  if (state.tracker.dead || state.tracker.age == 0) {
+    return {};
+  }
+  return follow(config.follower, state.follower, angle_of(z.quadrature, z.in_phase) / kTwoPi,
+                root(z.in_phase * z.in_phase + z.quadrature * z.quadrature),
+                !state.tracker.coasting, state.tracker.omega_rad_s / kTwoPi);
+}
+
+bool event_begins(const Config& config, const State& state, bool valid, const Followed& followed) {
+  const bool by_state = config.settings.method == kByGridState;
+  if (by_state && followed.significant &&
+      state.follower.filter.x[kLoss] > state.follower.loss_before_mw) {
+    return true;
+  }
+  return state.phase == Phase::kQuiet && valid &&
+         !(by_state && state.undisturbed < kUndisturbedReports) &&
+         event_detected(config.settings, state.history);
+}
+
+void cool_down(State& state, const Report& report, bool valid) {
+  const bool steady =
+      valid && report.line.slope_hz_s > -kSteady_hz_s && report.line.slope_hz_s < kSteady_hz_s;
+  state.steady_reports =
+      steady ? static_cast<std::uint16_t>(state.steady_reports + 1) : static_cast<std::uint16_t>(0);
+  if (state.steady_reports >= kSteadyReports) {
+    state.phase = Phase::kQuiet;
+  }
+}
+
+// Criterion (2), independent of the estimate.
+void watch_switch_off_frequency(const Settings& settings, State& state, Report& report,
+                                bool valid) {
+  if (valid && stays_below(report.measurement.frequency_hz, settings.switch_off_hz,
+                           settings.switch_off_samples, state.below_switch_off)) {
+    switch_off(settings, state, report, Cause::kFrequency);
+  }
+}
+
+void note_estimate(const Settings& settings, const State& state, const Followed& followed,
+                   Report& report) {
+  report.loss_mw = followed.state.loss_mw;
+  report.loss_sigma_mw = followed.loss_sigma_mw;
+  report.trust = !state.follower.changed                     ? Trust::kNotYet
+                 : is_sure(settings, followed.loss_sigma_mw) ? Trust::kTrusted
+                                                             : Trust::kUncertain;
+  if (state.phase == Phase::kEstimating && followed.valid) {
+    report.happened |= kEstimate;
+  }
+}
+
+}  // namespace
+
+void act(const Config& config, State& state, const Phasor& z, Report& report) {
+  const Settings& settings = config.settings;
+  const bool valid = report.measurement.validity == Validity::kValid;
+  const bool by_state = settings.method == kByGridState;
+  state.undisturbed =
+      static_cast<std::uint8_t>(valid && state.undisturbed < 0xFF ? state.undisturbed + 1
+                                : valid                           ? 0xFF
+                                                                  : 0);
+  switch (run(settings, state.relay, report.measurement.frequency_hz)) {
+    case RelayChange::kNone:
+      break;
+    case RelayChange::kRestored:
+      state.shed_before_mw = 0.0f;
+      [[fallthrough]];
+    case RelayChange::kOpened:
+      report.happened |= kRelay;
+  }
+  if (report.measurement.validity == Validity::kInvalid) {
+    if (state.phase == Phase::kEstimating) {
+      report.happened |= kAborted;
+    }
+    state.phase = Phase::kQuiet;
+    state.below_switch_off = 0;
+    state.follower.count = 0;
+    state.follower.changed = false;
+    return;
+  }
+  watch_switch_off_frequency(settings, state, report, valid);
+  const Followed followed = by_state ? follow_grid(config, state, z) : Followed{};
+  if (state.phase != Phase::kEstimating && event_begins(config, state, valid, followed)) {
+    begin(state.estimator, baseline(state.history));
+    state.phase = Phase::kEstimating;
+    report.happened |= kEvent;
+  }
+  if (by_state) {
+    note_estimate(settings, state, followed, report);
+  }
+  if (state.phase == Phase::kEstimating) {
+    estimate(config, state, report, valid);
+  } else if (state.phase == Phase::kCooling) {
+    cool_down(state, report, valid);
+  }
+  if (by_state) {
+    decide_by_grid_state(config, state, followed, report);
+  }
+}
+
+}  // namespace gs::outlet
