@@ -22,7 +22,7 @@ constexpr float kSureSigmas = 2.0f;
 constexpr int kReportsWithoutOnset = 60;
 
 void switch_off(const Settings& settings, State& state, Report& report, Cause cause) {
-  report.shed = cause == Cause::kLoss;
+  report.shed = cause == Cause::kLoss && state.relay.closed && !state.relay.opening;
   if (open(settings, state.relay, cause, report.measurement.frequency_hz)) {
     report.happened |= kRelay;
   }

@@ -6,6 +6,14 @@ namespace {
 // White noise of the phasors, whose windows of 56 ms overlap: their sum over many reports varies as
 // that of independent ones 1.57 times as large.
 constexpr float kOverlap = 1.57f;
+// The noise is measured by the third differences of successive phases, which no grid changes. Their
+// variance is 3.9 times that of a phase, plus that of the front end's images. Only what is clearly
+// above the setting counts: measured over two seconds, it varies by 15 %.
+constexpr float kThirdDifference = 3.9f;
+constexpr float kImages_cycles2 = 2.7e-8f;  // (1.03 mrad)²
+constexpr float kNoiseMargin = 1.3f;
+constexpr float kNoiseMemory = 1.0f / 128.0f;
+constexpr float kLargestSquare = 9.0f;  // of the mean: a phase step is no noise
 // Process noise of the lost power, parts of the typical one per report: outside an onset and in it.
 constexpr float kLossNoise = 1.4e-4f;
 constexpr float kOnsetLossNoise = 0.85f;
@@ -13,7 +21,7 @@ constexpr float kOnsetLossNoise = 0.85f;
 constexpr float kOnsetSigmas = 4.5f;
 constexpr int kSumLengths[] = {4, 8, 16};
 constexpr int kReportsBetweenOnsets = 12;
-constexpr std::uint32_t kReportsBeforeFirstOnset = 40;
+constexpr std::uint32_t kReportsBeforeFirstOnset = 16;
 // The filter goes back only if it has at least this many reports that it can take once more.
 constexpr std::uint32_t kLeastHistory = 8;
 // Measurements that are taken once more, and the most reports if gaps lie between them.
@@ -93,9 +101,38 @@ std::uint32_t go_back(const FollowerSettings& settings, GridFollower& f, std::ui
   return number;
 }
 
+float nominal_phase_variance(const FollowerSettings& settings) {
+  return square(settings.phase_sigma_rad / kTwoPi);
+}
+
+// Variance of a measured phase at nominal amplitude, as the setting has it or as measured.
+float phase_variance(const FollowerSettings& settings, const GridFollower& f) {
+  const float measured = (f.noise_squares - kImages_cycles2) / (kThirdDifference * kNoiseMargin);
+  return square(kOverlap) * maximum(measured, nominal_phase_variance(settings));
+}
+
+// Takes report `now`, which is the newest.
+void measure_noise(GridFollower& f, std::uint32_t now) {
+  if (now < f.oldest + 3) {
+    return;
+  }
+  for (std::uint32_t age = 0; age < 4; ++age) {
+    const PhaseMeasurement& m = at(f, now - age).measurement;
+    if (!m.measured || (m.after_gap && age < 3)) {
+      return;
+    }
+  }
+  const auto phase = [&](std::uint32_t age) { return at(f, now - age).measurement.phase_cycles; };
+  float difference = phase(0) - phase(3) - 3.0f * (phase(1) - phase(2));
+  difference -= nearest_whole(difference);
+  const float limited = minimum(square(difference), kLargestSquare * f.noise_squares);
+  f.noise_squares += kNoiseMemory * (limited - f.noise_squares);
+}
+
 void begin(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m,
            float deviation_hz) {
   f = GridFollower{};
+  f.noise_squares = kThirdDifference * nominal_phase_variance(settings) + kImages_cycles2;
   start(settings.response, f.filter, m.phase_cycles, deviation_hz);
   take_phase(f.filter, m.phase_cycles, m.variance);
   start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
@@ -270,8 +307,7 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   PhaseMeasurement m;
   m.phase_cycles = phase_cycles;
   // Noise rotates a shorter phasor further.
-  const float sigma_cycles = kOverlap / kTwoPi * settings.phase_sigma_rad;
-  m.variance = square(sigma_cycles / minimum(amplitude, 1.0f));
+  m.variance = phase_variance(settings, f) / square(minimum(amplitude, 1.0f));
   m.measured = measured;
   m.after_gap = measured && f.gap > 0;
   if (f.count == 0 && !measured) {
@@ -285,6 +321,7 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   const std::uint32_t now = f.count++;
   at(f, now) = FollowedReport{};
   at(f, now).measurement = m;
+  measure_noise(f, now);
   if (!measured && f.gap == 0 && now >= f.oldest + kLeastHistory) {
     for (std::uint32_t age = 1; age <= kSpoiledMeasurements; ++age) {
       at(f, now - age).measurement.measured = false;

@@ -88,6 +88,10 @@ std::vector<InvalidSetting> invalid_settings() {
       {"no phase gate", E::kTracker, [](S s) { s.tracker.innovation_gate_rad = 0.0F; }},
       {"no amplitude gate", E::kTracker, [](S s) { s.tracker.innovation_gate_amplitude = 0.0F; }},
       {"dead bus at 0", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.0F; }},
+      {"unknown method", E::kMethod, [](S s) { s.method = 2; }},
+      {"no threshold frequency", E::kMethod, [](S s) { s.threshold_hz = 0.0F; }},
+      {"delay above 5 s", E::kRelay, [](S s) { s.delay_s = 5.1F; }},
+      {"restoration below 0", E::kRelay, [](S s) { s.restore_dwell_s = -1.0F; }},
       {"dead bus above 0.5", E::kTracker, [](S s) { s.tracker.dead_bus_pu = 0.6F; }},
   };
 }
@@ -129,7 +133,7 @@ TEST(Settings, EveryErrorOccursAndHasItsOwnText) {
   for (const SettingsError error : reached) {
     words.insert(to_string(error));
   }
-  EXPECT_EQ(reached.size(), static_cast<std::size_t>(SettingsError::kStale) + 1);
+  EXPECT_EQ(reached.size(), static_cast<std::size_t>(kLastSettingsError) + 1);
   EXPECT_EQ(words.size(), reached.size());
   EXPECT_EQ(words.count("unknown"), 0U);
 }
@@ -199,8 +203,8 @@ TEST(Settings, TheDigestChangesWithEveryByteOfEveryField) {
       sizeof settings.condition_rows + offsetof(Settings, event_drop_hz) -
       offsetof(Settings, event_drops) - sizeof settings.event_drops +
       offsetof(Settings, measurement_sigma_hz) - offsetof(Settings, ekf_samples) -
-      sizeof settings.ekf_samples + offsetof(Settings, tracker) -
-      offsetof(Settings, switch_off_samples) - sizeof settings.switch_off_samples;
+      sizeof settings.ekf_samples + offsetof(Settings, delay_s) -
+      offsetof(Settings, decision_reports) - sizeof settings.decision_reports;
   EXPECT_EQ(unseen, padding);
 }
 

@@ -81,6 +81,14 @@ outlet::Settings golden_settings() {
   settings.tracker.innovation_gate_rad = 0.05078125F;
   settings.tracker.innovation_gate_amplitude = 0.0625F;
   settings.tracker.dead_bus_pu = 0.125F;
+  settings.method = outlet::kByGridState;
+  settings.threshold_hz = 49.5F;
+  settings.nadir_margin_hz = 0.00390625F;
+  settings.decision_reports = 40;
+  settings.delay_s = 0.125F;
+  settings.restore_hz = 49.75F;
+  settings.restore_dwell_s = 64.0F;
+  settings.restore_spread_s = 256.0F;
   return settings;
 }
 
@@ -89,23 +97,25 @@ std::vector<Golden> goldens() {
   const Bytes error = up(UplinkKind::kError, 68, 8100, &Uplink::error, {ErrorCode::kBadFrame, 1});
   return {
       {"hello", up(UplinkKind::kHello, 0, 0, &Uplink::hello, golden_hello()),
-       "90 01 00 00 02 68 6f 75 74 6c 65 74 2d 37 6a 6d 70 73 32 2d 61 6e 33 38 "
+       "90 01 00 00 03 68 6f 75 74 6c 65 74 2d 37 6a 6d 70 73 32 2d 61 6e 33 38 "
        "36 1a 12 34 56 78 19 03 e8 1a de ad be ef 03 19 1f 40 18 32 fa 3d 80 00 "
        "00 fa 3d 00 00 00 00 00"},
       {"identify", identify, "82 03 00"},
       {"identify as a frame", framed(identify), "00 03 82 03 05 3f 45 dd 36 00"},
       {"settings", encoded(settings_message(golden_settings()), 1),
-       "83 01 01 b8 1c 01 01 02 fa 3a 80 00 00 03 fa 3e 80 00 00 04 fa 3d 80 00 "
+       "83 01 01 b8 24 01 01 02 fa 3a 80 00 00 03 fa 3e 80 00 00 04 fa 3d 80 00 "
        "00 05 fa 3f a0 00 00 06 fa 43 b0 00 00 07 fa 45 2b 90 00 08 fa 42 c8 00 "
        "00 09 fa 42 44 00 00 0a 84 fa 42 47 00 00 fa bf 00 00 00 fa 42 46 00 00 "
        "fa be 80 00 00 0b 14 0c 08 0d 05 0e fa 3c 80 00 00 0f fa 3d 00 00 00 10 "
        "0a 11 18 28 12 fa 3b 80 00 00 13 fa 42 b0 00 00 14 fa 3c 00 00 00 15 fa "
        "3c c0 00 00 16 fa 3c 40 00 00 17 03 18 18 fa 3a 80 00 00 18 19 fa 3f 40 "
-       "00 00 18 1a fa 3d 50 00 00 18 1b fa 3d 80 00 00 18 1c fa 3e 00 00 00"},
+       "00 00 18 1a fa 3d 50 00 00 18 1b fa 3d 80 00 00 18 1c fa 3e 00 00 00 18 "
+       "1d 01 18 1e fa 42 46 00 00 18 1f fa 3b 80 00 00 18 20 18 28 18 21 fa 3e "
+       "00 00 00 18 22 fa 42 47 00 00 18 23 fa 42 80 00 00 18 24 fa 43 80 00 00"},
       {"settings answer",
        up(UplinkKind::kSettingsAnswer, 3, 200, &Uplink::settings_answer,
           {outlet::SettingsError::kNone, 1, outlet::digest(golden_settings()), true}),
-       "87 02 03 18 c8 00 01 1a a5 6a 7f e2 f5"},
+       "87 02 03 18 c8 00 01 1a 79 23 88 da f5"},
       {"first measurement, not settled",
        up(UplinkKind::kMeasurement, 1, 128, &Uplink::measurement,
           {NAN, NAN, 0.0F, outlet::Validity::kInvalid}),

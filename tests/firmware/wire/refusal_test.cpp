@@ -238,8 +238,8 @@ TEST(Refusal, EnumeratorsOutOfRangeAreMalformed) {
     std::uint64_t last;
   };
   const Range ranges[] = {
-      {UplinkKind::kSettingsAnswer, 0, 0, 11}, {UplinkKind::kMeasurement, 3, 0, 2},
-      {UplinkKind::kEstimate, 3, 0, 5},        {UplinkKind::kDecision, 3, 0, 5},
+      {UplinkKind::kSettingsAnswer, 0, 0, 13}, {UplinkKind::kMeasurement, 3, 0, 2},
+      {UplinkKind::kEstimate, 3, 0, 5},        {UplinkKind::kDecision, 6, 0, 5},
       {UplinkKind::kRelay, 1, 0, 3},           {UplinkKind::kStatus, 2, 0, 3},
       {UplinkKind::kStatus, 3, 0, 2},          {UplinkKind::kError, 0, 1, 7}};
   std::mt19937 random(8);
@@ -257,8 +257,8 @@ TEST(Refusal, EnumeratorsOutOfRangeAreMalformed) {
 TEST(Refusal, NumbersOutOfRangeAreMalformed) {
   std::mt19937 random(9);
   const Uplink decision = uplink(UplinkKind::kDecision, Fill::kLowest, random);
-  EXPECT_EQ(with_field(decision, 2, 0xFFFF), Decoded::kOk);
-  EXPECT_EQ(with_field(decision, 2, 0x10000), Decoded::kMalformed);
+  EXPECT_EQ(with_field(decision, 5, 0xFFFF), Decoded::kOk);
+  EXPECT_EQ(with_field(decision, 5, 0x10000), Decoded::kMalformed);
   const Uplink echo = uplink(UplinkKind::kEcho, Fill::kLowest, random);
   EXPECT_EQ(with_field(echo, 0, 0xFFFFFFFF), Decoded::kOk);
   EXPECT_EQ(with_field(echo, 0, 0x100000000), Decoded::kMalformed);

@@ -35,6 +35,7 @@ struct GridFollower {
   std::uint32_t count = 0;        // reports since the start
   std::uint32_t oldest = 0;       // the first report that can be taken once more
   std::uint16_t gap = 0;          // reports since the last measurement
+  float noise_squares = 0.0f;     // mean of the phases' squared third differences, cycles²
   std::uint16_t since_onset = 0xFFFF;
   float loss_before_mw = 0.0f;  // at the onset
 

@@ -35,12 +35,9 @@ struct Settings {
   float threshold_mw = 0.0f;     // ΔP_s, eq. (15)
   float largest_loss_mw = 0.0f;  // bound of the estimate: the system's generation
 
-  // How the outlet decides: by the grid's state and its predicted nadir (grid_decision.hpp), or as
-  // the paper does, by the loss above the threshold and the load-shedding conditions.
-  std::uint8_t method = kByGridState;
-  float threshold_hz = 0.0f;           // f_s
-  float nadir_margin_hz = 0.003f;      // the nadir is kept this far above f_s
-  std::uint8_t decision_reports = 40;  // from the onset of a change to the decision
+  // For decisions by the grid's state (`method` below).
+  float threshold_hz = 0.0f;       // f_s
+  float nadir_margin_hz = 0.003f;  // the nadir is kept this far above f_s
 
   // This outlet's place in the order of shedding.
   float accumulated_mw = 0.0f;  // P^A, eq. (11)
@@ -76,6 +73,11 @@ struct Settings {
   // The outlet switches off after this many successive measurements below f^B. They are few enough
   // for "immediately", and enough to ignore a glitch.
   std::uint8_t switch_off_samples = 3;
+
+  // How the outlet decides: by the grid's state and its predicted nadir (kByGridState), or as the
+  // paper does, by the loss above the threshold and the load-shedding conditions (kByPaper).
+  std::uint8_t method = kByGridState;
+  std::uint8_t decision_reports = 40;  // from the onset of a change to the decision by the state
 
   // Time delay (§3.1), and restoration: an outlet that switched off by itself switches on again
   // after restore_dwell_s and a random part of restore_spread_s above restore_hz. A command comes

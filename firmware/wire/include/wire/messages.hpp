@@ -13,7 +13,7 @@
 
 namespace gs::wire {
 
-constexpr std::uint16_t kProtocolVersion = 2;
+constexpr std::uint16_t kProtocolVersion = 3;
 constexpr std::size_t kLongestId = 32;
 constexpr std::size_t kLongestBoard = 16;
 
