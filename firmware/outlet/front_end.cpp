@@ -29,6 +29,27 @@ std::int16_t rounded(float x) {
   return static_cast<std::int16_t>(x + (x < 0.0f ? -0.5f : 0.5f));
 }
 
+// Adds `count` samples, mixed with the table from `at` on, upwards (kStep 1) or downwards (kStep
+// −1). The second half of the period is the first one downwards, with the sine's sign changed.
+template <int kStep>
+void mix(const FrontEndConfig& config, FrontEndState& state, const std::int16_t* samples,
+         std::size_t at, std::size_t count) {
+  const std::int16_t* cosine = config.cosine + at;
+  const std::int16_t* sine = config.sine + at;
+  std::int64_t in_phase = 0;
+  std::int64_t quadrature = 0;
+  std::int64_t squares = 0;
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
+    const std::int32_t x = samples[i];
+    in_phase += x * cosine[kStep * i];
+    quadrature += x * sine[kStep * i];
+    squares += x * x;
+  }
+  state.in_phase += in_phase;
+  state.quadrature += kStep * quadrature;
+  state.squares += squares;
+}
+
 void close_millisecond(const FrontEndConfig& config, FrontEndState& state) {
   const float scale = config.pu_per_count / static_cast<float>(config.samples_per_ms);
   // × 2: mixing a real signal leaves half its amplitude at the difference frequency.
@@ -65,7 +86,7 @@ bool make_front_end(const Hardware& hardware, FrontEndConfig& config) {
   config.samples_per_ms = static_cast<std::uint16_t>(hardware.sample_rate_hz / 1000);
   config.table_length = static_cast<std::uint16_t>(length);
   config.pu_per_count = 1.0f / hardware.counts_per_pu;
-  for (std::int32_t n = 0; n < length; ++n) {
+  for (std::int32_t n = 0; n <= length / 2; ++n) {
     std::int32_t step = (n * turns) % length;
     step = 2 * step > length ? step - length : step;
     const float angle = kTwoPi * static_cast<float>(step) / static_cast<float>(length);
@@ -83,28 +104,20 @@ std::size_t feed(const FrontEndConfig& config, FrontEndState& state, const std::
   }
   std::size_t taken = 0;
   while (taken < count && state.subsum < kSubsumsPerReport) {
+    const std::size_t length = config.table_length;
+    const std::size_t index = state.table_index;
+    const bool mirrored = index > length / 2;
     std::size_t run = static_cast<std::size_t>(config.samples_per_ms) - state.samples_in_ms;
-    const std::size_t to_wrap = static_cast<std::size_t>(config.table_length) - state.table_index;
-    run = run < to_wrap ? run : to_wrap;
+    const std::size_t to_turn = mirrored ? length - index : length / 2 + 1 - index;
+    run = run < to_turn ? run : to_turn;
     run = run < count - taken ? run : count - taken;
-    const std::int16_t* sample = samples + taken;
-    const std::int16_t* cos_table = config.cosine + state.table_index;
-    const std::int16_t* sin_table = config.sine + state.table_index;
-    std::int64_t in_phase = 0;
-    std::int64_t quadrature = 0;
-    std::int64_t squares = 0;
-    for (std::size_t i = 0; i < run; ++i) {
-      const std::int32_t x = sample[i];
-      in_phase += x * cos_table[i];
-      quadrature += x * sin_table[i];
-      squares += x * x;
+    if (mirrored) {
+      mix<-1>(config, state, samples + taken, length - index, run);
+    } else {
+      mix<1>(config, state, samples + taken, index, run);
     }
-    state.in_phase += in_phase;
-    state.quadrature += quadrature;
-    state.squares += squares;
     taken += run;
-    const std::size_t index = state.table_index + run;
-    state.table_index = static_cast<std::uint16_t>(index == config.table_length ? 0 : index);
+    state.table_index = static_cast<std::uint16_t>(index + run == length ? 0 : index + run);
     state.samples_in_ms = static_cast<std::uint16_t>(state.samples_in_ms + run);
     if (state.samples_in_ms == config.samples_per_ms) {
       close_millisecond(config, state);

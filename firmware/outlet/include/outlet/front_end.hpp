@@ -28,6 +28,7 @@ constexpr float kVoltageDelay_s = 0.025f;
 
 constexpr std::int32_t kMaxSampleRate_hz = 32000;
 constexpr std::size_t kMaxTable = 1600;  // kMaxSampleRate_hz / gcd(kMaxSampleRate_hz, 60)
+constexpr std::size_t kHalfTable = kMaxTable / 2 + 1;
 
 // The board's properties, fixed at start-up.
 struct Hardware {
@@ -44,8 +45,9 @@ struct FrontEndConfig {
   std::uint16_t samples_per_ms = 0;
   std::uint16_t table_length = 0;  // samples until the nominal phase repeats
   float pu_per_count = 0.0f;
-  std::int16_t cosine[kMaxTable] = {};  // × 16384
-  std::int16_t sine[kMaxTable] = {};
+  // × 16384, for the first half of the period; the second half mirrors it.
+  std::int16_t cosine[kHalfTable] = {};
+  std::int16_t sine[kHalfTable] = {};
 };
 
 struct FrontEndState {
