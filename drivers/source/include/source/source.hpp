@@ -39,12 +39,15 @@ struct Limits {
 };
 
 // How a stimulus would be played, and the largest deviation of the played voltage from the
-// stimulus, without noise.
+// stimulus, without noise. voltage_pu is that of the planned waveform: resampling and resolution,
+// if the amplitude is exact. What the instrument makes of the amplitude is amplitude_pu; both add
+// up.
 struct Played {
   double frequency_hz = 0.0;  // over windows of 200 ms; includes the error of the source's clock
   double voltage_pu = 0.0;    // of a sample; for kStepped, of the amplitude
   double time_s = 0.0;        // early or late
   std::vector<std::string> how = {};  // for people: "720 000 points at 16 kSa/s", …
+  double amplitude_pu = 0.0;  // accuracy of the amplitude, ±, at the stimulus's peak; 0: not stated
 };
 
 // The source's ticks on this machine's steady clock: tick n is n · tick_s after tick_0.
