@@ -73,9 +73,8 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
                                    ? "verified by the instrument's error queue"
                                    : "not verified: the instrument has no means for it";
   std::vector<std::string> how = {
-      instrument.title,
-      fmt::format("{} points at {:.8g} Sa/s, {}; {:.2f} s, played once", plan.codes.size(),
-                  plan.rate_hz, between, plan.duration_s),
+      fmt::format("{} points at {:.8g} Sa/s, played once", plan.codes.size(), plan.rate_hz),
+      fmt::format("{:.2f} s; points are {}", plan.duration_s, between),
       fmt::format("{} s soft rise, {} s for outlets to boot, {} s margin; the stimulus begins "
                   "after {:.3f} s",
                   options.rise_s, options.boot_s, options.margin_s, plan.lead_s),
@@ -96,8 +95,8 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
                     plan.largest_nudge, instrument.full_scale_code()));
   }
   how.push_back(
-      fmt::format("not calibrated: accuracy from the instrument's table (clock {} ppm, "
-                  "amplitude {} %, trigger ±{} ms)",
+      fmt::format("accuracy from the instrument's table: clock ±{} ppm, amplitude ±{} %, trigger "
+                  "±{} ms",
                   table.clock_ppm, table.amplitude_pct, 1e3 * table.trigger_uncertainty_s));
   return how;
 }
