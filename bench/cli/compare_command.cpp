@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "live_output.hpp"
 #include "progress.hpp"
 
 #include <algorithm>
@@ -35,6 +36,7 @@ Comparison play(const profile::Plan& plan, const std::vector<station::StationFil
   for (const station::StationFile& file : files) {
     const profile::Plan fitted = station::fit_to_station(file, plan);
     const auto station = file.make_station(fitted, {});
+    const LiveOutput live(file, file.path);
     Progress progress(file.name);
     comparison.runs.push_back(station::run(
         fitted, *station, {nullptr, &stop, [&](double part) { progress.show(part); }}));

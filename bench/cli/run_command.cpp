@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "dry_run.hpp"
+#include "live_output.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include <unistd.h>
@@ -40,6 +41,7 @@ int run(const RunArguments& arguments) {
   record::RunRecord run;
   {
     record::Writer writer(folder.file(kRecordFile));
+    const LiveOutput live(file, arguments.station);
     Progress progress(plan.name);
     run = station::run(plan, *station,
                        {&writer, &interrupted, [&](double part) { progress.show(part); },
