@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <exception>
 
 #include <fmt/format.h>
 
@@ -64,6 +65,24 @@ LiveOutput::~LiveOutput() {
     said_if_killed = nullptr;
     std::signal(SIGPIPE, SIG_DFL);
     std::signal(SIGXFSZ, SIG_DFL);
+  }
+}
+
+void OutputState::note_unknown(const std::string& what) {
+  unknown_ = true;
+  print_error(what);
+}
+
+int OutputState::exit_code_of(const std::function<int()>& rest) const {
+  try {
+    const int exit_code = rest();
+    return unknown_ ? kErrored : exit_code;
+  } catch (const std::exception& error) {
+    if (!unknown_) {
+      throw;
+    }
+    print_error(error.what());
+    return kErrored;
   }
 }
 

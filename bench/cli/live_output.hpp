@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <string>
 
 #include <station/station_file.hpp>
@@ -30,6 +31,19 @@ class LiveOutput {
 
  private:
   std::string if_killed_;
+};
+
+// The state of a source's output once a command is done with it.
+class OutputState {
+ public:
+  // Prints at once why it is unknown and what to do, before anything else can fail.
+  void note_unknown(const std::string& what);
+  // The exit code of `rest`, which is called once; kErrored if the state is unknown, also if `rest`
+  // throws. Then its error is printed.
+  int exit_code_of(const std::function<int()>& rest) const;
+
+ private:
+  bool unknown_ = false;
 };
 
 }  // namespace gsbench::cli

@@ -100,5 +100,18 @@ TEST_F(LiveRun, SecondSignalSaysThatTheStateIsUnknownBeforeItEndsTheBench) {
                                  HasSubstr("gsbench safe " + station_), HasSubstr("unplug it")));
 }
 
+TEST_F(LiveRun, ReportThatCannotBeWrittenDoesNotHideThatTheStateIsUnknown) {
+  const Started started = start_until_live();
+  // A folder is in the place of the report.
+  std::filesystem::create_directory(only_run(folder_.path() / "runs") / "report.html");
+  generator_->unplug();
+  const Outcome outcome = stop(started, SIGINT);
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  const std::size_t report = outcome.err.find("report.html: ");
+  ASSERT_NE(report, std::string::npos) << outcome.err;
+  EXPECT_LT(outcome.err.find("output state unknown"), report) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("output state unknown"));
+}
+
 }  // namespace
 }  // namespace gsbench::test
