@@ -104,8 +104,12 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
 }  // namespace
 
 double full_scale_pu(const Instrument& instrument, const Wiring& wiring) {
-  const double instrument_v = 0.5 * instrument.amplitude.highest_vpp * wiring.gain / kSqrt2;
-  return std::min(instrument_v, wiring.voltage_limit_v) / wiring.nominal_v;
+  const Amplitude& range = instrument.amplitude;
+  const double limit_vpp = 2.0 * kSqrt2 * wiring.voltage_limit_v / wiring.gain;
+  const double settable_vpp =
+      std::floor(limit_vpp / range.resolution_vpp + 1e-6) * range.resolution_vpp;
+  return 0.5 * std::min(range.highest_vpp, settable_vpp) * wiring.gain /
+         (kSqrt2 * wiring.nominal_v);
 }
 
 Result<Plan> make_plan(const source::Stimulus& stimulus, const Instrument& instrument,

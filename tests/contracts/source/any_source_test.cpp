@@ -45,6 +45,7 @@ class AnySource : public testing::TestWithParam<std::unique_ptr<SourceRig> (*)()
 INSTANTIATE_TEST_SUITE_P(Simulated, AnySource, testing::Values(&simulated_source));
 INSTANTIATE_TEST_SUITE_P(Emulated, AnySource, testing::Values(&emulated_mains));
 INSTANTIATE_TEST_SUITE_P(Head, AnySource, testing::Values(&head_source));
+INSTANTIATE_TEST_SUITE_P(Scpi, AnySource, testing::Values(&scpi_source));
 INSTANTIATE_TEST_SUITE_P(Loaded, AnySource, testing::Values(&loaded_source));
 INSTANTIATE_TEST_SUITE_P(Stepped, AnySource, testing::Values(&stepped_source));
 
