@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <map>
 #include <thread>
@@ -18,14 +17,6 @@ namespace {
 constexpr std::size_t kMostThreads = 256;
 const CLI::Range kSeeds{std::uint64_t{0}, profile::kLargestSeed};
 constexpr const char* kSeedRange = "0 to 2^53";
-
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
-
-void note_interrupt(int signal) {
-  interrupted = true;
-  std::signal(signal, SIG_DFL);
-}
 
 template <class Choice>
 void add_choice(CLI::App& command, const std::string& name, Choice& choice,
@@ -62,12 +53,6 @@ ExitCode exit_code_of(record::Verdict verdict) {
       break;
   }
   return kErrored;
-}
-
-const std::atomic<bool>& catch_interrupts() {
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
-  return interrupted;
 }
 
 void print_json(const nlohmann::ordered_json& value) {

@@ -5,7 +5,6 @@
 #include "help.hpp"
 #include <control_centre/blocks.hpp>
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -37,10 +36,6 @@ enum ExitCode : int {
 std::size_t default_threads();
 
 ExitCode exit_code_of(record::Verdict verdict);
-
-// Handles SIGINT and SIGTERM. The returned flag is set when one of them arrives, so that a run ends
-// in its safe state. A second signal of the same kind ends the process.
-const std::atomic<bool>& catch_interrupts();
 
 // Prints `value` on standard output, indented.
 void print_json(const nlohmann::ordered_json& value);

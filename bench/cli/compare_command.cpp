@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "live_output.hpp"
 #include "progress.hpp"
 
 #include <algorithm>
@@ -10,8 +11,10 @@
 #include <profile/load.hpp>
 #include <render/figures.hpp>
 #include <render/layout.hpp>
+#include <station/dry_run.hpp>
 #include <station/run.hpp>
 #include <station/station_file.hpp>
+#include <station/station_lock.hpp>
 
 namespace gsbench::cli {
 namespace {
@@ -29,15 +32,32 @@ struct Comparison {
   std::vector<equivalence::Row> rows;
 };
 
+// Throws what would refuse a run at one of the stations, before any has played.
+void check_all(const profile::Plan& plan, const std::vector<station::StationFile>& files) {
+  for (const station::StationFile& file : files) {
+    const profile::Plan fitted = station::fit_to_station(file, plan);
+    const auto station = file.make_station(fitted, {});
+    static_cast<void>(station::dry_run(fitted, *station));
+    const station::StationLock unused(station->ports(), "profile " + plan.name);
+  }
+}
+
 Comparison play(const profile::Plan& plan, const std::vector<station::StationFile>& files,
-                const std::atomic<bool>& stop) {
+                const std::atomic<bool>& stop, OutputState& output) {
   Comparison comparison;
   for (const station::StationFile& file : files) {
     const profile::Plan fitted = station::fit_to_station(file, plan);
     const auto station = file.make_station(fitted, {});
+    const LiveOutput live(file, file.path);
     Progress progress(file.name);
-    comparison.runs.push_back(station::run(
-        fitted, *station, {nullptr, &stop, [&](double part) { progress.show(part); }}));
+    comparison.runs.push_back(
+        station::run(fitted, *station,
+                     {nullptr, &stop, [&](double part) { progress.show(part); },
+                      [&](const std::string& what) { progress.show(what); },
+                      [&](const std::string& what) {
+                        progress.clear();
+                        output.note_unknown(what);
+                      }}));
     if (stop) {
       break;
     }
@@ -116,17 +136,21 @@ int compare(const CompareArguments& arguments) {
     files.push_back(station::load_station(name));
   }
   const std::atomic<bool>& stop = catch_interrupts();
-  const Comparison comparison = play(plan, files, stop);
-  if (arguments.json) {
-    print_json(json_of(plan, comparison));
-  } else {
-    print_table(comparison);
-  }
-  record::Verdict worst = record::Verdict::kPass;
-  for (const record::RunRecord& run : comparison.runs) {
-    worst = std::max(worst, run.verdict);
-  }
-  return stop ? kInterrupted : exit_code_of(worst);
+  check_all(plan, files);
+  OutputState output;
+  return output.exit_code_of([&]() -> int {
+    const Comparison comparison = play(plan, files, stop, output);
+    if (arguments.json) {
+      print_json(json_of(plan, comparison));
+    } else {
+      print_table(comparison);
+    }
+    record::Verdict worst = record::Verdict::kPass;
+    for (const record::RunRecord& run : comparison.runs) {
+      worst = std::max(worst, run.verdict);
+    }
+    return stop ? kInterrupted : exit_code_of(worst);
+  });
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ void print_as_json(const profile::Plan& plan, const std::string& station,
                         {"frequency_mhz", deviations.frequency_mhz},
                         {"frequency_tolerance_mhz", tolerances.frequency_mhz},
                         {"voltage_pct", deviations.voltage_pct},
+                        {"amplitude_pct", 1e2 * dry.played.amplitude_pu},
                         {"voltage_tolerance_pct", tolerances.voltage_pct},
                         {"time_ms", deviations.time_ms},
                         {"time_tolerance_ms", tolerances.time_ms}}},
@@ -93,8 +94,12 @@ void print_as_text(const profile::Plan& plan, const std::string& station,
   }
   line(fmt::format("  frequency within {:.3g} mHz (tolerance {:.3g})", deviations.frequency_mhz,
                    tolerances.frequency_mhz));
-  line(fmt::format("  voltage within {:.3g} % of the nominal peak (tolerance {:.3g})",
-                   deviations.voltage_pct, tolerances.voltage_pct));
+  line(fmt::format("  voltage within {:.3g} % of the nominal peak (tolerance {:.3g}){}",
+                   deviations.voltage_pct, tolerances.voltage_pct,
+                   dry.played.amplitude_pu > 0.0
+                       ? fmt::format(", of which {:.3g} % is the accuracy of the amplitude",
+                                     1e2 * dry.played.amplitude_pu)
+                       : ""));
   line(fmt::format("  time within {:.3g} ms (tolerance {:.3g})", deviations.time_ms,
                    tolerances.time_ms));
   line("  accuracy: " + (dry.accuracy.empty() ? "exact" : dry.accuracy));

@@ -109,7 +109,8 @@ int main(int argc, char** argv) {
   }
   // Report output that was lost, for instance on a full disk.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return complain("standard output cannot be written", cli::kBadInput);
+    return complain("standard output cannot be written",
+                    line.exit_code == cli::kErrored ? cli::kErrored : cli::kBadInput);
   }
   return line.exit_code;
 }

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "link_arguments.hpp"
+#include "live_output.hpp"
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "page_output.hpp"
 
+#include "live_output.hpp"
 #include "output_file.hpp"
 #include "progress.hpp"
 

@@ -20,8 +20,13 @@ Progress::Progress(const std::string& what)
       last_(started_) {}
 
 Progress::~Progress() {
+  clear();
+}
+
+void Progress::clear() {
   if (drawn_) {
     std::fputs("\r\033[K", stderr);
+    drawn_ = false;
   }
 }
 

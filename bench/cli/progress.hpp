@@ -17,6 +17,7 @@ class Progress {
 
   void show(double part);              // 0 … 1; prints at most ten times per second
   void show(const std::string& what);  // of work without a known part, as often
+  void clear();                        // the line, before other text is printed
 
  private:
   void print(const std::string& line);

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "dry_run.hpp"
+#include "live_output.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include <unistd.h>
@@ -26,6 +27,21 @@ struct RunArguments {
   bool json = false;
 };
 
+// Prints first: a report that cannot be written must not hide the verdict.
+void report(const record::RunRecord& run, const RunFolder& folder, bool json) {
+  if (json) {
+    std::fputs(render::json(run).c_str(), stdout);
+  } else {
+    const bool colour = isatty(STDOUT_FILENO) == 1;
+    std::fputs((colour ? render::coloured_terminal(run) : render::terminal(run)).c_str(), stdout);
+  }
+  std::fflush(stdout);
+  write_reports(run, folder.path());
+  if (!json) {
+    std::printf("\nReport: %s\n", folder.file(render::find_format("html")->file).c_str());
+  }
+}
+
 int run(const RunArguments& arguments) {
   const profile::Plan asked = profile::load_profile(arguments.profile, arguments.overrides);
   const auto file = station::load_station(arguments.station);
@@ -36,26 +52,26 @@ int run(const RunArguments& arguments) {
   if (arguments.dry_run) {
     return dry_run(plan, *station, arguments.json);
   }
-  RunFolder folder(arguments.output_folder);
-  record::RunRecord run;
-  {
-    record::Writer writer(folder.file(kRecordFile));
-    Progress progress(plan.name);
-    run = station::run(plan, *station,
-                       {&writer, &interrupted, [&](double part) { progress.show(part); },
-                        [&](const std::string& what) { progress.show(what); }});
-  }
-  folder.keep(run.run_id);
-  write_reports(run, folder.path());
-
-  if (arguments.json) {
-    std::fputs(render::json(run).c_str(), stdout);
-  } else {
-    const bool colour = isatty(STDOUT_FILENO) == 1;
-    std::fputs((colour ? render::coloured_terminal(run) : render::terminal(run)).c_str(), stdout);
-    std::printf("\nReport: %s\n", folder.file(render::find_format("html")->file).c_str());
-  }
-  return run.interrupted ? kInterrupted : exit_code_of(run.verdict);
+  OutputState output;
+  return output.exit_code_of([&] {
+    RunFolder folder(arguments.output_folder);
+    record::RunRecord run;
+    {
+      record::Writer writer(folder.file(kRecordFile));
+      const LiveOutput live(file, arguments.station);
+      Progress progress(plan.name);
+      run = station::run(plan, *station,
+                         {&writer, &interrupted, [&](double part) { progress.show(part); },
+                          [&](const std::string& what) { progress.show(what); },
+                          [&](const std::string& what) {
+                            progress.clear();
+                            output.note_unknown(what);
+                          }});
+    }
+    folder.keep(run.run_id);
+    report(run, folder, arguments.json);
+    return run.interrupted ? kInterrupted : exit_code_of(run.verdict);
+  });
 }
 
 void add_trace(CLI::App& command, profile::Overrides& overrides) {

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "live_output.hpp"
 #include "progress.hpp"
 
 #include <chrono>
@@ -45,6 +46,7 @@ int safe(const SafeArguments& arguments) {
                             holder));
   }
   const std::atomic<bool>& interrupted = catch_interrupts();
+  const LiveOutput live(file, arguments.station);
   Progress progress("safe " + file.name);
   const auto end = steady_clock::now() + duration<double>(arguments.wait_s);
   std::string name;

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "live_output.hpp"
 #include "progress.hpp"
 #include <seed_sweep/seed_sweep.hpp>
 

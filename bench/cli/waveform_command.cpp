@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "live_output.hpp"
 #include "output_file.hpp"
 #include "waveform_samples.hpp"
 

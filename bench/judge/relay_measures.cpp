@@ -97,7 +97,8 @@ Reading trip_time(const Case& c) {
                  : not_done("the contact did not open");
 }
 
-// Its uncertainty is what the frequency changes within the uncertainty of the opening's time.
+// The frequency changes within the uncertainty of the opening's time, and the source plays it with
+// a deviation of its own. Both are bounds, and not independent: the sum is taken.
 Reading operate_hz(const Case& c) {
   const auto opening = first_opening(c);
   if (!opening) {
@@ -108,7 +109,8 @@ Reading operate_hz(const Case& c) {
   const double opened_hz = c.reference.frequency_hz(at_s);
   return number(opened_hz,
                 std::max(std::fabs(c.reference.frequency_hz(at_s - within_s) - opened_hz),
-                         std::fabs(c.reference.frequency_hz(at_s + within_s) - opened_hz)));
+                         std::fabs(c.reference.frequency_hz(at_s + within_s) - opened_hz)) +
+                    1e-3 * c.uncertainty.frequency_mhz);
 }
 
 // A measure that requires a relay sense.

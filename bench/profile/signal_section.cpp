@@ -207,7 +207,8 @@ Key signal_keys() {
               tolerance("frequency_tolerance_mhz", "mHz", Tolerances{}.frequency_mhz,
                         "frequency, over windows of 200 ms"),
               tolerance("voltage_tolerance_pct", "%", Tolerances{}.voltage_pct,
-                        "voltage, relative to the nominal peak amplitude"),
+                        "voltage, with the accuracy of its amplitude, relative to the nominal peak "
+                        "amplitude"),
               tolerance("time_tolerance_ms", "ms", Tolerances{}.time_ms, "time"),
               amplitude_step_keys(), phase_jump_keys(), trace_keys()})
       .require("the signal to play, e.g. [signal] duration_s = 6.0");

@@ -101,8 +101,8 @@ Key dialect_keys() {
                       "the item of a comma list, by its number, or the name before "
                       "it")
                   .or_else("the whole answer"),
-              command("is_on", "answers that mean on, separated by `|`").require(),
-              command("is_off", "answers that mean off, separated by `|`").require(),
+              command("is_on", "answers that mean on, separated by vertical bars").require(),
+              command("is_off", "answers that mean off, separated by vertical bars").require(),
               command("next_error", "query of the error queue; 0 means no error")
                   .or_else("there is none")})
       .require();
@@ -117,7 +117,8 @@ Key setting_keys() {
               command("query", "asks it back").require(),
               command("field", "the item of a comma list, by its number, or the name before it")
                   .or_else("the whole answer"),
-              command("expected", "the answer; texts may be alternatives, separated by `|`")
+              command("expected",
+                      "the answer; texts may be alternatives, separated by vertical bars")
                   .require(),
               one_of("compare", names::kCompares, "how").by_default("text"),
               command("unit", "that may follow a number").or_else("none"),

@@ -14,8 +14,8 @@ struct PhysicalSlot {
   std::string place;
   std::string serial_number;  // the place if the file gives none
   bool has_serial_number = false;
-  std::string link;           // a port, "mqtt", or empty: a contact-only device
-  std::string relay;          // channel of the relay sense; empty: contact not sensed
+  std::string link;   // a port, "mqtt", or empty: a contact-only device
+  std::string relay;  // channel of the relay sense; empty: contact not sensed
 };
 
 constexpr const char* kByBroker = "mqtt";

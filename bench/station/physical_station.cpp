@@ -33,7 +33,7 @@ std::unique_ptr<Station> make_physical_station(const Wiring& wiring, const profi
   PhysicalParts parts;
   parts.name = wiring.name;
   parts.boot_s = wiring.source.boot_s;
-  parts.link = make_link(wiring.links);
+  parts.make_link = [links = wiring.links] { return make_link(links); };
   parts.ports = {wiring.port};
   SourceSettings settings = wiring.source;
   settings.tolerances = plan.stimulus.tolerances;
@@ -186,6 +186,13 @@ PhysicalStation::PhysicalStation(PhysicalParts parts) : parts_(std::move(parts))
   if (parts_.relay_sense == nullptr) {
     parts_.relay_sense = std::make_shared<NoRelaySense>();
   }
+}
+
+link::Link& PhysicalStation::link() {
+  if (link_ == nullptr) {
+    link_ = parts_.make_link();
+  }
+  return *link_;
 }
 
 std::chrono::milliseconds PhysicalStation::answers_within() const {

@@ -5,6 +5,7 @@
 #include "source_kind.hpp"
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ struct PhysicalParts {
   BuiltSource source;
   std::shared_ptr<relay::RelaySense> relay_sense;  // null: no contact is sensed
   std::string relay_aligned_by;
-  std::unique_ptr<link::Link> link;
+  // Called by the first link(), so that a dry run needs no password file.
+  std::function<std::unique_ptr<link::Link>()> make_link;
   std::vector<Slot> slots;
   double boot_s = 0.0;
   std::vector<std::string> ports;  // of the source, the relay sense and the outlets
@@ -32,7 +34,8 @@ class PhysicalStation final : public Station {
 
   std::string name() const override { return parts_.name; }
   source::Source& source() override { return *parts_.source.source; }
-  link::Link& link() override { return *parts_.link; }
+  // The first call throws keys::ConfigurationError if the password file cannot be read.
+  link::Link& link() override;
   relay::RelaySense& relay_sense() override { return *parts_.relay_sense; }
   std::vector<Slot> slots() const override { return parts_.slots; }
   std::chrono::milliseconds answers_within() const override;
@@ -46,6 +49,7 @@ class PhysicalStation final : public Station {
 
  private:
   PhysicalParts parts_;
+  std::unique_ptr<link::Link> link_;
 };
 
 }  // namespace gsbench::station

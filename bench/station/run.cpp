@@ -59,7 +59,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
   capture::Capture capture(plan.stimulus.sample_rate_hz);
   {
     const StoppableSource stoppable(station.source(), options.stop);
-    const SafeState safe_state(station.source(), station.link(), run.fault);
+    const SafeState safe_state(station.source(), station.link(), run.fault, options.output_unknown);
     if (options.writer != nullptr) {
       options.writer->begin(run);
     }

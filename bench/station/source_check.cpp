@@ -8,7 +8,8 @@
 namespace gsbench::station {
 
 Deviations deviations_of(const source::Played& played) {
-  return {1e3 * played.frequency_hz, 1e2 * played.voltage_pu, 1e3 * played.time_s};
+  return {1e3 * played.frequency_hz, 1e2 * (played.voltage_pu + played.amplitude_pu),
+          1e3 * played.time_s};
 }
 
 std::string beyond(const profile::Tolerances& tolerances, const Deviations& deviations) {

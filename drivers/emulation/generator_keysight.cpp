@@ -88,6 +88,21 @@ void Keysight::add_output() {
   }
 }
 
+// The front panel may have chosen another function than the last command.
+std::string_view Keysight::shape() const {
+  const GeneratorFunction now = state_.settings().function;
+  std::string_view last;
+  for (const KeysightFunction& row : kKeysightFunctions) {
+    if (row.function == now) {
+      if (row.name == shape_) {
+        return shape_;
+      }
+      last = row.name;
+    }
+  }
+  return last;
+}
+
 void Keysight::set_function(std::string_view argument) {
   for (const KeysightFunction& row : kKeysightFunctions) {
     if (is_form_of(argument, row.name)) {
@@ -108,7 +123,7 @@ void Keysight::set_function(std::string_view argument) {
 void Keysight::add_wave() {
   add(
       "[SOURce:]FUNCtion[:SHAPe]", [this](std::string_view argument) { set_function(argument); },
-      [this](std::string_view) { return short_form(shape_); });
+      [this](std::string_view) { return short_form(shape()); });
   add_number("[SOURce:]FREQuency[:CW][:FIXed]", &GeneratorSettings::frequency_hz, frequencies());
   add_number("[SOURce:]FUNCtion:SQUare:DCYCle", &GeneratorSettings::duty_pct, 0.01, 99.99);
   add_number("[SOURce:]FUNCtion:RAMP:SYMMetry", &GeneratorSettings::symmetry_pct, 0, 100);

@@ -27,6 +27,7 @@ class Keysight : public ScpiDialect {
   void set_levels(double low_v, double high_v);
   void select(std::string_view argument);
   void take_data(std::string_view argument, bool dac);
+  std::string_view shape() const;
   std::string_view unit() const;
   double volts_of(double amplitude) const;  // in the unit chosen, to peak to peak
   double amplitude_of(double vpp) const;

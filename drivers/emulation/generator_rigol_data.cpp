@@ -12,9 +12,6 @@ namespace {
 // The guide has packets of up to 16 384 points; two public drivers state that 8192 points, 16 384
 // bytes, are the most that works. So does this one.
 constexpr std::size_t kMostPacketBytes = 16384;
-// Users pause 50 to 200 ms between packets, or wait for *OPC?, because packets that follow each
-// other at once are lost.
-constexpr std::int64_t kPacket_steps = TrueTime::kRate_hz / 20;
 constexpr std::string_view kVolatile = "VOLATILE";
 
 }  // namespace
@@ -66,7 +63,9 @@ void Rigol::take_packet(std::string_view argument) {
   if (arrived_ < busy_until_) {
     return;  // lost, and not reported
   }
-  busy_until_ = arrived_ + kPacket_steps;
+  // Users pause 50 to 200 ms between packets, or wait for *OPC?, because packets that follow each
+  // other at once are lost.
+  busy_until_ = arrived_ + std::llround(state_.packet_pause_s() * TrueTime::kRate_hz);
   if (bytes->size() > kMostPacketBytes || bytes->size() / 2 < state_.facts().fewest_points) {
     error(bytes->size() > kMostPacketBytes ? -223 : -220,
           bytes->size() > kMostPacketBytes ? "Too much data" : "Parameter error");

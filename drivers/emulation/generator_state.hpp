@@ -40,6 +40,7 @@ class GeneratorState {
 
   const GeneratorFacts& facts() const { return facts_; }
   const TrueTime& time() const { return options_.time; }
+  double packet_pause_s() const { return options_.packet_pause_s; }
   const GeneratorSettings& settings() const { return settings_; }
   const GeneratorFaults& faults() const { return faults_; }
   void set_faults(const GeneratorFaults& faults) { faults_ = faults; }

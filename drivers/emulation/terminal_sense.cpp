@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include <emulation/terminal_sense.hpp>
@@ -18,6 +19,39 @@ constexpr double kDipUncertainty_s = 0.0003;
 constexpr double kPatience_s = 1.0;
 // Below this mean square (nominal is 0.5) a voltage is rising or off.
 constexpr double kLeastSquare_pu2 = 0.05;
+
+// Where the mean square of these samples falls below `ratio`, in samples.
+std::optional<double> dip_of(const std::vector<float>& samples, std::int64_t period, double ratio) {
+  DipFinder finder(period, ratio);
+  for (const float sample : samples) {
+    if (const auto found = finder.take(static_cast<double>(sample))) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+// The ratio for a dip to `level`, if it is found: one at which the mean square falls fast. It falls
+// as the square of the voltage, so fast at a peak and not at all at a zero crossing. A dip that
+// starts at a zero crossing has a quarter of its effect at the next peak, one that starts at a peak
+// half of its effect half a period later.
+std::optional<double> steepest_ratio(const std::vector<float>& samples, std::int64_t period,
+                                     double level) {
+  constexpr double kEffects[] = {0.25, 0.5};
+  constexpr double kBeside = 0.02;  // of the effect
+  std::optional<double> best_ratio;
+  double least_samples = std::numeric_limits<double>::infinity();
+  for (const double effect : kEffects) {
+    const auto ratio = [&](double part) { return 1.0 - part * (1.0 - level * level); };
+    const auto from = dip_of(samples, period, ratio(effect - kBeside));
+    const auto to = dip_of(samples, period, ratio(effect + kBeside));
+    if (from && to && *to - *from < least_samples) {
+      least_samples = *to - *from;
+      best_ratio = ratio(effect);
+    }
+  }
+  return best_ratio;
+}
 
 }  // namespace
 
@@ -62,21 +96,15 @@ TerminalSense::TerminalSense(const source::Stimulus& stimulus, const source::Sou
     return;
   }
   const double level = stimulus.amplitude_pu(dip) / steady_pu;
-  // A dip that starts at a zero crossing has a quarter of its effect after a quarter of a period,
-  // at the next peak. There the mean square falls fastest.
-  const double ratio = 0.75 + 0.25 * level * level;
   const std::int64_t period_ticks = stimulus.sample_rate_hz() / stimulus.nominal_hz();
-  DipFinder in_stimulus(period_ticks, ratio);
   std::vector<float> samples(
       static_cast<std::size_t>(std::min(dip + 2 * period_ticks, stimulus.total_ticks())));
   stimulus.render(0, samples.size(), samples.data());
-  for (const float sample : samples) {
-    if (const auto found = in_stimulus.take(static_cast<double>(sample))) {
-      // A tick is an instant, a step an interval: sample n stands for n − ½ … n + ½.
-      dip_ticks_ = *found - 0.5;
-      finder_.emplace(TrueTime::kRate_hz / stimulus.nominal_hz(), ratio);
-      return;
-    }
+  const std::optional<double> ratio = steepest_ratio(samples, period_ticks, level);
+  if (const auto found = ratio ? dip_of(samples, period_ticks, *ratio) : std::nullopt) {
+    // A tick is an instant, a step an interval: sample n stands for n − ½ … n + ½.
+    dip_ticks_ = *found - 0.5;
+    finder_.emplace(TrueTime::kRate_hz / stimulus.nominal_hz(), *ratio);
   }
 }
 

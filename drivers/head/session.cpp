@@ -165,7 +165,9 @@ Status Session::switch_off() {
   if (!off.ok()) {
     return Error{fmt::format(
         "output state unknown: {}. A DAC head switches its output off by itself within 250 ms of "
-        "the last message; check the voltage at the outlets before touching them",
+        "the last message. If in doubt, switch its supply off by hand; check the voltage at the "
+        "outlets "
+        "before touching them",
         off.error())};
   }
   return off;

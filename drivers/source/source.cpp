@@ -112,9 +112,12 @@ Status Source::enter(State next, Status answer) {
 }
 
 Result<Played> Source::check(const Stimulus& stimulus) const {
-  Result<Played> played = preview(stimulus);
-  const Status playable = played.ok() ? within_full_scale(limits(), stimulus) : Status(Done{});
-  return playable.ok() ? played : Error{playable.error()};
+  Status playable = within(limits(), stimulus);
+  if (playable.ok()) {
+    playable = within_full_scale(limits(), stimulus);
+  }
+  // Drivers compute the deviation of samples within full scale only.
+  return playable.ok() ? deviation(stimulus) : Error{playable.error()};
 }
 
 Result<Played> Source::preview(const Stimulus& stimulus) const {

@@ -13,6 +13,24 @@ const char* plural(std::size_t count) {
   return count == 1 ? "" : "s";
 }
 
+std::vector<std::string> how_played(const record::RunRecord& run) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from < run.source.how.size();) {
+    const std::size_t end = std::min(run.source.how.find('\n', from), run.source.how.size());
+    lines.push_back(valid_text(run.source.how.substr(from, end - from)));
+    from = end + 1;
+  }
+  return lines;
+}
+
+// "0.25 mHz, 1.5 %, 0.12 ms".
+std::string deviations(const record::RunRecord& run) {
+  const record::BenchUncertainty& played = run.bench_uncertainty;
+  return fmt::format("{}, {}, {}", with_unit(figure(played.frequency_mhz, 2), "mHz"),
+                     with_unit(figure(played.voltage_pct, 2), "%"),
+                     with_unit(figure(played.time_ms, 2), "ms"));
+}
+
 }  // namespace
 
 std::vector<Shortfall> shortfalls(const record::RunRecord& run) {
@@ -78,19 +96,24 @@ std::vector<std::string> source_lines(const record::RunRecord& run) {
   if (run.source.accuracy.empty()) {
     return {};
   }
-  const record::BenchUncertainty& played = run.bench_uncertainty;
   std::vector<std::string> lines = {valid_text(run.source.name)};
-  for (std::size_t from = 0; from < run.source.how.size();) {
-    const std::size_t end = std::min(run.source.how.find('\n', from), run.source.how.size());
-    lines.push_back(valid_text(run.source.how.substr(from, end - from)));
-    from = end + 1;
+  for (const std::string& line : how_played(run)) {
+    lines.push_back(line);
   }
-  lines.push_back(fmt::format("Largest deviations from the profile: {}, {}, {} ({})",
-                              with_unit(figure(played.frequency_mhz, 2), "mHz"),
-                              with_unit(figure(played.voltage_pct, 2), "%"),
-                              with_unit(figure(played.time_ms, 2), "ms"),
+  lines.push_back(fmt::format("Largest deviations from the profile: {} ({})", deviations(run),
                               valid_text(run.source.accuracy)));
   return lines;
+}
+
+std::vector<std::string> source_in_short(const record::RunRecord& run) {
+  if (run.source.accuracy.empty()) {
+    return {};
+  }
+  const std::vector<std::string> how = how_played(run);
+  return {
+      fmt::format("Source: {}{}", valid_text(run.source.name), how.empty() ? "" : ": " + how[0]),
+      fmt::format("At most {} from the profile; {}", deviations(run),
+                  valid_text(run.source.accuracy))};
 }
 
 bool has_clocks(const record::RunRecord& run) {

@@ -19,6 +19,8 @@ std::vector<const record::OutletRecord*> faulty_outlets(const record::RunRecord&
 
 // What played the signal, how, and how accurately: lines. Empty if it was played exactly.
 std::vector<std::string> source_lines(const record::RunRecord& run);
+// The same in two lines, for a terminal: what is played, and the largest deviations.
+std::vector<std::string> source_in_short(const record::RunRecord& run);
 
 // False if all devices count the ticks of a source that plays exactly: nothing was aligned.
 bool has_clocks(const record::RunRecord& run);

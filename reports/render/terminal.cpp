@@ -140,8 +140,8 @@ std::string text_of(const record::RunRecord& run, Target target) {
   if (missed.size() > kMostTerminalShortfalls) {
     text.add(fmt::format("… and {} more", missed.size() - kMostTerminalShortfalls));
   }
-  for (const std::string& line : source_lines(run)) {
-    text.add("Source: " + one_line(line));
+  for (const std::string& line : source_in_short(run)) {
+    text.add(one_line(line));
   }
   if (has_clocks(run)) {
     for (const record::AlignedClock& clock : run.clocks) {

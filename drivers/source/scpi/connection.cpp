@@ -1,6 +1,7 @@
 #include "connection.hpp"
 
 #include "text.hpp"
+#include "waveform_answer.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -21,37 +22,6 @@ constexpr const char* kIdentify = "*IDN?";
 constexpr std::size_t kSentAtOnce = 16384;
 // An instrument that writes to its memory accepts nothing for a while.
 constexpr auto kSendingPatience = std::chrono::seconds(2);
-constexpr std::size_t kLongestHeader = 1000;
-
-struct WaveformHeader {
-  std::size_t data = 0;  // position of the first byte
-  std::size_t bytes = 0;
-};
-
-// nullopt: not complete yet.
-Result<std::optional<WaveformHeader>> waveform_header(const std::vector<std::uint8_t>& received) {
-  const std::string text(
-      received.begin(),
-      received.begin() + static_cast<std::ptrdiff_t>(std::min(received.size(), kLongestHeader)));
-  constexpr const char* kData = "WAVEDATA,";
-  const std::size_t data = text.find(kData);
-  if (data == std::string::npos) {
-    if (received.size() > kLongestHeader || text.find('\n') != std::string::npos) {
-      return Error{fmt::format("\"{}\" has no WAVEDATA", printable(text))};
-    }
-    return std::optional<WaveformHeader>();
-  }
-  const Result<std::string> length = value_in(text.substr(0, data) + "WAVEDATA", "LENGTH");
-  if (!length.ok()) {
-    return Error{length.error()};
-  }
-  const Result<double> bytes = number_in(length.value(), "B");
-  if (!bytes.ok() || bytes.value() < 0.0 || bytes.value() > 1e9) {
-    return Error{fmt::format("\"{}\" is no number of bytes", printable(length.value()))};
-  }
-  return std::optional<WaveformHeader>(
-      {data + std::string(kData).size(), static_cast<std::size_t>(bytes.value())});
-}
 
 }  // namespace
 

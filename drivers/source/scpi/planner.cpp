@@ -44,7 +44,7 @@ drivers::Status within_tolerances(const Instrument& instrument, const ChosenRate
     double limit;
     const char* unit;
   } checks[] = {{"the frequency", played.frequency_hz * 1e3, allowed.frequency_hz * 1e3, "mHz"},
-                {"the voltage", played.voltage_pu, allowed.voltage_pu, "pu"},
+                {"the voltage", 1e2 * played.voltage_pu, 1e2 * allowed.voltage_pu, "%"},
                 {"the time", played.time_s * 1e3, allowed.time_s * 1e3, "ms"}};
   for (const auto& check : checks) {
     if (!(check.found <= check.limit)) {
@@ -73,9 +73,8 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
                                    ? "verified by the instrument's error queue"
                                    : "not verified: the instrument has no means for it";
   std::vector<std::string> how = {
-      instrument.title,
-      fmt::format("{} points at {:.8g} Sa/s, {}; {:.2f} s, played once", plan.codes.size(),
-                  plan.rate_hz, between, plan.duration_s),
+      fmt::format("{} points at {:.8g} Sa/s, played once", plan.codes.size(), plan.rate_hz),
+      fmt::format("{:.2f} s; points are {}", plan.duration_s, between),
       fmt::format("{} s soft rise, {} s for outlets to boot, {} s margin; the stimulus begins "
                   "after {:.3f} s",
                   options.rise_s, options.boot_s, options.margin_s, plan.lead_s),
@@ -83,12 +82,12 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
                   "of the DAC is {:.3g} V",
                   plan.amplitude_vpp, options.wiring.gain, step_v),
       fmt::format("upload of {} bytes, {}", plan.bytes(), verified),
-      fmt::format("deviations: frequency {:.3g} mHz from the waveform and {:.3g} mHz from the "
-                  "clock; voltage {:.2g} pu from the waveform and {:.2g} pu from the amplitude; "
-                  "time {:.3g} ms",
-                  1e3 * waveform.frequency_hz,
-                  1e3 * (plan.played.frequency_hz - waveform.frequency_hz), waveform.voltage_pu,
-                  plan.played.voltage_pu - waveform.voltage_pu, 1e3 * plan.played.time_s)};
+      fmt::format(
+          "deviations: frequency {:.3g} mHz from the waveform and {:.3g} mHz from the "
+          "clock; voltage {:.2g} % from the waveform and {:.2g} % from the amplitude; "
+          "time {:.3g} ms",
+          1e3 * waveform.frequency_hz, 1e3 * (plan.played.frequency_hz - waveform.frequency_hz),
+          1e2 * waveform.voltage_pu, 1e2 * plan.played.amplitude_pu, 1e3 * plan.played.time_s)};
   if (plan.largest_nudge > 0) {
     how.push_back(
         fmt::format("codes that contain a newline are moved by up to {} of {} of full "
@@ -96,8 +95,8 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
                     plan.largest_nudge, instrument.full_scale_code()));
   }
   how.push_back(
-      fmt::format("not calibrated: accuracy from the instrument's table (clock {} ppm, "
-                  "amplitude {} %, trigger ±{} ms)",
+      fmt::format("accuracy from the instrument's table: clock ±{} ppm, amplitude ±{} %, trigger "
+                  "±{} ms",
                   table.clock_ppm, table.amplitude_pct, 1e3 * table.trigger_uncertainty_s));
   return how;
 }
@@ -105,8 +104,12 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
 }  // namespace
 
 double full_scale_pu(const Instrument& instrument, const Wiring& wiring) {
-  const double instrument_v = 0.5 * instrument.amplitude.highest_vpp * wiring.gain / kSqrt2;
-  return std::min(instrument_v, wiring.voltage_limit_v) / wiring.nominal_v;
+  const Amplitude& range = instrument.amplitude;
+  const double limit_vpp = 2.0 * kSqrt2 * wiring.voltage_limit_v / wiring.gain;
+  const double settable_vpp =
+      std::floor(limit_vpp / range.resolution_vpp + 1e-6) * range.resolution_vpp;
+  return 0.5 * std::min(range.highest_vpp, settable_vpp) * wiring.gain /
+         (kSqrt2 * wiring.nominal_v);
 }
 
 Result<Plan> make_plan(const source::Stimulus& stimulus, const Instrument& instrument,
@@ -154,12 +157,11 @@ Result<Plan> make_plan(const source::Stimulus& stimulus, const Instrument& instr
   const Accuracy& table = instrument.accuracy;
   plan.played.frequency_hz =
       waveform.frequency_hz + 1e-6 * table.clock_ppm * highest_frequency(stimulus);
-  plan.played.voltage_pu =
-      waveform.voltage_pu + 0.01 * table.amplitude_pct * peak_of(ideal.voltage_pu);
+  plan.played.voltage_pu = waveform.voltage_pu;
+  plan.played.amplitude_pu = 0.01 * table.amplitude_pct * peak_of(ideal.voltage_pu);
   // The trigger's uncertainty shifts the whole run: it is that of the source's host_clock().
   plan.played.time_s = 1e-6 * table.clock_ppm * plan.duration_s;
-  const Played judged{plan.played.frequency_hz, waveform.voltage_pu, plan.played.time_s};
-  if (const auto accepted = within_tolerances(instrument, rate, judged, options.tolerances);
+  if (const auto accepted = within_tolerances(instrument, rate, plan.played, options.tolerances);
       !accepted.ok()) {
     return Error{accepted.error()};
   }

@@ -45,8 +45,11 @@ class Session {
   template <class Step>
   drivers::Status reconnecting(const Step& step);
   drivers::Status load_once(const Plan& plan, const source::Progress& progress);
+  drivers::Status reset();
+  drivers::Status clear_memory();
   drivers::Status upload(const Plan& plan, const source::Progress& progress);
   drivers::Status upload_packets(const Plan& plan, const source::Progress& progress);
+  drivers::Status output_still_off();
   drivers::Status verify(const Plan& plan);
   drivers::Status set(When when);
   drivers::Status compare(const Setting& setting, const std::string& answer) const;

@@ -17,6 +17,8 @@ constexpr int kHighestMultiple = 4;
 // With fewer points a period, the fundamental itself would be distorted.
 constexpr double kFewestPerPeriod = 20.0;
 constexpr double kRounding = 1e-9;
+// Samples are single-precision: a peak at a step of the amplitude may be this part of it above.
+constexpr double kRoundingOfPeak = 1e-3;
 
 // The highest rate the instrument can be set to that is not above `wanted_hz`.
 double settable_rate(const Instrument& instrument, double wanted_hz) {
@@ -85,7 +87,8 @@ Result<double> choose_amplitude(const Instrument& instrument, const Wiring& wiri
   }
   const Amplitude& range = instrument.amplitude;
   const double needed_vpp = 2.0 * peak_v / wiring.gain;
-  const double vpp = std::ceil(needed_vpp / range.resolution_vpp - 1e-6) * range.resolution_vpp;
+  const double vpp =
+      std::ceil(needed_vpp / range.resolution_vpp - kRoundingOfPeak) * range.resolution_vpp;
   if (vpp > range.highest_vpp * (1.0 + kRounding)) {
     return Error{
         fmt::format("{}: {:.5g} Vpp are needed for {:.5g} V peak at the outlets with a "

@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <sstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@
 #include <emulation/head_emulator.hpp>
 #include <emulation/wire.hpp>
 #include <profile/load.hpp>
+#include <render/layout.hpp>
 #include <station/run.hpp>
 #include <station/station_file.hpp>
 #include <station/station_lock.hpp>
@@ -28,7 +30,9 @@
 namespace gsbench::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr double kGain = 236.0;
 
@@ -179,9 +183,17 @@ TEST_F(PhysicalRun, AGeneratorPlaysToAnOutletAndIsOffAfterwards) {
               fmt::format("[[outlet]]\nplace = \"a\"\nlink = \"{}\"\n", link()));
   const std::string profile = folder_.write("steady.toml", kSteady);
   const Outcome outcome =
-      run_gsbench({"run", profile, "--station", lab, "--out", folder_.file("runs"), "--json"});
+      run_gsbench({"run", profile, "--station", lab, "--out", folder_.file("runs")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("outlet-7"));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("outlet-7"),
+                                 HasSubstr("\nSource: Siglent SDG2000X at " + generator->port() +
+                                           ": 265921 points at 32000 Sa/s, played once\nAt most "),
+                                 Not(HasSubstr("soft rise"))));
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_TRUE(render::columns_of(line) <= render::kLineColumns || line.rfind("Report: ", 0) == 0)
+        << line;
+  }
   EXPECT_FALSE(generator->output_is_on());
   emulation::PanelChange on;
   on.output_on = true;

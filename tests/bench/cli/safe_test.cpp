@@ -158,6 +158,14 @@ TEST_F(SafeCommand, DryRunRefusesATighterTolerance) {
       "mHz");
 }
 
+// The second station has no password file.
+TEST_F(SafeCommand, CompareRefusesAStationBeforeItPlaysAtAnother) {
+  generator_->clear_messages();
+  expect_refused({"compare", profile(), "--station", station(), "--station", "generator"},
+                 "cannot read a password");
+  EXPECT_TRUE(generator_->messages().empty());
+}
+
 // The head's time stands still, so that it does not switch off because its bench is silent.
 TEST(SafeOnAHead, SwitchesTheOutputOff) {
   RunningHead head(HeadPace::kRealTime);

@@ -64,6 +64,19 @@ TEST(Relay, ReportDifferenceIsNegativeIfTheContactOpensFirst) {
   EXPECT_NEAR(c.read("relay.report_difference").value, -10.0, 1e-9);
 }
 
+// A relay that opens at its highest permitted frequency, in steady frequency.
+TEST(Relay, OperateFrequencyIsAsUncertainAsThePlayedFrequency) {
+  SyntheticCase c = with_edges({{1000, false}});
+  c.uncertainty.frequency_mhz = 1.5;
+  const Reading opened = c.read("relay.operate_hz");
+  EXPECT_EQ(opened.value, 50.0);
+  EXPECT_NEAR(opened.uncertainty, 1.5e-3, 1e-12);
+  EXPECT_EQ(verdict(c, limits("relay.operate_hz", std::nullopt, 50.0)),
+            record::Verdict::kInconclusive);
+  EXPECT_EQ(verdict(c, limits("relay.operate_hz", std::nullopt, 50.0016)), record::Verdict::kPass);
+  EXPECT_EQ(verdict(c, limits("relay.operate_hz", std::nullopt, 49.998)), record::Verdict::kFail);
+}
+
 TEST(Relay, CommandDelayEndsAtTheCommandedChange) {
   SyntheticCase c = commanded();
   c.remove_marks("command");

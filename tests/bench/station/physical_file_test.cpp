@@ -97,6 +97,21 @@ TEST_F(PhysicalFile, RequiresTheSerialNumbersThatItStates) {
   EXPECT_EQ(station->slots()[1].serial_number, "GS-7");
 }
 
+TEST_F(PhysicalFile, NeedsAPasswordOnlyForItsLink) {
+  const auto station =
+      load(std::string(kSourceOfSlots) +
+           "[mqtt]\nurl = \"mqtt://127.0.0.1:1\"\nuser = \"bench\"\npassword_file = \"pw\"\n"
+           "[[outlet]]\nplace = \"a\"\nserial_number = \"GS-7\"\nlink = \"mqtt\"\n")
+          .make_station(plan(1.0), {});
+  const auto refusal = [&] {
+    return gsbench::test::refusal_of<profile::ConfigurationError>([&] { (void)station->link(); });
+  };
+  EXPECT_EQ(refusal(),
+            folder_.file("pw") + ": cannot read a password from the first line of this file");
+  (void)folder_.write("pw", "secret\n");
+  EXPECT_EQ(refusal(), "");
+}
+
 TEST_F(PhysicalFile, RefusesAnInstrumentThatIsUnknown) {
   const auto refusal = [&](const std::string& instrument) {
     std::string text = on_modem_lines("/dev/nowhere-0 CTS", "/dev/nowhere-1 CTS");

@@ -273,6 +273,24 @@ TEST_F(RecordedRunEnd, RecordThatCannotBeWrittenAtTheEndThrows) {
   EXPECT_EQ(station_.blocks_played(), kBlocks);
 }
 
+TEST_F(RecordedRunEnd, RecordThatCannotBeWrittenDoesNotHideThatTheStateIsUnknown) {
+  FakeStation welded(with(&Script::make_safe_error, "fake source: relay welded"));
+  std::string unknown;
+  options_.output_unknown = [&](const std::string& what) { unknown = what; };
+  options_.progress = [&](double part) {
+    if (part == 1.0) {
+      writer_.finish({});
+    }
+  };
+  EXPECT_ANY_THROW(run(one_second(), welded, options_));
+  EXPECT_THAT(unknown, HasSubstr("output state unknown: fake source: relay welded"));
+}
+
+TEST_F(RecordedRunEnd, KnownStateIsNotReportedAsUnknown) {
+  options_.output_unknown = [](const std::string& what) { ADD_FAILURE() << what; };
+  EXPECT_EQ(run(one_second(), station_, options_).verdict, Verdict::kPass);
+}
+
 TEST_F(RecordedRunEnd, InvalidSettingsEndTheRunBeforeAnyDeviceIsUsed) {
   profile::Plan refused = one_second();
   refused.outlets[1].settings.settings["threshold_mw"] = -1.0;

@@ -9,6 +9,7 @@
 
 #include <keys/table.hpp>
 #include <profile/files.hpp>
+#include <station/dry_run.hpp>
 #include <station/instrument_file.hpp>
 #include <station/played_signal.hpp>
 #include <station/station_file.hpp>
@@ -115,7 +116,22 @@ TEST(ShippedStations, HaveAnInterlockThatActsBelowTheFullScaleOfTheInstrument) {
     EXPECT_THAT(refusal_of_level(source, path, beyond_pu), HasSubstr("the voltage limit"));
   };
   EXPECT_THAT(each_source("emulated", check), ElementsAre("head-emulated", "scpi-emulated"));
-  EXPECT_THAT(each_source("physical", check), ElementsAre("generator", "head"));
+  EXPECT_THAT(each_source("physical", check),
+              ElementsAre("generator", "generator-contact-only", "head", "head-contact-only"));
+}
+
+// As bench/station/README.md has it done with copies of them. There is no file with a password.
+TEST(ShippedStations, PassADryRunOfTheProfilesThatTheirGuideNames) {
+  const auto slots_of = [](const std::string& station, const std::string& profile) {
+    const StationFile file = load_station(station);
+    const profile::Plan plan = fit_to_station(file, profile::load_profile(profile));
+    const std::unique_ptr<Station> made = file.make_station(plan, {});
+    return dry_run(plan, *made).slots.size();
+  };
+  EXPECT_EQ(slots_of("generator", "paper/loss-500mw"), 2U);
+  EXPECT_EQ(slots_of("head", "paper/loss-500mw"), 2U);
+  EXPECT_EQ(slots_of("generator-contact-only", "regression/contact-only"), 1U);
+  EXPECT_EQ(slots_of("head-contact-only", "regression/contact-only"), 1U);
 }
 
 // Hours are left out, and tolerances: they are about other things than the highest voltage.

@@ -47,6 +47,20 @@ TEST(SourceCheck, RunIsRefusedBeforeAnythingIsTouched) {
             record::Verdict::kPass);
 }
 
+// 1.5 % of the waveform and 1 % of the amplitude.
+TEST(SourceCheck, AccuracyOfTheAmplitudeCountsOnceBesideThePlannedVoltage) {
+  FakeStation station(instrument({0.0, 0.015, 0.0, {}, 0.01}));
+  EXPECT_THAT(gsbench::test::refusal_of<profile::ConfigurationError>(
+                  [&] { (void)run(plan(0.5), station, {}); }),
+              HasSubstr("voltage by 2.5 % (voltage_tolerance_pct is 2)"));
+  EXPECT_THAT(gsbench::test::refusal_of<profile::ConfigurationError>(
+                  [&] { (void)run(plan(0.5, "voltage_tolerance_pct = 2.49\n"), station, {}); }),
+              HasSubstr("voltage by 2.5 %"));
+  const record::RunRecord record = run(plan(0.5, "voltage_tolerance_pct = 2.51\n"), station, {});
+  EXPECT_EQ(record.verdict, record::Verdict::kPass);
+  EXPECT_NEAR(record.bench_uncertainty.voltage_pct, 2.5, 1e-9);
+}
+
 TEST(SourceCheck, SourceThatFindsMoreWhenItIsPreparedIsNotEnergised) {
   Script script = instrument({0.0021, 0.0, 0.0});
   script.accuracy = "";  // no check before prepare()

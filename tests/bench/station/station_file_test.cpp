@@ -224,8 +224,9 @@ TEST(Stations, ShippedOnesAreReadableAndAreNotListedAsProfiles) {
     names.push_back(station.name);
     EXPECT_NO_THROW((void)load_station(station.name)) << station.title;
   }
-  EXPECT_THAT(names, ElementsAre("contact-only", "emulated", "generator", "head", "head-emulated",
-                                 "mqtt", "scpi-emulated", "serial", "simulated"));
+  EXPECT_THAT(names, ElementsAre("contact-only", "emulated", "generator", "generator-contact-only",
+                                 "head", "head-contact-only", "head-emulated", "mqtt",
+                                 "scpi-emulated", "serial", "simulated"));
   for (const profile::ProfileSummary& profile : profile::list_profiles()) {
     EXPECT_EQ(profile.name.rfind("stations/", 0), std::string::npos) << profile.name;
   }

@@ -37,6 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Emulated, AnyRelaySense, testing::Values(&emulated_sens
 INSTANTIATE_TEST_SUITE_P(Head, AnyRelaySense, testing::Values(&head_sense));
 INSTANTIATE_TEST_SUITE_P(Counter, AnyRelaySense, testing::Values(&counter_sense));
 INSTANTIATE_TEST_SUITE_P(ModemLine, AnyRelaySense, testing::Values(&modem_line_sense));
+INSTANTIATE_TEST_SUITE_P(Terminals, AnyRelaySense, testing::Values(&terminal_sense));
 
 TEST_P(AnyRelaySense, ReportsAnOpeningOnceByChannelAndTick) {
   EXPECT_TRUE(polled().empty());

@@ -17,10 +17,16 @@ const GeneratorCase kGeneratorCases[4] = {
     {"Dg1062z", "rigol-dg1000z", GeneratorModel::kDg1062z},
     {"K33522b", "keysight-33500b", GeneratorModel::k33522b}};
 
+namespace {
+
+constexpr double kPacketPause_s = 0.02;  // packets that come faster are lost
+
+}  // namespace
+
 scpi::Instrument quick_instrument(const GeneratorCase& of) {
   scpi::Instrument instrument = station::load_instrument(of.instrument);
-  // Packets that come faster than every 50 ms are lost.
-  instrument.timing = {0.0, instrument.timing.packet_s > 0.0 ? 0.06 : 0.0, 0.0, 0.0, 0.0};
+  instrument.timing = {0.0, instrument.timing.packet_s > 0.0 ? kPacketPause_s + 0.02 : 0.0, 0.0,
+                       0.0, 0.0};
   // An emulator is triggered when the message arrives.
   instrument.accuracy.trigger_latency_s = 0.0;
   instrument.memory.points = std::min<std::int64_t>(instrument.memory.points, 20000);
@@ -34,6 +40,7 @@ GeneratorRig::GeneratorRig(const GeneratorCase& of, double clock_ppm)
   emulated.model = of.model;
   emulated.clock_ppm = clock_ppm;
   emulated.time = time;
+  emulated.packet_pause_s = kPacketPause_s;
   auto started = emulation::Generator::start(emulated);
   if (!started.ok()) {
     throw std::runtime_error(started.error());
@@ -43,9 +50,11 @@ GeneratorRig::GeneratorRig(const GeneratorCase& of, double clock_ppm)
   options.plan.boot_s = 0.0;
   options.plan.tolerances.voltage_pu = 0.1;  // 16 384 points
   options.plan.rise_s = 0.05;
-  options.plan.margin_s = 0.4;
+  options.plan.margin_s = 0.25;
   options.plan.fall_s = 0.05;
-  options.make_safe_s = 1.0;
+  options.make_safe_s = 0.4;
+  // Once in hold(), start() and advance(), which waits from 0.25 to 0.4 s after energise().
+  options.check_every_s = 0.15;
 }
 
 Abilities GeneratorRig::abilities() const {
@@ -60,7 +69,7 @@ Abilities GeneratorRig::abilities() const {
   }
   const std::size_t most_ahead = instrument.dialect.reset.size() + largest_group + 1;
   return {"\"Maker,Oscilloscope,1,2\" is not", "within 0.3 s", 16, most_ahead, true, true,
-          std::chrono::milliseconds(400)};
+          std::chrono::milliseconds(100)};
 }
 
 void GeneratorRig::set_answers(Answers answers) {
@@ -68,7 +77,7 @@ void GeneratorRig::set_answers(Answers answers) {
   faults.silent = answers == Answers::kNone;
   faults.half_answers = answers == Answers::kHalf;
   faults.garbage_answers = answers == Answers::kGarbage;
-  faults.answer_delay_s = answers == Answers::kSlow      ? 0.02
+  faults.answer_delay_s = answers == Answers::kSlow      ? 0.01
                           : answers == Answers::kTooSlow ? 2.0 * instrument.timing.answer_s
                                                          : 0.0;
   generator_->set_faults(faults);
@@ -129,7 +138,7 @@ std::string first_error_of_run(source::Source& source, const source::Stimulus& s
   }
   for (std::int64_t tick = 0; tick < stimulus.total_ticks();) {
     announce("advance");
-    const auto played = source.advance(std::min(tick + 800, stimulus.total_ticks()));
+    const auto played = source.advance(std::min(tick + 400, stimulus.total_ticks()));
     if (!played.ok()) {
       return played.error();
     }

@@ -25,7 +25,7 @@ extern const GeneratorCase kGeneratorCases[4];
 // answers.
 scpi::Instrument quick_instrument(const GeneratorCase& of);
 
-class GeneratorRig final : public InstrumentRig {
+class GeneratorRig : public InstrumentRig {
  public:
   explicit GeneratorRig(const GeneratorCase& of, double clock_ppm = 0.0);
 

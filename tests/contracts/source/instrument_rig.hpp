@@ -1,5 +1,6 @@
 // Adapters for the conformance suite of drivers of instruments: an emulated instrument with faults,
-// and sources that drive it. A driver joins with a rig and a line in conformance_test.cpp.
+// and sources that drive it. A driver joins with a rig and a line in conformance_test.cpp and
+// every_command_test.cpp.
 #pragma once
 
 #include <chrono>
@@ -36,7 +37,8 @@ class InstrumentRig {
   virtual ~InstrumentRig() = default;
   virtual Abilities abilities() const = 0;
   // Another source for the same instrument, as of another bench process. Its time for outlets to
-  // boot is 0, and make_safe() tries for about a second.
+  // boot is 0, and make_safe() tries for 0.4 s or
+  // more.
   virtual std::shared_ptr<source::Source> make_source() = 0;
 
   virtual bool output_is_on() = 0;
@@ -66,5 +68,6 @@ std::unique_ptr<InstrumentRig> sdg2042x();
 std::unique_ptr<InstrumentRig> dg1062z();
 std::unique_ptr<InstrumentRig> k33522b();
 std::unique_ptr<InstrumentRig> dac_head();
+std::unique_ptr<InstrumentRig> serial_sdg2042x();
 
 }  // namespace gsbench::test

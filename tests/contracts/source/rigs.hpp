@@ -26,6 +26,7 @@ class SourceRig {
 std::unique_ptr<SourceRig> simulated_source();
 std::unique_ptr<SourceRig> emulated_mains();
 std::unique_ptr<SourceRig> head_source();
+std::unique_ptr<SourceRig> scpi_source();
 // Not drivers: models of the other two kinds of source.
 std::unique_ptr<SourceRig> loaded_source();
 std::unique_ptr<SourceRig> stepped_source();

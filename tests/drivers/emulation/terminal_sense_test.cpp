@@ -21,8 +21,8 @@ constexpr double kTurn = 6.283185307179586;
 
 // Nominal voltage of 50 Hz with a dip to 60 % from 0.5 s to 0.7 s.
 struct WithADip final : source::Stimulus {
-  static double voltage_pu(double t_s) {
-    return (t_s >= 0.5 && t_s < 0.7 ? 0.6 : 1.0) * std::sin(kTurn * 50.0 * t_s);
+  double voltage_pu(double t_s) const {
+    return (t_s >= 0.5 && t_s < 0.7 ? 0.6 : 1.0) * std::sin(kTurn * (50.0 * t_s + phase_turns));
   }
   std::int64_t sample_rate_hz() const override { return 8000; }
   std::int64_t total_ticks() const override { return 8000; }
@@ -39,6 +39,7 @@ struct WithADip final : source::Stimulus {
     }
   }
   bool has_dip = true;
+  double phase_turns = 0.0;  // of the voltage at the start of the dip
 };
 
 class AtTheTerminals : public testing::Test {
@@ -46,6 +47,9 @@ class AtTheTerminals : public testing::Test {
   // Silence, a soft rise over 0.5 s, nominal voltage, then the stimulus from `start_s` on, with the
   // source's clock 200 ppm fast, at `scale` of its voltage.
   void play(double start_s, double scale, double noise_pu = 0.0) {
+    play(sense_, start_s, scale, noise_pu);
+  }
+  void play(TerminalSense& sense, double start_s, double scale, double noise_pu) const {
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0.0, 1.0);
     std::vector<float> pu(static_cast<std::size_t>((start_s + 1.0) * TrueTime::kRate_hz));
@@ -53,11 +57,11 @@ class AtTheTerminals : public testing::Test {
       const double t_s = (static_cast<double>(step) + 0.5) / TrueTime::kRate_hz;
       const double rise = std::min(std::max((t_s - 0.2) / 0.5, 0.0), 1.0);
       pu[step] =
-          static_cast<float>(scale * rise * WithADip::voltage_pu((t_s - start_s) * (1.0 + 200e-6)) +
+          static_cast<float>(scale * rise * stimulus_.voltage_pu((t_s - start_s) * (1.0 + 200e-6)) +
                              noise_pu * noise(random));
     }
     for (std::size_t step = 0; step < pu.size(); step += 128) {
-      sense_.seen(pu.data() + step, std::min<std::size_t>(128, pu.size() - step));
+      sense.seen(pu.data() + step, std::min<std::size_t>(128, pu.size() - step));
     }
   }
   double tick_0_s() const { return sense_.alignment().count_at_tick_0 / TrueTime::kRate_hz; }
@@ -83,6 +87,20 @@ TEST_F(AtTheTerminals, NoiseMovesTick0WithinTheStatedUncertainty) {
   play(1.5, 1.0, 0.01);
   EXPECT_NEAR(tick_0_s(), 1.5, sense_.alignment().uncertainty_ticks / 8000.0);
   EXPECT_NEAR(sense_.alignment().uncertainty_ticks, 2.4 + 1.0, 1e-9);
+}
+
+// A dip need not start at a zero crossing. Elsewhere it is a step, whose instant is known to half a
+// tick, 62.5 µs.
+TEST_F(AtTheTerminals, ADipAtAnyPhaseGivesTick0) {
+  for (double phase_turns = 0.0; phase_turns < 1.0; phase_turns += 1.0 / 24.0) {
+    stimulus_.phase_turns = phase_turns;
+    for (const auto& [noise_pu, within_s] : {std::pair(0.0, 75e-6), std::pair(0.01, 300e-6)}) {
+      TerminalSense sense(stimulus_, source_, 200.0, time_);
+      play(sense, 1.3, 1.0, noise_pu);
+      EXPECT_NEAR(sense.alignment().count_at_tick_0 / TrueTime::kRate_hz, 1.3, within_s)
+          << phase_turns << ", noise " << noise_pu;
+    }
+  }
 }
 
 TEST_F(AtTheTerminals, EdgesWaitForTheDip) {

@@ -20,6 +20,9 @@ struct RunOptions {
   std::function<void(double part)> progress;  // share played, 0 … 1
   // What the run waits for before it plays: "waiting for outlets: 2 of 4 joined, 18 s left".
   std::function<void(const std::string& what)> waiting = {};
+  // Called at once if the source could not be made safe, with what a user must know. Also if run()
+  // throws afterwards, so that another error cannot hide it. Must not throw.
+  std::function<void(const std::string& what)> output_unknown = {};
 };
 
 // Blocks until the run has ended. A fault of the bench, a fault of an outlet or a stop does not

@@ -2,7 +2,9 @@
 // run, also by an exception, leaves the station in its safe state.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 
 #include <link/link.hpp>
 #include <source/source.hpp>
@@ -20,14 +22,20 @@ inline std::string unknown_state(const std::string& error) {
 
 class SafeState {
  public:
-  // If the source cannot be made safe, the destructor appends the reason to `fault`.
-  SafeState(source::Source& source, link::Link& link, std::string& fault)
-      : source_(source), link_(link), fault_(fault) {}
+  // If the source cannot be made safe, the destructor calls `report` with what a user must know,
+  // if there is such a function, and appends that to `fault`.
+  SafeState(source::Source& source, link::Link& link, std::string& fault,
+            std::function<void(const std::string& what)> report = {})
+      : source_(source), link_(link), fault_(fault), report_(std::move(report)) {}
   ~SafeState() {
     const drivers::Status safe = source_.make_safe();
     link_.close();
     if (!safe.ok()) {
-      fault_ += (fault_.empty() ? "" : "; ") + unknown_state(safe.error());
+      const std::string what = unknown_state(safe.error());
+      if (report_) {
+        report_(what);
+      }
+      fault_ += (fault_.empty() ? "" : "; ") + what;
     }
   }
   SafeState(const SafeState&) = delete;
@@ -37,6 +45,7 @@ class SafeState {
   source::Source& source_;
   link::Link& link_;
   std::string& fault_;
+  std::function<void(const std::string&)> report_;
 };
 
 }  // namespace gsbench::station

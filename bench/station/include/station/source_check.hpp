@@ -11,10 +11,11 @@
 
 namespace gsbench::station {
 
-// The planned deviations in the units of the tolerances.
+// The deviations in the units of the tolerances.
 struct Deviations {
   double frequency_mhz = 0.0;
-  double voltage_pct = 0.0;  // of the nominal peak amplitude
+  // Of the nominal peak amplitude: the planned waveform, and once the accuracy of the amplitude.
+  double voltage_pct = 0.0;
   double time_ms = 0.0;
 };
 Deviations deviations_of(const source::Played& played);

@@ -28,6 +28,8 @@ struct GeneratorOptions {
   GeneratorModel model = GeneratorModel::kSdg2042x;
   double clock_ppm = 0.0;  // error of its time base; positive: fast
   TrueTime time;           // shared by all emulated devices of a station
+  // Of a Rigol: a packet of a waveform is lost if it arrives earlier after the one before.
+  double packet_pause_s = 0.05;
   double connected_ohm = std::numeric_limits<double>::infinity();  // load at its output
 };
 

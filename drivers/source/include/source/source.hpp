@@ -38,13 +38,16 @@ struct Limits {
   std::string full_scale_is = {};  // for messages: "the voltage limit"; empty: the hardware's
 };
 
-// How a stimulus would be played, and the largest deviation of the played voltage from the
-// stimulus, without noise.
+// How a stimulus would be played, and the largest deviations of the played voltage from the
+// stimulus, without noise. The largest deviation of the voltage is voltage_pu + amplitude_pu: the
+// first is that of the planned waveform, by resampling and resolution, and the second comes from
+// the amplitude that the instrument sets.
 struct Played {
   double frequency_hz = 0.0;  // over windows of 200 ms; includes the error of the source's clock
   double voltage_pu = 0.0;    // of a sample; for kStepped, of the amplitude
   double time_s = 0.0;        // early or late
   std::vector<std::string> how = {};  // for people: "720 000 points at 16 kSa/s", …
+  double amplitude_pu = 0.0;  // accuracy of the amplitude, ±, at the stimulus's peak; 0: not stated
 };
 
 // The source's ticks on this machine's steady clock: tick n is n · tick_s after tick_0.
@@ -61,9 +64,9 @@ class Source {
   virtual ~Source() = default;
   virtual Limits limits() const = 0;
 
-  // Once `*stop` is true, the calls from prepare() to advance() are refused, and one that blocks,
-  // also stop(), ends within 0.1 s and some commands with an error. make_safe() does not heed it.
-  // `stop` must live until it is replaced; nullptr, the default: never.
+  // Once `*stop` is true, the calls from prepare() to advance() are refused. One of them or stop()
+  // that is blocking ends with an error, within 0.1 s and the time of a few commands. make_safe()
+  // ignores it. `stop` must live until it is replaced. nullptr, the default: no call is ended.
   void end_calls_if(const std::atomic<bool>* stop) { interrupt_.heed(stop); }
   // Whether the last call failed because of it, and not by a fault.
   bool was_interrupted() const { return interrupt_.noticed(); }

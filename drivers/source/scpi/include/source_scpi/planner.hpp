@@ -48,7 +48,8 @@ struct Plan {
   std::int64_t bytes() const { return 2 * static_cast<std::int64_t>(codes.size()); }
 };
 
-// Highest voltage that instrument and voltage limit permit, per unit of nominal peak.
+// Highest voltage that the instrument can be set to within the voltage limit, per unit of nominal
+// peak.
 double full_scale_pu(const Instrument& instrument, const Wiring& wiring);
 
 // Refuses, with value and limit, what exceeds memory, rate, amplitude, voltage limit or a
