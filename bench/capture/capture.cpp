@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -10,6 +11,22 @@ namespace gsbench::capture {
 
 using gs::outlet::Trust;
 using gs::wire::UplinkKind;
+
+namespace {
+
+// Why an outlet sheds, or does not.
+std::string reason(const gs::wire::DecisionMessage& decision) {
+  if (decision.shed) {
+    return "shed";
+  }
+  if (decision.trust != Trust::kTrusted) {
+    return std::string("hold; estimate ") + to_string(decision.trust);
+  }
+  return decision.required_mw > 0.0F ? "hold; less important load suffices"
+                                     : "hold; nothing has to be shed";
+}
+
+}  // namespace
 
 void Capture::add(const std::vector<link::Received>& messages) {
   for (const link::Received& received : messages) {
@@ -53,9 +70,14 @@ void Capture::add(Track& track, const gs::wire::Uplink& message) {
     case UplinkKind::kDecision: {
       const gs::wire::DecisionMessage& decision = message.decision;
       marks.push_back(
-          {tick, "decision", static_cast<double>(decision.required_mw),
-           decision.shed ? "shed" : std::string("hold; estimate ") + to_string(decision.trust)});
+          {tick, "decision", static_cast<double>(decision.required_mw), reason(decision)});
       marks.push_back({tick, "decision.loss", static_cast<double>(decision.loss_mw), "MW"});
+      marks.push_back({tick, "decision.sigma", static_cast<double>(decision.loss_sigma_mw), "MW"});
+      if (std::isfinite(decision.nadir_hz)) {
+        marks.push_back({tick, "decision.nadir", static_cast<double>(decision.nadir_hz), "Hz"});
+      }
+      marks.push_back(
+          {tick, "decision.shed_before", static_cast<double>(decision.shed_before_mw), "MW"});
       marks.push_back({tick, "decision.hits", static_cast<double>(decision.hits), ""});
       marks.push_back({tick, "decision.trust", decision.trust == Trust::kTrusted ? 1.0 : 0.0,
                        to_string(decision.trust)});

@@ -61,10 +61,12 @@ std::string details(const Uplink& m) {
       return fmt::format("{:.1f} ± {:.1f} MW, {}", m.estimate.loss_mw, m.estimate.loss_sigma_mw,
                          gs::outlet::to_string(m.estimate.trust));
     case UplinkKind::kDecision:
-      return fmt::format("{}: {:.1f} MW lost, {:.1f} MW to shed, {} hits, estimate {}",
-                         m.decision.shed ? "shed" : "hold", m.decision.loss_mw,
-                         m.decision.required_mw, m.decision.hits,
-                         gs::outlet::to_string(m.decision.trust));
+      return fmt::format(
+          "{}: {:.1f} ± {:.1f} MW lost, nadir {:.3f} Hz, {:.1f} MW to shed after {:.1f} MW before, "
+          "{} hits, estimate {}",
+          m.decision.shed ? "shed" : "hold", m.decision.loss_mw, m.decision.loss_sigma_mw,
+          m.decision.nadir_hz, m.decision.required_mw, m.decision.shed_before_mw, m.decision.hits,
+          gs::outlet::to_string(m.decision.trust));
     case UplinkKind::kRelay:
       return fmt::format("{}, cause {}", position(m.relay.closed),
                          gs::outlet::to_string(m.relay.cause));

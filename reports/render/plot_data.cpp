@@ -106,11 +106,14 @@ Json outlet_json(const record::RunRecord& run, const record::OutletRecord& outle
 }  // namespace
 
 std::string mark_label(const record::Mark& mark) {
-  static constexpr std::array<std::pair<const char*, const char*>, 9> kLabels = {{
+  static constexpr std::array<std::pair<const char*, const char*>, 12> kLabels = {{
       {"event", "Event"},
       {"lse", "LSE"},
       {"decision", "Decision"},
       {"decision.loss", "ΔP at the decision"},
+      {"decision.sigma", "σ of ΔP"},
+      {"decision.nadir", "Predicted nadir without it"},
+      {"decision.shed_before", "Shed before"},
       {"decision.hits", "Conditions met"},
       {"decision.trust", "Estimate reliable"},
       {"relay.sense", "Relay, sensed"},
@@ -134,7 +137,11 @@ std::string mark_value(const record::Mark& mark) {
   }
   const bool power = mark.kind == "lse" || mark.kind == "loss" || mark.kind == "shed" ||
                      mark.kind == "ramp end" || mark.kind == "decision" ||
-                     mark.kind == "decision.loss";
+                     mark.kind == "decision.loss" || mark.kind == "decision.sigma" ||
+                     mark.kind == "decision.shed_before";
+  if (mark.kind == "decision.nadir") {
+    return with_unit(fixed(mark.value, 3), "Hz");
+  }
   return with_unit(fixed(mark.value, decimals_for({mark.value})), power ? "MW" : "");
 }
 

@@ -93,30 +93,31 @@ TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
   link::Received lse = received("a", 200, UplinkKind::kLse);
   lse.message.lse = {450.0F};
   link::Received shed = received("a", 300, UplinkKind::kDecision);
-  shed.message.decision = {515.0F, 163.0F, 30, Trust::kTrusted, true};
+  shed.message.decision = {515.0F, 2.5F, 49.25F, 163.0F, 20.0F, 30, Trust::kTrusted, true};
   capture.add({event("a", 100), lse, shed, relay_report("a", 300, false),
                received("a", 400, UplinkKind::kAborted)});
   capture.add_edge("a", 310, false);
   capture.add_edge("a", 900, true);
   capture.add_command("a", 800, true);
-  EXPECT_THAT(
-      printed(taken(capture, "a")),
-      ElementsAre("100 event 49 frequency before it, Hz", "200 lse 450 MW", "300 decision 163 shed",
-                  "300 decision.loss 515 MW", "300 decision.hits 30 ",
-                  std::string("300 decision.trust 1 ") + to_string(Trust::kTrusted),
-                  "300 relay.reported 0 loss", "310 relay.sense 0 open",
-                  "400 aborted 0 voltage lost", "800 command 1 switch on",
-                  "900 relay.sense 1 closed"));
+  EXPECT_THAT(printed(taken(capture, "a")),
+              ElementsAre("100 event 49 frequency before it, Hz", "200 lse 450 MW",
+                          "300 decision 163 shed", "300 decision.loss 515 MW",
+                          "300 decision.sigma 2.5 MW", "300 decision.nadir 49.25 Hz",
+                          "300 decision.shed_before 20 MW", "300 decision.hits 30 ",
+                          std::string("300 decision.trust 1 ") + to_string(Trust::kTrusted),
+                          "300 relay.reported 0 loss", "310 relay.sense 0 open",
+                          "400 aborted 0 voltage lost", "800 command 1 switch on",
+                          "900 relay.sense 1 closed"));
 }
 
 TEST(Capture, MarksADecisionToHoldWithTheReliabilityOfItsEstimate) {
   Capture capture(kRate_hz);
   link::Received hold = received("a", 300, UplinkKind::kDecision);
-  hold.message.decision = {515.0F, 163.0F, 3, Trust::kNotYet, false};
+  hold.message.decision = {515.0F, 2.5F, NAN, 163.0F, 0.0F, 3, Trust::kNotYet, false};
   capture.add({hold});
   const record::OutletRecord record = taken(capture, "a");
   EXPECT_EQ(record.marks[0].text, std::string("hold; estimate ") + to_string(Trust::kNotYet));
-  EXPECT_EQ(printed(record.marks[3]),
+  EXPECT_EQ(printed(record.marks.back()),
             std::string("300 decision.trust 0 ") + to_string(Trust::kNotYet));
 }
 
