@@ -13,6 +13,10 @@ constexpr std::uint16_t kSteadyReports = 31;
 // Five drops make an event only if no report was held so shortly before: a disturbance of the
 // voltage leaves a transient of the tracked frequency behind.
 constexpr std::uint8_t kUndisturbedReports = 20;
+// Limits of the amplitude: of its change, relative, ten times its noise at 1 %; and of itself,
+// since noise rotates a shorter phasor further.
+constexpr float kSteadyAmplitude = 0.005f;
+constexpr float kLeastAmplitude = 0.7f;
 // A decision by the grid's state is due with this σ of the lost power, per threshold loss, or this
 // many reports later: then as far as it is sure, two σ.
 constexpr float kSureSigma = 0.034f;
@@ -117,6 +121,18 @@ Followed follow_grid(const Config& config, State& state, const Phasor& z) {
                 !state.tracker.coasting, state.tracker.omega_rad_s / kTwoPi);
 }
 
+// Counts the reports since the voltage was last disturbed: a report was held, or its amplitude
+// changed. The first report into a dip can pass the tracker's gate, and its phase error looks like
+// a drop of the frequency.
+void watch_voltage(State& state, bool valid) {
+  const float change = state.tracker.last_innovation_amplitude;
+  const bool steady = valid && state.tracker.amplitude > kLeastAmplitude &&
+                      change > -kSteadyAmplitude && change < kSteadyAmplitude;
+  state.undisturbed = static_cast<std::uint8_t>(!steady                    ? 0
+                                                : state.undisturbed < 0xFF ? state.undisturbed + 1
+                                                                           : 0xFF);
+}
+
 bool event_begins(const Config& config, const State& state, bool valid, const Followed& followed) {
   const bool by_state = config.settings.method == kByGridState;
   if (by_state && followed.significant &&
@@ -124,7 +140,7 @@ bool event_begins(const Config& config, const State& state, bool valid, const Fo
     return true;
   }
   return state.phase == Phase::kQuiet && valid &&
-         !(by_state && state.undisturbed < kUndisturbedReports) &&
+         (!by_state || state.undisturbed >= kUndisturbedReports) &&
          event_detected(config.settings, state.history);
 }
 
@@ -165,10 +181,7 @@ void act(const Config& config, State& state, const Phasor& z, Report& report) {
   const Settings& settings = config.settings;
   const bool valid = report.measurement.validity == Validity::kValid;
   const bool by_state = settings.method == kByGridState;
-  state.undisturbed =
-      static_cast<std::uint8_t>(valid && state.undisturbed < 0xFF ? state.undisturbed + 1
-                                : valid                           ? 0xFF
-                                                                  : 0);
+  watch_voltage(state, valid);
   switch (run(settings, state.relay, report.measurement.frequency_hz)) {
     case RelayChange::kNone:
       break;

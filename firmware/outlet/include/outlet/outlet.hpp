@@ -40,7 +40,7 @@ struct State {
   EstimatorState estimator;
   GridFollower follower;
   float shed_before_mw = 0.0f;   // what earlier decisions found necessary
-  std::uint8_t undisturbed = 0;  // reports since the last one that was held, up to 255
+  std::uint8_t undisturbed = 0;  // reports since the voltage was disturbed, up to 255
   Phase phase = Phase::kQuiet;
   std::uint16_t steady_reports = 0;   // while cooling
   std::uint8_t below_switch_off = 0;  // successive measurements below f^B
