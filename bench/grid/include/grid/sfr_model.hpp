@@ -17,6 +17,12 @@
 
 namespace gsbench::grid {
 
+// The two modes of the response with their decay: c = e^(−sigma·t)·C(t), s = e^(−sigma·t)·S(t).
+struct Modes {
+  double c;
+  double s;
+};
+
 class SfrModel {
  public:
   // Throws GridError if the grid is invalid.
@@ -38,6 +44,8 @@ class SfrModel {
   double unit_deviation_hz(double t_s, double ramp_s = 0.0) const;  // eq. (6), negative
   double unit_rocof_hz_s(double t_s, double ramp_s = 0.0) const;  // eq. (12); right-hand limit at 0
   double unit_phase_cycles(double t_s, double ramp_s = 0.0) const;  // ∫ unit_deviation_hz dt
+
+  Modes modes(double t_s) const;  // t_s >= 0
 
  private:
   double inertia_s_, droop_pu_, omega_n_, zeta_, sigma_, d_, g0_, gain_, nominal_hz_, base_mw_;
