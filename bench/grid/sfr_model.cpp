@@ -138,8 +138,15 @@ std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& mode
   return UnderdampedParameters{alpha, omega_r, phi1 - phi2, phi1};
 }
 
-FrequencyResponse::FrequencyResponse(SfrModel model, std::vector<PowerChange> changes)
-    : model_(std::move(model)), changes_(std::move(changes)) {
+FrequencyResponse::FrequencyResponse(SfrModel model, std::vector<PowerChange> changes,
+                                     double initial_deviation_hz)
+    : model_(std::move(model)),
+      changes_(std::move(changes)),
+      initial_deviation_hz_(initial_deviation_hz) {
+  if (!std::isfinite(initial_deviation_hz)) {
+    throw std::invalid_argument(
+        fmt::format("the initial deviation is {} Hz; it must be finite", initial_deviation_hz));
+  }
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     const PowerChange& change = changes_[i];
     if (!std::isfinite(change.at_s) || !std::isfinite(change.power_mw)) {

@@ -37,6 +37,14 @@ keys::Key loss_keys();
 std::vector<grid::PowerChange> read_losses(const keys::Table& grid_section, const grid::Grid& grid,
                                            double duration_s);
 
+// [grid] frequency_before_hz. read_initial_deviation returns it less nominal, in Hz; 0 without it.
+keys::Key frequency_before_key();
+double read_initial_deviation_hz(const keys::Table& grid_section, const grid::Grid& grid);
+
+// [[signal.oscillation]], in the order of the profile.
+keys::Key oscillation_keys();
+std::vector<waveform::Oscillation> read_oscillations(const keys::Table& signal, double duration_s);
+
 // [signal] and the disturbances of [grid]. `skip_recording`: the file of [signal.trace] is not read
 // and need not exist, because another recording replaces it.
 keys::Key signal_keys();
@@ -48,7 +56,8 @@ std::vector<waveform::Harmonic> en50160_harmonics();
 keys::Key trace_keys();
 void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus);
 // Makes the stimulus play the whole recording. It replaces the profile's frequency source (losses,
-// points or recording) and its amplitude and phase steps. Noise, harmonics and DC offset stay.
+// points or recording), its oscillations and its amplitude and phase steps. Noise, harmonics and DC
+// offset stay.
 void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
                           double nominal_hz, Stimulus& stimulus);
 

@@ -71,6 +71,22 @@ TEST(Profile, HoldsTitleSourceSeedAndInlineGrid) {
   EXPECT_EQ(grid.reference.note, "Why they differ");
 }
 
+TEST(Profile, HoldsTheFrequencyBeforeAndOscillations) {
+  const Stimulus stimulus = parse(kDisturbed).stimulus;
+  EXPECT_NEAR(stimulus.initial_deviation_hz, -0.15, 1e-14);
+  ASSERT_THAT(stimulus.oscillations, SizeIs(2));
+  EXPECT_EQ(stimulus.oscillations[0].at_s, 1.0);
+  EXPECT_EQ(stimulus.oscillations[0].duration_s, 8.0);
+  EXPECT_EQ(stimulus.oscillations[0].frequency_hz, 0.4);
+  EXPECT_EQ(stimulus.oscillations[0].amplitude_hz, 0.06);
+  EXPECT_EQ(stimulus.oscillations[0].phase_deg, 90.0);
+  EXPECT_EQ(stimulus.oscillations[1].at_s, 0.0);
+  EXPECT_EQ(stimulus.oscillations[1].duration_s, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(stimulus.oscillations[1].phase_deg, 0.0);
+  EXPECT_EQ(parse(kMinimal).stimulus.initial_deviation_hz, 0.0);
+  EXPECT_THAT(parse(kMinimal).stimulus.oscillations, IsEmpty());
+}
+
 TEST(Profile, HoldsLossesAtOnceAndOverATime) {
   const Stimulus stimulus = parse(kDisturbed).stimulus;
   ASSERT_THAT(stimulus.losses, SizeIs(2));

@@ -159,6 +159,21 @@ TEST(RunRecord, MarksTheStartAndTheEndOfARamp) {
                           "2800 ramp end: end of 500 MW lost over 0.25 s"));
 }
 
+TEST(RunRecord, MarksTheStartAndTheEndOfAnOscillation) {
+  const record::RunRecord record =
+      record_of(test::plan(0.5,
+                           "[[signal.oscillation]]\nfrequency_hz = 0.4\namplitude_mhz = 60\n"
+                           "[[signal.oscillation]]\nat_s = 0.1\nduration_s = 0.3\n"
+                           "frequency_hz = 1.5\namplitude_mhz = 5\n"));
+  std::vector<std::string> marks;
+  for (const record::Mark& mark : record.stimulus) {
+    marks.push_back(std::to_string(mark.tick) + " " + mark.kind + ": " + mark.text);
+  }
+  EXPECT_THAT(marks, ElementsAre("0 oscillation: 0.4 Hz oscillation, ± 60 mHz",
+                                 "800 oscillation: 1.5 Hz oscillation, ± 5 mHz",
+                                 "3200 oscillation: end of 1.5 Hz oscillation"));
+}
+
 TEST(RunRecord, SendsCommandsToTheirOutletsAndMarksThem) {
   FakeStation station({});
   const record::RunRecord record =

@@ -39,6 +39,8 @@ struct Stimulus {
   std::vector<grid::PowerChange> losses;      // [[grid.loss]]
   std::vector<recording::TracePoint> points;  // [signal] frequency or [signal.trace]
   Recording recording;                        // the origin of the points, if it is a recording
+  double initial_deviation_hz = 0.0;          // frequency_before_hz less nominal; 0 with points
+  std::vector<waveform::Oscillation> oscillations;  // laid over any of these sources
   waveform::SignalSpec signal;
   double duration_s = 0.0;             // > 0
   std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000
@@ -90,7 +92,10 @@ struct Plan {
   std::uint64_t seed = 1;
 
   std::int64_t duration_ticks() const;
+  // The frequency that the outlets see.
   std::shared_ptr<const waveform::ReferenceSignal> reference() const;
+  // The same without oscillations: the frequency of the grid model, for its nadir.
+  std::unique_ptr<waveform::ReferenceSignal> grid_reference() const;
   waveform::Synthesizer synthesizer() const;
 };
 

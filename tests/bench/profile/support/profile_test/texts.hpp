@@ -118,6 +118,7 @@ inline constexpr const char* kDisturbed = R"(title = "A disturbed grid"
 source = "Somewhere"
 [grid]
 system = "ieee24"
+frequency_before_hz = 49.85
 [[grid.loss]]
 at_s = 2.0
 power_mw = 500.0
@@ -127,6 +128,15 @@ at_s = 4.5
 power_mw = -200.0
 [signal]
 duration_s = 10.0
+[[signal.oscillation]]
+at_s = 1.0
+duration_s = 8.0
+frequency_hz = 0.4
+amplitude_mhz = 60.0
+phase_deg = 90.0
+[[signal.oscillation]]
+frequency_hz = 0.7
+amplitude_mhz = 10.0
 [[outlet]]
 count = 2
 id = "shed"
