@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,23 @@ void check_full_scale(const keys::Table& signal, const Stimulus& stimulus,
 // [[outlet]]: the outlets and their settings.
 keys::Key outlet_keys();
 std::vector<Outlet> read_outlets(const keys::Table& top, const grid::Grid& grid);
+
+// The settings of outlets that profiles may set, with the firmware's names.
+std::vector<keys::Key> setting_keys();
+// Adds those that `table` has. Refuses a value that is out of range in single precision.
+void read_settings(const keys::Table& table, double nominal_hz,
+                   std::map<std::string, double>& settings);
+
+// The key `outlets`: ids of the outlets that it names by id or by group, each once, in the order of
+// `outlets`; empty without the key. Refuses an unknown name.
+std::vector<std::string> named_outlets(const keys::Table& table,
+                                       const std::vector<Outlet>& outlets);
+
+// [[settings]]: settings that are sent again during the run.
+keys::Key settings_update_keys();
+std::vector<SettingsUpdate> read_settings_updates(const keys::Table& top, const grid::Grid& grid,
+                                                  const std::vector<Outlet>& outlets,
+                                                  double duration_s);
 
 // [[command]]: commands of the control centre during the run.
 keys::Key command_keys();

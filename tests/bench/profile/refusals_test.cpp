@@ -31,7 +31,7 @@ const std::vector<Mistake> kOfMinimal = {
     {"\"A test\"", "\"\"", "1:9: title is an empty text; it must not be empty"},
     {"source", "colour = 1\nsource",
      "2:1: unknown key \"colour\" in a profile; valid keys are: title, source, seed, grid, signal, "
-     "outlet, command, expect"},
+     "outlet, settings, command, expect"},
     {"[[outlet]]", "[[oulet]]",
      "7:3: unknown key \"oulet\" in a profile; did you mean \"outlet\"?"},
     {"[grid]\nsystem = \"ieee24\"", "",
@@ -210,6 +210,22 @@ const std::vector<Mistake> kOfLosses = {
 };
 
 const std::vector<Mistake> kOfDisturbed = {
+    {"at_s = 6.0", "at_s = 9.95",
+     "31:8: at_s is 9.95; it must be at least 0 and at most 9.9 (0.1 s before the end of the run, "
+     "so "
+     "that they can be acknowledged)"},
+    {"\"shed-1\"", "\"shed-3\"",
+     "32:12: unknown outlet or group \"shed-3\"; did you mean \"shed-1\"?"},
+    {"accumulated_mw = 120.0", "accumulated_mw = 3000.0",
+     "33:18: accumulated_mw is 3000; it must be at least 0 and at most 2745 (the grid's load)"},
+    {"power_mw = 50.0", "power_mw = 250.0",
+     "34:12: power_mw is 250 and accumulated_mw is 120; power_mw must be at most twice "
+     "accumulated_mw, which includes half of the outlet's own block"},
+    {"threshold_mw = 250.0", "accumulated_mw = 20.0",
+     "47:18: power_mw is 50 and accumulated_mw is 20; power_mw must be at most twice "
+     "accumulated_mw, which includes half of the outlet's own block"},
+    {"switch_off_hz = 49.2", "switch_off_hz = 50.0",
+     "36:17: switch_off_hz is 50; it must be at least 40 and below 50 (the grid's nominal_hz)"},
     {"= 49.85", "= 47.0",
      "5:23: frequency_before_hz is 47; it must be at least 47.852 and at most 52.148 (as far as "
      "the "

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,6 +60,14 @@ struct Outlet {
 // The groups of these outlets, each once, in the order of the profile.
 std::vector<std::string> groups_of(const std::vector<Outlet>& outlets);
 
+// Settings that the control centre sends again during the run.
+struct SettingsUpdate {
+  double at_s = 0.0;
+  // All settings of each recipient, by its id, with the changes so far.
+  std::map<std::string, control_centre::RequestedSettings> outlets;
+  std::string changes;  // "accumulated_mw = 120, threshold_mw = 300"; empty: none
+};
+
 // A command of the control centre, which switches outlets by criterion (3) of §5.5.
 struct Command {
   double at_s = 0.0;
@@ -87,6 +96,7 @@ struct Plan {
   grid::Grid grid;
   Stimulus stimulus;
   std::vector<Outlet> outlets;            // at least one
+  std::vector<SettingsUpdate> settings;   // ascending in time
   std::vector<Command> commands;          // ascending in time
   std::vector<Expectation> expectations;  // at least one
   std::uint64_t seed = 1;

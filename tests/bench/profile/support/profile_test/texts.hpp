@@ -143,6 +143,24 @@ id = "shed"
 accumulated_mw = 100.0
 [[outlet]]
 id = "alone"
+[[settings]]
+at_s = 6.0
+outlets = ["shed-1", "alone"]
+accumulated_mw = 120.0
+power_mw = 50.0
+threshold_mw = 300.0
+switch_off_hz = 49.2
+event_drop_hz = 0.03
+event_departure_hz = 0.04
+condition_hits = 12
+lse_samples = 8
+ekf_samples = 30
+[[settings]]
+at_s = 3.0
+[[settings]]
+at_s = 7.0
+outlets = ["shed"]
+threshold_mw = 250.0
 [[expect]]
 measure = "event.count"
 max = 1
