@@ -93,7 +93,7 @@ TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
   link::Received lse = received("a", 200, UplinkKind::kLse);
   lse.message.lse = {450.0F};
   link::Received shed = received("a", 300, UplinkKind::kDecision);
-  shed.message.decision = {515.0F, 163.0F, 30, Trust::kTrusted, true};
+  shed.message.decision = {515.0F, 5.0F, 49.4F, 163.0F, 0.0F, 30, Trust::kTrusted, true};
   capture.add({event("a", 100), lse, shed, relay_report("a", 300, false),
                received("a", 400, UplinkKind::kAborted)});
   capture.add_edge("a", 310, false);
@@ -115,7 +115,7 @@ TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
 TEST(Capture, MarksADecisionToHoldWithTheReliabilityOfItsEstimate) {
   Capture capture(kRate_hz);
   link::Received hold = received("a", 300, UplinkKind::kDecision);
-  hold.message.decision = {515.0F, 163.0F, 3, Trust::kNotYet, false};
+  hold.message.decision = {515.0F, 5.0F, 49.4F, 163.0F, 0.0F, 3, Trust::kNotYet, false};
   capture.add({hold});
   const record::OutletRecord record = taken(capture, "a");
   EXPECT_EQ(record.marks[0].text, std::string("hold; estimate ") + to_string(Trust::kNotYet));

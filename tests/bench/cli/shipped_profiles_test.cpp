@@ -51,8 +51,8 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedProfile,
                            return name;
                          });
 
-// regression/steady takes an hour: see long_runs_test.cpp. Those of cascades/ are checked, but not
-// yet met by the firmware.
+// regression/steady takes an hour: see long_runs_test.cpp. Those of cascades/ are read by the tests
+// of profiles, not run here.
 TEST(ShippedProfiles, AreAllTestedAbove) {
   const json profiles = run_for_json({"list", "--json"})["profiles"];
   EXPECT_EQ(std::count_if(profiles.begin(), profiles.end(),

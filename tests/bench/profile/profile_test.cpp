@@ -104,7 +104,9 @@ TEST(Profile, HoldsSettingsThatAreSentAgainInOrderOfTimeWithAllChangesSoFar) {
   EXPECT_EQ(updates[1].changes,
             "accumulated_mw = 120, power_mw = 50, threshold_mw = 300, switch_off_hz = 49.2, "
             "condition_hits = 12, event_drop_hz = 0.03, event_departure_hz = 0.04, "
-            "lse_samples = 8, ekf_samples = 30");
+            "lse_samples = 8, ekf_samples = 30, method = 0, threshold_hz = 49.4, "
+            "nadir_margin_hz = 0.01, decision_reports = 50, delay_s = 0.5, restore_hz = 49.9, "
+            "restore_dwell_s = 30, restore_spread_s = 100");
 
   ASSERT_THAT(updates[2].outlets, SizeIs(2));
   EXPECT_EQ(updates[2].outlets.at("shed-1").accumulated_mw, 120.0);

@@ -222,7 +222,7 @@ const std::vector<Mistake> kOfDisturbed = {
      "34:12: power_mw is 250 and accumulated_mw is 120; power_mw must be at most twice "
      "accumulated_mw, which includes half of the outlet's own block"},
     {"threshold_mw = 250.0", "accumulated_mw = 20.0",
-     "47:18: power_mw is 50 and accumulated_mw is 20; power_mw must be at most twice "
+     "55:18: power_mw is 50 and accumulated_mw is 20; power_mw must be at most twice "
      "accumulated_mw, which includes half of the outlet's own block"},
     {"switch_off_hz = 49.2", "switch_off_hz = 50.0",
      "36:17: switch_off_hz is 50; it must be at least 40 and below 50 (the grid's nominal_hz)"},

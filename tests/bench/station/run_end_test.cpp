@@ -118,7 +118,7 @@ TEST(RunEnd, TooFewOutletsAreAnError) {
 
 TEST(RunEnd, OutletWithAnotherProtocolIsExcluded) {
   expect_fault_of_the_last(with(&Script::protocol_version, std::uint16_t{7}),
-                           "uses protocol version 7, not 2");
+                           "uses protocol version 7, not 3");
 }
 
 TEST(RunEnd, OutletThatRefusesItsSettingsIsFaulty) {

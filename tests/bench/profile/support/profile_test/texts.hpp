@@ -155,6 +155,14 @@ event_departure_hz = 0.04
 condition_hits = 12
 lse_samples = 8
 ekf_samples = 30
+method = 0
+threshold_hz = 49.4
+nadir_margin_hz = 0.01
+decision_reports = 50
+delay_s = 0.5
+restore_hz = 49.9
+restore_dwell_s = 30.0
+restore_spread_s = 100.0
 [[settings]]
 at_s = 3.0
 [[settings]]
@@ -177,6 +185,14 @@ frequency_tolerance_mhz = 0.2
 voltage_tolerance_pct = 0.5
 time_tolerance_ms = 0.1
 [[outlet]]
+method = 0
+threshold_hz = 49.4
+nadir_margin_hz = 0.01
+decision_reports = 50
+delay_s = 0.5
+restore_hz = 49.9
+restore_dwell_s = 30.0
+restore_spread_s = 100.0
 [[expect]]
 measure = "event.count"
 max = 0
