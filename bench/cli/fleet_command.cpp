@@ -88,11 +88,12 @@ CLI::Option* add_sweep(CLI::App& command, FleetArguments& arguments) {
 void add_fleet(CommandLine& line) {
   const auto [command, arguments] = line.command(
       "fleet", "Simulate the load shedding by up to 100 million outlets after a loss", run_fleet);
+  FleetArguments& given = arguments;  // lambdas cannot capture a structured binding
   fleet::Study& study = arguments.study;
   fleet::ScenarioOptions& scenario = study.scenario;
-  add_grid(command, arguments.grid)->capture_default_str()->each([&](const std::string& /*name*/) {
-    arguments.has_grid = true;
-  });
+  add_grid(command, arguments.grid)
+      ->capture_default_str()
+      ->each([&given](const std::string& /*name*/) { given.has_grid = true; });
   CLI::Option* loss = add_with_default(command, "--loss", scenario.loss_mw, "MW", "Lost power, MW");
   CLI::Option* noise =
       add_with_default(command, "--noise", scenario.noise_hz, "HZ",
@@ -125,7 +126,7 @@ void add_fleet(CommandLine& line) {
                    "Simulated time after the loss, or the last loss of a profile, s");
   add_seed(command, "--seed", study.fleet.seed,
            "Seed of all random numbers; with --profile: replaces the profile's if given")
-      ->each([&](const std::string& /*seed*/) { arguments.has_seed = true; });
+      ->each([&given](const std::string& /*seed*/) { given.has_seed = true; });
   add_page_options(command, arguments.output);
   command.footer(
       "Examples:\n"

@@ -19,6 +19,10 @@ double delay_aware_threshold_mw(const grid::Grid& grid, double loss_mw, double l
 record::PageSection closed_loop_section(const grid::Grid& grid, const Study& study,
                                         const campaign::Execution& execution);
 
+// The same loss, by every strategy.
+record::PageSection strategies_after_loss(const grid::Grid& grid, const Study& study,
+                                          const campaign::Execution& execution);
+
 // Every strategy on this plan. Times count from the start of its signal.
 record::PageSection strategies_section(const profile::Plan& plan, const Fleet& fleet,
                                        const ClosedLoopOptions& options,

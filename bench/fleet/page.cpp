@@ -245,6 +245,9 @@ record::Page make_page(const grid::Grid& grid, const Study& study,
   page.sections = {controls(grid, study, fleet, execution)};
   if (study.closed_loop) {
     page.sections.push_back(closed_loop_section(grid, study, execution));
+    if (!stopped(execution)) {
+      page.sections.push_back(strategies_after_loss(grid, study, execution));
+    }
   }
   if (study.sweep) {
     page.sections.push_back(sweep(grid, study, fleet, execution));

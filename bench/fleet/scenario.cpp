@@ -217,9 +217,10 @@ void simulate_relays(const grid::Grid& grid, const ScenarioOptions& options, Bal
 std::vector<double> ufls_stages_hz(const grid::Grid& grid, const Controls& controls) {
   const double first_hz =
       controls.ufls_first_hz > 0.0 ? controls.ufls_first_hz : 0.98 * grid.nominal_hz;
-  std::vector<double> stages_hz;
-  for (int stage = 0; stage < kUflsStages; ++stage) {
-    stages_hz.push_back(first_hz - grid.nominal_hz - controls.ufls_step_hz * stage);
+  std::vector<double> stages_hz(kUflsStages);
+  for (std::size_t stage = 0; stage < kUflsStages; ++stage) {
+    stages_hz[stage] =
+        first_hz - grid.nominal_hz - controls.ufls_step_hz * static_cast<double>(stage);
   }
   return stages_hz;
 }

@@ -99,9 +99,12 @@ record::PageSection strategies_section(const profile::Plan& plan, const Fleet& f
                   "signal. false events: outlets that claimed an event while nothing was lost.",
                   plan.grid.threshold_hz),
       fmt::format(
-          "none: no control. paper: outlets with the whole firmware, which decide as in the "
-          "paper. central: a controller that knows a loss after {:g} s and whose commands "
-          "take {:g} s. ufls: under-frequency relays, {} stages of {:g} % of the load.",
+          "none: no control. paper, gsbench: outlets with the whole firmware, which decide as in "
+          "the "
+          "paper (method = 0) or by the grid's state (method = 1). central: a controller that "
+          "knows "
+          "a loss after {:g} s and whose commands take {:g} s. ufls: under-frequency relays, {} "
+          "stages of {:g} % of the load.",
           options.central_decision_s, options.central_delay_s, kUflsStages,
           100.0 * options.ufls_part),
       "clairvoyant-T: knows the state of the grid at once, a loss T seconds after it happens and a "
@@ -119,7 +122,7 @@ record::Page make_closed_loop_page(const profile::Plan& plan, const Study& study
                                    const Execution& execution) {
   const Fleet fleet = make_fleet(in_fewer_outlets(study.fleet, kClosedLoopOutlets));
   ClosedLoopOptions options;
-  static_cast<Controls&>(options) = study.scenario;
+  options.central_delay_s = study.scenario.central_delay_s;
   options.after_loss_s = study.scenario.duration_s;
   record::Page page;
   page.title = plan.title;

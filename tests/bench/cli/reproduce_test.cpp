@@ -259,8 +259,9 @@ TEST(Fleet, StatesThatNoThresholdLossAllowsForTheDelay) {
   const json page = run_for_json({"fleet", "--loss", "1500", "--groups", "20", "--per-group", "50",
                                   "--least", "5000", "--most", "900000", "--duration", "3",
                                   "--delay-aware", "--closed-loop", "--json"});
-  for (const json& section : page["sections"]) {
-    EXPECT_THAT(section["paragraphs"].dump(), HasSubstr("No threshold loss allows for the delay"));
+  for (const std::size_t section : {0U, 1U}) {
+    EXPECT_THAT(page["sections"][section]["paragraphs"].dump(),
+                HasSubstr("No threshold loss allows for the delay"));
   }
   EXPECT_EQ(page["sections"][0]["tables"][0]["rows"].size(), 5U);
   EXPECT_EQ(page["sections"][1]["tables"][0]["columns"].size(), 1U);
@@ -302,6 +303,18 @@ TEST(Fleet, ComparesControlsOfAProfileInAClosedLoop) {
   EXPECT_TRUE(gsbench["outlets_off"].is_number_integer());
   EXPECT_GT(gsbench["outlets_off"].get<int>(), 100);
   EXPECT_EQ(gsbench["false_events"].get<int>(), 0);
+}
+
+TEST(Fleet, ComparesTheControlsOfASingleLossAsWell) {
+  const json page = run_for_json({"fleet", "--per-group", "1", "--least", "1e4", "--most", "1.8e6",
+                                  "--loss", "600", "--duration", "5", "--closed-loop", "--json"});
+  ASSERT_EQ(page["closed_loop"].size(), 9U);
+  const json& clairvoyant = page["closed_loop"][5];
+  EXPECT_EQ(clairvoyant["strategy"], "clairvoyant-0.3");
+  EXPECT_NEAR(clairvoyant["shed_mw"].get<double>(), 249.8, 0.4);
+  EXPECT_NEAR(clairvoyant["first_action_s"].get<double>(), 1.3, 0.017);
+  EXPECT_NEAR(page["closed_loop"][1]["shed_mw"].get<double>(),
+              figure(page["sections"][1], "shed, MW", "threshold loss by eq. (15)"), 1e-9);
 }
 
 TEST(Fleet, PlaysAProfileOnAnotherGridIfOneIsGiven) {

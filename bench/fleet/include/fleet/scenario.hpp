@@ -59,7 +59,7 @@ struct ScenarioResult {
   std::vector<double> frequency_hz;
 };
 
-constexpr int kUflsStages = 5;
+constexpr std::size_t kUflsStages = 5;
 
 // Deviation from nominal below which each stage of the relays acts, Hz, from the first on.
 std::vector<double> ufls_stages_hz(const grid::Grid& grid, const Controls& controls);
