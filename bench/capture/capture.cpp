@@ -49,8 +49,10 @@ void Capture::add(Track& track, const gs::wire::Uplink& message) {
       break;
     case UplinkKind::kSettingsAnswer: {
       const gs::wire::SettingsAnswer& answer = message.settings_answer;
-      track.settings_answer = answer.error;
-      track.settings_digest = fmt::format("{:08x}", answer.digest);
+      if (track.settings_answers.empty()) {
+        track.settings_digest = fmt::format("{:08x}", answer.digest);
+      }
+      track.settings_answers.push_back(answer.error);
       break;
     }
     case UplinkKind::kMeasurement:
@@ -101,6 +103,12 @@ void Capture::add_edge(const std::string& id, std::int64_t tick, bool closed) {
 void Capture::add_command(const std::string& id, std::int64_t tick, bool close) {
   tracks_[id].bench_marks.push_back(
       {tick, "command", close ? 1.0 : 0.0, close ? "switch on" : "switch off"});
+}
+
+void Capture::add_settings(const std::string& id, std::int64_t tick, std::uint32_t version,
+                           const std::string& changes) {
+  tracks_[id].bench_marks.push_back(
+      {tick, "settings", static_cast<double>(version), changes.empty() ? "unchanged" : changes});
 }
 
 const Capture::Track& Capture::track(const std::string& id) const {

@@ -12,10 +12,38 @@ struct FleetArguments {
   fleet::Study study;
   fleet::Sweep sweep;
   bool sweeps = false;
+  std::string profile;
+  bool has_grid = false;
+  bool has_seed = false;
   PageOutput output;
 };
 
+// The profile with the grid and the seed of the command line, if they are given.
+profile::Plan plan_of(const FleetArguments& arguments) {
+  profile::Overrides overrides;
+  if (arguments.has_seed) {
+    overrides.seed = arguments.study.fleet.seed;
+  }
+  profile::Plan plan = profile::load_profile(arguments.profile, overrides);
+  if (arguments.has_grid) {
+    plan.grid = profile::load_grid(arguments.grid);
+  }
+  return plan;
+}
+
+int run_closed_loop(const FleetArguments& arguments) {
+  const profile::Plan plan = plan_of(arguments);
+  fleet::Study study = arguments.study;
+  study.fleet.seed = plan.seed;
+  return print_page("fleet", arguments.output, [&](const campaign::Execution& execution) {
+    return fleet::make_closed_loop_page(plan, study, execution);
+  });
+}
+
 int run_fleet(const FleetArguments& arguments) {
+  if (!arguments.profile.empty()) {
+    return run_closed_loop(arguments);
+  }
   const grid::Grid grid = profile::load_grid(arguments.grid);
   fleet::Study study = arguments.study;
   study.scenario.seed = study.fleet.seed;
@@ -38,7 +66,7 @@ void add_outlets(CLI::App& command, fleet::FleetOptions& fleet) {
   add_accumulation(command, fleet.accumulation);
 }
 
-void add_sweep(CLI::App& command, FleetArguments& arguments) {
+CLI::Option* add_sweep(CLI::App& command, FleetArguments& arguments) {
   CLI::Option* sweep = command.add_flag("--sweep", arguments.sweeps,
                                         "Add heat maps over losses, noise levels and delays");
   const auto add = [&](const char* name, std::vector<double>& values, const char* type,
@@ -52,6 +80,7 @@ void add_sweep(CLI::App& command, FleetArguments& arguments) {
   add("--delays", arguments.sweep.delays_s, "S,S,…",
       "Comma-separated delays to sweep, s: additional delay of every outlet, and communication "
       "delay of central control (default: 0,0.1,0.2,0.5,1)");
+  return sweep;
 }
 
 }  // namespace
@@ -59,33 +88,53 @@ void add_sweep(CLI::App& command, FleetArguments& arguments) {
 void add_fleet(CommandLine& line) {
   const auto [command, arguments] = line.command(
       "fleet", "Simulate the load shedding by up to 100 million outlets after a loss", run_fleet);
+  FleetArguments& given = arguments;  // lambdas cannot capture a structured binding
   fleet::Study& study = arguments.study;
   fleet::ScenarioOptions& scenario = study.scenario;
-  add_grid(command, arguments.grid)->capture_default_str();
-  add_with_default(command, "--loss", scenario.loss_mw, "MW", "Lost power, MW");
-  add_with_default(command, "--noise", scenario.noise_hz, "HZ",
-                   "Noise of measured frequencies, Hz: ± this if uniform, σ if Gaussian");
+  add_grid(command, arguments.grid)
+      ->capture_default_str()
+      ->each([&given](const std::string& /*name*/) { given.has_grid = true; });
+  CLI::Option* loss = add_with_default(command, "--loss", scenario.loss_mw, "MW", "Lost power, MW");
+  CLI::Option* noise =
+      add_with_default(command, "--noise", scenario.noise_hz, "HZ",
+                       "Noise of measured frequencies, Hz: ± this if uniform, σ if Gaussian");
   add_noise_distribution(command, scenario.distribution);
   add_outlets(command, study.fleet);
-  add_with_default(command, "--delay", scenario.further_delay_s, "S",
-                   "Additional delay of every outlet, s");
+  CLI::Option* delay = add_with_default(command, "--delay", scenario.further_delay_s, "S",
+                                        "Additional delay of every outlet, s");
   add_with_default(command, "--central-delay", scenario.central_delay_s, "S",
                    "Communication delay of central control, s");
-  command.add_flag("--delay-aware", study.delay_aware,
-                   "Add a fleet whose threshold loss allows for the delay of the outlets");
-  add_sweep(command, arguments);
-  command.add_flag(
+  CLI::Option* delay_aware =
+      command.add_flag("--delay-aware", study.delay_aware,
+                       "Add a fleet whose threshold loss allows for the delay of the outlets");
+  CLI::Option* sweep = add_sweep(command, arguments);
+  CLI::Option* closed_loop = command.add_flag(
       "--closed-loop", study.closed_loop,
       "Add 1000 outlets that run the complete firmware, starting from the sampled voltage");
+  CLI::Option* profile =
+      command
+          .add_option("--profile", arguments.profile,
+                      "With --closed-loop: play the losses, disturbances and noise of this profile "
+                      "into the outlets, and compare them with other controls. The grid is the "
+                      "profile's own if GRID is not given")
+          ->type_name("PROFILE")
+          ->needs(closed_loop);
+  for (CLI::Option* other : {loss, noise, delay, delay_aware, sweep}) {
+    profile->excludes(other);
+  }
   add_with_default(command, "--duration", scenario.duration_s, "S",
-                   "Simulated time after the loss, s");
-  add_seed(command, "--seed", study.fleet.seed, "Seed of all random numbers");
+                   "Simulated time after the loss, or the last loss of a profile, s");
+  add_seed(command, "--seed", study.fleet.seed,
+           "Seed of all random numbers; with --profile: replaces the profile's if given")
+      ->each([&given](const std::string& /*seed*/) { given.has_seed = true; });
   add_page_options(command, arguments.output);
   command.footer(
       "Examples:\n"
       "  gsbench fleet                              a million outlets, loss of 500 MW\n"
       "  gsbench fleet --loss 600 --delay-aware -o fleet.html\n"
       "  gsbench fleet island-60hz --loss 600 --groups 100 --per-group 50 --most 100000\n"
+      "  gsbench fleet --closed-loop --profile paper/loss-600mw -o closed-loop.html\n"
+      "  gsbench fleet ieee24 --closed-loop --profile disturbances/dips --json\n"
       "  gsbench fleet --sweep --losses 400,500 --delays 0,0.5,2 -o sweep.html");
 }
 

@@ -176,7 +176,7 @@ void add_schema(CommandLine& line) {
       ->required()
       ->check(CLI::IsMember({"profile", "grid", "station", "instrument"}));
   command.add_flag("--markdown", arguments.markdown,
-                   "Print the tables of profiles/README.md and drivers/README.md");
+                   "Print the tables of keys of the Markdown files in profiles and drivers");
   command.footer("Example:\n  gsbench schema profile > profile.schema.json");
 }
 

@@ -10,7 +10,7 @@
 
 namespace gsbench::fleet {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoTime_s = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRelay_s = 1e-3 * models::RelayParameters{}.operate_ms;
 constexpr double kStep_s = 0.002;  // step of the relays and of the search for the nadir
 
@@ -32,8 +32,8 @@ class Balance {
   const grid::SfrModel& model_;
   std::vector<grid::PowerChange> changes_;
   double shed_mw_ = 0.0;
-  double first_s_ = kNone;
-  double last_s_ = kNone;
+  double first_s_ = kNoTime_s;
+  double last_s_ = kNoTime_s;
 };
 
 }  // namespace gsbench::fleet

@@ -1,206 +1,230 @@
-#include "balance.hpp"
-#include <control_centre/outlet_settings.hpp>
+#include "firmware_outlets.hpp"
+#include "played_grid.hpp"
+#include <control_centre/threshold.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
 
 #include <fmt/format.h>
 
-#include <drivers/workers.hpp>
+#include <fleet/clairvoyant.hpp>
 #include <fleet/closed_loop.hpp>
-#include <grid/sfr_model.hpp>
-#include <models/adc.hpp>
-#include <models/noise.hpp>
-#include <outlet/outlet.hpp>
 
 namespace gsbench::fleet {
 namespace {
 
-constexpr double kBeforeLoss_s = 1.0;
-constexpr double kTwoPi = 6.283185307179586;
-constexpr std::size_t kOutletsInBlock = 50;
+using campaign::demand;
+using campaign::Execution;
+using profile::Plan;
 
-// One outlet behind its ADC.
-struct Outlet {
-  gs::outlet::Config config;
-  gs::outlet::State state;
-  std::size_t skipped = 0;  // samples before its first report: outlets report at different instants
-  double event_s = kNone;
-  double loss_mw = kNone;
-};
+constexpr double kClairvoyantStep_s = 0.016;
+constexpr double kCentralStep_s = 0.1;  // between decisions of the controller
+constexpr double kRounding_s = 1e-9;
+constexpr double kCurveStep_s = 0.02;
+
+// Losses before the start of the signal are part of its initial state.
+double first_loss_s(const Plan& plan) {
+  double first_s = std::numeric_limits<double>::infinity();
+  for (const grid::PowerChange& change : plan.stimulus.losses) {
+    if (change.at_s >= 0.0 && change.power_mw > 0.0) {
+      first_s = std::min(first_s, change.at_s);
+    }
+  }
+  return first_s;
+}
+
+double end_of(const Plan& plan, const ClosedLoopOptions& options) {
+  double end_s = plan.stimulus.duration_s;
+  for (const grid::PowerChange& change : plan.stimulus.losses) {
+    end_s = std::max(end_s, change.at_s + change.ramp_s + options.after_loss_s);
+  }
+  return end_s;
+}
 
 class Loop {
  public:
-  Loop(const grid::Grid& grid, const Fleet& fleet, const ClosedLoopOptions& options,
-       const campaign::Execution& execution)
-      : grid_(grid),
+  Loop(const Plan& plan, const Fleet& fleet, Strategy strategy, const ClosedLoopOptions& options,
+       const Execution& execution)
+      : plan_(plan),
         fleet_(fleet),
+        strategy_(strategy),
         options_(options),
         execution_(execution),
-        workers_(execution.threads),
-        model_(grid),
-        balance_(model_, options.loss_mw),
-        off_(fleet.outlets(), 0),
-        outlets_(fleet.outlets()) {
-    hardware_.counts_per_pu = models::kCounts_per_pu;
-    hardware_.nominal_hz = static_cast<std::int32_t>(std::lround(grid.nominal_hz));
-    voltage_pu_.resize(samples_);
-    shed_at_.resize((fleet.outlets() + kOutletsInBlock - 1) / kOutletsInBlock);
-    gs::outlet::Settings settings = control_centre::grid_settings(grid);
-    settings.version = 1;
-    if (options.threshold_mw > 0.0) {
-      settings.threshold_mw = static_cast<float>(options.threshold_mw);
+        grid_(plan),
+        end_s_(end_of(plan, options)) {}
+
+  std::optional<ClosedLoopResult> simulate() {
+    const std::optional<double> knows_after_s = knows_loss_after_s(strategy_);
+    bool done = true;
+    if (has_outlets(strategy_)) {
+      done = play_into_outlets();
+    } else if (strategy_ == Strategy::kCentral) {
+      control_centrally();
+    } else if (strategy_ == Strategy::kUfls) {
+      watch_by_relays();
+    } else if (knows_after_s) {
+      shed_by_clairvoyant(*knows_after_s);
     }
-    const std::vector<double> switch_off = switch_off_hz(grid, fleet);
-    for (std::size_t i = 0; i < outlets_.size(); ++i) {
-      Outlet& outlet = outlets_[i];
-      const std::size_t group = i / fleet.per_group;
-      settings.accumulated_mw = static_cast<float>(fleet.accumulated_mw[group]);
-      settings.switch_off_hz = static_cast<float>(switch_off[group]);
-      outlet.skipped = i * 37 % samples_;
-      if (!gs::outlet::configure(hardware_, outlet.config) ||
-          apply(outlet.config, outlet.state, settings) != gs::outlet::SettingsError::kNone) {
-        throw std::invalid_argument(
-            fmt::format("the firmware rejects the settings of group {}", group + 1));
-      }
+    if (!done || stopped(execution_)) {
+      return std::nullopt;
+    }
+    follow_frequency();
+    return result_;
+  }
+
+ private:
+  void switch_off(double at_s, double power_mw) {
+    if (at_s > end_s_ || power_mw == 0.0) {
+      return;
+    }
+    grid_.switch_off(at_s, power_mw);
+    off_mw_ += power_mw;
+    result_.shed_mw = std::max(result_.shed_mw, off_mw_);
+    if (power_mw > 0.0) {
+      result_.first_action_s = result_.first_action_s.value_or(at_s);
+      result_.last_action_s = at_s;
     }
   }
 
-  // Returns false if it was stopped.
-  bool simulate() {
-    const auto blocks =
-        static_cast<std::size_t>((kBeforeLoss_s + options_.duration_s) / campaign::kReport_s);
-    for (std::size_t block = 0; block < blocks; ++block) {
+  // Returns false if it was stopped. What outlets switch takes effect kRelay_ms after their report,
+  // so that pieces of this length know all that was switched before.
+  bool play_into_outlets() {
+    const std::int64_t rate_hz = plan_.stimulus.sample_rate_hz;
+    const auto rate = static_cast<double>(rate_hz);
+    const std::int64_t piece = kRelay_ms * rate_hz / 1000;
+    const std::int64_t pieces = std::llround(end_s_ * rate) / piece;
+    const double loss_s = first_loss_s(plan_);
+    const bool recorded = plays_recorded_frequency(plan_);
+    FirmwareOutlets outlets(plan_, fleet_, strategy_, options_,
+                            recorded ? 0 : waveform::tick_at(loss_s, rate_hz), execution_.threads);
+    std::vector<float> voltage_pu(static_cast<std::size_t>(piece));
+    for (std::int64_t i = 0; i < pieces; ++i) {
       if (stopped(execution_)) {
         return false;
       }
-      synthesize(block);
-      workers_.run(shed_at_.size(), [&](std::size_t some) { feed(some, block); });
-      for (auto& some : shed_at_) {
-        for (const auto& [at_s, power_mw] : some) {
-          balance_.shed(at_s, power_mw);
-        }
-        some.clear();
+      grid_.render(i * piece, voltage_pu.size(), voltage_pu.data());
+      for (const Switched& each : outlets.take(i * piece, voltage_pu)) {
+        switch_off(static_cast<double>(each.tick) / rate, each.power_mw);
       }
-      report_progress(execution_, static_cast<double>(block + 1), static_cast<double>(blocks));
+      report_progress(execution_, static_cast<double>(i + 1), static_cast<double>(pieces));
+    }
+    result_.outlets = outlets.actions();
+    if (recorded) {
+      result_.outlets->false_events.reset();
     }
     return true;
   }
 
-  ClosedLoopResult result() const {
-    ClosedLoopResult result{balance_.result(grid_, options_.duration_s, count_shed(fleet_, off_)),
-                            0, 0, kNone, campaign::Histogram(0.0, 2.0 * options_.loss_mw, 2000)};
-    for (const Outlet& outlet : outlets_) {
-      if (outlet.event_s >= 0.0) {
-        ++result.events;
-        result.latest_event_s = std::fmax(result.latest_event_s, outlet.event_s);
-      } else if (outlet.event_s < 0.0) {
-        ++result.false_events;
-      }
-      if (std::isfinite(outlet.loss_mw)) {
-        result.loss_mw.add(outlet.loss_mw);
-      }
-    }
-    return result;
-  }
-
- private:
-  double time_s(std::size_t block, std::size_t sample) const {
-    return static_cast<double>(block * samples_ + sample) /
-               static_cast<double>(hardware_.sample_rate_hz) -
-           kBeforeLoss_s;
-  }
-
-  void synthesize(std::size_t block) {
-    for (std::size_t i = 0; i < samples_; ++i) {
-      const double t_s = time_s(block, i);
-      const double cycles = grid_.nominal_hz * (t_s + kBeforeLoss_s) + balance_.excess_cycles(t_s);
-      voltage_pu_[i] = static_cast<float>(std::sin(kTwoPi * (cycles - std::floor(cycles))));
-    }
-  }
-
-  void feed(std::size_t some, std::size_t block) {
-    const std::size_t first = some * kOutletsInBlock;
-    const std::size_t end = std::min(first + kOutletsInBlock, outlets_.size());
-    std::vector<float> noisy(samples_);
-    std::vector<std::int16_t> counts(samples_);
-    for (std::size_t i = first; i < end; ++i) {
-      noisy = voltage_pu_;
-      models::add_gaussian({options_.seed, models::kSourceNoise, static_cast<std::uint32_t>(i)},
-                           block * samples_, samples_,
-                           static_cast<float>(0.01 * options_.noise_pct), noisy.data());
-      std::transform(noisy.begin(), noisy.end(), counts.begin(), [&](float voltage_pu) {
-        return models::adc_counts(voltage_pu, hardware_.counts_per_pu);
-      });
-      take(i, block, counts);
-    }
-  }
-
-  void take(std::size_t number, std::size_t block, const std::vector<std::int16_t>& counts) {
-    Outlet& outlet = outlets_[number];
-    std::size_t at = block == 0 ? outlet.skipped : 0;
-    while (at < counts.size()) {
-      gs::outlet::Report report;
-      bool ready = false;
-      at +=
-          step(outlet.config, outlet.state, counts.data() + at, counts.size() - at, report, ready);
-      if (ready) {
-        note(number, outlet, report, time_s(block, at));
+  // By eq. (29). What is off stays off.
+  void control_centrally() {
+    const double threshold_mw =
+        options_.threshold_mw > 0.0
+            ? options_.threshold_mw
+            : control_centre::threshold_mw(grid_.model(), plan_.grid.threshold_hz);
+    const auto steps = static_cast<int>(end_s_ / kCentralStep_s);
+    for (int step = 0; step <= steps; ++step) {
+      const double t_s = kCentralStep_s * step;
+      const double known_mw =
+          known_loss_mw(grid_.losses(), t_s - options_.central_delay_s + kRounding_s,
+                        options_.central_decision_s);
+      const double wanted_mw = std::min(known_mw - threshold_mw, fleet_.power_mw);
+      if (wanted_mw - off_mw_ >= kLeastAction_mw) {
+        switch_off(t_s, wanted_mw - off_mw_);
       }
     }
   }
 
-  void note(std::size_t number, Outlet& outlet, const gs::outlet::Report& report, double t_s) {
-    if ((report.happened & gs::outlet::kEvent) != 0 && std::isnan(outlet.event_s)) {
-      outlet.event_s = t_s;
-    }
-    if ((report.happened & gs::outlet::kDecision) != 0 && std::isnan(outlet.loss_mw)) {
-      outlet.loss_mw = static_cast<double>(report.loss_mw);
-    }
-    if ((report.happened & gs::outlet::kRelay) != 0 && !report.relay_closed) {
-      off_[number] = 1;
-      shed_at_[number / kOutletsInBlock].emplace_back(
-          t_s + kRelay_s, 1e-6 * static_cast<double>(fleet_.power_w[number]));
+  void watch_by_relays() {
+    const std::vector<double> stages_hz = ufls_stages_hz(plan_.grid, options_);
+    auto stage = stages_hz.begin();
+    const auto steps = static_cast<int>(end_s_ / kStep_s);
+    for (int step = 0; step < steps; ++step) {
+      const double t_s = kStep_s * step;
+      while (stage != stages_hz.end() && grid_.state(t_s).deviation_hz < *stage) {
+        switch_off(t_s + options_.ufls_delay_s, options_.ufls_part * plan_.grid.load_mw);
+        ++stage;
+      }
     }
   }
 
-  const grid::Grid& grid_;
+  void shed_by_clairvoyant(double knows_after_s) {
+    const double goal_hz = plan_.grid.threshold_hz - plan_.grid.nominal_hz;
+    const auto steps = static_cast<int>(end_s_ / kClairvoyantStep_s);
+    for (int step = 0; step < steps; ++step) {
+      const double t_s = kClairvoyantStep_s * step;
+      const double known_mw = known_loss_mw(grid_.losses(), t_s, knows_after_s) - off_mw_;
+      const GridState known = with_power(grid_.model(), grid_.state(t_s), known_mw);
+      const double shed_mw =
+          least_shed_mw(grid_.model(), known, goal_hz, fleet_.power_mw - off_mw_);
+      if (shed_mw >= kLeastAction_mw) {
+        switch_off(t_s, shed_mw);
+      }
+    }
+  }
+
+  void follow_frequency() {
+    const auto steps = static_cast<std::size_t>(end_s_ / kStep_s);
+    const auto each = static_cast<std::size_t>(std::llround(kCurveStep_s / kStep_s));
+    double lowest_hz = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const double t_s = kStep_s * static_cast<double>(i);
+      const double now_hz = grid_.state(t_s).deviation_hz;
+      if (now_hz < lowest_hz) {
+        lowest_hz = now_hz;
+        result_.nadir_s = t_s;
+      }
+      if (i % each == 0 || i == steps) {
+        result_.t_s.push_back(t_s);
+        result_.frequency_hz.push_back(plan_.grid.nominal_hz + now_hz);
+      }
+    }
+    result_.nadir_hz = plan_.grid.nominal_hz + lowest_hz;
+    result_.end_hz = result_.frequency_hz.back();
+  }
+
+  const Plan& plan_;
   const Fleet& fleet_;
+  Strategy strategy_;
   const ClosedLoopOptions& options_;
-  const campaign::Execution& execution_;
-  drivers::Workers workers_;
-  grid::SfrModel model_;
-  Balance balance_;
-  gs::outlet::Hardware hardware_;
-  std::size_t samples_ = static_cast<std::size_t>(hardware_.sample_rate_hz / 1000) *
-                         static_cast<std::size_t>(gs::outlet::kReport_ms);  // in a block of 16 ms
-  std::vector<float> voltage_pu_;
-  std::vector<std::uint8_t> off_;
-  std::vector<std::vector<std::pair<double, double>>> shed_at_;  // s and MW, by block of outlets
-  std::vector<Outlet> outlets_;
+  const Execution& execution_;
+  PlayedGrid grid_;
+  double end_s_;
+  double off_mw_ = 0.0;
+  ClosedLoopResult result_;
 };
 
 }  // namespace
 
-std::optional<ClosedLoopResult> simulate_closed_loop(const grid::Grid& grid, const Fleet& fleet,
+std::optional<ClosedLoopResult> simulate_closed_loop(const Plan& plan, const Fleet& fleet,
+                                                     Strategy strategy,
                                                      const ClosedLoopOptions& options,
-                                                     const campaign::Execution& execution) {
-  campaign::demand(fleet.outlets() <= kMostInClosedLoop,
-                   fmt::format("a closed loop has at most {} outlets, not {}", kMostInClosedLoop,
-                               fleet.outlets()));
-  campaign::demand(options.loss_mw > 0.0 && options.loss_mw <= grid.base_mw,
-                   fmt::format("a loss of {:g} MW is not above 0 and at most {:g} MW, the grid's "
-                               "base power",
-                               options.loss_mw, grid.base_mw));
-  campaign::demand(
-      options.noise_pct >= 0.0 && options.noise_pct <= 20.0,
-      fmt::format("a noise of {:g} % of the voltage is not within 0 … 20 %", options.noise_pct));
-  campaign::demand(options.duration_s >= 1.0 && options.duration_s <= 300.0,
-                   fmt::format("a duration of {:g} s is not within 1 … 300 s", options.duration_s));
-  Loop loop(grid, fleet, options, execution);
-  return loop.simulate() ? std::optional(loop.result()) : std::nullopt;
+                                                     const Execution& execution) {
+  demand(fleet.outlets() <= kMostInClosedLoop,
+         fmt::format("a closed loop has at most {} outlets, not {}", kMostInClosedLoop,
+                     fleet.outlets()));
+  demand(options.after_loss_s >= 1.0 && options.after_loss_s <= 300.0,
+         fmt::format("a duration of {:g} s is not within 1 … 300 s", options.after_loss_s));
+  check(options);
+  demand(is_possible(plan, strategy),
+         fmt::format("{} needs to know the lost power, but profile {} plays a recorded frequency",
+                     to_string(strategy), plan.name));
+  return Loop(plan, fleet, strategy, options, execution).simulate();
+}
+
+profile::Plan plan_of_loss(const grid::Grid& grid, double loss_mw, double at_s, double noise_pct,
+                           std::uint64_t seed) {
+  demand(loss_mw > 0.0 && loss_mw <= grid.base_mw,
+         fmt::format("a loss of {:g} MW is not above 0 and at most {:g} MW, the grid's base power",
+                     loss_mw, grid.base_mw));
+  Plan plan;
+  plan.name = fmt::format("loss of {:g} MW", loss_mw);
+  plan.grid = grid;
+  plan.stimulus.losses = {{at_s, loss_mw}};
+  plan.stimulus.duration_s = at_s;
+  plan.stimulus.noise_pct = noise_pct;
+  plan.seed = seed;
+  return plan;
 }
 
 }  // namespace gsbench::fleet

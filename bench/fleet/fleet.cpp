@@ -43,6 +43,17 @@ Fleet make_fleet(const FleetOptions& options) {
   return fleet;
 }
 
+FleetOptions in_fewer_outlets(const FleetOptions& options, std::size_t outlets) {
+  FleetOptions few = options;
+  const double each_is = static_cast<double>(few.groups) * static_cast<double>(few.per_group) /
+                         static_cast<double>(outlets);
+  few.groups = outlets;
+  few.per_group = 1;
+  few.least_w *= each_is;
+  few.most_w *= each_is;
+  return few;
+}
+
 std::vector<double> switch_off_hz(const grid::Grid& grid, const Fleet& fleet) {
   grid::Grid with_groups = grid;
   with_groups.blocks.clear();

@@ -1,4 +1,5 @@
 // The page of `gsbench fleet`.
+#include "closed_loop_page.hpp"
 #include <control_centre/threshold.hpp>
 
 #include <cmath>
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <fleet/closed_loop.hpp>
 #include <fleet/page.hpp>
 #include <grid/sfr_model.hpp>
 
@@ -20,13 +20,8 @@ using campaign::Execution;
 using campaign::NoiseDistribution;
 using record::kNoFigure;
 
-constexpr std::size_t kClosedLoopOutlets = 1000;
-constexpr double kEventToAction_s = 0.8;  // from an outlet's event to its open relay
 constexpr double kLossParts[] = {0.9, 1.0, 1.1, 1.2, 1.42, 1.7, 2.0};  // of the threshold loss
 
-constexpr const char* kTooLate =
-    "No threshold loss allows for the delay: the nadir is below f_s even if all of the lost "
-    "power is shed.";
 constexpr const char* kGridSense = "Grid Sense";
 constexpr std::pair<Control, const char*> kControls[] = {
     {Control::kNone, "no control"},
@@ -43,13 +38,6 @@ record::FigureRow shed_row(const std::string& name, const Shed& shed) {
   return {
       name,
       {shed.power_mw, count(shed.outlets), count(shed.first_partly), count(shed.end_partly + 1)}};
-}
-
-// The threshold loss that allows for the delay until the last action.
-double delay_aware_threshold_mw(const grid::Grid& grid, const ScenarioOptions& options,
-                                double last_action_s) {
-  return control_centre::threshold_for_delay_mw(grid::SfrModel(grid), grid.threshold_hz,
-                                                options.loss_mw, last_action_s);
 }
 
 record::PageSection controls(const grid::Grid& grid, const Study& study, const Fleet& fleet,
@@ -104,7 +92,7 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
   }
   if (study.delay_aware && std::isfinite(last_action_s)) {
     options.control = Control::kGridSense;
-    options.threshold_mw = delay_aware_threshold_mw(grid, options, last_action_s);
+    options.threshold_mw = delay_aware_threshold_mw(grid, options.loss_mw, last_action_s);
     if (options.threshold_mw > 0.0) {
       add(fmt::format("{}, threshold loss {:.2f} MW", kGridSense, options.threshold_mw));
       notes.push_back(fmt::format(
@@ -219,88 +207,6 @@ record::PageSection sweep(const grid::Grid& grid, const Study& study, const Flee
   return {tables, {}, {}, "Sweep over loss, noise and delay", "sweep"};
 }
 
-record::PageSection closed_loop(const grid::Grid& grid, const Study& study,
-                                const Execution& execution) {
-  // The fleet's power in a thousand outlets, each with a larger appliance.
-  FleetOptions few = study.fleet;
-  const double outlets = static_cast<double>(few.groups) * static_cast<double>(few.per_group);
-  few.groups = kClosedLoopOutlets;
-  few.per_group = 1;
-  few.least_w *= outlets / static_cast<double>(kClosedLoopOutlets);
-  few.most_w *= outlets / static_cast<double>(kClosedLoopOutlets);
-  const Fleet fleet = make_fleet(few);
-  ClosedLoopOptions options;
-  options.loss_mw = study.scenario.loss_mw;
-  options.duration_s = study.scenario.duration_s;
-  options.seed = study.fleet.seed;
-  record::FigureTable table = {"1 % white noise on each outlet's voltage", "", {}};
-  record::CurvePlot plot = {"The frequency of the grid.", "s", "Hz"};
-  std::vector<std::string> notes;
-  for (const char* const name : {"threshold loss by eq. (15)", "delay-aware threshold"}) {
-    const auto result = simulate_closed_loop(grid, fleet, options, execution);
-    if (!result) {
-      break;
-    }
-    const ScenarioResult& scenario = result->scenario;
-    const record::FigureRow rows[] = {
-        {"required, MW", {scenario.required_mw}, 2},
-        {"shed, MW", {scenario.shed.power_mw}, 2},
-        {"outlets off", {static_cast<double>(scenario.shed.outlets)}},
-        {"outlets that detected the loss", {static_cast<double>(result->events)}},
-        {"outlets with an event before it", {static_cast<double>(result->false_events)}},
-        {"last event, s", {result->latest_event_s}, 3},
-        {"estimates, mean, MW", {result->loss_mw.mean()}, 2},
-        {"estimates, σ, MW", {result->loss_mw.standard_deviation()}, 2},
-        {"first action, s", {scenario.first_action_s}, 3},
-        {"last action, s", {scenario.last_action_s}, 3},
-        {"nadir, Hz", {scenario.nadir_hz}, 3},
-        {"nadir at, s", {scenario.nadir_s}, 3},
-        {"end, Hz", {scenario.end_hz}, 3}};
-    table.columns.push_back({name});
-    for (std::size_t i = 0; i < std::size(rows); ++i) {
-      if (table.rows.size() <= i) {
-        table.rows.push_back(rows[i]);
-      } else {
-        table.rows[i].figures.push_back(rows[i].figures[0]);
-      }
-    }
-    plot.x = scenario.t_s;
-    plot.curves.push_back({name, scenario.frequency_hz});
-    if (options.threshold_mw > 0.0) {
-      break;
-    }
-    if (scenario.nadir_hz < grid.threshold_hz) {
-      notes.emplace_back(
-          "With the threshold loss by eq. (15) the nadir is below f_s. A small group has a "
-          "switching-off frequency f^B just below f_s. If the nadir is below f^B of a group, its "
-          "outlets switch off even if they had decided not to shed.");
-    }
-    if (result->events == 0) {
-      notes.push_back(
-          fmt::format("No outlet detected the loss of {:g} MW, so there is no delay to compute a "
-                      "threshold loss for.",
-                      options.loss_mw));
-      break;
-    }
-    options.threshold_mw =
-        delay_aware_threshold_mw(grid, study.scenario, result->latest_event_s + kEventToAction_s);
-    if (options.threshold_mw == 0.0) {
-      notes.emplace_back(kTooLate);
-      break;
-    }
-    notes.push_back(
-        fmt::format("The delay-aware threshold is {:.2f} MW: a threshold loss that allows for the "
-                    "delay of the outlets.",
-                    options.threshold_mw));
-  }
-  return {{table},
-          {plot},
-          notes,
-          fmt::format("{} outlets with the whole firmware, starting from the sampled voltage",
-                      fleet.outlets()),
-          "closed-loop"};
-}
-
 // Before the first simulation: a sweep may take minutes.
 void check(const grid::Grid& grid, const Study& study) {
   const auto demand_within = [](const std::vector<double>& values, double least, double most,
@@ -338,7 +244,10 @@ record::Page make_page(const grid::Grid& grid, const Study& study,
       {"seed", std::to_string(study.fleet.seed)}};
   page.sections = {controls(grid, study, fleet, execution)};
   if (study.closed_loop) {
-    page.sections.push_back(closed_loop(grid, study, execution));
+    page.sections.push_back(closed_loop_section(grid, study, execution));
+    if (!stopped(execution)) {
+      page.sections.push_back(strategies_after_loss(grid, study, execution));
+    }
   }
   if (study.sweep) {
     page.sections.push_back(sweep(grid, study, fleet, execution));

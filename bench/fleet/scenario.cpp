@@ -37,7 +37,12 @@ double instant_s(std::size_t instant) {
   return kReport_s * (static_cast<double>(instant) + 0.5) / static_cast<double>(kInstants);
 }
 
-void check(const grid::Grid& grid, const ScenarioOptions& o) {
+void demand_delay(double delay_s) {
+  demand(delay_s >= 0.0 && delay_s <= 300.0,
+         fmt::format("a delay of {:g} s is not within 0 … 300 s", delay_s));
+}
+
+void check_scenario(const grid::Grid& grid, const ScenarioOptions& o) {
   demand(o.loss_mw > 0.0 && o.loss_mw <= grid.base_mw,
          fmt::format("a loss of {:g} MW is not above 0 and at most {:g} MW, the grid's base power",
                      o.loss_mw, grid.base_mw));
@@ -45,11 +50,8 @@ void check(const grid::Grid& grid, const ScenarioOptions& o) {
          fmt::format("a noise of {:g} Hz is not within 0 … 1 Hz", o.noise_hz));
   demand(o.duration_s >= 1.0 && o.duration_s <= 300.0,
          fmt::format("a duration of {:g} s is not within 1 … 300 s", o.duration_s));
-  for (const double delay_s :
-       {o.further_delay_s, o.central_delay_s, o.central_decision_s, o.ufls_delay_s}) {
-    demand(delay_s >= 0.0 && delay_s <= 300.0,
-           fmt::format("a delay of {:g} s is not within 0 … 300 s", delay_s));
-  }
+  demand_delay(o.further_delay_s);
+  check(static_cast<const Controls&>(o));
 }
 
 // The outlets of a fleet, advanced by one measurement at a time.
@@ -198,14 +200,12 @@ class Outlets {
 };
 
 void simulate_relays(const grid::Grid& grid, const ScenarioOptions& options, Balance& balance) {
-  const double first_hz =
-      (options.ufls_first_hz > 0.0 ? options.ufls_first_hz : 0.98 * grid.nominal_hz) -
-      grid.nominal_hz;
-  int stage = 0;
+  const std::vector<double> stages_hz = ufls_stages_hz(grid, options);
+  auto stage = stages_hz.begin();
   const auto steps = static_cast<int>(options.duration_s / kStep_s);
-  for (int step = 0; step < steps && stage < 5; ++step) {
+  for (int step = 0; step < steps; ++step) {
     const double t_s = kStep_s * step;
-    while (stage < 5 && balance.deviation_hz(t_s) < first_hz - options.ufls_step_hz * stage) {
+    while (stage != stages_hz.end() && balance.deviation_hz(t_s) < *stage) {
       balance.shed(t_s + options.ufls_delay_s, options.ufls_part * grid.load_mw);
       ++stage;
     }
@@ -214,9 +214,26 @@ void simulate_relays(const grid::Grid& grid, const ScenarioOptions& options, Bal
 
 }  // namespace
 
+std::vector<double> ufls_stages_hz(const grid::Grid& grid, const Controls& controls) {
+  const double first_hz =
+      controls.ufls_first_hz > 0.0 ? controls.ufls_first_hz : 0.98 * grid.nominal_hz;
+  std::vector<double> stages_hz(kUflsStages);
+  for (std::size_t stage = 0; stage < kUflsStages; ++stage) {
+    stages_hz[stage] =
+        first_hz - grid.nominal_hz - controls.ufls_step_hz * static_cast<double>(stage);
+  }
+  return stages_hz;
+}
+
+void check(const Controls& controls) {
+  demand_delay(controls.central_delay_s);
+  demand_delay(controls.central_decision_s);
+  demand_delay(controls.ufls_delay_s);
+}
+
 std::optional<ScenarioResult> simulate(const grid::Grid& grid, const Fleet& fleet,
                                        const ScenarioOptions& options, const Execution& execution) {
-  check(grid, options);
+  check_scenario(grid, options);
   if (stopped(execution)) {
     return std::nullopt;
   }

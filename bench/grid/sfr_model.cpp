@@ -8,30 +8,6 @@
 namespace gsbench::grid {
 namespace {
 
-// The two modes of the response with their decay: e^(−sigma·t)·C(t) and e^(−sigma·t)·S(t).
-struct Modes {
-  double c;
-  double s;
-};
-
-Modes modes_at(const SfrModel& model, double t_s) {
-  const double sigma = model.sigma_per_s();
-  const double d = model.discriminant_per_s2();
-  if (d > 0.0) {
-    const double omega_r = std::sqrt(d);
-    const double decay = std::exp(-sigma * t_s);
-    return {decay * std::cos(omega_r * t_s), decay * std::sin(omega_r * t_s) / omega_r};
-  }
-  // cosh and sinh could overflow although their product with the decay is small, so the slow pole
-  // is factored out. It is computed as a quotient, because sigma − spread loses digits far from
-  // critical damping.
-  const double spread = std::sqrt(-d);
-  const double slow = model.omega_n() * model.omega_n() / (sigma + spread);
-  const double decay = std::exp(-slow * t_s);
-  const double lost = -std::expm1(-2.0 * spread * t_s);  // 1 − e^(−2·spread·t)
-  return {decay * (1.0 - 0.5 * lost), decay * (spread > 0.0 ? lost / (2.0 * spread) : t_s)};
-}
-
 // Integrals of the two modes from 0 to t_s. With A' = −sigma·A − d·B and B' = A − sigma·B they are
 // (1 − A − sigma·B)/omega_n² of B, and B + sigma·∫B of A.
 struct Areas {
@@ -40,7 +16,7 @@ struct Areas {
 };
 
 Areas areas_until(const SfrModel& model, double t_s) {
-  const Modes mode = modes_at(model, t_s);
+  const Modes mode = model.modes(t_s);
   const double sigma = model.sigma_per_s();
   const double s = (1.0 - mode.c - sigma * mode.s) / (model.omega_n() * model.omega_n());
   return {mode.s + sigma * s, s};
@@ -85,6 +61,22 @@ SfrModel::SfrModel(const Grid& grid)
   gain_ = nominal_hz_ / (base_mw_ * stiffness_pu);
 }
 
+Modes SfrModel::modes(double t_s) const {
+  if (d_ > 0.0) {
+    const double omega_r = std::sqrt(d_);
+    const double decay = std::exp(-sigma_ * t_s);
+    return {decay * std::cos(omega_r * t_s), decay * std::sin(omega_r * t_s) / omega_r};
+  }
+  // cosh and sinh could overflow although their product with the decay is small, so the slow pole
+  // is factored out. It is computed as a quotient, because sigma − spread loses digits far from
+  // critical damping.
+  const double spread = std::sqrt(-d_);
+  const double slow = omega_n_ * omega_n_ / (sigma_ + spread);
+  const double decay = std::exp(-slow * t_s);
+  const double lost = -std::expm1(-2.0 * spread * t_s);  // 1 − e^(−2·spread·t)
+  return {decay * (1.0 - 0.5 * lost), decay * (spread > 0.0 ? lost / (2.0 * spread) : t_s)};
+}
+
 double SfrModel::unit_deviation_hz(double t_s, double ramp_s) const {
   if (ramp_s > 0.0) {
     return (unit_phase_cycles(t_s) - unit_phase_cycles(t_s - ramp_s)) / ramp_s;
@@ -92,7 +84,7 @@ double SfrModel::unit_deviation_hz(double t_s, double ramp_s) const {
   if (t_s < 0.0) {
     return 0.0;
   }
-  const Modes mode = modes_at(*this, t_s);
+  const Modes mode = modes(t_s);
   return -gain_ * (1.0 - mode.c + (g0_ - sigma_) * mode.s);
 }
 
@@ -103,7 +95,7 @@ double SfrModel::unit_rocof_hz_s(double t_s, double ramp_s) const {
   if (t_s < 0.0) {
     return 0.0;
   }
-  const Modes mode = modes_at(*this, t_s);
+  const Modes mode = modes(t_s);
   return -gain_ * (g0_ * mode.c + (omega_n_ * omega_n_ - sigma_ * g0_) * mode.s);
 }
 
@@ -124,7 +116,7 @@ double SfrModel::unit_phase_cycles(double t_s, double ramp_s) const {
                              (omega_n_squared - sigma_ * (2.0 * sigma_ - g0_)) * (to.s - from.s);
     return -gain_ * (moved_s * (t_s - 0.5 * moved_s) - transient / omega_n_squared) / ramp_s;
   }
-  const Modes mode = modes_at(*this, t_s);
+  const Modes mode = modes(t_s);
   const double transient = (2.0 * sigma_ - g0_) * (1.0 - mode.c) +
                            (omega_n_squared - sigma_ * (2.0 * sigma_ - g0_)) * mode.s;
   return -gain_ * (t_s - transient / omega_n_squared);
@@ -146,8 +138,15 @@ std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& mode
   return UnderdampedParameters{alpha, omega_r, phi1 - phi2, phi1};
 }
 
-FrequencyResponse::FrequencyResponse(SfrModel model, std::vector<PowerChange> changes)
-    : model_(std::move(model)), changes_(std::move(changes)) {
+FrequencyResponse::FrequencyResponse(SfrModel model, std::vector<PowerChange> changes,
+                                     double initial_deviation_hz)
+    : model_(std::move(model)),
+      changes_(std::move(changes)),
+      initial_deviation_hz_(initial_deviation_hz) {
+  if (!std::isfinite(initial_deviation_hz)) {
+    throw std::invalid_argument(
+        fmt::format("the initial deviation is {} Hz; it must be finite", initial_deviation_hz));
+  }
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     const PowerChange& change = changes_[i];
     if (!std::isfinite(change.at_s) || !std::isfinite(change.power_mw)) {

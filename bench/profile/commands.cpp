@@ -5,14 +5,12 @@
 #include <fmt/format.h>
 
 namespace gsbench::profile {
-namespace {
 
 using keys::PlacedText;
 using keys::Table;
 
-// Ids of the outlets that `names` selects by id or by group, each once, in the plan's order.
-std::vector<std::string> named_outlets(const Table& table, const std::vector<PlacedText>& names,
-                                       const std::vector<Outlet>& outlets) {
+std::vector<std::string> named_outlets(const Table& table, const std::vector<Outlet>& outlets) {
+  const std::vector<PlacedText> names = table.texts("outlets");
   const auto selects = [](const PlacedText& name, const Outlet& outlet) {
     return name.text == outlet.id || name.text == outlet.group;
   };
@@ -37,8 +35,6 @@ std::vector<std::string> named_outlets(const Table& table, const std::vector<Pla
   return ids;
 }
 
-}  // namespace
-
 keys::Key command_keys() {
   return keys::tables("command", "Commands that the control centre sends during the run.",
                       {time_in_run("time at which the control centre sends the command"),
@@ -55,7 +51,7 @@ std::vector<Command> read_commands(const Table& top, const std::vector<Outlet>& 
   for (const Table& table : top.tables("command")) {
     Command command;
     command.at_s = table.number("at_s", within_run(duration_s));
-    command.outlets = named_outlets(table, table.texts("outlets"), outlets);
+    command.outlets = named_outlets(table, outlets);
     command.switch_on = table.text("switch") == "on";
     commands.push_back(std::move(command));
   }

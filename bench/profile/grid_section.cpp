@@ -198,6 +198,7 @@ Key grid_section_keys() {
     part.meaning = "part of an inline grid";
     section.inner.push_back(part.described_in("a grid"));
   }
+  section.inner.push_back(frequency_before_key());
   section.inner.push_back(loss_keys());
   return section;
 }

@@ -39,7 +39,8 @@ const keys::Key& profile_keys() {
                    "seed of the noise and of all other random values; `--seed` overrides it")
            .permits("0 … 2⁵³")
            .by_default(1),
-       grid_section_keys(), signal_keys(), outlet_keys(), command_keys(), expect_keys()});
+       grid_section_keys(), signal_keys(), outlet_keys(), settings_update_keys(), command_keys(),
+       expect_keys()});
   return keys;
 }
 
@@ -66,6 +67,7 @@ Plan parse_profile(const std::string& text, const std::string& path, const Overr
   }
   plan.seed = overrides.seed.value_or(plan.seed);
   plan.outlets = read_outlets(top, plan.grid);
+  plan.settings = read_settings_updates(top, plan.grid, plan.outlets, plan.stimulus.duration_s);
   plan.commands = read_commands(top, plan.outlets, plan.stimulus.duration_s);
   plan.expectations = read_expectations(top, plan.outlets);
   check_playable(plan);

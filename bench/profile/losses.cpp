@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <grid/sfr_model.hpp>
+
 namespace gsbench::profile {
 namespace {
 
@@ -95,6 +97,25 @@ keys::Key loss_keys() {
                     "the power is lost linearly over this time; it may end after the run")
            .permits("0: at once; 0.001 … 3600")
            .by_default(0.0)});
+}
+
+keys::Key frequency_before_key() {
+  return keys::number("frequency_before_hz", "Hz", keys::above(0.0),
+                      "frequency before the start: the grid is in equilibrium there, as if power "
+                      "had been lost or shed long before. The outlets' settings do not depend on "
+                      "it. Not with `frequency` or `[signal.trace]`")
+      .permits("as far from nominal as ± load moves it, at most by half")
+      .or_else("nominal");
+}
+
+double read_initial_deviation_hz(const Table& grid_section, const grid::Grid& grid) {
+  const double of_load_hz = grid.load_mw * grid::SfrModel(grid).gain_hz_per_mw();
+  // In whole millihertz, for the message.
+  const double reach_hz = std::floor(1e3 * std::min(of_load_hz, 0.5 * grid.nominal_hz)) / 1e3;
+  const Range reachable = {grid.nominal_hz - reach_hz, grid.nominal_hz + reach_hz, false, false,
+                           "as far as the grid's load moves it"};
+  return grid_section.find_number("frequency_before_hz", reachable).value_or(grid.nominal_hz) -
+         grid.nominal_hz;
 }
 
 std::vector<grid::PowerChange> read_losses(const Table& grid_section, const grid::Grid& grid,

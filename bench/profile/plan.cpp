@@ -10,8 +10,13 @@ std::int64_t Plan::duration_ticks() const {
 }
 
 std::shared_ptr<const waveform::ReferenceSignal> Plan::reference() const {
+  return waveform::with_oscillations(grid_reference(), stimulus.oscillations);
+}
+
+std::unique_ptr<waveform::ReferenceSignal> Plan::grid_reference() const {
   return stimulus.points.empty()
-             ? waveform::reference_from_losses(grid::SfrModel(grid), stimulus.losses)
+             ? waveform::reference_from_losses(grid::SfrModel(grid), stimulus.losses,
+                                               stimulus.initial_deviation_hz)
              : waveform::reference_from_points(grid.nominal_hz, stimulus.points);
 }
 

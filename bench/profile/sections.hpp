@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,14 @@ keys::Key loss_keys();
 std::vector<grid::PowerChange> read_losses(const keys::Table& grid_section, const grid::Grid& grid,
                                            double duration_s);
 
+// [grid] frequency_before_hz. read_initial_deviation returns it less nominal, in Hz; 0 without it.
+keys::Key frequency_before_key();
+double read_initial_deviation_hz(const keys::Table& grid_section, const grid::Grid& grid);
+
+// [[signal.oscillation]], in the order of the profile.
+keys::Key oscillation_keys();
+std::vector<waveform::Oscillation> read_oscillations(const keys::Table& signal, double duration_s);
+
 // [signal] and the disturbances of [grid]. `skip_recording`: the file of [signal.trace] is not read
 // and need not exist, because another recording replaces it.
 keys::Key signal_keys();
@@ -48,7 +57,8 @@ std::vector<waveform::Harmonic> en50160_harmonics();
 keys::Key trace_keys();
 void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus);
 // Makes the stimulus play the whole recording. It replaces the profile's frequency source (losses,
-// points or recording) and its amplitude and phase steps. Noise, harmonics and DC offset stay.
+// points or recording), its oscillations and its amplitude and phase steps. Noise, harmonics and DC
+// offset stay.
 void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
                           double nominal_hz, Stimulus& stimulus);
 
@@ -61,6 +71,23 @@ void check_full_scale(const keys::Table& signal, const Stimulus& stimulus,
 // [[outlet]]: the outlets and their settings.
 keys::Key outlet_keys();
 std::vector<Outlet> read_outlets(const keys::Table& top, const grid::Grid& grid);
+
+// The settings of outlets that profiles may set, with the firmware's names.
+std::vector<keys::Key> setting_keys();
+// Adds those that `table` has. Refuses a value that is out of range in single precision.
+void read_settings(const keys::Table& table, double nominal_hz,
+                   std::map<std::string, double>& settings);
+
+// The key `outlets`: ids of the outlets that it names by id or by group, each once, in the order of
+// `outlets`; empty without the key. Refuses an unknown name.
+std::vector<std::string> named_outlets(const keys::Table& table,
+                                       const std::vector<Outlet>& outlets);
+
+// [[settings]]: settings that are sent again during the run.
+keys::Key settings_update_keys();
+std::vector<SettingsUpdate> read_settings_updates(const keys::Table& top, const grid::Grid& grid,
+                                                  const std::vector<Outlet>& outlets,
+                                                  double duration_s);
 
 // [[command]]: commands of the control centre during the run.
 keys::Key command_keys();

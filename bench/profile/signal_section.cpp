@@ -174,6 +174,11 @@ void refuse_second_source(const Table& signal, const Table& grid_section) {
   if (signal.has("frequency") && grid_section.has("loss")) {
     signal.refuse("frequency", message);
   }
+  if (grid_section.has("frequency_before_hz") && (signal.has("frequency") || signal.has("trace"))) {
+    grid_section.refuse("frequency_before_hz",
+                        "frequency_before_hz is only valid if the frequency follows from the grid; "
+                        "omit it, or frequency and [signal.trace]");
+  }
 }
 
 }  // namespace
@@ -210,7 +215,7 @@ Key signal_keys() {
                         "voltage, with the accuracy of its amplitude, relative to the nominal peak "
                         "amplitude"),
               tolerance("time_tolerance_ms", "ms", Tolerances{}.time_ms, "time"),
-              amplitude_step_keys(), phase_jump_keys(), trace_keys()})
+              oscillation_keys(), amplitude_step_keys(), phase_jump_keys(), trace_keys()})
       .require("the signal to play, e.g. [signal] duration_s = 6.0");
 }
 
@@ -240,7 +245,9 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
   if (signal.has("frequency")) {
     stimulus.points = read_points(signal, grid.nominal_hz, stimulus.duration_s);
   }
+  stimulus.initial_deviation_hz = read_initial_deviation_hz(grid_section, grid);
   stimulus.losses = read_losses(grid_section, grid, stimulus.duration_s);
+  stimulus.oscillations = read_oscillations(signal, stimulus.duration_s);
   stimulus.signal.harmonics =
       read_harmonics(signal, grid.nominal_hz, static_cast<double>(stimulus.sample_rate_hz));
   stimulus.signal.amplitude_steps = read_amplitude_steps(signal, stimulus.duration_s);

@@ -58,8 +58,8 @@ keys::Key trace_keys() {
       "1.5 of nominal. A row with `NaN` in a used column is skipped, and the curve is interpolated "
       "across the gap. Run records and reports contain the file name, the columns and the SHA-256 "
       "of the content. `--trace` on the command line plays another recording in full length, in "
-      "place of the profile's losses, frequency points or recording, amplitude steps and phase "
-      "steps; noise, harmonics and DC offset stay.",
+      "place of the profile's losses, frequency points or recording, oscillations, amplitude steps "
+      "and phase steps; noise, harmonics and DC offset stay.",
       {keys::text("file", "path of the CSV file, relative to the profile").require(),
        keys::text("time", "name of the time column: seconds, or date and time of day").require(),
        keys::text("frequency", "name of the frequency column, in Hz").require(),
@@ -127,6 +127,8 @@ void replace_by_recording(const std::string& path, const recording::TraceColumns
     throw ConfigurationError(fmt::format("{}: fewer than two rows to play", path));
   }
   stimulus.losses.clear();
+  stimulus.initial_deviation_hz = 0.0;
+  stimulus.oscillations.clear();
   stimulus.signal.amplitude_steps.clear();
   stimulus.signal.phase_jumps.clear();
   use(std::move(points), {path, path, "", columns, true}, nominal_hz, stimulus);

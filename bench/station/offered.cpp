@@ -35,6 +35,12 @@ void check_contact_only(const profile::Plan& plan, const profile::Outlet& outlet
     throw profile::ConfigurationError(fmt::format(
         "{}: no limit applies to outlet {}, so it could not pass", plan.path, outlet.id));
   }
+  for (const profile::SettingsUpdate& update : plan.settings) {
+    if (update.outlets.count(outlet.id) > 0) {
+      throw profile::ConfigurationError(
+          fmt::format("{}: the settings of {} s cannot be sent: {}", plan.path, update.at_s, who));
+    }
+  }
   for (const profile::Command& command : plan.commands) {
     if (is_addressed(command.outlets, outlet.id)) {
       throw profile::ConfigurationError(

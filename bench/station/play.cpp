@@ -1,8 +1,10 @@
 #include "faults.hpp"
 #include "run_steps.hpp"
 #include "watch.hpp"
+#include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
+#include <functional>
 
 #include <waveform/synthesizer.hpp>
 
@@ -11,6 +13,14 @@ namespace {
 
 // Time after the start by which an outlet must have acknowledged its settings.
 constexpr double kSettingsAnswer_s = 0.096;
+// The same for settings that are sent during the run: as long as an outlet may be silent.
+constexpr double kLaterAnswer_s = 1.0;
+
+// What is sent at a tick of the source.
+struct Sending {
+  std::int64_t at_tick;
+  std::function<void(std::int64_t tick)> send;
+};
 
 void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
   if (outlets.empty()) {
@@ -23,6 +33,16 @@ void require_an_outlet(const std::vector<record::OutletRecord>& outlets) {
   }
 }
 
+std::vector<std::uint32_t> versions_sent(const std::vector<record::OutletRecord>& outlets) {
+  std::vector<std::uint32_t> versions;
+  for (const record::OutletRecord& outlet : outlets) {
+    const auto version = outlet.settings.find("version");
+    versions.push_back(
+        version != outlet.settings.end() ? static_cast<std::uint32_t>(version->second) : 0);
+  }
+  return versions;
+}
+
 struct Player {
   const profile::Plan& plan;
   const std::vector<Slot>& slots;
@@ -33,6 +53,7 @@ struct Player {
   capture::Capture& capture;
   Watch watch = {outlets, plan.stimulus.sample_rate_hz};
   std::uint32_t requests = 0;
+  std::vector<std::uint32_t> versions = versions_sent(outlets);  // of the settings
   link::Happenings happenings = {};
   std::vector<relay::Edge> edges = {};
   std::vector<bool> open_at_start = std::vector<bool>(slots.size());
@@ -54,15 +75,16 @@ struct Player {
     const std::int64_t end = signal.total_ticks();
     // Without marker dips before the run, the answers arrive with its first reports.
     const std::int64_t answers_due = std::min(std::max(lead, tick_of(kSettingsAnswer_s)), end);
-    std::size_t command = 0;
+    const std::vector<Sending> sendings = all_sendings();
+    auto next_sending = sendings.begin();
     require(source, source.start());
     for (std::int64_t tick = 0; tick < end;) {
-      for (; command < plan.commands.size() && command_tick(command) <= tick; ++command) {
-        send(plan.commands[command], tick);
+      for (; next_sending != sendings.end() && next_sending->at_tick <= tick; ++next_sending) {
+        next_sending->send(tick);
       }
       std::int64_t next = tick + std::max<std::int64_t>(tick_of(station.block_s()), 1);
       for (const std::int64_t stop :
-           {answers_due, command < plan.commands.size() ? command_tick(command) : end, end}) {
+           {answers_due, next_sending != sendings.end() ? next_sending->at_tick : end, end}) {
         next = stop > tick ? std::min(next, stop) : next;
       }
       const std::int64_t played = require(source, source.advance(next));
@@ -71,6 +93,7 @@ struct Player {
         watch.check_answers(capture);
       }
       tick = played;
+      watch.check_later_answers(capture, tick);
       watch.check_silence(capture, tick);
       require_an_outlet(outlets);
       if (options.progress) {
@@ -84,8 +107,20 @@ struct Player {
     return waveform::tick_at(t_s, plan.stimulus.sample_rate_hz);
   }
 
-  std::int64_t command_tick(std::size_t command) const {
-    return signal.lead_ticks() + tick_of(plan.commands[command].at_s);
+  // Ascending in time.
+  std::vector<Sending> all_sendings() {
+    std::vector<Sending> all;
+    for (const profile::SettingsUpdate& update : plan.settings) {
+      all.push_back({signal.lead_ticks() + tick_of(update.at_s),
+                     [this, &update](std::int64_t tick) { send(update, tick); }});
+    }
+    for (const profile::Command& command : plan.commands) {
+      all.push_back({signal.lead_ticks() + tick_of(command.at_s),
+                     [this, &command](std::int64_t tick) { send(command, tick); }});
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Sending& a, const Sending& b) { return a.at_tick < b.at_tick; });
+    return all;
   }
 
   // Reads everything that has arrived up to the source's tick `now`.
@@ -122,6 +157,24 @@ struct Player {
       if (open_at_start[i]) {
         capture.add_edge(outlets[i].id, 0, false);
       }
+    }
+  }
+
+  void send(const profile::SettingsUpdate& update, std::int64_t tick) {
+    gs::wire::Downlink message;
+    message.kind = gs::wire::DownlinkKind::kSettings;
+    for (std::size_t i = 0; i < plan.outlets.size(); ++i) {
+      const std::string& id = outlets[i].id;
+      const auto settings = update.outlets.find(plan.outlets[i].id);
+      if (settings == update.outlets.end() || !watch.is_watched(id)) {
+        continue;
+      }
+      message.settings =
+          control_centre::outlet_settings(plan.grid, settings->second, ++versions[i]);
+      require(station.link().send(id, message));
+      capture.add_settings(id, tick - signal.lead_ticks(), versions[i], update.changes);
+      watch.expect_answer(id, update.at_s,
+                          std::min(tick + tick_of(kLaterAnswer_s), signal.total_ticks()));
     }
   }
 

@@ -68,6 +68,16 @@ std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
           {tick(loss.at_s + loss.ramp_s), "ramp end", loss.power_mw, "end of " + what + over});
     }
   }
+  for (const waveform::Oscillation& oscillation : plan.stimulus.oscillations) {
+    const double amplitude_mhz = 1e3 * oscillation.amplitude_hz;
+    const std::string what = figure(oscillation.frequency_hz, " Hz") + " oscillation";
+    marks.push_back({tick(oscillation.at_s), "oscillation", amplitude_mhz,
+                     what + ", ± " + figure(amplitude_mhz, " mHz")});
+    if (std::isfinite(oscillation.duration_s)) {
+      marks.push_back(
+          {tick(oscillation.at_s + oscillation.duration_s), "oscillation", 0.0, "end of " + what});
+    }
+  }
   for (const waveform::PhaseJump& jump : plan.stimulus.signal.phase_jumps) {
     marks.push_back(
         {tick(jump.at_s), "phase jump", jump.degrees, figure(jump.degrees, "° phase step")});

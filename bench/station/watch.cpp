@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <waveform/synthesizer.hpp>
 
 namespace gsbench::station {
@@ -32,6 +34,17 @@ std::string failed_parts(std::uint32_t failed) {
 bool invalidates_run(gs::wire::ErrorCode error) {
   return error == gs::wire::ErrorCode::kSamplesLost || error == gs::wire::ErrorCode::kWatchdog ||
          error == gs::wire::ErrorCode::kSettingsStorage || error == gs::wire::ErrorCode::kClock;
+}
+
+// The answer to the settings with this number, from 0. `when`: how messages distinguish them.
+void check_answer(record::OutletRecord& outlet,
+                  const std::vector<gs::outlet::SettingsError>& answers, std::size_t number,
+                  const std::string& when) {
+  if (number >= answers.size()) {
+    note(outlet, "did not acknowledge its settings" + when);
+  } else if (answers[number] != gs::outlet::SettingsError::kNone) {
+    note(outlet, "refused its settings" + when + ": " + gs::outlet::to_string(answers[number]));
+  }
 }
 
 }  // namespace
@@ -82,15 +95,24 @@ void Watch::process(link::Happenings& happenings, std::int64_t now) {
 
 void Watch::check_answers(const capture::Capture& capture) {
   for (const auto& [id, session] : sessions_) {
-    const std::optional<gs::outlet::SettingsError> answer = capture.settings_answer(id);
-    if (!answer) {
-      note(*session.outlet, "did not acknowledge its settings");
-    } else if (*answer != gs::outlet::SettingsError::kNone) {
-      note(*session.outlet, "refused its settings: " + std::string(gs::outlet::to_string(*answer)));
-    }
+    check_answer(*session.outlet, capture.settings_answers(id), 0, "");
     const std::string failed = failed_parts(capture.self_test_failed(id));
     if (!failed.empty()) {
       note(*session.outlet, "failed its self test: " + failed);
+    }
+  }
+}
+
+void Watch::expect_answer(const std::string& id, double at_s, std::int64_t due) {
+  sessions_.at(id).later_answers.push_back({at_s, due});
+}
+
+void Watch::check_later_answers(const capture::Capture& capture, std::int64_t now) {
+  for (auto& [id, session] : sessions_) {
+    std::size_t& next = session.later_answers_checked;
+    for (; next < session.later_answers.size() && session.later_answers[next].due <= now; ++next) {
+      check_answer(*session.outlet, capture.settings_answers(id), next + 1,
+                   fmt::format(" of {:.6g} s", session.later_answers[next].at_s));
     }
   }
 }

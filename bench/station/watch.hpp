@@ -24,15 +24,27 @@ class Watch {
   // 0 again, and that count cannot be aligned.
   void process(link::Happenings& happenings, std::int64_t now);
   void check_answers(const capture::Capture& capture);
+  // Settings were sent again to an outlet `at_s` after the start of the run. It must have answered
+  // by the source's tick `due`.
+  void expect_answer(const std::string& id, double at_s, std::int64_t due);
+  // Checks the answers that are due by the source's tick `now`.
+  void check_later_answers(const capture::Capture& capture, std::int64_t now);
   void check_silence(const capture::Capture& capture, std::int64_t now);
 
  private:
+  struct LaterAnswer {
+    double at_s;
+    std::int64_t due;
+  };
+
   // The time from one start-up of an outlet to the next; its sample count only increases.
   struct Session {
     record::OutletRecord* outlet;
     std::uint64_t newest_sample = 0;
     std::int64_t last_message_tick = 0;  // of the source
     bool ended = false;
+    std::vector<LaterAnswer> later_answers = {};  // in the order of sending
+    std::size_t later_answers_checked = 0;
   };
 
   std::map<std::string, Session> sessions_;

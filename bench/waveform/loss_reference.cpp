@@ -8,8 +8,9 @@ namespace {
 
 class LossReference final : public ReferenceSignal {
  public:
-  LossReference(grid::SfrModel model, std::vector<grid::PowerChange> losses)
-      : response_(std::move(model), std::move(losses)),
+  LossReference(grid::SfrModel model, std::vector<grid::PowerChange> losses,
+                double initial_deviation_hz)
+      : response_(std::move(model), std::move(losses), initial_deviation_hz),
         cycles_at_zero_(response_.excess_cycles(0.0)) {}
 
   double nominal_hz() const override { return response_.model().nominal_hz(); }
@@ -40,8 +41,9 @@ class LossReference final : public ReferenceSignal {
 }  // namespace
 
 std::unique_ptr<ReferenceSignal> reference_from_losses(grid::SfrModel model,
-                                                       std::vector<grid::PowerChange> losses) {
-  return std::make_unique<LossReference>(std::move(model), std::move(losses));
+                                                       std::vector<grid::PowerChange> losses,
+                                                       double initial_deviation_hz) {
+  return std::make_unique<LossReference>(std::move(model), std::move(losses), initial_deviation_hz);
 }
 
 }  // namespace gsbench::waveform

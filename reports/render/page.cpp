@@ -46,6 +46,21 @@ Json table_json(const FigureTable& table) {
           {"rows", array_of(table.rows, row_json)}};
 }
 
+Json list_json(const FigureTable& table) {
+  const auto row_json = [&](const FigureRow& row) {
+    Json object = {{table.row_key, row.name}};
+    for (std::size_t i = 0; i < row.figures.size() && i < table.columns.size(); ++i) {
+      const record::FigureColumn& column = table.columns[i];
+      const double figure = row.figures[i];
+      object[column.key] = column.decimals == 0 && std::isfinite(figure)
+                               ? Json(static_cast<std::int64_t>(std::llround(figure)))
+                               : Json(figure);
+    }
+    return object;
+  };
+  return array_of(table.rows, row_json);
+}
+
 Json plot_json(const record::CurvePlot& plot) {
   const auto curve_json = [](const record::Curve& curve) {
     return Json{{"name", curve.name}, {"y", curve.y}};
@@ -129,9 +144,16 @@ std::string json(const record::Page& page) {
   for (const auto& [name, value] : page.facts) {
     facts[name] = value;
   }
-  return indented({{"title", page.title},
-                   {"facts", facts},
-                   {"sections", array_of(page.sections, section_json)}});
+  Json all = {{"title", page.title}, {"facts", facts}};
+  for (const record::PageSection& section : page.sections) {
+    for (const FigureTable& table : section.tables) {
+      if (!table.list.empty()) {
+        all[table.list] = list_json(table);
+      }
+    }
+  }
+  all["sections"] = array_of(page.sections, section_json);
+  return indented(all);
 }
 
 std::string terminal(const record::Page& page) {

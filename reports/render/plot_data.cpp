@@ -106,7 +106,7 @@ Json outlet_json(const record::RunRecord& run, const record::OutletRecord& outle
 }  // namespace
 
 std::string mark_label(const record::Mark& mark) {
-  static constexpr std::array<std::pair<const char*, const char*>, 12> kLabels = {{
+  static constexpr std::array<std::pair<const char*, const char*>, 13> kLabels = {{
       {"event", "Event"},
       {"lse", "LSE"},
       {"decision", "Decision"},
@@ -119,6 +119,7 @@ std::string mark_label(const record::Mark& mark) {
       {"relay.sense", "Relay, sensed"},
       {"relay.reported", "Relay, self-reported"},
       {"command", "Command"},
+      {"settings", "Settings sent, version"},
   }};
   for (const auto& [kind, label] : kLabels) {
     if (mark.kind == kind) {

@@ -81,7 +81,7 @@ const std::vector<FolderRule>& folder_rules() {
         "firmware/outlet"}},
       {"bench/fleet",
        {"drivers/common", "drivers/models", "bench/grid", "bench/control_centre", "bench/campaign",
-        "firmware/outlet", kPageData}},
+        "bench/waveform", "bench/profile", "firmware/outlet", kPageData}},
       {"bench/recording", {}},
       {"bench/waveform", {"bench/grid", "bench/recording"}},
       {"bench/profile",

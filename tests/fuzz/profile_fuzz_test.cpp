@@ -102,6 +102,10 @@ TEST(ProfileFuzz, CheckDetectsInvalidPlans) {
               plan.commands.push_back({0.0, {"unknown"}, true});
             }),
             "a command to an unknown outlet");
+  EXPECT_EQ(wrong_with_changed([](profile::Plan& plan) {
+              plan.settings.push_back({0.0, {{"unknown", {}}}, ""});
+            }),
+            "settings for an unknown outlet");
 }
 
 }  // namespace

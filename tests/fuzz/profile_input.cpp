@@ -25,6 +25,13 @@ std::string wrong_with_plan(const profile::Plan& plan) {
   if (ids.size() != plan.outlets.size()) {
     return "two outlets with the same id";
   }
+  for (const profile::SettingsUpdate& update : plan.settings) {
+    for (const auto& [id, settings] : update.outlets) {
+      if (ids.count(id) == 0) {
+        return "settings for an unknown outlet";
+      }
+    }
+  }
   for (const profile::Command& command : plan.commands) {
     for (const std::string& id : command.outlets) {
       if (ids.count(id) == 0) {

@@ -1,5 +1,6 @@
 // Pages of figures: the digits of tables, and their layout in the lines of a terminal.
 #include "format.hpp"
+#include "json_text.hpp"
 #include "text_table.hpp"
 
 #include <limits>
@@ -56,6 +57,19 @@ TEST(PageOfFigures, PrintsNoneOutsideTheRangeOfItsColumn) {
                                     HasSubstr("c           –            1\n")));
   EXPECT_THAT(html(page), HasSubstr(">none<"));
   EXPECT_THAT(json(page), AllOf(HasSubstr("1001"), Not(HasSubstr("none"))));
+}
+
+TEST(PageOfFigures, JsonHasATableAsAListIfItHasAName) {
+  record::FigureTable table = {"", "", {{"shed, MW", 2}, {"outlets off"}}, {{"none", {0.5, 7.0}}}};
+  EXPECT_EQ(Json::parse(json(page_of(table))).count("closed_loop"), 0U);
+  table.list = "closed_loop";
+  table.row_key = "strategy";
+  table.columns[0].key = "shed_mw";
+  table.columns[1].key = "outlets_off";
+  table.rows.push_back({"central", {record::kNoFigure, record::kNoFigure}});
+  EXPECT_EQ(Json::parse(json(page_of(table)))["closed_loop"].dump(),
+            R"([{"strategy":"none","shed_mw":0.5,"outlets_off":7},)"
+            R"({"strategy":"central","shed_mw":null,"outlets_off":null}])");
 }
 
 TEST(Fixed, HasThatManyDecimalsAndNoNegativeZero) {

@@ -85,7 +85,7 @@ TEST(Capture, KeepsMeasurementsInTheTraceOfTheirOutlet) {
 TEST(Capture, HasNoReportsOfASilentOutlet) {
   const Capture capture(kRate_hz);
   EXPECT_EQ(capture.last_report_sample("a"), 0);
-  EXPECT_FALSE(capture.settings_answer("a"));
+  EXPECT_TRUE(capture.settings_answers("a").empty());
 }
 
 TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
@@ -99,6 +99,8 @@ TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
   capture.add_edge("a", 310, false);
   capture.add_edge("a", 900, true);
   capture.add_command("a", 800, true);
+  capture.add_settings("a", 850, 7, "accumulated_mw = 120");
+  capture.add_settings("a", 880, 8, "");
   EXPECT_THAT(printed(taken(capture, "a")),
               ElementsAre("100 event 49 frequency before it, Hz", "200 lse 450 MW",
                           "300 decision 163 shed", "300 decision.loss 515 MW",
@@ -107,6 +109,7 @@ TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
                           std::string("300 decision.trust 1 ") + to_string(Trust::kTrusted),
                           "300 relay.reported 0 loss", "310 relay.sense 0 open",
                           "400 aborted 0 voltage lost", "800 command 1 switch on",
+                          "850 settings 7 accumulated_mw = 120", "880 settings 8 unchanged",
                           "900 relay.sense 1 closed"));
 }
 
@@ -150,15 +153,19 @@ TEST(Capture, ConvertsTheInstantOfTheLossToTheTimeBaseOfTheRun) {
   EXPECT_THAT(estimates.loss_sigma_mw, ElementsAre(8.0F, 8.0F, 8.0F));
 }
 
-TEST(Capture, KeepsTheAnswerToTheSettingsAndItsDigest) {
+TEST(Capture, KeepsTheAnswersToTheSettingsAndTheDigestOfTheFirst) {
   Capture capture(kRate_hz);
   link::Received accepted = received("a", 40, UplinkKind::kSettingsAnswer);
   accepted.message.settings_answer = {gs::outlet::SettingsError::kNone, 1, 0x00C0FFEEU};
   link::Received refused = received("b", 40, UplinkKind::kSettingsAnswer);
   refused.message.settings_answer = {gs::outlet::SettingsError::kConditions, 0, 0};
+  link::Received later = received("a", 800, UplinkKind::kSettingsAnswer);
+  later.message.settings_answer = {gs::outlet::SettingsError::kStale, 1, 0x00BADBADU};
   capture.add({accepted, refused});
-  EXPECT_EQ(capture.settings_answer("a"), gs::outlet::SettingsError::kNone);
-  EXPECT_EQ(capture.settings_answer("b"), gs::outlet::SettingsError::kConditions);
+  capture.add({later});
+  EXPECT_THAT(capture.settings_answers("a"),
+              ElementsAre(gs::outlet::SettingsError::kNone, gs::outlet::SettingsError::kStale));
+  EXPECT_THAT(capture.settings_answers("b"), ElementsAre(gs::outlet::SettingsError::kConditions));
   EXPECT_EQ(taken(capture, "a").settings_digest, "00c0ffee");
 }
 

@@ -15,8 +15,10 @@
 namespace gsbench::test {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using testing::UnorderedElementsAre;
 
 json reproduced(const std::string& only, const Words& more = {}) {
   Words arguments = {"reproduce", "--only", only, "--n", "20000", "--json"};
@@ -257,8 +259,9 @@ TEST(Fleet, StatesThatNoThresholdLossAllowsForTheDelay) {
   const json page = run_for_json({"fleet", "--loss", "1500", "--groups", "20", "--per-group", "50",
                                   "--least", "5000", "--most", "900000", "--duration", "3",
                                   "--delay-aware", "--closed-loop", "--json"});
-  for (const json& section : page["sections"]) {
-    EXPECT_THAT(section["paragraphs"].dump(), HasSubstr("No threshold loss allows for the delay"));
+  for (const std::size_t section : {0U, 1U}) {
+    EXPECT_THAT(page["sections"][section]["paragraphs"].dump(),
+                HasSubstr("No threshold loss allows for the delay"));
   }
   EXPECT_EQ(page["sections"][0]["tables"][0]["rows"].size(), 5U);
   EXPECT_EQ(page["sections"][1]["tables"][0]["columns"].size(), 1U);
@@ -273,6 +276,63 @@ TEST(Fleet, StatesThatNoOutletDetectedTheLoss) {
   EXPECT_THAT(section.dump(), HasSubstr("No outlet detected the loss of 12 MW"));
   EXPECT_EQ(section["tables"][0]["columns"].size(), 1U);
   EXPECT_EQ(figure(section, "outlets that detected the loss", "threshold loss by eq. (15)"), 0.0);
+}
+
+TEST(Fleet, ComparesControlsOfAProfileInAClosedLoop) {
+  const json page = run_for_json(
+      {"fleet", "--closed-loop", "--profile", "paper/loss-600mw", "--duration", "5", "--json"});
+  std::vector<std::string> strategies;
+  for (const json& row : page["closed_loop"]) {
+    strategies.push_back(row["strategy"]);
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : row.items()) {
+      keys.push_back(key);
+    }
+    EXPECT_THAT(keys,
+                UnorderedElementsAre("strategy", "shed_mw", "nadir_hz", "end_hz", "outlets_off",
+                                     "first_action_s", "last_action_s", "false_events"));
+  }
+  EXPECT_THAT(strategies,
+              ElementsAre("none", "paper", "gsbench", "central", "ufls", "clairvoyant-0.3",
+                          "clairvoyant-0.5", "clairvoyant-0.75", "clairvoyant-0.96"));
+  const json& none = page["closed_loop"][0];
+  EXPECT_TRUE(none["first_action_s"].is_null());
+  EXPECT_TRUE(none["outlets_off"].is_null());
+  const json& gsbench = page["closed_loop"][2];
+  EXPECT_GT(gsbench["nadir_hz"].get<double>(), none["nadir_hz"].get<double>() + 0.2);
+  EXPECT_TRUE(gsbench["outlets_off"].is_number_integer());
+  EXPECT_GT(gsbench["outlets_off"].get<int>(), 100);
+  EXPECT_EQ(gsbench["false_events"].get<int>(), 0);
+}
+
+TEST(Fleet, ComparesTheControlsOfASingleLossAsWell) {
+  const json page = run_for_json({"fleet", "--per-group", "1", "--least", "1e4", "--most", "1.8e6",
+                                  "--loss", "600", "--duration", "5", "--closed-loop", "--json"});
+  ASSERT_EQ(page["closed_loop"].size(), 9U);
+  const json& clairvoyant = page["closed_loop"][5];
+  EXPECT_EQ(clairvoyant["strategy"], "clairvoyant-0.3");
+  EXPECT_NEAR(clairvoyant["shed_mw"].get<double>(), 249.8, 0.4);
+  EXPECT_NEAR(clairvoyant["first_action_s"].get<double>(), 1.3, 0.017);
+  EXPECT_NEAR(page["closed_loop"][1]["shed_mw"].get<double>(),
+              figure(page["sections"][1], "shed, MW", "threshold loss by eq. (15)"), 1e-9);
+}
+
+TEST(Fleet, PlaysAProfileOnAnotherGridIfOneIsGiven) {
+  const Words arguments = {"fleet", "--closed-loop", "--profile", "paper/loss-500mw", "--duration",
+                           "1",     "--json"};
+  Words other = arguments;
+  other.emplace_back("ieee24-by-unit");
+  const auto nadir_hz = [](const json& page) {
+    return page["closed_loop"][0]["nadir_hz"].get<double>();
+  };
+  EXPECT_LT(nadir_hz(run_for_json(other)), nadir_hz(run_for_json(arguments)) - 0.01);
+}
+
+TEST(Fleet, RejectsOptionsThatAProfileReplaces) {
+  expect_refused({"fleet", "--profile", "paper/loss-500mw"}, "--closed-loop");
+  expect_refused({"fleet", "--closed-loop", "--profile", "paper/loss-500mw", "--loss", "400"},
+                 "--loss");
+  expect_refused({"fleet", "--closed-loop", "--profile", "paper/nothing"}, "paper/nothing");
 }
 
 TEST(Fleet, WritesASweepAsHeatMapsForAnyGrid) {

@@ -2,6 +2,8 @@
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <render/render.hpp>
@@ -49,9 +51,15 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedProfile,
                            return name;
                          });
 
-// The one that is missing, regression/steady, takes an hour: see long_runs_test.cpp.
+// regression/steady takes an hour: see long_runs_test.cpp. Those of cascades/ are read by the tests
+// of profiles, not run here.
 TEST(ShippedProfiles, AreAllTestedAbove) {
-  EXPECT_EQ(run_for_json({"list", "--json"})["profiles"].size(), 15U);
+  const json profiles = run_for_json({"list", "--json"})["profiles"];
+  EXPECT_EQ(std::count_if(profiles.begin(), profiles.end(),
+                          [](const json& profile) {
+                            return profile["name"].get<std::string>().rfind("cascades/", 0) != 0;
+                          }),
+            15);
 }
 
 }  // namespace

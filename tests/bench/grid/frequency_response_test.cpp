@@ -75,6 +75,24 @@ TEST(FrequencyResponse, HasALowerNadirTheLaterTheShedding) {
   }
 }
 
+// 92 MW have this final deviation in this grid.
+TEST(FrequencyResponse, StartsFromAnEquilibriumAsIfPowerHadBeenLostLongBefore) {
+  const SfrModel model(ieee24());
+  const double before_mw = 0.072 / model.gain_hz_per_mw();
+  EXPECT_NEAR(before_mw, 92.0, 0.05);
+  const FrequencyResponse response(model, {{2.0, 300.0}}, -0.072);
+  const FrequencyResponse long_before(model, {{-1000.0, before_mw}, {2.0, 300.0}});
+  EXPECT_EQ(response.frequency_hz(0.0), 49.928);
+  EXPECT_EQ(response.rocof_hz_s(1.9), 0.0);
+  for (double t_s = 0.0; t_s < 10.0; t_s += 0.1) {
+    EXPECT_NEAR(response.frequency_hz(t_s), long_before.frequency_hz(t_s), 3e-14);
+    EXPECT_NEAR(response.rocof_hz_s(t_s), long_before.rocof_hz_s(t_s), 1e-15);
+    EXPECT_NEAR(response.excess_cycles(t_s),
+                long_before.excess_cycles(t_s) - long_before.excess_cycles(0.0), 1e-13);
+  }
+  EXPECT_LT(response.frequency_hz(5.0), 49.6);
+}
+
 TEST(FrequencyResponse, RefusesAChangeThatIsNotFinite) {
   const SfrModel model(ieee24());
   const double nan = std::nan("");
@@ -83,6 +101,7 @@ TEST(FrequencyResponse, RefusesAChangeThatIsNotFinite) {
   EXPECT_THROW(FrequencyResponse(model, {{0.0, 500.0}, {HUGE_VAL, 1.0}}), std::invalid_argument);
   EXPECT_THROW(FrequencyResponse(model, {{0.0, 500.0, -0.1}}), std::invalid_argument);
   EXPECT_THROW(FrequencyResponse(model, {{0.0, 500.0, nan}}), std::invalid_argument);
+  EXPECT_THROW(FrequencyResponse(model, {}, nan), std::invalid_argument);
 }
 
 }  // namespace

@@ -337,7 +337,8 @@ TEST_P(EveryKey, IsReportedIfItIsRequiredAndMissing) {
 
 TEST_P(EveryKey, IsDocumentedInTheReadme) {
   std::string readmes;
-  for (const char* const name : {"/profiles/README.md", "/drivers/README.md"}) {
+  for (const char* const name :
+       {"/profiles/README.md", "/profiles/stations.md", "/drivers/README.md"}) {
     std::ifstream file(std::string(GSBENCH_SOURCE_DIR) + name);
     readmes.append(std::istreambuf_iterator<char>(file), {});
   }

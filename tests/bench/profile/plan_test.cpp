@@ -1,6 +1,9 @@
 // A plan's reference signal and samples follow its profile.
 #include <profile_test/texts.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <grid/sfr_model.hpp>
@@ -30,6 +33,21 @@ TEST(Plan, StaysAtNominalWithoutLosses) {
   EXPECT_EQ(reference->frequency_hz(0.0), 50.0);
   EXPECT_EQ(reference->frequency_hz(6.0), 50.0);
   EXPECT_EQ(reference->rocof_hz_s(3.0), 0.0);
+}
+
+TEST(Plan, HasTheFrequencyOfTheOutletsAndThatOfTheGridWithoutOscillations) {
+  const Plan plan = parse(kDisturbed);
+  const auto seen = plan.reference();
+  const auto grid = plan.grid_reference();
+  EXPECT_EQ(grid->frequency_hz(0.0), 49.85);
+  EXPECT_EQ(grid->frequency_hz(1.9), 49.85);
+  EXPECT_LT(grid->frequency_hz(9.0), 49.6);
+  double most_hz = 0.0;
+  for (double t_s = 1.0; t_s < 9.0; t_s += 0.01) {
+    most_hz = std::max(most_hz, std::abs(seen->frequency_hz(t_s) - grid->frequency_hz(t_s)));
+  }
+  EXPECT_NEAR(most_hz, 0.070, 1e-3) << "the two amplitudes together";
+  EXPECT_EQ(plan.synthesizer().reference().frequency_hz(2.5), seen->frequency_hz(2.5));
 }
 
 TEST(Plan, PassesThroughEachFrequencyPoint) {

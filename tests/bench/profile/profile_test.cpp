@@ -71,6 +71,62 @@ TEST(Profile, HoldsTitleSourceSeedAndInlineGrid) {
   EXPECT_EQ(grid.reference.note, "Why they differ");
 }
 
+TEST(Profile, HoldsTheFrequencyBeforeAndOscillations) {
+  const Stimulus stimulus = parse(kDisturbed).stimulus;
+  EXPECT_NEAR(stimulus.initial_deviation_hz, -0.15, 1e-14);
+  ASSERT_THAT(stimulus.oscillations, SizeIs(2));
+  EXPECT_EQ(stimulus.oscillations[0].at_s, 1.0);
+  EXPECT_EQ(stimulus.oscillations[0].duration_s, 8.0);
+  EXPECT_EQ(stimulus.oscillations[0].frequency_hz, 0.4);
+  EXPECT_EQ(stimulus.oscillations[0].amplitude_hz, 0.06);
+  EXPECT_EQ(stimulus.oscillations[0].phase_deg, 90.0);
+  EXPECT_EQ(stimulus.oscillations[1].at_s, 0.0);
+  EXPECT_EQ(stimulus.oscillations[1].duration_s, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(stimulus.oscillations[1].phase_deg, 0.0);
+  EXPECT_EQ(parse(kMinimal).stimulus.initial_deviation_hz, 0.0);
+  EXPECT_THAT(parse(kMinimal).stimulus.oscillations, IsEmpty());
+}
+
+TEST(Profile, HoldsSettingsThatAreSentAgainInOrderOfTimeWithAllChangesSoFar) {
+  const std::vector<SettingsUpdate> updates = parse(kDisturbed).settings;
+  ASSERT_THAT(updates, SizeIs(3));
+  EXPECT_EQ(updates[0].at_s, 3.0);
+  EXPECT_THAT(updates[0].outlets, SizeIs(3));
+  EXPECT_EQ(updates[0].outlets.at("shed-1").accumulated_mw, 100.0);
+  EXPECT_THAT(updates[0].outlets.at("shed-1").settings, IsEmpty());
+  EXPECT_EQ(updates[0].changes, "");
+
+  EXPECT_EQ(updates[1].at_s, 6.0);
+  ASSERT_THAT(updates[1].outlets, SizeIs(2));
+  EXPECT_EQ(updates[1].outlets.at("alone").accumulated_mw, 120.0);
+  EXPECT_EQ(updates[1].outlets.at("alone").power_mw, 50.0);
+  EXPECT_EQ(updates[1].outlets.at("alone").settings.at("condition_hits"), 12.0);
+  EXPECT_EQ(updates[1].changes,
+            "accumulated_mw = 120, power_mw = 50, threshold_mw = 300, switch_off_hz = 49.2, "
+            "condition_hits = 12, event_drop_hz = 0.03, event_departure_hz = 0.04, "
+            "lse_samples = 8, ekf_samples = 30, method = 0, threshold_hz = 49.4, "
+            "nadir_margin_hz = 0.01, decision_reports = 50, delay_s = 0.5, restore_hz = 49.9, "
+            "restore_dwell_s = 30, restore_spread_s = 100");
+
+  ASSERT_THAT(updates[2].outlets, SizeIs(2));
+  EXPECT_EQ(updates[2].outlets.at("shed-1").accumulated_mw, 120.0);
+  EXPECT_EQ(updates[2].outlets.at("shed-1").settings.at("threshold_mw"), 250.0);
+  EXPECT_EQ(updates[2].outlets.at("shed-1").settings.at("condition_hits"), 12.0);
+  EXPECT_EQ(updates[2].outlets.at("shed-2").accumulated_mw, 100.0);
+  EXPECT_THAT(updates[2].outlets.at("shed-2").settings, SizeIs(1));
+  EXPECT_THAT(parse(kMinimal).settings, IsEmpty());
+}
+
+TEST(Profile, RefusesSettingsThatAreSentTooOften) {
+  std::string text;
+  for (int i = 0; i < 101; ++i) {
+    text += "[[settings]]\nat_s = 1.0\n";
+  }
+  EXPECT_EQ(refusal(replaced(kMinimal, "[[expect]]", text + "[[expect]]")),
+            "test.toml:208:1: settings are sent 101 times; a profile sends them at most 100 times");
+  EXPECT_EQ(refusal(replaced(kMinimal, "[[expect]]", text.substr(24) + "[[expect]]")), "");
+}
+
 TEST(Profile, HoldsLossesAtOnceAndOverATime) {
   const Stimulus stimulus = parse(kDisturbed).stimulus;
   ASSERT_THAT(stimulus.losses, SizeIs(2));

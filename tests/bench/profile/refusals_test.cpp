@@ -31,7 +31,7 @@ const std::vector<Mistake> kOfMinimal = {
     {"\"A test\"", "\"\"", "1:9: title is an empty text; it must not be empty"},
     {"source", "colour = 1\nsource",
      "2:1: unknown key \"colour\" in a profile; valid keys are: title, source, seed, grid, signal, "
-     "outlet, command, expect"},
+     "outlet, settings, command, expect"},
     {"[[outlet]]", "[[oulet]]",
      "7:3: unknown key \"oulet\" in a profile; did you mean \"outlet\"?"},
     {"[grid]\nsystem = \"ieee24\"", "",
@@ -210,11 +210,45 @@ const std::vector<Mistake> kOfLosses = {
 };
 
 const std::vector<Mistake> kOfDisturbed = {
-    {"ramp_s = 3.0", "ramp_s = -1", "8:10: ramp_s is -1; it must be at least 0 and at most 3600"},
+    {"at_s = 6.0", "at_s = 9.95",
+     "31:8: at_s is 9.95; it must be at least 0 and at most 9.9 (0.1 s before the end of the run, "
+     "so "
+     "that they can be acknowledged)"},
+    {"\"shed-1\"", "\"shed-3\"",
+     "32:12: unknown outlet or group \"shed-3\"; did you mean \"shed-1\"?"},
+    {"accumulated_mw = 120.0", "accumulated_mw = 3000.0",
+     "33:18: accumulated_mw is 3000; it must be at least 0 and at most 2745 (the grid's load)"},
+    {"power_mw = 50.0", "power_mw = 250.0",
+     "34:12: power_mw is 250 and accumulated_mw is 120; power_mw must be at most twice "
+     "accumulated_mw, which includes half of the outlet's own block"},
+    {"threshold_mw = 250.0", "accumulated_mw = 20.0",
+     "55:18: power_mw is 50 and accumulated_mw is 20; power_mw must be at most twice "
+     "accumulated_mw, which includes half of the outlet's own block"},
+    {"switch_off_hz = 49.2", "switch_off_hz = 50.0",
+     "36:17: switch_off_hz is 50; it must be at least 40 and below 50 (the grid's nominal_hz)"},
+    {"= 49.85", "= 47.0",
+     "5:23: frequency_before_hz is 47; it must be at least 47.852 and at most 52.148 (as far as "
+     "the "
+     "grid's load moves it)"},
+    {"[[grid.loss]]\nat_s = 2.0\npower_mw = 500.0\nramp_s = 3.0\n"
+     "[[grid.loss]]\nat_s = 4.5\npower_mw = -200.0\n[signal]\n",
+     "[signal]\nfrequency = [[0.0, 50.0]]\n",
+     "5:23: frequency_before_hz is only valid if the frequency follows from the grid; omit it, or "
+     "frequency and [signal.trace]"},
+    {"at_s = 1.0", "at_s = 10.0",
+     "16:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
+    {"duration_s = 8.0", "duration_s = 9.5",
+     "17:14: the oscillation ends at 10.5 s, after the end of the run at 10 s; omit duration_s for "
+     "one that lasts to the end"},
+    {"frequency_hz = 0.4", "frequency_hz = 6",
+     "18:16: frequency_hz is 6; it must be at least 0.05 and at most 5"},
+    {"amplitude_mhz = 60.0", "amplitude_mhz = 0",
+     "19:17: amplitude_mhz is 0; it must be above 0 and at most 1000"},
+    {"ramp_s = 3.0", "ramp_s = -1", "9:10: ramp_s is -1; it must be at least 0 and at most 3600"},
     {"ramp_s = 3.0", "ramp_s = 0.0001",
-     "8:10: ramp_s is 0.0001; it must be at least 0.001, or 0 for a step"},
+     "9:10: ramp_s is 0.0001; it must be at least 0.001, or 0 for a step"},
     {"power_mw = -200.0", "power_mw = 2300.0",
-     "5:1: the losses add up to 2800 MW at 5 s; their sum must stay within ± 2745 MW (the grid's "
+     "6:1: the losses add up to 2800 MW at 5 s; their sum must stay within ± 2745 MW (the grid's "
      "load)"},
 };
 

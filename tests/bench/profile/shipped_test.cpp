@@ -70,13 +70,26 @@ std::string test_name(const testing::TestParamInfo<std::string>& profile) {
 INSTANTIATE_TEST_SUITE_P(Profile, Shipped, testing::ValuesIn(profile_names()), test_name);
 
 TEST(ShippedProfiles, AreListedInAlphabeticalOrder) {
-  EXPECT_THAT(profile_names(),
-              testing::ElementsAre(
-                  "disturbances/dead-bus", "disturbances/dips", "disturbances/harmonics",
-                  "disturbances/phase-jump", "events/gb-2019", "events/iberia-2025",
-                  "paper/loss-320mw", "paper/loss-351.9mw", "paper/loss-500mw", "paper/loss-600mw",
-                  "regression/backup", "regression/command", "regression/contact-only",
-                  "regression/equivalence", "regression/steady"));
+  EXPECT_THAT(
+      profile_names(),
+      testing::ElementsAre(
+          "cascades/deep-dip-at-the-loss", "cascades/dip-after-the-loss",
+          "cascades/dip-at-the-loss", "cascades/dip-then-loss", "cascades/dips-from-a-voltage-zero",
+          "cascades/four-losses", "cascades/high-frequency-before", "cascades/loss-after-a-return",
+          "cascades/loss-that-returns", "cascades/loss-that-returns-in-part",
+          "cascades/low-frequency-before", "cascades/low-frequency-without-need",
+          "cascades/oscillation-then-loss", "cascades/oscillations-alone",
+          "cascades/phase-step-at-the-loss", "cascades/phase-steps-after-the-loss",
+          "cascades/ramp-after-a-loss", "cascades/ramp-of-one-second",
+          "cascades/ramp-of-three-seconds", "cascades/ramp-without-need",
+          "cascades/second-loss-after-two-seconds", "cascades/settings-during-the-event",
+          "cascades/three-losses", "cascades/two-losses-close-together",
+          "cascades/two-losses-half-a-second-apart", "cascades/two-losses-with-dips",
+          "disturbances/dead-bus", "disturbances/dips", "disturbances/harmonics",
+          "disturbances/phase-jump", "events/gb-2019", "events/iberia-2025", "paper/loss-320mw",
+          "paper/loss-351.9mw", "paper/loss-500mw", "paper/loss-600mw", "regression/backup",
+          "regression/command", "regression/contact-only", "regression/equivalence",
+          "regression/steady"));
 }
 
 TEST(ShippedProfiles, KeepTheirNamesWhenGivenByPath) {
@@ -86,7 +99,8 @@ TEST(ShippedProfiles, KeepTheirNamesWhenGivenByPath) {
 
 TEST(ShippedProfiles, AreSuggestedForAMisspeltName) {
   EXPECT_THAT(refusal_of_name("paper/loss-500"), HasSubstr("did you mean \"paper/loss-500mw\"?"));
-  EXPECT_THAT(refusal_of_name("nonesuch"), HasSubstr("profiles are: disturbances/dead-bus, "));
+  EXPECT_THAT(refusal_of_name("nonesuch"),
+              HasSubstr("profiles are: cascades/deep-dip-at-the-loss, "));
   EXPECT_EQ(refusal_of_name("none/such.toml"), "none/such.toml: the profile file does not exist");
 }
 

@@ -91,6 +91,11 @@ TEST(ContactOnly, CommandIsRefused) {
               HasSubstr("the command at 0.5 s cannot be sent: outlet r"));
 }
 
+TEST(ContactOnly, SettingsDuringTheRunAreRefused) {
+  EXPECT_THAT(refusal_of(plan_with(kEnd, "[[settings]]\nat_s = 0.5\n")),
+              HasSubstr("the settings of 0.5 s cannot be sent: outlet r"));
+}
+
 TEST(ContactOnly, NeedsARelayChannel) {
   Script script = contact_only();
   script.relay_channels = 0;

@@ -2,6 +2,8 @@
 
 #include "plans.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <record/store.hpp>
@@ -10,13 +12,15 @@
 namespace gsbench::station::test {
 namespace {
 
-// A loss with a decision, commands that fall on no block boundary, a dip and a phase step.
+// A loss with a decision, commands and settings that fall on no block boundary, a dip and a phase
+// step.
 profile::Plan eventful() {
   return plan(4.5,
               "noise_pct = 1.0\n"
               "[[signal.amplitude_step]]\nat_s = 0.7\nduration_s = 0.2\nlevel_pct = 40.0\n"
               "[[signal.phase_jump]]\nat_s = 4.1\ndegrees = 20.0\n"
               "[[grid.loss]]\nat_s = 2.0\npower_mw = 500.0\n"
+              "[[settings]]\nat_s = 1.7171\nthreshold_mw = 340.0\n"
               "[[command]]\nat_s = 1.2345\nswitch = \"off\"\n"
               "[[command]]\nat_s = 1.5\nswitch = \"on\"\n",
               "[[outlet]]\ncount = 3\naccumulated_mw = 100.0\n");
@@ -40,6 +44,10 @@ TEST(Determinism, RecordContainsEverythingThatCouldDiffer) {
   const record::RunRecord record = simulated_record(eventful(), 1, 0.512);
   EXPECT_NE(record.verdict, record::Verdict::kError) << record.verdict_reason;
   for (const record::OutletRecord& outlet : record.outlets) {
+    EXPECT_EQ(outlet.fault, "") << "the firmware acknowledges settings that are sent again";
+    EXPECT_EQ(std::count_if(outlet.marks.begin(), outlet.marks.end(),
+                            [](const record::Mark& mark) { return mark.kind == "settings"; }),
+              1);
     // Opened and closed by command, opened by the decision.
     int openings = 0;
     for (const record::Mark& mark : outlet.marks) {

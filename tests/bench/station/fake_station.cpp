@@ -1,5 +1,7 @@
 #include "fake_station.hpp"
 
+#include <algorithm>
+
 #include <link/version_text.hpp>
 
 namespace gsbench::station::test {
@@ -144,14 +146,20 @@ Status FakeStation::send(const std::string& id, const gs::wire::Downlink& messag
   return Done{};
 }
 
-void FakeStation::answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const {
+void FakeStation::answer_settings(std::size_t outlet, std::size_t number,
+                                  std::vector<link::Received>& messages) const {
+  if (is_last(outlet) &&
+      !(number == 0 ? script_.answers_settings : script_.answers_later_settings)) {
+    return;
+  }
   link::Received answer;
   answer.id = id_of(outlet);
   answer.message.sample = static_cast<std::uint64_t>(reported_tick_);
   answer.message.kind = gs::wire::UplinkKind::kSettingsAnswer;
   answer.message.settings_answer = {};
   if (is_last(outlet)) {
-    answer.message.settings_answer.error = script_.settings_error;
+    answer.message.settings_answer.error =
+        number == 0 ? script_.settings_error : script_.later_settings_error;
   }
   messages.push_back(answer);
 }
@@ -169,9 +177,12 @@ Status FakeStation::poll(link::Happenings& happenings) {
     if (!is_linked(i)) {
       continue;
     }
-    if (!sent_[i].empty() && !answered_[i] && !(is_last(i) && !script_.answers_settings)) {
-      answer_settings(i, happenings.messages);
-      answered_[i] = true;
+    const auto sent = static_cast<std::size_t>(
+        std::count_if(sent_[i].begin(), sent_[i].end(), [](const gs::wire::Downlink& message) {
+          return message.kind == gs::wire::DownlinkKind::kSettings;
+        }));
+    for (; answered_[i] < sent; ++answered_[i]) {
+      answer_settings(i, answered_[i], happenings.messages);
     }
     for (std::int64_t tick = reported_tick_ + kReportTicks; tick <= played_tick_;
          tick += kReportTicks) {

@@ -52,6 +52,8 @@ struct Script {
   std::uint16_t protocol_version = gs::wire::kProtocolVersion;
   gs::outlet::SettingsError settings_error = gs::outlet::SettingsError::kNone;
   bool answers_settings = true;
+  gs::outlet::SettingsError later_settings_error = gs::outlet::SettingsError::kNone;
+  bool answers_later_settings = true;  // those that are sent during the run
   std::int64_t silent_from_tick = kNeverTick;
 };
 
@@ -124,7 +126,9 @@ class FakeStation final : public Station, private source::Source, private link::
   bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }
   bool is_linked(std::size_t outlet) const { return !(is_last(outlet) && script_.without_link); }
   void join(std::vector<link::OutletPresence>& joined) const;
-  void answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const;
+  // To the settings with this number, from 0.
+  void answer_settings(std::size_t outlet, std::size_t number,
+                       std::vector<link::Received>& messages) const;
 
   Script script_;
   Sense sense_{script_};
@@ -143,7 +147,7 @@ class FakeStation final : public Station, private source::Source, private link::
   std::int64_t played_tick_ = 0;
   std::int64_t reported_tick_ = 0;
   std::vector<std::vector<gs::wire::Downlink>> sent_{script_.outlets};
-  std::vector<bool> answered_ = std::vector<bool>(script_.outlets);
+  std::vector<std::size_t> answered_ = std::vector<std::size_t>(script_.outlets);  // settings
 };
 
 }  // namespace gsbench::station::test

@@ -159,6 +159,21 @@ TEST(RunRecord, MarksTheStartAndTheEndOfARamp) {
                           "2800 ramp end: end of 500 MW lost over 0.25 s"));
 }
 
+TEST(RunRecord, MarksTheStartAndTheEndOfAnOscillation) {
+  const record::RunRecord record =
+      record_of(test::plan(0.5,
+                           "[[signal.oscillation]]\nfrequency_hz = 0.4\namplitude_mhz = 60\n"
+                           "[[signal.oscillation]]\nat_s = 0.1\nduration_s = 0.3\n"
+                           "frequency_hz = 1.5\namplitude_mhz = 5\n"));
+  std::vector<std::string> marks;
+  for (const record::Mark& mark : record.stimulus) {
+    marks.push_back(std::to_string(mark.tick) + " " + mark.kind + ": " + mark.text);
+  }
+  EXPECT_THAT(marks, ElementsAre("0 oscillation: 0.4 Hz oscillation, ± 60 mHz",
+                                 "800 oscillation: 1.5 Hz oscillation, ± 5 mHz",
+                                 "3200 oscillation: end of 1.5 Hz oscillation"));
+}
+
 TEST(RunRecord, SendsCommandsToTheirOutletsAndMarksThem) {
   FakeStation station({});
   const record::RunRecord record =
@@ -179,6 +194,46 @@ TEST(RunRecord, SendsCommandsToTheirOutletsAndMarksThem) {
     }
   }
   EXPECT_THAT(ticks, ElementsAre(2664, 4000));
+}
+
+TEST(RunRecord, SendsSettingsAgainToTheirOutletsAndMarksThem) {
+  FakeStation station({});
+  const record::RunRecord record =
+      run(test::plan(1.0,
+                     "[[settings]]\nat_s = 0.333\noutlets = [\"b\"]\naccumulated_mw = 120\n"
+                     "threshold_mw = 300\n"
+                     "[[settings]]\nat_s = 0.5\n",
+                     "[[outlet]]\nid = \"a\"\n[[outlet]]\nid = \"b\"\n"),
+          station, {});
+  // Settings and self test, then the settings again.
+  ASSERT_EQ(station.sent_to(0).size(), 3U);
+  ASSERT_EQ(station.sent_to(1).size(), 4U);
+  const gs::outlet::Settings& first = station.sent_to(1)[0].settings;
+  const gs::outlet::Settings& second = station.sent_to(1)[2].settings;
+  const gs::outlet::Settings& third = station.sent_to(1)[3].settings;
+  EXPECT_EQ(station.sent_to(1)[2].kind, gs::wire::DownlinkKind::kSettings);
+  EXPECT_EQ(second.version, first.version + 1);
+  EXPECT_EQ(third.version, first.version + 2);
+  EXPECT_EQ(first.accumulated_mw, 0.0F);
+  EXPECT_EQ(second.accumulated_mw, 120.0F);
+  EXPECT_EQ(second.threshold_mw, 300.0F);
+  EXPECT_EQ(third.threshold_mw, 300.0F) << "the changes stay";
+  EXPECT_EQ(station.sent_to(0)[2].settings.version, station.sent_to(0)[0].settings.version + 1);
+  EXPECT_EQ(station.sent_to(0)[2].settings.threshold_mw,
+            station.sent_to(0)[0].settings.threshold_mw);
+
+  std::vector<std::string> marks;
+  for (const record::Mark& mark : record.outlets[1].marks) {
+    if (mark.kind == "settings") {
+      marks.push_back(std::to_string(mark.tick) + " version " +
+                      std::to_string(static_cast<int>(mark.value)) + ": " + mark.text);
+    }
+  }
+  const auto version = [&](const gs::outlet::Settings& of) { return std::to_string(of.version); };
+  EXPECT_THAT(marks, ElementsAre("2664 version " + version(second) +
+                                     ": accumulated_mw = 120, threshold_mw = 300",
+                                 "4000 version " + version(third) + ": unchanged"));
+  EXPECT_EQ(record.outlets[1].settings.at("accumulated_mw"), 0.0) << "those of the start";
 }
 
 TEST(RunRecord, ComparesTheGridWithThePublication) {

@@ -118,7 +118,7 @@ TEST(RunEnd, TooFewOutletsAreAnError) {
 
 TEST(RunEnd, OutletWithAnotherProtocolIsExcluded) {
   expect_fault_of_the_last(with(&Script::protocol_version, std::uint16_t{7}),
-                           "uses protocol version 7, not 2");
+                           "uses protocol version 7, not 3");
 }
 
 TEST(RunEnd, OutletThatRefusesItsSettingsIsFaulty) {
@@ -132,6 +132,37 @@ TEST(RunEnd, OutletThatDoesNotAcknowledgeItsSettingsIsFaulty) {
   expect_fault_of_the_last(script, "did not acknowledge its settings");
   // Also in a run that ends soon after the answer is due.
   expect_fault_of_the_last(script, "did not acknowledge its settings", 0.56);
+}
+
+constexpr const char* kSettingsAgain = "[[settings]]\nat_s = 0.3\n[[settings]]\nat_s = 0.6\n";
+
+void expect_fault_after_settings_again(const Script& script, const std::string& fault,
+                                       double duration_s) {
+  FakeStation station(script);
+  const record::RunRecord record = play(station, {}, plan(duration_s, kSettingsAgain));
+  ASSERT_EQ(record.outlets.size(), 2U);
+  EXPECT_EQ(record.outlets[0].fault, "");
+  EXPECT_EQ(record.outlets[1].fault, fault);
+}
+
+TEST(RunEnd, OutletThatRefusesSettingsSentAgainIsFaulty) {
+  constexpr auto kError = gs::outlet::SettingsError::kThreshold;
+  expect_fault_after_settings_again(
+      with(&Script::later_settings_error, kError),
+      std::string("refused its settings of 0.3 s: ") + to_string(kError), 3.0);
+}
+
+TEST(RunEnd, OutletThatDoesNotAcknowledgeSettingsSentAgainIsFaulty) {
+  const Script script = with(&Script::answers_later_settings, false);
+  const std::string fault = "did not acknowledge its settings of 0.3 s";
+  expect_fault_after_settings_again(script, fault, 3.0);
+  // Also in a run that ends before a second has passed.
+  expect_fault_after_settings_again(script, fault, 0.75);
+}
+
+TEST(RunEnd, OutletThatAcknowledgesAllSettingsIsNotFaulty) {
+  expect_fault_after_settings_again({}, "", 3.0);
+  expect_fault_after_settings_again({}, "", 0.75);
 }
 
 TEST(RunEnd, OutletThatStopsReportingIsFaulty) {

@@ -145,6 +145,15 @@ TEST(Phase, FollowsRampsOf10HzPerSecondAtEverySampleRate) {
   }
 }
 
+TEST(Phase, FollowsALossOverATimeWithAnOscillationLaidOverIt) {
+  for (const double phase_deg : {0.0, 77.0}) {
+    const std::shared_ptr<const ReferenceSignal> reference =
+        with_oscillations(reference_from_losses(ieee24(), {{1.0, 500.0, 1.0005}}, -0.15),
+                          {{0.5003, 1.5001, 0.4, 0.06, phase_deg}, {1.0, 1.0, 5.0, 0.06}});
+    EXPECT_LT(phase_error(reference, 8000, 0.4, 2.6), kTolerableCycles) << phase_deg;
+  }
+}
+
 TEST(Phase, FollowsPointsCloserThanABlockOrASample) {
   std::vector<recording::TracePoint> points;
   points.reserve(402);

@@ -176,6 +176,13 @@ TEST(LossReference, HasACornerAtEachLossInOrderOfTime) {
   EXPECT_THAT(reference->corners_s(), ElementsAre(3.0, 4.0));
 }
 
+TEST(LossReference, StartsAtTheFrequencyBefore) {
+  const auto reference = reference_from_losses(ieee24(), {{3.0, 500.0}}, -0.15);
+  EXPECT_NEAR(reference->frequency_hz(0.0), 49.85, 1e-14);
+  EXPECT_EQ(reference->excess_cycles(0.0), 0.0);
+  EXPECT_NEAR(reference->excess_cycles(2.0), -0.3, 1e-15);
+}
+
 TEST(LossReference, HasCornersAtBothEndsOfARamp) {
   const auto reference = reference_from_losses(ieee24(), {{3.0, 500.0, 2.0}, {4.0, -120.0}});
   EXPECT_THAT(reference->corners_s(), ElementsAre(3.0, 4.0, 5.0));

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +25,13 @@ class Capture {
   void add(const std::vector<link::Received>& messages);
   void add_edge(const std::string& id, std::int64_t tick, bool closed);
   void add_command(const std::string& id, std::int64_t tick, bool close);
+  // Settings that are sent again during the run. `changes`: what has changed, for people.
+  void add_settings(const std::string& id, std::int64_t tick, std::uint32_t version,
+                    const std::string& changes);
 
-  // The outlet's answer to its settings; none: no answer was received.
-  std::optional<gs::outlet::SettingsError> settings_answer(const std::string& id) const {
-    return track(id).settings_answer;
+  // The outlet's answers to all settings that were sent to it, in this order.
+  const std::vector<gs::outlet::SettingsError>& settings_answers(const std::string& id) const {
+    return track(id).settings_answers;
   }
   // Bits of gs::wire::SelfTestPart; 0 if all passed, or no result came.
   std::uint32_t self_test_failed(const std::string& id) const { return track(id).self_test_failed; }
@@ -57,8 +59,8 @@ class Capture {
     std::vector<Estimate> estimates;
     std::vector<record::Mark> marks;  // their ticks are samples of the outlet
     std::vector<record::Mark> bench_marks;
-    std::string settings_digest;
-    std::optional<gs::outlet::SettingsError> settings_answer;
+    std::string settings_digest;  // of the first settings
+    std::vector<gs::outlet::SettingsError> settings_answers;
     std::uint32_t self_test_failed = 0;
     std::int64_t newest_event_sample = 0;
   };

@@ -37,6 +37,9 @@ constexpr std::size_t kMostOutlets = 100000000;
 // Throws std::invalid_argument for no outlets, more than kMostOutlets, or powers out of range.
 Fleet make_fleet(const FleetOptions& options);
 
+// The power of a fleet in this many outlets, a group each.
+FleetOptions in_fewer_outlets(const FleetOptions& options, std::size_t outlets);
+
 // f^B of each group as a load block of this grid, Hz. Throws as control_centre::block_settings()
 // does.
 std::vector<double> switch_off_hz(const grid::Grid& grid, const Fleet& fleet);

@@ -9,6 +9,7 @@
 #include <fleet/fleet.hpp>
 #include <fleet/scenario.hpp>
 #include <grid/grid.hpp>
+#include <profile/plan.hpp>
 #include <record/page.hpp>
 
 namespace gsbench::fleet {
@@ -32,5 +33,9 @@ struct Study {
 // and a fact "stopped". Throws std::invalid_argument for options out of range.
 record::Page make_page(const grid::Grid& grid, const Study& study,
                        const campaign::Execution& execution);
+
+// A profile in a closed loop, by every strategy that is possible. As above.
+record::Page make_closed_loop_page(const profile::Plan& plan, const Study& study,
+                                   const campaign::Execution& execution);
 
 }  // namespace gsbench::fleet

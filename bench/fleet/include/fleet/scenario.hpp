@@ -26,19 +26,23 @@ enum class Control : std::uint8_t {
   kUfls,       // under-frequency load shedding by relays
 };
 
-struct ScenarioOptions {
-  Control control = Control::kGridSense;
-  double loss_mw = 500.0;
-  campaign::NoiseDistribution distribution = campaign::NoiseDistribution::kUniform;
-  double noise_hz = 0.01;
+// Of outlets, controller and relays.
+struct Controls {
   double threshold_mw = 0.0;        // threshold loss of outlets and controller; 0: the grid's
-  double further_delay_s = 0.0;     // of every outlet's action, added to its relay's
   double central_decision_s = 0.9;  // until the controller knows the loss
   double central_delay_s = 1.0;     // communication of its commands
   double ufls_first_hz = 0.0;       // first stage; 0: 0.98 of the nominal frequency (49 Hz)
   double ufls_step_hz = 0.2;        // between stages
   double ufls_part = 0.05;          // of the load, at each of five stages
   double ufls_delay_s = 0.15;
+};
+
+struct ScenarioOptions : Controls {
+  Control control = Control::kGridSense;
+  double loss_mw = 500.0;
+  campaign::NoiseDistribution distribution = campaign::NoiseDistribution::kUniform;
+  double noise_hz = 0.01;
+  double further_delay_s = 0.0;  // of every outlet's action, added to its relay's
   double duration_s = 20.0;
   std::uint64_t seed = 1;
 };
@@ -54,6 +58,14 @@ struct ScenarioResult {
   std::vector<double> t_s;  // every 20 ms
   std::vector<double> frequency_hz;
 };
+
+constexpr std::size_t kUflsStages = 5;
+
+// Deviation from nominal below which each stage of the relays acts, Hz, from the first on.
+std::vector<double> ufls_stages_hz(const grid::Grid& grid, const Controls& controls);
+
+// Throws std::invalid_argument for a delay out of range.
+void check(const Controls& controls);
 
 // Blocks until the end. Returns nothing if `execution` was stopped before. Throws
 // std::invalid_argument for options out of range.

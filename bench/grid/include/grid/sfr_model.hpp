@@ -17,6 +17,12 @@
 
 namespace gsbench::grid {
 
+// The two modes of the response with their decay: c = e^(−sigma·t)·C(t), s = e^(−sigma·t)·S(t).
+struct Modes {
+  double c;
+  double s;
+};
+
 class SfrModel {
  public:
   // Throws GridError if the grid is invalid.
@@ -39,6 +45,8 @@ class SfrModel {
   double unit_rocof_hz_s(double t_s, double ramp_s = 0.0) const;  // eq. (12); right-hand limit at 0
   double unit_phase_cycles(double t_s, double ramp_s = 0.0) const;  // ∫ unit_deviation_hz dt
 
+  Modes modes(double t_s) const;  // t_s >= 0
+
  private:
   double inertia_s_, droop_pu_, omega_n_, zeta_, sigma_, d_, g0_, gain_, nominal_hz_, base_mw_;
 };
@@ -57,16 +65,23 @@ std::optional<UnderdampedParameters> underdamped_parameters(const SfrModel& mode
 // Several power changes superposed, eq. (10).
 class FrequencyResponse {
  public:
-  // Throws std::invalid_argument if a time or power is not finite, or a ramp negative.
-  FrequencyResponse(SfrModel model, std::vector<PowerChange> changes);
+  // The grid is in equilibrium before the first change, initial_deviation_hz away from nominal: as
+  // if the power with this final deviation had been lost long before. The model is linear, so the
+  // deviation stays and adds to the response. Throws std::invalid_argument if a value is not
+  // finite, or a ramp negative.
+  FrequencyResponse(SfrModel model, std::vector<PowerChange> changes,
+                    double initial_deviation_hz = 0.0);
 
   double frequency_hz(double t_s) const {
-    return model_.nominal_hz() + sum(&SfrModel::unit_deviation_hz, t_s);
+    return model_.nominal_hz() + initial_deviation_hz_ + sum(&SfrModel::unit_deviation_hz, t_s);
   }
   // At the start or end of a change, the right-hand limit.
   double rocof_hz_s(double t_s) const { return sum(&SfrModel::unit_rocof_hz_s, t_s); }
-  // Phase advance relative to nominal, in cycles: ∫ (f − f_n) dt, exact; 0 before the first change.
-  double excess_cycles(double t_s) const { return sum(&SfrModel::unit_phase_cycles, t_s); }
+  // Phase advance relative to nominal, in cycles: ∫ (f − f_n) dt, exact. Before the first change,
+  // 0 at t = 0.
+  double excess_cycles(double t_s) const {
+    return initial_deviation_hz_ * t_s + sum(&SfrModel::unit_phase_cycles, t_s);
+  }
 
   const SfrModel& model() const { return model_; }
   const std::vector<PowerChange>& changes() const { return changes_; }
@@ -76,6 +91,7 @@ class FrequencyResponse {
 
   SfrModel model_;
   std::vector<PowerChange> changes_;
+  double initial_deviation_hz_;
 };
 
 }  // namespace gsbench::grid

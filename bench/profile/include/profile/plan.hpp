@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +40,8 @@ struct Stimulus {
   std::vector<grid::PowerChange> losses;      // [[grid.loss]]
   std::vector<recording::TracePoint> points;  // [signal] frequency or [signal.trace]
   Recording recording;                        // the origin of the points, if it is a recording
+  double initial_deviation_hz = 0.0;          // frequency_before_hz less nominal; 0 with points
+  std::vector<waveform::Oscillation> oscillations;  // laid over any of these sources
   waveform::SignalSpec signal;
   double duration_s = 0.0;             // > 0
   std::int64_t sample_rate_hz = 8000;  // whole multiple of 1000
@@ -56,6 +59,14 @@ struct Outlet {
 
 // The groups of these outlets, each once, in the order of the profile.
 std::vector<std::string> groups_of(const std::vector<Outlet>& outlets);
+
+// Settings that the control centre sends again during the run.
+struct SettingsUpdate {
+  double at_s = 0.0;
+  // All settings of each recipient, by its id, with the changes so far.
+  std::map<std::string, control_centre::RequestedSettings> outlets;
+  std::string changes;  // "accumulated_mw = 120, threshold_mw = 300"; empty: none
+};
 
 // A command of the control centre, which switches outlets by criterion (3) of §5.5.
 struct Command {
@@ -85,12 +96,16 @@ struct Plan {
   grid::Grid grid;
   Stimulus stimulus;
   std::vector<Outlet> outlets;            // at least one
+  std::vector<SettingsUpdate> settings;   // ascending in time
   std::vector<Command> commands;          // ascending in time
   std::vector<Expectation> expectations;  // at least one
   std::uint64_t seed = 1;
 
   std::int64_t duration_ticks() const;
+  // The frequency that the outlets see.
   std::shared_ptr<const waveform::ReferenceSignal> reference() const;
+  // The same without oscillations: the frequency of the grid model, for its nadir.
+  std::unique_ptr<waveform::ReferenceSignal> grid_reference() const;
   waveform::Synthesizer synthesizer() const;
 };
 

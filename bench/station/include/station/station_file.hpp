@@ -1,5 +1,5 @@
 // Station files describe where the outlets are and how they are reached. They differ between test
-// benches; profiles do not. profiles/README.md documents every key.
+// benches; profiles do not. profiles/stations.md documents every key.
 #pragma once
 
 #include <link_framed/framed_link.hpp>

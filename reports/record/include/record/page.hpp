@@ -17,6 +17,7 @@ struct FigureColumn {
   // A figure outside least … most is printed as "none".
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
+  std::string key = {};  // of the figures in FigureTable::list
 };
 
 struct FigureRow {
@@ -31,6 +32,11 @@ struct FigureTable {
   std::vector<FigureColumn> columns;
   std::vector<FigureRow> rows = {};
   bool heat = false;  // the HTML page colours each cell by its figure
+  // For scripts: if not empty, JSON also has the table as a list with this key, of an object for
+  // each row: the row's name, by row_key, and its figures by the keys of their columns. Figures
+  // without decimals are integers there.
+  std::string list = {};
+  std::string row_key = {};
 };
 
 struct Curve {

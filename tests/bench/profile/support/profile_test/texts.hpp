@@ -118,6 +118,7 @@ inline constexpr const char* kDisturbed = R"(title = "A disturbed grid"
 source = "Somewhere"
 [grid]
 system = "ieee24"
+frequency_before_hz = 49.85
 [[grid.loss]]
 at_s = 2.0
 power_mw = 500.0
@@ -127,12 +128,47 @@ at_s = 4.5
 power_mw = -200.0
 [signal]
 duration_s = 10.0
+[[signal.oscillation]]
+at_s = 1.0
+duration_s = 8.0
+frequency_hz = 0.4
+amplitude_mhz = 60.0
+phase_deg = 90.0
+[[signal.oscillation]]
+frequency_hz = 0.7
+amplitude_mhz = 10.0
 [[outlet]]
 count = 2
 id = "shed"
 accumulated_mw = 100.0
 [[outlet]]
 id = "alone"
+[[settings]]
+at_s = 6.0
+outlets = ["shed-1", "alone"]
+accumulated_mw = 120.0
+power_mw = 50.0
+threshold_mw = 300.0
+switch_off_hz = 49.2
+event_drop_hz = 0.03
+event_departure_hz = 0.04
+condition_hits = 12
+lse_samples = 8
+ekf_samples = 30
+method = 0
+threshold_hz = 49.4
+nadir_margin_hz = 0.01
+decision_reports = 50
+delay_s = 0.5
+restore_hz = 49.9
+restore_dwell_s = 30.0
+restore_spread_s = 100.0
+[[settings]]
+at_s = 3.0
+[[settings]]
+at_s = 7.0
+outlets = ["shed"]
+threshold_mw = 250.0
 [[expect]]
 measure = "event.count"
 max = 1
@@ -149,6 +185,14 @@ frequency_tolerance_mhz = 0.2
 voltage_tolerance_pct = 0.5
 time_tolerance_ms = 0.1
 [[outlet]]
+method = 0
+threshold_hz = 49.4
+nadir_margin_hz = 0.01
+decision_reports = 50
+delay_s = 0.5
+restore_hz = 49.9
+restore_dwell_s = 30.0
+restore_spread_s = 100.0
 [[expect]]
 measure = "event.count"
 max = 0

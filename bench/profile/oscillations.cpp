@@ -1,0 +1,57 @@
+#include "sections.hpp"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace gsbench::profile {
+
+using keys::Table;
+
+keys::Key oscillation_keys() {
+  return keys::tables(
+      "oscillation",
+      "Inter-area oscillations: sines laid over the frequency that the outlets see. The grid's own "
+      "frequency, for example its nadir, is that without them.",
+      {keys::number("at_s", "s", keys::at_least(0.0), "start")
+           .permits("0 … before the end of the run")
+           .by_default(0.0),
+       keys::number("duration_s", "s", keys::above(0.0), "duration")
+           .permits("above 0, ending within the run")
+           .or_else("to the end"),
+       keys::number(
+           "frequency_hz", "Hz",
+           keys::between(waveform::kSlowestOscillation_hz, waveform::kFastestOscillation_hz),
+           "frequency of the oscillation")
+           .require(),
+       keys::number("amplitude_mhz", "mHz", {0.0, 1e3 * waveform::kLargestOscillation_hz, true},
+                    "peak of the deviation")
+           .require(),
+       keys::number("phase_deg", "degrees", keys::between(-360.0, 360.0),
+                    "phase at the start; 0: the frequency rises without a step, 180: it falls; "
+                    "otherwise it starts with a step")
+           .by_default(0.0)});
+}
+
+std::vector<waveform::Oscillation> read_oscillations(const Table& signal, double duration_s) {
+  std::vector<waveform::Oscillation> oscillations;
+  for (const Table& table : signal.tables("oscillation")) {
+    waveform::Oscillation oscillation;
+    oscillation.at_s = table.number("at_s", within_run(duration_s));
+    oscillation.duration_s =
+        table.find_number("duration_s").value_or(std::numeric_limits<double>::infinity());
+    oscillation.frequency_hz = table.number("frequency_hz");
+    oscillation.amplitude_hz = 1e-3 * table.number("amplitude_mhz");
+    oscillation.phase_deg = table.number("phase_deg");
+    if (table.has("duration_s") && oscillation.at_s + oscillation.duration_s > duration_s) {
+      table.refuse("duration_s",
+                   fmt::format("the oscillation ends at {} s, after the end of the run at {} s; "
+                               "omit duration_s for one that lasts to the end",
+                               oscillation.at_s + oscillation.duration_s, duration_s));
+    }
+    oscillations.push_back(oscillation);
+  }
+  return oscillations;
+}
+
+}  // namespace gsbench::profile
