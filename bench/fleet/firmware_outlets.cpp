@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::size_t kOutletsInChunk = 50;
 
+control_centre::Rules rules_of(Strategy strategy) {
+  return strategy == Strategy::kPaper ? control_centre::Rules::kPaper
+                                      : control_centre::Rules::kGsbench;
+}
+
 }  // namespace
 
 FirmwareOutlets::FirmwareOutlets(const profile::Plan& plan, const Fleet& fleet, Strategy strategy,
@@ -24,8 +29,8 @@ FirmwareOutlets::FirmwareOutlets(const profile::Plan& plan, const Fleet& fleet, 
     : plan_(plan),
       fleet_(fleet),
       first_loss_tick_(first_loss_tick),
-      settings_(control_centre::grid_settings(plan.grid)),
-      switch_off_hz_(switch_off_hz(plan.grid, fleet)),
+      settings_(control_centre::grid_settings(plan.grid, rules_of(strategy))),
+      switch_off_hz_(switch_off_hz(plan.grid, fleet, rules_of(strategy))),
       outlets_(fleet.outlets()),
       switched_((fleet.outlets() + kOutletsInChunk - 1) / kOutletsInChunk),
       workers_(threads) {

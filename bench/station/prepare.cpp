@@ -101,7 +101,7 @@ std::vector<record::Comparison> comparisons(const grid::Grid& grid) {
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   std::vector<record::Comparison> all;
   if (reference.threshold_mw) {
-    all.push_back({"threshold loss", "MW", threshold_mw, *reference.threshold_mw, ""});
+    all.push_back({"threshold loss, eq. (15)", "MW", threshold_mw, *reference.threshold_mw, ""});
   }
   if (reference.t_nadir_s) {
     all.push_back({"time of the nadir", "s", grid::nadir(model, threshold_mw).t_s,
