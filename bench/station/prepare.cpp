@@ -60,12 +60,12 @@ std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
   std::vector<record::Mark> marks;
   for (const grid::PowerChange& loss : plan.stimulus.losses) {
     const bool lost = loss.power_mw > 0.0;
-    const std::string what = figure(std::fabs(loss.power_mw), " MW") + (lost ? " lost" : " shed");
-    const std::string over = loss.ramp_s > 0.0 ? " over " + figure(loss.ramp_s, " s") : "";
-    marks.push_back({tick(loss.at_s), lost ? "loss" : "shed", loss.power_mw, what + over});
+    const std::string what =
+        fmt::format("{} {}{}", figure(std::fabs(loss.power_mw), " MW"), lost ? "lost" : "shed",
+                    loss.ramp_s > 0.0 ? " over " + figure(loss.ramp_s, " s") : "");
+    marks.push_back({tick(loss.at_s), lost ? "loss" : "shed", loss.power_mw, what});
     if (loss.ramp_s > 0.0 && loss.at_s + loss.ramp_s < plan.stimulus.duration_s) {
-      marks.push_back(
-          {tick(loss.at_s + loss.ramp_s), "ramp end", loss.power_mw, "end of " + what + over});
+      marks.push_back({tick(loss.at_s + loss.ramp_s), "ramp end", loss.power_mw, "end of " + what});
     }
   }
   for (const waveform::Oscillation& oscillation : plan.stimulus.oscillations) {
