@@ -136,6 +136,15 @@ void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulat
              "power shed is on average the power required; whole: eq. (11) as printed");
 }
 
+void add_rules(CLI::App& command, control_centre::Rules& rules) {
+  add_choice(
+      command, "--rules", rules,
+      {{"gsbench", control_centre::Rules::kGsbench}, {"paper", control_centre::Rules::kPaper}},
+      "Rules by which the control centre derives settings; gsbench: a threshold loss that "
+      "allows for the delay of the outlets, switching-off frequencies in stages; paper: "
+      "eq. (15) and eq. (17)");
+}
+
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant) {
   add_choice(command, "--loss-instant", instant,
              {{"on-report", campaign::LossInstant::kOnReport},

@@ -93,6 +93,7 @@ void add_json_flag(CLI::App& command, bool& json);
 // Options with named values: --noise-distribution, --accumulated, --loss-instant.
 void add_noise_distribution(CLI::App& command, campaign::NoiseDistribution& distribution);
 void add_accumulation(CLI::App& command, control_centre::Accumulation& accumulation);
+void add_rules(CLI::App& command, control_centre::Rules& rules);
 void add_loss_instant(CLI::App& command, campaign::LossInstant& instant);
 
 void add_check(CommandLine& line);

@@ -100,6 +100,7 @@ void add_fleet(CommandLine& line) {
                        "Noise of measured frequencies, Hz: ± this if uniform, σ if Gaussian");
   add_noise_distribution(command, scenario.distribution);
   add_outlets(command, study.fleet);
+  add_rules(command, scenario.rules);
   CLI::Option* delay = add_with_default(command, "--delay", scenario.further_delay_s, "S",
                                         "Additional delay of every outlet, s");
   add_with_default(command, "--central-delay", scenario.central_delay_s, "S",

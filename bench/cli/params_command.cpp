@@ -16,9 +16,11 @@ namespace gsbench::cli {
 namespace {
 
 using control_centre::Accumulation;
+using control_centre::Rules;
 using nlohmann::ordered_json;
 
-ordered_json as_json(const grid::Grid& grid, double row_hz, Accumulation accumulation) {
+ordered_json as_json(const grid::Grid& grid, double row_hz, Accumulation accumulation,
+                     Rules rules) {
   const grid::SfrModel model(grid);
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   ordered_json out;
@@ -39,6 +41,9 @@ ordered_json as_json(const grid::Grid& grid, double row_hz, Accumulation accumul
   out["phi1"] = closed ? ordered_json(closed->phi1) : ordered_json(nullptr);
   out["t_nadir_s"] = grid::nadir(model, threshold_mw).t_s;
   out["threshold_mw"] = threshold_mw;
+  out["threshold_delay_mw"] = control_centre::delay_aware_threshold_mw(grid);
+  out["credible_loss_mw"] = control_centre::credible_loss_mw(grid);
+  out["outlet_delay_s"] = control_centre::kOutletDelay_s;
   out["k_lse_mw_per_hz_s"] = control_centre::k_lse_mw_per_hz_s(model);
   out["conditions"] = ordered_json::array();
   for (const control_centre::Condition& row :
@@ -49,7 +54,7 @@ ordered_json as_json(const grid::Grid& grid, double row_hz, Accumulation accumul
   }
   out["blocks"] = ordered_json::array();
   for (const control_centre::BlockSetting& block :
-       control_centre::block_settings(grid, accumulation)) {
+       control_centre::block_settings(grid, accumulation, rules)) {
     out["blocks"].push_back({{"id", block.id},
                              {"power_mw", block.power_mw},
                              {"accumulated_mw", block.accumulated_mw},
@@ -66,8 +71,8 @@ void print_rows(const Rows& rows, const std::string& sides) {
   }
 }
 
-void print_parameters(const grid::SfrModel& model, double threshold_mw,
-                      const grid::Reference& reference) {
+void print_parameters(const grid::Grid& grid, const grid::SfrModel& model, double threshold_mw) {
+  const grid::Reference& reference = grid.reference;
   const auto row = [](const char* name, const char* unit, double value,
                       const std::optional<double>& published = {}) -> std::vector<std::string> {
     if (!published) {
@@ -82,7 +87,10 @@ void print_parameters(const grid::SfrModel& model, double threshold_mw,
        row("natural frequency omega_n", "rad/s", model.omega_n()),
        row("damping ratio zeta", "", model.zeta()),
        row("time of the nadir", "s", grid::nadir(model, threshold_mw).t_s, reference.t_nadir_s),
-       row("threshold loss", "MW", threshold_mw, reference.threshold_mw),
+       row("threshold loss, eq. (15)", "MW", threshold_mw, reference.threshold_mw),
+       row("threshold loss with the outlets' delay", "MW",
+           control_centre::delay_aware_threshold_mw(grid)),
+       row("largest credible loss", "MW", control_centre::credible_loss_mw(grid)),
        row("K_LSE (loss per ROCOF, eq. (18))", "MW/(Hz/s)",
            control_centre::k_lse_mw_per_hz_s(model))},
       "lrll");
@@ -126,18 +134,18 @@ void print_blocks(const std::vector<control_centre::BlockSetting>& blocks) {
   print_rows(rows, "lr");
 }
 
-void print(const grid::Grid& grid, double row_hz, Accumulation accumulation) {
+void print(const grid::Grid& grid, double row_hz, Accumulation accumulation, Rules rules) {
   const grid::SfrModel model(grid);
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   const grid::Reference& reference = grid.reference;
   print_wrapped(grid.name + ": " + grid.title, 4);
   std::puts("");
-  print_parameters(model, threshold_mw, reference);
+  print_parameters(grid, model, threshold_mw);
   const bool comparable = row_hz == grid.condition_row_hz;
   print_conditions(control_centre::conditions(model, grid.threshold_hz, row_hz),
                    comparable ? reference.condition_rocof_hz_s : std::vector<double>());
   const std::vector<control_centre::BlockSetting> blocks =
-      control_centre::block_settings(grid, accumulation);
+      control_centre::block_settings(grid, accumulation, rules);
   if (!blocks.empty()) {
     print_blocks(blocks);
   }
@@ -153,6 +161,7 @@ struct ParamsArguments {
   std::string grid;
   double row_hz = 0.0;
   Accumulation accumulation = Accumulation::kHalfGroup;
+  Rules rules = Rules::kGsbench;
   bool json = false;
 };
 
@@ -163,9 +172,9 @@ int params(const ParamsArguments& arguments) {
   }
   const double row_hz = arguments.row_hz > 0.0 ? arguments.row_hz : grid.condition_row_hz;
   if (arguments.json) {
-    print_json(as_json(grid, row_hz, arguments.accumulation));
+    print_json(as_json(grid, row_hz, arguments.accumulation, arguments.rules));
   } else {
-    print(grid, row_hz, arguments.accumulation);
+    print(grid, row_hz, arguments.accumulation, arguments.rules);
   }
   return kPassed;
 }
@@ -185,6 +194,7 @@ void add_params(CommandLine& line) {
       ->type_name("HZ")
       ->check(CLI::Range(grid::kConditionRow_hz.low, grid::kConditionRow_hz.high));
   add_accumulation(command, arguments.accumulation);
+  add_rules(command, arguments.rules);
   add_json_flag(command, arguments.json);
   command.footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");
 }

@@ -92,34 +92,37 @@ struct Description {
 };
 
 double switch_off_of(const grid::Grid& grid, const RequestedSettings& requested) {
+  if (requested.rules == Rules::kGsbench) {
+    return Stages(grid).switch_off_hz(requested.accumulated_mw);
+  }
   const double power_mw = requested.power_mw.value_or(requested.accumulated_mw);
   // The inverse of accumulated_mw().
   const double less_important_mw = requested.accumulated_mw - accumulated_mw(0.0, power_mw);
-  return switch_off_hz(grid, less_important_mw, power_mw);
+  return eq17_switch_off_hz(grid, less_important_mw, power_mw);
 }
 
 }  // namespace
 
-gs::outlet::Settings grid_settings(const grid::Grid& grid) {
+gs::outlet::Settings grid_settings(const grid::Grid& grid, Rules rules) {
   const grid::SfrModel model(grid);
-  const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   gs::outlet::Settings settings;
   settings.response.gain_hz_per_mw = static_cast<float>(model.gain_hz_per_mw());
   settings.response.sigma_per_s = static_cast<float>(model.sigma_per_s());
   settings.response.discriminant_per_s2 = static_cast<float>(model.discriminant_per_s2());
   settings.response.initial_slope_per_s = static_cast<float>(model.initial_slope_per_s());
-  settings.threshold_mw = static_cast<float>(threshold_mw);
+  settings.threshold_mw = static_cast<float>(threshold_mw(grid, rules));
   settings.threshold_hz = static_cast<float>(grid.threshold_hz);
   settings.largest_loss_mw = static_cast<float>(grid.base_mw);
   set_conditions(grid, model, settings);
-  settings.loss_sigma_mw = static_cast<float>(kLseSpread * std::min(threshold_mw, grid.base_mw));
+  settings.loss_sigma_mw = static_cast<float>(
+      kLseSpread * std::min(threshold_mw(model, grid.threshold_hz), grid.base_mw));
   return settings;
 }
 
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
                                      std::uint32_t version) {
   const auto nominal_hz = static_cast<float>(grid.nominal_hz);
-  gs::outlet::Settings settings = grid_settings(grid);
+  gs::outlet::Settings settings = grid_settings(grid, requested.rules);
   settings.version = version;
   set(settings, "accumulated_mw", {requested.accumulated_mw, nominal_hz});
   if (requested.settings.count("switch_off_hz") == 0) {

@@ -22,19 +22,27 @@ double threshold_mw(const grid::SfrModel& model, double threshold_hz) {
 
 namespace {
 
-// Lowest frequency after a loss at t = 0 with shed_mw shed at delay_s, to 0.1 mHz.
+// Lowest frequency after a loss at t = 0 with shed_mw <= loss_mw shed at delay_s.
 double nadir_with_shedding_hz(const grid::SfrModel& model, double loss_mw, double shed_mw,
                               double delay_s) {
-  const grid::FrequencyResponse response(model, {{0.0, loss_mw}, {delay_s, -shed_mw}});
-  // The frequency falls at least until delay_s and turns then, or later as after a single loss.
-  const double last_s = delay_s + 20.0 / model.omega_n();
-  double lowest_hz = response.frequency_hz(delay_s);
-  constexpr double kStep_s = 0.005;
-  const auto steps = static_cast<int>(last_s / kStep_s);
-  for (int step = 0; step < steps; ++step) {
-    lowest_hz = std::min(lowest_hz, response.frequency_hz(kStep_s * step));
+  const grid::Nadir without = grid::nadir(model, loss_mw);
+  if (without.t_s <= delay_s) {
+    return without.frequency_hz;
   }
-  return lowest_hz;
+  // The frequency falls at least until delay_s, and turns then or later. A later minimum is higher.
+  const grid::FrequencyResponse response(model, {{0.0, loss_mw}, {delay_s, -shed_mw}});
+  const double last_s = delay_s + 20.0 / model.omega_n();
+  const double step_s = 0.02 / model.omega_n();
+  double falling_s = delay_s;
+  while (falling_s < last_s && response.rocof_hz_s(falling_s + step_s) < 0.0) {
+    falling_s += step_s;
+  }
+  double rising_s = falling_s + step_s;
+  for (int i = 0; i < 20; ++i) {
+    const double middle_s = 0.5 * (falling_s + rising_s);
+    (response.rocof_hz_s(middle_s) < 0.0 ? falling_s : rising_s) = middle_s;
+  }
+  return std::min(response.frequency_hz(delay_s), response.frequency_hz(falling_s));
 }
 
 // Edges from f_n down to f_s. Each is computed from f_n, so that rounding errors do not add up. The
@@ -75,6 +83,29 @@ double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, 
     (holds ? enough_mw : too_high_mw) = middle_mw;
   }
   return enough_mw;
+}
+
+double credible_loss_mw(const grid::Grid& grid) {
+  return grid.credible_loss_mw.value_or(kCredibleLossFactor *
+                                        threshold_mw(grid::SfrModel(grid), grid.threshold_hz));
+}
+
+double delay_aware_threshold_mw(const grid::Grid& grid) {
+  constexpr double kBelowTheBest_hz = 0.010;
+  const grid::SfrModel model(grid);
+  const double instant_mw = threshold_mw(model, grid.threshold_hz);
+  const double loss_mw = credible_loss_mw(grid);
+  const double best_hz = nadir_with_shedding_hz(model, loss_mw, loss_mw, kOutletDelay_s);
+  const double lowest_hz = std::min(grid.threshold_hz, best_hz - kBelowTheBest_hz);
+  if (lowest_hz <= 0.0) {
+    return instant_mw;  // the model's grid has collapsed before outlets act
+  }
+  return std::min(instant_mw, threshold_for_delay_mw(model, lowest_hz, loss_mw, kOutletDelay_s));
+}
+
+double threshold_mw(const grid::Grid& grid, Rules rules) {
+  return rules == Rules::kPaper ? threshold_mw(grid::SfrModel(grid), grid.threshold_hz)
+                                : delay_aware_threshold_mw(grid);
 }
 
 double k_lse_mw_per_hz_s(const grid::SfrModel& model) {

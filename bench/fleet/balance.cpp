@@ -43,8 +43,8 @@ ScenarioResult Balance::result(const grid::Grid& grid, double duration_s, Shed s
   result.shed = std::move(shed);
   result.shed.power_mw = shed_mw_;
   const double loss_mw = changes_.front().power_mw;
-  result.required_mw =
-      std::max(loss_mw - control_centre::threshold_mw(model_, grid.threshold_hz), 0.0);
+  result.threshold_mw = control_centre::threshold_mw(model_, grid.threshold_hz);
+  result.required_mw = std::max(loss_mw - result.threshold_mw, 0.0);
   result.first_action_s = first_s_;
   result.last_action_s = last_s_;
   double lowest_hz = 0.0;

@@ -24,8 +24,8 @@ class Balance {
   double deviation_hz(double t_s) const;
   double excess_cycles(double t_s) const;  // integral of deviation_hz
 
-  // Frequency, nadir and actions up to duration_s. `shed` gives the outlets that are off; its
-  // power_mw is replaced by the power passed to shed().
+  // Frequency, nadir and actions up to duration_s; threshold and required power by eq. (15). `shed`
+  // gives the outlets that are off; its power_mw is replaced by the power passed to shed().
   ScenarioResult result(const grid::Grid& grid, double duration_s, Shed shed) const;
 
  private:

@@ -149,12 +149,15 @@ class Loop {
   }
 
   void shed_by_clairvoyant(double knows_after_s) {
-    const double goal_hz = plan_.grid.threshold_hz - plan_.grid.nominal_hz;
+    // The model is linear: a deviation from before the start stays and adds to the response.
+    const double before_hz = plan_.stimulus.initial_deviation_hz;
+    const double goal_hz = plan_.grid.threshold_hz - plan_.grid.nominal_hz - before_hz;
     const auto steps = static_cast<int>(end_s_ / kClairvoyantStep_s);
     for (int step = 0; step < steps; ++step) {
       const double t_s = kClairvoyantStep_s * step;
       const double known_mw = known_loss_mw(grid_.losses(), t_s, knows_after_s) - off_mw_;
-      const GridState known = with_power(grid_.model(), grid_.state(t_s), known_mw);
+      GridState known = with_power(grid_.model(), grid_.state(t_s), known_mw);
+      known.deviation_hz -= before_hz;
       const double shed_mw =
           least_shed_mw(grid_.model(), known, goal_hz, fleet_.power_mw - off_mw_);
       if (shed_mw >= kLeastAction_mw) {

@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::size_t kOutletsInChunk = 50;
 
+control_centre::Rules rules_of(Strategy strategy) {
+  return strategy == Strategy::kPaper ? control_centre::Rules::kPaper
+                                      : control_centre::Rules::kGsbench;
+}
+
 }  // namespace
 
 FirmwareOutlets::FirmwareOutlets(const profile::Plan& plan, const Fleet& fleet, Strategy strategy,
@@ -24,45 +29,64 @@ FirmwareOutlets::FirmwareOutlets(const profile::Plan& plan, const Fleet& fleet, 
     : plan_(plan),
       fleet_(fleet),
       first_loss_tick_(first_loss_tick),
+      settings_(control_centre::grid_settings(plan.grid, rules_of(strategy))),
+      switch_off_hz_(switch_off_hz(plan.grid, fleet, rules_of(strategy))),
       outlets_(fleet.outlets()),
       switched_((fleet.outlets() + kOutletsInChunk - 1) / kOutletsInChunk),
       workers_(threads) {
   hardware_.sample_rate_hz = static_cast<std::int32_t>(plan.stimulus.sample_rate_hz);
   hardware_.counts_per_pu = models::kCounts_per_pu;
   hardware_.nominal_hz = static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz));
-  configure(fleet, strategy, controls);
+  settings_.version = 1;
+  settings_.method = strategy == Strategy::kPaper ? gs::outlet::kByPaper : gs::outlet::kByGridState;
+  if (controls.threshold_mw > 0.0) {
+    settings_.threshold_mw = static_cast<float>(controls.threshold_mw);
+  }
+  configure();
 }
 
-void FirmwareOutlets::configure(const Fleet& fleet, Strategy strategy, const Controls& controls) {
-  gs::outlet::Settings settings = control_centre::grid_settings(plan_.grid);
-  settings.version = 1;
-  settings.method = strategy == Strategy::kPaper ? gs::outlet::kByPaper : gs::outlet::kByGridState;
-  if (controls.threshold_mw > 0.0) {
-    settings.threshold_mw = static_cast<float>(controls.threshold_mw);
-  }
-  const std::vector<double> switch_off = switch_off_hz(plan_.grid, fleet);
+gs::outlet::Settings FirmwareOutlets::settings_of(std::size_t outlet) const {
+  gs::outlet::Settings settings = settings_;
+  const std::size_t group = outlet / fleet_.per_group;
+  settings.accumulated_mw = static_cast<float>(fleet_.accumulated_mw[group]);
+  settings.switch_off_hz = static_cast<float>(switch_off_hz_[group]);
+  return settings;
+}
+
+void FirmwareOutlets::configure() {
   const auto samples_in_report = static_cast<std::size_t>(plan_.stimulus.sample_rate_hz / 1000) *
                                  static_cast<std::size_t>(gs::outlet::kReport_ms);
   for (std::size_t i = 0; i < outlets_.size(); ++i) {
     Outlet& outlet = outlets_[i];
-    const std::size_t group = i / fleet.per_group;
-    settings.accumulated_mw = static_cast<float>(fleet.accumulated_mw[group]);
-    settings.switch_off_hz = static_cast<float>(switch_off[group]);
     outlet.skipped = i * 37 % samples_in_report;
     if (!gs::outlet::configure(hardware_, outlet.config)) {
       throw std::invalid_argument(fmt::format("the firmware does not support {} samples per second",
                                               hardware_.sample_rate_hz));
     }
-    const gs::outlet::SettingsError error = apply(outlet.config, outlet.state, settings);
+    const gs::outlet::SettingsError error = apply(outlet.config, outlet.state, settings_of(i));
     if (error != gs::outlet::SettingsError::kNone) {
       throw std::invalid_argument(fmt::format("the firmware rejects the settings of group {}: {}",
-                                              group + 1, to_string(error)));
+                                              i / fleet_.per_group + 1, to_string(error)));
+    }
+  }
+}
+
+void FirmwareOutlets::send_settings_again(std::int64_t before_tick) {
+  for (; updates_ < plan_.settings.size() &&
+         waveform::tick_at(plan_.settings[updates_].at_s, plan_.stimulus.sample_rate_hz) <
+             before_tick;
+       ++updates_) {
+    ++settings_.version;
+    for (std::size_t i = 0; i < outlets_.size(); ++i) {
+      // They were accepted once.
+      apply(outlets_[i].config, outlets_[i].state, settings_of(i));
     }
   }
 }
 
 std::vector<Switched> FirmwareOutlets::take(std::int64_t first_tick,
                                             const std::vector<float>& voltage_pu) {
+  send_settings_again(first_tick + static_cast<std::int64_t>(voltage_pu.size()));
   workers_.run(switched_.size(), [&](std::size_t chunk) { feed(chunk, first_tick, voltage_pu); });
   std::vector<Switched> all;
   for (std::vector<Switched>& some : switched_) {
@@ -97,6 +121,7 @@ void FirmwareOutlets::feed(std::size_t chunk, std::int64_t first_tick,
       at += step(outlet.config, outlet.state, counts.data() + at, count - at, report, ready);
       if (ready) {
         note(i, report, first_tick + static_cast<std::int64_t>(at));
+        renew(outlet.config, outlet.state);
       }
     }
   }

@@ -23,8 +23,9 @@ struct Switched {
 
 class FirmwareOutlets {
  public:
-  // first_loss_tick: claims of an event before are false. Throws std::invalid_argument for settings
-  // that the firmware rejects.
+  // first_loss_tick: claims of an event before are false. When the profile sends settings again,
+  // each outlet gets its own again; the profile's changes are for its own outlets. Throws
+  // std::invalid_argument for settings that the firmware rejects.
   FirmwareOutlets(const profile::Plan& plan, const Fleet& fleet, Strategy strategy,
                   const Controls& controls, std::int64_t first_loss_tick, std::size_t threads);
 
@@ -46,13 +47,18 @@ class FirmwareOutlets {
     std::optional<double> loss_mw;  // at the first decision
   };
 
-  void configure(const Fleet& fleet, Strategy strategy, const Controls& controls);
+  gs::outlet::Settings settings_of(std::size_t outlet) const;
+  void configure();
+  void send_settings_again(std::int64_t before_tick);
   void feed(std::size_t chunk, std::int64_t first_tick, const std::vector<float>& voltage_pu);
   void note(std::size_t number, const gs::outlet::Report& report, std::int64_t tick);
 
   const profile::Plan& plan_;
   const Fleet& fleet_;
   std::int64_t first_loss_tick_;
+  gs::outlet::Settings settings_;      // that are the same for all outlets
+  std::vector<double> switch_off_hz_;  // of each group
+  std::size_t updates_ = 0;            // that were sent
   gs::outlet::Hardware hardware_;
   std::vector<Outlet> outlets_;
   std::vector<std::vector<Switched>> switched_;  // by chunk, in the present samples

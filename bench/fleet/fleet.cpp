@@ -23,6 +23,7 @@ Fleet make_fleet(const FleetOptions& options) {
                   options.least_w, options.most_w));
   Fleet fleet;
   fleet.per_group = options.per_group;
+  fleet.accumulation = options.accumulation;
   fleet.power_w.reserve(options.groups * options.per_group);
   const models::Stream stream = {options.seed, models::kAppliance, 0};
   for (std::size_t group = 0; group < options.groups; ++group) {
@@ -54,14 +55,16 @@ FleetOptions in_fewer_outlets(const FleetOptions& options, std::size_t outlets) 
   return few;
 }
 
-std::vector<double> switch_off_hz(const grid::Grid& grid, const Fleet& fleet) {
+std::vector<double> switch_off_hz(const grid::Grid& grid, const Fleet& fleet,
+                                  control_centre::Rules rules) {
   grid::Grid with_groups = grid;
   with_groups.blocks.clear();
   for (std::size_t group = 0; group < fleet.groups(); ++group) {
     with_groups.blocks.push_back({std::to_string(group + 1), fleet.group_mw[group]});
   }
   std::vector<double> all;
-  for (const control_centre::BlockSetting& block : control_centre::block_settings(with_groups)) {
+  for (const control_centre::BlockSetting& block :
+       control_centre::block_settings(with_groups, fleet.accumulation, rules)) {
     all.push_back(block.switch_off_hz);
   }
   return all;

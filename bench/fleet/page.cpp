@@ -2,6 +2,7 @@
 #include "closed_loop_page.hpp"
 #include <control_centre/threshold.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -63,7 +64,7 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
   std::vector<std::string> notes;
   ScenarioOptions options = study.scenario;
   double last_action_s = kNoFigure;
-  double required_mw = 0.0;
+  double threshold_mw = 0.0;
   const auto add = [&](const std::string& name) {
     auto result = simulate(grid, fleet, options, execution);
     if (result) {
@@ -73,7 +74,6 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
                                result->nadir_s, result->end_hz}});
       plot.x = result->t_s;
       plot.curves.push_back({name, result->frequency_hz});
-      required_mw = result->required_mw;
     }
     return result;
   };
@@ -81,6 +81,7 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
     options.control = control;
     const auto result = add(title);
     if (control == Control::kGridSense && result) {
+      threshold_mw = result->threshold_mw;
       last_action_s = result->last_action_s;
       record::Curve curve{"off", {}};
       for (std::size_t group = 0; group < result->shed.off_in_group.size(); ++group) {
@@ -110,10 +111,14 @@ record::PageSection controls(const grid::Grid& grid, const Study& study, const F
   notes.insert(
       notes.begin(),
       fmt::format(
-          "Required: {:.2f} MW, the loss above the threshold loss by eq. (15), which "
-          "assumes that load is shed at once. A group is a load block. The load-shedding "
-          "conditions and an outlet's check of its own estimate are not part of this model.",
-          required_mw));
+          "The threshold loss in use is {:.2f} MW, {}; {:.2f} MW have to be shed with it. A "
+          "group is a load block. The load-shedding conditions and an outlet's check of its "
+          "own estimate are not part of this model.",
+          threshold_mw,
+          study.scenario.rules == control_centre::Rules::kPaper
+              ? "by eq. (15), which assumes that load is shed at once"
+              : "which allows for the delay of the outlets",
+          std::max(study.scenario.loss_mw - threshold_mw, 0.0)));
   return {{shed, actions},
           {plot, groups},
           notes,

@@ -41,6 +41,7 @@ class FedBackReference final : public ReferenceSignal {
 
 PlayedGrid::PlayedGrid(const profile::Plan& plan)
     : plan_(plan),
+      of_model_(plan.grid_reference()),
       played_(plan.reference()),
       shed_(std::make_shared<GridResponse>(grid::SfrModel(plan.grid))),
       corners_s_(played_->corners_s()),
@@ -53,10 +54,10 @@ void PlayedGrid::switch_off(double at_s, double power_mw) {
 
 GridState PlayedGrid::state(double t_s) const {
   GridState state = shed_->at(t_s);
-  state.deviation_hz += played_->frequency_hz(t_s) - played_->nominal_hz();
-  state.slope_hz_s += played_->rocof_hz_s(t_s);
+  state.deviation_hz += of_model_->frequency_hz(t_s) - of_model_->nominal_hz();
+  state.slope_hz_s += of_model_->rocof_hz_s(t_s);
   state.power_mw += lost_mw(losses(), t_s);
-  state.cycles += played_->excess_cycles(t_s);
+  state.cycles += of_model_->excess_cycles(t_s);
   return state;
 }
 

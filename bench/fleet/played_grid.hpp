@@ -19,7 +19,8 @@ class PlayedGrid {
   // Load switched off, or on again if negative. In the order of time.
   void switch_off(double at_s, double power_mw);
 
-  // Deviation, slope (right-hand limit) and lost power less the load that is off.
+  // Of the grid model, without oscillations that are laid over it: deviation, slope (right-hand
+  // limit) and lost power less the load that is off.
   GridState state(double t_s) const;
 
   const std::vector<grid::PowerChange>& losses() const { return plan_.stimulus.losses; }
@@ -30,6 +31,7 @@ class PlayedGrid {
 
  private:
   const profile::Plan& plan_;
+  std::shared_ptr<const waveform::ReferenceSignal> of_model_;
   std::shared_ptr<const waveform::ReferenceSignal> played_;
   std::shared_ptr<GridResponse> shed_;
   std::vector<double> corners_s_;  // of the profile

@@ -62,7 +62,7 @@ class Outlets {
       : fleet_(fleet),
         options_(options),
         workers_(threads),
-        settings_(control_centre::grid_settings(grid)),
+        settings_(control_centre::grid_settings(grid, options.rules)),
         chunks_((fleet.outlets() + kChunk - 1) / kChunk),
         off_(fleet.outlets(), 0),
         shed_mw_(chunks_ * kInstants, 0.0) {
@@ -73,7 +73,7 @@ class Outlets {
       estimators_.resize(chunks_ * kInstants);
     } else {
       below_.assign(fleet.outlets(), 0);
-      for (const double group_hz : switch_off_hz(grid, fleet)) {
+      for (const double group_hz : switch_off_hz(grid, fleet, options.rules)) {
         switch_off_hz_.push_back(static_cast<float>(group_hz - grid.nominal_hz));
       }
       highest_switch_off_hz_ = *std::max_element(switch_off_hz_.begin(), switch_off_hz_.end());
@@ -238,6 +238,10 @@ std::optional<ScenarioResult> simulate(const grid::Grid& grid, const Fleet& flee
     return std::nullopt;
   }
   const grid::SfrModel model(grid);
+  const double threshold_mw = options.threshold_mw > 0.0
+                                  ? options.threshold_mw
+                                  : control_centre::threshold_mw(grid, options.rules);
+  const double required_mw = std::max(options.loss_mw - threshold_mw, 0.0);
   Balance balance(model, options.loss_mw);
   Shed shed;
   if (options.control == Control::kGridSense || options.control == Control::kSwitchOff) {
@@ -252,15 +256,15 @@ std::optional<ScenarioResult> simulate(const grid::Grid& grid, const Fleet& flee
     }
     shed = count_shed(fleet, outlets.off());
   } else if (options.control == Control::kCentral) {
-    const double threshold_mw = options.threshold_mw > 0.0
-                                    ? options.threshold_mw
-                                    : control_centre::threshold_mw(model, grid.threshold_hz);
     balance.shed(options.central_decision_s + options.central_delay_s,
-                 std::min(options.loss_mw - threshold_mw, fleet.power_mw));
+                 std::min(required_mw, fleet.power_mw));
   } else if (options.control == Control::kUfls) {
     simulate_relays(grid, options, balance);
   }
-  return balance.result(grid, options.duration_s, shed);
+  ScenarioResult result = balance.result(grid, options.duration_s, shed);
+  result.threshold_mw = threshold_mw;
+  result.required_mw = required_mw;
+  return result;
 }
 
 }  // namespace gsbench::fleet

@@ -35,6 +35,13 @@ void check_system(const Grid& grid) {
   }
   system.require("base_mw", grid.base_mw, kPower_mw);
   system.require("load_mw", grid.load_mw, kPower_mw);
+  if (grid.credible_loss_mw) {
+    system.require("credible_loss_mw", *grid.credible_loss_mw, kPower_mw);
+    if (*grid.credible_loss_mw > grid.base_mw) {
+      system.refuse("credible_loss_mw", *grid.credible_loss_mw,
+                    fmt::format("at most {} (base_mw)", grid.base_mw));
+    }
+  }
   system.require("damping_pu", grid.damping_pu, kDamping_pu);
   system.require("gain_km", grid.gain_km, kGain);
   system.require("reheat_fraction", grid.reheat_fraction, kFraction);

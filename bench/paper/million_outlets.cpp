@@ -123,6 +123,7 @@ PageSection fig22(Study& study, const Execution& execution) {
   record::CurvePlot plot = {"The frequency of the grid.", "s", "Hz"};
   fleet::ScenarioOptions choice;
   choice.loss_mw = kLoss_mw;
+  choice.rules = control_centre::Rules::kPaper;
   choice.distribution = study.options.choices.noise_distribution;
   choice.seed = study.options.seed;
   int n = 0;

@@ -33,6 +33,12 @@ std::vector<Key> system_keys() {
           .require(),
       number("base_mw", "MW", grid::kPower_mw, "S_B: base power of D, H and R").require(),
       number("load_mw", "MW", grid::kPower_mw, "P_L: total load, for eq. (17)").require(),
+      number(
+          "credible_loss_mw", "MW", grid::kPower_mw,
+          "largest credible loss (reference incident): the threshold loss in the outlets' "
+          "settings is such that f_s is kept after this loss, although outlets act 0.968 s later")
+          .permits("10⁻⁶ … `base_mw`")
+          .or_else("1.4 times the threshold loss by eq. (15)"),
       number("damping_pu", "p.u.", grid::kDamping_pu, "D: load damping")
           .permits("0 … 1000; above 0 if there are blocks")
           .require(),
@@ -92,6 +98,7 @@ void read_system(const Table& table, grid::Grid& grid) {
   grid.threshold_hz = table.number("threshold_hz");
   grid.base_mw = table.number("base_mw");
   grid.load_mw = table.number("load_mw");
+  grid.credible_loss_mw = table.find_number("credible_loss_mw");
   grid.damping_pu = table.number("damping_pu");
   grid.gain_km = table.number("gain_km");
   grid.reheat_fraction = table.number("reheat_fraction");
@@ -157,7 +164,10 @@ grid::Grid read_parts(const Table& holder, std::string name, std::string title,
     grid.reference = read_reference(holder.table("reference"));
   }
   try {
-    control_centre::block_settings(grid);  // also checks the grid
+    // Also check the grid. Outlets may be sent the settings of either.
+    for (const auto rules : {control_centre::Rules::kGsbench, control_centre::Rules::kPaper}) {
+      control_centre::block_settings(grid, control_centre::Accumulation::kHalfGroup, rules);
+    }
   } catch (const grid::GridError& error) {
     holder.refuse(position_of(holder, error), error.what());
   }

@@ -15,6 +15,7 @@ using keys::Table;
 
 constexpr std::int64_t kMostOutlets = 1000;  // in one run; larger studies do not use profiles
 constexpr std::size_t kLongestId = 64;
+constexpr const char* kPaperRules = "paper";
 
 control_centre::RequestedSettings read_requested(const Table& table, const grid::Grid& grid) {
   control_centre::RequestedSettings requested;
@@ -23,6 +24,8 @@ control_centre::RequestedSettings read_requested(const Table& table, const grid:
   const Range block = {0.0, 2.0 * requested.accumulated_mw, true, false,
                        "twice accumulated_mw, which includes half of the outlet's own block"};
   requested.power_mw = table.find_number("power_mw", block);
+  requested.rules = table.text("rules") == kPaperRules ? control_centre::Rules::kPaper
+                                                       : control_centre::Rules::kGsbench;
   read_settings(table, grid.nominal_hz, requested.settings);
   return requested;
 }
@@ -49,11 +52,16 @@ Key outlet_keys() {
            .permits("0 … the grid's load")
            .by_default(0.0),
        keys::number("power_mw", "MW", keys::above(0.0),
-                    "load of the outlet's own block, for eq. (17); `accumulated_mw` includes half "
-                    "of it. The default assumes one block as large as `accumulated_mw`, the only "
-                    "load that is known. If `accumulated_mw` is 0, f^B is `threshold_hz`")
+                    "load of the outlet's own block, for eq. (17) alone; `accumulated_mw` includes "
+                    "half of it. The default assumes one block as large as `accumulated_mw`, the "
+                    "only load that is known. If `accumulated_mw` is 0, f^B is `threshold_hz`")
            .permits("above 0, at most twice `accumulated_mw`")
-           .or_else("`accumulated_mw`")});
+           .or_else("`accumulated_mw`"),
+       keys::choice("rules", {"gsbench", kPaperRules},
+                    "how the control centre derives threshold loss and f^B: `gsbench`, such that "
+                    "the outlets' delay is allowed for, and in stages over `accumulated_mw`; "
+                    "`paper`, by eq. (15) and eq. (17)")
+           .by_default("gsbench")});
   for (Key& key : setting_keys()) {
     outlets.inner.push_back(std::move(key));
   }

@@ -60,12 +60,12 @@ std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
   std::vector<record::Mark> marks;
   for (const grid::PowerChange& loss : plan.stimulus.losses) {
     const bool lost = loss.power_mw > 0.0;
-    const std::string what = figure(std::fabs(loss.power_mw), " MW") + (lost ? " lost" : " shed");
-    const std::string over = loss.ramp_s > 0.0 ? " over " + figure(loss.ramp_s, " s") : "";
-    marks.push_back({tick(loss.at_s), lost ? "loss" : "shed", loss.power_mw, what + over});
+    const std::string what =
+        fmt::format("{} {}{}", figure(std::fabs(loss.power_mw), " MW"), lost ? "lost" : "shed",
+                    loss.ramp_s > 0.0 ? " over " + figure(loss.ramp_s, " s") : "");
+    marks.push_back({tick(loss.at_s), lost ? "loss" : "shed", loss.power_mw, what});
     if (loss.ramp_s > 0.0 && loss.at_s + loss.ramp_s < plan.stimulus.duration_s) {
-      marks.push_back(
-          {tick(loss.at_s + loss.ramp_s), "ramp end", loss.power_mw, "end of " + what + over});
+      marks.push_back({tick(loss.at_s + loss.ramp_s), "ramp end", loss.power_mw, "end of " + what});
     }
   }
   for (const waveform::Oscillation& oscillation : plan.stimulus.oscillations) {
@@ -101,7 +101,7 @@ std::vector<record::Comparison> comparisons(const grid::Grid& grid) {
   const double threshold_mw = control_centre::threshold_mw(model, grid.threshold_hz);
   std::vector<record::Comparison> all;
   if (reference.threshold_mw) {
-    all.push_back({"threshold loss", "MW", threshold_mw, *reference.threshold_mw, ""});
+    all.push_back({"threshold loss, eq. (15)", "MW", threshold_mw, *reference.threshold_mw, ""});
   }
   if (reference.t_nadir_s) {
     all.push_back({"time of the nadir", "s", grid::nadir(model, threshold_mw).t_s,

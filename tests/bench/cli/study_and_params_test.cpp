@@ -101,10 +101,27 @@ TEST(Study, Of500MegawattsIsAsGoodAsDocumented) {
 TEST(Params, HaveAllDocumentedKeysAsJson) {
   for (const std::string grid : {"ieee24", "ieee24-by-unit", "island-60hz"}) {
     const json params = run_for_json({"params", grid, "--json"});
-    for (const std::string key :
-         {"inertia_s", "droop_pu", "damping_pu", "gain_km", "reheat_fraction", "reheat_s",
-          "base_mw", "omega_n", "zeta", "alpha", "omega_r", "phi", "phi1", "t_nadir_s",
-          "threshold_mw", "k_lse_mw_per_hz_s", "conditions", "blocks"}) {
+    for (const std::string key : {"inertia_s",
+                                  "droop_pu",
+                                  "damping_pu",
+                                  "gain_km",
+                                  "reheat_fraction",
+                                  "reheat_s",
+                                  "base_mw",
+                                  "omega_n",
+                                  "zeta",
+                                  "alpha",
+                                  "omega_r",
+                                  "phi",
+                                  "phi1",
+                                  "t_nadir_s",
+                                  "threshold_mw",
+                                  "threshold_delay_mw",
+                                  "credible_loss_mw",
+                                  "outlet_delay_s",
+                                  "k_lse_mw_per_hz_s",
+                                  "conditions",
+                                  "blocks"}) {
       EXPECT_TRUE(params.contains(key)) << grid << ": " << key;
     }
   }
@@ -117,6 +134,22 @@ TEST(Params, OfTheCalibratedGridAreThePublishedThresholdAndConditions) {
   ASSERT_EQ(params["conditions"].size(), 10U);
   EXPECT_NEAR(params["conditions"][0]["rocof_below_hz_s"].get<double>(), -0.3236, 3e-4);
   EXPECT_NEAR(params["conditions"][0]["from_hz"].get<double>(), 49.95, 1e-9);
+}
+
+TEST(Params, HaveAThresholdThatAllowsForTheDelayOfTheOutlets) {
+  const json params = run_for_json({"params", "ieee24", "--json"});
+  EXPECT_NEAR(params["threshold_delay_mw"].get<double>(), 340.12, 0.01);
+  EXPECT_EQ(params["credible_loss_mw"], 500.0);
+  EXPECT_EQ(params["outlet_delay_s"], 0.968);
+  EXPECT_THAT(run_gsbench({"params", "ieee24"}).out, HasSubstr("340.1"));
+}
+
+TEST(Params, HaveTheSwitchingOffFrequenciesOfEitherRules) {
+  const json staged = run_for_json({"params", "ieee24", "--json"})["blocks"];
+  const json paper = run_for_json({"params", "ieee24", "--rules", "paper", "--json"})["blocks"];
+  EXPECT_NEAR(staged[0]["switch_off_hz"].get<double>(), 49.4447, 1e-4);
+  EXPECT_NEAR(staged[9]["switch_off_hz"].get<double>(), 49.3488, 1e-4);
+  EXPECT_NEAR(paper[0]["switch_off_hz"].get<double>(), 49.2814, 1e-4);
 }
 
 TEST(Params, ArePrintedBesideThePublishedFiguresAndTheReasonOfADifference) {

@@ -37,8 +37,14 @@ TEST(OutletSettings, AreDerivedFromTheGrid) {
   EXPECT_EQ(s.response.initial_slope_per_s, static_cast<float>(model.initial_slope_per_s()));
   EXPECT_EQ(s.largest_loss_mw, static_cast<float>(grid.base_mw));
   EXPECT_EQ(s.accumulated_mw, 100.0F);
-  // As in the paper, within its rounding.
-  EXPECT_NEAR(static_cast<double>(s.threshold_mw), 351.92, 0.1);
+  EXPECT_EQ(s.threshold_mw, static_cast<float>(delay_aware_threshold_mw(grid)));
+}
+
+// The paper's threshold, within its rounding.
+TEST(OutletSettings, ByThePapersRulesHaveTheThresholdOfEquation15) {
+  RequestedSettings requested = behind(100.0);
+  requested.rules = Rules::kPaper;
+  EXPECT_NEAR(static_cast<double>(settings_of(requested).threshold_mw), 351.92, 0.1);
 }
 
 TEST(OutletSettings, ContainEachRowOfTheConditions) {
@@ -78,7 +84,10 @@ TEST(OutletSettings, TakeTheRequestedValueOfEachField) {
     }
     const double default_value = described(settings_of({})).at(field.name);
     const bool whole = field.type != gs::outlet::FieldType::kFloat;
-    const double requested_value = whole ? default_value + 1.0 : 0.999 * default_value + 1e-6;
+    const auto most = static_cast<double>(field.range.most);
+    const double requested_value = !whole                 ? 0.999 * default_value + 1e-6
+                                   : default_value < most ? default_value + 1.0
+                                                          : default_value - 1.0;
     const auto all = described(settings_of(with(field.name, requested_value)));
     EXPECT_EQ(all.at(field.name), static_cast<double>(static_cast<float>(requested_value)))
         << field.name;
@@ -88,18 +97,24 @@ TEST(OutletSettings, TakeTheRequestedValueOfEachField) {
 TEST(OutletSettings, HaveTheSwitchOffFrequencyOfABlockWithTheSamePowers) {
   grid::Grid grid = grid::ieee24();
   grid.blocks = {{"a", 50.0}, {"b", 100.0}, {"c", 25.0}};
-  for (const BlockSetting& block : block_settings(grid)) {
-    RequestedSettings requested = behind(block.accumulated_mw);
-    requested.power_mw = block.power_mw;
-    EXPECT_EQ(outlet_settings(grid, requested, 1).switch_off_hz,
-              static_cast<float>(block.switch_off_hz));
+  for (const Rules rules : {Rules::kGsbench, Rules::kPaper}) {
+    for (const BlockSetting& block : block_settings(grid, Accumulation::kHalfGroup, rules)) {
+      RequestedSettings requested = behind(block.accumulated_mw);
+      requested.power_mw = block.power_mw;
+      requested.rules = rules;
+      EXPECT_EQ(outlet_settings(grid, requested, 1).switch_off_hz,
+                static_cast<float>(block.switch_off_hz));
+    }
   }
 }
 
-TEST(OutletSettings, AssumeABlockAsLargeAsTheAccumulatedPower) {
-  EXPECT_EQ(settings_of(behind(100.0)).switch_off_hz,
-            static_cast<float>(switch_off_hz(grid::ieee24(), 50.0, 100.0)));
-  EXPECT_EQ(settings_of(behind(0.0)).switch_off_hz, 49.5F);
+TEST(OutletSettings, ByThePapersRulesAssumeABlockAsLargeAsTheAccumulatedPower) {
+  RequestedSettings requested = behind(100.0);
+  requested.rules = Rules::kPaper;
+  EXPECT_EQ(settings_of(requested).switch_off_hz,
+            static_cast<float>(eq17_switch_off_hz(grid::ieee24(), 50.0, 100.0)));
+  requested.accumulated_mw = 0.0;
+  EXPECT_EQ(settings_of(requested).switch_off_hz, 49.5F);
 }
 
 // A threshold above any loss, as in the profile of the backup criterion, must not change the
@@ -135,6 +150,7 @@ TEST(OutletSettings, AreRefusedWithTheReasonOfTheFirmware) {
               HasSubstr(to_string(gs::outlet::SettingsError::kEstimator)));
   RequestedSettings requested = behind(100.0);
   requested.power_mw = 201.0;
+  requested.rules = Rules::kPaper;
   EXPECT_THAT(refusal(requested), HasSubstr("power_mw is 201"));
 }
 

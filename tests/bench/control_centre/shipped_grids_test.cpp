@@ -58,6 +58,21 @@ TEST(ShippedGrids, HaveBlocksToShedAfterTheLossOf500Mw) {
   EXPECT_GT(blocks.back().accumulated_mw, 500.0 - 351.92);
 }
 
+// Outlets can still keep f_s after it, and are not told to shed much more than eq. (15) wants.
+TEST(ShippedGrids, HaveACredibleLossThatOutletsAnswerInTime) {
+  for (const char* const name : {"ieee24", "ieee24-by-unit", "island-60hz"}) {
+    const grid::Grid grid = profile::load_grid(name);
+    const grid::SfrModel model(grid);
+    ASSERT_TRUE(grid.credible_loss_mw.has_value()) << name;
+    const double threshold =
+        threshold_for_delay_mw(model, grid.threshold_hz, *grid.credible_loss_mw, kOutletDelay_s);
+    EXPECT_EQ(threshold_mw(grid, Rules::kGsbench), threshold) << name;
+    const double by_eq15 = threshold_mw(grid, Rules::kPaper);
+    EXPECT_GT(threshold, 0.88 * by_eq15) << name;
+    EXPECT_LT(threshold, 0.98 * by_eq15) << name;
+  }
+}
+
 TEST(ShippedGrids, HaveA60HzSystemWithTextbookConstants) {
   const grid::Grid grid = profile::load_grid("island-60hz");
   const grid::SfrModel model(grid);

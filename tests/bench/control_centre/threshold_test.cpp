@@ -79,6 +79,59 @@ TEST(ThresholdForDelay, KeepsTheNadirAtTheThresholdFrequencyForAnyDelay) {
   }
 }
 
+// 500 MW on ieee24: 351.92 MW by eq. (15) are 11.8 MW too much.
+TEST(DelayAwareThreshold, KeepsTheNadirAtTheThresholdFrequencyAfterTheCredibleLoss) {
+  grid::Grid grid = grid::ieee24();
+  grid.credible_loss_mw = 500.0;
+  const double threshold = delay_aware_threshold_mw(grid);
+  EXPECT_NEAR(threshold, 340.12, kTwoDecimals);
+  EXPECT_EQ(threshold_mw(grid, Rules::kGsbench), threshold);
+  EXPECT_NEAR(lowest_hz(grid::SfrModel(grid), 500.0, 500.0 - threshold, kOutletDelay_s), 49.5,
+              2e-4);
+  EXPECT_EQ(threshold_mw(grid, Rules::kPaper), threshold_mw(grid::SfrModel(grid), 49.5));
+}
+
+TEST(DelayAwareThreshold, IsFor1p4TimesEquation15IfTheGridStatesNoCredibleLoss) {
+  grid::Grid grid = grid::ieee24();
+  const double by_default = delay_aware_threshold_mw(grid);
+  EXPECT_NEAR(credible_loss_mw(grid), 1.4 * 351.92, 0.02);
+  grid.credible_loss_mw = credible_loss_mw(grid);
+  EXPECT_EQ(delay_aware_threshold_mw(grid), by_default);
+  grid.credible_loss_mw = 300.0;
+  EXPECT_EQ(delay_aware_threshold_mw(grid), threshold_mw(grid::SfrModel(grid), 49.5));
+}
+
+// The frequency is below f_s before outlets act: after 660 MW even with all of it shed.
+TEST(DelayAwareThreshold, KeepsTheNadirWithin10MillihertzOfTheBestIfTheLimitIsOutOfReach) {
+  grid::Grid grid = grid::ieee24();
+  const grid::SfrModel model(grid);
+  double before_mw = delay_aware_threshold_mw(grid);
+  for (const double loss_mw : {600.0, 650.0, 665.0, 680.0}) {
+    grid.credible_loss_mw = loss_mw;
+    const double threshold = delay_aware_threshold_mw(grid);
+    const double best = lowest_hz(model, loss_mw, loss_mw, kOutletDelay_s);
+    EXPECT_NEAR(lowest_hz(model, loss_mw, loss_mw - threshold, kOutletDelay_s),
+                std::min(49.5, best - 0.010), 2e-4)
+        << loss_mw;
+    EXPECT_LT(std::abs(threshold - before_mw), 30.0) << "no leap at " << loss_mw;
+    before_mw = threshold;
+  }
+  for (const double loss_mw : {900.0, 2745.0}) {
+    grid.credible_loss_mw = loss_mw;
+    EXPECT_EQ(delay_aware_threshold_mw(grid), threshold_mw(model, 49.5)) << loss_mw;
+  }
+}
+
+// The frequency falls to f_s before outlets act, or turns by itself.
+TEST(DelayAwareThreshold, IsAboveZeroAndAtMostThatOfEquation15ForAnyGrid) {
+  for (const grid::Grid& grid : {grid::overdamped_grid(), grid::grid_of_zeta(1.0),
+                                 grid::grid_of_zeta(0.7), grid::first_order_grid()}) {
+    const double by_eq15 = threshold_mw(grid, Rules::kPaper);
+    EXPECT_GT(delay_aware_threshold_mw(grid), 0.5 * by_eq15);
+    EXPECT_LE(delay_aware_threshold_mw(grid), by_eq15);
+  }
+}
+
 TEST(ThresholdForDelay, IsZeroIfNoSheddingSuffices) {
   EXPECT_EQ(threshold_for_delay_mw(grid::SfrModel(grid::ieee24()), 49.5, 2000.0, 5.0), 0.0);
 }

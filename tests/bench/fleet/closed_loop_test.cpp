@@ -148,6 +148,44 @@ TEST(ClosedLoop, ClairvoyantsKeepTheThresholdWithTheLeastPower) {
   }
 }
 
+// 300 MW from 49.85 Hz have a nadir of 49.424 Hz. The figure is of a search in steps of 4 ms.
+TEST(ClosedLoop, AFrequencyBeforeTheStartStaysAndAddsToTheResponse) {
+  Plan plan = plan_of(300.0);
+  plan.stimulus.initial_deviation_hz = -0.15;
+  EXPECT_NEAR(simulate_loop(plan, Strategy::kNone).nadir_hz, 49.424, 0.001);
+  const ClosedLoopResult result = simulate_loop(plan, Strategy::kClairvoyant500ms);
+  EXPECT_NEAR(result.shed_mw, 54.2, 0.4);
+  EXPECT_NEAR(result.nadir_hz, 49.5, 1e-6);
+}
+
+TEST(ClosedLoop, OscillationsAreSeenByOutletsButAreNotOfTheGridModel) {
+  Plan plan = plan_of(500.0);
+  plan.stimulus.losses.clear();
+  plan.stimulus.duration_s = 6.0;
+  plan.stimulus.noise_pct = 0.0;
+  plan.stimulus.oscillations.resize(1);
+  plan.stimulus.oscillations[0].frequency_hz = 0.5;
+  plan.stimulus.oscillations[0].amplitude_hz = 0.2;  // the slope is that of 1000 MW
+  EXPECT_GT(false_events(plan), 90U);
+  for (const Strategy strategy : {Strategy::kNone, Strategy::kClairvoyant300ms}) {
+    const ClosedLoopResult result = simulate_loop(plan, strategy);
+    EXPECT_EQ(result.nadir_hz, 50.0);
+    EXPECT_EQ(result.shed_mw, 0.0);
+  }
+}
+
+TEST(ClosedLoop, SettingsThatAreSentAgainDuringTheEventChangeNothing) {
+  Plan plan = plan_of(500.0);
+  const ClosedLoopResult without = simulate_loop(plan, Strategy::kGsbench, 3.0);
+  for (const double at_s : {kLoss_s + 0.3, kLoss_s + 0.6}) {
+    plan.settings.push_back({at_s, {}, {}});
+  }
+  const ClosedLoopResult with = simulate_loop(plan, Strategy::kGsbench, 3.0);
+  EXPECT_GT(without.shed_mw, 100.0);
+  EXPECT_EQ(with.shed_mw, without.shed_mw);
+  EXPECT_EQ(with.first_action_s, without.first_action_s);
+}
+
 TEST(ClosedLoop, AClairvoyantDoesNotShedForALossThatComesBackInTime) {
   Plan plan = plan_of(600.0);
   plan.stimulus.losses.push_back({kLoss_s + 0.4, -600.0});

@@ -67,16 +67,27 @@ TEST(Fleet, RejectsOptionsOutOfRange) {
   EXPECT_THROW(make_fleet(options), std::invalid_argument);
 }
 
+ScenarioResult simulate_with(const ScenarioOptions& options, std::size_t threads = 2) {
+  static const Fleet fleet = small_fleet();
+  campaign::Execution execution;
+  execution.threads = threads;
+  return simulate(ieee24(), fleet, options, execution).value();
+}
+
 ScenarioResult simulate_control(Control control, double loss_mw = 500.0, double threshold_mw = 0.0,
                                 std::size_t threads = 2) {
-  static const Fleet fleet = small_fleet();
   ScenarioOptions options;
   options.control = control;
   options.loss_mw = loss_mw;
   options.threshold_mw = threshold_mw;
-  campaign::Execution execution;
-  execution.threads = threads;
-  return simulate(ieee24(), fleet, options, execution).value();
+  return simulate_with(options, threads);
+}
+
+ScenarioResult simulate_by_papers_rules(Control control) {
+  ScenarioOptions options;
+  options.control = control;
+  options.rules = control_centre::Rules::kPaper;
+  return simulate_with(options);
 }
 
 TEST(Scenario, WithoutControlTheFrequencyFollowsTheModel) {
@@ -87,13 +98,24 @@ TEST(Scenario, WithoutControlTheFrequencyFollowsTheModel) {
   EXPECT_TRUE(std::isnan(result.first_action_s));
 }
 
-TEST(Scenario, OutletsShedTheRequiredPowerWithinASecond) {
+TEST(Scenario, OutletsShedTheRequiredPowerWithinASecondAndKeepTheLimit) {
   const ScenarioResult result = simulate_control(Control::kGridSense);
+  EXPECT_NEAR(result.threshold_mw, 340.12, 0.01);
+  EXPECT_NEAR(result.required_mw, 159.88, 0.01);
   EXPECT_NEAR(result.shed.power_mw, result.required_mw, 0.01 * result.required_mw);
   EXPECT_GT(result.first_action_s, 0.85);
   EXPECT_LT(result.last_action_s, 0.96);
+  EXPECT_GE(result.nadir_hz, 49.5);
+  EXPECT_LT(result.nadir_hz, 49.505);  // the last one acts after 0.916 s, not 0.968 s
+}
+
+// Eq. (15) assumes that load is shed at once.
+TEST(Scenario, ByThePapersRulesOutletsShedTheRequiredPowerTooLate) {
+  const ScenarioResult result = simulate_by_papers_rules(Control::kGridSense);
+  EXPECT_NEAR(result.required_mw, 148.08, 0.01);
+  EXPECT_NEAR(result.shed.power_mw, result.required_mw, 0.01 * result.required_mw);
   EXPECT_GT(result.nadir_hz, 49.48);
-  EXPECT_LT(result.nadir_hz, 49.50);
+  EXPECT_LT(result.nadir_hz, 49.49);
 }
 
 TEST(Scenario, NoOutletShedsForALossBelowTheThreshold) {
@@ -107,8 +129,9 @@ TEST(Scenario, ADelayAwareThresholdKeepsTheNadirAboveTheLimit) {
   EXPECT_NEAR(simulate_control(Control::kGridSense, 500.0, threshold_mw).nadir_hz, 49.501, 0.001);
 }
 
-TEST(Scenario, SwitchingOffFrequenciesAloneShedLaterAndFarTooMuch) {
-  const ScenarioResult result = simulate_control(Control::kSwitchOff);
+// All f^B of eq. (17) are within 10 mHz below f_s.
+TEST(Scenario, SwitchingOffFrequenciesOfEquation17ShedFarTooMuch) {
+  const ScenarioResult result = simulate_by_papers_rules(Control::kSwitchOff);
   EXPECT_GT(result.first_action_s, 1.2);
   EXPECT_NEAR(result.shed.power_mw, 892.0, 5.0);  // 148 MW required, 906 MW in the fleet
 }

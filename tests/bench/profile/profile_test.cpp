@@ -55,6 +55,7 @@ TEST(Profile, HoldsTitleSourceSeedAndInlineGrid) {
   EXPECT_EQ(grid.reheat_fraction, 0.25);
   EXPECT_EQ(grid.reheat_s, 7.0);
   EXPECT_EQ(grid.condition_row_hz, 0.1);
+  EXPECT_EQ(grid.credible_loss_mw, 150.0);
   ASSERT_THAT(grid.plants, SizeIs(2));
   EXPECT_EQ(grid.plants[0].id, "one");
   EXPECT_EQ(grid.plants[0].rating_mw, 500.0);
@@ -207,6 +208,11 @@ TEST(Profile, GivesEachOutletItsSettings) {
   EXPECT_TRUE(plan.outlets[3].settings.settings.empty());
 }
 
+TEST(Profile, GivesEachOutletTheRulesOfItsSettings) {
+  EXPECT_EQ(parse(kMinimal).outlets[0].settings.rules, control_centre::Rules::kGsbench);
+  EXPECT_EQ(parse(kPoints).outlets[0].settings.rules, control_centre::Rules::kPaper);
+}
+
 TEST(Profile, SortsCommandsByTimeAndResolvesGroups) {
   const auto commands = parse(kLossesInPlace).commands;
   ASSERT_THAT(commands, SizeIs(2));
@@ -225,7 +231,7 @@ TEST(Profile, KeepsTheGivenUnitOfLimits) {
   EXPECT_EQ(expectations[0].min, 0.03);
   EXPECT_EQ(expectations[0].max, 0.16);
   EXPECT_THAT(expectations[0].groups, ElementsAre("early"));
-  EXPECT_EQ(expectations[0].line, 82);
+  EXPECT_EQ(expectations[0].line, 83);
   EXPECT_EQ(expectations[1].equals, "open");
   EXPECT_FALSE(expectations[1].min);
   EXPECT_THAT(expectations[1].groups, IsEmpty());

@@ -89,124 +89,126 @@ const std::vector<Mistake> kOfMinimal = {
 const std::vector<Mistake> kOfLosses = {
     // Disturbances.
     {"[28, 1.0, -10.0]", "[28, 1.0]",
-     "43:31: an item of harmonics is an array of 2 values; it must be [order, pct, deg]"},
-    {"[28, 1.0, -10.0]", "28", "43:31: an item of harmonics is 28; it must be [order, pct, deg]"},
-    {"[28,", "[2.5,", "43:32: order is 2.5; it must be a whole number from 2 to 50"},
+     "44:31: an item of harmonics is an array of 2 values; it must be [order, pct, deg]"},
+    {"[28, 1.0, -10.0]", "28", "44:31: an item of harmonics is 28; it must be [order, pct, deg]"},
+    {"[28,", "[2.5,", "44:32: order is 2.5; it must be a whole number from 2 to 50"},
     {"[28,", "[26,",
-     "43:32: harmonic order 26 is given twice; give each order once, including those of "
+     "44:32: harmonic order 26 is given twice; give each order once, including those of "
      "harmonic_set"},
     {"[28,", "[5,",
-     "43:32: harmonic order 5 is given twice; give each order once, including those of "
+     "44:32: harmonic order 5 is given twice; give each order once, including those of "
      "harmonic_set"},
     {"[28,", "[34,",
-     "43:32: harmonic order 34 is at 2040 Hz; it must be below 2000 Hz (half of sample_rate_hz)"},
-    {"1.0, -10.0", "-1.0, -10.0", "43:36: pct is -1; it must be at least 0 and at most 100"},
-    {"-10.0", "-370.0", "43:41: deg is -370; it must be at least -360 and at most 360"},
+     "44:32: harmonic order 34 is at 2040 Hz; it must be below 2000 Hz (half of sample_rate_hz)"},
+    {"1.0, -10.0", "-1.0, -10.0", "44:36: pct is -1; it must be at least 0 and at most 100"},
+    {"-10.0", "-370.0", "44:41: deg is -370; it must be at least -360 and at most 360"},
     {"[[26, 5.0, 90.0], [28, 1.0, -10.0]]", "[]",
-     "43:13: harmonics is empty; omit it, or give an array of [order, pct, deg]"},
+     "44:13: harmonics is empty; omit it, or give an array of [order, pct, deg]"},
     // Maxima of sin θ + Σ a sin(kθ + φ) over a period, from an independent calculation.
     {"level_pct = 40.0", "level_pct = 140.0",
-     "47:1: the voltage reaches 1.587 p.u. at 5 s, harmonics and offset included; it must be at "
+     "48:1: the voltage reaches 1.587 p.u. at 5 s, harmonics and offset included; it must be at "
      "most 1.5 p.u."},
     {"at_s = 8.0\nlevel_pct = 0.0",
      "at_s = 6.0\nlevel_pct = 130.0\n[[signal.amplitude_step]]\nat_s = 7.0\nlevel_pct = 110",
-     "51:1: the voltage reaches 1.62 p.u. at 7 s, harmonics and offset included; it must be at "
+     "52:1: the voltage reaches 1.62 p.u. at 7 s, harmonics and offset included; it must be at "
      "most 1.5 p.u."},
     {"5.0, 90.0", "60.0, 90.0",
-     "43:13: the voltage reaches 1.682 p.u. at 0 s, harmonics and offset included; it must be at "
+     "44:13: the voltage reaches 1.682 p.u. at 0 s, harmonics and offset included; it must be at "
      "most 1.5 p.u."},
     {"dc_offset_pct = 0.25", "dc_offset_pct = -90",
-     "45:17: the voltage reaches 1.951 p.u. at 0 s, harmonics and offset included; it must be at "
+     "46:17: the voltage reaches 1.951 p.u. at 0 s, harmonics and offset included; it must be at "
      "most 1.5 p.u."},
     {"at_s = 8.0", "at_s = 10.0",
-     "52:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
+     "53:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
     {"duration_s = 1.5", "duration_s = 5.5",
-     "49:14: the step ends at 10.5 s, after the end of the run at 10 s; omit duration_s for a step "
+     "50:14: the step ends at 10.5 s, after the end of the run at 10 s; omit duration_s for a step "
      "that lasts to the end"},
     {"level_pct = 40.0", "",
-     "47:1: missing key \"level_pct\" in [[signal.amplitude_step]]; give a number, at least 0 and "
+     "48:1: missing key \"level_pct\" in [[signal.amplitude_step]]; give a number, at least 0 and "
      "at most 150"},
     {"at_s = 3.0", "at_s = 12.0",
-     "55:8: at_s is 12; it must be at least 0 and below 10 (the run's duration)"},
+     "56:8: at_s is 12; it must be at least 0 and below 10 (the run's duration)"},
     {"at_s = 4.0", "at_s = 40.0",
-     "34:8: at_s is 40; it must be at least 0 and below 10 (the run's duration)"},
+     "35:8: at_s is 40; it must be at least 0 and below 10 (the run's duration)"},
     {"power_mw = 100.0", "power_mw = 0",
-     "38:12: power_mw is 0; it must be above 0 (lost generation) or below 0 (shed load)"},
+     "39:12: power_mw is 0; it must be above 0 (lost generation) or below 0 (shed load)"},
     {"power_mw = 100.0", "power_mw = 900",
-     "38:12: power_mw is 900; it must be at least -800 and at most 800 (the grid's load)"},
+     "39:12: power_mw is 900; it must be at least -800 and at most 800 (the grid's load)"},
     {"power_mw = -50.0", "power_mw = 750.0",
-     "33:1: the losses add up to 850 MW at 4 s; their sum must stay within ± 800 MW (the grid's "
+     "34:1: the losses add up to 850 MW at 4 s; their sum must stay within ± 800 MW (the grid's "
      "load)"},
     {"harmonic_set", "frequency = [[0, 60]]\nharmonic_set",
-     "44:13: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
+     "45:13: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
      "[signal.trace]"},
     {"[[signal.phase_jump]]",
      "[signal.trace]\nfile = \"r\"\ntime = \"t\"\nfrequency = \"f\"\n[[signal.phase_jump]]",
-     "54:1: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
+     "55:1: the frequency has more than one source; give only one of [[grid.loss]], frequency and "
      "[signal.trace]"},
     // Limits.
     {"unit = \"s\"", "unit = \"MW\"",
-     "83:8: unit is \"MW\"; for event.delay it must be s or ms or us"},
+     "84:8: unit is \"MW\"; for event.delay it must be s or ms or us"},
     {"unit = \"s\"", "unit = \"seconds\"",
-     "83:8: unit is \"seconds\"; for event.delay it must be s or ms or us"},
+     "84:8: unit is \"seconds\"; for event.delay it must be s or ms or us"},
     {"unit = \"s\"", "",
-     "81:1: missing key \"unit\" in [[expect]]; give the unit of event.delay: s or ms or us"},
-    {"min = 0.03", "min = 0.3", "84:7: min is 0.3; it must be at most 0.16 (max)"},
+     "82:1: missing key \"unit\" in [[expect]]; give the unit of event.delay: s or ms or us"},
+    {"min = 0.03", "min = 0.3", "85:7: min is 0.3; it must be at most 0.16 (max)"},
     {"outlets = [\"early\"]", "outlets = [\"erly\"]",
-     "86:12: unknown group \"erly\"; did you mean \"early\"?"},
+     "87:12: unknown group \"erly\"; did you mean \"early\"?"},
     {"outlets = [\"early\"]", "outlets = []",
-     "86:11: outlets is empty; omit it, or give an array of texts in quotes"},
+     "87:11: outlets is empty; omit it, or give an array of texts in quotes"},
     {"outlets = [\"early\"]", "outlets = [1]",
-     "86:12: an item of outlets is 1; it must be a text in quotes"},
+     "87:12: an item of outlets is 1; it must be a text in quotes"},
     {"equals = \"open\"", "max = 1",
-     "89:7: relay.end is a text, not a number; give equals in place of max"},
+     "90:7: relay.end is a text, not a number; give equals in place of max"},
     {"equals = \"open\"", "",
-     "87:1: missing key \"equals\" in [[expect]]; give the value that relay.end must have"},
-    {"equals = \"open\"", "equals = \"opne\"", "89:10: equals is \"opne\"; did you mean \"open\"?"},
+     "88:1: missing key \"equals\" in [[expect]]; give the value that relay.end must have"},
+    {"equals = \"open\"", "equals = \"opne\"", "90:10: equals is \"opne\"; did you mean \"open\"?"},
     // Outlets and commands.
-    {"count = 2", "count = 998", "72:1: 1002 outlets in total; a profile has at most 1000"},
+    {"count = 2", "count = 998", "73:1: 1002 outlets in total; a profile has at most 1000"},
     {"id = \"alone\"", "id = \"shed-2\"",
-     "71:6: two outlets have the id \"shed-2\"; give this one another id"},
+     "72:6: two outlets have the id \"shed-2\"; give this one another id"},
     {"id = \"alone\"", "id = \"all alone\"",
-     "71:6: id is \"all alone\"; it must consist of 1 to 64 letters, digits, '-', '_' and '.'"},
+     "72:6: id is \"all alone\"; it must consist of 1 to 64 letters, digits, '-', '_' and '.'"},
     {"accumulated_mw = 100.0", "accumulated_mw = 801",
-     "61:18: accumulated_mw is 801; it must be at least 0 and at most 800 (the grid's load)"},
+     "62:18: accumulated_mw is 801; it must be at least 0 and at most 800 (the grid's load)"},
     {"power_mw = 40.0", "power_mw = 240.0",
-     "62:12: power_mw is 240; it must be above 0 and at most 200 (twice accumulated_mw, which "
+     "63:12: power_mw is 240; it must be above 0 and at most 200 (twice accumulated_mw, which "
      "includes half of the outlet's own block)"},
-    {"id = \"alone\"", "id = \"alone\"\naccumulated_mw = 300.0",
-     "70:1: the firmware refuses these settings: switching-off frequency not from 80 % of nominal "
+    {"id = \"alone\"", "id = \"alone\"\nrules = \"paper\"\naccumulated_mw = 300.0",
+     "71:1: the firmware refuses these settings: switching-off frequency not from 80 % of nominal "
      "to below nominal"},
     {"threshold_mw = 200.0", "threshold_mw = 1e-300",
-     "63:16: threshold_mw is 1e-300; outlets use single precision, in which it is 0 and out of "
+     "64:16: threshold_mw is 1e-300; outlets use single precision, in which it is 0 and out of "
      "range"},
     {"switch_off_hz = 58.5", "switch_off_hz = 59.9999999",
-     "64:17: switch_off_hz is 59.9999999; outlets use single precision, in which it is 60 and out "
+     "65:17: switch_off_hz is 59.9999999; outlets use single precision, in which it is 60 and out "
      "of range"},
     {"switch_off_hz = 58.5", "switch_off_hz = 60",
-     "64:17: switch_off_hz is 60; it must be at least 48 and below 60 (the grid's nominal_hz)"},
+     "65:17: switch_off_hz is 60; it must be at least 48 and below 60 (the grid's nominal_hz)"},
     {"switch_off_hz = 58.5", "switch_off_hz = 47.9",
-     "64:17: switch_off_hz is 47.9; it must be at least 48 and below 60 (the grid's nominal_hz)"},
+     "65:17: switch_off_hz is 47.9; it must be at least 48 and below 60 (the grid's nominal_hz)"},
     {"[[command]]\nat_s = 7.0", "[[command]]\nat_s = 10.5",
-     "75:8: at_s is 10.5; it must be at least 0 and below 10 (the run's duration)"},
+     "76:8: at_s is 10.5; it must be at least 0 and below 10 (the run's duration)"},
     {"\"alone\", \"early\"", "\"alone\", \"shed-4\"",
-     "76:21: unknown outlet or group \"shed-4\"; did you mean \"shed-1\"?"},
+     "77:21: unknown outlet or group \"shed-4\"; did you mean \"shed-1\"?"},
     {"[\"alone\", \"early\"]", "[]",
-     "76:11: outlets is empty; omit it, or give an array of texts in quotes"},
-    {"switch = \"off\"", "", "78:1: missing key \"switch\" in [[command]]; give \"off\" or \"on\""},
+     "77:11: outlets is empty; omit it, or give an array of texts in quotes"},
+    {"switch = \"off\"", "", "79:1: missing key \"switch\" in [[command]]; give \"off\" or \"on\""},
     // The inline grid.
     {"nominal_hz = 60.0", "nominal_hz = 55.0", "5:14: nominal_hz is 55; it must be 50 or 60"},
     {"condition_row_hz = 0.1", "condition_row_hz = 0.02",
      "13:20: condition_row_hz is 0.02, which gives 35 load-shedding conditions; an outlet stores "
      "at most 32: increase condition_row_hz"},
+    {"credible_loss_mw = 150.0", "credible_loss_mw = 901.0",
+     "14:20: credible_loss_mw is 901; it must be at most 900 (base_mw)"},
     {"threshold_hz = 59.3", "threshold_hz = 60.5",
      "6:16: threshold_hz is 60.5; it must be below 60 (nominal_hz)"},
     {"droop_pu = 0.04", "droop_pu = 0.04\ninverse_droop_pu = 25",
-     "23:12: both droop_pu and inverse_droop_pu are given; give only one"},
+     "24:12: both droop_pu and inverse_droop_pu are given; give only one"},
     {"droop_pu = 0.04", "",
-     "19:1: missing key \"droop_pu\" in [[grid.plant]]; give droop_pu or inverse_droop_pu"},
+     "20:1: missing key \"droop_pu\" in [[grid.plant]]; give droop_pu or inverse_droop_pu"},
     {"[-0.5, 0.0]", "[-0.5, inf]",
-     "31:31: an item of condition_rocof_hz_s is inf; it must be at least -1000 and at most 0"},
+     "32:31: an item of condition_rocof_hz_s is inf; it must be at least -1000 and at most 0"},
 };
 
 const std::vector<Mistake> kOfDisturbed = {

@@ -60,7 +60,7 @@ TEST(RunRecord, ContainsTheIdentityAndSettingsOfEachOutlet) {
   EXPECT_EQ(outlet.group, "all");
   EXPECT_EQ(outlet.firmware, "1.2.3");
   EXPECT_NEAR(outlet.settings.at("tracker_delay_s"), 0.028, 1e-9);
-  EXPECT_NEAR(outlet.settings.at("threshold_mw"), 351.92, 0.1);
+  EXPECT_NEAR(outlet.settings.at("threshold_mw"), 340.12, 0.01);
 }
 
 TEST(RunRecord, OmitsOutletsThatThePlanDoesNotNeed) {
@@ -240,7 +240,7 @@ TEST(RunRecord, ComparesTheGridWithThePublication) {
   const profile::Plan plan = test::plan(0.2);
   const std::vector<record::Comparison> all = record_of(plan).comparisons;
   ASSERT_EQ(all.size(), 2 + plan.grid.reference.condition_rocof_hz_s.size());
-  EXPECT_EQ(all[0].name, "threshold loss");
+  EXPECT_EQ(all[0].name, "threshold loss, eq. (15)");
   EXPECT_EQ(all[0].unit, "MW");
   EXPECT_NEAR(all[0].ours, 351.92, 0.1);
   EXPECT_EQ(all[0].published, *plan.grid.reference.threshold_mw);

@@ -2,6 +2,8 @@
 // does not know the grid itself.
 #pragma once
 
+#include <control_centre/rules.hpp>
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,21 +18,23 @@ namespace gsbench::control_centre {
 // are the firmware's defaults.
 struct RequestedSettings {
   double accumulated_mw = 0.0;             // P^A as sent, >= 0
-  std::optional<double> power_mw;          // power of the outlet's block; P^A includes half of it
+  std::optional<double> power_mw;          // of the outlet's block, for eq. (17); half of it in P^A
   std::map<std::string, double> settings;  // by the names in outlet/settings.hpp
+  Rules rules = Rules::kGsbench;           // for settings that are not requested
 };
 
 // The settings that are the same for all outlets of a grid: response, threshold loss, largest
 // loss, conditions and standard deviation of the LSE; the rest are the firmware's defaults.
 // accumulated_mw and switch_off_hz are 0. Throws std::invalid_argument if the grid is invalid
 // (GridError) or has more conditions than an outlet stores.
-gs::outlet::Settings grid_settings(const grid::Grid& grid);
+gs::outlet::Settings grid_settings(const grid::Grid& grid, Rules rules = Rules::kGsbench);
 
-// All settings of one outlet. The power of its own block is power_mw, or accumulated_mw if power_mw
-// is not requested. The less important load is accumulated_mw minus half of the own block's power.
-// f^B is computed from these two by eq. (17). If accumulated_mw is 0, f^B is the threshold
-// frequency. Throws std::invalid_argument for invalid input and for settings that the firmware
-// would refuse.
+// All settings of one outlet. By the paper's rules f^B is that of eq. (17): the power of the
+// outlet's own block is power_mw, or accumulated_mw if power_mw is not requested; the less
+// important load is accumulated_mw minus half of the own block's power; if accumulated_mw is 0, f^B
+// is the threshold frequency. Otherwise f^B is the stage of accumulated_mw, and power_mw has no
+// effect. Throws std::invalid_argument for invalid input and for settings that the firmware would
+// refuse.
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
                                      std::uint32_t version);
 

@@ -2,6 +2,8 @@
 // the load-shedding conditions by which outlets recognise a larger loss (Table 1).
 #pragma once
 
+#include <control_centre/rules.hpp>
+
 #include <vector>
 
 #include <grid/sfr_model.hpp>
@@ -19,6 +21,28 @@ double threshold_mw(const grid::SfrModel& model, double threshold_hz);
 // threshold_mw, and for a negative loss or delay.
 double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, double loss_mw,
                               double delay_s);
+
+// Until an outlet has acted: its decision, at most 0.96 s after the loss (§6.5), and its relay, 8
+// ms.
+constexpr double kOutletDelay_s = 0.968;
+
+// Credible loss per threshold loss by eq. (15), for a grid that does not state its own. The paper's
+// case is 500 MW for 351.92 MW.
+constexpr double kCredibleLossFactor = 1.4;
+
+// The loss for which settings allow for the delay: the grid's credible_loss_mw, or its default.
+double credible_loss_mw(const grid::Grid& grid);
+
+// The threshold loss by gsbench's rules: after the credible loss, outlets that act kOutletDelay_s
+// later keep the nadir at f_s. If the frequency is below f_s by then, they keep it within 10 mHz of
+// the highest possible: for the last millihertz the whole loss would have to be shed. At most that
+// of eq. (15). A constant threshold is right for one loss; after a smaller one outlets shed too
+// much, at most eq. (15) less this threshold, 11.8 MW on ieee24. Throws GridError if the grid is
+// invalid.
+double delay_aware_threshold_mw(const grid::Grid& grid);
+
+// threshold_mw() or delay_aware_threshold_mw().
+double threshold_mw(const grid::Grid& grid, Rules rules);
 
 // K^LSE of eq. (18), MW per Hz/s, negative.
 double k_lse_mw_per_hz_s(const grid::SfrModel& model);

@@ -27,6 +27,7 @@ struct Fleet {
   std::vector<double> group_mw;  // power of each group
   std::vector<double> accumulated_mw;  // P^A of each group
   double power_mw = 0.0;               // of all groups
+  control_centre::Accumulation accumulation = control_centre::Accumulation::kHalfGroup;
 
   std::size_t outlets() const { return power_w.size(); }
   std::size_t groups() const { return group_mw.size(); }
@@ -42,7 +43,8 @@ FleetOptions in_fewer_outlets(const FleetOptions& options, std::size_t outlets);
 
 // f^B of each group as a load block of this grid, Hz. Throws as control_centre::block_settings()
 // does.
-std::vector<double> switch_off_hz(const grid::Grid& grid, const Fleet& fleet);
+std::vector<double> switch_off_hz(const grid::Grid& grid, const Fleet& fleet,
+                                  control_centre::Rules rules = control_centre::Rules::kGsbench);
 
 struct Shed {
   double power_mw = 0.0;

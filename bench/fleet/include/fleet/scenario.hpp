@@ -28,7 +28,7 @@ enum class Control : std::uint8_t {
 
 // Of outlets, controller and relays.
 struct Controls {
-  double threshold_mw = 0.0;        // threshold loss of outlets and controller; 0: the grid's
+  double threshold_mw = 0.0;        // threshold loss of outlets and controller; 0: by the rules
   double central_decision_s = 0.9;  // until the controller knows the loss
   double central_delay_s = 1.0;     // communication of its commands
   double ufls_first_hz = 0.0;       // first stage; 0: 0.98 of the nominal frequency (49 Hz)
@@ -39,6 +39,7 @@ struct Controls {
 
 struct ScenarioOptions : Controls {
   Control control = Control::kGridSense;
+  control_centre::Rules rules = control_centre::Rules::kGsbench;  // of the outlets' settings
   double loss_mw = 500.0;
   campaign::NoiseDistribution distribution = campaign::NoiseDistribution::kUniform;
   double noise_hz = 0.01;
@@ -48,8 +49,9 @@ struct ScenarioOptions : Controls {
 };
 
 struct ScenarioResult {
-  Shed shed;                 // by outlets; for controller and relays only the power
-  double required_mw = 0.0;  // loss above the grid's threshold loss, or 0
+  Shed shed;                  // by outlets; for controller and relays only the power
+  double threshold_mw = 0.0;  // in use: of the options, or by their rules
+  double required_mw = 0.0;   // loss above it, or 0
   double nadir_hz = 0.0;
   double nadir_s = 0.0;
   double end_hz = 0.0;

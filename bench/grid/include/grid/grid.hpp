@@ -41,12 +41,15 @@ struct Grid {
   std::string name;
   std::string title;
   std::string source;
-  std::string path;                // of the grid file, as opened; empty for an inline grid
-  std::string sha256;              // of the file's text, hexadecimal; empty for an inline grid
-  double nominal_hz = 50.0;        // f_n, the frequency before the contingency; > 0
-  double threshold_hz = 49.5;      // f_s, the lowest permitted nadir; 0 < f_s < f_n
-  double base_mw = 0.0;            // S_B, base of D, H and R; > 0
-  double load_mw = 0.0;            // P_L of eq. (17); > 0
+  std::string path;            // of the grid file, as opened; empty for an inline grid
+  std::string sha256;          // of the file's text, hexadecimal; empty for an inline grid
+  double nominal_hz = 50.0;    // f_n, the frequency before the contingency; > 0
+  double threshold_hz = 49.5;  // f_s, the lowest permitted nadir; 0 < f_s < f_n
+  double base_mw = 0.0;        // S_B, base of D, H and R; > 0
+  double load_mw = 0.0;        // P_L of eq. (17); > 0
+  // Largest loss that the outlets' threshold allows their delay for, <= base_mw; if not given, it
+  // is derived from the threshold loss (control_centre/threshold.hpp).
+  std::optional<double> credible_loss_mw;
   double damping_pu = 0.0;         // D >= 0
   double gain_km = 0.95;           // K_m > 0
   double reheat_fraction = 0.3;    // F_H, 0 … 1

@@ -36,6 +36,7 @@ gain_km = 0.9
 reheat_fraction = 0.25
 reheat_s = 7.0
 condition_row_hz = 0.1
+credible_loss_mw = 150.0
 [[grid.plant]]
 id = "one"
 rating_mw = 500.0
@@ -185,6 +186,7 @@ frequency_tolerance_mhz = 0.2
 voltage_tolerance_pct = 0.5
 time_tolerance_ms = 0.1
 [[outlet]]
+rules = "paper"
 method = 0
 threshold_hz = 49.4
 nadir_margin_hz = 0.01
