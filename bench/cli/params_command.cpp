@@ -183,7 +183,7 @@ void add_params(CommandLine& line) {
                   "(default: condition_row_hz "
                   "of the grid's file)")
       ->type_name("HZ")
-      ->check(CLI::Range(grid::kConditionRow_hz.low, grid::kConditionRow_hz.high));
+      ->check(number_between(grid::kConditionRow_hz.low, grid::kConditionRow_hz.high));
   add_accumulation(command, arguments.accumulation);
   add_json_flag(command, arguments.json);
   command.footer("Examples:\n  gsbench params ieee24\n  gsbench params ieee24 --row 0.02 --json");

@@ -149,7 +149,11 @@ void read_physical(const keys::Table& top, StationFile& file) {
     return;
   }
   file.source_port = wiring.port;
-  file.make_source = [wiring] { return wiring.make_source(wiring.port, wiring.source).source; };
+  file.make_source = [wiring] {
+    SourceSettings settings = wiring.source;
+    settings.make_safe_s = 0.0;
+    return wiring.make_source(wiring.port, settings).source;
+  };
   file.make_station = [wiring](const profile::Plan& plan, const SimulatedOptions&) {
     return make_physical_station(wiring, plan);
   };

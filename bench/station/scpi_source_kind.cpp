@@ -27,6 +27,7 @@ SourceFactory read_scpi(const keys::Table& source, const std::string& file_path)
     options.port = port;
     options.plan.wiring = {settings.nominal_v, settings.gain, settings.voltage_limit_v};
     options.plan.boot_s = settings.boot_s;
+    options.make_safe_s = settings.make_safe_s;
     options.plan.tolerances = {1e-3 * settings.tolerances.frequency_mhz,
                                1e-2 * settings.tolerances.voltage_pct,
                                1e-3 * settings.tolerances.time_ms};
