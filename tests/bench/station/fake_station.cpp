@@ -115,7 +115,7 @@ Status FakeStation::open() {
 
 void FakeStation::join(std::vector<link::OutletPresence>& joined) const {
   for (std::size_t i = 0; i < script_.outlets; ++i) {
-    if (!is_linked(i) || (is_last(i) && !script_.joins)) {
+    if (!is_linked(i) || !is_reachable(i) || (is_last(i) && !script_.joins)) {
       continue;
     }
     link::OutletPresence outlet{id_of(i), "fake", {}};
@@ -188,6 +188,16 @@ Status FakeStation::poll(link::Happenings& happenings) {
   }
   reported_tick_ = played_tick_ / kReportTicks * kReportTicks;
   return Done{};
+}
+
+std::vector<link::Fault> FakeStation::unreachable() {
+  std::vector<link::Fault> faults;
+  for (std::size_t i = 0; i < script_.outlets; ++i) {
+    if (is_linked(i) && !is_reachable(i)) {
+      faults.push_back({id_of(i), "cannot be reached: fake port: refused"});
+    }
+  }
+  return faults;
 }
 
 void FakeStation::close() noexcept {

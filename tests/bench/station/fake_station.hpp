@@ -37,6 +37,7 @@ struct Script {
   std::atomic<bool>* stop = nullptr;
   std::string make_safe_error;
   std::string open_error;        // of the link
+  std::size_t unreachable = 0;   // the last so many outlets: their ports cannot be opened
   std::string sense_open_error;  // of the relay sense
   std::optional<int> play_fails_at;
   std::optional<int> play_throws_at;  // drivers must not throw
@@ -107,6 +108,8 @@ class FakeStation final : public Station, private source::Source, private link::
   drivers::Status open() override;
   drivers::Status send(const std::string& id, const gs::wire::Downlink& message) override;
   drivers::Status poll(link::Happenings& happenings) override;
+  std::vector<link::Fault> missing() override { return unreachable(); }
+  std::vector<link::Fault> unreachable() override;
   void close() noexcept override;
 
   class Sense final : public relay::RelaySense {
@@ -123,6 +126,9 @@ class FakeStation final : public Station, private source::Source, private link::
 
   bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }
   bool is_linked(std::size_t outlet) const { return !(is_last(outlet) && script_.without_link); }
+  bool is_reachable(std::size_t outlet) const {
+    return outlet + script_.unreachable < script_.outlets;
+  }
   void join(std::vector<link::OutletPresence>& joined) const;
   void answer_settings(std::size_t outlet, std::vector<link::Received>& messages) const;
 
