@@ -68,6 +68,9 @@ std::unique_ptr<Station> make_physical_station(const Wiring& wiring, const profi
   }
   parts.ports.insert(parts.ports.end(), wiring.links.serial.ports.begin(),
                      wiring.links.serial.ports.end());
+  for (const std::string& outlet : wiring.links.mqtt.outlets) {
+    parts.ports.push_back(fmt::format("{}/{}", wiring.links.mqtt.url, outlet));
+  }
   return std::make_unique<PhysicalStation>(std::move(parts));
 }
 

@@ -108,7 +108,7 @@ class PhysicalRun : public testing::Test {
   void TearDown() override {
     wire_.reset();
     for (const std::string& port : ports_) {
-      std::filesystem::remove(station::lock_file(port));
+      std::filesystem::remove(station::lock_files(port).front());
     }
   }
 

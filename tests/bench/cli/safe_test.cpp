@@ -161,7 +161,7 @@ TEST_F(SafeCommand, WarnsWhoUsesTheStationAndGoesOn) {
                 AllOf(HasSubstr("in use by another bench"), HasSubstr("profile paper/loss-500mw")));
     EXPECT_FALSE(generator_->output_is_on());
   }
-  std::filesystem::remove(station::lock_file(port));
+  std::filesystem::remove(station::lock_files(port).front());
 }
 
 TEST_F(SafeCommand, RefusesAStationWithoutASource) {
@@ -179,7 +179,7 @@ TEST_F(SafeCommand, RunOnAStationInUseIsAnError) {
     EXPECT_THAT(outcome.err, AllOf(HasSubstr(port + ": in use by another bench: user "),
                                    HasSubstr("profile paper/loss-500mw")));
   }
-  std::filesystem::remove(station::lock_file(port));
+  std::filesystem::remove(station::lock_files(port).front());
 }
 
 TEST_F(SafeCommand, DryRunPrintsThePlanAndSendsNothing) {

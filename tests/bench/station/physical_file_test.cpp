@@ -16,6 +16,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
+using testing::UnorderedElementsAre;
 
 class PhysicalFile : public testing::Test {
  protected:
@@ -110,6 +111,17 @@ TEST_F(PhysicalFile, NeedsAPasswordOnlyForItsLink) {
             folder_.file("pw") + ": cannot read a password from the first line of this file");
   (void)folder_.write("pw", "secret\n");
   EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(PhysicalFile, LocksAllThatOnlyOneBenchMayUse) {
+  const StationFile file = load(
+      std::string(kSourceOfSlots) +
+      "[relay]\nkind = \"modem\"\n[mqtt]\nurl = \"mqtt://127.0.0.1:1883\"\n"
+      "[[outlet]]\nplace = \"a\"\nserial_number = \"GS-7\"\nlink = \"mqtt\"\n"
+      "[[outlet]]\nplace = \"b\"\nlink = \"tcp://127.0.0.1:2\"\nrelay = \"/dev/ttyUSB9 CTS\"\n");
+  EXPECT_THAT(file.make_station(plan(0.5), {})->ports(),
+              UnorderedElementsAre("tcp://127.0.0.1:1", "/dev/ttyUSB9", "tcp://127.0.0.1:2",
+                                   "mqtt://127.0.0.1:1883/GS-7"));
 }
 
 TEST_F(PhysicalFile, RefusesAnInstrumentThatIsUnknown) {

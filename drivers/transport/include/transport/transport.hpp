@@ -64,6 +64,10 @@ std::unique_ptr<Transport> make_transport(const std::string& port, int baud = kB
 // tcp://host:port. Does not open it.
 [[nodiscard]] drivers::Status check_port(const std::string& port);
 
+// The addresses that the name of a host leads to: "127.0.0.1", "::1"; the name itself if it cannot
+// be looked up. Blocks for the look-up.
+std::vector<std::string> addresses_of(const std::string& host);
+
 // The serial ports of this machine.
 std::vector<std::string> serial_ports();
 
