@@ -2,6 +2,7 @@
 
 #include "outlet_links.hpp"
 #include "physical_slots.hpp"
+#include "port_keys.hpp"
 #include "station_kind.hpp"
 
 #include <algorithm>
@@ -119,12 +120,13 @@ void read_physical(const keys::Table& top, StationFile& file) {
   if (top.has("source")) {
     const keys::Table source = top.table("source");
     source_kind = source.text("kind");
+    require_port(source, "port");
     wiring.port = source.text("port");
     wiring.source = read_source_settings(source);
     wiring.make_source = read_source_factory(source, file.path);
   }
   wiring.relay = read_relay(top, source_kind);
-  wiring.slots = read_slots(top, wiring.relay);
+  wiring.slots = read_slots(top, wiring.relay, wiring.port);
   if (!wiring.slots.empty()) {
     add_links(top, wiring.slots, links);
     file.outlets = wiring.slots.size();

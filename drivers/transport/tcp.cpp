@@ -66,8 +66,8 @@ Status check_address(const std::string& port) {
                       std::all_of(address.service.begin(), address.service.end(),
                                   [](char c) { return c >= '0' && c <= '9'; }) &&
                       std::stoul(address.service) >= 1 && std::stoul(address.service) <= 65535;
-  if (address.host.empty() || !number) {
-    return Error{port + ": is not of the form tcp://host:port"};
+  if (address.host.find_first_of(" \t/") != std::string::npos || address.host.empty() || !number) {
+    return Error{port + ": is not of the form tcp://host:port, with a port from 1 to 65535"};
   }
   return Done{};
 }

@@ -124,6 +124,52 @@ TEST_F(PhysicalFile, LocksAllThatOnlyOneBenchMayUse) {
                                    "mqtt://127.0.0.1:1883/GS-7"));
 }
 
+TEST_F(PhysicalFile, RefusesWhatCannotBeAPort) {
+  const std::string head = "title = \"A station\"\nkind = \"physical\"\n";
+  const std::string more =
+      "\ninstrument = \"siglent-sdg2000x\"\ngain = 100.0\nvoltage_limit_v = 265.0\n[[outlet]]\n"
+      "place = \"a\"\nlink = \"";
+  for (const std::string wrong :
+       {"tcp://:5025", "tcp://10.0.0.5:99999", "tcp://10.0.0.5:0", "tcp://10.0.0.5",
+        "tcp://a b:5025", "tcp://a/b:5025", "http://10.0.0.5:5025", "gopher://x",
+        "TCPIP::10.0.0.5::5025::SOCKET", "ttyUSB0", "dev/ttyUSB0", "/", "/dev/"}) {
+    const auto refused_at = [&](const char* place, const char* key) {
+      return AllOf(StartsWith(folder_.file("hardware.toml") + ":" + place + ": " + key + " is \"" +
+                              wrong + "\""),
+                   HasSubstr("tcp://host:port, with a port from 1 to 65535, or the path of"));
+    };
+    EXPECT_THAT(refusal_of(head + "[source]\nkind = \"scpi\"\nport = \"" + wrong + "\"" + more +
+                           "/dev/ttyUSB0\"\n"),
+                refused_at("5:8", "port"));
+    EXPECT_THAT(refusal_of(head + "[source]\nkind = \"scpi\"\nport = \"/dev/ttyACM0\"" + more +
+                           wrong + "\"\n"),
+                refused_at("11:8", "link"));
+    EXPECT_THAT(refusal_of(head + "[serial]\nports = [\"/dev/ttyUSB0\", \"" + wrong + "\"]\n"),
+                refused_at("4:26", "ports"));
+  }
+}
+
+TEST_F(PhysicalFile, RefusesAnOutletOnThePortOfTheSource) {
+  const std::string text = std::string(kSourceOfSlots) + "[[outlet]]\nplace = \"a\"\nlink = \"";
+  EXPECT_THAT(refusal_of(text + "tcp://127.0.0.1:1\"\n"),
+              AllOf(StartsWith(folder_.file("hardware.toml") + ":12:8: link is "),
+                    HasSubstr("the port of the source")));
+  EXPECT_EQ(refusal_of(text + "tcp://127.0.0.1:2\"\n"), "");
+}
+
+TEST_F(PhysicalFile, RefusesABaudRateThatNoPortHas) {
+  const std::string serial =
+      "title = \"A station\"\nkind = \"physical\"\n[serial]\nports = [\"/dev/ttyUSB0\"]\n";
+  EXPECT_THAT(refusal_of(serial + "baud = 12345\n"),
+              AllOf(StartsWith(folder_.file("hardware.toml") + ":5:8: baud is 12345"),
+                    HasSubstr(" 9600, ")));
+  EXPECT_EQ(refusal_of(serial + "baud = 460800\n"), "");
+  const std::string slot = "[[outlet]]\nplace = \"a\"\nlink = \"/dev/ttyUSB0\"\n";
+  EXPECT_THAT(refusal_of(kSourceOfSlots + ("baud = 115201\n" + slot)),
+              StartsWith(folder_.file("hardware.toml") + ":10:8: baud is 115201"));
+  EXPECT_EQ(refusal_of(kSourceOfSlots + ("baud = 9600\n" + slot)), "");
+}
+
 TEST_F(PhysicalFile, RefusesAnInstrumentThatIsUnknown) {
   const auto refusal = [&](const std::string& instrument) {
     std::string text = on_modem_lines("/dev/nowhere-0 CTS", "/dev/nowhere-1 CTS");
