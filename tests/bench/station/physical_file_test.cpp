@@ -170,6 +170,20 @@ TEST_F(PhysicalFile, RefusesABaudRateThatNoPortHas) {
   EXPECT_EQ(refusal_of(kSourceOfSlots + ("baud = 9600\n" + slot)), "");
 }
 
+TEST_F(PhysicalFile, RefusesAHeadThatCannotPlayNominalVoltage) {
+  const auto head = [](const std::string& gain, const std::string& full_scale_v) {
+    return "title = \"A station\"\nkind = \"physical\"\n[source]\nkind = \"head\"\n"
+           "port = \"/dev/ttyACM0\"\ngain = " +
+           gain + "\nvoltage_limit_v = 265.0\ndac_full_scale_v = " + full_scale_v +
+           "\n[[outlet]]\nplace = \"a\"\nlink = \"/dev/ttyUSB0\"\n";
+  };
+  for (const std::string& text : {head("1.0", "1.5"), head("240.0", "1e-9")}) {
+    EXPECT_THAT(refusal_of(text), AllOf(StartsWith(folder_.file("hardware.toml") + ":6:8: "),
+                                        HasSubstr("nominal voltage, 325.3 V peak, is beyond")));
+  }
+  EXPECT_EQ(refusal_of(head("240.0", "1.5")), "");
+}
+
 TEST_F(PhysicalFile, RefusesAnInstrumentThatIsUnknown) {
   const auto refusal = [&](const std::string& instrument) {
     std::string text = on_modem_lines("/dev/nowhere-0 CTS", "/dev/nowhere-1 CTS");
