@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -49,6 +50,7 @@ Clock::time_point Connection::answer_deadline() const {
 Status Connection::open() {
   speaks_to_another_ = false;
   late_answers_ = false;
+  begun_.reset();
   received_.clear();
   if (Status opened = transport_->open(); !opened.ok()) {
     return opened;
@@ -67,6 +69,11 @@ Status Connection::open() {
                              fmt::join(instrument_.identity, "\" or \""))};
   }
   return Done{};
+}
+
+void Connection::close() noexcept {
+  transport_->close();
+  begun_.reset();
 }
 
 Status Connection::write(const std::vector<std::uint8_t>& bytes) {
@@ -151,16 +158,23 @@ Status Connection::receive(const std::string& query, Clock::time_point until) {
   return Done{};
 }
 
+std::optional<std::string> Connection::take_line() {
+  const auto end = std::find(received_.begin(), received_.end(), '\n');
+  if (end == received_.end()) {
+    return std::nullopt;
+  }
+  std::string text(received_.begin(), end);
+  received_.erase(received_.begin(), end + 1);
+  if (!text.empty() && text.back() == '\r') {
+    text.pop_back();
+  }
+  return text;
+}
+
 Result<std::string> Connection::line(const std::string& query, Clock::time_point until) {
   for (;;) {
-    const auto end = std::find(received_.begin(), received_.end(), '\n');
-    if (end != received_.end()) {
-      std::string text(received_.begin(), end);
-      received_.erase(received_.begin(), end + 1);
-      if (!text.empty() && text.back() == '\r') {
-        text.pop_back();
-      }
-      return text;
+    if (std::optional<std::string> text = take_line()) {
+      return *std::move(text);
     }
     if (Status got = receive(query, until); !got.ok()) {
       return Error{got.error()};
@@ -197,6 +211,11 @@ Status Connection::synchronise() {
 }
 
 Status Connection::prepare_query(const std::string& query) {
+  if (const std::optional<Begun> begun = std::exchange(begun_, std::nullopt)) {
+    // Its answer must not be taken for that of the next query. After an error late_answers_ is set,
+    // or the port is closed.
+    static_cast<void>(line(begun->query, begun->until).ok());
+  }
   if (late_answers_) {
     if (Status synchronised = synchronise(); !synchronised.ok()) {
       return synchronised;
@@ -216,6 +235,30 @@ Result<std::string> Connection::ask(const std::string& query) {
     return Error{sent.error()};
   }
   return line(query, answer_deadline());
+}
+
+Status Connection::begin_query(const std::string& query) {
+  Status sent = prepare_query(query);
+  if (sent.ok()) {
+    begun_ = {query, answer_deadline()};
+  }
+  return sent;
+}
+
+Result<std::optional<std::string>> Connection::poll_answer() {
+  if (const Status got = transport_->receive(received_, Clock::now()); !got.ok()) {
+    const std::string query = begun_->query;
+    close();
+    return Error{fmt::format("{} (waiting for the answer to \"{}\")", got.error(), query)};
+  }
+  std::optional<std::string> text = take_line();
+  if (text) {
+    begun_.reset();
+  } else if (Clock::now() >= begun_->until) {
+    const Begun begun = *std::exchange(begun_, std::nullopt);
+    return no_answer(begun.query);
+  }
+  return text;
 }
 
 Result<std::vector<std::uint8_t>> Connection::ask_waveform(const std::string& query) {

@@ -202,6 +202,24 @@ TEST_F(PhysicalRun, AGeneratorPlaysToAnOutletAndIsOffAfterwards) {
   EXPECT_FALSE(generator->output_is_on());
 }
 
+TEST_F(PhysicalRun, AGeneratorThatAnswersAfterAFifthOfASecondPlaysToAVerdict) {
+  const auto generator =
+      demand(emulation::Generator::start({emulation::GeneratorModel::kSdg2042x, 1.0, time_}));
+  connect(*generator);
+  emulation::GeneratorFaults faults;
+  faults.answer_delay_s = 0.2;
+  generator->set_faults(faults);
+  const profile::Plan plan = profile::parse_profile(kSteady, "steady.toml");
+  const auto lab =
+      station::load_station(
+          station("kind = \"scpi\"\ninstrument = \"siglent-sdg2000x\"\n", generator->port(),
+                  fmt::format("[[outlet]]\nplace = \"a\"\nlink = \"{}\"\n", link())))
+          .make_station(plan, {});
+  const record::RunRecord record = station::run(plan, *lab, {});
+  EXPECT_EQ(record.verdict, record::Verdict::kPass) << record.verdict_reason;
+  EXPECT_FALSE(generator->output_is_on());
+}
+
 TEST_F(PhysicalRun, AnOutletThatCannotBeReachedIsAtFaultAndTheOtherOneIsTested) {
   const auto generator =
       demand(emulation::Generator::start({emulation::GeneratorModel::kSdg2042x, 1.0, time_}));
