@@ -158,8 +158,14 @@ struct Instrument {
   int code_step() const;           // from one level of the DAC to the next
 };
 
-// An error names the first contradiction between the members: ranges, missing commands, unknown
-// placeholders.
+// Of a command, a query or an expected answer. An error if it contains a control character, such as
+// a line end, or a placeholder that is unknown or not closed.
+[[nodiscard]] drivers::Status check_text(const std::string& text);
+// Of Field::field. An error if it is a number that no item has.
+[[nodiscard]] drivers::Status check_field(const std::string& field);
+
+// An error names the first contradiction between the members: ranges, missing commands, and what
+// check_text() and check_field() refuse.
 [[nodiscard]] drivers::Status check(const Instrument& instrument);
 
 }  // namespace gsbench::scpi
