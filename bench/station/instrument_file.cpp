@@ -53,8 +53,8 @@ void read_ranges(const Table& top, scpi::Instrument& instrument) {
   if (top.has("timing")) {
     const Table timing = top.table("timing");
     instrument.timing = {timing.number("command_s"), timing.number("packet_s"),
-                         timing.number("reset_s"), timing.number("upload_s"),
-                         timing.number("answer_s")};
+                         timing.number("reset_s"),   timing.number("upload_s"),
+                         timing.number("answer_s"),  timing.number("upload_bytes_s")};
   }
 }
 

@@ -24,6 +24,7 @@ namespace {
 
 constexpr const char* kScheme = "tcp://";
 constexpr int kConnect_ms = 500;
+constexpr int kSendBuffer_bytes = 65536;
 
 struct Address {
   std::string host;
@@ -106,6 +107,8 @@ class Tcp final : public Transport {
     // Small messages leave at once, not when the one before has been acknowledged.
     const int yes = 1;
     setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    // A larger one would take megabytes at once and then nothing for seconds.
+    setsockopt(socket_.get(), SOL_SOCKET, SO_SNDBUF, &kSendBuffer_bytes, sizeof kSendBuffer_bytes);
     return Done{};
   }
 

@@ -22,7 +22,14 @@ namespace {
 constexpr const char* kIdentify = "*IDN?";
 constexpr std::size_t kSentAtOnce = 16384;
 // An instrument that writes to its memory accepts nothing for a while.
-constexpr auto kSendingPatience = std::chrono::seconds(2);
+constexpr double kSendingPatience_s = 2.0;
+// A receiver may report room only after so many bytes were taken from its buffer.
+constexpr double kBuffered_bytes = 1024.0 * 1024.0;
+constexpr double kBaudsOfAByte = 10.0;
+
+Clock::duration time_span(double time_s) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
+}
 
 }  // namespace
 
@@ -30,7 +37,10 @@ Connection::Connection(const Instrument& instrument, const std::string& port, in
                        source::Interrupt& interrupt)
     : instrument_(instrument),
       interrupt_(interrupt),
-      transport_(transport::make_transport(port, baud)) {}
+      transport_(transport::make_transport(port, baud)),
+      upload_bytes_s_(port.rfind("tcp://", 0) == 0
+                          ? instrument.timing.upload_bytes_s
+                          : std::min(instrument.timing.upload_bytes_s, baud / kBaudsOfAByte)) {}
 
 Error Connection::interrupted(const std::string& doing) const {
   return {
@@ -38,19 +48,18 @@ Error Connection::interrupted(const std::string& doing) const {
 }
 
 Status Connection::pause(double time_s) {
-  return interrupt_.wait_until(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                  std::chrono::duration<double>(time_s)));
+  return interrupt_.wait_until(Clock::now() + time_span(time_s));
 }
 
 Clock::time_point Connection::answer_deadline() const {
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                            std::chrono::duration<double>(instrument_.timing.answer_s));
+  return std::max(Clock::now(), takes_until_) + time_span(instrument_.timing.answer_s);
 }
 
 Status Connection::open() {
   speaks_to_another_ = false;
   late_answers_ = false;
   begun_.reset();
+  takes_until_ = {};
   received_.clear();
   if (Status opened = transport_->open(); !opened.ok()) {
     return opened;
@@ -77,7 +86,9 @@ void Connection::close() noexcept {
 }
 
 Status Connection::write(const std::vector<std::uint8_t>& bytes) {
-  Status sent = transport_->send(bytes, kSendingPatience);
+  const double patience_s = kSendingPatience_s + kBuffered_bytes / upload_bytes_s_;
+  Status sent = transport_->send(
+      bytes, std::chrono::duration_cast<std::chrono::milliseconds>(time_span(patience_s)));
   if (!sent.ok()) {
     close();
   }
@@ -101,6 +112,8 @@ Status Connection::send(const std::string& command) {
 
 Status Connection::send_block(const std::string& header, const std::vector<std::uint8_t>& bytes,
                               const std::function<void(std::size_t)>& sent) {
+  takes_until_ = std::max(Clock::now(), takes_until_) +
+                 time_span(static_cast<double>(bytes.size()) / upload_bytes_s_);
   std::vector<std::uint8_t> part(header.begin(), header.end());
   for (std::size_t at = 0; at < bytes.size();) {
     if (interrupt_.is_set()) {
@@ -168,6 +181,7 @@ std::optional<std::string> Connection::take_line() {
   if (!text.empty() && text.back() == '\r') {
     text.pop_back();
   }
+  takes_until_ = {};  // it comes after everything that was sent
   return text;
 }
 

@@ -65,6 +65,7 @@ class Connection {
   drivers::Result<std::string> line(const std::string& query, transport::Clock::time_point until);
   drivers::Error interrupted(const std::string& doing) const;
   drivers::Error no_answer(const std::string& query);
+  // Later by what the instrument may still need to take the waveforms that were sent.
   transport::Clock::time_point answer_deadline() const;
 
   // A query that waits for its answer.
@@ -78,7 +79,9 @@ class Connection {
   std::unique_ptr<transport::Transport> transport_;
   std::vector<std::uint8_t> received_;
   std::optional<Begun> begun_;
-  bool late_answers_ = false;  // after a time-out
+  double upload_bytes_s_;  // slowest rate of the instrument, or of the serial port
+  transport::Clock::time_point takes_until_;  // what was sent, at that rate
+  bool late_answers_ = false;                 // after a time-out
   bool speaks_to_another_ = false;
   std::string identification_;
 };

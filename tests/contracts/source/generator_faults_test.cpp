@@ -57,6 +57,12 @@ class AnyGenerator : public testing::TestWithParam<GeneratorCase> {
     });
   }
 
+  std::string prepared(GeneratorRig& rig) {
+    const auto source = rig.make_source();
+    const auto played = source->prepare(mains_);
+    return played.ok() ? "" : played.error();
+  }
+
   Mains mains_;
   GeneratorRig rig_{GetParam()};
   std::shared_ptr<source::Source> source_ = rig_.make_source();
@@ -161,6 +167,19 @@ TEST_P(AnyGenerator, WhoseSettingsAreChangedAtTheFrontPanelEndsTheRun) {
 }
 
 // All questions in a row would take longer than the margin.
+// The waveform is on its way for longer than an answer may take.
+TEST_P(AnyGenerator, MayTakeTheWaveformAtTheSlowestRateThatIsStated) {
+  emulation::GeneratorFaults faults;
+  faults.receive_bytes_s = 40e3;
+  rig_.generator().set_faults(faults);
+  rig_.instrument.timing.upload_bytes_s = 20e3;
+  EXPECT_EQ(prepared(rig_), "");
+
+  rig_.instrument.timing.upload_bytes_s = 1e6;
+  rig_.instrument.timing.answer_s = 0.1;
+  EXPECT_THAT(prepared(rig_), HasSubstr("no answer to"));
+}
+
 TEST_P(AnyGenerator, ThatAnswersAfterAFifthOfASecondIsPlayedToTheEnd) {
   rig_.instrument.timing.answer_s = 2.0;
   rig_.options.plan.margin_s = 1.0;

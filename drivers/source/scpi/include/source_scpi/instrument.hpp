@@ -117,6 +117,8 @@ struct Timing {
   double reset_s = 0.0;    // after a reset
   double upload_s = 0.0;   // after an upload
   double answer_s = 2.0;   // longest wait for an answer
+  // The slowest rate at which it takes a waveform, bytes/s.
+  double upload_bytes_s = 1e5;
 };
 
 struct Dialect {
