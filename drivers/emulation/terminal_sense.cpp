@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -126,6 +127,7 @@ relay::Alignment TerminalSense::alignment() const {
   alignment.counts_per_tick = steps_per_tick_;
   // Half a tick for the edge, half for the outlet's sample at which the coil changed.
   alignment.uncertainty_ticks = 1.0;
+  alignment.uncertainty_between_ticks = 1.5;
   const auto clock = source_.host_clock();
   if (finder_) {
     alignment.count_at_tick_0 = dip_steps_.value_or(0.0) - dip_ticks_ * steps_per_tick_;
@@ -136,6 +138,12 @@ relay::Alignment TerminalSense::alignment() const {
     alignment.uncertainty_ticks += clock->uncertainty_s * rate_hz_;
   }
   return alignment;
+}
+
+std::optional<std::int64_t> TerminalSense::count_at(
+    std::chrono::steady_clock::time_point time) const {
+  return std::llround(TrueTime::kRate_hz *
+                      std::chrono::duration<double>(time - time_.start).count());
 }
 
 Status TerminalSense::poll(std::vector<relay::Edge>& edges) {

@@ -211,8 +211,9 @@ Status FakeStation::Sense::open() {
 
 relay::Alignment FakeStation::Sense::alignment() const {
   return {
-      0.0, 1.0,
-      script_.sense_uncertainty_ticks + (polls_ > 0 ? script_.sense_uncertainty_grows_ticks : 0.0)};
+      script_.sense_count_at_tick_0, 1.0,
+      script_.sense_uncertainty_ticks + (polls_ > 0 ? script_.sense_uncertainty_grows_ticks : 0.0),
+      script_.sense_uncertainty_between_ticks};
 }
 
 Status FakeStation::Sense::poll(std::vector<relay::Edge>& edges) {

@@ -28,6 +28,10 @@ struct Script {
   std::chrono::milliseconds answers_within{0};
   double sense_uncertainty_ticks = 0.0;        // before the run
   double sense_uncertainty_grows_ticks = 0.0;  // by the first poll
+  double sense_count_at_tick_0 = 0.0;
+  double sense_uncertainty_between_ticks = 0.0;
+  std::optional<std::int64_t> sense_count_now;  // of this machine's clock, at any time
+  std::optional<source::HostClock> host_clock;  // of the source
 
   // Failures. Calls are counted from 0.
   std::string start_error;  // of the source; it is live nevertheless
@@ -93,6 +97,7 @@ class FakeStation final : public Station, private source::Source, private link::
 
  private:
   source::Limits limits() const override;
+  std::optional<source::HostClock> host_clock() const override { return script_.host_clock; }
   drivers::Result<source::Played> deviation(const source::Stimulus&) const override {
     return script_.played;
   }
@@ -117,6 +122,9 @@ class FakeStation final : public Station, private source::Source, private link::
     explicit Sense(const Script& script) : script_(script) {}
     drivers::Status open() override;
     relay::Alignment alignment() const override;
+    std::optional<std::int64_t> count_at(std::chrono::steady_clock::time_point) const override {
+      return script_.sense_count_now;
+    }
     drivers::Status poll(std::vector<relay::Edge>& edges) override;
 
    private:

@@ -4,6 +4,7 @@
 // has no dip, Source::host_clock() aligns it.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -50,6 +51,7 @@ class TerminalSense final : public relay::RelaySense {
 
   // Counts are steps of true time.
   relay::Alignment alignment() const override;
+  std::optional<std::int64_t> count_at(std::chrono::steady_clock::time_point time) const override;
   // Edges are held back until the dip has been seen. An error if it has not been seen 1 s after the
   // source says that it was played.
   drivers::Status poll(std::vector<relay::Edge>& edges) override;

@@ -94,6 +94,18 @@ TEST_F(OnAnInstrument, AGeneratorPlaysAndTheTerminalsSense) {
   expect_operate_time(0, 1.0);
 }
 
+// The bench believes that the generator starts 10 ± 10 ms after its trigger; the emulated one does
+// within 1 ms. The contact takes 6.5 ms to 9.5 ms, the message and the outlet's process the rest.
+TEST_F(OnAnInstrument, ACommandIsTimedByTheVoltageAndNotByTheGeneratorsTrigger) {
+  play_shipped("scpi-emulated", "regression/command");
+  const auto* const delay = record::find_measurement(record_.outlets.at(0), "command.delay");
+  ASSERT_NE(delay, nullptr);
+  EXPECT_GT(delay->uncertainty, 0.1);
+  EXPECT_LT(delay->uncertainty, 0.5);
+  EXPECT_GT(delay->value, 6.5 - delay->uncertainty);
+  EXPECT_LT(delay->value, 9.5 + 4.0);
+}
+
 TEST_F(OnAnInstrument, AHeadPlaysAndSenses) {
   play_shipped("head-emulated", "paper/loss-500mw");
   expect_nominal_voltage_and_drift(0, 40.0 + 8.0);

@@ -87,6 +87,16 @@ TEST_F(OnModemLines, AnEdgeIsStampedBetweenItsTwoReadings) {
   EXPECT_NEAR(uncertainty_s(), 0.0017 + 0.0000625, 1e-7);
 }
 
+// The uncertainty of the source's clock on this machine is in both.
+TEST_F(OnModemLines, AnInstantOfThisMachineIsCountedLikeAnEdge) {
+  const ModemLineSense& sense = open();
+  source_.clock->uncertainty_s = 0.01;
+  const Alignment alignment = sense.alignment();
+  EXPECT_EQ(alignment.tick_of(sense.count_at(lines_.now() + kMillisecond).value()), 8);
+  EXPECT_NEAR(alignment.uncertainty_ticks / 8.0, 11.5 + 0.0625, 1e-6);
+  EXPECT_NEAR(alignment.uncertainty_between_ticks / 8.0, 1.5 + 0.125, 1e-6);
+}
+
 TEST_F(OnModemLines, StatesItsUncertaintyBeforeTheSourceStarts) {
   EXPECT_NEAR(uncertainty_s(), 0.0015 + 0.0000625, 1e-7);
 }

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ class ModemLineSense final : public RelaySense {
   // `uncertainty_ticks` is the largest one of the edges polled so far; before the first one, that
   // of readings 1 ms apart. The source's part is known from its start on.
   Alignment alignment() const override;
+  std::optional<std::int64_t> count_at(std::chrono::steady_clock::time_point time) const override;
   // An error once a port has been lost, such as an adapter that was unplugged.
   drivers::Status poll(std::vector<Edge>& edges) override;
 
