@@ -51,7 +51,7 @@ void note_clocks(const Station& station, record::RunRecord& run) {
   if (std::any_of(run.outlets.begin(), run.outlets.end(),
                   [](const record::OutletRecord& outlet) { return outlet.relay_sensed; })) {
     run.clocks.push_back(
-        {"relay sense", station.relay_aligned_by(), run.bench_uncertainty.relay_sense_ms});
+        {kRelaySense, station.relay_aligned_by(), run.bench_uncertainty.relay_sense_ms});
   }
   bool any_in_step = false;
   for (const record::OutletRecord& outlet : run.outlets) {

@@ -32,6 +32,9 @@ std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
 // outlet without any limit. Throws profile::ConfigurationError.
 void check_offered(const profile::Plan& plan, const std::vector<Slot>& slots);
 
+// The relay sense among the clocks of a run.
+constexpr const char* kRelaySense = "relay sense";
+
 // What the source states about the signal that it plays.
 void note_source(const source::Played& played, Station& station, record::RunRecord& run);
 

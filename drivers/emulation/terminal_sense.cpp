@@ -105,6 +105,7 @@ TerminalSense::TerminalSense(const source::Stimulus& stimulus, const source::Sou
   if (const auto found = ratio ? dip_of(samples, period_ticks, *ratio) : std::nullopt) {
     // A tick is an instant, a step an interval: sample n stands for n − ½ … n + ½.
     dip_ticks_ = *found - 0.5;
+    aligned_by_dips_ = true;
     finder_.emplace(TrueTime::kRate_hz / stimulus.nominal_hz(), *ratio);
   }
 }
@@ -136,8 +137,16 @@ relay::Alignment TerminalSense::alignment() const {
     alignment.count_at_tick_0 =
         TrueTime::kRate_hz * std::chrono::duration<double>(clock->tick_0 - time_.start).count();
     alignment.uncertainty_ticks += clock->uncertainty_s * rate_hz_;
+  } else {
+    alignment.uncertainty_ticks += source_.limits().host_clock_uncertainty_s * rate_hz_;
   }
   return alignment;
+}
+
+std::string TerminalSense::not_known_yet() const {
+  return aligned_by_dips_
+             ? ""
+             : "how late the source starts and how far its clock drifts from this machine's";
 }
 
 std::optional<std::int64_t> TerminalSense::count_at(

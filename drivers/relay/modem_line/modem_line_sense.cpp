@@ -188,7 +188,7 @@ Alignment ModemLineSense::alignment() const {
   Alignment alignment;
   alignment.counts_per_tick = 1e9 / rate_hz;
   // Half a tick: an edge is rounded to a tick, and so is an instant.
-  alignment.uncertainty_ticks = own_s * rate_hz + 0.5;
+  alignment.uncertainty_ticks = (own_s + source_.limits().host_clock_uncertainty_s) * rate_hz + 0.5;
   alignment.uncertainty_between_ticks = own_s * rate_hz + 1.0;
   if (const std::optional<source::HostClock> clock = source_.host_clock()) {
     alignment.counts_per_tick = 1e9 * clock->tick_s;
@@ -196,6 +196,12 @@ Alignment ModemLineSense::alignment() const {
     alignment.uncertainty_ticks = (own_s + clock->uncertainty_s) / clock->tick_s + 0.5;
   }
   return alignment;
+}
+
+std::string ModemLineSense::not_known_yet() const {
+  return "how late the source starts and how far its clock drifts from this machine's, and "
+         "readings "
+         "that are more than 1 ms apart";
 }
 
 std::optional<std::int64_t> ModemLineSense::count_at(steady_clock::time_point time) const {

@@ -47,6 +47,7 @@ class ScpiSource final : public source::Source {
       limits.sample_rates_hz.push_back(rate_hz);
     }
     limits.nominal_hz = {50, 60};
+    limits.host_clock_uncertainty_s = instrument_.accuracy.trigger_uncertainty_s;
     return limits;
   }
 

@@ -28,6 +28,7 @@ struct Script {
   std::chrono::milliseconds answers_within{0};
   double sense_uncertainty_ticks = 0.0;        // before the run
   double sense_uncertainty_grows_ticks = 0.0;  // by the first poll
+  std::string sense_not_known_yet;
   double sense_count_at_tick_0 = 0.0;
   double sense_uncertainty_between_ticks = 0.0;
   std::optional<std::int64_t> sense_count_now;  // of this machine's clock, at any time
@@ -122,6 +123,7 @@ class FakeStation final : public Station, private source::Source, private link::
     explicit Sense(const Script& script) : script_(script) {}
     drivers::Status open() override;
     relay::Alignment alignment() const override;
+    std::string not_known_yet() const override { return script_.sense_not_known_yet; }
     std::optional<std::int64_t> count_at(std::chrono::steady_clock::time_point) const override {
       return script_.sense_count_now;
     }

@@ -131,6 +131,12 @@ TEST_F(AtTheTerminals, EdgesWaitForTheDip) {
 TEST_F(AtTheTerminals, WithoutADipTheSourcesClockOnTheHostGivesTick0) {
   stimulus_.has_dip = false;
   TerminalSense sense(stimulus_, source_, 0.0, time_);
+  EXPECT_FALSE(sense.is_aligned_by_dips());
+  EXPECT_TRUE(sense_.is_aligned_by_dips());
+  source_.known.host_clock_uncertainty_s = 0.01;
+  EXPECT_NEAR(sense.alignment().uncertainty_ticks, 81.0, 1e-9) << "as later in the run";
+  EXPECT_NE(sense.not_known_yet(), "");
+  EXPECT_EQ(sense_.not_known_yet(), "");
   std::vector<relay::Edge> edges;
   sense.moved(0, 100, false);
   EXPECT_TRUE(sense.poll(edges).ok());

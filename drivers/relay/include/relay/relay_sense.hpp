@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <drivers/result.hpp>
@@ -41,8 +42,10 @@ class RelaySense {
   // Connects. Called before the source is energised. Blocks until ports are open.
   [[nodiscard]] virtual drivers::Status open() { return drivers::Done{}; }
   // Valid from the source's start on, for the edges polled so far. `uncertainty_ticks` is valid at
-  // any time; it may grow with each poll.
+  // any time. Before the start it lacks what is not_known_yet(); it may grow with each poll.
   virtual Alignment alignment() const = 0;
+  // For people: what adds to the uncertainty in a run and is not known before; empty: nothing.
+  virtual std::string not_known_yet() const { return {}; }
   // The count at an instant of this machine's clock, such as that of a command; nullopt: the relay
   // sense does not count that clock.
   virtual std::optional<std::int64_t> count_at(std::chrono::steady_clock::time_point) const {

@@ -97,8 +97,11 @@ TEST_F(OnModemLines, AnInstantOfThisMachineIsCountedLikeAnEdge) {
   EXPECT_NEAR(alignment.uncertainty_between_ticks / 8.0, 1.5 + 0.125, 1e-6);
 }
 
-TEST_F(OnModemLines, StatesItsUncertaintyBeforeTheSourceStarts) {
+TEST_F(OnModemLines, StatesWhatIsKnownOfItsUncertaintyBeforeTheSourceStarts) {
   EXPECT_NEAR(uncertainty_s(), 0.0015 + 0.0000625, 1e-7);
+  source_.known.host_clock_uncertainty_s = 0.01;
+  EXPECT_NEAR(uncertainty_s(), 0.0115 + 0.0000625, 1e-7);
+  EXPECT_THAT(sense_.not_known_yet(), HasSubstr("how late the source starts"));
 }
 
 TEST_F(OnModemLines, ABusyMachineIncreasesTheUncertaintyOfTheEdgesItDelays) {
