@@ -1,4 +1,5 @@
 #include "session.hpp"
+#include "settable.hpp"
 #include <source_scpi/scpi_source.hpp>
 
 #include <algorithm>
@@ -42,7 +43,11 @@ class ScpiSource final : public source::Source {
     source::Limits limits;
     limits.name = fmt::format("{} at {}", instrument_.title, options_.port);
     limits.kind = source::Kind::kLoaded;
-    limits.full_scale_pu = full_scale_pu(instrument_, options_.plan.wiring);
+    const Wiring& wiring = options_.plan.wiring;
+    limits.full_scale_pu = full_scale_pu(instrument_, wiring);
+    if (2.0 * kSqrt2 * wiring.voltage_limit_v < instrument_.amplitude.highest_vpp * wiring.gain) {
+      limits.full_scale_is = "the voltage limit";
+    }
     for (std::int64_t rate_hz = kRateStep_hz; rate_hz <= kHighestRate_hz; rate_hz += kRateStep_hz) {
       limits.sample_rates_hz.push_back(rate_hz);
     }
