@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <station/dry_run.hpp>
 #include <station/station_file.hpp>
 
 namespace gsbench::station::test {
@@ -182,6 +183,30 @@ TEST_F(PhysicalFile, RefusesAHeadThatCannotPlayNominalVoltage) {
                                         HasSubstr("nominal voltage, 325.3 V peak, is beyond")));
   }
   EXPECT_EQ(refusal_of(head("240.0", "1.5")), "");
+}
+
+// The table of bench/station/README.md, with boot_s = 12.
+TEST_F(PhysicalFile, PlaysRunsAsLongAsTheGuideStates) {
+  const auto refusal = [&](const std::string& instrument, double signal_s,
+                           const std::string& boot = "boot_s = 12.0") {
+    std::string text = std::string(kSourceOfSlots) +
+                       "[[outlet]]\nplace = \"a\"\nlink = \"/dev/nowhere-0\"\n"
+                       "[[outlet]]\nplace = \"b\"\nlink = \"/dev/nowhere-1\"\n";
+    const std::string shipped = "siglent-sdg2000x";
+    text.replace(text.find(shipped), shipped.size(), instrument);
+    text.replace(text.find("boot_s = 12.0"), 13, boot);
+    const profile::Plan longest = plan(signal_s);
+    const auto station = load(text).make_station(longest, {});
+    return gsbench::test::refusal_of<profile::ConfigurationError>(
+        [&] { (void)dry_run(longest, *station); });
+  };
+  EXPECT_EQ(refusal("keysight-33500b", 34.0 - 12.0), "");
+  EXPECT_THAT(refusal("keysight-33500b", 35.0 - 12.0), HasSubstr("voltage by 2.04 %"));
+  EXPECT_EQ(refusal("rigol-dg1000z", 76.0 - 12.0), "");
+  EXPECT_THAT(refusal("rigol-dg1000z", 77.0 - 12.0), HasSubstr("voltage by 2.04 %"));
+  EXPECT_EQ(refusal("siglent-sdg2000x", 60.0), "");
+  EXPECT_THAT(refusal("siglent-sdg1000x", 6.0, "boot_s = 0.0"),
+              HasSubstr("the voltage would deviate by up to 12.5"));
 }
 
 TEST_F(PhysicalFile, RefusesAnInstrumentThatIsUnknown) {
