@@ -7,6 +7,7 @@
 #include <map>
 #include <thread>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <render/layout.hpp>
@@ -59,6 +60,18 @@ void print_json(const nlohmann::ordered_json& value) {
   // A file name need not be UTF-8.
   constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
   std::fputs((value.dump(2, ' ', false, kReplace) + '\n').c_str(), stdout);
+}
+
+CLI::Validator number_between(double low, double high) {
+  return CLI::Validator(
+      [low, high](std::string& text) {
+        double value = 0.0;
+        const bool is_number = CLI::detail::lexical_cast(text, value);
+        return is_number && value >= low && value <= high
+                   ? std::string()
+                   : fmt::format("{} is not a number from {} to {}", text, low, high);
+      },
+      "");
 }
 
 CLI::Option* add_profile(CLI::App& command, std::string& profile) {

@@ -74,6 +74,9 @@ CLI::Option* add_with_default(CLI::App& command, const std::string& name, Value&
   return command.add_option(name, value, description)->type_name(type)->capture_default_str();
 }
 
+// For check(): `low` to `high`, and not NaN.
+CLI::Validator number_between(double low, double high);
+
 // PROFILE and GRID: names of shipped files or of the user's own, or paths.
 CLI::Option* add_profile(CLI::App& command, std::string& profile);
 CLI::Option* add_grid(CLI::App& command, std::string& grid);

@@ -55,7 +55,8 @@ void print_as_json(const profile::Plan& plan, const std::string& station,
   for (const station::DryRun::Clock& clock : dry.clocks) {
     out["clocks"].push_back({{"what", clock.what},
                              {"aligned_by", clock.aligned_by},
-                             {"uncertainty_ms", clock.uncertainty_ms}});
+                             {"uncertainty_ms", clock.uncertainty_ms},
+                             {"not_known_yet", text_or_null(clock.not_known_yet)}});
   }
   for (std::size_t i = 0; i < dry.slots.size(); ++i) {
     out["outlets"].push_back(outlet_json(plan.outlets[i], dry.slots[i]));
@@ -105,10 +106,13 @@ void print_as_text(const profile::Plan& plan, const std::string& station,
   line("  accuracy: " + (dry.accuracy.empty() ? "exact" : dry.accuracy));
   line("Clocks:");
   for (const station::DryRun::Clock& clock : dry.clocks) {
-    line(fmt::format("  {}: {}, {}", clock.what, clock.aligned_by,
+    line(fmt::format("  {}: {}, {}{}", clock.what, clock.aligned_by,
                      std::isnan(clock.uncertainty_ms)
                          ? "uncertainty measured in the run"
-                         : fmt::format("± {:.3g} ms", clock.uncertainty_ms)));
+                         : fmt::format("± {:.3g} ms", clock.uncertainty_ms),
+                     clock.not_known_yet.empty()
+                         ? ""
+                         : "; not known before the run, and not included: " + clock.not_known_yet));
   }
   line("Outlets of the profile and their slots:");
   for (std::size_t i = 0; i < dry.slots.size(); ++i) {

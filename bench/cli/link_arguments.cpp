@@ -82,7 +82,6 @@ void add_link_options(CLI::App& command, LinkArguments& arguments) {
 FoundOutlets find_outlets(const LinkArguments& arguments, const std::string& command) {
   station::PhysicalOutlets there = outlets_of(arguments);
   const bool looking = arguments.station.empty() && arguments.ports.empty();
-  there.serial.skip_unusable = looking;
   FoundOutlets found;
   if (looking) {
     found.locks = lock_free_ones(there.serial.ports, "command " + command);

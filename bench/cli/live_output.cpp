@@ -13,6 +13,7 @@ namespace {
 
 std::atomic<bool> interrupt_arrived{false};
 std::atomic<bool> asked_to_end{false};
+std::atomic<bool> first_ends{false};
 std::atomic<const std::string*> said_if_killed{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 static_assert(std::atomic<const std::string*>::is_always_lock_free, "read in a signal handler");
@@ -23,11 +24,14 @@ void note_hangup(int) {
 
 void note_interrupt(int signal) {
   interrupt_arrived = true;
-  if (!asked_to_end.exchange(true)) {
+  if (!asked_to_end.exchange(true) && !first_ends) {
     return;
   }
   if (const std::string* const text = said_if_killed) {
     (void)!::write(STDERR_FILENO, text->data(), text->size());
+  }
+  if (first_ends) {
+    ::_exit(kInterrupted);
   }
   // Blocked until this handler returns.
   std::signal(signal, SIG_DFL);
@@ -46,7 +50,8 @@ const std::atomic<bool>& catch_interrupts() {
   return interrupt_arrived;
 }
 
-LiveOutput::LiveOutput(const station::StationFile& file, const std::string& station) {
+LiveOutput::LiveOutput(const station::StationFile& file, const std::string& station,
+                       FirstSignal first) {
   if (!file.make_source) {
     return;
   }
@@ -56,12 +61,14 @@ LiveOutput::LiveOutput(const station::StationFile& file, const std::string& stat
                           "off by hand, or unplug it.",
                           file.source_port, station));
   said_if_killed = &if_killed_;
+  first_ends = first == FirstSignal::kEnd;
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
 LiveOutput::~LiveOutput() {
   if (!if_killed_.empty()) {
+    first_ends = false;
     said_if_killed = nullptr;
     std::signal(SIGPIPE, SIG_DFL);
     std::signal(SIGXFSZ, SIG_DFL);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -23,8 +24,12 @@ const std::atomic<bool>& catch_interrupts();
 //   write, and does not end the bench.
 class LiveOutput {
  public:
+  // kEnd: the first of SIGINT, SIGTERM and SIGQUIT ends the process at once, with kInterrupted.
+  enum class FirstSignal : std::uint8_t { kNote, kEnd };
+
   // `station`: as the user named it.
-  LiveOutput(const station::StationFile& file, const std::string& station);
+  LiveOutput(const station::StationFile& file, const std::string& station,
+             FirstSignal first = FirstSignal::kNote);
   ~LiveOutput();
   LiveOutput(const LiveOutput&) = delete;
   LiveOutput& operator=(const LiveOutput&) = delete;

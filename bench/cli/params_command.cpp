@@ -192,7 +192,7 @@ void add_params(CommandLine& line) {
                   "(default: condition_row_hz "
                   "of the grid's file)")
       ->type_name("HZ")
-      ->check(CLI::Range(grid::kConditionRow_hz.low, grid::kConditionRow_hz.high));
+      ->check(number_between(grid::kConditionRow_hz.low, grid::kConditionRow_hz.high));
   add_accumulation(command, arguments.accumulation);
   add_rules(command, arguments.rules);
   add_json_flag(command, arguments.json);

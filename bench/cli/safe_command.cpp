@@ -21,6 +21,7 @@ using std::chrono::duration;
 using std::chrono::steady_clock;
 
 constexpr auto kBetweenAttempts = std::chrono::milliseconds(500);
+constexpr double kLongestWait_s = 3600.0;
 
 struct SafeArguments {
   std::string station;
@@ -45,8 +46,9 @@ int safe(const SafeArguments& arguments) {
     print_error(fmt::format("{}: in use by another bench: {}; its run will fail", file.source_port,
                             holder));
   }
-  const std::atomic<bool>& interrupted = catch_interrupts();
-  const LiveOutput live(file, arguments.station);
+  // After a hang-up it goes on: nothing is better than the output off.
+  static_cast<void>(catch_interrupts());
+  const LiveOutput live(file, arguments.station, LiveOutput::FirstSignal::kEnd);
   Progress progress("safe " + file.name);
   const auto end = steady_clock::now() + duration<double>(arguments.wait_s);
   std::string name;
@@ -56,13 +58,15 @@ int safe(const SafeArguments& arguments) {
       print_wrapped(fmt::format("{}: {}: output off", file.source_port, name));
       return kPassed;
     }
-    const double left_s = duration<double>(end - steady_clock::now()).count();
-    if (interrupted || left_s <= 0.0) {
+    const auto next = steady_clock::now() + kBetweenAttempts;
+    if (next >= end) {
+      progress.clear();
       print_error(station::unknown_state(done.error()));
-      return interrupted ? kInterrupted : kErrored;
+      return kErrored;
     }
-    progress.show(fmt::format("{}; {:.0f} s left", done.error(), std::ceil(left_s)));
-    std::this_thread::sleep_for(kBetweenAttempts);
+    progress.show(fmt::format("{}; {:.0f} s left", done.error(),
+                              std::ceil(duration<double>(end - next).count())));
+    std::this_thread::sleep_until(next);
   }
 }
 
@@ -75,12 +79,15 @@ void add_safe(CommandLine& line) {
       ->type_name("STATION")
       ->required();
   add_with_default(command, "--wait", arguments.wait_s, "S",
-                   "Time to try for if the instrument does not answer, 0 to 3600 s")
-      ->check(CLI::Range(0.0, 3600.0));
+                   "Time after which no new attempt begins if the instrument does not answer, 0 to "
+                   "3600 s; 0: one attempt")
+      ->check(number_between(0.0, kLongestWait_s));
   command.footer(
       "Connects to the instrument, switches its output off and asks whether it is. It may be\n"
       "called at any time, more than once, and while a bench uses the station. Exit code 0: the\n"
-      "output is off; 4: the state of the output is unknown, and the message says what to do.\n"
+      "output is off; 4: the state of the output is unknown, and the message says what to do;\n"
+      "130: interrupted, state unknown. One attempt lasts about 5 s at most: two answers of the\n"
+      "instrument, which have 2 s each unless its file says otherwise, and 1 s to connect.\n"
       "\n"
       "Examples:\n"
       "  gsbench safe my-station.toml\n"

@@ -85,7 +85,7 @@ Reading command_delay(const Case& c) {
   for (const ContactChange& change : contact(c).changes) {
     if (change.first_tick >= command->tick && change.closed == close) {
       return number(c.milliseconds_between(command->tick, change.first_tick),
-                    c.uncertainty.relay_sense_ms);
+                    c.uncertainty.command_ms);
     }
   }
   return not_done("the contact did not follow the command");

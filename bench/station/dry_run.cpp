@@ -41,7 +41,9 @@ DryRun dry_run(const profile::Plan& plan, Station& station) {
   }
   note_clocks(station, run);
   for (const record::AlignedClock& clock : run.clocks) {
-    dry.clocks.push_back({clock.what, clock.aligned_by, clock.uncertainty_ms});
+    dry.clocks.push_back(
+        {clock.what, clock.aligned_by, clock.uncertainty_ms,
+         clock.what == kRelaySense ? station.relay_sense().not_known_yet() : std::string()});
   }
   const bool own_clocks = signal.lead_ticks() > 0;
   if (own_clocks) {

@@ -16,6 +16,7 @@ namespace {
 
 // A contact that became known later than this was not on its modem line in time.
 constexpr double kMostLate_s = 0.002;
+constexpr const char* kByHostClock = "this machine's clock, to which the source's start is known";
 constexpr const char* kLine = "emulated modem line ";
 
 template <class Made>
@@ -109,6 +110,7 @@ EmulatedInstrument::EmulatedInstrument(const InstrumentOptions& options, const p
       head->set_input(outlet, step, closed);
     };
     sense_ = driver_.relay_sense;
+    relay_aligned_by_ = "counts the head's samples";
   } else if (options.sense == EmulatedSense::kTerminals) {
     const auto sense = std::make_shared<emulation::TerminalSense>(signal, *driver_.source,
                                                                   options.clock_ppm, time_);
@@ -119,11 +121,14 @@ EmulatedInstrument::EmulatedInstrument(const InstrumentOptions& options, const p
       sense->seen(voltage_pu, count);
     };
     sense_ = sense;
+    relay_aligned_by_ =
+        sense->is_aligned_by_dips() ? "dips of the voltage at the terminals" : kByHostClock;
   }
   wire_ = std::make_unique<emulation::Wire>(hardware.outlets(), *emulator_, time_, wire);
   if (options.sense == EmulatedSense::kModemLine) {
     sense_ = modem_line_sense(*wire_, *driver_.source, hardware.outlets().size(),
                               plan.stimulus.sample_rate_hz);
+    relay_aligned_by_ = kByHostClock;
   }
 }
 
@@ -132,18 +137,6 @@ EmulatedInstrument::~EmulatedInstrument() {
     sense_.reset();  // it reads the wire
   }
   wire_.reset();  // it calls the others
-}
-
-std::string EmulatedInstrument::relay_aligned_by() const {
-  switch (options_.sense) {
-    case EmulatedSense::kTerminals:
-      return "dips of the voltage at the terminals";
-    case EmulatedSense::kHead:
-      return "counts the head's samples";
-    case EmulatedSense::kModemLine:
-      return "this machine's clock";
-  }
-  return {};
 }
 
 }  // namespace gsbench::station

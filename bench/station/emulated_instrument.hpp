@@ -51,7 +51,7 @@ class EmulatedInstrument {
   source::Source& source() { return *driver_.source; }
   relay::RelaySense& relay_sense() { return *sense_; }
   // How the relay sense is aligned with the source, for reports.
-  std::string relay_aligned_by() const;
+  const std::string& relay_aligned_by() const { return relay_aligned_by_; }
   const emulation::Wire& wire() const { return *wire_; }
 
  private:
@@ -62,6 +62,7 @@ class EmulatedInstrument {
   BuiltSource driver_;
   std::unique_ptr<emulation::Wire> wire_;
   std::shared_ptr<relay::RelaySense> sense_;
+  std::string relay_aligned_by_;
 };
 
 }  // namespace gsbench::station

@@ -12,6 +12,15 @@ constexpr double kHighestDac_v = 10.0;
 constexpr double kWorstCrystal_ppm = 10000.0;
 constexpr double kLongestOpto_us = 1000.0;
 
+head::HeadOptions wired(head::HeadOptions options, const std::string& port,
+                        const SourceSettings& settings) {
+  options.port = port;
+  options.nominal_v = settings.nominal_v;
+  options.gain = settings.gain;
+  options.voltage_limit_v = settings.voltage_limit_v;
+  return options;
+}
+
 SourceFactory read_head(const keys::Table& source, const std::string&) {
   head::HeadOptions options;
   options.dac_full_scale_v = source.number("dac_full_scale_v");
@@ -19,12 +28,13 @@ SourceFactory read_head(const keys::Table& source, const std::string&) {
   options.opto_close_delay_s = 1e-6 * source.number("opto_close_delay_us");
   options.opto_open_delay_s = 1e-6 * source.number("opto_open_delay_us");
   options.opto_uncertainty_s = 1e-6 * source.number("opto_uncertainty_us");
-  return [options](const std::string& port, const SourceSettings& settings) mutable {
-    options.port = port;
-    options.nominal_v = settings.nominal_v;
-    options.gain = settings.gain;
-    options.voltage_limit_v = settings.voltage_limit_v;
-    auto created = head::Head::create(options);
+  // The limits of the driver depend on several keys.
+  if (const auto usable = head::Head::create(wired(options, "", read_source_settings(source)));
+      !usable.ok()) {
+    source.refuse("gain", usable.error());
+  }
+  return [options](const std::string& port, const SourceSettings& settings) {
+    auto created = head::Head::create(wired(options, port, settings));
     if (!created.ok()) {
       throw std::runtime_error(created.error());
     }

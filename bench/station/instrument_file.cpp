@@ -53,8 +53,8 @@ void read_ranges(const Table& top, scpi::Instrument& instrument) {
   if (top.has("timing")) {
     const Table timing = top.table("timing");
     instrument.timing = {timing.number("command_s"), timing.number("packet_s"),
-                         timing.number("reset_s"), timing.number("upload_s"),
-                         timing.number("answer_s")};
+                         timing.number("reset_s"),   timing.number("upload_s"),
+                         timing.number("answer_s"),  timing.number("upload_bytes_s")};
   }
 }
 
@@ -88,9 +88,44 @@ scpi::Setting read_setting(const Table& setting) {
           names::value_of(setting.text("watched"), names::kWatched)};
 }
 
+void refuse_bad(const Table& table, const std::string& key, const keys::PlacedText& text) {
+  const bool is_field = key == "field" || key == "output_field";
+  const drivers::Status checked =
+      is_field ? scpi::check_field(text.text) : scpi::check_text(text.text);
+  if (!checked.ok()) {
+    table.refuse(text.at, fmt::format("{}: {}", key, checked.error()));
+  }
+}
+
+// Refuses commands, queries and answers that the driver could not use.
+void check_texts(const Table& table, const keys::Key& declared) {
+  for (const keys::Key& key : declared.inner) {
+    if (key.type == keys::Type::kText && table.has(key.name)) {
+      refuse_bad(table, key.name, {table.text(key.name), table.at(key.name)});
+    } else if (key.type == keys::Type::kArray) {
+      for (const keys::PlacedText& text : table.texts(key.name)) {
+        refuse_bad(table, key.name, text);
+      }
+    }
+  }
+}
+
+void check_texts(const Table& top) {
+  for (const keys::Key& key : instrument_keys().inner) {
+    if (key.name == "dialect") {
+      check_texts(top.table(key.name), key);
+    } else if (key.type == keys::Type::kTables) {
+      for (const Table& table : top.tables(key.name)) {
+        check_texts(table, key);
+      }
+    }
+  }
+}
+
 scpi::Instrument read_instrument(const profile::NamedFile& file) {
   const keys::Document document = keys::parse_toml(profile::read_file(file.path), file.path);
   const Table top(document, instrument_keys());
+  check_texts(top);
   scpi::Instrument instrument;
   instrument.name = file.name;
   instrument.title = top.text("title");

@@ -73,7 +73,11 @@ std::vector<Key> range_keys() {
                    seconds("packet_s", "after a packet").by_default(0.0),
                    seconds("reset_s", "after the reset").by_default(0.0),
                    seconds("upload_s", "after the upload").by_default(0.0),
-                   seconds("answer_s", "longest wait for an answer").by_default(2.0)})};
+                   seconds("answer_s", "longest wait for an answer").by_default(2.0),
+                   keys::number("upload_bytes_s", "byte/s", keys::above(0.0),
+                                "slowest rate at which it takes a waveform; an answer may be "
+                                "later by so much")
+                       .by_default(1e5)})};
 }
 
 Key dialect_keys() {

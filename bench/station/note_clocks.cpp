@@ -1,6 +1,8 @@
 #include "run_steps.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -11,6 +13,17 @@ namespace {
 
 constexpr const char* kTimeBase = "time base of the run";
 constexpr const char* kTicks = "count the source's ticks";
+
+// Of the time from a command, whose instant is one of this machine's clock (play.cpp), to an edge.
+double command_uncertainty_ms(Station& station, const record::RunRecord& run) {
+  const relay::RelaySense& sense = station.relay_sense();
+  if (sense.count_at(std::chrono::steady_clock::now())) {
+    return 1e3 * sense.alignment().uncertainty_between_ticks /
+           static_cast<double>(run.sample_rate_hz);
+  }
+  const std::optional<source::HostClock> clock = station.source().host_clock();
+  return run.bench_uncertainty.relay_sense_ms + (clock ? 1e3 * clock->uncertainty_s : 0.0);
+}
 
 }  // namespace
 
@@ -30,6 +43,7 @@ void note_relay_sense(Station& station, record::RunRecord& run) {
   run.bench_uncertainty.relay_sense_ms = 1e3 * station.relay_sense().alignment().uncertainty_ticks /
                                              static_cast<double>(run.sample_rate_hz) +
                                          run.bench_uncertainty.time_ms;
+  run.bench_uncertainty.command_ms = command_uncertainty_ms(station, run);
 }
 
 void note_clocks(const Station& station, record::RunRecord& run) {
@@ -37,7 +51,7 @@ void note_clocks(const Station& station, record::RunRecord& run) {
   if (std::any_of(run.outlets.begin(), run.outlets.end(),
                   [](const record::OutletRecord& outlet) { return outlet.relay_sensed; })) {
     run.clocks.push_back(
-        {"relay sense", station.relay_aligned_by(), run.bench_uncertainty.relay_sense_ms});
+        {kRelaySense, station.relay_aligned_by(), run.bench_uncertainty.relay_sense_ms});
   }
   bool any_in_step = false;
   for (const record::OutletRecord& outlet : run.outlets) {

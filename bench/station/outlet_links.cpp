@@ -1,5 +1,6 @@
 #include "outlet_links.hpp"
 
+#include "port_keys.hpp"
 #include "station_kind.hpp"
 
 #include <algorithm>
@@ -108,9 +109,10 @@ PhysicalOutlets read_links(const keys::Table& top, const std::string& file_path)
   if (top.has("serial")) {
     const keys::Table serial = top.table("serial");
     for (const keys::PlacedText& port : serial.texts("ports")) {
+      require_port(serial, "ports", port.at, port.text);
       outlets.serial.ports.push_back(port.text);
     }
-    outlets.serial.baud = static_cast<int>(serial.whole("baud"));
+    outlets.serial.baud = read_baud(serial);
   }
   if (top.has("mqtt")) {
     read_mqtt(top.table("mqtt"), file_path, outlets);

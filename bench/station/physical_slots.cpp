@@ -1,5 +1,6 @@
 #include "physical_slots.hpp"
 
+#include "port_keys.hpp"
 #include "station_kind.hpp"
 
 #include <map>
@@ -78,7 +79,8 @@ keys::Key slot_keys() {
            .or_else("none: contact not sensed; required without `link`")});
 }
 
-std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* relay) {
+std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* relay,
+                                     const std::string& source_port) {
   std::vector<PhysicalSlot> slots;
   Uniqueness places("place");
   Uniqueness serial_numbers("serial_number");
@@ -101,6 +103,12 @@ std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* re
         table.refuse("link", "link is \"mqtt\", but the station has no broker; add [mqtt]");
       }
     } else if (!slot.link.empty()) {
+      require_port(table, "link");
+      if (device_of(slot.link) == device_of(source_port)) {
+        table.refuse("link", fmt::format("link is \"{}\", which is the port of the source; an "
+                                         "outlet needs a port of its own",
+                                         slot.link));
+      }
       links.require(table, slot.link, device_of(slot.link));
     }
     if (!slot.relay.empty()) {

@@ -22,7 +22,9 @@ constexpr const char* kByBroker = "mqtt";
 
 keys::Key slot_keys();
 
-// `relay`: of [relay]; null: the station has none. Throws keys::ConfigurationError.
-std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* relay);
+// `relay`: of [relay]; null: the station has none. `source_port`: no outlet may have it. Throws
+// keys::ConfigurationError.
+std::vector<PhysicalSlot> read_slots(const keys::Table& top, const RelayKind* relay,
+                                     const std::string& source_port);
 
 }  // namespace gsbench::station

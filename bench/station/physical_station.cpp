@@ -2,6 +2,7 @@
 
 #include "outlet_links.hpp"
 #include "physical_slots.hpp"
+#include "port_keys.hpp"
 #include "station_kind.hpp"
 
 #include <algorithm>
@@ -68,6 +69,9 @@ std::unique_ptr<Station> make_physical_station(const Wiring& wiring, const profi
   }
   parts.ports.insert(parts.ports.end(), wiring.links.serial.ports.begin(),
                      wiring.links.serial.ports.end());
+  for (const std::string& outlet : wiring.links.mqtt.outlets) {
+    parts.ports.push_back(fmt::format("{}/{}", wiring.links.mqtt.url, outlet));
+  }
   return std::make_unique<PhysicalStation>(std::move(parts));
 }
 
@@ -116,12 +120,13 @@ void read_physical(const keys::Table& top, StationFile& file) {
   if (top.has("source")) {
     const keys::Table source = top.table("source");
     source_kind = source.text("kind");
+    require_port(source, "port");
     wiring.port = source.text("port");
     wiring.source = read_source_settings(source);
     wiring.make_source = read_source_factory(source, file.path);
   }
   wiring.relay = read_relay(top, source_kind);
-  wiring.slots = read_slots(top, wiring.relay);
+  wiring.slots = read_slots(top, wiring.relay, wiring.port);
   if (!wiring.slots.empty()) {
     add_links(top, wiring.slots, links);
     file.outlets = wiring.slots.size();
@@ -149,7 +154,11 @@ void read_physical(const keys::Table& top, StationFile& file) {
     return;
   }
   file.source_port = wiring.port;
-  file.make_source = [wiring] { return wiring.make_source(wiring.port, wiring.source).source; };
+  file.make_source = [wiring] {
+    SourceSettings settings = wiring.source;
+    settings.make_safe_s = 0.0;
+    return wiring.make_source(wiring.port, settings).source;
+  };
   file.make_station = [wiring](const profile::Plan& plan, const SimulatedOptions&) {
     return make_physical_station(wiring, plan);
   };

@@ -4,7 +4,10 @@
 #include <control_centre/outlet_settings.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <functional>
+#include <optional>
 
 #include <waveform/synthesizer.hpp>
 
@@ -57,6 +60,13 @@ struct Player {
   link::Happenings happenings = {};
   std::vector<relay::Edge> edges = {};
   std::vector<bool> open_at_start = std::vector<bool>(slots.size());
+  struct Sent {
+    std::size_t outlet;
+    bool switch_on;
+    std::int64_t tick;  // that the source had reached
+    std::chrono::steady_clock::time_point time;
+  };
+  std::vector<Sent> sent = {};
 
   bool play() {
     bool to_the_end = true;
@@ -64,7 +74,11 @@ struct Player {
       play_signal();
     } catch (const Stopped&) {
       to_the_end = false;
+    } catch (const BenchFault&) {
+      add_commands();
+      throw;
     }
+    add_commands();
     add_positions_at_start();
     return to_the_end;
   }
@@ -178,6 +192,28 @@ struct Player {
     }
   }
 
+  // Only now: the relay sense may not have been aligned when a command was sent.
+  void add_commands() {
+    for (const Sent& command : sent) {
+      capture.add_command(outlets[command.outlet].id, tick_sent(command) - signal.lead_ticks(),
+                          command.switch_on);
+    }
+  }
+
+  // The tick that the source plays at the time of sending. A generator is late by what its trigger
+  // takes, which only a relay sense that is aligned with its voltage knows.
+  std::int64_t tick_sent(const Sent& command) {
+    const relay::RelaySense& sense = station.relay_sense();
+    if (const std::optional<std::int64_t> count = sense.count_at(command.time)) {
+      return sense.alignment().tick_of(*count);
+    }
+    if (const std::optional<source::HostClock> clock = station.source().host_clock()) {
+      return std::llround(std::chrono::duration<double>(command.time - clock->tick_0).count() /
+                          clock->tick_s);
+    }
+    return command.tick;
+  }
+
   void send(const profile::Command& command, std::int64_t tick) {
     gs::wire::Downlink message;
     message.kind = gs::wire::DownlinkKind::kCommand;
@@ -189,8 +225,8 @@ struct Player {
           command.outlets.empty() ||
           std::count(command.outlets.begin(), command.outlets.end(), plan.outlets[i].id) > 0;
       if (is_addressed && watch.is_watched(id)) {
+        sent.push_back({i, command.switch_on, tick, std::chrono::steady_clock::now()});
         require(station.link().send(id, message));
-        capture.add_command(id, tick - signal.lead_ticks(), command.switch_on);
       }
     }
   }

@@ -2,6 +2,8 @@
 #include "faults.hpp"
 #include "run_steps.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <judge/judge.hpp>
@@ -28,6 +30,25 @@ source::Played upload(const profile::Plan& plan, const PlayedSignal& signal, Sta
                      ": the played signal would deviate too much from the profile: " + excess);
   }
   return played;
+}
+
+// An outlet that cannot be reached does not end the run of the others. If all cannot, nothing is
+// energised.
+void require_a_reachable_outlet(const std::vector<Slot>& slots, link::Link& link) {
+  const std::vector<link::Fault> unreachable = link.unreachable();
+  const link::Fault* first = nullptr;
+  for (const Slot& slot : slots) {
+    const auto found = std::find_if(
+        unreachable.begin(), unreachable.end(),
+        [&](const link::Fault& fault) { return slot.link_id && fault.id == *slot.link_id; });
+    if (found == unreachable.end()) {
+      return;
+    }
+    first = first != nullptr ? first : &*found;
+  }
+  if (first != nullptr) {
+    throw BenchFault("outlet on " + first->id + " " + first->what + "; no outlet is left");
+  }
 }
 
 // While it exists, RunOptions::stop also ends the calls of the source.
@@ -66,6 +87,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
     try {
       note_source(upload(plan, signal, station, options), station, run);
       require(station.link().open());
+      require_a_reachable_outlet(slots, station.link());
       require(station.relay_sense().open());
       require(station.source(), station.source().energise());
       Boot boot(station, slots, options);

@@ -32,10 +32,13 @@ std::vector<Slot> assign(const std::vector<profile::Outlet>& outlets,
 // outlet without any limit. Throws profile::ConfigurationError.
 void check_offered(const profile::Plan& plan, const std::vector<Slot>& slots);
 
+// The relay sense among the clocks of a run.
+constexpr const char* kRelaySense = "relay sense";
+
 // What the source states about the signal that it plays.
 void note_source(const source::Played& played, Station& station, record::RunRecord& run);
 
-// The uncertainty of the relay sense, which may have grown during the run.
+// The uncertainties of the relay sense, which may have grown during the run.
 void note_relay_sense(Station& station, record::RunRecord& run);
 
 // Waits for the outlets in `slots` and sends them their settings. The link is open and the source

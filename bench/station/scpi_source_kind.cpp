@@ -1,4 +1,5 @@
 // The source of kind "scpi": a waveform generator.
+#include "port_keys.hpp"
 #include "source_kind.hpp"
 #include <source_scpi/scpi_source.hpp>
 
@@ -21,12 +22,13 @@ SourceFactory read_scpi(const keys::Table& source, const std::string& file_path)
   }
   scpi::SourceOptions options;
   options.channel = static_cast<int>(source.whole("channel"));
-  options.baud = static_cast<int>(source.whole("baud"));
+  options.baud = read_baud(source);
   return [instrument = read_instrument_of(source, file_path), options](
              const std::string& port, const SourceSettings& settings) mutable {
     options.port = port;
     options.plan.wiring = {settings.nominal_v, settings.gain, settings.voltage_limit_v};
     options.plan.boot_s = settings.boot_s;
+    options.make_safe_s = settings.make_safe_s;
     options.plan.tolerances = {1e-3 * settings.tolerances.frequency_mhz,
                                1e-2 * settings.tolerances.voltage_pct,
                                1e-3 * settings.tolerances.time_ms};

@@ -23,6 +23,7 @@ struct SourceSettings {
   double voltage_limit_v = 0.0;  // RMS at the outlets; √2 times this is the largest peak
   double boot_s = 30.0;          // nominal voltage before the stimulus: outlets boot and join
   profile::Tolerances tolerances;
+  double make_safe_s = 10.0;  // how long make_safe() tries again; 0: one attempt
 };
 
 // A source, and the relay sense on the same connection if there is one (else null). Aliases of one

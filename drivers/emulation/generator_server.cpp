@@ -19,6 +19,7 @@ namespace {
 // How long an instrument waits for the rest of a block before it gives up.
 constexpr int kBlockPatience_ms = 2000;
 constexpr int kSendPatience_ms = 2000;
+constexpr double kSlowStep_s = 0.01;        // of receive_bytes_s
 constexpr std::size_t kLongestEntry = 200;  // of the log
 
 }  // namespace
@@ -94,11 +95,28 @@ void GeneratorServer::run(Clock::time_point from) {
 
 void GeneratorServer::serve() {
   char chunk[65536];
-  const ssize_t got = ::recv(connection_.get(), chunk, sizeof chunk, 0);
+  double rate_bytes_s = 0.0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    rate_bytes_s = state_.faults().receive_bytes_s;
+  }
+  const std::size_t most =
+      rate_bytes_s > 0.0
+          ? std::clamp<std::size_t>(static_cast<std::size_t>(kSlowStep_s * rate_bytes_s), 1,
+                                    sizeof chunk)
+          : sizeof chunk;
+  const ssize_t got = ::recv(connection_.get(), chunk, most, 0);
   if (got <= 0) {
     if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
       close_connection();
     }
+    return;
+  }
+  if (rate_bytes_s > 0.0 &&
+      !pause_until(Clock::now() +
+                   std::chrono::duration_cast<Clock::duration>(
+                       std::chrono::duration<double>(static_cast<double>(got) / rate_bytes_s)))) {
+    close_connection();
     return;
   }
   {

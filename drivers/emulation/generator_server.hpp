@@ -3,6 +3,7 @@
 
 #include "generator_dialect.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -67,7 +68,7 @@ class GeneratorServer {
   // Since the faults were set.
   int messages_ = 0;
   std::size_t bytes_ = 0;
-  bool dumb_ = false;  // after half an answer
+  std::atomic<bool> dumb_ = false;  // after half an answer
   std::thread thread_;
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -104,6 +105,7 @@ TerminalSense::TerminalSense(const source::Stimulus& stimulus, const source::Sou
   if (const auto found = ratio ? dip_of(samples, period_ticks, *ratio) : std::nullopt) {
     // A tick is an instant, a step an interval: sample n stands for n − ½ … n + ½.
     dip_ticks_ = *found - 0.5;
+    aligned_by_dips_ = true;
     finder_.emplace(TrueTime::kRate_hz / stimulus.nominal_hz(), *ratio);
   }
 }
@@ -126,6 +128,7 @@ relay::Alignment TerminalSense::alignment() const {
   alignment.counts_per_tick = steps_per_tick_;
   // Half a tick for the edge, half for the outlet's sample at which the coil changed.
   alignment.uncertainty_ticks = 1.0;
+  alignment.uncertainty_between_ticks = 1.5;
   const auto clock = source_.host_clock();
   if (finder_) {
     alignment.count_at_tick_0 = dip_steps_.value_or(0.0) - dip_ticks_ * steps_per_tick_;
@@ -134,8 +137,22 @@ relay::Alignment TerminalSense::alignment() const {
     alignment.count_at_tick_0 =
         TrueTime::kRate_hz * std::chrono::duration<double>(clock->tick_0 - time_.start).count();
     alignment.uncertainty_ticks += clock->uncertainty_s * rate_hz_;
+  } else {
+    alignment.uncertainty_ticks += source_.limits().host_clock_uncertainty_s * rate_hz_;
   }
   return alignment;
+}
+
+std::string TerminalSense::not_known_yet() const {
+  return aligned_by_dips_
+             ? ""
+             : "how late the source starts and how far its clock drifts from this machine's";
+}
+
+std::optional<std::int64_t> TerminalSense::count_at(
+    std::chrono::steady_clock::time_point time) const {
+  return std::llround(TrueTime::kRate_hz *
+                      std::chrono::duration<double>(time - time_.start).count());
 }
 
 Status TerminalSense::poll(std::vector<relay::Edge>& edges) {

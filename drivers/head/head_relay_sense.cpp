@@ -12,15 +12,21 @@ using drivers::Error;
 using drivers::Status;
 
 relay::Alignment HeadRelaySense::alignment() const {
-  const double counts_per_tick = std::max(session_->hello.counts_per_sample, std::uint32_t{1});
+  const bool is_known = session_->hello.counts_per_sample > 0;
+  const double counts_per_tick = is_known ? session_->hello.counts_per_sample : 1.0;
   relay::Alignment alignment;
   alignment.count_at_tick_0 =
       static_cast<double>(session_->tick_0_sample.value_or(0)) * counts_per_tick;
   alignment.counts_per_tick = counts_per_tick;
   // One count; the opto-coupler; half a tick, because an edge is put on a whole one.
-  alignment.uncertainty_ticks =
-      1.0 / counts_per_tick + session_->options.opto_uncertainty_s * protocol::kSampleRate_hz + 0.5;
+  alignment.uncertainty_ticks = (is_known ? 1.0 / counts_per_tick : 0.0) +
+                                session_->options.opto_uncertainty_s * protocol::kSampleRate_hz +
+                                0.5;
   return alignment;
+}
+
+std::string HeadRelaySense::not_known_yet() const {
+  return session_->hello.counts_per_sample > 0 ? "" : "one count of the head's timer";
 }
 
 // When the contact moved.

@@ -17,6 +17,7 @@ class HeadRelaySense final : public relay::RelaySense {
   explicit HeadRelaySense(std::shared_ptr<Session> session) : session_(std::move(session)) {}
 
   relay::Alignment alignment() const override;
+  std::string not_known_yet() const override;
   drivers::Status poll(std::vector<relay::Edge>& edges) override;
 
  private:

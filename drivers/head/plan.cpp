@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <source/chord.hpp>
 #include <source/deviation.hpp>
 
 namespace gsbench::head {
@@ -16,7 +17,6 @@ using drivers::Status;
 
 namespace {
 
-constexpr double kTau = 6.283185307179586;
 constexpr double kSqrt2 = 1.4142135623730951;
 constexpr std::int64_t kComputedAtOnce = 4096;
 constexpr double kCode_s = 1.0 / gs::head::kCodeRate_hz;
@@ -145,6 +145,8 @@ source::Played deviation(const HeadOptions& options, const source::Stimulus& sti
   const Amplitude amplitude(options);
   const std::int64_t total = stimulus.total_ticks();
   source::DeviationMeter meter(stimulus.sample_rate_hz(), stimulus.nominal_hz());
+  // The head joins the samples by straight lines.
+  source::ChordMeter chord(stimulus.sample_rate_hz() / stimulus.nominal_hz());
   Rounding rounding(amplitude);
   std::vector<float> ideal_pu;
   std::vector<float> played_pu;
@@ -163,15 +165,14 @@ source::Played deviation(const HeadOptions& options, const source::Stimulus& sti
       played_pu[n] = ideal_pu[n] + static_cast<float>(off_pu);
     }
     meter.add(ideal_pu.data(), played_pu.data(), played_pu.size());
+    chord.add(ideal_pu.data(), played_pu.size());
     highest_hz =
         std::max({highest_hz, stimulus.frequency_hz(tick), stimulus.frequency_hz(tick + count)});
   }
   source::Played played = meter.largest();
   played.how = explanation(options, amplitude, played, highest_hz);
   played.frequency_hz += 1e-6 * options.clock_ppm * highest_hz;
-  // A straight line between two samples of a sine is off by up to (ω·T)²/8.
-  const double angle_rad = kTau * stimulus.nominal_hz() / gs::head::kSampleRate_hz;
-  played.voltage_pu = rounding.largest_pu() + angle_rad * angle_rad / 8.0;
+  played.voltage_pu = rounding.largest_pu() + chord.largest();
   // The DAC holds each code.
   played.time_s = 1e-6 * options.clock_ppm * static_cast<double>(total) /
                       static_cast<double>(stimulus.sample_rate_hz()) +

@@ -37,13 +37,21 @@ Status CombinedLink::poll(Happenings& happenings) {
   return Done{};
 }
 
-std::vector<Fault> CombinedLink::missing() {
+std::vector<Fault> CombinedLink::of_all(std::vector<Fault> (Link::*faults)()) {
   std::vector<Fault> all;
   for (const auto& link : links_) {
-    const std::vector<Fault> some = link->missing();
+    const std::vector<Fault> some = (link.get()->*faults)();
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;
+}
+
+std::vector<Fault> CombinedLink::missing() {
+  return of_all(&Link::missing);
+}
+
+std::vector<Fault> CombinedLink::unreachable() {
+  return of_all(&Link::unreachable);
 }
 
 void CombinedLink::close() noexcept {

@@ -24,6 +24,7 @@ namespace {
 
 constexpr const char* kScheme = "tcp://";
 constexpr int kConnect_ms = 500;
+constexpr int kSendBuffer_bytes = 65536;
 
 struct Address {
   std::string host;
@@ -66,8 +67,8 @@ Status check_address(const std::string& port) {
                       std::all_of(address.service.begin(), address.service.end(),
                                   [](char c) { return c >= '0' && c <= '9'; }) &&
                       std::stoul(address.service) >= 1 && std::stoul(address.service) <= 65535;
-  if (address.host.empty() || !number) {
-    return Error{port + ": is not of the form tcp://host:port"};
+  if (address.host.find_first_of(" \t/") != std::string::npos || address.host.empty() || !number) {
+    return Error{port + ": is not of the form tcp://host:port, with a port from 1 to 65535"};
   }
   return Done{};
 }
@@ -106,6 +107,8 @@ class Tcp final : public Transport {
     // Small messages leave at once, not when the one before has been acknowledged.
     const int yes = 1;
     setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    // A larger one would take megabytes at once and then nothing for seconds.
+    setsockopt(socket_.get(), SOL_SOCKET, SO_SNDBUF, &kSendBuffer_bytes, sizeof kSendBuffer_bytes);
     return Done{};
   }
 
@@ -144,6 +147,25 @@ class Tcp final : public Transport {
 };
 
 }  // namespace
+
+std::vector<std::string> addresses_of(const std::string& host) {
+  addrinfo wanted{};
+  wanted.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (getaddrinfo(host.c_str(), nullptr, &wanted, &found) != 0) {
+    return {host};
+  }
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
+  std::vector<std::string> addresses;
+  for (const addrinfo* one = found; one != nullptr; one = one->ai_next) {
+    char text[NI_MAXHOST] = "";
+    if (getnameinfo(one->ai_addr, one->ai_addrlen, text, sizeof text, nullptr, 0, NI_NUMERICHOST) ==
+        0) {
+      addresses.emplace_back(text);
+    }
+  }
+  return addresses;
+}
 
 std::unique_ptr<Transport> make_tcp(const std::string& port) {
   return std::make_unique<Tcp>(port);

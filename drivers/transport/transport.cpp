@@ -55,6 +55,16 @@ std::unique_ptr<Transport> make_transport(const std::string& port, int baud) {
   return is_tcp(port) ? make_tcp(port) : make_serial(port, baud);
 }
 
+Status check_form(const std::string& port) {
+  if (is_tcp(port)) {
+    return check_address(port);
+  }
+  if (port.size() < 2 || port.front() != '/' || port.back() == '/') {
+    return Error{port + ": is neither of the form tcp://host:port nor the path of a device"};
+  }
+  return Done{};
+}
+
 Status check_port(const std::string& port) {
   if (is_tcp(port)) {
     return check_address(port);

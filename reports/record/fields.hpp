@@ -67,6 +67,7 @@ inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
   visitor("duration_ticks", run.duration_ticks);
   visitor("nominal_hz", run.nominal_hz);
   visitor("uncertainty_relay_sense_ms", run.bench_uncertainty.relay_sense_ms);
+  visitor("uncertainty_command_ms", run.bench_uncertainty.command_ms);
   visitor("uncertainty_frequency_mhz", run.bench_uncertainty.frequency_mhz);
   visitor("uncertainty_voltage_pct", run.bench_uncertainty.voltage_pct);
   visitor("uncertainty_time_ms", run.bench_uncertainty.time_ms);

@@ -14,7 +14,7 @@
 namespace gsbench::record {
 
 constexpr std::int64_t kApplicationId = 0x67734252;  // "gsBR": marks SQLite files that are records
-constexpr std::int64_t kSchemaVersion = 5;  // increased whenever the text of the schema changes
+constexpr std::int64_t kSchemaVersion = 6;  // increased whenever the text of the schema changes
 
 constexpr std::int64_t kRunOwner = 0;
 

@@ -61,12 +61,12 @@ TEST_F(DamagedStore, IsRefusedIfItIsAnotherDatabase) {
 }
 
 TEST_F(DamagedStore, OfANewerVersionRequiresANewerGsbench) {
-  change("PRAGMA user_version = 6");
-  EXPECT_THAT(error(), AllOf(StartsWith(path_), HasSubstr("version 6"), HasSubstr("newer")));
+  change("PRAGMA user_version = 7");
+  EXPECT_THAT(error(), AllOf(StartsWith(path_), HasSubstr("version 7"), HasSubstr("newer")));
 }
 
 // A change of the tables requires a new kSchemaVersion; this digest detects such changes.
-TEST_F(DamagedStore, TablesOfVersion5AreUnchanged) {
+TEST_F(DamagedStore, TablesOfVersion6AreUnchanged) {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(path_.c_str(), &database), SQLITE_OK);
   QCryptographicHash hash(QCryptographicHash::Sha256);
@@ -80,7 +80,7 @@ TEST_F(DamagedStore, TablesOfVersion5AreUnchanged) {
                          nullptr),
             SQLITE_OK);
   sqlite3_close(database);
-  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "8e7bf452124daba0");
+  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "a914216edef8a522");
 }
 
 TEST_F(DamagedStore, IsRefusedWithForeignTables) {

@@ -3,6 +3,7 @@
 #include <sys/eventfd.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -38,6 +39,7 @@ struct Line {
   gs::wire::FrameReader reader;
   OutletStream stream{Delivery::kByCable};
   std::optional<gs::wire::Hello> hello;  // of the outlet that joined on it
+  std::string cannot_open;               // why; empty: it is open, or was
   bool unplugged = false;
   bool left = false;    // its next hello lets it join again
   bool faulty = false;  // excluded from the run
@@ -49,7 +51,7 @@ struct FramedLink::Impl {
   explicit Impl(FramedOptions given) : options(std::move(given)) {}
 
   // Call these with `mutex` held.
-  Status open_ports();
+  void open_ports();
   void ask();
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
   void join(Line& line, const gs::wire::Hello& hello);
@@ -60,6 +62,7 @@ struct FramedLink::Impl {
   void reopen_ports(std::unique_lock<std::mutex>& lock);
 
   void listen();
+  void reopen();
 
   FramedOptions options;
   std::mutex mutex;
@@ -67,20 +70,21 @@ struct FramedLink::Impl {
   std::set<std::string> known;  // ids of all outlets that have ever joined
   Happenings happenings;        // without most faults: the streams keep those
   bool ending = false;
-  drivers::Descriptor wake;  // an eventfd that ends the thread's wait
+  drivers::Descriptor wake;  // an eventfd that ends the listener's wait
+  std::condition_variable ended;
   std::thread listener;
+  std::thread opener;
 };
 
-Status FramedLink::Impl::open_ports() {
+void FramedLink::Impl::open_ports() {
   for (const std::string& name : options.ports) {
-    auto port = transport::make_transport(name, options.baud);
-    if (Status opened = port->open(); opened.ok()) {
-      lines.push_back(std::make_unique<Line>(std::move(port)));
-    } else if (!options.skip_unusable) {
-      return opened;
+    Line& line =
+        *lines.emplace_back(std::make_unique<Line>(transport::make_transport(name, options.baud)));
+    if (const Status opened = line.port->open(); !opened.ok()) {
+      line.cannot_open = opened.error();
+      line.unplugged = true;
     }
   }
-  return Done{};
 }
 
 // Called repeatedly: an emulator or an adapter may drop bytes while it starts.
@@ -165,7 +169,7 @@ bool FramedLink::Impl::send(Line& line, const gs::wire::Downlink& message) {
   return line.port->send(framed(line.stream.encode(message))).ok();
 }
 
-// Opening may block: it runs without the lock, so that send() to other outlets goes on.
+// Opening may block: it runs without the lock, so that the other outlets are not affected.
 void FramedLink::Impl::reopen_ports(std::unique_lock<std::mutex>& lock) {
   for (const auto& line : lines) {
     if (!line->unplugged || ending) {
@@ -173,20 +177,28 @@ void FramedLink::Impl::reopen_ports(std::unique_lock<std::mutex>& lock) {
     }
     auto port = transport::make_transport(line->port->port(), options.baud);
     lock.unlock();
-    const bool opened = port->open().ok();
+    const Status opened = port->open();
     lock.lock();
-    if (opened) {
+    if (opened.ok()) {
       line->port = std::move(port);
       line->unplugged = false;
+      line->cannot_open.clear();
       line->stream.note("is back on " + line->port->port());
       send(*line, gs::wire::identify());
+      eventfd_write(wake.get(), 1);  // the listener's wait does not include the new port
     }
+  }
+}
+
+void FramedLink::Impl::reopen() {
+  std::unique_lock<std::mutex> lock(mutex);
+  while (!ended.wait_for(lock, kReopenEvery, [this] { return ending; })) {
+    reopen_ports(lock);
   }
 }
 
 void FramedLink::Impl::listen() {
   std::unique_lock<std::mutex> lock(mutex);
-  Clock::time_point next_look = Clock::now();
   Clock::time_point next_question = Clock::now();
   std::vector<std::uint8_t> bytes;
   while (!ending) {
@@ -204,6 +216,10 @@ void FramedLink::Impl::listen() {
         std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch())
             .count();
     lock.lock();
+    if (ready[0].revents != 0) {
+      eventfd_t wakes = 0;
+      eventfd_read(wake.get(), &wakes);
+    }
     for (std::size_t i = 0; i + 1 < ready.size(); ++i) {
       Line& line = *lines[i];
       if (ready[i + 1].revents == 0 || !line.port->is_open()) {
@@ -215,10 +231,6 @@ void FramedLink::Impl::listen() {
       if (!there) {
         lose(line);
       }
-    }
-    if (Clock::now() >= next_look) {
-      reopen_ports(lock);
-      next_look = Clock::now() + kReopenEvery;
     }
   }
 }
@@ -232,16 +244,14 @@ FramedLink::~FramedLink() {
 Status FramedLink::open() {
   close();
   const std::lock_guard<std::mutex> lock(impl_->mutex);
-  if (Status opened = impl_->open_ports(); !opened.ok()) {
-    impl_->lines.clear();
-    return opened;
-  }
+  impl_->open_ports();
   impl_->ending = false;
   impl_->wake = drivers::Descriptor(eventfd(0, EFD_CLOEXEC));
   if (!impl_->wake.is_open()) {
     return Error{"framed link: cannot create an event descriptor"};
   }
   impl_->listener = std::thread([this] { impl_->listen(); });
+  impl_->opener = std::thread([this] { impl_->reopen(); });
   return Done{};
 }
 
@@ -273,6 +283,17 @@ Status FramedLink::poll(Happenings& happenings) {
   return Done{};
 }
 
+std::vector<Fault> FramedLink::unreachable() {
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  std::vector<Fault> faults;
+  for (const auto& line : impl_->lines) {
+    if (!line->cannot_open.empty()) {
+      faults.push_back({line->port->port(), "cannot be reached: " + line->cannot_open});
+    }
+  }
+  return faults;
+}
+
 void FramedLink::close() noexcept {
   {
     const std::lock_guard<std::mutex> lock(impl_->mutex);
@@ -281,8 +302,11 @@ void FramedLink::close() noexcept {
       eventfd_write(impl_->wake.get(), 1);
     }
   }
-  if (impl_->listener.joinable()) {
-    impl_->listener.join();
+  impl_->ended.notify_all();
+  for (std::thread* const thread : {&impl_->listener, &impl_->opener}) {
+    if (thread->joinable()) {
+      thread->join();
+    }
   }
   impl_->wake.close();
   impl_->lines.clear();

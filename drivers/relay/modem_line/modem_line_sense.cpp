@@ -41,6 +41,10 @@ double seconds(steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
+std::int64_t nanoseconds(steady_clock::duration duration) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count();
+}
+
 }  // namespace
 
 // One serial port and the thread that reads its lines.
@@ -109,8 +113,7 @@ class ModemLineSense::Port {
     const steady_clock::duration interval = system_.now() - last_start_;
     const steady_clock::time_point middle = last_start_ + interval / 2;
     last_start_ = start;
-    const std::int64_t count =
-        std::chrono::duration_cast<std::chrono::nanoseconds>(middle - epoch_).count();
+    const std::int64_t count = nanoseconds(middle - epoch_);
     for (Line& line : lines_) {
       const bool closed = (bits & line.bit) != 0;
       if (closed != line.closed) {
@@ -184,14 +187,25 @@ Alignment ModemLineSense::alignment() const {
   const double own_s = largest_half_s_ + options_.adapter_latency_s;
   Alignment alignment;
   alignment.counts_per_tick = 1e9 / rate_hz;
-  // Half a tick: an edge is rounded to a tick.
-  alignment.uncertainty_ticks = own_s * rate_hz + 0.5;
+  // Half a tick: an edge is rounded to a tick, and so is an instant.
+  alignment.uncertainty_ticks = (own_s + source_.limits().host_clock_uncertainty_s) * rate_hz + 0.5;
+  alignment.uncertainty_between_ticks = own_s * rate_hz + 1.0;
   if (const std::optional<source::HostClock> clock = source_.host_clock()) {
     alignment.counts_per_tick = 1e9 * clock->tick_s;
     alignment.count_at_tick_0 = 1e9 * seconds(clock->tick_0 - epoch_);
     alignment.uncertainty_ticks = (own_s + clock->uncertainty_s) / clock->tick_s + 0.5;
   }
   return alignment;
+}
+
+std::string ModemLineSense::not_known_yet() const {
+  return "how late the source starts and how far its clock drifts from this machine's, and "
+         "readings "
+         "that are more than 1 ms apart";
+}
+
+std::optional<std::int64_t> ModemLineSense::count_at(steady_clock::time_point time) const {
+  return nanoseconds(time - epoch_);
 }
 
 Status ModemLineSense::poll(std::vector<Edge>& edges) {

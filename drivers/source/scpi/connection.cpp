@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,7 +22,14 @@ namespace {
 constexpr const char* kIdentify = "*IDN?";
 constexpr std::size_t kSentAtOnce = 16384;
 // An instrument that writes to its memory accepts nothing for a while.
-constexpr auto kSendingPatience = std::chrono::seconds(2);
+constexpr double kSendingPatience_s = 2.0;
+// A receiver may report room only after so many bytes were taken from its buffer.
+constexpr double kBuffered_bytes = 1024.0 * 1024.0;
+constexpr double kBaudsOfAByte = 10.0;
+
+Clock::duration time_span(double time_s) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
+}
 
 }  // namespace
 
@@ -29,7 +37,10 @@ Connection::Connection(const Instrument& instrument, const std::string& port, in
                        source::Interrupt& interrupt)
     : instrument_(instrument),
       interrupt_(interrupt),
-      transport_(transport::make_transport(port, baud)) {}
+      transport_(transport::make_transport(port, baud)),
+      upload_bytes_s_(port.rfind("tcp://", 0) == 0
+                          ? instrument.timing.upload_bytes_s
+                          : std::min(instrument.timing.upload_bytes_s, baud / kBaudsOfAByte)) {}
 
 Error Connection::interrupted(const std::string& doing) const {
   return {
@@ -37,18 +48,18 @@ Error Connection::interrupted(const std::string& doing) const {
 }
 
 Status Connection::pause(double time_s) {
-  return interrupt_.wait_until(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                  std::chrono::duration<double>(time_s)));
+  return interrupt_.wait_until(Clock::now() + time_span(time_s));
 }
 
 Clock::time_point Connection::answer_deadline() const {
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                            std::chrono::duration<double>(instrument_.timing.answer_s));
+  return std::max(Clock::now(), takes_until_) + time_span(instrument_.timing.answer_s);
 }
 
 Status Connection::open() {
   speaks_to_another_ = false;
   late_answers_ = false;
+  begun_.reset();
+  takes_until_ = {};
   received_.clear();
   if (Status opened = transport_->open(); !opened.ok()) {
     return opened;
@@ -69,8 +80,15 @@ Status Connection::open() {
   return Done{};
 }
 
+void Connection::close() noexcept {
+  transport_->close();
+  begun_.reset();
+}
+
 Status Connection::write(const std::vector<std::uint8_t>& bytes) {
-  Status sent = transport_->send(bytes, kSendingPatience);
+  const double patience_s = kSendingPatience_s + kBuffered_bytes / upload_bytes_s_;
+  Status sent = transport_->send(
+      bytes, std::chrono::duration_cast<std::chrono::milliseconds>(time_span(patience_s)));
   if (!sent.ok()) {
     close();
   }
@@ -94,6 +112,8 @@ Status Connection::send(const std::string& command) {
 
 Status Connection::send_block(const std::string& header, const std::vector<std::uint8_t>& bytes,
                               const std::function<void(std::size_t)>& sent) {
+  takes_until_ = std::max(Clock::now(), takes_until_) +
+                 time_span(static_cast<double>(bytes.size()) / upload_bytes_s_);
   std::vector<std::uint8_t> part(header.begin(), header.end());
   for (std::size_t at = 0; at < bytes.size();) {
     if (interrupt_.is_set()) {
@@ -151,16 +171,24 @@ Status Connection::receive(const std::string& query, Clock::time_point until) {
   return Done{};
 }
 
+std::optional<std::string> Connection::take_line() {
+  const auto end = std::find(received_.begin(), received_.end(), '\n');
+  if (end == received_.end()) {
+    return std::nullopt;
+  }
+  std::string text(received_.begin(), end);
+  received_.erase(received_.begin(), end + 1);
+  if (!text.empty() && text.back() == '\r') {
+    text.pop_back();
+  }
+  takes_until_ = {};  // it comes after everything that was sent
+  return text;
+}
+
 Result<std::string> Connection::line(const std::string& query, Clock::time_point until) {
   for (;;) {
-    const auto end = std::find(received_.begin(), received_.end(), '\n');
-    if (end != received_.end()) {
-      std::string text(received_.begin(), end);
-      received_.erase(received_.begin(), end + 1);
-      if (!text.empty() && text.back() == '\r') {
-        text.pop_back();
-      }
-      return text;
+    if (std::optional<std::string> text = take_line()) {
+      return *std::move(text);
     }
     if (Status got = receive(query, until); !got.ok()) {
       return Error{got.error()};
@@ -197,6 +225,11 @@ Status Connection::synchronise() {
 }
 
 Status Connection::prepare_query(const std::string& query) {
+  if (const std::optional<Begun> begun = std::exchange(begun_, std::nullopt)) {
+    // Its answer must not be taken for that of the next query. After an error late_answers_ is set,
+    // or the port is closed.
+    static_cast<void>(line(begun->query, begun->until).ok());
+  }
   if (late_answers_) {
     if (Status synchronised = synchronise(); !synchronised.ok()) {
       return synchronised;
@@ -216,6 +249,30 @@ Result<std::string> Connection::ask(const std::string& query) {
     return Error{sent.error()};
   }
   return line(query, answer_deadline());
+}
+
+Status Connection::begin_query(const std::string& query) {
+  Status sent = prepare_query(query);
+  if (sent.ok()) {
+    begun_ = {query, answer_deadline()};
+  }
+  return sent;
+}
+
+Result<std::optional<std::string>> Connection::poll_answer() {
+  if (const Status got = transport_->receive(received_, Clock::now()); !got.ok()) {
+    const std::string query = begun_->query;
+    close();
+    return Error{fmt::format("{} (waiting for the answer to \"{}\")", got.error(), query)};
+  }
+  std::optional<std::string> text = take_line();
+  if (text) {
+    begun_.reset();
+  } else if (Clock::now() >= begun_->until) {
+    const Begun begun = *std::exchange(begun_, std::nullopt);
+    return no_answer(begun.query);
+  }
+  return text;
 }
 
 Result<std::vector<std::uint8_t>> Connection::ask_waveform(const std::string& query) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ class Connection {
   drivers::Status open();
   // Opens the port without asking anything.
   drivers::Status open_mute() { return transport_->open(); }
-  void close() noexcept { transport_->close(); }
+  void close() noexcept;
   bool is_open() const { return transport_->is_open(); }
   // The last open() failed because an instrument of another model answered.
   bool speaks_to_another() const { return speaks_to_another_; }
@@ -46,6 +47,11 @@ class Connection {
   // Returns the line without its end. After an error by time-out the connection stays usable: what
   // arrives late is discarded before the next query.
   drivers::Result<std::string> ask(const std::string& query);
+  // The same in two parts that do not wait for the answer: begin_query() sends, poll_answer()
+  // returns the line once it has arrived. Other queries end this one.
+  drivers::Status begin_query(const std::string& query);
+  bool has_query() const { return begun_.has_value(); }
+  drivers::Result<std::optional<std::string>> poll_answer();
   // The bytes after "WAVEDATA," in an answer that states their number as LENGTH,<n>B.
   drivers::Result<std::vector<std::uint8_t>> ask_waveform(const std::string& query);
 
@@ -55,16 +61,27 @@ class Connection {
   drivers::Status write(const std::vector<std::uint8_t>& bytes);
   // Appends at least one byte to received_; an error after the time-out, or if the port is gone.
   drivers::Status receive(const std::string& query, transport::Clock::time_point until);
+  std::optional<std::string> take_line();
   drivers::Result<std::string> line(const std::string& query, transport::Clock::time_point until);
   drivers::Error interrupted(const std::string& doing) const;
   drivers::Error no_answer(const std::string& query);
+  // Later by what the instrument may still need to take the waveforms that were sent.
   transport::Clock::time_point answer_deadline() const;
+
+  // A query that waits for its answer.
+  struct Begun {
+    std::string query;
+    transport::Clock::time_point until;
+  };
 
   const Instrument& instrument_;
   source::Interrupt& interrupt_;
   std::unique_ptr<transport::Transport> transport_;
   std::vector<std::uint8_t> received_;
-  bool late_answers_ = false;  // after a time-out
+  std::optional<Begun> begun_;
+  double upload_bytes_s_;  // slowest rate of the instrument, or of the serial port
+  transport::Clock::time_point takes_until_;  // what was sent, at that rate
+  bool late_answers_ = false;                 // after a time-out
   bool speaks_to_another_ = false;
   std::string identification_;
 };

@@ -2,6 +2,7 @@
 #include <source_scpi/instrument.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -72,6 +73,38 @@ int Instrument::code_step() const {
   return format.codes == Codes::kSigned ? 1 << (16 - format.bits) : 1;
 }
 
+Status check_text(const std::string& text) {
+  if (std::any_of(text.begin(), text.end(),
+                  [](unsigned char c) { return c < 0x20U || c == 0x7FU; })) {
+    return Error{
+        fmt::format("\"{}\" contains a line end or another control character; it must be "
+                    "one line of text",
+                    printable(text))};
+  }
+  const auto& known = known_placeholders();
+  for (const std::string& name : placeholders(text)) {
+    if (text.find('{' + name + '}') == std::string::npos) {
+      return Error{fmt::format("\"{}\" has a placeholder without its closing brace", text)};
+    }
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      return Error{fmt::format("unknown placeholder {{{}}} in \"{}\"; known: {{{}}}", name, text,
+                               fmt::join(known, "}, {"))};
+    }
+  }
+  return Done{};
+}
+
+Status check_field(const std::string& field) {
+  const bool counted =
+      std::all_of(field.begin(), field.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  constexpr std::size_t kMostDigits = 3;
+  if (counted && !field.empty() && (field.size() > kMostDigits || std::stoul(field) == 0)) {
+    return Error{fmt::format("\"{}\" is no item of an answer; items are counted from 1 to 999",
+                             printable(field))};
+  }
+  return Done{};
+}
+
 Status check(const Instrument& instrument) {
   const Dialect& dialect = instrument.dialect;
   const bool packets = instrument.format.block == Block::kPackets;
@@ -111,12 +144,17 @@ Status check(const Instrument& instrument) {
     }
   }
   for (const std::string& text : templates_of(instrument)) {
-    for (const std::string& name : placeholders(text)) {
-      const auto& known = known_placeholders();
-      if (std::find(known.begin(), known.end(), name) == known.end()) {
-        return Error{
-            fmt::format("{}: unknown placeholder {{{}}} in \"{}\"", instrument.name, name, text)};
-      }
+    if (const Status checked = check_text(text); !checked.ok()) {
+      return Error{fmt::format("{}: {}", instrument.name, checked.error())};
+    }
+  }
+  std::vector<Field> asked = {dialect.output};
+  for (const Setting& setting : instrument.settings) {
+    asked.push_back(setting.asked);
+  }
+  for (const Field& one : asked) {
+    if (const Status checked = check_field(one.field); !checked.ok()) {
+      return Error{fmt::format("{}: {}", instrument.name, checked.error())};
     }
   }
   return Done{};

@@ -16,17 +16,25 @@ constexpr double kFade_s = 0.1;
 
 }  // namespace
 
+LoadedTicks::LoadedTicks(const source::Stimulus& stimulus, const PlanOptions& options) {
+  const auto ticks = [&](double time_s) {
+    return static_cast<std::int64_t>(
+        std::ceil(time_s * static_cast<double>(stimulus.sample_rate_hz()) - 1e-6));
+  };
+  lead = ticks(options.rise_s + options.boot_s + options.margin_s);
+  fall = ticks(options.fall_s);
+  total = lead + stimulus.total_ticks() + fall + ticks(kAtZero_s);
+}
+
 LoadedWaveform loaded_waveform(const source::Stimulus& stimulus, const PlanOptions& options) {
   const auto rate_hz = static_cast<double>(stimulus.sample_rate_hz());
   const std::int64_t total = stimulus.total_ticks();
-  const auto ticks = [rate_hz](double time_s) {
-    return static_cast<std::int64_t>(std::ceil(time_s * rate_hz - 1e-6));
-  };
+  const LoadedTicks ticks(stimulus, options);
   LoadedWaveform loaded;
-  loaded.lead_ticks = ticks(options.rise_s + options.boot_s + options.margin_s);
-  const std::int64_t fall_ticks = ticks(options.fall_s);
+  loaded.lead_ticks = ticks.lead;
+  const std::int64_t fall_ticks = ticks.fall;
   std::vector<float>& out = loaded.voltage_pu;
-  out.resize(static_cast<std::size_t>(loaded.lead_ticks + total + fall_ticks + ticks(kAtZero_s)));
+  out.resize(static_cast<std::size_t>(ticks.total));
   float* const played = out.data() + loaded.lead_ticks;
   stimulus.render(0, static_cast<std::size_t>(total), played);
 

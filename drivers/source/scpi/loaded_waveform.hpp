@@ -10,6 +10,14 @@
 
 namespace gsbench::scpi {
 
+// Parts of it, in samples at the rate of the stimulus.
+struct LoadedTicks {
+  LoadedTicks(const source::Stimulus& stimulus, const PlanOptions& options);
+  std::int64_t lead;  // before tick 0 of the stimulus
+  std::int64_t fall;  // after its end
+  std::int64_t total;
+};
+
 struct LoadedWaveform {
   std::int64_t lead_ticks = 0;    // before tick 0 of the stimulus
   std::vector<float> voltage_pu;  // per unit of nominal peak; begins and ends at 0

@@ -36,27 +36,46 @@ double highest_frequency(const source::Stimulus& stimulus) {
   return highest_hz;
 }
 
-drivers::Status within_tolerances(const Instrument& instrument, const ChosenRate& rate,
-                                  const Played& played, const Tolerances& allowed) {
-  const struct {
-    const char* what;
-    double found;
-    double limit;
-    const char* unit;
-  } checks[] = {{"the frequency", played.frequency_hz * 1e3, allowed.frequency_hz * 1e3, "mHz"},
-                {"the voltage", 1e2 * played.voltage_pu, 1e2 * allowed.voltage_pu, "%"},
-                {"the time", played.time_s * 1e3, allowed.time_s * 1e3, "ms"}};
-  for (const auto& check : checks) {
-    if (!(check.found <= check.limit)) {
-      return Error{
-          fmt::format("{}: at {:.6g} Sa/s, the highest rate that is possible for {} "
-                      "points of memory, {} would deviate by up to {:.4g} {}; the "
-                      "tolerance is {:.4g} {}",
-                      instrument.title, rate.rate_hz, instrument.memory.points, check.what,
-                      check.found, check.unit, check.limit, check.unit)};
+struct Excess {
+  std::string what;  // for messages; empty: none
+
+  void compare(const char* name, double found, double limit, const char* unit) {
+    if (what.empty() && !(found <= limit)) {
+      what = fmt::format("the {} would deviate by up to {:.4g} {}; the tolerance is {:.4g} {}",
+                         name, found, unit, limit, unit);
     }
   }
+};
+
+// What no rate changes: the clock alone.
+drivers::Status clock_within_tolerances(const Instrument& instrument, const Played& clock,
+                                        const PlanOptions& options, double duration_s,
+                                        double stimulus_s) {
+  const double clock_ppm = instrument.accuracy.clock_ppm;
+  Excess frequency;
+  frequency.compare("frequency", 1e3 * clock.frequency_hz, 1e3 * options.tolerances.frequency_hz,
+                    "mHz");
+  if (!frequency.what.empty()) {
+    return Error{fmt::format("{}: by its clock alone, ±{:g} ppm, {}", instrument.title, clock_ppm,
+                             frequency.what)};
+  }
+  Excess time;
+  time.compare("time", 1e3 * clock.time_s, 1e3 * options.tolerances.time_s, "ms");
+  if (!time.what.empty()) {
+    return Error{fmt::format(
+        "{}: by its clock, ±{:g} ppm, over the {:.1f} s of the waveform, of "
+        "which the stimulus is {:.1f} s and the time for outlets to boot "
+        "{:.1f} s, {}",
+        instrument.title, clock_ppm, duration_s, stimulus_s, options.boot_s, time.what)};
+  }
   return drivers::Done{};
+}
+
+std::string excess_of(const Played& played, const Tolerances& allowed) {
+  Excess excess;
+  excess.compare("frequency", 1e3 * played.frequency_hz, 1e3 * allowed.frequency_hz, "mHz");
+  excess.compare("voltage", 1e2 * played.voltage_pu, 1e2 * allowed.voltage_pu, "%");
+  return excess.what;
 }
 
 std::vector<std::string> described(const Instrument& instrument, const PlanOptions& options,
@@ -101,28 +120,11 @@ std::vector<std::string> described(const Instrument& instrument, const PlanOptio
   return how;
 }
 
-}  // namespace
-
-double full_scale_pu(const Instrument& instrument, const Wiring& wiring) {
-  const Amplitude& range = instrument.amplitude;
-  const double limit_vpp = 2.0 * kSqrt2 * wiring.voltage_limit_v / wiring.gain;
-  const double settable_vpp =
-      std::floor(limit_vpp / range.resolution_vpp + 1e-6) * range.resolution_vpp;
-  return 0.5 * std::min(range.highest_vpp, settable_vpp) * wiring.gain /
-         (kSqrt2 * wiring.nominal_v);
-}
-
-Result<Plan> make_plan(const source::Stimulus& stimulus, const Instrument& instrument,
-                       const PlanOptions& options) {
-  const LoadedWaveform ideal = loaded_waveform(stimulus, options);
+// The plan at one of the possible rates. `clock`: what the clock contributes.
+Result<Plan> plan_at(const ChosenRate& rate, const source::Stimulus& stimulus,
+                     const LoadedWaveform& ideal, const Instrument& instrument,
+                     const PlanOptions& options, const Played& clock) {
   const auto stimulus_hz = static_cast<double>(stimulus.sample_rate_hz());
-  Plan plan;
-  plan.duration_s = static_cast<double>(ideal.voltage_pu.size()) / stimulus_hz;
-  const Result<ChosenRate> chosen = choose_rate(instrument, stimulus, plan.duration_s);
-  if (!chosen.ok()) {
-    return Error{chosen.error()};
-  }
-  const ChosenRate& rate = chosen.value();
   const double step = stimulus_hz / rate.rate_hz;
   // A held point has the voltage of the middle of its time.
   const double offset = instrument.rate.interpolation == Interpolation::kHold ? 0.5 * step : 0.0;
@@ -139,6 +141,8 @@ Result<Plan> make_plan(const source::Stimulus& stimulus, const Instrument& instr
   if (!vpp.ok()) {
     return Error{vpp.error()};
   }
+  Plan plan;
+  plan.duration_s = static_cast<double>(ideal.voltage_pu.size()) / stimulus_hz;
   plan.rate_hz = rate.rate_hz;
   plan.frequency_hz = rate.frequency_hz;
   plan.amplitude_vpp = vpp.value();
@@ -153,20 +157,57 @@ Result<Plan> make_plan(const source::Stimulus& stimulus, const Instrument& instr
   }
   plan.codes = std::move(codes.codes);
   plan.largest_nudge = codes.largest_nudge;
-
-  const Accuracy& table = instrument.accuracy;
-  plan.played.frequency_hz =
-      waveform.frequency_hz + 1e-6 * table.clock_ppm * highest_frequency(stimulus);
+  plan.played.frequency_hz = waveform.frequency_hz + clock.frequency_hz;
   plan.played.voltage_pu = waveform.voltage_pu;
-  plan.played.amplitude_pu = 0.01 * table.amplitude_pct * peak_of(ideal.voltage_pu);
-  // The trigger's uncertainty shifts the whole run: it is that of the source's host_clock().
-  plan.played.time_s = 1e-6 * table.clock_ppm * plan.duration_s;
-  if (const auto accepted = within_tolerances(instrument, rate, plan.played, options.tolerances);
-      !accepted.ok()) {
-    return Error{accepted.error()};
-  }
+  plan.played.amplitude_pu = 0.01 * instrument.accuracy.amplitude_pct * peak_of(ideal.voltage_pu);
+  plan.played.time_s = clock.time_s;
   plan.played.how = described(instrument, options, plan, waveform);
   return plan;
+}
+
+}  // namespace
+
+double full_scale_pu(const Instrument& instrument, const Wiring& wiring) {
+  const Amplitude& range = instrument.amplitude;
+  const double limit_vpp = 2.0 * kSqrt2 * wiring.voltage_limit_v / wiring.gain;
+  const double settable_vpp =
+      std::floor(limit_vpp / range.resolution_vpp + 1e-6) * range.resolution_vpp;
+  return 0.5 * std::min(range.highest_vpp, settable_vpp) * wiring.gain /
+         (kSqrt2 * wiring.nominal_v);
+}
+
+Result<Plan> make_plan(const source::Stimulus& stimulus, const Instrument& instrument,
+                       const PlanOptions& options) {
+  const auto stimulus_hz = static_cast<double>(stimulus.sample_rate_hz());
+  const double duration_s = static_cast<double>(LoadedTicks(stimulus, options).total) / stimulus_hz;
+  // What is too long must not be rendered: that may take gigabytes.
+  const Result<Rates> possible = choose_rates(instrument, stimulus, duration_s);
+  if (!possible.ok()) {
+    return Error{possible.error()};
+  }
+  Played clock;
+  clock.frequency_hz = 1e-6 * instrument.accuracy.clock_ppm * highest_frequency(stimulus);
+  // The trigger's uncertainty shifts the whole run: it is that of the source's host_clock().
+  clock.time_s = 1e-6 * instrument.accuracy.clock_ppm * duration_s;
+  if (const auto within =
+          clock_within_tolerances(instrument, clock, options, duration_s,
+                                  static_cast<double>(stimulus.total_ticks()) / stimulus_hz);
+      !within.ok()) {
+    return Error{within.error()};
+  }
+  const LoadedWaveform ideal = loaded_waveform(stimulus, options);
+  std::string refusal;
+  for (const ChosenRate& rate : possible.value().rates) {
+    Result<Plan> plan = plan_at(rate, stimulus, ideal, instrument, options, clock);
+    const std::string excess =
+        plan.ok() ? excess_of(plan.value().played, options.tolerances) : std::string();
+    if (excess.empty()) {
+      return plan;
+    }
+    refusal = fmt::format("{}: at {:.6g} Sa/s, {}, {}", instrument.title, rate.rate_hz,
+                          possible.value().highest_is, excess);
+  }
+  return Error{refusal};
 }
 
 }  // namespace gsbench::scpi

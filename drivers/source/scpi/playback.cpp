@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <source/chord.hpp>
 #include <source/deviation.hpp>
 
 namespace gsbench::scpi {
 namespace {
 
 constexpr double kJustAfter = 1e-9;
-// A larger second difference is a step of the stimulus, not a curve: at 8 kHz, 1 % of the 40th
-// harmonic has 0.02.
-constexpr double kLargestCurve_pu = 0.05;
 
 }  // namespace
 
@@ -49,20 +47,6 @@ double Playback::point_error(const std::vector<float>& points) const {
   return largest;
 }
 
-// Between points, a chord is at most an eighth of the second difference off the curve.
-double Playback::sagitta() const {
-  double largest_pu = 0.0;
-  for (std::size_t i = 2; i < codes_.size(); ++i) {
-    const double second_pu = full_scale_pu_ *
-                             std::fabs(codes_[i] - 2.0 * codes_[i - 1] + codes_[i - 2]) /
-                             instrument_.full_scale_code();
-    if (second_pu < kLargestCurve_pu) {
-      largest_pu = std::max(largest_pu, second_pu);
-    }
-  }
-  return largest_pu / 8.0;
-}
-
 source::Played Playback::deviation(const source::Stimulus& stimulus, const LoadedWaveform& ideal,
                                    const std::vector<float>& points) const {
   const double points_per_tick = rate_hz_ / static_cast<double>(stimulus.sample_rate_hz());
@@ -84,7 +68,9 @@ source::Played Playback::deviation(const source::Stimulus& stimulus, const Loade
   // Points between ticks have errors too.
   largest.voltage_pu = std::max(largest.voltage_pu, point_error(points));
   if (instrument_.rate.interpolation == Interpolation::kLinear) {
-    largest.voltage_pu += sagitta();
+    source::ChordMeter chord(std::llround(rate_hz_ / stimulus.nominal_hz()));
+    chord.add(points.data(), points.size());
+    largest.voltage_pu += chord.largest();
   }
   return largest;
 }

@@ -29,7 +29,6 @@ class Playback {
   double at(double position) const;
   double mean(double from, double to) const;
   double point_error(const std::vector<float>& points) const;
-  double sagitta() const;
 
   const Instrument& instrument_;
   double rate_hz_;

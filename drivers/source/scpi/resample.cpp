@@ -123,7 +123,8 @@ void straighten_beside_steps(const std::vector<float>& in, double offset, double
     }
     const bool at_step = std::binary_search(next, steps.end(), before);
     const auto part = static_cast<float>(position - static_cast<double>(before));
-    out[n] = at_step ? in[before] : in[before] + part * (in[before + 1] - in[before]);
+    out[n] = at_step ? in[part > 0.5F ? before + 1 : before]
+                     : in[before] + part * (in[before + 1] - in[before]);
   }
 }
 

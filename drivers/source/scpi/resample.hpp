@@ -13,7 +13,8 @@ namespace gsbench::scpi {
 //
 // A band-limited curve rings by 9 % of a step beside it. So within the reach of the window from a
 // step of more than 5 % (of 1), and if `step` is at most 1, the values are joined by straight
-// lines, and the step itself comes with the later value.
+// lines. The step itself comes half a sample before the later value: the samples do not say where
+// between them it is, and so it is at most half a sample off.
 //
 // The same without that is band_limited(), for noise.
 std::vector<float> band_limited(const std::vector<float>& in, double offset, double step,

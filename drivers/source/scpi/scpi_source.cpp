@@ -1,4 +1,5 @@
 #include "session.hpp"
+#include "settable.hpp"
 #include <source_scpi/scpi_source.hpp>
 
 #include <algorithm>
@@ -21,6 +22,12 @@ using std::chrono::steady_clock;
 constexpr std::int64_t kRateStep_hz = 1000;
 constexpr std::int64_t kHighestRate_hz = 32000;
 
+constexpr auto kBetweenLooks = std::chrono::milliseconds(5);
+
+double seconds_since(steady_clock::time_point time) {
+  return std::chrono::duration<double>(steady_clock::now() - time).count();
+}
+
 steady_clock::duration span(double time_s) {
   return std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(time_s));
 }
@@ -36,11 +43,16 @@ class ScpiSource final : public source::Source {
     source::Limits limits;
     limits.name = fmt::format("{} at {}", instrument_.title, options_.port);
     limits.kind = source::Kind::kLoaded;
-    limits.full_scale_pu = full_scale_pu(instrument_, options_.plan.wiring);
+    const Wiring& wiring = options_.plan.wiring;
+    limits.full_scale_pu = full_scale_pu(instrument_, wiring);
+    if (2.0 * kSqrt2 * wiring.voltage_limit_v < instrument_.amplitude.highest_vpp * wiring.gain) {
+      limits.full_scale_is = "the voltage limit";
+    }
     for (std::int64_t rate_hz = kRateStep_hz; rate_hz <= kHighestRate_hz; rate_hz += kRateStep_hz) {
       limits.sample_rates_hz.push_back(rate_hz);
     }
     limits.nominal_hz = {50, 60};
+    limits.host_clock_uncertainty_s = instrument_.accuracy.trigger_uncertainty_s;
     return limits;
   }
 
@@ -88,11 +100,13 @@ class ScpiSource final : public source::Source {
     last_trigger_ = triggered_->sent;
     const auto first_point = triggered_->sent + span(instrument_.accuracy.trigger_latency_s);
     tick_0_ = first_point + span(lead_s_);
-    next_check_ = steady_clock::now();
-    return interrupt().wait_until(first_point + span(options_.plan.rise_s));
+    next_question_ = steady_clock::now();
+    const auto nominal = first_point + span(options_.plan.rise_s);
+    answers_took_s_ = std::max(0.0, seconds_since(nominal));
+    return interrupt().wait_until(nominal);
   }
 
-  Status keep_up() override { return steady_clock::now() < tick_0_ ? check_if_due() : too_late(); }
+  Status keep_up() override { return steady_clock::now() < tick_0_ ? watch_if_due() : too_late(); }
 
   Status begin() override {
     if (steady_clock::now() > tick_0_) {
@@ -106,8 +120,7 @@ class ScpiSource final : public source::Source {
     if (Status waited = wait_until(time); !waited.ok()) {
       return Error{waited.error()};
     }
-    const double since_s = std::chrono::duration<double>(steady_clock::now() - tick_0_).count();
-    const auto reached = static_cast<std::int64_t>(since_s * rate_hz_);
+    const auto reached = static_cast<std::int64_t>(seconds_since(tick_0_) * rate_hz_);
     return std::clamp(reached, until_tick, stimulus().total_ticks());
   }
 
@@ -130,27 +143,33 @@ class ScpiSource final : public source::Source {
 
  private:
   Status too_late() const {
-    const double late_s = std::chrono::duration<double>(steady_clock::now() - tick_0_).count();
-    return Error{
-        fmt::format("{}: the stimulus began {:.3g} s ago, before the bench was ready; "
-                    "make the time for outlets to boot longer than {} s",
-                    limits().name, late_s, options_.plan.boot_s)};
+    return Error{fmt::format(
+        "{}: the stimulus began {:.3g} s ago, before the bench was ready: the margin of {} s is "
+        "too short; the instrument's answers to the trigger took {:.2g} s of it",
+        limits().name, seconds_since(tick_0_), options_.plan.margin_s, answers_took_s_)};
   }
 
-  Status check_if_due() {
-    if (steady_clock::now() < next_check_) {
-      return Done{};
+  // Does not wait for the instrument: commands to outlets and the stimulus must not.
+  Status watch_if_due() {
+    const auto now = steady_clock::now();
+    if (!session_.is_asking()) {
+      if (now < next_question_) {
+        return Done{};
+      }
+      next_question_ =
+          now + span(options_.check_every_s / static_cast<double>(session_.questions()));
     }
-    next_check_ = steady_clock::now() + span(options_.check_every_s);
-    return session_.check_playing();
+    return session_.watch();
   }
 
   Status wait_until(steady_clock::time_point time) {
     do {
-      if (Status same = check_if_due(); !same.ok()) {
+      if (Status same = watch_if_due(); !same.ok()) {
         return same;
       }
-      if (Status waited = interrupt().wait_until(std::min(time, next_check_)); !waited.ok()) {
+      const auto next_look =
+          session_.is_asking() ? steady_clock::now() + kBetweenLooks : next_question_;
+      if (Status waited = interrupt().wait_until(std::min(time, next_look)); !waited.ok()) {
         return waited;
       }
     } while (steady_clock::now() < time);
@@ -160,8 +179,7 @@ class ScpiSource final : public source::Source {
   std::string unknown_state(const std::string& why) const {
     std::string end = "a loaded waveform ends by itself";
     if (last_trigger_) {
-      const double left_s =
-          duration_s_ - std::chrono::duration<double>(steady_clock::now() - *last_trigger_).count();
+      const double left_s = duration_s_ - seconds_since(*last_trigger_);
       end = left_s > 0.0 ? fmt::format("the waveform ends by itself in {:.0f} s", std::ceil(left_s))
                          : std::string("the waveform has ended by itself");
     }
@@ -178,7 +196,8 @@ class ScpiSource final : public source::Source {
   std::optional<Triggered> triggered_;
   std::optional<steady_clock::time_point> last_trigger_;
   steady_clock::time_point tick_0_;
-  steady_clock::time_point next_check_;
+  steady_clock::time_point next_question_;
+  double answers_took_s_ = 0.0;  // of the margin, after the trigger
 };
 
 }  // namespace

@@ -66,6 +66,9 @@ Status Session::load(const Plan& plan, const source::Progress& progress) {
   values_.emplace_back("rate_hz", number_text(plan.rate_hz));
   values_.emplace_back("frequency_hz", number_text(plan.frequency_hz));
   values_.emplace_back("amplitude_vpp", number_text(plan.amplitude_vpp));
+  questions_ = watched_queries();
+  next_question_ = 0;
+  lost_ = false;
   return reconnecting([&] { return load_once(plan, progress); });
 }
 
@@ -117,13 +120,16 @@ Status Session::check_playing() {
 }
 
 Status Session::expect_output(bool on) {
-  const Dialect& dialect = instrument_.dialect;
-  const std::string query = text(dialect.output.query);
-  const Result<std::string> answer = connection_.ask(query);
+  const Result<std::string> answer = connection_.ask(text(instrument_.dialect.output.query));
   if (!answer.ok()) {
     return error(fmt::format("output: {}", answer.error()));
   }
-  const Result<std::string> state = value_in(answer.value(), dialect.output.field);
+  return compare_output(on, answer.value());
+}
+
+Status Session::compare_output(bool on, const std::string& answer) const {
+  const Dialect& dialect = instrument_.dialect;
+  const Result<std::string> state = value_in(answer, dialect.output.field);
   if (!state.ok()) {
     return error(fmt::format("output: the answer {}", state.error()));
   }

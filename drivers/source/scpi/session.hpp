@@ -34,6 +34,14 @@ class Session {
   // The same, for the settings that can be asked while playing, and for the output, which must be
   // on.
   drivers::Status check_playing();
+  // The same, but one question at a time, and without waiting for answers: a call sends the next
+  // question, or looks whether the last one has been answered. An error if the answer is wrong or
+  // late. Reconnects once if the connection is lost, which blocks for the time of two answers.
+  drivers::Status watch();
+  // The last question of watch() is not yet answered.
+  bool is_asking() const { return connection_.has_query(); }
+  // Number of different questions of watch(). Valid from load() on.
+  std::size_t questions() const { return questions_.size(); }
   drivers::Status switch_on();
   drivers::Result<Triggered> trigger();
   // Switches the output off and asks. Tries for `longest_s`, reconnecting. An error: the state of
@@ -55,7 +63,11 @@ class Session {
   drivers::Status compare(const Setting& setting, const std::string& answer) const;
   drivers::Status ask_back(const std::vector<const Setting*>& settings);
   drivers::Status all_at(bool playing);
+  std::vector<std::string> watched_queries() const;
+  drivers::Status ask_next();
+  drivers::Status check_watched(const std::string& query, const std::string& answer);
   drivers::Status switch_output(bool on);
+  drivers::Status compare_output(bool on, const std::string& answer) const;
   drivers::Status expect_output(bool on);
   drivers::Status forget_errors();
   drivers::Status expect_no_error(const std::string& after);
@@ -67,6 +79,9 @@ class Session {
   source::Interrupt& interrupt_;
   Connection connection_;
   Values values_;
+  std::vector<std::string> questions_;  // of watch()
+  std::size_t next_question_ = 0;
+  bool lost_ = false;  // the connection, since the last answer to watch()
 };
 
 }  // namespace gsbench::scpi

@@ -13,7 +13,9 @@ using drivers::Result;
 
 namespace {
 
-constexpr int kHighestMultiple = 4;
+constexpr int kUsualMultiple = 4;
+// So an upload is at most a quarter of a MB for each second at 8 kHz.
+constexpr int kHighestMultiple = 16;
 // With fewer points a period, the fundamental itself would be distorted.
 constexpr double kFewestPerPeriod = 20.0;
 constexpr double kRounding = 1e-9;
@@ -45,15 +47,45 @@ std::optional<ChosenRate> fitting(const Instrument& instrument, double wanted_hz
   return chosen;
 }
 
+struct Highest {
+  double rate_hz;
+  std::string is;
+};
+
+Highest highest_rate(const Instrument& instrument, double stimulus_hz, double duration_s) {
+  const double filling_hz = static_cast<double>(instrument.memory.points - 1) / duration_s;
+  const double multiple_hz = kHighestMultiple * stimulus_hz;
+  if (instrument.rate.highest_hz <= std::min(filling_hz, multiple_hz)) {
+    return {instrument.rate.highest_hz, "the highest rate of the instrument"};
+  }
+  if (filling_hz <= multiple_hz) {
+    return {filling_hz, fmt::format("the highest rate at which the {:.1f} s of the waveform fit "
+                                    "the memory of {} points",
+                                    duration_s, instrument.memory.points)};
+  }
+  return {multiple_hz, fmt::format("{} times the rate of the stimulus, the most that is used",
+                                   kHighestMultiple)};
+}
+
 }  // namespace
 
-Result<ChosenRate> choose_rate(const Instrument& instrument, const source::Stimulus& stimulus,
-                               double duration_s) {
+Result<Rates> choose_rates(const Instrument& instrument, const source::Stimulus& stimulus,
+                           double duration_s) {
   const auto rate_hz = static_cast<double>(stimulus.sample_rate_hz());
-  for (int multiple = kHighestMultiple; multiple >= 1; --multiple) {
-    if (const auto chosen = fitting(instrument, multiple * rate_hz, duration_s)) {
-      return *chosen;
+  const Highest highest = highest_rate(instrument, rate_hz, duration_s);
+  Rates rates;
+  rates.highest_is = highest.is;
+  for (int multiple = kUsualMultiple; multiple >= 1 && rates.rates.empty(); --multiple) {
+    if (const auto usual = fitting(instrument, multiple * rate_hz, duration_s)) {
+      rates.rates.push_back(*usual);
     }
+  }
+  if (!rates.rates.empty()) {
+    const auto higher = fitting(instrument, highest.rate_hz, duration_s);
+    if (higher && higher->rate_hz > rates.rates[0].rate_hz) {
+      rates.rates.push_back(*higher);
+    }
+    return rates;
   }
   const double fewest_hz =
       std::max(instrument.rate.lowest_hz, kFewestPerPeriod * stimulus.nominal_hz());
@@ -61,18 +93,17 @@ Result<ChosenRate> choose_rate(const Instrument& instrument, const source::Stimu
     return Error{fmt::format("{}: plays at most {} points a second; at least {} are needed",
                              instrument.title, instrument.rate.highest_hz, fewest_hz)};
   }
-  const double filling_hz = static_cast<double>(instrument.memory.points - 1) / duration_s;
-  const auto chosen =
-      fitting(instrument, std::min({filling_hz, rate_hz, instrument.rate.highest_hz}), duration_s);
+  const auto chosen = fitting(instrument, std::min(highest.rate_hz, rate_hz), duration_s);
   if (!chosen || chosen->rate_hz < fewest_hz) {
     return Error{fmt::format(
-        "{}: the memory holds {} points, {:.4g} s at the lowest usable rate of {} Sa/s; the "
-        "waveform takes {:.4g} s, of which the stimulus is {:.4g} s",
+        "{}: the memory holds {} points, {:.2f} s at the lowest usable rate of {} Sa/s; the "
+        "waveform takes {:.2f} s, of which the stimulus is {:.2f} s",
         instrument.title, instrument.memory.points,
         static_cast<double>(instrument.memory.points) / fewest_hz, fewest_hz, duration_s,
         static_cast<double>(stimulus.total_ticks()) / rate_hz)};
   }
-  return *chosen;
+  rates.rates.push_back(*chosen);
+  return rates;
 }
 
 Result<double> choose_amplitude(const Instrument& instrument, const Wiring& wiring,

@@ -6,6 +6,8 @@
 #include <source_scpi/planner.hpp>
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include <drivers/result.hpp>
 #include <source/stimulus.hpp>
@@ -20,10 +22,17 @@ struct ChosenRate {
   std::int64_t points = 0;
 };
 
-// Four, three, two or one times the rate of the stimulus, or else the rate at which the waveform
-// fills the memory. The waveform lasts `duration_s`.
-drivers::Result<ChosenRate> choose_rate(const Instrument& instrument,
-                                        const source::Stimulus& stimulus, double duration_s);
+// Rates to try, the usual one first, and why the last of them cannot be higher, for messages.
+struct Rates {
+  std::vector<ChosenRate> rates;  // one or two
+  std::string highest_is;         // "16 times the rate of the stimulus"
+};
+
+// The usual rate is four, three, two or one times that of the stimulus. The other one is the
+// highest that memory and instrument permit, at most 16 times that of the stimulus. The waveform
+// lasts `duration_s`. Samples of the stimulus are not needed.
+drivers::Result<Rates> choose_rates(const Instrument& instrument, const source::Stimulus& stimulus,
+                                    double duration_s);
 
 // Vpp at the instrument's terminals, a step of the instrument, at which `peak_pu` of nominal peak
 // fits. Not above the voltage limit.

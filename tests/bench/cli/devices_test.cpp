@@ -54,7 +54,7 @@ class OneOutlet : public testing::Test {
     if (mains_.joinable()) {
       mains_.join();
     }
-    std::filesystem::remove(station::lock_file(where_));
+    std::filesystem::remove(station::lock_files(where_).front());
   }
 
   // The command with the options that reach the outlet.

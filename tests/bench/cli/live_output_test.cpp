@@ -43,7 +43,7 @@ class LiveRun : public testing::Test {
   }
   ~LiveRun() override {
     for (const std::string& port : {generator_->port(), outlet_port_}) {
-      std::filesystem::remove(station::lock_file(port));
+      std::filesystem::remove(station::lock_files(port).front());
     }
   }
 

@@ -108,7 +108,7 @@ class PhysicalRun : public testing::Test {
   void TearDown() override {
     wire_.reset();
     for (const std::string& port : ports_) {
-      std::filesystem::remove(station::lock_file(port));
+      std::filesystem::remove(station::lock_files(port).front());
     }
   }
 
@@ -200,6 +200,54 @@ TEST_F(PhysicalRun, AGeneratorPlaysToAnOutletAndIsOffAfterwards) {
   generator->press(on);
   EXPECT_EQ(run_gsbench({"safe", lab}).exit_code, 0);
   EXPECT_FALSE(generator->output_is_on());
+}
+
+TEST_F(PhysicalRun, AGeneratorThatAnswersAfterAFifthOfASecondPlaysToAVerdict) {
+  const auto generator =
+      demand(emulation::Generator::start({emulation::GeneratorModel::kSdg2042x, 1.0, time_}));
+  connect(*generator);
+  emulation::GeneratorFaults faults;
+  faults.answer_delay_s = 0.2;
+  generator->set_faults(faults);
+  const profile::Plan plan = profile::parse_profile(kSteady, "steady.toml");
+  const auto lab =
+      station::load_station(
+          station("kind = \"scpi\"\ninstrument = \"siglent-sdg2000x\"\n", generator->port(),
+                  fmt::format("[[outlet]]\nplace = \"a\"\nlink = \"{}\"\n", link())))
+          .make_station(plan, {});
+  const record::RunRecord record = station::run(plan, *lab, {});
+  EXPECT_EQ(record.verdict, record::Verdict::kPass) << record.verdict_reason;
+  EXPECT_FALSE(generator->output_is_on());
+}
+
+TEST_F(PhysicalRun, AnOutletThatCannotBeReachedIsAtFaultAndTheOtherOneIsTested) {
+  const auto generator =
+      demand(emulation::Generator::start({emulation::GeneratorModel::kSdg2042x, 1.0, time_}));
+  connect(*generator);
+  const std::string nobody = "tcp://127.0.0.1:1";
+  const auto lab = [&](const std::string& first) {
+    return station("kind = \"scpi\"\ninstrument = \"siglent-sdg2000x\"\n", generator->port(),
+                   fmt::format("[[outlet]]\nplace = \"a\"\nlink = \"{}\"\n"
+                               "[[outlet]]\nplace = \"b\"\nlink = \"{}\"\n",
+                               first, nobody));
+  };
+  std::string two = kSteady;
+  two.replace(two.find("[[outlet]]"), 10, "[[outlet]]\ncount = 2");
+  const profile::Plan plan = profile::parse_profile(two, "steady.toml");
+  const auto of_two = station::load_station(lab(link())).make_station(plan, {});
+  const record::RunRecord record = station::run(plan, *of_two, {});
+  ASSERT_EQ(record.outlets.size(), 2U) << record.fault;
+  EXPECT_EQ(record.outlets[0].id, "outlet-7");
+  EXPECT_EQ(record.outlets[0].verdict, record::Verdict::kPass) << record.outlets[0].fault;
+  EXPECT_EQ(record.outlets[1].verdict, record::Verdict::kError);
+  EXPECT_THAT(record.outlets[1].fault,
+              HasSubstr("cannot be reached: tcp://127.0.0.1:1: cannot be connected to"));
+
+  generator->clear_messages();
+  const auto of_none = station::load_station(lab("tcp://localhost:1")).make_station(plan, {});
+  EXPECT_THAT(station::run(plan, *of_none, {}).fault, HasSubstr("no outlet is left"));
+  EXPECT_THAT(generator->messages(), Not(testing::Contains("C1:OUTP ON")));
+  ports_.insert(ports_.end(), {link(), nobody, "tcp://localhost:1"});  // their lock files
 }
 
 }  // namespace

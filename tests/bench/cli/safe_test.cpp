@@ -4,7 +4,9 @@
 #include <head_driver_test/running_head.hpp>
 #include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <memory>
@@ -90,6 +92,56 @@ TEST_F(SafeCommand, SaysThatTheStateIsUnknownIfNobodyAnswers) {
   EXPECT_EQ(outcome.out, "");
 }
 
+// Attempts begin 0.5 s apart at least.
+TEST_F(SafeCommand, WaitBoundsTheAttempts) {
+  generator_->clear_messages();
+  emulation::GeneratorFaults stuck;
+  stuck.ignores_output_off = true;
+  generator_->set_faults(stuck);
+  const auto identified = [&] {
+    const auto messages = generator_->messages();
+    return std::count(messages.begin(), messages.end(), "*IDN?");
+  };
+  EXPECT_EQ(run_gsbench({"safe", station(), "--wait", "0"}).exit_code, 4);
+  EXPECT_EQ(identified(), 1);
+  EXPECT_EQ(run_gsbench({"safe", station(), "--wait", "3"}).exit_code, 4);
+  EXPECT_GE(identified(), 1 + 2);
+  EXPECT_LE(identified(), 1 + 6);
+}
+
+TEST_F(SafeCommand, RefusesAWaitThatHasNoEnd) {
+  for (const char* wait : {"nan", "-1", "inf", "1e9", "3601"}) {
+    expect_refused({"safe", station(), "--wait", wait}, "is not a number from 0 to 3600");
+  }
+  EXPECT_TRUE(generator_->output_is_on());
+}
+
+// It would wait for two answers, 2 s each.
+TEST_F(SafeCommand, AnInterruptEndsItAtOnceAndSaysThatTheStateIsUnknown) {
+  generator_->clear_messages();
+  emulation::GeneratorFaults silent;
+  silent.silent = true;
+  silent.ignores_output_off = true;
+  generator_->set_faults(silent);
+  const Started started = start_gsbench({"safe", station(), "--wait", "60"});
+  EXPECT_TRUE(until([&] { return !generator_->messages().empty(); }));
+  const Outcome outcome = stop(started, SIGINT);
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("output state unknown"), HasSubstr("by hand")));
+  EXPECT_EQ(generator_->messages().size(), 1U) << "it ended while it waited for the first answer";
+}
+
+TEST_F(SafeCommand, AHangUpDoesNotEndIt) {
+  emulation::GeneratorFaults slow;
+  slow.answer_delay_s = 0.5;
+  generator_->clear_messages();
+  generator_->set_faults(slow);
+  const Started started = start_gsbench({"safe", station()});
+  EXPECT_TRUE(until([&] { return !generator_->messages().empty(); }));
+  EXPECT_EQ(stop(started, SIGHUP).exit_code, 0);
+  EXPECT_FALSE(generator_->output_is_on());
+}
+
 TEST_F(SafeCommand, SaysThatTheStateIsUnknownIfTheOutputStaysOn) {
   emulation::GeneratorFaults stuck;
   stuck.ignores_output_off = true;
@@ -109,7 +161,7 @@ TEST_F(SafeCommand, WarnsWhoUsesTheStationAndGoesOn) {
                 AllOf(HasSubstr("in use by another bench"), HasSubstr("profile paper/loss-500mw")));
     EXPECT_FALSE(generator_->output_is_on());
   }
-  std::filesystem::remove(station::lock_file(port));
+  std::filesystem::remove(station::lock_files(port).front());
 }
 
 TEST_F(SafeCommand, RefusesAStationWithoutASource) {
@@ -127,7 +179,7 @@ TEST_F(SafeCommand, RunOnAStationInUseIsAnError) {
     EXPECT_THAT(outcome.err, AllOf(HasSubstr(port + ": in use by another bench: user "),
                                    HasSubstr("profile paper/loss-500mw")));
   }
-  std::filesystem::remove(station::lock_file(port));
+  std::filesystem::remove(station::lock_files(port).front());
 }
 
 TEST_F(SafeCommand, DryRunPrintsThePlanAndSendsNothing) {

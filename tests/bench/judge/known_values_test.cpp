@@ -94,7 +94,7 @@ TEST(KnownValues, AreReadFromTheRecordWithALoss) {
 
 TEST(KnownValues, AreReadFromTheRecordWithACommand) {
   const SyntheticCase c = commanded();
-  expect_known(c, {"command.delay", 12.0, kExact, 0.3});
+  expect_known(c, {"command.delay", 12.0, kExact, 0.6});
   expect_known(c, {"relay.operate_time", 7.0, kExact, 0.5});
   expect_known(c, {"trip.time", 2.012, kExact, 0.3e-3});
   expect_known(c, {"decision.cause", NAN, 0.0, 0.0, "command"});

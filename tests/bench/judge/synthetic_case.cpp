@@ -45,6 +45,7 @@ SyntheticCase quiet(double falls_from_s) {
   c.outlet.settings = {{"tracker_delay_s", 0.028}, {"event_drop_hz", 0.020}};
   // 0.3 and 0.4 combine to 0.5, so a test can distinguish one uncertainty from two combined.
   c.uncertainty.relay_sense_ms = 0.3;
+  c.uncertainty.command_ms = 0.6;
   c.uncertainty.frequency_mhz = 0.1;
   c.outlet.clock = {30.0, 8.0, 0.4};
   add_reports(c);

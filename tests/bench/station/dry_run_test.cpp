@@ -28,6 +28,7 @@ TEST(DryRun, StatesSignalSourceSlotsAndClocks) {
   script.counts_ticks = false;
   script.answers_within = std::chrono::seconds(20);
   script.accuracy = "not calibrated";
+  script.sense_not_known_yet = "how late it starts";
   script.played = {0.0005, 0.001, 0.0003, {"20 points"}};
   FakeStation station(script);
   const DryRun dry = dry_run(plan(1.0), station);
@@ -43,6 +44,8 @@ TEST(DryRun, StatesSignalSourceSlotsAndClocks) {
   ASSERT_EQ(dry.clocks.size(), 3U);
   EXPECT_EQ(dry.clocks[0].what, "source");
   EXPECT_DOUBLE_EQ(dry.clocks[1].uncertainty_ms, 0.3);
+  EXPECT_EQ(dry.clocks[0].not_known_yet, "");
+  EXPECT_EQ(dry.clocks[1].not_known_yet, "how late it starts");
   EXPECT_TRUE(std::isnan(dry.clocks[2].uncertainty_ms));
 }
 

@@ -117,7 +117,7 @@ Status FakeStation::open() {
 
 void FakeStation::join(std::vector<link::OutletPresence>& joined) const {
   for (std::size_t i = 0; i < script_.outlets; ++i) {
-    if (!is_linked(i) || (is_last(i) && !script_.joins)) {
+    if (!is_linked(i) || !is_reachable(i) || (is_last(i) && !script_.joins)) {
       continue;
     }
     link::OutletPresence outlet{id_of(i), "fake", {}};
@@ -201,6 +201,16 @@ Status FakeStation::poll(link::Happenings& happenings) {
   return Done{};
 }
 
+std::vector<link::Fault> FakeStation::unreachable() {
+  std::vector<link::Fault> faults;
+  for (std::size_t i = 0; i < script_.outlets; ++i) {
+    if (is_linked(i) && !is_reachable(i)) {
+      faults.push_back({id_of(i), "cannot be reached: fake port: refused"});
+    }
+  }
+  return faults;
+}
+
 void FakeStation::close() noexcept {
   link_open_ = false;
   ++closed_;
@@ -212,8 +222,9 @@ Status FakeStation::Sense::open() {
 
 relay::Alignment FakeStation::Sense::alignment() const {
   return {
-      0.0, 1.0,
-      script_.sense_uncertainty_ticks + (polls_ > 0 ? script_.sense_uncertainty_grows_ticks : 0.0)};
+      script_.sense_count_at_tick_0, 1.0,
+      script_.sense_uncertainty_ticks + (polls_ > 0 ? script_.sense_uncertainty_grows_ticks : 0.0),
+      script_.sense_uncertainty_between_ticks};
 }
 
 Status FakeStation::Sense::poll(std::vector<relay::Edge>& edges) {

@@ -28,6 +28,11 @@ struct Script {
   std::chrono::milliseconds answers_within{0};
   double sense_uncertainty_ticks = 0.0;        // before the run
   double sense_uncertainty_grows_ticks = 0.0;  // by the first poll
+  std::string sense_not_known_yet;
+  double sense_count_at_tick_0 = 0.0;
+  double sense_uncertainty_between_ticks = 0.0;
+  std::optional<std::int64_t> sense_count_now;  // of this machine's clock, at any time
+  std::optional<source::HostClock> host_clock;  // of the source
 
   // Failures. Calls are counted from 0.
   std::string start_error;  // of the source; it is live nevertheless
@@ -37,6 +42,7 @@ struct Script {
   std::atomic<bool>* stop = nullptr;
   std::string make_safe_error;
   std::string open_error;        // of the link
+  std::size_t unreachable = 0;   // the last so many outlets: their ports cannot be opened
   std::string sense_open_error;  // of the relay sense
   std::optional<int> play_fails_at;
   std::optional<int> play_throws_at;  // drivers must not throw
@@ -94,6 +100,7 @@ class FakeStation final : public Station, private source::Source, private link::
 
  private:
   source::Limits limits() const override;
+  std::optional<source::HostClock> host_clock() const override { return script_.host_clock; }
   drivers::Result<source::Played> deviation(const source::Stimulus&) const override {
     return script_.played;
   }
@@ -109,6 +116,8 @@ class FakeStation final : public Station, private source::Source, private link::
   drivers::Status open() override;
   drivers::Status send(const std::string& id, const gs::wire::Downlink& message) override;
   drivers::Status poll(link::Happenings& happenings) override;
+  std::vector<link::Fault> missing() override { return unreachable(); }
+  std::vector<link::Fault> unreachable() override;
   void close() noexcept override;
 
   class Sense final : public relay::RelaySense {
@@ -116,6 +125,10 @@ class FakeStation final : public Station, private source::Source, private link::
     explicit Sense(const Script& script) : script_(script) {}
     drivers::Status open() override;
     relay::Alignment alignment() const override;
+    std::string not_known_yet() const override { return script_.sense_not_known_yet; }
+    std::optional<std::int64_t> count_at(std::chrono::steady_clock::time_point) const override {
+      return script_.sense_count_now;
+    }
     drivers::Status poll(std::vector<relay::Edge>& edges) override;
 
    private:
@@ -125,6 +138,9 @@ class FakeStation final : public Station, private source::Source, private link::
 
   bool is_last(std::size_t outlet) const { return outlet + 1 == script_.outlets; }
   bool is_linked(std::size_t outlet) const { return !(is_last(outlet) && script_.without_link); }
+  bool is_reachable(std::size_t outlet) const {
+    return outlet + script_.unreachable < script_.outlets;
+  }
   void join(std::vector<link::OutletPresence>& joined) const;
   // To the settings with this number, from 0.
   void answer_settings(std::size_t outlet, std::size_t number,

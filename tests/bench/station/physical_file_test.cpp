@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <station/dry_run.hpp>
 #include <station/station_file.hpp>
 
 namespace gsbench::station::test {
@@ -16,6 +17,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
+using testing::UnorderedElementsAre;
 
 class PhysicalFile : public testing::Test {
  protected:
@@ -110,6 +112,101 @@ TEST_F(PhysicalFile, NeedsAPasswordOnlyForItsLink) {
             folder_.file("pw") + ": cannot read a password from the first line of this file");
   (void)folder_.write("pw", "secret\n");
   EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(PhysicalFile, LocksAllThatOnlyOneBenchMayUse) {
+  const StationFile file = load(
+      std::string(kSourceOfSlots) +
+      "[relay]\nkind = \"modem\"\n[mqtt]\nurl = \"mqtt://127.0.0.1:1883\"\n"
+      "[[outlet]]\nplace = \"a\"\nserial_number = \"GS-7\"\nlink = \"mqtt\"\n"
+      "[[outlet]]\nplace = \"b\"\nlink = \"tcp://127.0.0.1:2\"\nrelay = \"/dev/ttyUSB9 CTS\"\n");
+  EXPECT_THAT(file.make_station(plan(0.5), {})->ports(),
+              UnorderedElementsAre("tcp://127.0.0.1:1", "/dev/ttyUSB9", "tcp://127.0.0.1:2",
+                                   "mqtt://127.0.0.1:1883/GS-7"));
+}
+
+TEST_F(PhysicalFile, RefusesWhatCannotBeAPort) {
+  const std::string head = "title = \"A station\"\nkind = \"physical\"\n";
+  const std::string more =
+      "\ninstrument = \"siglent-sdg2000x\"\ngain = 100.0\nvoltage_limit_v = 265.0\n[[outlet]]\n"
+      "place = \"a\"\nlink = \"";
+  for (const std::string wrong :
+       {"tcp://:5025", "tcp://10.0.0.5:99999", "tcp://10.0.0.5:0", "tcp://10.0.0.5",
+        "tcp://a b:5025", "tcp://a/b:5025", "http://10.0.0.5:5025", "gopher://x",
+        "TCPIP::10.0.0.5::5025::SOCKET", "ttyUSB0", "dev/ttyUSB0", "/", "/dev/"}) {
+    const auto refused_at = [&](const char* place, const char* key) {
+      return AllOf(StartsWith(folder_.file("hardware.toml") + ":" + place + ": " + key + " is \"" +
+                              wrong + "\""),
+                   HasSubstr("tcp://host:port, with a port from 1 to 65535, or the path of"));
+    };
+    EXPECT_THAT(refusal_of(head + "[source]\nkind = \"scpi\"\nport = \"" + wrong + "\"" + more +
+                           "/dev/ttyUSB0\"\n"),
+                refused_at("5:8", "port"));
+    EXPECT_THAT(refusal_of(head + "[source]\nkind = \"scpi\"\nport = \"/dev/ttyACM0\"" + more +
+                           wrong + "\"\n"),
+                refused_at("11:8", "link"));
+    EXPECT_THAT(refusal_of(head + "[serial]\nports = [\"/dev/ttyUSB0\", \"" + wrong + "\"]\n"),
+                refused_at("4:26", "ports"));
+  }
+}
+
+TEST_F(PhysicalFile, RefusesAnOutletOnThePortOfTheSource) {
+  const std::string text = std::string(kSourceOfSlots) + "[[outlet]]\nplace = \"a\"\nlink = \"";
+  EXPECT_THAT(refusal_of(text + "tcp://127.0.0.1:1\"\n"),
+              AllOf(StartsWith(folder_.file("hardware.toml") + ":12:8: link is "),
+                    HasSubstr("the port of the source")));
+  EXPECT_EQ(refusal_of(text + "tcp://127.0.0.1:2\"\n"), "");
+}
+
+TEST_F(PhysicalFile, RefusesABaudRateThatNoPortHas) {
+  const std::string serial =
+      "title = \"A station\"\nkind = \"physical\"\n[serial]\nports = [\"/dev/ttyUSB0\"]\n";
+  EXPECT_THAT(refusal_of(serial + "baud = 12345\n"),
+              AllOf(StartsWith(folder_.file("hardware.toml") + ":5:8: baud is 12345"),
+                    HasSubstr(" 9600, ")));
+  EXPECT_EQ(refusal_of(serial + "baud = 460800\n"), "");
+  const std::string slot = "[[outlet]]\nplace = \"a\"\nlink = \"/dev/ttyUSB0\"\n";
+  EXPECT_THAT(refusal_of(kSourceOfSlots + ("baud = 115201\n" + slot)),
+              StartsWith(folder_.file("hardware.toml") + ":10:8: baud is 115201"));
+  EXPECT_EQ(refusal_of(kSourceOfSlots + ("baud = 9600\n" + slot)), "");
+}
+
+TEST_F(PhysicalFile, RefusesAHeadThatCannotPlayNominalVoltage) {
+  const auto head = [](const std::string& gain, const std::string& full_scale_v) {
+    return "title = \"A station\"\nkind = \"physical\"\n[source]\nkind = \"head\"\n"
+           "port = \"/dev/ttyACM0\"\ngain = " +
+           gain + "\nvoltage_limit_v = 265.0\ndac_full_scale_v = " + full_scale_v +
+           "\n[[outlet]]\nplace = \"a\"\nlink = \"/dev/ttyUSB0\"\n";
+  };
+  for (const std::string& text : {head("1.0", "1.5"), head("240.0", "1e-9")}) {
+    EXPECT_THAT(refusal_of(text), AllOf(StartsWith(folder_.file("hardware.toml") + ":6:8: "),
+                                        HasSubstr("nominal voltage, 325.3 V peak, is beyond")));
+  }
+  EXPECT_EQ(refusal_of(head("240.0", "1.5")), "");
+}
+
+// The table of bench/station/README.md, with boot_s = 12.
+TEST_F(PhysicalFile, PlaysRunsAsLongAsTheGuideStates) {
+  const auto refusal = [&](const std::string& instrument, double signal_s,
+                           const std::string& boot = "boot_s = 12.0") {
+    std::string text = std::string(kSourceOfSlots) +
+                       "[[outlet]]\nplace = \"a\"\nlink = \"/dev/nowhere-0\"\n"
+                       "[[outlet]]\nplace = \"b\"\nlink = \"/dev/nowhere-1\"\n";
+    const std::string shipped = "siglent-sdg2000x";
+    text.replace(text.find(shipped), shipped.size(), instrument);
+    text.replace(text.find("boot_s = 12.0"), 13, boot);
+    const profile::Plan longest = plan(signal_s);
+    const auto station = load(text).make_station(longest, {});
+    return gsbench::test::refusal_of<profile::ConfigurationError>(
+        [&] { (void)dry_run(longest, *station); });
+  };
+  EXPECT_EQ(refusal("keysight-33500b", 34.0 - 12.0), "");
+  EXPECT_THAT(refusal("keysight-33500b", 35.0 - 12.0), HasSubstr("voltage by 2.04 %"));
+  EXPECT_EQ(refusal("rigol-dg1000z", 76.0 - 12.0), "");
+  EXPECT_THAT(refusal("rigol-dg1000z", 77.0 - 12.0), HasSubstr("voltage by 2.04 %"));
+  EXPECT_EQ(refusal("siglent-sdg2000x", 60.0), "");
+  EXPECT_THAT(refusal("siglent-sdg1000x", 6.0, "boot_s = 0.0"),
+              HasSubstr("the voltage would deviate by up to 12.5"));
 }
 
 TEST_F(PhysicalFile, RefusesAnInstrumentThatIsUnknown) {

@@ -86,6 +86,29 @@ TEST(RunEnd, LinkThatDoesNotOpenIsError) {
   expect_error(with(&Script::open_error, "fake link: no broker"), "fake link: no broker");
 }
 
+TEST(RunEnd, OutletThatCannotBeReachedIsFaulty) {
+  expect_fault_of_the_last(with(&Script::unreachable, std::size_t{1}),
+                           "cannot be reached: fake port: refused");
+}
+
+TEST(RunEnd, NoOutletThatCanBeReachedIsErrorBeforeTheSourceIsEnergised) {
+  Script script = with(&Script::unreachable, std::size_t{2});
+  FakeStation station(script);
+  const record::RunRecord record = play(station);
+  EXPECT_EQ(record.verdict, Verdict::kError);
+  EXPECT_EQ(record.fault,
+            "outlet on serial-1 cannot be reached: fake port: refused; no outlet is left");
+  EXPECT_FALSE(station.was_energised());
+  script.without_link = true;
+  FakeStation with_contact(script);
+  (void)play(with_contact, {},
+             parse("title = \"A test\"\nsource = \"None\"\n[grid]\n"
+                   "system = \"ieee24\"\n[signal]\nduration_s = 1.0\n"
+                   "[[outlet]]\ncount = 2\n[[expect]]\n"
+                   "measure = \"relay.end\"\nequals = \"open\"\n"));
+  EXPECT_TRUE(with_contact.was_energised());
+}
+
 // Without its relay sense a run could not judge the contacts, so no outlet gets voltage for it.
 TEST(RunEnd, RelaySenseThatDoesNotOpenIsErrorBeforeTheSourceIsEnergised) {
   FakeStation station(with(&Script::sense_open_error, "/dev/ttyUSB1: No such file or directory"));

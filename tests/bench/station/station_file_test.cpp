@@ -173,18 +173,18 @@ TEST_F(StationFiles, AreRefusedWithLineColumnAndReason) {
       {physical + "[[outlet]]\nplace = \"a\"\nserial_number = \"a\"\nlink = \"mqtt\"\n", "6:8",
        "the station has no broker; add [mqtt]"},
       {physical +
-           "[[outlet]]\nplace = \"a\"\nlink = \"p\"\n[[outlet]]\nplace = \"a\"\nlink = \"q\"\n",
+           "[[outlet]]\nplace = \"a\"\nlink = \"/p\"\n[[outlet]]\nplace = \"a\"\nlink = \"/q\"\n",
        "7:9", "must be unique"},
       {physical +
-           "[[outlet]]\nplace = \"a\"\nlink = \"p\"\n[[outlet]]\nplace = \"b\"\nlink = \"p\"\n",
+           "[[outlet]]\nplace = \"a\"\nlink = \"/p\"\n[[outlet]]\nplace = \"b\"\nlink = \"/p\"\n",
        "8:8", "must be unique"},
-      {physical + "[[outlet]]\nplace = \"a\"\nlink = \"p\"\n[[outlet]]\nplace = \"b\"\n"
-                  "serial_number = \"a\"\nlink = \"q\"\n",
+      {physical + "[[outlet]]\nplace = \"a\"\nlink = \"/p\"\n[[outlet]]\nplace = \"b\"\n"
+                  "serial_number = \"a\"\nlink = \"/q\"\n",
        "8:17", "must be unique"},
-      {physical + "[serial]\nports = [\"p\"]\n[[outlet]]\nplace = \"a\"\nlink = \"q\"\n", "4:9",
+      {physical + "[serial]\nports = [\"/p\"]\n[[outlet]]\nplace = \"a\"\nlink = \"/q\"\n", "4:9",
        "as the link of its [[outlet]]"},
       {physical + "[mqtt]\nurl = \"mqtt://b:1\"\noutlets = [\"x\"]\n[[outlet]]\nplace = \"a\"\n"
-                  "link = \"q\"\n",
+                  "link = \"/q\"\n",
        "5:11", "as an [[outlet]] with link"},
   };
   for (const auto& [text, place, message] : all) {

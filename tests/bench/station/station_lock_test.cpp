@@ -10,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <station/run.hpp>
@@ -26,8 +27,17 @@ class Lock : public testing::Test {
  protected:
   // Ports of this process, so that tests that run at the same time do not meet.
   std::string port(const std::string& name) {
-    std::string port = "tcp://test-" + std::to_string(::getpid()) + ":" + name;
-    files_.push_back(lock_file(port));
+    const int pid = ::getpid();
+    const std::string port =
+        fmt::format("tcp://127.{}.{}.{}:{}", pid >> 16U & 255U, pid >> 8U & 255U, pid & 255U, name);
+    return known(port);
+  }
+
+  // Its files are removed after the test.
+  std::string known(const std::string& port) {
+    for (const std::string& file : lock_files(port)) {
+      files_.push_back(file);
+    }
     return port;
   }
 
@@ -105,7 +115,7 @@ TEST_F(Lock, FileMayBeUsedByAllUsers) {
   const std::string one = port("1");
   const StationLock lock({one}, "profile first");
   struct stat state {};
-  ASSERT_EQ(::stat(lock_file(one).c_str(), &state), 0);
+  ASSERT_EQ(::stat(lock_files(one).front().c_str(), &state), 0);
   EXPECT_EQ(state.st_mode & 0777U, 0666U);
 }
 
@@ -114,8 +124,37 @@ TEST_F(Lock, TwoNamesOfADeviceHaveOneLock) {
   const std::string device = folder.write("ttyUSB0", "");
   const std::string link = folder.file("by-id");
   std::filesystem::create_symlink(device, link);
-  EXPECT_EQ(lock_file(link), lock_file(device));
-  EXPECT_NE(lock_file(device + "1"), lock_file(device));
+  EXPECT_EQ(lock_files(link), lock_files(device));
+  EXPECT_NE(lock_files(device + "1"), lock_files(device));
+}
+
+TEST_F(Lock, TwoNamesOfAHostHaveOneLock) {
+  const std::string number = std::to_string(::getpid());  // as a port; nothing is opened
+  const std::string name = known("tcp://localhost:" + number);
+  const std::string address = known("tcp://127.0.0.1:" + number);
+  {
+    const StationLock lock({name}, "profile first");
+    EXPECT_THAT(refusal_of({address}), HasSubstr("profile first"));
+    EXPECT_THAT(lock_holder(address), HasSubstr("profile first"));
+    EXPECT_EQ(refusal_of({address + "1"}), "");
+    known(address + "1");
+  }
+  const StationLock lock({address}, "profile second");
+  EXPECT_THAT(refusal_of({name}), HasSubstr("profile second"));
+}
+
+TEST_F(Lock, HostThatCannotBeLookedUpIsLockedByItsName) {
+  const std::string nowhere = known("tcp://no such host:" + std::to_string(::getpid()));
+  const StationLock lock({nowhere}, "profile first");
+  EXPECT_NE(refusal_of({nowhere}), "");
+}
+
+TEST_F(Lock, OutletBehindABrokerIsLockedWithAndWithoutTls) {
+  const std::string id = "outlet-" + std::to_string(::getpid());
+  const std::string outlet = known("mqtts://localhost:8883/" + id);
+  const StationLock lock({outlet}, "profile first");
+  EXPECT_THAT(refusal_of({known("mqtt://127.0.0.1:1883/" + id)}), HasSubstr("profile first"));
+  EXPECT_EQ(refusal_of({known("mqtts://localhost:8883/" + id + "2")}), "");
 }
 
 TEST_F(Lock, RunIsRefusedBeforeAnythingIsTouched) {

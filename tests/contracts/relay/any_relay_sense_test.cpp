@@ -36,7 +36,8 @@ INSTANTIATE_TEST_SUITE_P(Simulated, AnyRelaySense, testing::Values(&simulated_se
 INSTANTIATE_TEST_SUITE_P(Emulated, AnyRelaySense, testing::Values(&emulated_sense));
 INSTANTIATE_TEST_SUITE_P(Head, AnyRelaySense, testing::Values(&head_sense));
 INSTANTIATE_TEST_SUITE_P(Counter, AnyRelaySense, testing::Values(&counter_sense));
-INSTANTIATE_TEST_SUITE_P(ModemLine, AnyRelaySense, testing::Values(&modem_line_sense));
+INSTANTIATE_TEST_SUITE_P(ModemLine, AnyRelaySense,
+                         testing::Values(&modem_line_sense, &modem_line_sense_of_a_generator));
 INSTANTIATE_TEST_SUITE_P(Terminals, AnyRelaySense, testing::Values(&terminal_sense));
 
 TEST_P(AnyRelaySense, ReportsAnOpeningOnceByChannelAndTick) {

@@ -4,6 +4,8 @@
 #include <test_support/demand.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <vector>
 
 #include <models/relay_model.hpp>
@@ -15,16 +17,23 @@ constexpr std::int64_t kModemRate_hz = 8000;
 constexpr auto kTick = std::chrono::nanoseconds(1'000'000'000 / kModemRate_hz);
 constexpr const char* kPorts[] = {"/dev/one", "/dev/two"};
 
+// How the source's start is known: its true error, and the uncertainty that the source states.
+struct Start {
+  double late_s;
+  double uncertainty_s;
+};
+
 // Two adapters in virtual time. The source's clock is 100 ppm slow.
 class ModemLineRig final : public RelayRig {
  public:
-  ModemLineRig() {
+  explicit ModemLineRig(const Start& known) : known_(known) {
     for (const char* port : kPorts) {
       lines_.set(port, TIOCM_CTS);
     }
     demand(sense_.open());
     start_ = lines_.now();
-    source_.clock = {start_, 1.0001 / kModemRate_hz, 0.0001};
+    source_.clock = {start_ - std::chrono::microseconds(std::llround(1e6 * known.late_s)),
+                     1.0001 / kModemRate_hz, known.uncertainty_s};
   }
   ~ModemLineRig() override { lines_.end(); }
 
@@ -47,8 +56,10 @@ class ModemLineRig final : public RelayRig {
     pass_until(until_tick);
     tick_ = until_tick;
   }
-  // Readings 1 ms apart, 1 ms of the adapter, 0.1 ms of the source, half a tick: 1.66 ms.
-  double most_uncertain_ticks() const override { return 14.0; }
+  // Half of the 1 ms between readings, 1 ms of the adapter, half a tick, and that of the source.
+  double most_uncertain_ticks() const override {
+    return (0.0015 + known_.uncertainty_s) * kModemRate_hz + 0.5 + 0.1;
+  }
 
  private:
   struct Due {
@@ -63,6 +74,7 @@ class ModemLineRig final : public RelayRig {
     lines_.advance(end - lines_.now());
   }
 
+  Start known_;
   ModemLines lines_;
   ClockedSource source_;
   relay::ModemLineSense sense_{
@@ -78,7 +90,12 @@ class ModemLineRig final : public RelayRig {
 }  // namespace
 
 std::unique_ptr<RelayRig> modem_line_sense() {
-  return std::make_unique<ModemLineRig>();
+  return std::make_unique<ModemLineRig>(Start{0.0, 0.0001});
+}
+
+// The trigger's latency is not what the instrument's file states.
+std::unique_ptr<RelayRig> modem_line_sense_of_a_generator() {
+  return std::make_unique<ModemLineRig>(Start{0.0095, 0.01});
 }
 
 }  // namespace gsbench::test

@@ -23,6 +23,7 @@ std::unique_ptr<RelayRig> simulated_sense();
 std::unique_ptr<RelayRig> emulated_sense();
 std::unique_ptr<RelayRig> head_sense();
 std::unique_ptr<RelayRig> modem_line_sense();
+std::unique_ptr<RelayRig> modem_line_sense_of_a_generator();
 std::unique_ptr<RelayRig> terminal_sense();
 // Not a driver: a model of a relay sense with its own clock, to test alignment.
 std::unique_ptr<RelayRig> counter_sense();

@@ -7,6 +7,8 @@
 
 #include <gmock/gmock.h>
 
+#include <station/instrument_file.hpp>
+
 namespace gsbench::test {
 namespace {
 
@@ -45,33 +47,41 @@ struct Mistake {
 
 const Mistake kMistakes[] = {
     {"NewlinesInTheWaveform", kSdg2042x, [](Instrument& of) { of.quirks.clear(); },
-     "not stored as sent"},
+     "not stored as sent: 238 bytes instead of 31682"},
     {"NewlinesInTheWaveformOfASmallOne", kSdg1032x,
-     [](Instrument& of) { of.quirks = {scpi::Quirk::kFixedLength}; }, "not stored as sent"},
+     [](Instrument& of) { of.quirks = {scpi::Quirk::kFixedLength}; },
+     "not stored as sent: 772 bytes instead of 32768"},
+    {"QueryThatIsUnknownToASiglent", kSdg2042x,
+     [](Instrument& of) { setting(of, "burst").asked.query = "C1:BURST?"; },
+     "no answer to \"C1:BURST?\" within 0.3 s; it does not answer what it does not know"},
     {"FunctionBesideOtherFields", kSdg2042x,
      [](Instrument& of) { setting(of, "function").commands = {"C1:BSWV WVTP,ARB,FRQ,1000"}; },
-     "but"},
+     "playing point by point is DDS, but TARB was set"},
     {"BurstSetBeforeItIsOn", kSdg2042x,
-     [](Instrument& of) { move_behind(of, "burst", "burst cycles"); }, "burst"},
+     [](Instrument& of) { move_behind(of, "burst", "burst cycles"); },
+     "burst trigger is INT, but MAN was set"},
     {"AmplitudeForAnotherLoad", kSdg2042x,
      [](Instrument& of) { setting(of, "load").commands = {"C1:OUTP LOAD,50"}; },
      "load is 50, but HZ was set"},
     {"LoadNotSet", k33522b, [](Instrument& of) { setting(of, "load").commands.clear(); },
-     "load is +5.0"},
+     "load is +5.000000000000000E+01, but 9.9E37 was set"},
     {"AmplitudeBeforeLoad", k33522b, [](Instrument& of) { move_behind(of, "load", "amplitude"); },
-     "amplitude is"},
+     "amplitude is +1.302000000000000E+01, but 6.51 was set"},
     {"AmplitudeBeforeLoadOfARigol", kDg1062z,
-     [](Instrument& of) { move_behind(of, "load", "amplitude"); }, "amplitude is"},
+     [](Instrument& of) { move_behind(of, "load", "amplitude"); },
+     "amplitude is 1.301200E+01, but 6.506 was set"},
     {"PolarityNotSet", kSdg2042x,
      [](Instrument& of) { setting(of, "polarity").commands = {"C1:OUTP PLRT,INVT"}; },
      "polarity is INVT, but NOR was set"},
     {"WaveformNotSelected", kSdg2042x,
-     [](Instrument& of) { setting(of, "waveform").commands.clear(); }, "waveform"},
+     [](Instrument& of) { setting(of, "waveform").commands.clear(); },
+     "waveform is StairUp, but gsbench was set"},
     {"PlayedByDds", kSdg2042x,
      [](Instrument& of) { setting(of, "playing point by point").commands = {"C1:SRATE MODE,DDS"}; },
      "playing point by point is DDS, but TARB was set"},
     {"WrongBlockFormOfASiglent", kSdg2042x,
-     [](Instrument& of) { of.format.block = scpi::Block::kBlock; }, "stored"},
+     [](Instrument& of) { of.format.block = scpi::Block::kBlock; },
+     "not stored as sent: byte 0 is 0x23 instead of 0x00"},
     {"ByteOrderNotSet", k33522b, [](Instrument& of) { setting(of, "byte order").commands.clear(); },
      "byte order is NORM, but SWAP was set"},
     {"MemoryNotCleared", k33522b,
@@ -79,29 +89,35 @@ const Mistake kMistakes[] = {
        of.dialect.clear.clear();
        of.dialect.reset = {"*CLS"};
      },
-     "reports an error after the upload"},
+     "reports an error after the upload: +786,"},
     {"WrongBlockFormOfAKeysight", k33522b,
-     [](Instrument& of) { of.format.block = scpi::Block::kRaw; }, "error"},
+     [](Instrument& of) { of.format.block = scpi::Block::kRaw; },
+     "reports an error after the upload: -104,"},
     {"FilterNotSwitchedOff", k33522b,
-     [](Instrument& of) { setting(of, "filter").commands.clear(); }, "filter is"},
-    {"PacketsTooLarge", kDg1062z, [](Instrument& of) { of.memory.packet_points = 16384; }, "error"},
+     [](Instrument& of) { setting(of, "filter").commands.clear(); },
+     "filter is STEP, but OFF was set"},
+    {"PacketsTooLarge", kDg1062z, [](Instrument& of) { of.memory.packet_points = 16384; },
+     "reports an error after the upload: -223,"},
     {"PacketsTooFast", kDg1062z, [](Instrument& of) { of.timing.packet_s = 0.0; },
-     "number of points is"},
+     "but 15841 was set"},
     {"EveryPacketTheLast", kDg1062z, [](Instrument& of) { of.dialect.more_part = "END"; },
-     "number of points is"},
+     "number of points is 7649, but 15841 was set"},
     {"NoPacketTheLast", kDg1062z, [](Instrument& of) { of.dialect.last_part = "CON"; },
-     "number of points is"},
+     "number of points is 8, but 15841 was set"},
     {"WrongByteOrderOfPackets", kDg1062z,
-     [](Instrument& of) { of.format.byte_order = scpi::ByteOrder::kBig; }, "error"},
+     [](Instrument& of) { of.format.byte_order = scpi::ByteOrder::kBig; },
+     "reports an error after the upload: -222,"},
     {"SignedCodesOfARigol", kDg1062z,
-     [](Instrument& of) { of.format.codes = scpi::Codes::kSigned; }, "error"},
+     [](Instrument& of) { of.format.codes = scpi::Codes::kSigned; },
+     "reports an error after the upload: -222,"},
     {"BurstBeforeTheUpload", kDg1062z,
      [](Instrument& of) { setting(of, "burst").when = scpi::When::kBeforeUpload; },
      "burst is OFF, but ON|1 was set"},
     {"UploadSwitchesTheOutputOn", kDg1062z, [](Instrument& of) { of.quirks.clear(); },
      "the output is on, but off was set"},
     {"OlderSyntax", kDg1062z,
-     [](Instrument& of) { of.dialect.upload = ":SOUR1:DATA:DAC VOLATILE,{part},"; }, "error"},
+     [](Instrument& of) { of.dialect.upload = ":SOUR1:DATA:DAC VOLATILE,{part},"; },
+     "reports an error after the upload: -220,"},
     {"IdleAtTheTop", kDg1062z,
      [](Instrument& of) {
        setting(of, "level between bursts").commands = {":SOUR1:BURS:IDLE TOP"};
@@ -135,6 +151,17 @@ TEST_P(PlantedMistake, IsFound) {
   EXPECT_THAT(prepared.error(), HasSubstr(GetParam().found));
   EXPECT_TRUE(source->make_safe().ok());
   EXPECT_FALSE(rig.output_is_on());
+}
+
+// Played at a frequency, a waveform that does not fill the memory would be stretched.
+TEST(PlantedMistakes, OfALengthThatIsNotFixedAreFoundInTheDescription) {
+  Instrument altered = station::load_instrument("siglent-sdg1000x");
+  EXPECT_TRUE(scpi::check(altered).ok());
+  altered.quirks = {scpi::Quirk::kAvoidNewline, scpi::Quirk::kSilentIfUnknown};
+  const auto checked = scpi::check(altered);
+  ASSERT_FALSE(checked.ok());
+  EXPECT_THAT(checked.error(),
+              HasSubstr("the frequency of the whole memory needs waveforms of a fixed length"));
 }
 
 // The same circumstances, without a mistake.

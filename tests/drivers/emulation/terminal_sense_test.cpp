@@ -78,6 +78,16 @@ TEST_F(AtTheTerminals, TheDipGivesTick0WithinTenMicroseconds) {
   EXPECT_NEAR(sense_.alignment().counts_per_tick, 8.0 * (1.0 - 200e-6), 1e-6);
 }
 
+// The source's clock on this machine, which is 10 ms wrong here, has no influence.
+TEST_F(AtTheTerminals, TheDipGivesTheTickOfAnInstantOfThisMachine) {
+  source_.clock = {time_.start + std::chrono::milliseconds(1010), 1.0 / 8000.0, 0.01};
+  play(1.0, 1.0);
+  const auto count = sense_.count_at(time_.start + std::chrono::milliseconds(2000));
+  // 0.2 ms of 1 s: the source's clock is fast. Half a tick of rounding for each.
+  EXPECT_NEAR(static_cast<double>(sense_.alignment().tick_of(count.value())), 8001.6, 0.5);
+  EXPECT_NEAR(sense_.alignment().uncertainty_between_ticks, 1.5, 1e-9);
+}
+
 TEST_F(AtTheTerminals, AnErrorOfTheAmplitudeDoesNotMoveTick0) {
   play(1.5, 0.97);
   EXPECT_NEAR(tick_0_s(), 1.5, 20e-6);
@@ -121,6 +131,12 @@ TEST_F(AtTheTerminals, EdgesWaitForTheDip) {
 TEST_F(AtTheTerminals, WithoutADipTheSourcesClockOnTheHostGivesTick0) {
   stimulus_.has_dip = false;
   TerminalSense sense(stimulus_, source_, 0.0, time_);
+  EXPECT_FALSE(sense.is_aligned_by_dips());
+  EXPECT_TRUE(sense_.is_aligned_by_dips());
+  source_.known.host_clock_uncertainty_s = 0.01;
+  EXPECT_NEAR(sense.alignment().uncertainty_ticks, 81.0, 1e-9) << "as later in the run";
+  EXPECT_NE(sense.not_known_yet(), "");
+  EXPECT_EQ(sense_.not_known_yet(), "");
   std::vector<relay::Edge> edges;
   sense.moved(0, 100, false);
   EXPECT_TRUE(sense.poll(edges).ok());

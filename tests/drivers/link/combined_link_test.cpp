@@ -43,6 +43,7 @@ class Scripted final : public Link {
     return drivers::Done{};
   }
   std::vector<Fault> missing() override { return {{"absent", "is not on scripted"}}; }
+  std::vector<Fault> unreachable() override { return {{"port", "cannot be reached"}}; }
   void close() noexcept override {}
 
  private:
@@ -98,6 +99,7 @@ TEST_F(TwoLinks, AreCombinedByTheIdsOfTheirOutlets) {
   EXPECT_EQ(happenings.messages[2].id, "c");
   ASSERT_EQ(happenings.faults.size(), 3U);
   EXPECT_EQ(happenings.faults[2].what, "of c");
+  EXPECT_EQ(link_->unreachable().size(), 2U);
 }
 
 TEST_F(TwoLinks, ReportTheSameIdOnBothLinksAsAFaultOfBothOutlets) {

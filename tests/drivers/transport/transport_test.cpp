@@ -221,8 +221,10 @@ TEST(Tcp, ReportsAPortWithoutAListener) {
 TEST(Tcp, RefusesInvalidAddresses) {
   for (const std::string wrong : {"tcp://", "tcp://host", "tcp://host:", "tcp://:5000",
                                   "tcp://host:65536", "tcp://host:http", "tcp://host:123456"}) {
-    EXPECT_EQ(check_port(wrong).error(), wrong + ": is not of the form tcp://host:port");
-    EXPECT_EQ(refusal(wrong), wrong + ": is not of the form tcp://host:port");
+    EXPECT_EQ(check_port(wrong).error(),
+              wrong + ": is not of the form tcp://host:port, with a port from 1 to 65535");
+    EXPECT_EQ(refusal(wrong),
+              wrong + ": is not of the form tcp://host:port, with a port from 1 to 65535");
   }
 }
 

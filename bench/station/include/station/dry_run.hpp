@@ -23,7 +23,8 @@ struct DryRun {
   struct Clock {
     std::string what;
     std::string aligned_by;
-    double uncertainty_ms = 0.0;  // NaN: measured in the run
+    double uncertainty_ms = 0.0;     // NaN: measured in the run
+    std::string not_known_yet = {};  // what adds to it in the run; empty: nothing
   };
   std::vector<Clock> clocks;
 };

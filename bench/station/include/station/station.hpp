@@ -44,7 +44,7 @@ class Station {
   virtual std::string source_accuracy() const { return {}; }
   // How the times of the relay sense are aligned with the source's, for reports.
   virtual std::string relay_aligned_by() const { return "counts the source's ticks"; }
-  // Ports that only one bench at a time may use.
+  // What only one bench at a time may use, as StationLock takes it.
   virtual std::vector<std::string> ports() const { return {}; }
   // Duration of one block of the signal. Short if the run is in real time, otherwise long.
   virtual double block_s() const = 0;

@@ -45,7 +45,8 @@ struct StationFile {
   std::function<std::unique_ptr<Station>(const profile::Plan&, const SimulatedOptions&)>
       make_station = {};
   // The source of a physical station, not connected, and its port. Without them there is nothing to
-  // make safe once the bench has ended. Throws std::runtime_error.
+  // make safe once the bench has ended. Its make_safe() makes one attempt. Throws
+  // std::runtime_error.
   std::function<std::shared_ptr<source::Source>()> make_source = {};
   std::string source_port = {};
 };

@@ -37,6 +37,7 @@ struct GeneratorOptions {
 struct GeneratorFaults {
   bool silent = false;            // executes commands and answers nothing
   double answer_delay_s = 0.0;    // each answer, and what follows it, waits so long
+  double receive_bytes_s = 0.0;   // takes bytes from the network so slowly; 0: at once
   bool half_answers = false;      // sends the first half of the next answer, then nothing more
   bool garbage_answers = false;   // answers have other bytes, of the same length
   int drop_at_message = 0;        // closes the connection instead of executing the n-th message

@@ -4,10 +4,12 @@
 // has no dip, Source::host_clock() aligns it.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <drivers/result.hpp>
@@ -50,6 +52,9 @@ class TerminalSense final : public relay::RelaySense {
 
   // Counts are steps of true time.
   relay::Alignment alignment() const override;
+  std::string not_known_yet() const override;
+  bool is_aligned_by_dips() const { return aligned_by_dips_; }
+  std::optional<std::int64_t> count_at(std::chrono::steady_clock::time_point time) const override;
   // Edges are held back until the dip has been seen. An error if it has not been seen 1 s after the
   // source says that it was played.
   drivers::Status poll(std::vector<relay::Edge>& edges) override;
@@ -59,6 +64,7 @@ class TerminalSense final : public relay::RelaySense {
   TrueTime time_;
   double rate_hz_;
   double steps_per_tick_;
+  bool aligned_by_dips_ = false;
   double dip_ticks_ = 0.0;
   mutable std::mutex mutex_;
   // Under mutex_:

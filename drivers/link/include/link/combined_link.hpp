@@ -19,9 +19,12 @@ class CombinedLink final : public Link {
                                      const gs::wire::Downlink& message) override;
   [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
   std::vector<Fault> missing() override;
+  std::vector<Fault> unreachable() override;
   void close() noexcept override;
 
  private:
+  std::vector<Fault> of_all(std::vector<Fault> (Link::*faults)());
+
   std::vector<std::unique_ptr<Link>> links_;
   std::map<std::string, Link*> link_of_;  // by the ids of the outlets that have joined
 };

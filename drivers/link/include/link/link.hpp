@@ -70,6 +70,9 @@ class Link {
   [[nodiscard]] virtual drivers::Status poll(Happenings& happenings) = 0;
   // Outlets that have not joined, although they were asked for or seen. With the reason if known.
   virtual std::vector<Fault> missing() { return {}; }
+  // Outlets whose own port cannot be opened now, by place, with the reason. The others are not
+  // affected. An open link goes on trying, and such an outlet may join later.
+  virtual std::vector<Fault> unreachable() { return {}; }
   virtual void close() noexcept = 0;
 };
 

@@ -36,6 +36,8 @@ struct Limits {
   std::vector<int> nominal_hz;
   bool noise_per_outlet = false;   // true: independent noise for each outlet; false: the same
   std::string full_scale_is = {};  // for messages: "the voltage limit"; empty: the hardware's
+  // What is known before the start of the uncertainty of host_clock(), ±.
+  double host_clock_uncertainty_s = 0.0;
 };
 
 // How a stimulus would be played, and the largest deviations of the played voltage from the

@@ -60,9 +60,17 @@ class Transport {
 // `port`: "tcp://127.0.0.1:5000", or a serial port: "/dev/ttyUSB0".
 std::unique_ptr<Transport> make_transport(const std::string& port, int baud = kBaud);
 
+// An error if `port` is neither of the form tcp://host:port nor the absolute path of a device.
+// Looks at nothing but the text.
+[[nodiscard]] drivers::Status check_form(const std::string& port);
+
 // An error if `port` is neither a device that may be read and written nor of the form
 // tcp://host:port. Does not open it.
 [[nodiscard]] drivers::Status check_port(const std::string& port);
+
+// The addresses that the name of a host leads to: "127.0.0.1", "::1"; the name itself if it cannot
+// be looked up. Blocks for the look-up.
+std::vector<std::string> addresses_of(const std::string& host);
 
 // The serial ports of this machine.
 std::vector<std::string> serial_ports();

@@ -112,6 +112,7 @@ struct Recording {
 // Uncertainty of the bench, expanded (k = 2), without that of the outlets' clocks.
 struct BenchUncertainty {
   double relay_sense_ms = 0.0;  // of the time of an edge on the time base of the run
+  double command_ms = 0.0;      // of the time from the sending of a command to an edge
   // Of the played voltage, as the source states them.
   double frequency_mhz = 0.0;
   double voltage_pct = 0.0;  // of the nominal peak amplitude

@@ -51,19 +51,29 @@ TEST_F(Ports, ASilentPortIsFaultyUntilItsOutletAnswers) {
   EXPECT_TRUE(answers(kA));
 }
 
-TEST_F(Ports, UnusablePortsAreSkippedInDiscovery) {
-  FramedOptions looking = options();
-  looking.ports.insert(looking.ports.begin(), {unconnected_->bench_end(), "/dev/no-such-port"});
-  looking.skip_unusable = true;
-  LinkFixture::open(std::make_shared<FramedLink>(looking), options().ports, kPatience);
+TEST_F(Ports, APortThatCannotBeOpenedIsFaultyAndTheOthersAreNotAffected) {
+  FramedOptions some = options();
+  some.ports.insert(some.ports.begin(), {unconnected_->bench_end(), "/dev/no-such-port"});
+  open(some);
+  ASSERT_THAT(present_, SizeIs(4));
+  EXPECT_EQ(present(unconnected_->bench_end()).fault, "does not answer");
+  EXPECT_EQ(present("/dev/no-such-port").where, "");
+  EXPECT_THAT(present("/dev/no-such-port").fault,
+              HasSubstr("cannot be reached: /dev/no-such-port: cannot be found"));
   EXPECT_EQ(present(kA).fault, "");
   EXPECT_TRUE(answers(kA));
 }
 
-TEST_F(Ports, AnUnusablePortIsAnErrorOtherwise) {
-  FramedOptions wrong = options();
-  wrong.ports.emplace_back("/dev/no-such-port");
-  EXPECT_THAT(refusal(FramedLink(wrong)), HasSubstr("/dev/no-such-port: cannot be found"));
+TEST_F(Ports, AnOutletJoinsOnceItsPortCanBeOpened) {
+  cable(kA).unplug();
+  open();
+  EXPECT_THAT(present(port(kA)).fault, HasSubstr("Connection refused"));
+  EXPECT_THAT(link_->unreachable(), SizeIs(1));
+  ASSERT_TRUE(cable(kA).plug_in().ok());
+  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
+  EXPECT_EQ(joined_[0].id, kA);
+  EXPECT_TRUE(answers(kA));
+  EXPECT_THAT(link_->unreachable(), IsEmpty());
 }
 
 }  // namespace

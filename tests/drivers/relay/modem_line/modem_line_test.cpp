@@ -87,8 +87,21 @@ TEST_F(OnModemLines, AnEdgeIsStampedBetweenItsTwoReadings) {
   EXPECT_NEAR(uncertainty_s(), 0.0017 + 0.0000625, 1e-7);
 }
 
-TEST_F(OnModemLines, StatesItsUncertaintyBeforeTheSourceStarts) {
+// The uncertainty of the source's clock on this machine is in both.
+TEST_F(OnModemLines, AnInstantOfThisMachineIsCountedLikeAnEdge) {
+  const ModemLineSense& sense = open();
+  source_.clock->uncertainty_s = 0.01;
+  const Alignment alignment = sense.alignment();
+  EXPECT_EQ(alignment.tick_of(sense.count_at(lines_.now() + kMillisecond).value()), 8);
+  EXPECT_NEAR(alignment.uncertainty_ticks / 8.0, 11.5 + 0.0625, 1e-6);
+  EXPECT_NEAR(alignment.uncertainty_between_ticks / 8.0, 1.5 + 0.125, 1e-6);
+}
+
+TEST_F(OnModemLines, StatesWhatIsKnownOfItsUncertaintyBeforeTheSourceStarts) {
   EXPECT_NEAR(uncertainty_s(), 0.0015 + 0.0000625, 1e-7);
+  source_.known.host_clock_uncertainty_s = 0.01;
+  EXPECT_NEAR(uncertainty_s(), 0.0115 + 0.0000625, 1e-7);
+  EXPECT_THAT(sense_.not_known_yet(), HasSubstr("how late the source starts"));
 }
 
 TEST_F(OnModemLines, ABusyMachineIncreasesTheUncertaintyOfTheEdgesItDelays) {

@@ -45,6 +45,46 @@ TEST_P(PlansOf, HaveFourPointsATickIfTheMemoryIsLarge) {
   EXPECT_EQ(plan.codes.size(), static_cast<std::size_t>(std::lround(17.01 * 32000.0)) + 1);
 }
 
+// 30 degrees at a zero crossing, between the ticks 16 000 and 16 001.
+struct PhaseStep final : Mains {
+  void render(std::int64_t first_tick, std::size_t count, float* out) const override {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int64_t tick = first_tick + static_cast<std::int64_t>(i);
+      const double turns =
+          0.25 + static_cast<double>(tick % 160) / 160.0 + (tick > 16000 ? 1.0 / 12 : 0);
+      out[i] = static_cast<float>(std::cos(6.283185307179586 * turns));
+    }
+  }
+};
+
+// At the later tick instead, the frequency over 200 ms would be 1.3 mHz to 1.7 mHz wrong.
+TEST_P(PlansOf, PutAStepOfThePhaseInTheMiddleBetweenTicks) {
+  PhaseStep stimulus;
+  stimulus.duration_s = 4.0;
+  const Plan plan = plan_of(stimulus, instrument_);
+  EXPECT_EQ(plan.rate_hz, 32000.0);
+  EXPECT_LT(plan.played.frequency_hz, 0.0006);
+}
+
+// At 8 kSa/s, held points put the step half a tick off.
+TEST_P(PlansOf, HaveAHigherRateIfAToleranceNeedsIt) {
+  PhaseStep stimulus;
+  stimulus.duration_s = 4.0;
+  Instrument instrument = instrument_;
+  instrument.rate.interpolation = Interpolation::kHold;
+  instrument.memory.points = 244000;  // 15.23 kSa/s for 16.01 s
+  PlanOptions options;
+  options.tolerances.voltage_pu = 0.03;
+  options.tolerances.frequency_hz = 0.003;
+  const Plan usual = plan_of(stimulus, instrument, options);
+  EXPECT_EQ(usual.rate_hz, 8000.0);
+  options.tolerances.frequency_hz = 0.9 * usual.played.frequency_hz;
+  const Plan plan = plan_of(stimulus, instrument, options);
+  EXPECT_GT(plan.rate_hz, 15200.0);
+  EXPECT_LE(plan.codes.size(), 244000U);
+  EXPECT_LT(plan.played.frequency_hz, 0.6 * usual.played.frequency_hz);
+}
+
 TEST_P(PlansOf, FillTheDacWithTheLargestSample) {
   mains_.duration_s = 2.0;
   mains_.level_pu = 1.08;

@@ -9,9 +9,10 @@ namespace gsbench::test {
 
 class ClockedSource final : public source::Source {
  public:
-  source::Limits limits() const override { return {}; }
+  source::Limits limits() const override { return known; }
   std::optional<source::HostClock> host_clock() const override { return clock; }
 
+  source::Limits known;
   std::optional<source::HostClock> clock;
 
  protected:

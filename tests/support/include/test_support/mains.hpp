@@ -14,6 +14,8 @@ struct Mains : source::Stimulus {
   double duration_s = 60.0;
   double level_pu = 1.0;
   double falls_hz_s = 0.0;  // from 1 s on
+  int harmonic = 50;        // its order, and its level of nominal peak
+  double harmonic_pu = 0.0;
   source::Noise added;
   std::int64_t rate = 8000;
   int nominal = 50;
@@ -38,7 +40,9 @@ struct Mains : source::Stimulus {
       const std::int64_t tick = first_tick + static_cast<std::int64_t>(i);
       const double cycles = static_cast<double>(nominal * tick % rate) / static_cast<double>(rate) -
                             0.5 * falls_hz_s * after_s(tick) * after_s(tick);
-      out[i] = static_cast<float>(level_pu * std::cos(kTau * (cycles - std::floor(cycles))));
+      const double angle_rad = kTau * (cycles - std::floor(cycles));
+      out[i] = static_cast<float>(level_pu * std::cos(angle_rad) +
+                                  harmonic_pu * std::cos(harmonic * angle_rad));
     }
   }
 };

@@ -1,6 +1,7 @@
 // Outlets that send frames (wire/frame.hpp), each over its own transport: a serial port or TCP. A
-// thread of the link receives bytes and stamps each message's arrival. An unplugged port is
-// reported apart from a silent outlet; the link tries to reopen it every 250 ms.
+// thread of the link receives bytes and stamps each message's arrival. An unplugged port, and one
+// that cannot be opened, is reported apart from a silent outlet; a second thread tries to open it
+// every 250 ms.
 #pragma once
 
 #include <memory>
@@ -15,9 +16,6 @@ namespace gsbench::link {
 struct FramedOptions {
   std::vector<std::string> ports;  // port names for transport::make_transport()
   int baud = transport::kBaud;
-  // If a port cannot be opened: true, for discovery, skips the port; with false, open() returns an
-  // error.
-  bool skip_unusable = false;
 };
 
 class FramedLink final : public Link {
@@ -25,12 +23,15 @@ class FramedLink final : public Link {
   explicit FramedLink(FramedOptions options);
   ~FramedLink() override;
 
-  // Opens all ports. Then the thread sends `identify` on each port every 500 ms until an outlet
-  // answers.
+  // Tries to open all ports, and does not fail if it cannot: see unreachable(). Blocks for up to
+  // 0.5 s for each TCP port. Then the thread sends `identify` on each port every 500 ms until an
+  // outlet answers.
   [[nodiscard]] drivers::Status open() override;
   [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;
   [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
+  std::vector<Fault> missing() override { return unreachable(); }
+  std::vector<Fault> unreachable() override;
   void close() noexcept override;
 
  private:

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,8 +69,11 @@ class ModemLineSense final : public RelaySense {
 
   // Counts are nanoseconds of the steady clock, from this object's creation on.
   // `uncertainty_ticks` is the largest one of the edges polled so far; before the first one, that
-  // of readings 1 ms apart. The source's part is known from its start on.
+  // of readings 1 ms apart. The source's part is known from its start on; before, it is that of
+  // source::Limits.
   Alignment alignment() const override;
+  std::string not_known_yet() const override;
+  std::optional<std::int64_t> count_at(std::chrono::steady_clock::time_point time) const override;
   // An error once a port has been lost, such as an adapter that was unplugged.
   drivers::Status poll(std::vector<Edge>& edges) override;
 

@@ -117,6 +117,8 @@ struct Timing {
   double reset_s = 0.0;    // after a reset
   double upload_s = 0.0;   // after an upload
   double answer_s = 2.0;   // longest wait for an answer
+  // The slowest rate at which it takes a waveform, bytes/s.
+  double upload_bytes_s = 1e5;
 };
 
 struct Dialect {
@@ -158,8 +160,14 @@ struct Instrument {
   int code_step() const;           // from one level of the DAC to the next
 };
 
-// An error names the first contradiction between the members: ranges, missing commands, unknown
-// placeholders.
+// Of a command, a query or an expected answer. An error if it contains a control character, such as
+// a line end, or a placeholder that is unknown or not closed.
+[[nodiscard]] drivers::Status check_text(const std::string& text);
+// Of Field::field. An error if it is a number that no item has.
+[[nodiscard]] drivers::Status check_field(const std::string& field);
+
+// An error names the first contradiction between the members: ranges, missing commands, and what
+// check_text() and check_field() refuse.
 [[nodiscard]] drivers::Status check(const Instrument& instrument);
 
 }  // namespace gsbench::scpi

@@ -1,5 +1,6 @@
 // A waveform generator that speaks SCPI, over TCP or a serial port (Kind::kLoaded). Every setting
-// is asked back after it was sent, and about four times a second while the waveform plays.
+// is asked back after it was sent. While the waveform plays, the settings are asked in turn, each
+// about four times a second, or as often as the instrument answers.
 #pragma once
 
 #include <source_scpi/instrument.hpp>
@@ -21,7 +22,7 @@ struct SourceOptions {
   // How long make_safe() tries to reach an instrument that does not answer, before it reports that
   // the state of the output is unknown.
   double make_safe_s = 10.0;
-  double check_every_s = 0.25;  // while playing; shorter only for tests
+  double check_every_s = 0.25;  // each setting, while playing; shorter only for tests
 };
 
 // Opens and sends nothing before prepare() or make_safe(); the latter needs no prepare(). Blocking:
