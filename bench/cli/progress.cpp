@@ -13,6 +13,14 @@ namespace gsbench::cli {
 using std::chrono::duration;
 using std::chrono::steady_clock;
 
+namespace {
+
+// On a pipe, which keeps all lines.
+constexpr double kFirstLine_s = 2.0;
+constexpr double kNextLine_s = 10.0;
+
+}  // namespace
+
 Progress::Progress(const std::string& what)
     : what_(render::shortened(what, 60)),
       terminal_(isatty(STDERR_FILENO) == 1),
@@ -46,7 +54,15 @@ void Progress::show(double part) {
 
 void Progress::show(const std::string& what) {
   const auto now = steady_clock::now();
-  if (terminal_ && duration<double>(now - started_).count() >= 0.5 &&
+  if (!terminal_) {
+    if (duration<double>(now - last_).count() >= (lines_ == 0 ? kFirstLine_s : kNextLine_s)) {
+      last_ = now;
+      ++lines_;
+      std::fputs((what_ + ": " + what + '\n').c_str(), stderr);
+    }
+    return;
+  }
+  if (duration<double>(now - started_).count() >= 0.5 &&
       duration<double>(now - last_).count() >= 0.1) {
     print(what_ + ": " + what);
   }

@@ -1,6 +1,6 @@
 // A line on the terminal with the progress of long work and its remaining time. Nothing is printed
-// if standard error is not a terminal, or for work of less than two seconds. A text is shown from
-// half a second on.
+// for work of less than two seconds. A text is shown from half a second on. If standard error is
+// not a terminal, only texts are printed, after two seconds and then every ten, each as a line.
 #pragma once
 
 #include <chrono>
@@ -25,6 +25,7 @@ class Progress {
   std::string what_;
   bool terminal_;
   bool drawn_ = false;
+  int lines_ = 0;  // on a pipe
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point last_;
 };

@@ -136,7 +136,8 @@ profile::Plan fit_to_station(const StationFile& station, const profile::Plan& pl
   if (groups.size() > available) {
     throw profile::ConfigurationError(plan.path + ": has " + std::to_string(groups.size()) +
                                       " groups of outlets; the station " + station.name +
-                                      " has only " + std::to_string(available) + " outlets");
+                                      " has only " + std::to_string(available) +
+                                      (available == 1 ? " outlet" : " outlets"));
   }
   // Round robin over the groups.
   std::vector<bool> taken(plan.outlets.size(), false);

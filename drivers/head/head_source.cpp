@@ -28,6 +28,7 @@ source::Limits HeadSource::limits() const {
   source::Limits limits;
   limits.name = "DAC head";
   limits.full_scale_pu = session_->amplitude.full_scale_pu();
+  limits.nominal_peak_v = session_->amplitude.nominal_peak_v();
   if (session_->amplitude.voltage_limit_pu() < session_->amplitude.dac_full_scale_pu()) {
     limits.full_scale_is = "the voltage limit";
   }

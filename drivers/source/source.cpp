@@ -17,6 +17,22 @@ namespace {
 
 constexpr std::int64_t kScannedAtOnce = 4096;
 
+std::string level(const Limits& limits, double voltage_pu) {
+  return limits.nominal_peak_v > 0.0 ? fmt::format("{:.5g} pu ({:.1f} V peak at the outlets)",
+                                                   voltage_pu, voltage_pu * limits.nominal_peak_v)
+                                     : fmt::format("{:.5g} pu", voltage_pu);
+}
+
+Error beyond_full_scale(const Limits& limits, const Stimulus& stimulus, std::int64_t tick,
+                        double voltage_pu) {
+  const double t_s = static_cast<double>(tick) / static_cast<double>(stimulus.sample_rate_hz());
+  const bool noisy = !limits.noise_per_outlet && stimulus.noise().rms_pu > 0.0F;
+  return {fmt::format("{}: {} at {:.4f} s{} is beyond its full scale of {}{}", limits.name,
+                      level(limits, voltage_pu), t_s, noisy ? ", noise included," : "",
+                      level(limits, limits.full_scale_pu),
+                      limits.full_scale_is.empty() ? "" : ", " + limits.full_scale_is)};
+}
+
 Status render(const Limits& limits, const Stimulus& stimulus, std::int64_t first_tick,
               std::int64_t count, std::vector<float>& out) {
   out.resize(static_cast<std::size_t>(count));
@@ -31,10 +47,7 @@ Status render(const Limits& limits, const Stimulus& stimulus, std::int64_t first
     return !(std::fabs(pu) <= full_scale);  // true for NaN
   });
   if (beyond != out.end()) {
-    return Error{fmt::format("{}: {} pu at tick {} is beyond its full scale of {:.6g} pu{}",
-                             limits.name, *beyond, first_tick + (beyond - out.begin()),
-                             limits.full_scale_pu,
-                             limits.full_scale_is.empty() ? "" : ", " + limits.full_scale_is)};
+    return beyond_full_scale(limits, stimulus, first_tick + (beyond - out.begin()), *beyond);
   }
   return Done{};
 }

@@ -26,7 +26,8 @@ class Serial final : public Transport {
     const std::filesystem::path device = std::filesystem::canonical(port(), none);
     if (sp_get_port_by_name(none ? port().c_str() : device.c_str(), &port_) != SP_OK) {
       port_ = nullptr;
-      return last_error("cannot be found");
+      return none ? last_error("cannot be found")
+                  : drivers::Status(failure("cannot be opened", "is not a serial port"));
     }
     if (sp_open(port_, SP_MODE_READ_WRITE) != SP_OK) {
       const Error error = last_error("cannot be opened");

@@ -45,6 +45,7 @@ class ScpiSource final : public source::Source {
     limits.kind = source::Kind::kLoaded;
     const Wiring& wiring = options_.plan.wiring;
     limits.full_scale_pu = full_scale_pu(instrument_, wiring);
+    limits.nominal_peak_v = kSqrt2 * wiring.nominal_v;
     if (2.0 * kSqrt2 * wiring.voltage_limit_v < instrument_.amplitude.highest_vpp * wiring.gain) {
       limits.full_scale_is = "the voltage limit";
     }

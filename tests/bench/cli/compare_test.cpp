@@ -1,4 +1,5 @@
-// Output of gsbench compare. Comparisons with emulated stations are in the tests of the stations.
+// Output of gsbench compare. Comparisons with emulated stations are in
+// tests/bench/station/emulated/equivalence_test.cpp.
 #include "gsbench_process.hpp"
 
 #include <gmock/gmock.h>

@@ -4,6 +4,7 @@
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <memory>
 
@@ -87,6 +88,16 @@ TEST_F(LiveRun, NohupKeepsItGoing) {
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   EXPECT_TRUE(generator_->output_is_on());
   EXPECT_EQ(stop(started, SIGINT).exit_code, 130);
+}
+
+TEST_F(LiveRun, PrintsWhatItWaitsForAlsoOnAPipe) {
+  const Started started = start_until_live();
+  EXPECT_TRUE(until([&] {
+    return text_of(started.err).find("waiting for outlets: 0 of 1 joined") != std::string::npos;
+  }));
+  const Outcome outcome = stop(started, SIGINT);
+  EXPECT_THAT(outcome.err, Not(HasSubstr("\r")));
+  EXPECT_LE(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 7) << "for 60 s at most";
 }
 
 TEST_F(LiveRun, SecondSignalSaysThatTheStateIsUnknownBeforeItEndsTheBench) {

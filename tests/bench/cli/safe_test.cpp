@@ -23,6 +23,7 @@ namespace {
 using emulation::Generator;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class SafeCommand : public testing::Test {
@@ -88,7 +89,9 @@ TEST_F(SafeCommand, SaysThatTheStateIsUnknownIfNobodyAnswers) {
   const Outcome outcome = run_gsbench({"safe", path, "--wait", "0"});
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("output state unknown"), HasSubstr(generator_->port()),
-                                 HasSubstr("switch the source off by hand")));
+                                 HasSubstr("Switch the generator off by hand"),
+                                 HasSubstr("The outlets may be live."),
+                                 Not(HasSubstr("switch the source off by hand"))));
   EXPECT_EQ(outcome.out, "");
 }
 

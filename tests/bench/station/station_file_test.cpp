@@ -267,7 +267,7 @@ TEST(FitToStation, SelectsOutletsRoundRobinOverTheGroups) {
 
 TEST(FitToStation, RefusesMoreGroupsThanOutlets) {
   EXPECT_THAT(refusal_of([] { fit_to_station(station_of(1), plan(1.0, "", kTwoGroups)); }),
-              HasSubstr("2 groups of outlets; the station station has only 1"));
+              HasSubstr("2 groups of outlets; the station station has only 1 outlet"));
 }
 
 TEST(Stations, PhysicalOneIsRefusedForARun) {

@@ -89,7 +89,7 @@ TEST_F(SourceNoise, DoesNotDependOnTheBlocks) {
 TEST_F(SourceNoise, CountsAgainstFullScale) {
   EXPECT_TRUE(NoisySource(false, 1.1).check(mains_).ok());
   EXPECT_THAT(NoisySource(false, 1.0).check(mains_).error(),
-              testing::HasSubstr("is beyond its full scale of 1 pu"));
+              testing::HasSubstr(" s, noise included, is beyond its full scale of 1 pu"));
   EXPECT_TRUE(NoisySource(true, 1.0).check(mains_).ok());
 }
 

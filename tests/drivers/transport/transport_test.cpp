@@ -209,7 +209,7 @@ TEST(Serial, ReportsAMissingPortAndAFileThatIsNotAPort) {
   EXPECT_EQ(check_port("/dev/no-such-port").error(),
             "/dev/no-such-port: No such file or directory");
   const std::string file = folder.write("file", "text");
-  EXPECT_THAT(refusal(file), StartsWith(file + ": cannot be found"));
+  EXPECT_THAT(refusal(file), StartsWith(file + ": cannot be opened: is not a serial port"));
 }
 
 TEST(Tcp, ReportsAPortWithoutAListener) {

@@ -16,8 +16,10 @@ inline std::string unknown_state(const std::string& error) {
   const std::string known = "output state unknown";
   const std::string sentence =
       !error.empty() && error.back() == '.' ? error.substr(0, error.size() - 1) : error;
+  const bool has_advice = error.find("by hand") != std::string::npos;
   return (error.find(known) == std::string::npos ? known + ": " : "") + sentence +
-         ". The outlets may be live: switch the source off by hand, or unplug it.";
+         (has_advice ? ". The outlets may be live."
+                     : ". The outlets may be live: switch the source off by hand, or unplug it.");
 }
 
 class SafeState {

@@ -35,6 +35,7 @@ struct Limits {
   std::vector<std::int64_t> sample_rates_hz;  // supported rates of a stimulus, ascending
   std::vector<int> nominal_hz;
   bool noise_per_outlet = false;   // true: independent noise for each outlet; false: the same
+  double nominal_peak_v = 0.0;     // 1 pu at the outlets, for messages; 0: there are no volts
   std::string full_scale_is = {};  // for messages: "the voltage limit"; empty: the hardware's
   // What is known before the start of the uncertainty of host_clock(), ±.
   double host_clock_uncertainty_s = 0.0;
