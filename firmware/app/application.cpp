@@ -7,7 +7,7 @@ using wire::UplinkKind;
 
 bool Application::start(const outlet::Hardware& hardware, const Identity& identity,
                         SettingsStorage* storage, Outbox& outbox, const outlet::Settings* kept) {
-  state_ = outlet::State{};
+  outlet::reset(state_);
   counts_ = Counts{};
   started_ = outlet::configure(hardware, config_);
   if (!started_) {

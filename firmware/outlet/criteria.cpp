@@ -197,8 +197,7 @@ void act(const Config& config, State& state, const Phasor& z, Report& report) {
     }
     state.phase = Phase::kQuiet;
     state.below_switch_off = 0;
-    state.follower.count = 0;
-    state.follower.changed = false;
+    clear(state.follower);
     return;
   }
   watch_switch_off_frequency(settings, state, report, valid);

@@ -131,7 +131,7 @@ void measure_noise(GridFollower& f, std::uint32_t now) {
 
 void begin(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m,
            float deviation_hz) {
-  f = GridFollower{};
+  clear(f);
   f.noise_squares = kThirdDifference * nominal_phase_variance(settings) + kImages_cycles2;
   start(settings.response, f.filter, m.phase_cycles, deviation_hz);
   take_phase(f.filter, m.phase_cycles, m.variance);
@@ -301,6 +301,29 @@ void choose_swing(const FollowerSettings& settings, GridFollower& f, const Phase
 }
 
 }  // namespace
+
+void clear(GridFollower& f) {
+  f.filter = GridFilter{};
+  f.rival = GridFilter{};
+  for (FollowedReport& report : f.reports) {
+    report = FollowedReport{};
+  }
+  f.count = 0;
+  f.oldest = 0;
+  f.gap = 0;
+  f.noise_squares = 0.0f;
+  f.since_onset = 0xFFFF;
+  f.loss_before_mw = 0.0f;
+  f.rival_lives = false;
+  f.rival_reports = 0;
+  f.rival_sum = 0.0f;
+  f.rival_squares = 0.0f;
+  f.changed = false;
+  f.announced = true;
+  f.bank_next = kSwingFilters;
+  f.onsets = 0;
+  f.since_swing = 0;
+}
 
 Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_cycles,
                 float amplitude, bool measured, float deviation_hz) {

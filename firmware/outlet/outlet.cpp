@@ -91,7 +91,20 @@ const Settings& accepted(const Config& config) {
 void lose_track(State& state) {
   state.front_end = FrontEndState{};
   state.tracker = TrackerState{};
-  state.follower.count = 0;
+  clear(state.follower);
+}
+
+void reset(State& state) {
+  lose_track(state);
+  state.history = History{};
+  state.estimator = EstimatorState{};
+  state.shed_before_mw = 0.0f;
+  state.undisturbed = 0;
+  state.phase = Phase::kQuiet;
+  state.steady_reports = 0;
+  state.below_switch_off = 0;
+  state.relay = RelayState{};
+  state.reports = 0;
 }
 
 bool command(State& state, bool close) {

@@ -19,8 +19,10 @@ constexpr std::uint16_t kLeastAge = 90;
 
 void start(const Response& response, SwingBank& bank, float phase_cycles, float phase_variance,
            float deviation_hz) {
-  bank = SwingBank{};
+  bank.age = 0;
   for (int i = 0; i < kSwingFilters; ++i) {
+    bank.likelihood[i] = 0.0f;
+    bank.innovation_squares[i] = 0.0f;
     GridFilter& filter = bank.filters[i];
     start(response, filter, phase_cycles, deviation_hz);
     add_swing(filter, kTwoPi * kStart_hz[i]);

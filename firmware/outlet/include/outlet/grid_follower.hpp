@@ -56,6 +56,10 @@ struct GridFollower {
   std::uint16_t since_swing = 0;
 };
 
+// Forgets everything: the next measurement starts it. Field by field: a temporary GridFollower
+// would not fit onto an outlet's stack.
+void clear(GridFollower& follower);
+
 struct Followed {
   bool valid = false;
   GridState state;  // at the time of the report's phasor, kFrontEndDelay_s ago

@@ -82,6 +82,10 @@ struct Report {
 // Configures the outlet at start-up. Returns false if the hardware is not supported.
 bool configure(const Hardware& hardware, Config& config);
 
+// Resets the state to that of start-up. Field by field: a temporary State would not fit onto an
+// outlet's stack.
+void reset(State& state);
+
 // Applies new settings. Refused settings leave the old ones in force. An event under way is
 // finished with the settings it began with; accepted ones are in force afterwards.
 SettingsError apply(Config& config, State& state, const Settings& settings);
