@@ -15,36 +15,19 @@ constexpr double kResultStep_s = 0.02;
 
 void Balance::shed(double at_s, double power_mw) {
   if (power_mw > 0.0) {
-    changes_.push_back({at_s, -power_mw});
+    response_.change(at_s, -power_mw);
     first_s_ = std::fmin(first_s_, at_s);
     last_s_ = std::fmax(last_s_, at_s);
     shed_mw_ += power_mw;
   }
 }
 
-double Balance::deviation_hz(double t_s) const {
-  double sum = 0.0;
-  for (const grid::PowerChange& change : changes_) {
-    sum += change.power_mw * model_.unit_deviation_hz(t_s - change.at_s);
-  }
-  return sum;
-}
-
-double Balance::excess_cycles(double t_s) const {
-  double sum = 0.0;
-  for (const grid::PowerChange& change : changes_) {
-    sum += change.power_mw * model_.unit_phase_cycles(t_s - change.at_s);
-  }
-  return sum;
-}
-
 ScenarioResult Balance::result(const grid::Grid& grid, double duration_s, Shed shed) const {
   ScenarioResult result;
   result.shed = std::move(shed);
   result.shed.power_mw = shed_mw_;
-  const double loss_mw = changes_.front().power_mw;
-  result.threshold_mw = control_centre::threshold_mw(model_, grid.threshold_hz);
-  result.required_mw = std::max(loss_mw - result.threshold_mw, 0.0);
+  result.threshold_mw = control_centre::threshold_mw(response_.model(), grid.threshold_hz);
+  result.required_mw = std::max(loss_mw_ - result.threshold_mw, 0.0);
   result.first_action_s = first_s_;
   result.last_action_s = last_s_;
   double lowest_hz = 0.0;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <limits>
-#include <vector>
 
+#include <fleet/grid_state.hpp>
 #include <fleet/scenario.hpp>
 #include <grid/sfr_model.hpp>
 #include <models/relay_model.hpp>
@@ -16,21 +16,21 @@ constexpr double kStep_s = 0.002;  // step of the relays and of the search for t
 
 class Balance {
  public:
-  Balance(const grid::SfrModel& model, double loss_mw)
-      : model_(model), changes_({{0.0, loss_mw}}) {}
+  Balance(const grid::SfrModel& model, double loss_mw) : response_(model), loss_mw_(loss_mw) {
+    response_.change(0.0, loss_mw);
+  }
 
-  void shed(double at_s, double power_mw);  // 0 MW is ignored
+  void shed(double at_s, double power_mw);  // in the order of time; 0 MW is ignored
 
-  double deviation_hz(double t_s) const;
-  double excess_cycles(double t_s) const;  // integral of deviation_hz
+  double deviation_hz(double t_s) const { return response_.at(t_s).deviation_hz; }
 
   // Frequency, nadir and actions up to duration_s; threshold and required power by eq. (15). `shed`
   // gives the outlets that are off; its power_mw is replaced by the power passed to shed().
   ScenarioResult result(const grid::Grid& grid, double duration_s, Shed shed) const;
 
  private:
-  const grid::SfrModel& model_;
-  std::vector<grid::PowerChange> changes_;
+  GridResponse response_;
+  double loss_mw_;
   double shed_mw_ = 0.0;
   double first_s_ = kNoTime_s;
   double last_s_ = kNoTime_s;
