@@ -66,7 +66,7 @@ void add_outlets(CLI::App& command, fleet::FleetOptions& fleet) {
   add_accumulation(command, fleet.accumulation);
 }
 
-CLI::Option* add_sweep(CLI::App& command, FleetArguments& arguments) {
+void add_sweep(CLI::App& command, FleetArguments& arguments) {
   CLI::Option* sweep = command.add_flag("--sweep", arguments.sweeps,
                                         "Add heat maps over losses, noise levels and delays");
   const auto add = [&](const char* name, std::vector<double>& values, const char* type,
@@ -80,7 +80,6 @@ CLI::Option* add_sweep(CLI::App& command, FleetArguments& arguments) {
   add("--delays", arguments.sweep.delays_s, "S,S,…",
       "Comma-separated delays to sweep, s: additional delay of every outlet, and communication "
       "delay of central control (default: 0,0.1,0.2,0.5,1)");
-  return sweep;
 }
 
 }  // namespace
@@ -94,21 +93,19 @@ void add_fleet(CommandLine& line) {
   add_grid(command, arguments.grid)
       ->capture_default_str()
       ->each([&given](const std::string& /*name*/) { given.has_grid = true; });
-  CLI::Option* loss = add_with_default(command, "--loss", scenario.loss_mw, "MW", "Lost power, MW");
-  CLI::Option* noise =
-      add_with_default(command, "--noise", scenario.noise_hz, "HZ",
-                       "Noise of measured frequencies, Hz: ± this if uniform, σ if Gaussian");
+  add_with_default(command, "--loss", scenario.loss_mw, "MW", "Lost power, MW");
+  add_with_default(command, "--noise", scenario.noise_hz, "HZ",
+                   "Noise of measured frequencies, Hz: ± this if uniform, σ if Gaussian");
   add_noise_distribution(command, scenario.distribution);
   add_outlets(command, study.fleet);
   add_rules(command, scenario.rules);
-  CLI::Option* delay = add_with_default(command, "--delay", scenario.further_delay_s, "S",
-                                        "Additional delay of every outlet, s");
+  add_with_default(command, "--delay", scenario.further_delay_s, "S",
+                   "Additional delay of every outlet, s");
   add_with_default(command, "--central-delay", scenario.central_delay_s, "S",
                    "Communication delay of central control, s");
-  CLI::Option* delay_aware =
-      command.add_flag("--delay-aware", study.delay_aware,
-                       "Add a fleet whose threshold loss allows for the delay of the outlets");
-  CLI::Option* sweep = add_sweep(command, arguments);
+  command.add_flag("--delay-aware", study.delay_aware,
+                   "Add a fleet whose threshold loss allows for the delay of the outlets");
+  add_sweep(command, arguments);
   CLI::Option* closed_loop = command.add_flag(
       "--closed-loop", study.closed_loop,
       "Add 1000 outlets that run the complete firmware, starting from the sampled voltage");
@@ -120,8 +117,9 @@ void add_fleet(CommandLine& line) {
                       "profile's own if GRID is not given")
           ->type_name("PROFILE")
           ->needs(closed_loop);
-  for (CLI::Option* other : {loss, noise, delay, delay_aware, sweep}) {
-    profile->excludes(other);
+  for (const char* const other : {"--loss", "--noise", "--noise-distribution", "--rules", "--delay",
+                                  "--delay-aware", "--sweep"}) {
+    profile->excludes(command.get_option(other));
   }
   add_with_default(command, "--duration", scenario.duration_s, "S",
                    "Simulated time after the loss, or the last loss of a profile, s");

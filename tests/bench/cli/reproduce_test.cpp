@@ -145,7 +145,7 @@ TEST(Reproduce, InterruptedReportsTheSectionsSoFar) {
 
 TEST(Fleet, InterruptedLeavesOutUnfinishedSimulationsAndReportsThat) {
   // Interrupted while the controls are simulated, or after.
-  const std::string text = interrupted({"fleet", "--sweep"}, 250).out;
+  const std::string text = interrupted({"fleet", "--rules", "paper", "--sweep"}, 250).out;
   EXPECT_THAT(text, HasSubstr("stopped: "));
   EXPECT_THAT(text, HasSubstr("incomplete"));
   // An unfinished simulation would have too little load shed.
@@ -207,9 +207,11 @@ TEST(Fleet, NoLineIsWiderThan100Columns) {
   expect_lines_within_100_columns({"fleet", "--help"});
 }
 
-// The switching-off frequency of the last group is reached, so that no group stays fully on.
+// By eq. (17) the switching-off frequency of the last group is reached, so that no group stays
+// fully on.
 TEST(Fleet, PrintsNoneForAGroupThatDoesNotExist) {
-  const Words arguments = {"fleet", "--per-group", "20", "--least", "500", "--most", "90000"};
+  const Words arguments = {"fleet",   "--rules", "paper",  "--per-group", "20",
+                           "--least", "500",     "--most", "90000"};
   const std::string text = run_gsbench(arguments).out;
   const auto row = text.find("switching-off frequencies alone");
   ASSERT_NE(row, std::string::npos);
@@ -333,6 +335,8 @@ TEST(Fleet, RejectsOptionsThatAProfileReplaces) {
   expect_refused({"fleet", "--profile", "paper/loss-500mw"}, "--closed-loop");
   expect_refused({"fleet", "--closed-loop", "--profile", "paper/loss-500mw", "--loss", "400"},
                  "--loss");
+  expect_refused({"fleet", "--closed-loop", "--profile", "paper/loss-500mw", "--rules", "paper"},
+                 "--rules");
   expect_refused({"fleet", "--closed-loop", "--profile", "paper/nothing"}, "paper/nothing");
 }
 
