@@ -16,7 +16,7 @@ using ::testing::Not;
 record::RunRecord physical() {
   record::RunRecord run = sample::loss_500mw(1);
   run.source = {"Maker Model 1", "20 points\n2 kSa/s", "not calibrated; from a table"};
-  run.bench_uncertainty = {0.61, 0.25, 1.5, 0.12};
+  run.bench_uncertainty = {0.61, 0.45, 0.25, 1.5, 0.12};
   run.clocks = {{"source", "time base of the run", 0.12},
                 {"relay sense", "this machine's clock", 0.61},
                 {"outlet-1", "voltage dips", 0.0}};

@@ -93,7 +93,7 @@ TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
   link::Received lse = received("a", 200, UplinkKind::kLse);
   lse.message.lse = {450.0F};
   link::Received shed = received("a", 300, UplinkKind::kDecision);
-  shed.message.decision = {515.0F, 2.5F, 49.25F, 163.0F, 20.0F, 30, Trust::kTrusted, true};
+  shed.message.decision = {515.0F, 2.0F, 49.0F, 163.0F, 20.0F, 30, Trust::kTrusted, true};
   capture.add({event("a", 100), lse, shed, relay_report("a", 300, false),
                received("a", 400, UplinkKind::kAborted)});
   capture.add_edge("a", 310, false);
@@ -101,16 +101,16 @@ TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
   capture.add_command("a", 800, true);
   capture.add_settings("a", 850, 7, "accumulated_mw = 120");
   capture.add_settings("a", 880, 8, "");
-  EXPECT_THAT(printed(taken(capture, "a")),
-              ElementsAre("100 event 49 frequency before it, Hz", "200 lse 450 MW",
-                          "300 decision 163 shed", "300 decision.loss 515 MW",
-                          "300 decision.sigma 2.5 MW", "300 decision.nadir 49.25 Hz",
-                          "300 decision.shed_before 20 MW", "300 decision.hits 30 ",
-                          std::string("300 decision.trust 1 ") + to_string(Trust::kTrusted),
-                          "300 relay.reported 0 loss", "310 relay.sense 0 open",
-                          "400 aborted 0 voltage lost", "800 command 1 switch on",
-                          "850 settings 7 accumulated_mw = 120", "880 settings 8 unchanged",
-                          "900 relay.sense 1 closed"));
+  EXPECT_THAT(
+      printed(taken(capture, "a")),
+      ElementsAre("100 event 49 frequency before it, Hz", "200 lse 450 MW", "300 decision 163 shed",
+                  "300 decision.loss 515 MW", "300 decision.sigma 2 MW", "300 decision.nadir 49 Hz",
+                  "300 decision.shed_before 20 MW", "300 decision.hits 30 ",
+                  std::string("300 decision.trust 1 ") + to_string(Trust::kTrusted),
+                  "300 relay.reported 0 loss", "310 relay.sense 0 open",
+                  "400 aborted 0 voltage lost", "800 command 1 switch on",
+                  "850 settings 7 accumulated_mw = 120", "880 settings 8 unchanged",
+                  "900 relay.sense 1 closed"));
 }
 
 TEST(Capture, MarksADecisionToHoldWithTheReliabilityOfItsEstimate) {

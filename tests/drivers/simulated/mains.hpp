@@ -94,6 +94,7 @@ inline std::vector<OutletLog> play(Bench& bench, std::size_t outlets,
   gsbench::test::start(bench.source(), stimulus);
   EXPECT_TRUE(bench.link().open().ok());
   gs::outlet::Settings settings = gs::test::ieee24_settings();
+  settings.method = gs::outlet::kByPaper;  // the mains falls as no grid does
   settings.switch_off_hz = 49.8F;
   for (std::size_t i = 0; i < outlets; ++i) {
     const auto sent = bench.link().send(id_of(i), gs::wire::test::settings_message(settings));

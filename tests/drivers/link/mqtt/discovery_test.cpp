@@ -97,7 +97,7 @@ TEST_F(FindingOutlets, AnOutletOfAnotherProtocolVersionIsFaulty) {
   hello.hello.protocol_version = 77;
   gs::app::set_text(hello.hello.id, "a");
   const Parrot a(broker_, "a", hello);
-  EXPECT_EQ(fault_of_a(), "uses protocol version 77, not 2");
+  EXPECT_EQ(fault_of_a(), "uses protocol version 77, not 3");
 }
 
 TEST_F(FindingOutlets, RefusesAnOutletOnTheTopicOfAnother) {
