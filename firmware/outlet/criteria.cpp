@@ -22,6 +22,9 @@ constexpr float kLeastAmplitude = 0.7f;
 constexpr float kSureSigma = 0.034f;
 constexpr int kLatestReports = 20;
 constexpr float kSureSigmas = 2.0f;
+// More is lost if the lost power has grown by this many σ and this part of the threshold loss.
+constexpr float kMoreSigmas = 3.0f;
+constexpr float kMorePart = 0.05f;
 // An event without an onset of the follower was none.
 constexpr int kReportsWithoutOnset = 60;
 
@@ -72,6 +75,18 @@ bool is_sure(const Settings& settings, float loss_sigma_mw) {
   return loss_sigma_mw <= kSureSigma * settings.threshold_mw;
 }
 
+// Whether more is lost than the least since the last decision: load that others shed, power that
+// returns and slow control only lower it.
+bool more_is_lost(const Settings& settings, State& state, const Followed& followed) {
+  const float loss_mw = followed.state.loss_mw;
+  const float least_mw = minimum(state.least_loss_mw, state.follower.loss_before_mw);
+  const float margin_mw =
+      maximum(kMoreSigmas * followed.loss_sigma_mw, kMorePart * settings.threshold_mw);
+  const bool more = loss_mw > least_mw + margin_mw;
+  state.least_loss_mw = more ? loss_mw : minimum(least_mw, loss_mw);
+  return more;
+}
+
 // Criterion (1) by the grid's state: sheds if more is required to keep the nadir at f_s than less
 // important outlets shed, now and before. Due once after each change of the lost power.
 void decide_by_grid_state(const Config& config, State& state, const Followed& followed,
@@ -92,11 +107,12 @@ void decide_by_grid_state(const Config& config, State& state, const Followed& fo
     return;
   }
   follower.changed = false;
+  const bool more = more_is_lost(settings, state, followed);
   const auto nominal_hz = static_cast<float>(config.hardware.nominal_hz);
   const Shedding needed = shedding(config.look_ahead, advanced(config.lead, followed.state),
                                    settings.threshold_hz + settings.nadir_margin_hz - nominal_hz);
   const float doubt_mw = sure ? 0.0f : kSureSigmas * followed.loss_sigma_mw;
-  const float required_mw = maximum(needed.required_mw - doubt_mw, 0.0f);
+  const float required_mw = more ? maximum(needed.required_mw - doubt_mw, 0.0f) : 0.0f;
   if (!is_event && !(required_mw > 0.0f)) {
     return;
   }

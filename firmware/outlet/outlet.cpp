@@ -99,6 +99,7 @@ void reset(State& state) {
   state.history = History{};
   state.estimator = EstimatorState{};
   state.shed_before_mw = 0.0f;
+  state.least_loss_mw = kNoLoss_mw;
   state.undisturbed = 0;
   state.phase = Phase::kQuiet;
   state.steady_reports = 0;

@@ -42,15 +42,16 @@ class SafeCommand : public testing::Test {
     EXPECT_TRUE(generator_->output_is_on());
   }
 
-  std::string station(const std::string& port) const {
-    return folder_.write("bench.toml",
+  std::string station(const std::string& port,
+                      const std::string& instrument = "siglent-sdg2000x") const {
+    return folder_.write(instrument + ".toml",
                          fmt::format("title = \"A generator\"\nkind = \"physical\"\n[source]\n"
                                      "kind = \"scpi\"\nport = \"{}\"\n"
-                                     "instrument = \"siglent-sdg2000x\"\ngain = 100.0\n"
+                                     "instrument = \"{}\"\ngain = 100.0\n"
                                      "voltage_limit_v = 350.0\nboot_s = 1.0\n"
                                      "[[outlet]]\nplace = \"socket-1\"\n"
                                      "link = \"/dev/gsbench-nowhere\"\n",
-                                     port));
+                                     port, instrument));
   }
   std::string station() const { return station(generator_->port()); }
 
@@ -213,11 +214,12 @@ TEST_F(SafeCommand, DryRunRefusesATighterTolerance) {
       "mHz");
 }
 
-// The second station has no password file.
+// The memory of the second station's generator is too small.
 TEST_F(SafeCommand, CompareRefusesAStationBeforeItPlaysAtAnother) {
   generator_->clear_messages();
-  expect_refused({"compare", profile(), "--station", station(), "--station", "generator"},
-                 "cannot read a password");
+  expect_refused({"compare", profile(), "--station", station(), "--station",
+                  station("tcp://127.0.0.1:9", "siglent-sdg1000x")},
+                 "SDG1000X");
   EXPECT_TRUE(generator_->messages().empty());
 }
 

@@ -33,14 +33,17 @@ struct Config {
   GridStep lead;        // from a report's phasor to the open relay
 };
 
+constexpr float kNoLoss_mw = kLargestSetting;  // State::least_loss_mw before any decision
+
 struct State {
   FrontEndState front_end;
   TrackerState tracker;
   History history;
   EstimatorState estimator;
   GridFollower follower;
-  float shed_before_mw = 0.0f;   // what earlier decisions found necessary
-  std::uint8_t undisturbed = 0;  // reports since the voltage was disturbed, up to 255
+  float shed_before_mw = 0.0f;       // what earlier decisions found necessary
+  float least_loss_mw = kNoLoss_mw;  // lowest lost power since the last decision
+  std::uint8_t undisturbed = 0;      // reports since the voltage was disturbed, up to 255
   Phase phase = Phase::kQuiet;
   std::uint16_t steady_reports = 0;   // while cooling
   std::uint8_t below_switch_off = 0;  // successive measurements below f^B
