@@ -26,6 +26,13 @@ constexpr double kSendingPatience_s = 2.0;
 // A receiver may report room only after so many bytes were taken from its buffer.
 constexpr double kBuffered_bytes = 1024.0 * 1024.0;
 constexpr double kBaudsOfAByte = 10.0;
+// A serial line that is silent for so long has delivered what a killed bench had asked.
+constexpr double kSilence_s = 0.1;
+constexpr int kMostPauses = 10;
+
+bool is_tcp(const std::string& port) {
+  return port.rfind("tcp://", 0) == 0;
+}
 
 Clock::duration time_span(double time_s) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
@@ -38,7 +45,7 @@ Connection::Connection(const Instrument& instrument, const std::string& port, in
     : instrument_(instrument),
       interrupt_(interrupt),
       transport_(transport::make_transport(port, baud)),
-      upload_bytes_s_(port.rfind("tcp://", 0) == 0
+      upload_bytes_s_(is_tcp(port)
                           ? instrument.timing.upload_bytes_s
                           : std::min(instrument.timing.upload_bytes_s, baud / kBaudsOfAByte)) {}
 
@@ -64,6 +71,12 @@ Status Connection::open() {
   if (Status opened = transport_->open(); !opened.ok()) {
     return opened;
   }
+  if (!is_tcp(transport_->port())) {
+    if (Status silent = discard_answers_to_others(); !silent.ok()) {
+      close();
+      return silent;
+    }
+  }
   const Result<std::string> answer = ask(kIdentify);
   if (!answer.ok()) {
     close();
@@ -76,6 +89,17 @@ Status Connection::open() {
     return Error{fmt::format("{}: \"{}\" is not {}, whose identity begins with \"{}\"",
                              transport_->port(), printable(identification_), instrument_.title,
                              fmt::join(instrument_.identity, "\" or \""))};
+  }
+  return Done{};
+}
+
+Status Connection::discard_answers_to_others() {
+  for (int pauses = 0; pauses < kMostPauses; ++pauses) {
+    received_.clear();
+    Status got = transport_->receive(received_, Clock::now() + time_span(kSilence_s));
+    if (!got.ok() || received_.empty()) {
+      return got;
+    }
   }
   return Done{};
 }

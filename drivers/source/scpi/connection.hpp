@@ -56,6 +56,7 @@ class Connection {
   drivers::Result<std::vector<std::uint8_t>> ask_waveform(const std::string& query);
 
  private:
+  drivers::Status discard_answers_to_others();
   drivers::Status prepare_query(const std::string& query);
   drivers::Status synchronise();
   drivers::Status write(const std::vector<std::uint8_t>& bytes);
