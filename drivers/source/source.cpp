@@ -47,7 +47,8 @@ Status render(const Limits& limits, const Stimulus& stimulus, std::int64_t first
     return !(std::fabs(pu) <= full_scale);  // true for NaN
   });
   if (beyond != out.end()) {
-    return beyond_full_scale(limits, stimulus, first_tick + (beyond - out.begin()), *beyond);
+    return beyond_full_scale(limits, stimulus, first_tick + (beyond - out.begin()),
+                             static_cast<double>(*beyond));
   }
   return Done{};
 }

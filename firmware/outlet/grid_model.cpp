@@ -24,7 +24,8 @@ GridStep product(const GridStep& second, const GridStep& first) {
 GridStep grid_step(const Response& r, float step_s) {
   const float omega_n2 = r.discriminant_per_s2 + r.sigma_per_s * r.sigma_per_s;
   int doublings = 0;
-  for (; step_s > kLongestSeries_s; step_s *= 0.5f) {
+  while (step_s > kLongestSeries_s) {
+    step_s *= 0.5f;
     ++doublings;
   }
   GridStep rates;  // per second

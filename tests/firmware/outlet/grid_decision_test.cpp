@@ -63,6 +63,7 @@ gsbench::waveform::SignalSpec dip(double at_s, double duration_s, double level_p
 std::vector<PowerChange> ramped(double at_s, double ramp_s, double power_mw) {
   std::vector<PowerChange> steps;
   constexpr int kSteps = 200;
+  steps.reserve(kSteps);
   for (int i = 0; i < kSteps; ++i) {
     steps.push_back({at_s + ramp_s * (i + 0.5) / kSteps, power_mw / kSteps});
   }
