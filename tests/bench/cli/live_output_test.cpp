@@ -49,7 +49,7 @@ class LiveRun : public testing::Test {
   }
 
   Started start_until_live(const std::function<void()>& prepare = [] {}) const {
-    const Started started = start_gsbench(
+    Started started = start_gsbench(
         {"run", profile_, "--station", station_, "--out", folder_.file("runs")}, prepare);
     EXPECT_TRUE(until([&] { return generator_->output_is_on(); }));
     return started;

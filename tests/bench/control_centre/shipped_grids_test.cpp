@@ -58,7 +58,7 @@ TEST(ShippedGrids, HaveBlocksToShedAfterTheLossOf500Mw) {
   EXPECT_GT(blocks.back().accumulated_mw, 500.0 - 351.92);
 }
 
-// Outlets can still keep f_s after it, and are not told to shed much more than eq. (15) wants.
+// Outlets can still keep f_s after it, and need not shed much more than eq. (15) wants.
 TEST(ShippedGrids, HaveACredibleLossThatOutletsAnswerInTime) {
   for (const char* const name : {"ieee24", "ieee24-by-unit", "island-60hz"}) {
     const grid::Grid grid = profile::load_grid(name);

@@ -113,7 +113,7 @@ TEST(DelayAwareThreshold, KeepsTheNadirWithin10MillihertzOfTheBestIfTheLimitIsOu
     EXPECT_NEAR(lowest_hz(model, loss_mw, loss_mw - threshold, kOutletDelay_s),
                 std::min(49.5, best - 0.010), 2e-4)
         << loss_mw;
-    EXPECT_LT(std::abs(threshold - before_mw), 30.0) << "no leap at " << loss_mw;
+    EXPECT_LT(std::abs(threshold - before_mw), 30.0) << "continuous at " << loss_mw;
     before_mw = threshold;
   }
   for (const double loss_mw : {900.0, 2745.0}) {

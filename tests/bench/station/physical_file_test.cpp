@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <station/dry_run.hpp>
@@ -135,18 +136,21 @@ TEST_F(PhysicalFile, RefusesWhatCannotBeAPort) {
         "tcp://a b:5025", "tcp://a/b:5025", "http://10.0.0.5:5025", "gopher://x",
         "TCPIP::10.0.0.5::5025::SOCKET", "ttyUSB0", "dev/ttyUSB0", "/", "/dev/"}) {
     const auto refused_at = [&](const char* place, const char* key) {
-      return AllOf(StartsWith(folder_.file("hardware.toml") + ":" + place + ": " + key + " is \"" +
-                              wrong + "\""),
+      return AllOf(StartsWith(fmt::format("{}:{}: {} is \"{}\"", folder_.file("hardware.toml"),
+                                          place, key, wrong)),
                    HasSubstr("tcp://host:port, with a port from 1 to 65535, or the path of"));
     };
-    EXPECT_THAT(refusal_of(head + "[source]\nkind = \"scpi\"\nport = \"" + wrong + "\"" + more +
-                           "/dev/ttyUSB0\"\n"),
-                refused_at("5:8", "port"));
-    EXPECT_THAT(refusal_of(head + "[source]\nkind = \"scpi\"\nport = \"/dev/ttyACM0\"" + more +
-                           wrong + "\"\n"),
-                refused_at("11:8", "link"));
-    EXPECT_THAT(refusal_of(head + "[serial]\nports = [\"/dev/ttyUSB0\", \"" + wrong + "\"]\n"),
-                refused_at("4:26", "ports"));
+    EXPECT_THAT(
+        refusal_of(fmt::format("{}[source]\nkind = \"scpi\"\nport = \"{}\"{}/dev/ttyUSB0\"\n", head,
+                               wrong, more)),
+        refused_at("5:8", "port"));
+    EXPECT_THAT(
+        refusal_of(fmt::format("{}[source]\nkind = \"scpi\"\nport = \"/dev/ttyACM0\"{}{}\"\n", head,
+                               more, wrong)),
+        refused_at("11:8", "link"));
+    EXPECT_THAT(
+        refusal_of(fmt::format("{}[serial]\nports = [\"/dev/ttyUSB0\", \"{}\"]\n", head, wrong)),
+        refused_at("4:26", "ports"));
   }
 }
 
