@@ -162,8 +162,10 @@ TEST_F(PhysicalRun, AHeadOnASerialPortTestsAnOutletAndAContactOnlyDevice) {
   EXPECT_EQ(record.verdict, record::Verdict::kPass) << record.verdict_reason;
   ASSERT_EQ(record.outlets.size(), 2U);
   EXPECT_EQ(record.outlets[0].id, "outlet-7");
+  // Three standard deviations: the uncertainty is expanded with k = 2, and in real time the noise
+  // differs from run to run.
   EXPECT_NEAR(record.outlets[0].clock.drift_ppm, 38.0,
-              record.outlets[0].clock.drift_uncertainty_ppm);
+              1.5 * record.outlets[0].clock.drift_uncertainty_ppm);
   EXPECT_EQ(record.outlets[1].id, "b");
   EXPECT_TRUE(record.outlets[1].trace.tick.empty());
   // 50 ms of delay, 50 to 120 ms of measurement, 6.5 to 9.5 ms of the contact.

@@ -73,7 +73,9 @@ class OnAnInstrument : public testing::Test {
     }
     ASSERT_GE(count, 20);
     EXPECT_NEAR(sum_pu / count, 1.0, 0.01);
-    EXPECT_NEAR(measured.clock.drift_ppm, drift_ppm, measured.clock.drift_uncertainty_ppm);
+    // The instrument plays in real time, so that the noise differs from run to run. The uncertainty
+    // is expanded with k = 2, beyond which one value in twenty lies; three standard deviations.
+    EXPECT_NEAR(measured.clock.drift_ppm, drift_ppm, 1.5 * measured.clock.drift_uncertainty_ppm);
     EXPECT_LT(measured.clock.drift_uncertainty_ppm, 150.0);
     EXPECT_LT(measured.clock.uncertainty_ms, 1.0);
   }
