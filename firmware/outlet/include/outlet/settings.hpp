@@ -114,8 +114,8 @@ constexpr SettingsError kLastSettingsError = SettingsError::kRelay;
 
 const char* to_string(SettingsError error);
 
-// Returns the first error in the order of the fields, or kNone. It does not check whether the
-// version is newer: apply() does, with kStale.
+// Returns kNone, or the error of the first field that is out of range, or of fields that do not fit
+// together. It does not check whether the version is newer: apply() does, with kStale.
 SettingsError validate(const Settings& settings, float nominal_hz);
 
 // CRC-32 (IEEE 802.3) over every field in order, little-endian. The outlet acknowledges settings
