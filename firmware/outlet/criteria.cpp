@@ -8,7 +8,8 @@
 namespace gs::outlet {
 namespace {
 
-// After a decision, f must be steady for half a second before the detector is armed again.
+// After a decision, f must be steady for half a second before event_detected() counts again. A
+// significant change of the lost power (method 1) begins an event at once.
 constexpr std::uint16_t kSteadyReports = 31;
 // With method 1, event_detected() counts only after this many reports without a disturbance of the
 // voltage, which leaves a transient in the tracked frequency.

@@ -94,8 +94,8 @@ struct Settings {
 enum class SettingsError : std::uint8_t {
   kNone = 0,
   kUnknownField = 1,  // sent by a centre of a later version
-  kResponse =
-      2,  // gain, slope or omega_n² not positive, or beyond the limits of the model's series
+  // Gain, slope or omega_n² not positive, or beyond the limits of the model's series.
+  kResponse = 2,
   kThreshold = 3,
   kAccumulated = 4,
   kSwitchOff = 5,   // below 80 % of nominal, or not below nominal
