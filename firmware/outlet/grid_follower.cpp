@@ -8,8 +8,8 @@ namespace {
 constexpr float kOverlap = 1.57f;
 // The phase noise is measured by the third differences of successive phases, in which changes of
 // the grid are negligible. Their variance is kThirdDifference times that of a phase, plus that of
-// the front end's images. Averaged over two seconds it varies by 15 %; kNoiseMargin lets the
-// setting hold unless the measured noise is clearly larger.
+// the front end's images. Averaged over two seconds it varies by 15 %. Divided by kNoiseMargin, it
+// replaces the setting only if it is clearly larger.
 constexpr float kThirdDifference = 3.9f;
 constexpr float kImages_cycles2 = 2.7e-8f;  // (1.03 mrad)²
 constexpr float kNoiseMargin = 1.3f;

@@ -42,8 +42,10 @@ struct State {
   GridFollower follower;
   // For decisions by the grid's state.
   float shed_before_mw = 0.0f;  // sum of required_mw of earlier decisions; 0 after switching on
-  float least_loss_mw = kNoLoss_mw;  // lowest lost power since the last decision on it
-  std::uint8_t undisturbed = 0;      // reports since the voltage was disturbed, up to 255
+  // Lost power at the latest decision that more was lost; lowered by later changes that begin or
+  // end below it.
+  float least_loss_mw = kNoLoss_mw;
+  std::uint8_t undisturbed = 0;  // reports since the voltage was disturbed, up to 255
   Phase phase = Phase::kQuiet;
   std::uint16_t steady_reports = 0;   // while cooling
   std::uint8_t below_switch_off = 0;  // successive measurements below f^B

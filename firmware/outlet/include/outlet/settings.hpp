@@ -102,10 +102,9 @@ enum class SettingsError : std::uint8_t {
   kConditions = 6,  // no row, too many, not descending, or a limit above zero
   kCounts = 7,      // number of samples out of range
   kEvent = 8,       // drop or departure not within 0 … 1 Hz
-
   kEstimator = 9,
   kTracker = 10,
-  kStale = 11,   // version not above the one in force
+  kStale = 11,   // version not above that of the settings accepted last
   kMethod = 12,  // method, threshold frequency or margin out of range
   kRelay = 13,   // delay or restoration out of range
 };
