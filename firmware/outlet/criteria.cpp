@@ -80,8 +80,8 @@ bool is_sure(const Settings& settings, float loss_sigma_mw) {
   return loss_sigma_mw <= kSureSigma * settings.threshold_mw;
 }
 
-// Whether the lost power has grown above State::least_loss_mw, and above that before this change.
-// Load that others shed, power that returns and slow control only lower it.
+// Whether the lost power is above the lower of State::least_loss_mw and its value before this
+// change. Load that others shed, power that returns and slow control only lower it.
 bool more_is_lost(const Settings& settings, State& state, const Followed& followed) {
   const float loss_mw = followed.state.loss_mw;
   const float least_mw = minimum(state.least_loss_mw, state.follower.loss_before_mw);

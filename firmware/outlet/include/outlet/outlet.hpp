@@ -41,7 +41,9 @@ struct State {
   EstimatorState estimator;
   GridFollower follower;
   // For decisions by the grid's state.
-  float shed_before_mw = 0.0f;  // sum of required_mw of earlier decisions; 0 after switching on
+  // Sum of required_mw of earlier decisions. Cleared by restoration, by a command to switch on, and
+  // by a restart.
+  float shed_before_mw = 0.0f;
   // Lost power at the latest decision that more was lost; lowered by later changes that begin or
   // end below it.
   float least_loss_mw = kNoLoss_mw;
