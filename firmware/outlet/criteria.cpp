@@ -8,24 +8,28 @@
 namespace gs::outlet {
 namespace {
 
-// After a decision, f must be steady for half a second before the detector is armed again.
+// After a decision, f must be steady for half a second before event_detected() counts again. A
+// significant change of the lost power (method 1) begins an event at once.
 constexpr std::uint16_t kSteadyReports = 31;
-// Five drops make an event only if no report was held so shortly before: a disturbance of the
-// voltage leaves a transient of the tracked frequency behind.
+// With method 1, event_detected() counts only after this many reports without a disturbance of the
+// voltage, which leaves a transient in the tracked frequency.
 constexpr std::uint8_t kUndisturbedReports = 20;
-// Limits of the amplitude: of its change, relative, ten times its noise at 1 %; and of itself,
-// since noise rotates a shorter phasor further.
+// The voltage is undisturbed if the relative change of its amplitude is within ± kSteadyAmplitude
+// (ten times its noise at 1 %), and the amplitude is above kLeastAmplitude, per unit: noise rotates
+// a shorter phasor by a larger angle.
 constexpr float kSteadyAmplitude = 0.005f;
 constexpr float kLeastAmplitude = 0.7f;
-// A decision by the grid's state is due with this σ of the lost power, per threshold loss, or this
-// many reports later: then as far as it is sure, two σ.
+// The estimate is sure if its σ is at most kSureSigma of the threshold loss. If it is not sure when
+// the decision is due, the outlet waits up to kLatestReports more. Then it decides with
+// kSureSigmas·σ subtracted from the required power.
 constexpr float kSureSigma = 0.034f;
 constexpr int kLatestReports = 20;
 constexpr float kSureSigmas = 2.0f;
-// More is lost if the lost power has grown by this many σ and this part of the threshold loss.
+// More is lost if the lost power has grown by more than both limits: σ of the estimate, and parts
+// of the threshold loss.
 constexpr float kMoreSigmas = 3.0f;
 constexpr float kMorePart = 0.05f;
-// An event without an onset of the follower was none.
+// With method 1, an event ends after this many reports without a confirmed onset.
 constexpr int kReportsWithoutOnset = 60;
 
 void switch_off(const Settings& settings, State& state, Report& report, Cause cause) {
@@ -40,8 +44,8 @@ void end_event(State& state) {
   state.steady_reports = 0;
 }
 
-// Criterion (1) as the paper has it: sheds if enough conditions were met, the estimate is trusted,
-// and more is required than less important outlets shed.
+// Criterion (1) of the paper: sheds if enough reports met a condition, the estimate is trusted, and
+// more is required than less important outlets shed.
 void decide_by_paper(const Settings& settings, State& state, Report& report) {
   report.required_mw = required_mw(state.estimator.ekf.loss_mw, settings.threshold_mw);
   report.trust = trust(settings, state.estimator);
@@ -53,7 +57,8 @@ void decide_by_paper(const Settings& settings, State& state, Report& report) {
   end_event(state);
 }
 
-// The paper's estimator runs with both methods: its hits and its instant of the loss are reported.
+// Runs the paper's estimator. It runs with method 1 as well, which reports its LSE, hits and
+// instant of the loss.
 void estimate(const Config& config, State& state, Report& report, bool valid) {
   EstimatorState& estimator = state.estimator;
   const bool had_lse = estimator.started;
@@ -75,8 +80,8 @@ bool is_sure(const Settings& settings, float loss_sigma_mw) {
   return loss_sigma_mw <= kSureSigma * settings.threshold_mw;
 }
 
-// Whether more is lost than the least since the last decision: load that others shed, power that
-// returns and slow control only lower it.
+// Whether the lost power is above the lower of State::least_loss_mw and its value before this
+// change. Load that others shed, power that returns and slow control only lower it.
 bool more_is_lost(const Settings& settings, State& state, const Followed& followed) {
   const float loss_mw = followed.state.loss_mw;
   const float least_mw = minimum(state.least_loss_mw, state.follower.loss_before_mw);
@@ -87,8 +92,9 @@ bool more_is_lost(const Settings& settings, State& state, const Followed& follow
   return more;
 }
 
-// Criterion (1) by the grid's state: sheds if more is required to keep the nadir at f_s than less
-// important outlets shed, now and before. Due once after each change of the lost power.
+// Criterion (1) by the grid's state. The sum of what is required now to keep the nadir at f_s, and
+// of what earlier decisions required, is compared with P^A. One decision is due after each
+// confirmed change of the lost power.
 void decide_by_grid_state(const Config& config, State& state, const Followed& followed,
                           Report& report) {
   GridFollower& follower = state.follower;
@@ -137,9 +143,9 @@ Followed follow_grid(const Config& config, State& state, const Phasor& z) {
                 !state.tracker.coasting, state.tracker.omega_rad_s / kTwoPi);
 }
 
-// Counts the reports since the voltage was last disturbed: a report was held, or its amplitude
-// changed. The first report into a dip can pass the tracker's gate, and its phase error looks like
-// a drop of the frequency.
+// Counts the reports since the voltage was last disturbed: the report was held, its amplitude
+// changed, or its amplitude was low. The first report of a dip can pass the tracker's gate, and its
+// phase error looks like a drop of the frequency.
 void watch_voltage(State& state, bool valid) {
   const float change = state.tracker.last_innovation_amplitude;
   const bool steady = valid && state.tracker.amplitude > kLeastAmplitude &&
@@ -170,7 +176,7 @@ void cool_down(State& state, const Report& report, bool valid) {
   }
 }
 
-// Criterion (2), independent of the estimate.
+// Criterion (2). It does not depend on the estimate.
 void watch_switch_off_frequency(const Settings& settings, State& state, Report& report,
                                 bool valid) {
   if (valid && stays_below(report.measurement.frequency_hz, settings.switch_off_hz,

@@ -5,7 +5,8 @@
 
 namespace gs::outlet {
 
-// Detects, estimates and decides. `report` holds the measurement and the line; `z` is its phasor.
+// Detects events, estimates the lost power, decides, and advances the relay. On entry `report`
+// holds the measurement and the line; `z` is the phasor of the same report. Requires settings.
 void act(const Config& config, State& state, const Phasor& z, Report& report);
 
 }  // namespace gs::outlet

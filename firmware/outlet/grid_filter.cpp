@@ -3,10 +3,11 @@
 namespace gs::outlet {
 namespace {
 
-// Process noise of every step: of the frequency, 20 µHz, and of q, 10 µHz/s.
+// Process noise of every step: 20 µHz of the frequency, 10 µHz/s of q.
 constexpr float kDeviationNoise_hz2 = 4.0e-10f;
 constexpr float kRocofNoise_hz2_s2 = 1.0e-10f;
-// Of the oscillation, so that its amplitude and frequency may change: 3e-5 cycles, 3 mrad/s.
+// Process noise of the oscillation, whose amplitude and frequency may change: 3e-5 cycles of a and
+// b, 3 mrad/s of Ω.
 constexpr float kSwingNoise_cycles2 = 9.0e-10f;
 constexpr float kSwingOmegaNoise_rad2_s2 = 9.0e-6f;
 
@@ -16,7 +17,7 @@ constexpr float kHighestOmega_rad_s = kTwoPi * 1.2f;
 constexpr float kUnknownSwing_hz = 0.1f;    // σ of an unknown oscillation's amplitude
 constexpr float kUnknownOmegaPart = 0.15f;  // σ of its Ω, relative
 
-// How well the start's equilibrium is known.
+// Standard deviations at the start: of Δf along the line of equilibria, of p and q from that line.
 constexpr float kStartDeviation_hz = 0.5f;
 constexpr float kStartLoss_mw = 5.0f;
 constexpr float kStartRocof_hz_s = 0.002f;
@@ -29,14 +30,14 @@ float& covariance(GridFilter& f, int i, int j) {
   return f.covariance[covariance_index(i, j)];
 }
 
-// A row of the transition matrix is zero outside first … last.
+// Columns outside first … last of a row of the transition matrix are zero.
 struct Row {
   int first;
   int last;
 };
 constexpr Row kRows[kFilterStates] = {{0, 3}, {1, 3}, {1, 3}, {3, 3}, {4, 6}, {4, 6}, {6, 6}};
 
-// Moves the state, and writes the transition matrix that belongs to it.
+// Moves the state by one step. `to` becomes the transition matrix (Jacobian).
 void move_state(const GridStep& step, GridFilter& f, float (&to)[kFilterStates][kFilterStates]) {
   float moved[kGridVariables];
   for (int i = 0; i < kGridVariables; ++i) {
@@ -79,7 +80,7 @@ void start(const Response& r, GridFilter& f, float phase_cycles, float deviation
   f.x[kDeviation] = deviation_hz;
   f.x[kLoss] = loss_mw;
   f.x[kUnloadedRocof] = drop * loss_mw;
-  // Equilibrium: p = −Δf/K and q = K·g0·p, each up to a small error of its own.
+  // Equilibrium: p = −Δf/K and q = K·g0·p, each with a small independent error.
   const float deviation = kStartDeviation_hz * kStartDeviation_hz;
   const float deviation_loss = -deviation / r.gain_hz_per_mw;
   const float loss =
@@ -126,7 +127,7 @@ void predict(const GridStep& step, GridFilter& f, const ProcessNoise& noise) {
   const int n = states_of(f);
   float to[kFilterStates][kFilterStates];
   move_state(step, f, to);
-  // P = T·P·Tᵀ, of which only the upper triangle is computed.
+  // P = T·P·Tᵀ; only its upper triangle is computed.
   float half[kFilterStates][kFilterStates];  // T·P
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
@@ -185,7 +186,7 @@ Innovation correct(GridFilter& f, float phase_cycles, float phase_variance) {
 
 void take_phase(GridFilter& f, float phase_cycles, float phase_variance) {
   f.x[kPhase] = phase_cycles - f.x[kSwing];
-  // φ = z − a: what is uncertain about a is so about φ.
+  // φ = z − a: the uncertainty of φ is that of a, plus the measurement's.
   for (int i = kDeviation; i < kFilterStates; ++i) {
     covariance(f, kPhase, i) = -covariance(f, kSwing, i);
   }

@@ -3,35 +3,41 @@
 namespace gs::outlet {
 namespace {
 
-// White noise of the phasors, whose windows of 56 ms overlap: their sum over many reports varies as
-// that of independent ones 1.57 times as large.
+// The windows of successive phasors (56 ms) overlap, so that their noise is correlated. Over many
+// reports it averages like independent noise with 1.57 times the standard deviation.
 constexpr float kOverlap = 1.57f;
-// The noise is measured by the third differences of successive phases, which no grid changes. Their
-// variance is 3.9 times that of a phase, plus that of the front end's images. Only what is clearly
-// above the setting counts: measured over two seconds, it varies by 15 %.
+// The phase noise is measured by the third differences of successive phases, in which changes of
+// the grid are negligible. Their variance is kThirdDifference times that of a phase, plus that of
+// the front end's images. Averaged over two seconds it varies by 15 %. Divided by kNoiseMargin, it
+// replaces the setting only if it is clearly larger.
 constexpr float kThirdDifference = 3.9f;
 constexpr float kImages_cycles2 = 2.7e-8f;  // (1.03 mrad)²
 constexpr float kNoiseMargin = 1.3f;
-constexpr float kNoiseMemory = 1.0f / 128.0f;
-constexpr float kLargestSquare = 9.0f;  // of the mean: a phase step is no noise
-// Process noise of the lost power, parts of the typical one per report: outside an onset and in it.
+constexpr float kNoiseMemory = 1.0f / 128.0f;  // weight of the newest difference
+constexpr float kLargestSquare = 9.0f;         // times the mean; limits the effect of a phase step
+// Standard deviation of the process noise of the lost power in a report, as a part of scale_mw:
+// outside an onset, and in it.
 constexpr float kLossNoise = 1.4e-4f;
 constexpr float kOnsetLossNoise = 0.85f;
-// An onset: the sum of n normalised innovations is beyond this many √n, for n = 4, 8 or 16.
+// An onset is found if the sum of the newest n normalised innovations exceeds ± kOnsetSigmas·√n,
+// for n = 4, 8 or 16.
 constexpr float kOnsetSigmas = 4.5f;
 constexpr int kSumLengths[] = {4, 8, 16};
 constexpr int kReportsBetweenOnsets = 12;
 constexpr std::uint32_t kReportsBeforeFirstOnset = 16;
-// The filter goes back only if it has at least this many reports that it can take once more.
+// The filter goes back only if it has processed at least this many reports.
 constexpr std::uint32_t kLeastHistory = 8;
-// Measurements that are taken once more, and the most reports if gaps lie between them.
+// Number of measurements that an onset processes again, and the most reports that they may span if
+// there are gaps.
 constexpr int kOnsetMeasurements = 7;
 constexpr int kLongestOnset = 20;
 constexpr int kLongestOnsetWithSwing = 9;
-// Measurements just before a disturbance was recognised, in which it had begun.
+// Measurements before a disturbance is recognised that it may already have affected.
 constexpr int kSpoiledMeasurements = 2;
 
-// The rival: the phase moves freely until this many reports after the onset was found, 1.8° each.
+// The rival has the process noise kFreePhase_cycles (1.8°) of the phase in each report of the
+// onset, and in the first kFreePhaseReports after it was found. It fails if the sum or the sum of
+// squares of its normalised innovations is too large; it is right after kRivalReports measurements.
 constexpr int kFreePhaseReports = 4;
 constexpr float kFreePhase_cycles = 0.005f;
 constexpr float kRivalSumSigmas = 4.0f;
@@ -39,18 +45,21 @@ constexpr float kRivalSquaresSigmas = 4.0f;
 constexpr float kRivalSquaresMargin = 6.0f;
 constexpr int kRivalReports = 16;
 
-// A change of the lost power is significant, at the earliest this many reports after the onset was
-// found.
+// A change of the lost power is significant if it exceeds both limits, between kSignificantReports
+// and kAnnouncedWithin reports after the newest onset was found.
 constexpr int kSignificantReports = 8;
 constexpr float kSignificantSigmas = 6.0f;
-constexpr float kSignificantPart = 0.11f;  // of the typical loss
-constexpr int kAnnouncedWithin = 60;       // reports
+constexpr float kSignificantPart = 0.11f;  // of scale_mw
+constexpr int kAnnouncedWithin = 60;
 
-// The bank is started again after 8 s without an oscillation. An oscillation is looked for only if
-// the follower's own explanation keeps failing.
+// The bank restarts after 8 s without an oscillation. Its oscillation is used only if the filter
+// without one keeps failing: at least kOnsetsOfSwing onsets since the bank's start, the newest less
+// than kRecentOnset reports ago.
 constexpr std::uint16_t kBankReports = 500;
 constexpr std::uint8_t kOnsetsOfSwing = 3;
 constexpr std::uint16_t kRecentOnset = 70;
+// The oscillation is given up below this amplitude, or if this many onsets are found in one period
+// of kSwingOnsetReports.
 constexpr float kSwingEnds_hz = 0.006f;
 constexpr std::uint8_t kOnsetsThatEndSwing = 6;
 constexpr std::uint16_t kSwingOnsetReports = 400;
@@ -67,7 +76,7 @@ FollowedReport& at(GridFollower& f, std::uint32_t number) {
   return f.reports[number & (kFollowedReports - 1)];
 }
 
-// Takes report `number`, or takes it once more.
+// Processes report `number`, the first time or again.
 void take(const FollowerSettings& settings, GridFollower& f, std::uint32_t number) {
   if (number % (kFollowedReports / kKeptFilters) == 0) {
     f.kept[number / (kFollowedReports / kKeptFilters) % kKeptFilters] = f.filter;
@@ -84,8 +93,8 @@ void take(const FollowerSettings& settings, GridFollower& f, std::uint32_t numbe
   }
 }
 
-// Brings the filter back to its state before report `number` and returns that, or the nearest
-// report that is possible.
+// Restores the filter's state before report `number`, or before the earliest later one whose state
+// can be restored. Returns the number of that report.
 std::uint32_t go_back(const FollowerSettings& settings, GridFollower& f, std::uint32_t number) {
   constexpr std::uint32_t kSpacing = kFollowedReports / kKeptFilters;
   number = number > f.oldest ? number : f.oldest;
@@ -105,13 +114,14 @@ float nominal_phase_variance(const FollowerSettings& settings) {
   return square(settings.phase_sigma_rad / kTwoPi);
 }
 
-// Variance of a measured phase at nominal amplitude, as the setting has it or as measured.
+// Variance of a measured phase at nominal amplitude, cycles²: the larger of the setting's and the
+// measured one.
 float phase_variance(const FollowerSettings& settings, const GridFollower& f) {
   const float measured = (f.noise_squares - kImages_cycles2) / (kThirdDifference * kNoiseMargin);
   return square(kOverlap) * maximum(measured, nominal_phase_variance(settings));
 }
 
-// Takes report `now`, which is the newest.
+// Updates noise_squares with the newest report, `now`. Requires four successive measurements.
 void measure_noise(GridFollower& f, std::uint32_t now) {
   if (now < f.oldest + 3) {
     return;
@@ -138,7 +148,7 @@ void begin(const FollowerSettings& settings, GridFollower& f, const PhaseMeasure
   start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
 }
 
-// Another filter continues: earlier reports were not taken by it.
+// Another filter replaces the present one. Earlier reports cannot be processed again by it.
 void continue_with(GridFollower& f, const GridFilter& filter) {
   f.filter = filter;
   f.oldest = f.count;
@@ -172,7 +182,8 @@ bool onset_found(GridFollower& f) {
   return false;
 }
 
-// The first report of the onset: the newest measurements and the gap before them, if any.
+// Number of the onset's first report. The onset has the newest kOnsetMeasurements measurements, and
+// the gap before them if there is one, within the longest span.
 std::uint32_t first_of_onset(GridFollower& f) {
   const int longest = f.filter.with_swing ? kLongestOnsetWithSwing : kLongestOnset;
   int length = 0;
@@ -207,7 +218,7 @@ void start_rival(const FollowerSettings& settings, GridFollower& f, std::uint32_
   f.rival_squares = 0.0f;
 }
 
-// Takes the last reports once more, with the lost power free to change.
+// Begins an onset: processes the last reports again, with a large process noise of the lost power.
 void open(const FollowerSettings& settings, GridFollower& f) {
   const std::uint32_t first = go_back(settings, f, first_of_onset(f));
   if (f.announced) {
@@ -227,7 +238,8 @@ void open(const FollowerSettings& settings, GridFollower& f) {
   f.onsets = static_cast<std::uint8_t>(f.onsets < 0xFF ? f.onsets + 1 : 0xFF);
 }
 
-// The rival fails, or is right.
+// Processes the newest report by the rival. It may fail, which confirms the onset, or replace the
+// filter.
 void follow_rival(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m) {
   const float free_phase = f.since_onset <= kFreePhaseReports ? square(kFreePhase_cycles) : 0.0f;
   predict(settings.step, f.rival, {free_phase, loss_noise_mw2(settings, kLossNoise)});
@@ -253,7 +265,7 @@ void follow_rival(const FollowerSettings& settings, GridFollower& f, const Phase
   }
 }
 
-// True once when the change of the lost power becomes significant.
+// True once for a change of the lost power: when it becomes significant.
 bool becomes_significant(const FollowerSettings& settings, GridFollower& f) {
   if (f.announced) {
     return false;
@@ -273,8 +285,8 @@ bool becomes_significant(const FollowerSettings& settings, GridFollower& f) {
   return true;
 }
 
-// Changes between following with and without an oscillation. The bank has taken all reports but the
-// one that comes now.
+// Switches between filters with and without an oscillation, before report m is processed. The bank
+// has processed all earlier reports.
 void choose_swing(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m,
                   float deviation_hz) {
   ++f.since_swing;
@@ -329,7 +341,7 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
                 float amplitude, bool measured, float deviation_hz) {
   PhaseMeasurement m;
   m.phase_cycles = phase_cycles;
-  // Noise rotates a shorter phasor further.
+  // The same noise rotates a shorter phasor by a larger angle.
   m.variance = phase_variance(settings, f) / square(minimum(amplitude, 1.0f));
   m.measured = measured;
   m.after_gap = measured && f.gap > 0;

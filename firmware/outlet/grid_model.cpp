@@ -3,7 +3,8 @@
 namespace gs::outlet {
 namespace {
 
-// Good for up to kLongestSeries_s; longer steps are squared up from shorter ones.
+// The series is accurate up to kLongestSeries_s. A longer step is halved until it is shorter, and
+// its matrix is then squared as often.
 constexpr int kSeriesTerms = 16;
 constexpr float kLongestSeries_s = 0.1f;
 
@@ -28,7 +29,7 @@ GridStep grid_step(const Response& r, float step_s) {
     step_s *= 0.5f;
     ++doublings;
   }
-  GridStep rates;  // per second
+  GridStep rates;  // derivatives of the state, per second
   auto& rate = rates.to;
   rate[kPhase][kDeviation] = 1.0f;
   rate[kDeviation][kUnloadedRocof] = 1.0f;
@@ -38,8 +39,7 @@ GridStep grid_step(const Response& r, float step_s) {
   rate[kUnloadedRocof][kLoss] =
       r.gain_hz_per_mw * (2.0f * r.sigma_per_s * r.initial_slope_per_s - omega_n2);
 
-  // Matrix exponential by its series, from the inside: I + X·(I + X/2·(I + X/3·(…))), X =
-  // rate · step_s.
+  // Matrix exponential by Horner's scheme: I + X·(I + X/2·(I + X/3·(…))), X = rate · step_s.
   GridStep step;
   for (int i = 0; i < kGridVariables; ++i) {
     step.to[i][i] = 1.0f;

@@ -6,7 +6,7 @@
 namespace gs::outlet {
 namespace {
 
-// From a phasor to the open relay: the front end's delay and the relay's 8 ms.
+// Time from a report's phasor to the open relay: the front end's delay, and 8 ms of the relay.
 constexpr float kLead_s = kFrontEndDelay_s + 0.008f;
 
 void remember(State& state, const Measurement& measurement) {
@@ -119,7 +119,7 @@ std::size_t step(const Config& config, State& state, const std::int16_t* samples
                  Report& report, bool& ready) {
   const std::size_t taken = feed(config.front_end, state.front_end, samples, count, ready);
   if (config.has_settings && config.settings.method == kByGridState) {
-    // One filter a millisecond; the rest before the next report.
+    // One filter of the bank in each millisecond; those that are left, before the next report.
     follow_swing(config.follower, state.follower,
                  ready ? kSwingFilters : state.front_end.subsum - state.follower.bank_next);
   }

@@ -5,7 +5,8 @@
 namespace gs::outlet {
 namespace {
 
-// 0 … 1, from the noise of a measurement: another value for each outlet, and the same in a replay.
+// Random number in [0, 1) from the noise of a measurement. It differs between outlets, and is the
+// same in a replay.
 float random_part(float frequency_hz) {
   Crc32 crc;
   crc.add_word(frequency_hz);

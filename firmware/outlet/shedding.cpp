@@ -4,8 +4,8 @@ namespace gs::outlet {
 
 Shedding shedding(const GridStep& step, const GridState& state, float limit_hz) {
   const float loss_mw = maximum(state.loss_mw, 0.0f);
-  // The course of the frequency is linear in the power: that without any loss, plus the loss times
-  // that of one megawatt.
+  // The model is linear. The predicted deviation is that of the state without lost power, plus the
+  // lost power times that of 1 MW.
   GridState unloaded = {state.deviation_hz, state.unloaded_rocof_hz_s, 0.0f};
   GridState of_1_mw = {0.0f, 0.0f, 1.0f};
   Shedding result = {state.deviation_hz, 0.0f};

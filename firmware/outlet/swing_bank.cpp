@@ -6,10 +6,12 @@ namespace {
 
 constexpr float kStart_hz[kSwingFilters] = {0.10f, 0.14f, 0.20f, 0.28f, 0.40f, 0.56f, 0.78f, 1.05f};
 
-constexpr float kKeptLikelihood = 0.99f;  // per report
+// What remains of the older terms with each measurement.
+constexpr float kKeptLikelihood = 0.99f;
 constexpr float kKeptSquares = 0.97f;
 
-// An oscillation is significant above this amplitude and this many of its standard deviations.
+// Limits of an established oscillation: amplitude, also in its standard deviations; mean square of
+// the normalised innovations; reports since the start.
 constexpr float kSignificant_hz = 0.012f;
 constexpr float kSignificantSigmas = 6.0f;
 constexpr float kFittingSquares = 1.6f;

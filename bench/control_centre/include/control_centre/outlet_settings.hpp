@@ -17,8 +17,8 @@ namespace gsbench::control_centre {
 // Requested settings of one outlet. Settings that are not requested are derived from the grid or
 // are the firmware's defaults.
 struct RequestedSettings {
-  double accumulated_mw = 0.0;             // P^A as sent, >= 0
-  std::optional<double> power_mw;          // of the outlet's block, for eq. (17); half of it in P^A
+  double accumulated_mw = 0.0;     // P^A as sent, >= 0
+  std::optional<double> power_mw;  // of the outlet's block, for eq. (17); P^A has half of it
   std::map<std::string, double> settings;  // by the names in outlet/settings.hpp
   Rules rules = Rules::kGsbench;           // for settings that are not requested
 };
@@ -29,17 +29,18 @@ struct RequestedSettings {
 // (GridError) or has more conditions than an outlet stores.
 gs::outlet::Settings grid_settings(const grid::Grid& grid, Rules rules = Rules::kGsbench);
 
-// All settings of one outlet. By the paper's rules f^B is that of eq. (17): the power of the
-// outlet's own block is power_mw, or accumulated_mw if power_mw is not requested; the less
-// important load is accumulated_mw minus half of the own block's power; if accumulated_mw is 0, f^B
-// is the threshold frequency. Otherwise f^B is the stage of accumulated_mw, and power_mw has no
-// effect. Throws std::invalid_argument for invalid input and for settings that the firmware would
-// refuse.
+// All settings of one outlet. f^B, unless it is requested:
+// - Rules::kPaper: by eq. (17). The power of the outlet's own block is power_mw, or accumulated_mw
+// if
+//   power_mw is not requested. The less important load is accumulated_mw minus half of that power.
+//   If accumulated_mw is 0, f^B is the threshold frequency.
+// - Rules::kGsbench: by Stages, from accumulated_mw. power_mw has no effect.
+// Throws std::invalid_argument for invalid input and for settings that the firmware would refuse.
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
                                      std::uint32_t version);
 
-// Every field by its name, for the run record. The conditions have the names condition_rows,
-// condition_01_from_hz, condition_01_rocof_below_hz_s, …
+// The value of every field by its name, for the run record. The conditions have the names
+// condition_rows, condition_01_from_hz, condition_01_rocof_below_hz_s, …
 std::map<std::string, double> described(const gs::outlet::Settings& settings);
 
 }  // namespace gsbench::control_centre

@@ -1,4 +1,4 @@
-// By which rules the control centre derives an outlet's settings from the grid.
+// Rules by which the control centre derives an outlet's settings from the grid.
 #pragma once
 
 #include <cstdint>

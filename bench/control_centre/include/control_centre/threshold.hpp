@@ -22,32 +22,34 @@ double threshold_mw(const grid::SfrModel& model, double threshold_hz);
 double threshold_for_delay_mw(const grid::SfrModel& model, double threshold_hz, double loss_mw,
                               double delay_s);
 
-// Until an outlet has acted: its decision, at most 0.96 s after the loss (§6.5), and its relay, 8
-// ms.
+// Time from a loss to an outlet's action: the decision at most 0.96 s after the loss (§6.5), and 8
+// ms of the relay.
 constexpr double kOutletDelay_s = 0.968;
 
-// Credible loss per threshold loss by eq. (15), for a grid that does not state its own. The paper's
-// case is 500 MW for 351.92 MW.
+// Credible loss / threshold loss by eq. (15), for a grid that does not state its credible loss. In
+// the paper's case it is 500 MW / 351.92 MW.
 constexpr double kCredibleLossFactor = 1.4;
 
-// The loss for which settings allow for the delay: the grid's credible_loss_mw, or its default.
+// The loss for which settings allow for the delay, MW: the grid's credible_loss_mw, or else
+// kCredibleLossFactor times the threshold loss by eq. (15).
 double credible_loss_mw(const grid::Grid& grid);
 
-// The threshold loss by gsbench's rules: after the credible loss, outlets that act kOutletDelay_s
-// later keep the nadir at f_s. If the frequency is below f_s by then, they keep it within 10 mHz of
-// the highest possible: for the last millihertz the whole loss would have to be shed. At most that
-// of eq. (15). A constant threshold is right for one loss; after a smaller one outlets shed too
-// much, at most eq. (15) less this threshold, 11.8 MW on ieee24. Throws GridError if the grid is
-// invalid.
+// The threshold loss by gsbench's rules, MW, at most that of eq. (15). With it, outlets that act
+// kOutletDelay_s after the credible loss keep the nadir at f_s. If that is out of reach or nearly
+// so, they keep the nadir 10 mHz below the highest possible one: for the last millihertz the whole
+// loss would have to be shed. The threshold is exact for the credible loss alone. After a smaller
+// loss outlets shed too much, at most the difference from eq. (15), 11.8 MW on ieee24. Throws
+// GridError if the grid is invalid.
 double delay_aware_threshold_mw(const grid::Grid& grid);
 
-// threshold_mw() or delay_aware_threshold_mw().
+// The threshold loss by these rules, MW: threshold_mw() or delay_aware_threshold_mw().
 double threshold_mw(const grid::Grid& grid, Rules rules);
 
 // K^LSE of eq. (18), MW per Hz/s, negative.
 double k_lse_mw_per_hz_s(const grid::SfrModel& model);
 
-// One row: for from_hz <= f < to_hz the condition is met if ROCOF is below the limit.
+// One row of Table 1. For from_hz <= f < to_hz the condition is met if the ROCOF is below the
+// limit.
 struct Condition {
   double from_hz;
   double to_hz;

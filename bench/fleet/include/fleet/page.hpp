@@ -1,5 +1,5 @@
-// Very many outlets of any grid after a loss: which outlets shed, how much, when, and the
-// frequency, compared with other controls.
+// Pages of a report on a fleet after a loss in any grid: which outlets shed, how much and when, and
+// the frequency, compared with other controls.
 #pragma once
 
 #include <optional>
@@ -14,27 +14,29 @@
 
 namespace gsbench::fleet {
 
-// Every combination is simulated.
+// Every combination of loss, noise and delay is simulated.
 struct Sweep {
   std::vector<double> losses_mw;  // empty: 0.9 … 2 times the grid's threshold loss
+  // Noise of a measured frequency, as ScenarioOptions::noise_hz.
   std::vector<double> noises_hz = {0.0, 0.005, 0.01, 0.02, 0.05};
-  std::vector<double> delays_s = {0.0, 0.1, 0.2, 0.5, 1.0};  // added to each outlet's own
+  std::vector<double> delays_s = {0.0, 0.1, 0.2, 0.5, 1.0};  // ScenarioOptions::further_delay_s
 };
 
 struct Study {
   FleetOptions fleet;
-  ScenarioOptions scenario;  // `control` is not used: all are simulated
+  ScenarioOptions scenario;  // `control` is not used: all controls are simulated
   bool delay_aware = false;  // adds Grid Sense with a threshold loss that allows for the delay
   bool closed_loop = false;  // adds a thousand outlets with the whole firmware
   std::optional<Sweep> sweep;
 };
 
-// Blocks until all is simulated or `execution` is stopped. A stopped page has what was done so far
-// and a fact "stopped". Throws std::invalid_argument for options out of range.
+// Blocks until all is simulated or `execution` is stopped. A page that was stopped has the results
+// so far and a fact "stopped". Throws std::invalid_argument for options out of range.
 record::Page make_page(const grid::Grid& grid, const Study& study,
                        const campaign::Execution& execution);
 
-// A profile in a closed loop, by every strategy that is possible. As above.
+// The page of a profile in a closed loop, with every strategy that is possible. Blocks and throws
+// as make_page() and simulate_closed_loop() do.
 record::Page make_closed_loop_page(const profile::Plan& plan, const Study& study,
                                    const campaign::Execution& execution);
 

@@ -1,13 +1,13 @@
 // A loss of power and the control that follows: by a fleet's outlets, by a central controller, by
 // under-frequency relays, or none.
 //
-// Outlets measure every 16 ms, not synchronised. A measurement is the frequency 28 ms earlier
-// (front-end delay) plus noise. Load shed by other outlets changes the frequency that an outlet
-// measures. Outlets detect the loss at the sixth measurement that shows the time after it, 108 …
-// 124 ms after the loss. (The firmware needs 104 … 152 ms, because its tracker smooths the
-// frequency.) 49 measurements later they estimate the loss and compare it with the threshold, by
-// the firmware's own code. This model leaves out the load-shedding conditions of the firmware and
-// its check whether an estimate is plausible.
+// Outlets measure every 16 ms and are not synchronised. A measurement is the frequency 28 ms
+// earlier (front-end delay) plus noise. Load shed by other outlets changes the frequency that an
+// outlet measures. Outlets detect the loss at the sixth measurement of the time after it, 108 … 124
+// ms after the loss. (The firmware needs 104 … 152 ms, because its tracker smooths the frequency.)
+// 49 measurements later they estimate the loss and compare it with the threshold, by the firmware's
+// code for method 0. This model leaves out the load-shedding conditions of the firmware and its
+// check whether an estimate is plausible.
 #pragma once
 
 #include <optional>
@@ -26,32 +26,33 @@ enum class Control : std::uint8_t {
   kUfls,       // under-frequency load shedding by relays
 };
 
-// Of outlets, controller and relays.
+// Parameters of outlets, controller and relays. Delays are 0 … 300 s.
 struct Controls {
   double threshold_mw = 0.0;        // threshold loss of outlets and controller; 0: by the rules
-  double central_decision_s = 0.9;  // until the controller knows the loss
+  double central_decision_s = 0.9;  // from the loss until the controller knows it
   double central_delay_s = 1.0;     // communication of its commands
   double ufls_first_hz = 0.0;       // first stage; 0: 0.98 of the nominal frequency (49 Hz)
-  double ufls_step_hz = 0.2;        // between stages
-  double ufls_part = 0.05;          // of the load, at each of five stages
-  double ufls_delay_s = 0.15;
+  double ufls_step_hz = 0.2;        // from one stage to the next lower one
+  double ufls_part = 0.05;          // part of the grid's load that each stage sheds
+  double ufls_delay_s = 0.15;       // from the frequency of a stage to its action
 };
 
 struct ScenarioOptions : Controls {
   Control control = Control::kGridSense;
   control_centre::Rules rules = control_centre::Rules::kGsbench;  // of the outlets' settings
-  double loss_mw = 500.0;
+  double loss_mw = 500.0;  // above 0, at most the grid's base power
   campaign::NoiseDistribution distribution = campaign::NoiseDistribution::kUniform;
-  double noise_hz = 0.01;
-  double further_delay_s = 0.0;  // of every outlet's action, added to its relay's
-  double duration_s = 20.0;
+  double noise_hz = 0.01;        // 0 … 1; half width if uniform, standard deviation if Gaussian
+  double further_delay_s = 0.0;  // 0 … 300; of every outlet's action, added to its relay's
+  double duration_s = 20.0;      // 1 … 300, from the loss
   std::uint64_t seed = 1;
 };
 
+// Times count from the loss.
 struct ScenarioResult {
-  Shed shed;                  // by outlets; for controller and relays only the power
-  double threshold_mw = 0.0;  // in use: of the options, or by their rules
-  double required_mw = 0.0;   // loss above it, or 0
+  Shed shed;                  // by outlets; for controller and relays the power alone
+  double threshold_mw = 0.0;  // the one in use: of the options, or by their rules
+  double required_mw = 0.0;   // max(loss − threshold loss, 0)
   double nadir_hz = 0.0;
   double nadir_s = 0.0;
   double end_hz = 0.0;
@@ -63,7 +64,7 @@ struct ScenarioResult {
 
 constexpr std::size_t kUflsStages = 5;
 
-// Deviation from nominal below which each stage of the relays acts, Hz, from the first on.
+// Deviation from nominal below which each stage of the relays acts, Hz, from the first stage down.
 std::vector<double> ufls_stages_hz(const grid::Grid& grid, const Controls& controls);
 
 // Throws std::invalid_argument for a delay out of range.

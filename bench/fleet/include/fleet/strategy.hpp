@@ -1,4 +1,4 @@
-// Ways to control the load of a fleet after a loss, which a closed loop compares.
+// Controls of a fleet's load that a closed loop compares.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,29 @@ namespace gsbench::fleet {
 
 enum class Strategy : std::uint8_t {
   kNone,
-  kPaper,    // outlets that decide as the paper's: setting method = 0
-  kGsbench,  // outlets that decide by the grid's state: method = 1
-  kCentral,  // a controller that knows the lost power, after its delay; eq. (15)
+  kPaper,    // outlets that decide by the paper's rules: setting method = 0
+  kGsbench,  // outlets that decide by the grid's state: setting method = 1
+  kCentral,  // a controller that knows the lost power after its delay, and sheds by eq. (29)
   kUfls,     // under-frequency load shedding by relays
-  // These know the state of the grid at once, a loss 0.3, 0.5, 0.75 or 0.96 s after it happens,
-  // and a return of power at once. Every 16 ms they shed by fleet/clairvoyant.hpp.
+  // Reference controls that shed by fleet/clairvoyant.hpp every 16 ms. They know a loss 0.3, 0.5,
+  // 0.75 or 0.96 s after it happens.
   kClairvoyant300ms,
   kClairvoyant500ms,
   kClairvoyant750ms,
   kClairvoyant960ms,
 };
 
-const char* to_string(Strategy strategy);  // "none", "clairvoyant-0.3"
+const char* to_string(Strategy strategy);  // such as "none" or "clairvoyant-0.3"
 const std::vector<Strategy>& all_strategies();
 bool has_outlets(Strategy strategy);
-std::optional<double> knows_loss_after_s(Strategy strategy);  // T of a clairvoyant
+// The delay T of a clairvoyant; nothing for other strategies.
+std::optional<double> knows_loss_after_s(Strategy strategy);
 
-// The lost power of a recorded frequency is not known.
+// Whether the profile plays a changing frequency, by points or a recording. The lost power is then
+// not known.
 bool plays_recorded_frequency(const profile::Plan& plan);
 
-// False for central control and the clairvoyants if the lost power is not known.
+// False for central control and clairvoyants if the profile plays a recorded frequency.
 bool is_possible(const profile::Plan& plan, Strategy strategy);
 
 }  // namespace gsbench::fleet

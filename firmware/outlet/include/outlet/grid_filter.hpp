@@ -1,10 +1,10 @@
-// Kalman filter that follows the grid by the measured phase of the voltage: phase, frequency, lost
-// power, and optionally an oscillation that lies over them.
+// Kalman filter that estimates the state of the grid from the measured phase of the voltage, and
+// optionally an inter-area oscillation that is superposed.
 //
-// Measured is z = φ + a, in cycles: φ the phase of grid_model.hpp, a that of an inter-area
-// oscillation. The oscillation is a rotating vector (a, b) of angular frequency Ω, which is
-// estimated with it (extended Kalman filter). Without an oscillation its variances are 0, and its
-// states are not computed.
+// The measurement is z = φ + a, in cycles: φ is the phase of grid_model.hpp, a is the phase of the
+// oscillation. The vector (a, b) rotates with the angular frequency Ω, which is estimated as well
+// (extended Kalman filter). Without an oscillation a, b, Ω and their covariances are 0 and are not
+// computed.
 #pragma once
 
 #include <outlet/front_end.hpp>
@@ -12,7 +12,7 @@
 
 namespace gs::outlet {
 
-// Indices of the filter's state; the first four are those of GridVariable.
+// Indices of the filter's state. The first four are those of GridVariable.
 constexpr int kSwing = 4;        // a, cycles
 constexpr int kSwingAcross = 5;  // b, cycles
 constexpr int kSwingOmega = 6;   // Ω, rad/s
@@ -20,9 +20,9 @@ constexpr int kFilterStates = 7;
 constexpr int kCovariances = kFilterStates * (kFilterStates + 1) / 2;
 
 struct GridFilter {
-  float x[kFilterStates] = {};
-  float covariance[kCovariances] = {};  // upper triangle, row by row
-  bool with_swing = false;
+  float x[kFilterStates] = {};          // φ within ± 0.5 cycles after each predict()
+  float covariance[kCovariances] = {};  // upper triangle, row by row, in the units of the states
+  bool with_swing = false;              // an oscillation is estimated
 };
 
 // Index of the covariance of states i and j in GridFilter::covariance.
@@ -36,37 +36,42 @@ inline float variance(const GridFilter& filter, int state) {
   return filter.covariance[covariance_index(state, state)];
 }
 
-// Process noise of a step, as variances.
+// Variances that a step of 16 ms adds to φ and p. Those of the other states are constants.
 struct ProcessNoise {
   float phase = 0.0f;  // cycles²
   float loss = 0.0f;   // MW²
 };
 
-// Starts in equilibrium: the lost power is the one whose final deviation is `deviation_hz`, known
-// to ± 20 mHz.
+// Starts in equilibrium at `deviation_hz` from nominal: p = −Δf/K. Standard deviations: 0.5 Hz of
+// Δf along the line of equilibria; from that line, 5 MW of p and 2 mHz/s of q; none of the phase,
+// so that take_phase() must follow.
 void start(const Response& response, GridFilter& filter, float phase_cycles, float deviation_hz);
 
-// Adds an unknown oscillation near `omega_rad_s`.
+// Adds an oscillation of unknown phase near `omega_rad_s`, in place of one that was there. Standard
+// deviations: 0.1 Hz of its amplitude, 15 % of Ω. The estimate of Ω stays within 2π · 0.08 … 1.2
+// Hz.
 void add_swing(GridFilter& filter, float omega_rad_s);
-// Removes the oscillation from the state.
 void remove_swing(GridFilter& filter);
 
-// Amplitude of the oscillation's frequency, Hz, and its standard deviation.
+// Amplitude (peak) of the oscillation in the frequency, Hz, and its standard deviation. 0 without
+// an oscillation.
 float swing_hz(const GridFilter& filter);
 float swing_sigma_hz(const GridFilter& filter);
 
-// One step of 16 ms.
+// One step of 16 ms. `step` is that of kReport_s.
 void predict(const GridStep& step, GridFilter& filter, const ProcessNoise& noise);
 
 struct Innovation {
-  float normalised = 0.0f;      // per standard deviation
-  float relative_width = 1.0f;  // its variance, per variance of the measurement
+  float normalised = 0.0f;      // in its own standard deviations
+  float relative_width = 1.0f;  // its variance / that of the measurement
 };
 
-// Takes a measured phase, cycles; whole cycles do not matter.
+// Updates the state with a measured phase, cycles; whole cycles do not matter. `phase_variance` >
+// 0, cycles².
 Innovation correct(GridFilter& filter, float phase_cycles, float phase_variance);
 
-// Takes the phase as measured and nothing else: after a gap in which the phase may have jumped.
+// Sets φ from a measured phase and leaves all other states unchanged. For the first measurement,
+// and for the one after a gap in which the phase may have jumped.
 void take_phase(GridFilter& filter, float phase_cycles, float phase_variance);
 
 }  // namespace gs::outlet

@@ -1,11 +1,15 @@
-// Follows the grid from report to report: frequency, lost power, and its standard deviation,
-// whatever happens: losses one after another, ramps, returns, load shed by others, disturbances of
-// the voltage, an oscillation beneath.
+// Estimates the state of the grid in every report: frequency, lost power and its standard
+// deviation. It continues through successive losses, ramps, returns of power, load shed by others,
+// disturbances of the voltage and an inter-area oscillation.
 //
-// The filter takes the lost power as constant. When its innovations show that this is wrong, an
-// onset, the last reports are taken once more, with the lost power free to change in them. Whether
-// the phase alone has changed is the rival explanation: a second filter follows with the phase free
-// instead. If it fits for a quarter of a second, it is right, and nothing was lost.
+// The filter assumes that the lost power is nearly constant. An onset is the report in which its
+// innovations show that this is wrong. The filter then goes back by seven measurements and
+// processes them again, with a large process noise of the lost power.
+//
+// A phase step of the voltage causes an onset, too. A rival filter therefore processes the same
+// measurements with a large process noise of the phase instead. If its innovations fit for sixteen
+// measurements (a quarter of a second), only the phase has changed, and the rival replaces the
+// filter. If they do not, the onset is confirmed.
 #pragma once
 
 #include <outlet/swing_bank.hpp>
@@ -13,66 +17,77 @@
 namespace gs::outlet {
 
 constexpr int kFollowedReports = 32;  // a power of two
-constexpr int kKeptFilters = 8;       // one for each four reports
+constexpr int kKeptFilters = 8;       // one for every fourth report
 
 struct FollowerSettings {
   Response response;
-  GridStep step;          // over 16 ms
-  float scale_mw = 0.0f;  // typical lost power: the threshold loss
+  GridStep step;          // grid_step(response, kReport_s)
+  float scale_mw = 0.0f;  // > 0: the threshold loss; scale of the process noise of the lost power
+  // Standard deviation of a measured phase at nominal amplitude. A noise that is measured to be
+  // clearly larger replaces it.
   float phase_sigma_rad = 0.0f;
 };
 
 struct FollowedReport {
   PhaseMeasurement measurement;
-  float innovation = 0.0f;  // normalised
-  bool onset = false;       // the lost power was free to change
+  float innovation = 0.0f;  // in its standard deviations; 0 without one, or in an onset
+  bool onset = false;       // processed with the large process noise of the lost power
 };
 
+// Reports are numbered from 0 at the start. gap, since_onset and onsets stop at the maximum of
+// their types.
 struct GridFollower {
-  GridFilter filter;
-  FollowedReport reports[kFollowedReports];
-  GridFilter kept[kKeptFilters];  // before each fourth report
-  std::uint32_t count = 0;        // reports since the start
-  std::uint32_t oldest = 0;       // the first report that can be taken once more
-  std::uint16_t gap = 0;          // reports since the last measurement
-  float noise_squares = 0.0f;     // mean of the phases' squared third differences, cycles²
-  std::uint16_t since_onset = 0xFFFF;
-  float loss_before_mw = 0.0f;  // at the onset
+  GridFilter filter;                         // after the newest report
+  FollowedReport reports[kFollowedReports];  // ring: report n at n % kFollowedReports
+  GridFilter kept[kKeptFilters];  // ring: the filter before report n, at n/4 % kKeptFilters
+  std::uint32_t count = 0;        // reports since the start; number of the next one
+  std::uint32_t oldest = 0;       // number of the first report that `filter` has processed
+  std::uint16_t gap = 0;          // successive newest reports without a measurement
+  float noise_squares = 0.0f;     // running mean of the phases' squared third differences, cycles²
+  std::uint16_t since_onset = 0xFFFF;  // reports since the newest onset was found
+  float loss_before_mw = 0.0f;         // lost power before the change that began with an onset
 
-  // The rival explanation.
+  // The rival: only the phase has changed.
   GridFilter rival;
-  bool rival_lives = false;
-  std::uint8_t rival_reports = 0;
-  float rival_sum = 0.0f;      // of its normalised innovations
-  float rival_squares = 0.0f;  // of their squares
+  bool rival_lives = false;        // it has neither failed nor replaced `filter`
+  std::uint8_t rival_reports = 0;  // measurements since the rival was started
+  float rival_sum = 0.0f;          // of its normalised innovations in these
+  float rival_squares = 0.0f;      // of the squares of these innovations
 
-  bool changed = false;   // an onset is confirmed, and not yet taken by the outlet
-  bool announced = true;  // the change of the lost power is significant and was reported
+  bool changed = false;   // an onset is confirmed; the outlet clears it when it decides
+  bool announced = true;  // no change waits to be reported as Followed::significant
 
   SwingBank bank;
-  PhaseMeasurement bank_measurement;
-  std::uint8_t bank_next = kSwingFilters;  // the filter that is moved next
-  std::uint8_t onsets = 0;  // since the bank's start; with an oscillation: in the last 6 s
-  std::uint16_t since_swing = 0;
+  PhaseMeasurement bank_measurement;       // of the newest report, for the bank
+  std::uint8_t bank_next = kSwingFilters;  // index of its next filter; kSwingFilters: all are done
+  // Onsets since the bank was started; while `filter` has an oscillation, since the present period
+  // of 6.4 s began.
+  std::uint8_t onsets = 0;
+  std::uint16_t since_swing = 0;  // with an oscillation: reports since it was added, modulo 2¹⁶
 };
 
-// Forgets everything: the next measurement starts it. Field by field: a temporary GridFollower
-// would not fit onto an outlet's stack.
+// Forgets everything; the next measurement starts the follower. It sets field by field, because a
+// temporary GridFollower would not fit onto an outlet's stack.
 void clear(GridFollower& follower);
 
 struct Followed {
-  bool valid = false;
-  GridState state;  // at the time of the report's phasor, kFrontEndDelay_s ago
+  bool valid = false;  // false until the first measurement
+  GridState state;     // at the time of the report's phasor, kFrontEndDelay_s ago
   float loss_sigma_mw = 0.0f;
-  bool significant = false;  // now: the lost power has changed significantly
+  bool significant = false;  // true once, when a change of the lost power has become significant
 };
 
-// One report of 16 ms. `phase_cycles` and `amplitude` (per unit) of the phasor; `measured`: the
-// voltage is not disturbed; `deviation_hz`: the tracker's, used at the start only.
+// Takes one report of 16 ms.
+//   phase_cycles  of the phasor, relative to nominal; whole cycles do not matter
+//   amplitude     of the phasor, per unit of the nominal amplitude, > 0
+//   measured      false: the voltage is disturbed, and phase and amplitude are ignored
+//   deviation_hz  of the tracker's frequency from nominal; used only where the follower or the bank
+//                 starts
 Followed follow(const FollowerSettings& settings, GridFollower& follower, float phase_cycles,
                 float amplitude, bool measured, float deviation_hz);
 
-// Moves up to `filters` of the bank, which must all be moved before the next report.
+// Moves the next filters of the bank by the newest report, at most `filters`. All must be moved
+// before the next follow().
 void follow_swing(const FollowerSettings& settings, GridFollower& follower, int filters);
 
 }  // namespace gs::outlet

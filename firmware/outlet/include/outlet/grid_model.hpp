@@ -1,34 +1,38 @@
 // The grid's frequency response (response.hpp) in state-space form, for any course of the lost
-// power: the step response u(τ) is that of
+// power p(t). Its step response is u(τ):
 //   dφ/dt  = Δf
 //   dΔf/dt = q − K·g0·p
 //   dq/dt  = −ω_n²·Δf − 2σ·q + K·(2σ·g0 − ω_n²)·p
-// with the phase φ relative to nominal (cycles), the deviation Δf from nominal (Hz), and the lost
-// power p (MW). q is the ROCOF that the grid would have if the lost power returned now (Hz/s): it
-// is continuous when p changes, the ROCOF is not.
+// φ: phase relative to nominal, cycles. Δf: deviation from nominal, Hz. p: lost power, MW; negative
+// if power is in excess. q: the ROCOF if all lost power returned now, Hz/s. A step of p changes the
+// ROCOF at once, but neither q nor Δf.
 #pragma once
 
 #include <outlet/response.hpp>
 
 namespace gs::outlet {
 
+// Indices of φ, Δf, q and p.
 enum GridVariable : std::uint8_t { kPhase, kDeviation, kUnloadedRocof, kLoss, kGridVariables };
 
-// State after a time step = to · state before it, while p is constant.
+// Transition matrix of a time step with constant p: state after = to · state before, in the order
+// and units of GridVariable.
 struct GridStep {
   float to[kGridVariables][kGridVariables] = {};
 };
 
-// Requires 0 < step_s <= 10 and a stable response. Relative error below 1e-5.
+// The transition matrix over step_s, 0 < step_s <= 10, of a stable response. Relative error below
+// 1e-5.
 GridStep grid_step(const Response& response, float step_s);
 
-// Deviation and q, with p constant. For the phase see GridStep.
+// The state without the phase.
 struct GridState {
-  float deviation_hz = 0.0f;
-  float unloaded_rocof_hz_s = 0.0f;
-  float loss_mw = 0.0f;
+  float deviation_hz = 0.0f;         // Δf
+  float unloaded_rocof_hz_s = 0.0f;  // q
+  float loss_mw = 0.0f;              // p
 };
 
+// The state one step later, with constant p.
 GridState advanced(const GridStep& step, const GridState& state);
 
 }  // namespace gs::outlet

@@ -1,5 +1,6 @@
-// When the relay opens and closes: after the time delay, by command at once, and again by itself
-// when the frequency has recovered (restoration).
+// When the relay opens and closes. It opens after the time delay of the settings, or at once by a
+// command. If the outlet itself opened it, it closes again when the frequency has recovered
+// (restoration).
 #pragma once
 
 #include <cstdint>
@@ -20,22 +21,26 @@ struct RelayState {
   bool opening = false;
   Cause opening_cause = Cause::kNone;
   float opens_in_s = 0.0f;
-  // Restoration: time above restore_hz, and the time that is due.
+  // Restoration: time for which f has been at least restore_hz, and the time after which the relay
+  // closes.
   float above_s = 0.0f;
   float restore_after_s = 0.0f;
 };
 
-// An outlet's own decision to switch off. Without a time delay the relay opens now; returns true if
-// it does. `frequency_hz`: the newest measurement, whose noise is the random part of the
-// restoration.
+// The outlet's own decision to switch off. No effect if the relay is open or about to open. Returns
+// true if the relay opens now, which it does without a time delay. `frequency_hz`: the newest
+// measurement; the random part of the restoration is derived from its noise.
 bool open(const Settings& settings, RelayState& relay, Cause cause, float frequency_hz);
 
-// Criterion (3). Replaces what the outlet itself had decided. Returns true if the relay changes.
+// Criterion (3). Takes effect at once and cancels an opening that waits for the time delay. Returns
+// true if the relay changes. A relay that a command opened is not restored. A relay that was open
+// before the command keeps its cause, and is restored.
 bool command(RelayState& relay, bool close);
 
 enum class RelayChange : std::uint8_t { kNone, kOpened, kRestored };
 
-// One report of 16 ms. `frequency_hz`: NaN if it was not measured.
+// Advances the time delay and the restoration by one report of 16 ms. `frequency_hz`: NaN if it was
+// not measured, which restarts the dwell time of the restoration.
 RelayChange run(const Settings& settings, RelayState& relay, float frequency_hz);
 
 }  // namespace gs::outlet

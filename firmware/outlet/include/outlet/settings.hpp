@@ -1,4 +1,5 @@
-// Settings that the control centre sends an outlet before any event (§3.2), and their validation.
+// Settings that the control centre sends to an outlet before any event (§3.2), and their
+// validation. Units are in the names; kSettingsFields has the ranges.
 #pragma once
 
 #include <cstddef>
@@ -21,9 +22,9 @@ struct ConditionRow {
   float rocof_below_hz_s = 0.0f;
 };
 
-// Settings::method.
-constexpr std::uint8_t kByPaper = 0;
-constexpr std::uint8_t kByGridState = 1;
+// Settings::method: how the outlet decides by criterion (1).
+constexpr std::uint8_t kByPaper = 0;      // loss above the threshold, and load-shedding conditions
+constexpr std::uint8_t kByGridState = 1;  // estimated state of the grid, and its predicted nadir
 
 constexpr std::uint32_t kNoSettings = 0;  // version of an outlet without settings
 
@@ -36,8 +37,8 @@ struct Settings {
   float largest_loss_mw = 0.0f;  // bound of the estimate: the system's generation
 
   // For decisions by the grid's state (`method` below).
-  float threshold_hz = 0.0f;       // f_s
-  float nadir_margin_hz = 0.003f;  // the nadir is kept this far above f_s
+  float threshold_hz = 0.0f;       // f_s: lowest permitted nadir
+  float nadir_margin_hz = 0.003f;  // the predicted nadir is kept this far above f_s
 
   // This outlet's place in the order of shedding.
   float accumulated_mw = 0.0f;  // P^A, eq. (11)
@@ -74,14 +75,14 @@ struct Settings {
   // for "immediately", and enough to ignore a glitch.
   std::uint8_t switch_off_samples = 3;
 
-  // How the outlet decides: by the grid's state and its predicted nadir (kByGridState), or as the
-  // paper does, by the loss above the threshold and the load-shedding conditions (kByPaper).
   std::uint8_t method = kByGridState;
-  std::uint8_t decision_reports = 40;  // from the onset of a change to the decision by the state
+  // From the report in which an onset was found to the decision by the grid's state, if the
+  // estimate is sure by then; at most 20 reports more.
+  std::uint8_t decision_reports = 40;
 
-  // Time delay (§3.1), and restoration: an outlet that switched off by itself switches on again
-  // after restore_dwell_s and a random part of restore_spread_s above restore_hz. A command comes
-  // first.
+  // Time delay of the relay (§3.1), for criteria (1) and (2). Restoration: an outlet that switched
+  // off by itself switches on again after f has been at least restore_hz without interruption, for
+  // restore_dwell_s plus a random part of restore_spread_s.
   float delay_s = 0.0f;
   float restore_hz = 0.0f;  // 0: only by command
   float restore_dwell_s = 60.0f;
@@ -93,18 +94,17 @@ struct Settings {
 enum class SettingsError : std::uint8_t {
   kNone = 0,
   kUnknownField = 1,  // sent by a centre of a later version
-  kResponse =
-      2,  // gain, slope or omega_n² not positive, or beyond the limits of the model's series
+  // Gain, slope or omega_n² not positive, or beyond the limits of the model's series.
+  kResponse = 2,
   kThreshold = 3,
   kAccumulated = 4,
   kSwitchOff = 5,   // below 80 % of nominal, or not below nominal
   kConditions = 6,  // no row, too many, not descending, or a limit above zero
   kCounts = 7,      // number of samples out of range
   kEvent = 8,       // drop or departure not within 0 … 1 Hz
-
   kEstimator = 9,
   kTracker = 10,
-  kStale = 11,   // version not above the one in force
+  kStale = 11,   // version not above that of the settings accepted last
   kMethod = 12,  // method, threshold frequency or margin out of range
   kRelay = 13,   // delay or restoration out of range
 };
@@ -113,15 +113,17 @@ constexpr SettingsError kLastSettingsError = SettingsError::kRelay;
 
 const char* to_string(SettingsError error);
 
+// Returns kNone, or the error of the first field that is out of range, or of fields that do not fit
+// together. It does not check whether the version is newer: apply() does, with kStale.
 SettingsError validate(const Settings& settings, float nominal_hz);
 
 // CRC-32 (IEEE 802.3) over every field in order, little-endian. The outlet acknowledges settings
 // with it.
 std::uint32_t digest(const Settings& settings);
 
-// The list of all settings with name, unit and range. Validation, digest, wire format, the
-// profile's keys and the record's entries are derived from it. To add a setting, add a member to
-// Settings and a line here.
+// kSettingsFields lists all settings with name, unit and range. Validation, digest, wire format,
+// the profile's keys and the record's entries are derived from it. To add a setting, add a member
+// to Settings and a line to the list.
 
 // Magnitude limit of every setting, in its own unit.
 constexpr float kLargestSetting = 1.0e9f;
@@ -150,7 +152,7 @@ struct Field {
   std::uint16_t offset;  // in Settings
   Range range;           // compared in single precision, as the firmware does
   SettingsError error;   // if out of range
-  // For settings that profiles may set: the meaning, and the value if a profile does not set it.
+  // For settings that profiles may set: the meaning, and a text on the value without the key.
   const char* meaning = nullptr;
   const char* otherwise = nullptr;  // nullptr: the default of Settings
 };
@@ -250,7 +252,8 @@ inline constexpr Field kSettingsFields[] = {
 constexpr Range kRowFrequency = {0.0f, 1.0f, true, true, true};
 constexpr Range kRowRocof = {-kLargestSetting, 0.0f};
 
-// nominal_hz scales ranges that are of_nominal. NaN is outside every range.
+// Whether the value is in the range. nominal_hz scales ranges that are of_nominal. NaN is outside
+// of every range.
 constexpr bool within(const Range& range, float value, float nominal_hz) {
   const float scale = range.of_nominal ? nominal_hz : 1.0f;
   return (range.without_least ? value > range.least * scale : value >= range.least * scale) &&

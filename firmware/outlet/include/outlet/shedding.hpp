@@ -1,5 +1,5 @@
-// What must be shed, from the state of the grid: the least power that keeps the predicted nadir at
-// the threshold frequency f_s, whatever happened before.
+// The least power that must be shed now to keep the predicted nadir at a limit. It follows from the
+// state of the grid alone, whatever happened before.
 #pragma once
 
 #include <outlet/grid_model.hpp>
@@ -7,17 +7,17 @@
 namespace gs::outlet {
 
 constexpr float kLookAhead_s = 0.1f;  // step of the prediction
-constexpr int kLookAheadSteps = 80;   // the nadir comes within 8 s
+constexpr int kLookAheadSteps = 80;   // the prediction covers 8 s
 
-// All deviations are from the nominal frequency.
 struct Shedding {
-  float nadir_hz = 0.0f;     // predicted if nothing is shed
+  float nadir_hz = 0.0f;     // deviation from nominal, predicted if nothing is shed
   float required_mw = 0.0f;  // 0 … the lost power
 };
 
-// `step`: over kLookAhead_s. `limit_hz` < 0: f_s minus nominal. Where shedding all of the lost
-// power cannot keep f_s any more, the limit is kOutOfReach_hz below the best that can be reached:
-// otherwise all would be shed for the last millihertz.
+// `step`: grid_step(response, kLookAhead_s). `state`: at the time at which the load goes off.
+// `limit_hz`: deviation from nominal, < 0. It is lowered to kOutOfReach_hz below the nadir that
+// remains when all of the lost power is shed, if it is above that. Otherwise all load would be shed
+// for the last millihertz.
 constexpr float kOutOfReach_hz = 0.010f;
 Shedding shedding(const GridStep& step, const GridState& state, float limit_hz);
 
