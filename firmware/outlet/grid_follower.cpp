@@ -234,7 +234,6 @@ void open(const FollowerSettings& settings, GridFollower& f) {
     at(f, i).innovation = 0.0f;
   }
   f.since_onset = 0;
-  f.changed = f.changed || !f.rival_lives;
   f.onsets = static_cast<std::uint8_t>(f.onsets < 0xFF ? f.onsets + 1 : 0xFF);
 }
 

@@ -71,6 +71,8 @@ SettingsError apply(Config& config, State& state, const Settings& settings) {
     config.next = settings;
   } else {
     put_in_force(config, settings);
+    // In a quiet grid the control centre knows which load is off, and P^A no longer includes it.
+    state.shed_before_mw = state.phase == Phase::kQuiet ? 0.0f : state.shed_before_mw;
   }
   return SettingsError::kNone;
 }

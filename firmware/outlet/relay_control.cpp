@@ -17,6 +17,7 @@ void open_now(RelayState& relay) {
   relay.opening = false;
   relay.closed = false;
   relay.cause = relay.opening_cause;
+  relay.restores = true;
   relay.above_s = 0.0f;
 }
 
@@ -47,6 +48,7 @@ bool command(RelayState& relay, bool close) {
   const bool changes = relay.closed != close;
   relay.opening = false;
   relay.closed = close;
+  relay.restores = close;
   if (changes) {
     relay.cause = close ? Cause::kNone : Cause::kCommand;
   }
@@ -62,8 +64,7 @@ RelayChange run(const Settings& settings, RelayState& relay, float frequency_hz)
     open_now(relay);
     return RelayChange::kOpened;
   }
-  const bool may_restore =
-      !relay.closed && relay.cause != Cause::kCommand && settings.restore_hz > 0.0f;
+  const bool may_restore = !relay.closed && relay.restores && settings.restore_hz > 0.0f;
   if (!may_restore || !(frequency_hz >= settings.restore_hz)) {
     relay.above_s = 0.0f;
     return RelayChange::kNone;

@@ -160,5 +160,20 @@ TEST(GridDecisions, CountWhatWasShedBefore) {
   EXPECT_TRUE(decisions[1].shed) << "both together are more than P^A";
 }
 
+TEST(GridDecisions, NewSettingsInAQuietGridClearWhatWasShedBefore) {
+  for (const Phase phase : {Phase::kQuiet, Phase::kCooling}) {
+    Config config;
+    State state;
+    ASSERT_TRUE(configure(Hardware{}, config));
+    Settings settings = test::ieee24_settings();
+    ASSERT_EQ(apply(config, state, settings), SettingsError::kNone);
+    state.shed_before_mw = 150.0F;
+    state.phase = phase;
+    settings.version = 2;
+    ASSERT_EQ(apply(config, state, settings), SettingsError::kNone);
+    EXPECT_EQ(state.shed_before_mw, phase == Phase::kQuiet ? 0.0F : 150.0F);
+  }
+}
+
 }  // namespace
 }  // namespace gs::outlet

@@ -92,6 +92,10 @@ TEST(RelayControl, DoesNotRestoreWhatACommandOpenedOrWithoutTheSetting) {
   command(relay, false);
   EXPECT_EQ(reports_to_change(settings_with(0.0F, 49.9F), relay, 50.0F, 1000), -1);
   relay = RelayState{};
+  open(settings_with(0.0F, 49.9F), relay, Cause::kLoss, 49.6F);
+  EXPECT_FALSE(command(relay, false)) << "it is open already";
+  EXPECT_EQ(reports_to_change(settings_with(0.0F, 49.9F), relay, 50.0F, 1000), -1);
+  relay = RelayState{};
   open(settings_with(0.0F, 0.0F), relay, Cause::kLoss, 49.6F);
   EXPECT_EQ(reports_to_change(settings_with(0.0F, 0.0F), relay, 50.0F, 1000), -1);
 }

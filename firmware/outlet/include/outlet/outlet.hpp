@@ -41,8 +41,8 @@ struct State {
   EstimatorState estimator;
   GridFollower follower;
   // For decisions by the grid's state.
-  // Sum of required_mw of earlier decisions. Cleared by restoration, by a command to switch on, and
-  // by a restart.
+  // Sum of required_mw of earlier decisions. Cleared by restoration, by a command to switch on, by
+  // new settings while the phase is quiet, and by a restart.
   float shed_before_mw = 0.0f;
   // Lost power at the latest decision that more was lost; lowered by later changes that begin or
   // end below it.

@@ -23,6 +23,7 @@ struct RelayState {
   float opens_in_s = 0.0f;
   // Restoration: time for which f has been at least restore_hz, and the time after which the relay
   // closes.
+  bool restores = true;  // false after a command to open
   float above_s = 0.0f;
   float restore_after_s = 0.0f;
 };
@@ -33,8 +34,8 @@ struct RelayState {
 bool open(const Settings& settings, RelayState& relay, Cause cause, float frequency_hz);
 
 // Criterion (3). Takes effect at once and cancels an opening that waits for the time delay. Returns
-// true if the relay changes. A relay that a command opened is not restored. A relay that was open
-// before the command keeps its cause, and is restored.
+// true if the relay changes. After a command to open the relay is not restored, also if it was open
+// before; then it keeps its cause.
 bool command(RelayState& relay, bool close);
 
 enum class RelayChange : std::uint8_t { kNone, kOpened, kRestored };
