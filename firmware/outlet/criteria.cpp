@@ -80,14 +80,18 @@ bool is_sure(const Settings& settings, float loss_sigma_mw) {
   return loss_sigma_mw <= kSureSigma * settings.threshold_mw;
 }
 
+// What is required beyond doubt: a change that is not larger than this is a slow course of the
+// frequency, which the model takes for lost power.
+float certain_mw(const Settings& settings, float loss_sigma_mw) {
+  return maximum(kMoreSigmas * loss_sigma_mw, kMorePart * settings.threshold_mw);
+}
+
 // Whether the lost power is above the lower of State::least_loss_mw and its value before this
 // change. Load that others shed, power that returns and slow control only lower it.
 bool more_is_lost(const Settings& settings, State& state, const Followed& followed) {
   const float loss_mw = followed.state.loss_mw;
-  const float least_mw = minimum(state.least_loss_mw, state.follower.loss_before_mw);
-  const float margin_mw =
-      maximum(kMoreSigmas * followed.loss_sigma_mw, kMorePart * settings.threshold_mw);
-  const bool more = loss_mw > least_mw + margin_mw;
+  const float least_mw = minimum(state.least_loss_mw, state.follower.loss_before_change_mw);
+  const bool more = loss_mw > least_mw + certain_mw(settings, followed.loss_sigma_mw);
   state.least_loss_mw = more ? loss_mw : minimum(least_mw, loss_mw);
   return more;
 }
@@ -118,7 +122,10 @@ void decide_by_grid_state(const Config& config, State& state, const Followed& fo
   const Shedding needed = shedding(config.look_ahead, advanced(config.lead, followed.state),
                                    settings.threshold_hz + settings.nadir_margin_hz - nominal_hz);
   const float doubt_mw = sure ? 0.0f : kSureSigmas * followed.loss_sigma_mw;
-  const float required_mw = more ? maximum(needed.required_mw - doubt_mw, 0.0f) : 0.0f;
+  // If no more is lost, others have shed too little, or slow control moves the frequency.
+  const bool is_required =
+      more || needed.required_mw > certain_mw(settings, followed.loss_sigma_mw);
+  const float required_mw = is_required ? maximum(needed.required_mw - doubt_mw, 0.0f) : 0.0f;
   if (!is_event && !(required_mw > 0.0f)) {
     return;
   }

@@ -225,6 +225,9 @@ void open(const FollowerSettings& settings, GridFollower& f) {
     f.loss_before_mw = f.filter.x[kLoss];
     f.announced = false;
   }
+  if (!f.rival_lives && !f.changed) {
+    f.loss_before_change_mw = f.filter.x[kLoss];
+  }
   if (!f.rival_lives) {
     start_rival(settings, f, first);
   }
@@ -325,6 +328,7 @@ void clear(GridFollower& f) {
   f.noise_squares = 0.0f;
   f.since_onset = 0xFFFF;
   f.loss_before_mw = 0.0f;
+  f.loss_before_change_mw = 0.0f;
   f.rival_lives = false;
   f.rival_reports = 0;
   f.rival_sum = 0.0f;

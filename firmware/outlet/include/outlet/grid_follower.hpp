@@ -46,6 +46,8 @@ struct GridFollower {
   float noise_squares = 0.0f;     // running mean of the phases' squared third differences, cycles²
   std::uint16_t since_onset = 0xFFFF;  // reports since the newest onset was found
   float loss_before_mw = 0.0f;         // lost power before the change that began with an onset
+  // Lost power before the first onset of a change that is not decided yet, MW.
+  float loss_before_change_mw = 0.0f;
 
   // The rival: only the phase has changed.
   GridFilter rival;

@@ -65,6 +65,7 @@ TEST_F(Ports, APortThatCannotBeOpenedIsFaultyAndTheOthersAreNotAffected) {
 }
 
 TEST_F(Ports, AnOutletJoinsOnceItsPortCanBeOpened) {
+  open();  // the outlet runs and is connected
   cable(kA).unplug();
   open();
   EXPECT_THAT(present(port(kA)).fault, HasSubstr("Connection refused"));
