@@ -42,8 +42,7 @@ Status Session::connect() {
 }
 
 // One reconnection. Only for steps that may be repeated.
-template <class Step>
-Status Session::reconnecting(const Step& step) {
+Status Session::reconnecting(const std::function<Status()>& step) {
   Status done = connect();
   if (done.ok()) {
     done = step();

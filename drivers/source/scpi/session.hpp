@@ -7,6 +7,7 @@
 #include <source_scpi/planner.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,7 @@ class Session {
 
  private:
   drivers::Status connect();
-  template <class Step>
-  drivers::Status reconnecting(const Step& step);
+  drivers::Status reconnecting(const std::function<drivers::Status()>& step);
   drivers::Status load_once(const Plan& plan, const source::Progress& progress);
   drivers::Status reset();
   drivers::Status clear_memory();
