@@ -76,6 +76,18 @@ FollowedReport& at(GridFollower& f, std::uint32_t number) {
   return f.reports[number & (kFollowedReports - 1)];
 }
 
+// Returns the normalised innovation; 0 without a measurement, or if only the phase is taken.
+float correct_by(GridFilter& filter, const PhaseMeasurement& m) {
+  if (!m.measured) {
+    return 0.0f;
+  }
+  if (m.after_gap) {
+    take_phase(filter, m.phase_cycles, m.variance);
+    return 0.0f;
+  }
+  return correct(filter, m.phase_cycles, m.variance).normalised;
+}
+
 // Processes report `number`, the first time or again.
 void take(const FollowerSettings& settings, GridFollower& f, std::uint32_t number) {
   if (number % (kFollowedReports / kKeptFilters) == 0) {
@@ -84,13 +96,7 @@ void take(const FollowerSettings& settings, GridFollower& f, std::uint32_t numbe
   FollowedReport& report = at(f, number);
   predict(settings.step, f.filter,
           {0.0f, loss_noise_mw2(settings, report.onset ? kOnsetLossNoise : kLossNoise)});
-  report.innovation = 0.0f;
-  const PhaseMeasurement& m = report.measurement;
-  if (m.measured && m.after_gap) {
-    take_phase(f.filter, m.phase_cycles, m.variance);
-  } else if (m.measured) {
-    report.innovation = correct(f.filter, m.phase_cycles, m.variance).normalised;
-  }
+  report.innovation = correct_by(f.filter, report.measurement);
 }
 
 // Restores the filter's state before report `number`, or before the earliest later one whose state
@@ -203,14 +209,9 @@ std::uint32_t first_of_onset(GridFollower& f) {
 void start_rival(const FollowerSettings& settings, GridFollower& f, std::uint32_t first) {
   f.rival = f.filter;
   for (std::uint32_t i = first; i < f.count; ++i) {
-    const PhaseMeasurement& m = at(f, i).measurement;
     predict(settings.step, f.rival,
             {square(kFreePhase_cycles), loss_noise_mw2(settings, kLossNoise)});
-    if (m.measured && m.after_gap) {
-      take_phase(f.rival, m.phase_cycles, m.variance);
-    } else if (m.measured) {
-      correct(f.rival, m.phase_cycles, m.variance);
-    }
+    correct_by(f.rival, at(f, i).measurement);
   }
   f.rival_lives = true;
   f.rival_reports = 0;
@@ -245,14 +246,10 @@ void open(const FollowerSettings& settings, GridFollower& f) {
 void follow_rival(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m) {
   const float free_phase = f.since_onset <= kFreePhaseReports ? square(kFreePhase_cycles) : 0.0f;
   predict(settings.step, f.rival, {free_phase, loss_noise_mw2(settings, kLossNoise)});
-  if (!m.measured) {
+  const float innovation = correct_by(f.rival, m);
+  if (!m.measured || m.after_gap) {
     return;
   }
-  if (m.after_gap) {
-    take_phase(f.rival, m.phase_cycles, m.variance);
-    return;
-  }
-  const float innovation = correct(f.rival, m.phase_cycles, m.variance).normalised;
   ++f.rival_reports;
   f.rival_sum += innovation;
   f.rival_squares += square(innovation);
