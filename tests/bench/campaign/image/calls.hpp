@@ -8,11 +8,6 @@
 
 namespace gs::test {
 
-// In the board's PSRAM, above the part that the firmware uses.
-constexpr std::uint32_t kCodeAddress = 0x21800000;
-constexpr std::uint32_t kReturnAddress = 0x21801000;
-constexpr std::uint32_t kDataAddress = 0x21802000;
-
 struct Calls {
   std::uint32_t begin = 0;  // functions of the image
   std::uint32_t observe = 0;

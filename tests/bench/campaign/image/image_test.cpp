@@ -1,14 +1,12 @@
 // Compares the estimates of the Cortex-M4F image with those of a campaign, trajectory by
 // trajectory.
 #include "calls.hpp"
-#include <cortex_m4/debugger.hpp>
+#include <cortex_m4/beside.hpp>
 #include <cortex_m4/emulated_outlet.hpp>
 #include <test_support/ieee24.hpp>
 
 #include <cstring>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include <gtest/gtest.h>
 
@@ -27,16 +25,6 @@ using outlet::EstimatorState;
 constexpr std::uint32_t kTrajectories = 1000;
 constexpr std::uint32_t kSamples = gsbench::campaign::kSamples;
 
-using Bytes = std::vector<std::uint8_t>;
-
-// The layout is the same on both processors: plain numbers of the same sizes.
-template <class T>
-Bytes bytes_of(const T* values, std::size_t count = 1) {
-  Bytes bytes(count * sizeof *values);
-  std::memcpy(bytes.data(), values, bytes.size());
-  return bytes;
-}
-
 EstimateOptions options(NoiseDistribution distribution) {
   EstimateOptions options;
   options.distribution = distribution;
@@ -53,29 +41,11 @@ std::vector<float> by_campaign(const EstimateOptions& options) {
   return estimates;
 }
 
-// Places data one after another in the processor's memory.
-class Memory {
- public:
-  explicit Memory(Debugger& debugger) : debugger_(debugger) {}
-  std::uint32_t put(const Bytes& bytes) {
-    const std::uint32_t address = next_;
-    debugger_.write(address, bytes);
-    next_ += (static_cast<std::uint32_t>(bytes.size()) + 7U) & ~7U;
-    return address;
-  }
-
- private:
-  Debugger& debugger_;
-  std::uint32_t next_ = kDataAddress;
-};
-
 std::vector<EstimatorState> by_image(const std::string& image, const EstimateOptions& options) {
   EmulatedOutlet outlet;
   outlet.start(image);
   outlet.line().wait_for(wire::UplinkKind::kHello);  // it runs, the FPU is on
-  Debugger debugger(outlet.machine());
-  std::ifstream file(GSBENCH_CALLS, std::ios::binary);
-  debugger.write(kCodeAddress, Bytes(std::istreambuf_iterator<char>(file), {}));
+  ProgramBeside program(outlet.machine(), GSBENCH_CALLS, "make_calls");
 
   std::vector<float> deviations_hz;
   for (std::uint32_t number = 0; number < kTrajectories; ++number) {
@@ -85,7 +55,6 @@ std::vector<EstimatorState> by_image(const std::string& image, const EstimateOpt
   const outlet::Settings settings = gsbench::campaign::estimate_settings(ieee24());
   const outlet::Line line = {};
   std::vector<EstimatorState> states(kTrajectories);
-  Memory memory(debugger);
   Calls calls;
   calls.begin = address_of_symbol(
       image, "gs::outlet::begin(gs::outlet::EstimatorState&, gs::outlet::Baseline const&)");
@@ -93,16 +62,15 @@ std::vector<EstimatorState> by_image(const std::string& image, const EstimateOpt
       image,
       "gs::outlet::observe(gs::outlet::Settings const&, float, gs::outlet::EstimatorState&, bool, "
       "float, gs::outlet::LineOf<float> const&)");
-  calls.settings = memory.put(bytes_of(&settings));
-  calls.line = memory.put(bytes_of(&line));
-  calls.deviations_hz = memory.put(bytes_of(deviations_hz.data(), deviations_hz.size()));
-  calls.states = memory.put(Bytes(states.size() * sizeof(EstimatorState), 0xA5));
+  calls.settings = program.put(bytes_of(&settings));
+  calls.line = program.put(bytes_of(&line));
+  calls.deviations_hz = program.put(bytes_of(deviations_hz.data(), deviations_hz.size()));
+  calls.states = program.put(Bytes(states.size() * sizeof(EstimatorState), 0xA5));
   calls.trajectories = kTrajectories;
   calls.samples = kSamples;
   calls.nominal_hz = 50.0F;
-  debugger.call(kCodeAddress, memory.put(bytes_of(&calls)), kReturnAddress);
-  const Bytes there = debugger.memory(calls.states, states.size() * sizeof(EstimatorState));
-  std::memcpy(states.data(), there.data(), there.size());
+  program.call(program.put(bytes_of(&calls)));
+  program.get(calls.states, states);
   return states;
 }
 

@@ -65,7 +65,7 @@ bool Line::has_error(wire::ErrorCode code) const {
   });
 }
 
-void EmulatedOutlet::start(const std::string& program) {
+void EmulatedOutlet::start(const std::string& program, const std::vector<std::string>& options) {
   std::vector<std::string> words;
   if (program.find(".elf") == std::string::npos) {
     words = {program, "--terminals", file_.path(), "--doorbell", file_.doorbell()};
@@ -82,6 +82,7 @@ void EmulatedOutlet::start(const std::string& program) {
              "-kernel",
              program};
   }
+  words.insert(words.end(), options.begin(), options.end());
   line_.reset();
   file_.ring();  // accepts a pending connection of the previous process
   machine_ = std::make_unique<Machine>(words);

@@ -49,7 +49,8 @@ class Line {
 class EmulatedOutlet {
  public:
   // Starts it with the current contents of the terminals. `program`: a board's image, or gs-outlet.
-  void start(const std::string& program);
+  // `options`: more arguments of it, or of qemu.
+  void start(const std::string& program, const std::vector<std::string>& options = {});
   void kill() { machine_->kill(); }
 
   // Plays blocks, at most half a ring ahead, until all are taken. Reads the link meanwhile.
