@@ -1,7 +1,7 @@
-#include "sections.hpp"
-
 #include <cmath>
 #include <iterator>
+
+#include <profile/en50160.hpp>
 
 namespace gsbench::profile {
 namespace {

@@ -46,18 +46,22 @@ double read_initial_deviation_hz(const keys::Table& grid_section, const grid::Gr
 keys::Key oscillation_keys();
 std::vector<waveform::Oscillation> read_oscillations(const keys::Table& signal, double duration_s);
 
+// [[signal.tone]], in the order of the profile.
+keys::Key tone_keys();
+std::vector<waveform::Tone> read_tones(const keys::Table& signal, double duration_s,
+                                       std::int64_t sample_rate_hz);
+
 // [signal] and the disturbances of [grid]. `skip_recording`: the file of [signal.trace] is not read
 // and need not exist, because another recording replaces it.
 keys::Key signal_keys();
 Stimulus read_stimulus(const keys::Table& signal, const keys::Table& grid_section,
                        const grid::Grid& grid, bool skip_recording);
-std::vector<waveform::Harmonic> en50160_harmonics();
 
 // [signal.trace]: sets the stimulus's points, recording and duration.
 keys::Key trace_keys();
 void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus);
 // Makes the stimulus play the whole recording. It replaces the profile's frequency source (losses,
-// points or recording), its oscillations and its amplitude and phase steps. Noise, harmonics and DC
+// points or recording), its oscillations, tones, amplitude and phase steps. Noise, harmonics and DC
 // offset stay.
 void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
                           double nominal_hz, Stimulus& stimulus);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <profile/en50160.hpp>
+
 namespace gsbench::profile {
 namespace {
 
@@ -21,8 +23,8 @@ constexpr double kLevelMax_pct = 100.0 * kFullScale_pu;
 const char* const kSignalMeaning =
     "The voltage that the source plays. Its frequency comes from one of `[[grid.loss]]`, "
     "`frequency` and `[signal.trace]`. The voltage must stay within ± 1.5 p.u. of the nominal peak "
-    "amplitude, including amplitude steps, recorded voltage, harmonics and offset. Noise is not "
-    "counted, because an outlet's input clips it.";
+    "amplitude, including amplitude steps, recorded voltage, harmonics, tones and offset. Noise is "
+    "not counted, because an outlet's input clips it.";
 
 Key harmonics_key() {
   return keys::array("harmonics",
@@ -215,7 +217,8 @@ Key signal_keys() {
                         "voltage, with the accuracy of its amplitude, relative to the nominal peak "
                         "amplitude"),
               tolerance("time_tolerance_ms", "ms", Tolerances{}.time_ms, "time"),
-              oscillation_keys(), amplitude_step_keys(), phase_jump_keys(), trace_keys()})
+              oscillation_keys(), amplitude_step_keys(), phase_jump_keys(), tone_keys(),
+              trace_keys()})
       .require("the signal to play, e.g. [signal] duration_s = 6.0");
 }
 
@@ -252,6 +255,7 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
       read_harmonics(signal, grid.nominal_hz, static_cast<double>(stimulus.sample_rate_hz));
   stimulus.signal.amplitude_steps = read_amplitude_steps(signal, stimulus.duration_s);
   stimulus.signal.phase_jumps = read_phase_jumps(signal, stimulus.duration_s);
+  stimulus.signal.tones = read_tones(signal, stimulus.duration_s, stimulus.sample_rate_hz);
   stimulus.signal.dc_offset_pct = signal.number("dc_offset_pct");
   stimulus.signal.initial_phase_deg = signal.number("initial_phase_deg");
   stimulus.tolerances = {signal.number("frequency_tolerance_mhz"),

@@ -58,7 +58,8 @@ keys::Key trace_keys() {
       "1.5 of nominal. A row with `NaN` in a used column is skipped, and the curve is interpolated "
       "across the gap. Run records and reports contain the file name, the columns and the SHA-256 "
       "of the content. `--trace` on the command line plays another recording in full length, in "
-      "place of the profile's losses, frequency points or recording, oscillations, amplitude steps "
+      "place of the profile's losses, frequency points or recording, oscillations, tones, "
+      "amplitude steps "
       "and phase steps; noise, harmonics and DC offset stay.",
       {keys::text("file", "path of the CSV file, relative to the profile").require(),
        keys::text("time", "name of the time column: seconds, or date and time of day").require(),
@@ -131,6 +132,7 @@ void replace_by_recording(const std::string& path, const recording::TraceColumns
   stimulus.oscillations.clear();
   stimulus.signal.amplitude_steps.clear();
   stimulus.signal.phase_jumps.clear();
+  stimulus.signal.tones.clear();
   use(std::move(points), {path, path, "", columns, true}, nominal_hz, stimulus);
 }
 

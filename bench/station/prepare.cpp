@@ -89,6 +89,14 @@ std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
       marks.push_back({tick(step.at_s + step.duration_s), "amplitude", 100.0, "voltage restored"});
     }
   }
+  for (const waveform::Tone& tone : plan.stimulus.signal.tones) {
+    const std::string what = figure(tone.frequency_hz, " Hz") + " tone";
+    marks.push_back({tick(tone.at_s), "tone", tone.amplitude_pct,
+                     what + ", " + figure(tone.amplitude_pct, " %")});
+    if (std::isfinite(tone.duration_s)) {
+      marks.push_back({tick(tone.at_s + tone.duration_s), "tone", 0.0, "end of " + what});
+    }
+  }
   std::stable_sort(marks.begin(), marks.end(),
                    [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
   return marks;

@@ -47,6 +47,25 @@ void check_harmonics(const SignalSpec& spec, double nominal_hz, std::int64_t sam
   }
 }
 
+void check_tones(const SignalSpec& spec, std::int64_t sample_rate_hz) {
+  const double limit_hz = 0.5 * static_cast<double>(sample_rate_hz);
+  for (const Tone& tone : spec.tones) {
+    check_within("tone: time in s", tone.at_s, 0, kInfinity);
+    if (!(tone.duration_s > 0.0)) {
+      throw std::invalid_argument(
+          fmt::format("tone: duration in s is {}; it must be above 0", tone.duration_s));
+    }
+    if (!(tone.frequency_hz > 0.0 && tone.frequency_hz < limit_hz)) {
+      throw std::invalid_argument(
+          fmt::format("tone: frequency in Hz is {}; it must be above 0 and below {} (half of the "
+                      "sample rate)",
+                      tone.frequency_hz, limit_hz));
+    }
+    check_within("tone: amplitude in %", tone.amplitude_pct, 0, 100);
+    check_finite("tone: phase in degrees", tone.phase_deg);
+  }
+}
+
 }  // namespace
 
 void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz) {
@@ -70,6 +89,7 @@ void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample
     check_within("phase step: time in s", jump.at_s, 0, kInfinity);
     check_finite("phase step: degrees", jump.degrees);
   }
+  check_tones(spec, sample_rate_hz);
   check_within("DC offset in %", spec.dc_offset_pct, -100, 100);
   check_finite("initial phase in degrees", spec.initial_phase_deg);
 }

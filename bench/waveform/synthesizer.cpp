@@ -2,6 +2,7 @@
 #include "excess_phase.hpp"
 #include "schedule.hpp"
 #include "sine.hpp"
+#include "tones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,7 @@ struct Synthesizer::Impl {
         excess_phase(*reference, rate_hz),
         schedule(spec, rate_hz),
         series(harmonic_series(spec.harmonics)),
+        tones(spec.tones, rate_hz),
         offset(spec.dc_offset_pct / 100.0) {}
 
   // Common values of all samples of a block. Blocks have fixed boundaries, so that a sample is
@@ -74,6 +76,7 @@ struct Synthesizer::Impl {
   ExcessPhase excess_phase;
   Schedule schedule;
   std::vector<Phasor> series;
+  Tones tones;
   double offset;
 };
 
@@ -136,6 +139,7 @@ void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out)
                                impl_->nominal_phase.cycles_at(block_tick)};
     const std::int64_t end = std::min(end_tick, block.end_tick);
     impl_->render_block(block, tick, end, out);
+    impl_->tones.add(block.first_tick, tick, end, out);
     out += end - tick;
     tick = end;
   }

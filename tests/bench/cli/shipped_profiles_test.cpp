@@ -45,15 +45,14 @@ std::string test_name(const testing::TestParamInfo<const char*>& each) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedProfile,
-                         testing::Values("paper/loss-500mw", "paper/loss-351.9mw",
-                                         "paper/loss-320mw", "paper/loss-600mw",
-                                         "regression/backup", "regression/command",
-                                         "regression/contact-only", "regression/equivalence",
-                                         "events/gb-2019", "events/iberia-2025",
-                                         "disturbances/phase-jump", "disturbances/harmonics",
-                                         "disturbances/dips", "disturbances/dead-bus"),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(
+    All, ShippedProfile,
+    testing::Values("paper/loss-500mw", "paper/loss-351.9mw", "paper/loss-320mw",
+                    "paper/loss-600mw", "regression/backup", "regression/command",
+                    "regression/contact-only", "regression/equivalence", "events/gb-2019",
+                    "events/iberia-2025", "disturbances/phase-jump", "disturbances/harmonics",
+                    "disturbances/dips", "disturbances/dead-bus", "disturbances/mains-signalling"),
+    test_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Cascades, ShippedProfile,
@@ -74,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // regression/steady takes an hour: see long_runs_test.cpp.
 TEST(ShippedProfiles, AreAllTestedAbove) {
-  EXPECT_EQ(run_for_json({"list", "--json"})["profiles"].size(), 15U + 26U);
+  EXPECT_EQ(run_for_json({"list", "--json"})["profiles"].size(), 16U + 26U);
 }
 
 }  // namespace

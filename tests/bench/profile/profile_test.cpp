@@ -72,6 +72,20 @@ TEST(Profile, HoldsTitleSourceSeedAndInlineGrid) {
   EXPECT_EQ(grid.reference.note, "Why they differ");
 }
 
+TEST(Profile, HoldsTones) {
+  const std::vector<waveform::Tone> tones = parse(kDisturbed).stimulus.signal.tones;
+  ASSERT_THAT(tones, SizeIs(2));
+  EXPECT_EQ(tones[0].at_s, 2.5);
+  EXPECT_EQ(tones[0].duration_s, 0.5);
+  EXPECT_EQ(tones[0].frequency_hz, 216.7);
+  EXPECT_EQ(tones[0].amplitude_pct, 9.0);
+  EXPECT_EQ(tones[0].phase_deg, -30.0);
+  EXPECT_EQ(tones[1].at_s, 0.0);
+  EXPECT_EQ(tones[1].duration_s, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(tones[1].phase_deg, 0.0);
+  EXPECT_THAT(parse(kMinimal).stimulus.signal.tones, IsEmpty());
+}
+
 TEST(Profile, HoldsTheFrequencyBeforeAndOscillations) {
   const Stimulus stimulus = parse(kDisturbed).stimulus;
   EXPECT_NEAR(stimulus.initial_deviation_hz, -0.15, 1e-14);

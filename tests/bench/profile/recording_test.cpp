@@ -112,11 +112,12 @@ TEST_F(Recording, OfTheCommandLineReplacesLossesAmplitudeStepsAndPhaseSteps) {
   EXPECT_EQ(stimulus.noise_pct, 0.5);
 }
 
-TEST_F(Recording, OfTheCommandLineReplacesTheFrequencyBeforeAndOscillations) {
+TEST_F(Recording, OfTheCommandLineReplacesTheFrequencyBeforeOscillationsAndTones) {
   folder_.write("long.csv", std::string(kCsv) + "20,49.5,230\n");
   const Plan plan = parse_here(kDisturbed, replay("long.csv"));
   EXPECT_EQ(plan.stimulus.initial_deviation_hz, 0.0);
   EXPECT_THAT(plan.stimulus.oscillations, IsEmpty());
+  EXPECT_THAT(plan.stimulus.signal.tones, IsEmpty());
   EXPECT_EQ(plan.reference()->frequency_hz(20.0), 49.5);
 }
 

@@ -246,6 +246,16 @@ const std::vector<Mistake> kOfDisturbed = {
      "18:16: frequency_hz is 6; it must be at least 0.05 and at most 5"},
     {"amplitude_mhz = 60.0", "amplitude_mhz = 0",
      "19:17: amplitude_mhz is 0; it must be above 0 and at most 1000"},
+    {"duration_s = 0.5", "duration_s = 7.6",
+     "61:14: the tone ends at 10.1 s, after the end of the run at 10 s; omit duration_s for one "
+     "that lasts to the end"},
+    {"frequency_hz = 216.7", "frequency_hz = 4000",
+     "62:16: frequency_hz is 4000; it must be below 4000 (half of sample_rate_hz)"},
+    {"amplitude_pct = 9.0", "amplitude_pct = 0",
+     "63:17: amplitude_pct is 0; it must be above 0 and at most 100"},
+    {"amplitude_pct = 9.0", "amplitude_pct = 48.0",
+     "59:1: the voltage reaches 1.51 p.u. at 2.5 s, harmonics, tones and offset included; it must "
+     "be at most 1.5 p.u."},
     {"ramp_s = 3.0", "ramp_s = -1", "9:10: ramp_s is -1; it must be at least 0 and at most 3600"},
     {"ramp_s = 3.0", "ramp_s = 0.0001",
      "9:10: ramp_s is 0.0001; it must be at least 0.001, or 0 for a step"},

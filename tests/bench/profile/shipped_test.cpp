@@ -86,10 +86,10 @@ TEST(ShippedProfiles, AreListedInAlphabeticalOrder) {
           "cascades/three-losses", "cascades/two-losses-close-together",
           "cascades/two-losses-half-a-second-apart", "cascades/two-losses-with-dips",
           "disturbances/dead-bus", "disturbances/dips", "disturbances/harmonics",
-          "disturbances/phase-jump", "events/gb-2019", "events/iberia-2025", "paper/loss-320mw",
-          "paper/loss-351.9mw", "paper/loss-500mw", "paper/loss-600mw", "regression/backup",
-          "regression/command", "regression/contact-only", "regression/equivalence",
-          "regression/steady"));
+          "disturbances/mains-signalling", "disturbances/phase-jump", "events/gb-2019",
+          "events/iberia-2025", "paper/loss-320mw", "paper/loss-351.9mw", "paper/loss-500mw",
+          "paper/loss-600mw", "regression/backup", "regression/command", "regression/contact-only",
+          "regression/equivalence", "regression/steady"));
 }
 
 TEST(ShippedProfiles, KeepTheirNamesWhenGivenByPath) {

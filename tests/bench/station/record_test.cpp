@@ -174,6 +174,19 @@ TEST(RunRecord, MarksTheStartAndTheEndOfAnOscillation) {
                                  "3200 oscillation: end of 1.5 Hz oscillation"));
 }
 
+TEST(RunRecord, MarksTheStartAndTheEndOfATone) {
+  const record::RunRecord record =
+      record_of(test::plan(0.5,
+                           "[[signal.tone]]\nat_s = 0.1\nduration_s = 0.3\n"
+                           "frequency_hz = 216.7\namplitude_pct = 9\n"));
+  std::vector<std::string> marks;
+  for (const record::Mark& mark : record.stimulus) {
+    marks.push_back(std::to_string(mark.tick) + " " + mark.kind + ": " + mark.text);
+  }
+  EXPECT_THAT(marks,
+              ElementsAre("800 tone: 216.7 Hz tone, 9 %", "3200 tone: end of 216.7 Hz tone"));
+}
+
 TEST(RunRecord, SendsCommandsToTheirOutletsAndMarksThem) {
   FakeStation station({});
   const record::RunRecord record =

@@ -39,6 +39,13 @@ TEST(CheckSignal, RefusesWithFieldAndValue) {
       {with(&SignalSpec::amplitude_steps, {{1, 1, -5}}), "amplitude step: level in % is -5"},
       {with(&SignalSpec::phase_jumps, {{kInfinity, 5}}), "phase step: time in s is inf"},
       {with(&SignalSpec::phase_jumps, {{1, kNan}}), "phase step: degrees is nan"},
+      {with(&SignalSpec::tones, {{-1, 1, 300, 5, 0}}), "tone: time in s is -1"},
+      {with(&SignalSpec::tones, {{1, 0, 300, 5, 0}}), "tone: duration in s is 0"},
+      {with(&SignalSpec::tones, {{1, 1, 0, 5, 0}}), "tone: frequency in Hz is 0; it must be above"},
+      {with(&SignalSpec::tones, {{1, 1, 2000, 5, 0}}), "tone: frequency in Hz is 2000"},
+      {with(&SignalSpec::tones, {{1, 1, kNan, 5, 0}}), "tone: frequency in Hz is nan"},
+      {with(&SignalSpec::tones, {{1, 1, 300, 101, 0}}), "tone: amplitude in % is 101"},
+      {with(&SignalSpec::tones, {{1, 1, 300, 5, kInfinity}}), "tone: phase in degrees is inf"},
       {with(&SignalSpec::dc_offset_pct, 101.0), "DC offset in % is 101"},
       {with(&SignalSpec::initial_phase_deg, kInfinity), "initial phase in degrees is inf"},
   };

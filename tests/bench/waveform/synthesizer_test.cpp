@@ -24,6 +24,7 @@ SignalSpec busy_signal() {
   spec.harmonics = en50160_harmonics();
   spec.amplitude_steps = {{0.05, 0.2, 70.0}, {0.1003, 0.01, 0.0}, {0.3, kForever, 110.0}};
   spec.phase_jumps = {{0.2, 20.0}, {0.41234, -60.0}};
+  spec.tones = {{0.0301, 0.4, 316.7, 5.0, 40.0}, {0.3, kForever, 1175.0, 2.0, 0.0}};
   spec.dc_offset_pct = 1.0;
   spec.initial_phase_deg = 30.0;
   return spec;
@@ -168,6 +169,31 @@ TEST(Synthesizer, DoesNotScaleTheDcOffsetDuringDips) {
   spec.amplitude_steps = {{0.0, kForever, 0.0}};
   for (const float sample : render({constant(50, 50), spec, 8000}, 0, 1000)) {
     ASSERT_EQ(sample, -0.02f);
+  }
+}
+
+TEST(Synthesizer, AddsTonesDuringTheirTimeAlsoToADip) {
+  SignalSpec spec;
+  spec.amplitude_steps = {{0.2, 0.3, 40.0}};
+  const std::vector<float> plain = render({constant(50, 50), spec, 8000}, 0, 8000);
+  // 0.10003 s is between two samples: the first at or after it has a phase above 30°.
+  spec.tones = {{0.10003, 0.2, 216.7, 9.0, 30.0}, {0.25, kForever, 3000.0, 1.5, -90.0}};
+  const std::vector<float> samples = render({constant(50, 50), spec, 8000}, 0, 8000);
+  const auto tone = [](double amplitude, double hz, double since_s, double degrees) {
+    return amplitude * std::sin(2.0 * M_PI * (hz * since_s + degrees / 360.0));
+  };
+  for (std::size_t tick = 0; tick < samples.size(); ++tick) {
+    const double t_s = static_cast<double>(tick) / 8000.0;
+    double added = 0.0;
+    if (tick >= 801 && tick < 2401) {
+      added += tone(0.09, 216.7, t_s - 0.10003, 30.0);
+    }
+    if (tick >= 2000) {
+      added += tone(0.015, 3000.0, t_s - 0.25, -90.0);
+    }
+    ASSERT_NEAR(static_cast<double>(samples[tick]), static_cast<double>(plain[tick]) + added,
+                kFloat)
+        << tick;
   }
 }
 

@@ -31,7 +31,7 @@ constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 struct Overrides {
   std::optional<std::uint64_t> seed;
   // A recording to play in full length; empty: none. It replaces the profile's frequency source
-  // (losses, points or recording), its oscillations and its amplitude and phase steps. Noise,
+  // (losses, points or recording), its oscillations, tones, amplitude and phase steps. Noise,
   // harmonics and DC offset stay.
   std::string trace_path;
   recording::TraceColumns trace_columns;

@@ -34,10 +34,22 @@ struct PhaseJump {
   double degrees;
 };
 
+// Adds a sine of a frequency of its own to the voltage in [at_s, at_s + duration_s) (infinity: to
+// the end): mains signalling, an interharmonic, or with another tone the side bands of flicker.
+// Amplitude steps and phase steps do not act on it.
+struct Tone {
+  double at_s;           // >= 0
+  double duration_s;     // > 0
+  double frequency_hz;   // > 0, below half of the sample rate
+  double amplitude_pct;  // of the nominal peak amplitude; 0 … 100
+  double phase_deg;      // at at_s; 0: rising from 0
+};
+
 struct SignalSpec {
   std::vector<Harmonic> harmonics;
   std::vector<AmplitudeStep> amplitude_steps;
   std::vector<PhaseJump> phase_jumps;
+  std::vector<Tone> tones;
   double dc_offset_pct = 0.0;  // of the nominal peak amplitude; −100 … 100; not scaled by steps
   double initial_phase_deg = 0.0;
 };

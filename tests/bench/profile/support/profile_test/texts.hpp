@@ -173,6 +173,15 @@ threshold_mw = 250.0
 [[expect]]
 measure = "event.count"
 max = 1
+[[signal.tone]]
+at_s = 2.5
+duration_s = 0.5
+frequency_hz = 216.7
+amplitude_pct = 9.0
+phase_deg = -30.0
+[[signal.tone]]
+frequency_hz = 1042.0
+amplitude_pct = 3.0
 )";
 
 inline constexpr const char* kPoints = R"(title = "Points"
