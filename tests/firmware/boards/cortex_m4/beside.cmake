@@ -24,7 +24,7 @@ function(gs_program_beside name)
       -Wl,-Ttext=${GSBENCH_BESIDE_ADDRESS} -Wl,--entry=${arg_ENTRY} ${symbols} -o ${program}.elf
       ${CMAKE_CURRENT_SOURCE_DIR}/${arg_SOURCE}
     COMMAND arm-none-eabi-objcopy -O binary ${program}.elf ${program}.bin
-    DEPENDS ${arg_SOURCE} ${arg_HEADER} firmware_m4
+    DEPENDS ${arg_SOURCE} ${arg_HEADER} ${arg_IMAGE} firmware_m4
     COMMENT "Building ${name}, which runs beside the Cortex-M4F image"
     VERBATIM)
   add_custom_target(${name} DEPENDS ${program}.bin)
