@@ -2,6 +2,7 @@
 #include "page_output.hpp"
 
 #include <fleet/page.hpp>
+#include <profile/files.hpp>
 #include <profile/load.hpp>
 
 namespace gsbench::cli {
@@ -12,36 +13,41 @@ struct FleetArguments {
   fleet::Study study;
   fleet::Sweep sweep;
   bool sweeps = false;
-  std::string profile;
+  std::vector<std::string> profiles;  // or folders of them
   bool has_grid = false;
   bool has_seed = false;
   PageOutput output;
 };
 
-// The profile with the grid and the seed of the command line, if they are given.
-profile::Plan plan_of(const FleetArguments& arguments) {
+// The profiles with the grid and the seed of the command line, if they are given.
+std::vector<profile::Plan> plans_of(const FleetArguments& arguments) {
   profile::Overrides overrides;
   if (arguments.has_seed) {
     overrides.seed = arguments.study.fleet.seed;
   }
-  profile::Plan plan = profile::load_profile(arguments.profile, overrides);
-  if (arguments.has_grid) {
-    plan.grid = profile::load_grid(arguments.grid);
+  std::vector<profile::Plan> plans;
+  for (const std::string& given : arguments.profiles) {
+    for (const std::string& name : profile::find_profile_or_folder(given)) {
+      plans.push_back(profile::load_profile(name, overrides));
+      if (arguments.has_grid) {
+        plans.back().grid = profile::load_grid(arguments.grid);
+      }
+    }
   }
-  return plan;
+  return plans;
 }
 
 int run_closed_loop(const FleetArguments& arguments) {
-  const profile::Plan plan = plan_of(arguments);
-  fleet::Study study = arguments.study;
-  study.fleet.seed = plan.seed;
+  const std::vector<profile::Plan> plans = plans_of(arguments);
   return print_page("fleet", arguments.output, [&](const campaign::Execution& execution) {
-    return fleet::make_closed_loop_page(plan, study, execution);
+    return plans.size() == 1
+               ? fleet::make_closed_loop_page(plans.front(), arguments.study, execution)
+               : fleet::make_scenarios_page(plans, arguments.study, execution);
   });
 }
 
 int run_fleet(const FleetArguments& arguments) {
-  if (!arguments.profile.empty()) {
+  if (!arguments.profiles.empty()) {
     return run_closed_loop(arguments);
   }
   const grid::Grid grid = profile::load_grid(arguments.grid);
@@ -111,11 +117,14 @@ void add_fleet(CommandLine& line) {
       "Add 1000 outlets that run the complete firmware, starting from the sampled voltage");
   CLI::Option* profile =
       command
-          .add_option("--profile", arguments.profile,
+          .add_option("--profile", arguments.profiles,
                       "With --closed-loop: play the losses, disturbances and noise of this profile "
-                      "into the outlets, and compare them with other controls. The grid is the "
-                      "profile's own if GRID is not given")
+                      "into the outlets, compare them with other controls, and judge them beside "
+                      "clairvoyants. May be given several times, and may name a folder of "
+                      "profiles: then there is one table. The grid is the profile's own if GRID is "
+                      "not given")
           ->type_name("PROFILE")
+          ->allow_extra_args(false)
           ->needs(closed_loop);
   for (const char* const other : {"--loss", "--noise", "--noise-distribution", "--rules", "--delay",
                                   "--delay-aware", "--sweep"}) {
@@ -128,12 +137,18 @@ void add_fleet(CommandLine& line) {
       ->each([&given](const std::string& /*seed*/) { given.has_seed = true; });
   add_page_options(command, arguments.output);
   command.footer(
+      "With --profile, the exit code is 1 if a profile fails: the nadir is more than 20 mHz below\n"
+      "the lowest of four clairvoyants, more is shed than 1.15 times what one of them sheds and\n"
+      "10 MW, load is shed where none of them sheds any, or an outlet claims an event before a\n"
+      "loss in a profile without oscillations. A recorded frequency is not judged.\n"
+      "\n"
       "Examples:\n"
       "  gsbench fleet                              a million outlets, loss of 500 MW\n"
       "  gsbench fleet --loss 600 --delay-aware -o fleet.html\n"
       "  gsbench fleet island-60hz --loss 600 --groups 100 --per-group 50 --most 100000\n"
       "  gsbench fleet --closed-loop --profile paper/loss-600mw -o closed-loop.html\n"
       "  gsbench fleet ieee24 --closed-loop --profile disturbances/dips --json\n"
+      "  gsbench fleet --closed-loop --profile cascades -o cascades.html\n"
       "  gsbench fleet --sweep --losses 400,500 --delays 0,0.5,2 -o sweep.html");
 }
 

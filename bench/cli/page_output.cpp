@@ -49,7 +49,10 @@ int print_page(const char* what, const PageOutput& output,
     throw profile::ConfigurationError(error.what());
   }
   write(page, output);
-  return interrupted ? kInterrupted : kPassed;
+  if (interrupted) {
+    return kInterrupted;
+  }
+  return page.judgement && page.judgement->passed == false ? kFailed : kPassed;
 }
 
 }  // namespace gsbench::cli

@@ -22,9 +22,9 @@ struct PageOutput {
 void add_page_options(CLI::App& command, PageOutput& output);
 
 // Computes a page with `make` and prints it. Shows the progress on a terminal; Ctrl-C sets
-// Execution::stop. Returns the exit code. Throws profile::ConfigurationError if `make`
-// throws std::invalid_argument. Throws render::WriteError if the report cannot be written; this is
-// also tested before the call of `make`.
+// Execution::stop. Returns the exit code: kFailed for a page whose judgement fails. Throws
+// profile::ConfigurationError if `make` throws std::invalid_argument. Throws render::WriteError if
+// the report cannot be written; this is also tested before the call of `make`.
 int print_page(const char* what, const PageOutput& output,
                const std::function<record::Page(const campaign::Execution&)>& make);
 

@@ -113,13 +113,12 @@ record::PageSection closed_loop_section(const grid::Grid& grid, const Study& stu
 
 record::PageSection strategies_after_loss(const grid::Grid& grid, const Study& study,
                                           const Execution& execution) {
-  const Fleet fleet = make_fleet(in_fewer_outlets(study.fleet, kClosedLoopOutlets));
   const profile::Plan plan =
       plan_of_loss(grid, study.scenario.loss_mw, kBeforeLoss_s, kNoise_pct, study.fleet.seed);
-  ClosedLoopOptions options;
-  options.central_delay_s = study.scenario.central_delay_s;
-  options.after_loss_s = study.scenario.duration_s;
-  record::PageSection section = strategies_section(plan, fleet, options, execution);
+  const Fleet fleet = fleet_of(plan, study);
+  const ClosedLoopOptions options = options_of(study);
+  record::PageSection section = strategies_section(
+      plan, fleet, options, simulate_strategies(plan, fleet, options, execution));
   section.paragraphs.push_back(fmt::format("The loss is {:g} s after the start.", kBeforeLoss_s));
   return section;
 }

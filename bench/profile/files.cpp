@@ -96,6 +96,18 @@ std::optional<NamedFile> only_named(const std::string& name, const std::vector<N
   return *found;
 }
 
+// "paper" for "paper/loss-500mw", each once. `names` are sorted.
+std::vector<std::string> folders_of(const std::vector<std::string>& names) {
+  std::vector<std::string> folders;
+  for (const std::string& name : names) {
+    const std::string folder = fs::path(name).parent_path().generic_string();
+    if (!folder.empty() && (folders.empty() || folders.back() != folder)) {
+      folders.push_back(folder);
+    }
+  }
+  return folders;
+}
+
 // Message for a name that is not in `known`.
 std::string not_found(const std::string& kind, const std::string& name,
                       const std::vector<NamedFile>& known, const std::string& known_kind) {
@@ -127,6 +139,36 @@ std::string profiles_folder() {
 
 std::string find_profile(const std::string& name_or_path) {
   return find_file(name_or_path, "profile", all_profiles).path;
+}
+
+std::vector<std::string> find_profile_or_folder(const std::string& name_or_path) {
+  if (is_toml_path(name_or_path)) {
+    return {name_or_path};
+  }
+  const std::vector<std::string> names = names_of(all_profiles());
+  if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
+    return {name_or_path};
+  }
+  const std::string folder = (fs::path(name_or_path) / "").generic_string();  // ends in a slash
+  std::vector<std::string> found;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(found), [&](const std::string& name) {
+    return !folder.empty() && name.rfind(folder, 0) == 0;
+  });
+  std::vector<NamedFile> files;
+  if (found.empty()) {
+    add_files_below(name_or_path, files);
+    std::transform(files.begin(), files.end(), std::back_inserter(found),
+                   [](const NamedFile& file) { return file.path; });
+    std::sort(found.begin(), found.end());
+  }
+  if (found.empty()) {
+    std::vector<std::string> candidates = folders_of(names);
+    candidates.insert(candidates.end(), names.begin(), names.end());
+    throw ConfigurationError(fmt::format(
+        "unknown profile or folder of profiles \"{}\"{} (for your own, give its path)",
+        name_or_path, keys::suggestion(name_or_path, candidates, "folders and profiles")));
+  }
+  return found;
 }
 
 NamedFile find_station(const std::string& name_or_path) {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <record/run_record.hpp>
 #include <render/page.hpp>
 
 namespace gsbench::render {
@@ -37,6 +38,24 @@ std::vector<std::string> names_of(const FigureTable& table) {
   return names;
 }
 
+std::string verdict_of(const record::Judgement& judgement) {
+  if (!judgement.passed) {
+    return fixed(record::kNoFigure, 0);
+  }
+  return to_string(*judgement.passed ? record::Verdict::kPass : record::Verdict::kFail);
+}
+
+bool is_judged(const FigureTable& table) {
+  return !table.rows.empty() && table.rows.front().judgement;
+}
+
+void set_judgement(const std::optional<record::Judgement>& judgement, Json& object) {
+  if (judgement) {
+    object["verdict"] = judgement->passed ? Json(verdict_of(*judgement)) : Json();
+    object["reasons"] = judgement->reasons;
+  }
+}
+
 Json table_json(const FigureTable& table) {
   const auto row_json = [](const FigureRow& row) {
     return Json{{"name", row.name}, {"figures", row.figures}};
@@ -48,13 +67,19 @@ Json table_json(const FigureTable& table) {
 
 Json list_json(const FigureTable& table) {
   const auto row_json = [&](const FigureRow& row) {
-    Json object = {{table.row_key, row.name}};
+    Json object = {{table.row_key, table.row_prefix + row.name}};
+    set_judgement(row.judgement, object);
     for (std::size_t i = 0; i < row.figures.size() && i < table.columns.size(); ++i) {
       const record::FigureColumn& column = table.columns[i];
       const double figure = row.figures[i];
-      object[column.key] = column.decimals == 0 && std::isfinite(figure)
-                               ? Json(static_cast<std::int64_t>(std::llround(figure)))
-                               : Json(figure);
+      if (!column.key.empty()) {
+        object[column.key] = column.decimals == 0 && std::isfinite(figure)
+                                 ? Json(static_cast<std::int64_t>(std::llround(figure)))
+                                 : Json(figure);
+      }
+    }
+    for (const FigureTable& list : row.lists) {
+      object[list.list] = list_json(list);
     }
     return object;
   };
@@ -103,12 +128,21 @@ object table_data(const FigureTable& table) {
   for (const std::string& name : names_of(table)) {
     columns.push_back(name);
   }
+  if (is_judged(table)) {
+    columns.push_back("");
+  }
   List rows;
   for (const FigureRow& row : table.rows) {
     List cells;
     for (std::size_t i = 0; i < row.figures.size() && i < table.columns.size(); ++i) {
-      cells.push_back(
-          object{{"figure", text_of(table, row, i)}, {"style", heat_of(table, row.figures[i])}});
+      cells.push_back(object{{"figure", text_of(table, row, i)},
+                             {"class", ""},
+                             {"style", heat_of(table, row.figures[i])}});
+    }
+    if (row.judgement) {
+      cells.push_back(object{{"figure", verdict_of(*row.judgement)},
+                             {"class", row.judgement->passed == false ? "missed" : ""},
+                             {"style", ""}});
     }
     rows.push_back(object{{"name", row.name}, {"cells", cells}});
   }
@@ -125,10 +159,16 @@ void append_wrapped(const std::string& paragraph, std::string& text) {
 void append_table(const FigureTable& table, std::string& text) {
   std::vector<std::vector<std::string>> rows(1, names_of(table));
   rows[0].insert(rows[0].begin(), table.first_column);
+  if (is_judged(table)) {
+    rows[0].emplace_back();
+  }
   for (const FigureRow& row : table.rows) {
     rows.push_back({row.name});
     for (std::size_t i = 0; i < row.figures.size() && i < table.columns.size(); ++i) {
       rows.back().push_back(text_of(table, row, i));
+    }
+    if (row.judgement) {
+      rows.back().push_back(verdict_of(*row.judgement));
     }
   }
   append_wrapped(table.caption, text);
@@ -145,6 +185,7 @@ std::string json(const record::Page& page) {
     facts[name] = value;
   }
   Json all = {{"title", page.title}, {"facts", facts}};
+  set_judgement(page.judgement, all);
   for (const record::PageSection& section : page.sections) {
     for (const FigureTable& table : section.tables) {
       if (!table.list.empty()) {

@@ -85,6 +85,9 @@ void append_row(const Cells& name, const Cells& row, const std::vector<std::size
   std::size_t end = widths[0];
   for (std::size_t i = 1; i < std::min(row.size(), widths.size()); ++i) {
     end += kGap + widths[i];
+    if (row[i].empty()) {
+      continue;  // no spaces at the end of a line
+    }
     pad(line, end - columns_of(row[i]));
     line += row[i];
   }

@@ -72,6 +72,41 @@ TEST(PageOfFigures, JsonHasATableAsAListIfItHasAName) {
             R"({"strategy":"central","shed_mw":null,"outlets_off":null}])");
 }
 
+TEST(PageOfFigures, RowsMayHaveAVerdictAndListsOfTheirOwn) {
+  record::FigureTable own = {"", "", {{"shed, MW", 2}}, {{"none", {0.5}}}};
+  own.list = "strategies";
+  own.row_key = "strategy";
+  own.columns[0].key = "shed_mw";
+  record::FigureTable table = {"", "set/", {{"nadir, Hz", 1}}};
+  table.list = "cases";
+  table.row_key = "case";
+  table.row_prefix = "set/";
+  table.rows = {{"a", {49.5}, {}, record::Judgement{true, {}}, {own}},
+                {"b", {48.5}, {}, record::Judgement{false, {"too low"}}},
+                {"c", {49.0}, {}, record::Judgement{std::nullopt, {"not known"}}}};
+  const record::Page page = page_of(table);
+  EXPECT_EQ(Json::parse(json(page))["cases"].dump(),
+            R"([{"case":"set/a","verdict":"PASS","reasons":[],)"
+            R"("strategies":[{"strategy":"none","shed_mw":0.5}]},)"
+            R"({"case":"set/b","verdict":"FAIL","reasons":["too low"]},)"
+            R"({"case":"set/c","verdict":null,"reasons":["not known"]}])");
+  EXPECT_THAT(terminal(page), HasSubstr("  set/  nadir, Hz\n"
+                                        "  a          49.5  PASS\n"
+                                        "  b          48.5  FAIL\n"
+                                        "  c          49.0     –\n"));
+  EXPECT_THAT(html(page), HasSubstr("<td class=\"missed\" style=\"\">FAIL</td>"));
+}
+
+TEST(PageOfFigures, JsonHasTheVerdictOfAJudgedPage) {
+  record::Page page;
+  EXPECT_EQ(Json::parse(json(page)).count("verdict"), 0U);
+  page.judgement = record::Judgement{false, {"too low"}};
+  EXPECT_EQ(Json::parse(json(page))["verdict"], "FAIL");
+  EXPECT_EQ(Json::parse(json(page))["reasons"], Json::array({"too low"}));
+  page.judgement->passed = std::nullopt;
+  EXPECT_TRUE(Json::parse(json(page))["verdict"].is_null());
+}
+
 TEST(Fixed, HasThatManyDecimalsAndNoNegativeZero) {
   EXPECT_EQ(fixed(148.0, 2), "148.00");
   EXPECT_EQ(fixed(-0.0004, 2), "0.00");

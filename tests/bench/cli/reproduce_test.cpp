@@ -136,7 +136,8 @@ Outcome interrupted(const Words& arguments, long hundredths = 30) {
 TEST(Reproduce, InterruptedReportsTheSectionsSoFar) {
   for (const Words& command :
        std::vector<Words>{{"reproduce", "--only", "table4", "--n", "4000000000", "--json"},
-                          {"fleet", "--sweep", "--json"}}) {
+                          {"fleet", "--sweep", "--json"},
+                          {"fleet", "--closed-loop", "--profile", "cascades", "--json"}}) {
     const json page = json::parse(interrupted(command).out);
     EXPECT_FALSE(page["sections"].empty());
     EXPECT_THAT(page["facts"].dump(), HasSubstr("incomplete"));

@@ -1,10 +1,10 @@
 // The shipped profiles and grids are valid, and are found by name and by path.
 #include <profile_test/texts.hpp>
 #include <test_support/environment.hpp>
+#include <test_support/shipped_profiles.hpp>
 #include <test_support/temporary_folder.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
@@ -15,7 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using gsbench::test::Environment;
+using gsbench::test::shipped_profiles;
 using gsbench::test::TemporaryFolder;
+using gsbench::test::test_name;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -59,37 +61,49 @@ TEST_P(Shipped, HasRelayLimitsForEveryOutlet) {
   }
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& profile) {
-  std::string name = profile.param;
-  std::replace_if(
-      name.begin(), name.end(),
-      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Profile, Shipped, testing::ValuesIn(profile_names()), test_name);
+INSTANTIATE_TEST_SUITE_P(Profile, Shipped, testing::ValuesIn(shipped_profiles()), test_name);
 
 TEST(ShippedProfiles, AreListedInAlphabeticalOrder) {
-  EXPECT_THAT(
-      profile_names(),
-      testing::ElementsAre(
-          "cascades/deep-dip-at-the-loss", "cascades/dip-after-the-loss",
-          "cascades/dip-at-the-loss", "cascades/dip-then-loss", "cascades/dips-from-a-voltage-zero",
-          "cascades/four-losses", "cascades/high-frequency-before", "cascades/loss-after-a-return",
-          "cascades/loss-that-returns", "cascades/loss-that-returns-in-part",
-          "cascades/low-frequency-before", "cascades/low-frequency-without-need",
-          "cascades/oscillation-then-loss", "cascades/oscillations-alone",
-          "cascades/phase-step-at-the-loss", "cascades/phase-steps-after-the-loss",
-          "cascades/ramp-after-a-loss", "cascades/ramp-of-one-second",
-          "cascades/ramp-of-three-seconds", "cascades/ramp-without-need",
-          "cascades/second-loss-after-two-seconds", "cascades/settings-during-the-event",
-          "cascades/three-losses", "cascades/two-losses-close-together",
-          "cascades/two-losses-half-a-second-apart", "cascades/two-losses-with-dips",
-          "disturbances/dead-bus", "disturbances/dips", "disturbances/harmonics",
-          "disturbances/mains-signalling", "disturbances/phase-jump", "events/gb-2019",
-          "events/iberia-2025", "paper/loss-320mw", "paper/loss-351.9mw", "paper/loss-500mw",
-          "paper/loss-600mw", "regression/backup", "regression/command", "regression/contact-only",
-          "regression/equivalence", "regression/steady"));
+  const std::vector<std::string> names = profile_names();
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  EXPECT_THAT(names, testing::IsSupersetOf(shipped_profiles()));
+  EXPECT_THAT(names,
+              testing::IsSupersetOf({"cascades/three-losses", "disturbances/dips", "events/gb-2019",
+                                     "paper/loss-500mw", "regression/steady"}));
+}
+
+TEST(ProfilesOfAFolder, AreFoundByNameAndByPath) {
+  const std::vector<std::string> paper = {"paper/loss-320mw", "paper/loss-351.9mw",
+                                          "paper/loss-500mw", "paper/loss-600mw"};
+  EXPECT_EQ(find_profile_or_folder("paper"), paper);
+  EXPECT_EQ(find_profile_or_folder("paper/"), paper);
+  std::vector<std::string> paths;
+  for (const std::string& path : find_profile_or_folder(profiles_folder() + "/paper")) {
+    paths.push_back(load_profile(path).name);
+  }
+  EXPECT_EQ(paths, paper);
+}
+
+TEST(ProfilesOfAFolder, AProfileIsFoundAlone) {
+  for (const std::string name : {"paper/loss-500mw", "mine.toml"}) {
+    EXPECT_THAT(find_profile_or_folder(name), testing::ElementsAre(name));
+  }
+}
+
+TEST(ProfilesOfAFolder, UnknownNamesAreRefused) {
+  const auto refusal = [](const std::string& name) {
+    return gsbench::test::refusal_of<ConfigurationError>(
+        [&] { (void)find_profile_or_folder(name); });
+  };
+  EXPECT_THAT(refusal("cascade"),
+              StartsWith("unknown profile or folder of profiles \"cascade\"; did you mean "
+                         "\"cascades\"?"));
+  EXPECT_THAT(refusal("nonesuch"), HasSubstr("; folders and profiles are: cascades, "));
+  EXPECT_THAT(refusal("paper/loss"), StartsWith("unknown profile or folder of profiles"));
+  EXPECT_THAT(refusal("grids"), StartsWith("unknown profile or folder of profiles"));
+  EXPECT_THAT(refusal(""), StartsWith("unknown profile or folder of profiles"));
+  const TemporaryFolder empty;
+  EXPECT_THAT(refusal(empty.path().string()), StartsWith("unknown profile or folder"));
 }
 
 TEST(ShippedProfiles, KeepTheirNamesWhenGivenByPath) {

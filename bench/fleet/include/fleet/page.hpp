@@ -35,9 +35,16 @@ struct Study {
 record::Page make_page(const grid::Grid& grid, const Study& study,
                        const campaign::Execution& execution);
 
-// The page of a profile in a closed loop, with every strategy that is possible. Blocks and throws
-// as make_page() and simulate_closed_loop() do.
+// The page of a profile in a closed loop, with every strategy that is possible, and whether the
+// outlets meet the limits of fleet/limits.hpp. The fleet has the plan's seed. Blocks and throws as
+// make_page() and simulate_closed_loop() do.
 record::Page make_closed_loop_page(const profile::Plan& plan, const Study& study,
                                    const campaign::Execution& execution);
+
+// The same for each of many profiles, as one table of the judged figures. JSON has the list
+// "scenarios" with all strategies. The page fails if one profile does; profiles that are not judged
+// do not count.
+record::Page make_scenarios_page(const std::vector<profile::Plan>& plans, const Study& study,
+                                 const campaign::Execution& execution);
 
 }  // namespace gsbench::fleet

@@ -20,10 +20,21 @@ struct FigureColumn {
   std::string key = {};  // of the figures in FigureTable::list
 };
 
+// Whether limits are met.
+struct Judgement {
+  std::optional<bool> passed;        // nothing: not judged
+  std::vector<std::string> reasons;  // why not passed, or not judged
+};
+
+struct FigureTable;
+
 struct FigureRow {
   std::string name;
   std::vector<double> figures;       // one for each column; kNoFigure: an empty cell
   std::optional<int> decimals = {};  // instead of the columns', for a row with its own unit
+  // PASS, FAIL or an empty cell after the figures. Either all rows of a table have one, or none.
+  std::optional<Judgement> judgement = {};
+  std::vector<FigureTable> lists = {};  // more lists of the row's object in FigureTable::list
 };
 
 struct FigureTable {
@@ -33,10 +44,11 @@ struct FigureTable {
   std::vector<FigureRow> rows = {};
   bool heat = false;  // the HTML page colours each cell by its figure
   // For scripts: if not empty, JSON also has the table as a list with this key, of an object for
-  // each row: the row's name, by row_key, and its figures by the keys of their columns. Figures
-  // without decimals are integers there.
+  // each row: the row's name, by row_key; its verdict and reasons; its figures by the keys of their
+  // columns, without those that have none; its lists. Figures without decimals are integers there.
   std::string list = {};
   std::string row_key = {};
+  std::string row_prefix = {};  // the beginning of all names, which only the list has
 };
 
 struct Curve {
@@ -66,6 +78,7 @@ struct Page {
   std::string subtitle;
   std::vector<std::pair<std::string, std::string>> facts;
   std::vector<PageSection> sections;
+  std::optional<Judgement> judgement = {};  // of all; JSON has it as verdict and reasons
 };
 
 }  // namespace gsbench::record
