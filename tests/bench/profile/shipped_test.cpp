@@ -72,6 +72,11 @@ TEST(ShippedProfiles, AreListedInAlphabeticalOrder) {
                                      "paper/loss-500mw", "regression/steady"}));
 }
 
+// The set of `gsbench fleet --closed-loop --profile cascades`.
+TEST(ShippedProfiles, HaveFortyCascades) {
+  EXPECT_EQ(shipped_profiles("cascades/").size(), 40U);
+}
+
 TEST(ProfilesOfAFolder, AreFoundByNameAndByPath) {
   const std::vector<std::string> paper = {"paper/loss-320mw", "paper/loss-351.9mw",
                                           "paper/loss-500mw", "paper/loss-600mw"};
