@@ -103,6 +103,7 @@ void add_check(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_devices(CommandLine& line);
 void add_fleet(CommandLine& line);
+void add_immunity(CommandLine& line);
 void add_list(CommandLine& line);
 void add_measures(CommandLine& line);
 void add_monitor(CommandLine& line);

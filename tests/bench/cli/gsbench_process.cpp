@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <pty.h>
 #include <sys/wait.h>
+#include <test_support/waiting.hpp>
 #include <unistd.h>
 
 #include <atomic>
@@ -13,6 +14,8 @@
 #include <stdexcept>
 
 #include <gmock/gmock.h>
+
+#include <render/layout.hpp>
 
 namespace gsbench::test {
 
@@ -128,6 +131,31 @@ void expect_refused(const Words& arguments, const std::string& message) {
   const Outcome outcome = run_gsbench(arguments);
   EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments);
   EXPECT_THAT(outcome.err, testing::HasSubstr(message)) << testing::PrintToString(arguments);
+}
+
+Outcome interrupted(const Words& arguments, long hundredths) {
+  const Started started = start_gsbench(arguments);
+  EXPECT_TRUE(until([&] {
+    std::ifstream stat("/proc/" + std::to_string(started.pid) + "/stat");
+    std::string field;
+    // Field 14: time in user mode, in hundredths of a second.
+    for (int i = 0; i < 14; ++i) {
+      stat >> field;
+    }
+    return stat && std::stol(field) >= hundredths;
+  })) << "it uses no processor time";
+  Outcome outcome = stop(started, SIGINT);
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  return outcome;
+}
+
+void expect_lines_within_100_columns(const Words& arguments) {
+  const Outcome outcome = run_gsbench(arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(render::columns_of(line), 100U) << line;
+  }
 }
 
 fs::path only_run(const fs::path& output_folder) {

@@ -46,6 +46,13 @@ Started start_gsbench(
     const Words& arguments, const std::function<void()>& prepare = [] {});
 Outcome stop(const Started& started, int signal);
 
+// Interrupts the process when it has used so much processor time, in hundredths of a second, so
+// that it is past its start. A test failure unless it exits with 130.
+Outcome interrupted(const Words& arguments, long hundredths = 30);
+
+// A test failure unless it exits with 0 and no line has more than 100 columns.
+void expect_lines_within_100_columns(const Words& arguments);
+
 std::string text_of(const std::filesystem::path& path);
 
 // The folder of the only run in an output folder. Throws std::runtime_error for another number.

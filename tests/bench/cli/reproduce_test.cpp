@@ -1,16 +1,11 @@
 // `gsbench reproduce` and `gsbench fleet`: text, JSON, HTML and refused arguments.
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
-#include <test_support/waiting.hpp>
 
-#include <csignal>
-#include <fstream>
 #include <map>
 #include <sstream>
 
 #include <gmock/gmock.h>
-
-#include <render/layout.hpp>
 
 namespace gsbench::test {
 namespace {
@@ -116,23 +111,6 @@ TEST(Reproduce, OptionsGiveTheSameFiguresAsTheTablesOfVariants) {
             figure(usual[1], "paper's method, EKF start σ 823.5 MW and 50 ms", within));
 }
 
-// Interrupts the process when it has used that much processor time, so that it is past its start.
-Outcome interrupted(const Words& arguments, long hundredths = 30) {
-  const Started started = start_gsbench(arguments);
-  EXPECT_TRUE(until([&] {
-    std::ifstream stat("/proc/" + std::to_string(started.pid) + "/stat");
-    std::string field;
-    // Field 14: time in user mode, in hundredths of a second.
-    for (int i = 0; i < 14; ++i) {
-      stat >> field;
-    }
-    return stat && std::stol(field) >= hundredths;
-  })) << "it uses no processor time";
-  Outcome outcome = stop(started, SIGINT);
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  return outcome;
-}
-
 TEST(Reproduce, InterruptedReportsTheSectionsSoFar) {
   for (const Words& command :
        std::vector<Words>{{"reproduce", "--only", "table4", "--n", "4000000000", "--json"},
@@ -166,15 +144,6 @@ TEST(Reproduce, WritesAReportWithoutExternalFiles) {
   EXPECT_THAT(text, HasSubstr("id=\"table1\""));
   EXPECT_THAT(text, Not(HasSubstr("<script src")));
   EXPECT_THAT(text, Not(HasSubstr("<link rel=\"stylesheet\"")));
-}
-
-void expect_lines_within_100_columns(const Words& arguments) {
-  const Outcome outcome = run_gsbench(arguments);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  std::istringstream lines(outcome.out);
-  for (std::string line; std::getline(lines, line);) {
-    EXPECT_LE(render::columns_of(line), 100U) << line;
-  }
 }
 
 TEST(Reproduce, NoLineIsWiderThan100Columns) {

@@ -21,6 +21,8 @@ enum Purpose : std::uint32_t {
   kTrajectory = 3,
   kTrajectoryParameters = 4,
   kAppliance = 5,
+  kDisturbance = 6,
+  kNoiseOfDisturbance = 7,
   kTest = 100
 };
 

@@ -1,0 +1,101 @@
+// `gsbench immunity`: verdict and exit code, text, JSON, single cases and refused arguments.
+#include "gsbench_process.hpp"
+#include <test_support/temporary_folder.hpp>
+
+#include <gmock/gmock.h>
+
+namespace gsbench::test {
+namespace {
+
+using testing::HasSubstr;
+
+// Ten of each kind, without an event of a dip.
+const Words kFewCases = {"immunity", "--cases", "130", "--json", "--seed", "2"};
+
+Words with(Words arguments, const Words& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(ImmunityCommand, PassesWithoutTripsAndPrintsEachKind) {
+  const json page = run_for_json(kFewCases);
+  EXPECT_EQ(page["verdict"], "PASS");
+  const json& kinds = page["kinds"];
+  ASSERT_EQ(kinds.size(), 15U) << "13 kinds, all dips, all";
+  for (std::size_t i = 0; i < 13; ++i) {
+    EXPECT_EQ(kinds[i]["cases"], 10);
+    EXPECT_EQ(kinds[i]["trips"], 0);
+    EXPECT_EQ(kinds[i]["verdict"], "PASS");
+  }
+  EXPECT_EQ(kinds[0]["kind"], "dip");
+  EXPECT_EQ(kinds[13]["cases"], 50);
+  EXPECT_EQ(kinds[13]["events_per_1000_max"], 1);
+  EXPECT_EQ(kinds[14]["cases"], 130);
+}
+
+TEST(ImmunityCommand, DoesNotDependOnThreadsButOnTheSeed) {
+  const json one = run_for_json(with(kFewCases, {"--threads", "1"}));
+  EXPECT_EQ(one, run_for_json(with(kFewCases, {"--threads", "3"})));
+  const json other = run_for_json({"immunity", "--cases", "130", "--json", "--seed", "3"});
+  EXPECT_NE(one["kinds"], other["kinds"]);
+}
+
+// Noise of 3 % looks like an event now and then, also beside a dip.
+TEST(ImmunityCommand, FailsWithTheFirstFailingCaseThatCanBePlayedAgain) {
+  const Words noisy = {"immunity", "--cases", "390", "--noise", "3", "--json"};
+  const Outcome all = run_gsbench(noisy);
+  EXPECT_EQ(all.exit_code, 1) << all.err;
+  const json page = json::parse(all.out);
+  EXPECT_EQ(page["verdict"], "FAIL");
+  EXPECT_THAT(page["reasons"].dump(), HasSubstr(" events in 150 dips"));
+  EXPECT_EQ(page["kinds"][13]["verdict"], "FAIL");
+  ASSERT_GE(page["sections"].size(), 2U);
+  const json& failing = page["sections"][1];
+  const std::string id = failing["id"];
+  const std::string number = id.substr(id.find('-') + 1);
+  const Outcome one = run_gsbench({"immunity", "--case", number, "--noise", "3", "--json"});
+  EXPECT_EQ(one.exit_code, 1) << one.err;
+  EXPECT_EQ(json::parse(one.out)["sections"][0], failing);
+  EXPECT_EQ(failing["paragraphs"][0], "[signal]");
+}
+
+TEST(ImmunityCommand, WritesACaseAsAProfile) {
+  const TemporaryFolder folder;
+  for (const char* number : {"3", "8", "11"}) {
+    const std::string profile = folder.file("case.toml");
+    const Outcome written = run_gsbench({"immunity", "--case", number, "--profile", profile});
+    EXPECT_EQ(written.exit_code, 0) << written.err;
+    EXPECT_EQ(written.out, "");
+    EXPECT_EQ(run_gsbench({"check", profile}).exit_code, 0) << text_of(profile);
+  }
+  const Outcome printed = run_gsbench({"immunity", "--case", "11", "--profile", "-"});
+  EXPECT_EQ(printed.out, text_of(folder.file("case.toml")));
+}
+
+TEST(ImmunityCommand, NoLineIsWiderThan100Columns) {
+  expect_lines_within_100_columns({"immunity", "--cases", "13"});
+  for (const char* number : {"7", "9", "10", "12"}) {
+    expect_lines_within_100_columns({"immunity", "--case", number});
+  }
+  expect_lines_within_100_columns({"immunity", "--help"});
+}
+
+TEST(ImmunityCommand, InterruptedReportsTheCasesSoFar) {
+  const json page = json::parse(interrupted({"immunity", "--json"}, 200).out);
+  EXPECT_TRUE(page["verdict"].is_null());
+  EXPECT_THAT(page["reasons"].dump(), HasSubstr(" of 100000 cases"));
+  EXPECT_GT(page["kinds"][14]["cases"], 0);
+  EXPECT_LT(page["kinds"][14]["cases"], 100000);
+}
+
+TEST(ImmunityCommand, RefusesBadArguments) {
+  expect_refused({"immunity", "--cases", "0"}, "--cases");
+  expect_refused({"immunity", "--cases", "10000001"}, "--cases");
+  expect_refused({"immunity", "--noise", "101"}, "--noise");
+  expect_refused({"immunity", "--accumulated", "-1"}, "--accumulated");
+  expect_refused({"immunity", "--profile", "case.toml"}, "--case");
+  expect_refused({"immunity", "no-such-grid"}, "no-such-grid");
+}
+
+}  // namespace
+}  // namespace gsbench::test
