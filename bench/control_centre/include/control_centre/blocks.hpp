@@ -29,9 +29,10 @@ double accumulated_mw(double less_important_mw, double group_mw,
 // kMargin is a part of f_n − f_s. Outlets that shed by their estimate after a single loss keep the
 // nadir within 5 mHz of f_s, which is above the first f^B.
 // kDroopFactor may be 3 to 5. Outlets that have f^B alone then shed 0.8 to 1.0 times the power that
-// would keep f_s if it were shed at once, after losses of 1.3 to 2.3·ΔP_s. They act 76 … 92 ms
-// late, which does not matter because the fall is slow by then. This also holds in a grid with a
-// third of the inertia of ieee24 (tests/bench/fleet/backup_test.cpp).
+// would keep f_s if it were shed at once, after losses of 1.3 to 2.3·ΔP_s. They act 68 … 84 ms
+// late there, and 64 … 82 ms late with the whole firmware without noise, which does not matter
+// because the fall is slow by then. This also holds in a grid with a third of the inertia of ieee24
+// (tests/bench/fleet/backup_test.cpp).
 //
 // f^B is above f for a P^A below kDroopFactor·ΔP_s·((f_s − f)/(f_n − f_s) − kMargin). On ieee24,
 // 1267 MW are thus shed before the first under-frequency relays act at 49 Hz.
