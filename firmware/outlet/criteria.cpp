@@ -29,6 +29,10 @@ constexpr float kSureSigmas = 2.0f;
 // of the threshold loss.
 constexpr float kMoreSigmas = 3.0f;
 constexpr float kMorePart = 0.05f;
+// With method 1, an interruption of the voltage is bridged for 1 s. After the voltage returned, a
+// phase counts once the front end's window of 56 ms holds only the new voltage.
+constexpr std::uint16_t kLongestGap = 62;
+constexpr int kReportsOfWindow = 4;
 // With method 1, an event ends after this many reports without a confirmed onset.
 constexpr int kReportsWithoutOnset = 60;
 
@@ -97,8 +101,12 @@ bool more_is_lost(const Settings& settings, State& state, const Followed& follow
 }
 
 // Criterion (1) by the grid's state. The sum of what is required now to keep the nadir at f_s, and
-// of what earlier decisions required, is compared with P^A. One decision is due after each
-// confirmed change of the lost power.
+// of what earlier decisions required, is compared with P^A.
+//
+// A decision is due decision_reports after the first onset of a change, if the estimate is sure. It
+// is the last one of the change if no onset was found in that time. Otherwise power is still being
+// lost, or the voltage was disturbed, and the next decision follows after as many reports, in which
+// the shed load has become visible.
 void decide_by_grid_state(const Config& config, State& state, const Followed& followed,
                           Report& report) {
   GridFollower& follower = state.follower;
@@ -113,11 +121,15 @@ void decide_by_grid_state(const Config& config, State& state, const Followed& fo
   }
   const bool sure = is_sure(settings, followed.loss_sigma_mw);
   const int due = settings.decision_reports + (sure ? 0 : kLatestReports);
-  if (follower.since_onset < due) {
+  const bool is_due = follower.since_change >= due;
+  const bool is_last = is_due && follower.since_onset >= due;
+  if (!is_last && !(is_due && sure)) {
     return;
   }
-  follower.changed = false;
   const bool more = more_is_lost(settings, state, followed);
+  follower.changed = !is_last;
+  follower.since_change = 0;
+  follower.loss_before_change_mw = followed.state.loss_mw;
   const auto nominal_hz = static_cast<float>(config.hardware.nominal_hz);
   const Shedding needed = shedding(config.look_ahead, advanced(config.lead, followed.state),
                                    settings.threshold_hz + settings.nadir_margin_hz - nominal_hz);
@@ -126,7 +138,7 @@ void decide_by_grid_state(const Config& config, State& state, const Followed& fo
   const bool is_required =
       more || needed.required_mw > certain_mw(settings, followed.loss_sigma_mw);
   const float required_mw = is_required ? maximum(needed.required_mw - doubt_mw, 0.0f) : 0.0f;
-  if (!is_event && !(required_mw > 0.0f)) {
+  if (!(required_mw > 0.0f) && !(is_event && is_last)) {
     return;
   }
   report.happened |= kDecision;
@@ -138,16 +150,22 @@ void decide_by_grid_state(const Config& config, State& state, const Followed& fo
     switch_off(settings, state, report, Cause::kLoss);
   }
   state.shed_before_mw += required_mw;
-  end_event(state);
+  if (is_last) {
+    end_event(state);
+  }
+}
+
+// The follower continues through an interruption of the voltage of at most kLongestGap reports.
+bool bridges_gap(const GridFollower& follower) {
+  return follower.count > 0 && follower.gap < kLongestGap;
 }
 
 Followed follow_grid(const Config& config, State& state, const Phasor& z) {
-  if (state.tracker.dead || state.tracker.age == 0) {
-    return {};
-  }
+  const TrackerState& tracker = state.tracker;
+  const bool measured = !tracker.dead && !tracker.coasting && tracker.age >= kReportsOfWindow;
   return follow(config.follower, state.follower, angle_of(z.quadrature, z.in_phase) / kTwoPi,
-                root(z.in_phase * z.in_phase + z.quadrature * z.quadrature),
-                !state.tracker.coasting, state.tracker.omega_rad_s / kTwoPi);
+                root(z.in_phase * z.in_phase + z.quadrature * z.quadrature), measured,
+                tracker.omega_rad_s / kTwoPi);
 }
 
 // Counts the reports since the voltage was last disturbed: the report was held, its amplitude
@@ -220,7 +238,8 @@ void act(const Config& config, State& state, const Phasor& z, Report& report) {
     case RelayChange::kOpened:
       report.happened |= kRelay;
   }
-  if (report.measurement.validity == Validity::kInvalid) {
+  if (report.measurement.validity == Validity::kInvalid &&
+      !(by_state && bridges_gap(state.follower))) {
     if (state.phase == Phase::kEstimating) {
       report.happened |= kAborted;
     }

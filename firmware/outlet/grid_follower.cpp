@@ -52,10 +52,13 @@ constexpr float kSignificantSigmas = 6.0f;
 constexpr float kSignificantPart = 0.11f;  // of scale_mw
 constexpr int kAnnouncedWithin = 60;
 
-// The bank restarts after 8 s without an oscillation. Its oscillation is used only if the filter
-// without one keeps failing: at least kOnsetsOfSwing onsets since the bank's start, the newest less
-// than kRecentOnset reports ago.
+// The bank restarts after 8 s without an oscillation. If it has run for 1.4 s, it also restarts at
+// its first onset: its filters have settled on no oscillation, and would adapt too slowly to one
+// that begins abruptly. Its oscillation is used only if the filter without one keeps failing: at
+// least kOnsetsOfSwing onsets since the bank's start, the newest less than kRecentOnset reports
+// ago.
 constexpr std::uint16_t kBankReports = 500;
+constexpr std::uint16_t kSettledReports = 90;
 constexpr std::uint8_t kOnsetsOfSwing = 3;
 constexpr std::uint16_t kRecentOnset = 70;
 // The oscillation is given up below this amplitude, or if this many onsets are found in one period
@@ -70,6 +73,11 @@ constexpr float square(float x) {
 
 float loss_noise_mw2(const FollowerSettings& settings, float part) {
   return square(part * settings.scale_mw);
+}
+
+// Stops at the maximum.
+void count_up(std::uint16_t& reports) {
+  reports = static_cast<std::uint16_t>(reports < 0xFFFF ? reports + 1 : reports);
 }
 
 FollowedReport& at(GridFollower& f, std::uint32_t number) {
@@ -228,6 +236,7 @@ void open(const FollowerSettings& settings, GridFollower& f) {
   }
   if (!f.rival_lives && !f.changed) {
     f.loss_before_change_mw = f.filter.x[kLoss];
+    f.since_change = 0;
   }
   if (!f.rival_lives) {
     start_rival(settings, f, first);
@@ -302,7 +311,6 @@ void choose_swing(const FollowerSettings& settings, GridFollower& f, const Phase
   if (swinging != nullptr && f.onsets >= kOnsetsOfSwing && f.since_onset < kRecentOnset) {
     continue_with(f, *swinging);
     f.since_onset = 0;
-    f.changed = false;
     f.onsets = 0;
     f.since_swing = 0;
   } else if (f.bank.age >= kBankReports && m.measured) {
@@ -324,6 +332,7 @@ void clear(GridFollower& f) {
   f.gap = 0;
   f.noise_squares = 0.0f;
   f.since_onset = 0xFFFF;
+  f.since_change = 0xFFFF;
   f.loss_before_mw = 0.0f;
   f.loss_before_change_mw = 0.0f;
   f.rival_lives = false;
@@ -367,9 +376,13 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   } else {
     take(settings, f, now);
   }
-  f.gap = static_cast<std::uint16_t>(measured ? 0 : f.gap < 0xFFFF ? f.gap + 1 : f.gap);
-  f.since_onset =
-      static_cast<std::uint16_t>(f.since_onset < 0xFFFF ? f.since_onset + 1 : f.since_onset);
+  if (measured) {
+    f.gap = 0;
+  } else {
+    count_up(f.gap);
+  }
+  count_up(f.since_onset);
+  count_up(f.since_change);
   f.bank_measurement = m;
   f.bank_next = 0;
   if (f.rival_lives) {
@@ -377,6 +390,10 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   }
   if (measured && onset_found(f)) {
     open(settings, f);
+    if (f.onsets == 1 && f.bank.age >= kSettledReports && !f.filter.with_swing) {
+      start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
+      f.bank_next = kSwingFilters;
+    }
   }
   Followed result;
   result.valid = true;

@@ -34,8 +34,8 @@ struct FollowedReport {
   bool onset = false;       // processed with the large process noise of the lost power
 };
 
-// Reports are numbered from 0 at the start. gap, since_onset and onsets stop at the maximum of
-// their types.
+// Reports are numbered from 0 at the start. gap, since_onset, since_change and onsets
+// stop at the maximum of their types.
 struct GridFollower {
   GridFilter filter;                         // after the newest report
   FollowedReport reports[kFollowedReports];  // ring: report n at n % kFollowedReports
@@ -45,8 +45,11 @@ struct GridFollower {
   std::uint16_t gap = 0;          // successive newest reports without a measurement
   float noise_squares = 0.0f;     // running mean of the phases' squared third differences, cycles²
   std::uint16_t since_onset = 0xFFFF;  // reports since the newest onset was found
-  float loss_before_mw = 0.0f;         // lost power before the change that began with an onset
-  // Lost power before the first onset of a change that is not decided yet, MW.
+  // Reports since the first onset of a change that is not decided completely, or since the newest
+  // decision on it.
+  std::uint16_t since_change = 0xFFFF;
+  float loss_before_mw = 0.0f;  // lost power before the change that began with an onset
+  // Lost power before that onset, or at that decision, MW.
   float loss_before_change_mw = 0.0f;
 
   // The rival: only the phase has changed.
