@@ -22,6 +22,12 @@ constexpr float kStartDeviation_hz = 0.5f;
 constexpr float kStartLoss_mw = 5.0f;
 constexpr float kStartRocof_hz_s = 0.002f;
 
+// Places of the covariances with a.
+constexpr int kWithSwing[kFilterStates] = {covariance_index(0, kSwing), covariance_index(1, kSwing),
+                                           covariance_index(2, kSwing), covariance_index(3, kSwing),
+                                           covariance_index(4, kSwing), covariance_index(5, kSwing),
+                                           covariance_index(6, kSwing)};
+
 int states_of(const GridFilter& f) {
   return f.with_swing ? kFilterStates : kGridVariables;
 }
@@ -30,44 +36,74 @@ float& covariance(GridFilter& f, int i, int j) {
   return f.covariance[covariance_index(i, j)];
 }
 
-// Columns outside first … last of a row of the transition matrix are zero.
-struct Row {
-  int first;
-  int last;
+// The transition of a step: of the grid's variables, and of the oscillation's, which depends on Ω.
+struct Transition {
+  const GridStep& grid;
+  float cos_angle;
+  float sin_angle;
+  float swing_by_omega;
+  float across_by_omega;
 };
-constexpr Row kRows[kFilterStates] = {{0, 3}, {1, 3}, {1, 3}, {3, 3}, {4, 6}, {4, 6}, {6, 6}};
 
-// Moves the state by one step. `to` becomes the transition matrix (Jacobian).
-void move_state(const GridStep& step, GridFilter& f, float (&to)[kFilterStates][kFilterStates]) {
-  float moved[kGridVariables];
-  for (int i = 0; i < kGridVariables; ++i) {
-    moved[i] = 0.0f;
-    for (int j = kRows[i].first; j <= kRows[i].last; ++j) {
-      to[i][j] = step.to[i][j];
-      moved[i] += to[i][j] * f.x[j];
+// These multiply a vector, whose elements are kStride apart, by the transition matrix: the elements
+// of the grid, and those of the oscillation.
+template <int kStride>
+inline void move_grid(const Transition& t, float* v) {
+  const auto& to = t.grid.to;
+  const float deviation = v[kDeviation * kStride];
+  const float rocof = v[kUnloadedRocof * kStride];
+  const float loss = v[kLoss * kStride];
+  // φ and p keep their own value: their elements are 1.
+  v[kPhase * kStride] = v[kPhase * kStride] + to[kPhase][kDeviation] * deviation +
+                        to[kPhase][kUnloadedRocof] * rocof + to[kPhase][kLoss] * loss;
+  v[kDeviation * kStride] = to[kDeviation][kDeviation] * deviation +
+                            to[kDeviation][kUnloadedRocof] * rocof + to[kDeviation][kLoss] * loss;
+  v[kUnloadedRocof * kStride] = to[kUnloadedRocof][kDeviation] * deviation +
+                                to[kUnloadedRocof][kUnloadedRocof] * rocof +
+                                to[kUnloadedRocof][kLoss] * loss;
+}
+
+template <int kStride>
+inline void move_swing(const Transition& t, float* v) {
+  const float swing = v[kSwing * kStride];
+  const float across = v[kSwingAcross * kStride];
+  const float omega = v[kSwingOmega * kStride];
+  v[kSwing * kStride] = t.cos_angle * swing + t.sin_angle * across + t.swing_by_omega * omega;
+  v[kSwingAcross * kStride] =
+      t.cos_angle * across - t.sin_angle * swing + t.across_by_omega * omega;
+}
+
+// P = T·P·Tᵀ: moves the rows of P, which is symmetric, then the columns of the result.
+template <int kStates>
+void move_covariance(const Transition& t, GridFilter& f) {
+  float full[kStates][kStates];
+  const float* packed = f.covariance;
+  for (int i = 0; i < kStates; ++i) {
+    for (int j = i; j < kStates; ++j) {
+      full[i][j] = packed[j - i];
+      full[j][i] = packed[j - i];
+    }
+    packed += kFilterStates - i;
+  }
+  for (int i = 0; i < kStates; ++i) {
+    move_grid<1>(t, full[i]);
+    if (kStates > kSwing) {
+      move_swing<1>(t, full[i]);
     }
   }
-  for (int i = 0; i < kGridVariables; ++i) {
-    f.x[i] = moved[i];
+  float* moved = f.covariance;
+  for (int i = 0; i < kStates; ++i) {
+    if (i <= kLoss) {  // otherwise all these are below the diagonal
+      move_grid<kStates>(t, &full[0][i]);
+    }
+    if (kStates > kSwing) {
+      move_swing<kStates>(t, &full[0][i]);
+    }
+    for (int j = i; j < kStates; ++j) {
+      moved[j - i] = full[j][i];
+    }
+    moved += kFilterStates - i;
   }
-  f.x[kPhase] -= nearest_whole(f.x[kPhase]);
-  if (!f.with_swing) {
-    return;
-  }
-  const float angle_rad = f.x[kSwingOmega] * kReport_s;
-  const float cos_angle = cosine(angle_rad);
-  const float sin_angle = sine(angle_rad);
-  const float swing = cos_angle * f.x[kSwing] + sin_angle * f.x[kSwingAcross];
-  const float across = cos_angle * f.x[kSwingAcross] - sin_angle * f.x[kSwing];
-  f.x[kSwing] = swing;
-  f.x[kSwingAcross] = across;
-  to[kSwing][kSwing] = cos_angle;
-  to[kSwing][kSwingAcross] = sin_angle;
-  to[kSwing][kSwingOmega] = kReport_s * across;
-  to[kSwingAcross][kSwing] = -sin_angle;
-  to[kSwingAcross][kSwingAcross] = cos_angle;
-  to[kSwingAcross][kSwingOmega] = -kReport_s * swing;
-  to[kSwingOmega][kSwingOmega] = 1.0f;
 }
 
 }  // namespace
@@ -124,29 +160,21 @@ float swing_sigma_hz(const GridFilter& f) {
 }
 
 void predict(const GridStep& step, GridFilter& f, const ProcessNoise& noise) {
-  const int n = states_of(f);
-  float to[kFilterStates][kFilterStates];
-  move_state(step, f, to);
-  // P = T·P·Tᵀ; only its upper triangle is computed.
-  float half[kFilterStates][kFilterStates];  // T·P
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      float sum = 0.0f;
-      for (int k = kRows[i].first; k <= kRows[i].last; ++k) {
-        sum += to[i][k] * covariance(f, k, j);
-      }
-      half[i][j] = sum;
-    }
+  Transition t = {step, 1.0f, 0.0f, 0.0f, 0.0f};
+  if (f.with_swing) {
+    const float angle_rad = f.x[kSwingOmega] * kReport_s;
+    t.cos_angle = cosine(angle_rad);
+    t.sin_angle = sine(angle_rad);
+    move_grid<1>(t, f.x);
+    move_swing<1>(t, f.x);
+    t.swing_by_omega = kReport_s * f.x[kSwingAcross];
+    t.across_by_omega = -kReport_s * f.x[kSwing];
+    move_covariance<kFilterStates>(t, f);
+  } else {
+    move_grid<1>(t, f.x);
+    move_covariance<kGridVariables>(t, f);
   }
-  for (int i = 0; i < n; ++i) {
-    for (int j = i; j < n; ++j) {
-      float sum = 0.0f;
-      for (int k = kRows[j].first; k <= kRows[j].last; ++k) {
-        sum += half[i][k] * to[j][k];
-      }
-      covariance(f, i, j) = sum;
-    }
-  }
+  f.x[kPhase] -= nearest_whole(f.x[kPhase]);
   covariance(f, kPhase, kPhase) += noise.phase;
   covariance(f, kDeviation, kDeviation) += kDeviationNoise_hz2;
   covariance(f, kUnloadedRocof, kUnloadedRocof) += kRocofNoise_hz2_s2;
@@ -162,21 +190,23 @@ Innovation correct(GridFilter& f, float phase_cycles, float phase_variance) {
   const int n = states_of(f);
   float innovation = phase_cycles - f.x[kPhase] - f.x[kSwing];
   innovation -= nearest_whole(innovation);
-  float with_measured[kFilterStates];  // covariance of each state with z
+  float with_measured[kFilterStates];  // covariance of each state with z; φ's are the first row
   for (int i = 0; i < n; ++i) {
-    with_measured[i] = covariance(f, i, kPhase) + covariance(f, i, kSwing);
+    with_measured[i] = f.covariance[i] + (f.with_swing ? f.covariance[kWithSwing[i]] : 0.0f);
   }
   const float width =
       with_measured[kPhase] + (f.with_swing ? with_measured[kSwing] : 0.0f) + phase_variance;
   const float inverse = 1.0f / width;
+  float* row = f.covariance;
   for (int i = 0; i < n; ++i) {
     const float gain = with_measured[i] * inverse;
     f.x[i] += gain * innovation;
     for (int j = i; j < n; ++j) {
-      covariance(f, i, j) -= gain * with_measured[j];
+      row[j - i] -= gain * with_measured[j];
     }
     // Rounding must not make a variance negative.
-    covariance(f, i, i) = maximum(covariance(f, i, i), 0.0f);
+    row[0] = maximum(row[0], 0.0f);
+    row += kFilterStates - i;
   }
   if (f.with_swing) {
     f.x[kSwingOmega] = bounded(f.x[kSwingOmega], kLowestOmega_rad_s, kHighestOmega_rad_s);

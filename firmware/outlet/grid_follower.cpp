@@ -44,6 +44,7 @@ constexpr float kRivalSumSigmas = 4.0f;
 constexpr float kRivalSquaresSigmas = 4.0f;
 constexpr float kRivalSquaresMargin = 6.0f;
 constexpr int kRivalReports = 16;
+constexpr std::uint32_t kCaughtUpAtOnce = 2;
 
 // A change of the lost power is significant if it exceeds both limits, between kSignificantReports
 // and kAnnouncedWithin reports after the newest onset was found.
@@ -214,17 +215,23 @@ std::uint32_t first_of_onset(GridFollower& f) {
   return f.count - static_cast<std::uint32_t>(length);
 }
 
-void start_rival(const FollowerSettings& settings, GridFollower& f, std::uint32_t first) {
+// The rival processes the reports of the onset afterwards, by catch_up().
+void start_rival(GridFollower& f, std::uint32_t first) {
   f.rival = f.filter;
-  for (std::uint32_t i = first; i < f.count; ++i) {
-    predict(settings.step, f.rival,
-            {square(kFreePhase_cycles), loss_noise_mw2(settings, kLossNoise)});
-    correct_by(f.rival, at(f, i).measurement);
-  }
+  f.rival_next = first;
   f.rival_lives = true;
   f.rival_reports = 0;
   f.rival_sum = 0.0f;
   f.rival_squares = 0.0f;
+}
+
+// The rival processes at most `reports` of those that it has missed.
+void catch_up(const FollowerSettings& settings, GridFollower& f, std::uint32_t reports) {
+  for (; f.rival_lives && reports > 0 && f.rival_next < f.count; --reports) {
+    predict(settings.step, f.rival,
+            {square(kFreePhase_cycles), loss_noise_mw2(settings, kLossNoise)});
+    correct_by(f.rival, at(f, f.rival_next++).measurement);
+  }
 }
 
 // Begins an onset: processes the last reports again, with a large process noise of the lost power.
@@ -239,7 +246,7 @@ void open(const FollowerSettings& settings, GridFollower& f) {
     f.since_change = 0;
   }
   if (!f.rival_lives) {
-    start_rival(settings, f, first);
+    start_rival(f, first);
   }
   for (std::uint32_t i = first; i < f.count; ++i) {
     at(f, i).onset = true;
@@ -256,6 +263,7 @@ void follow_rival(const FollowerSettings& settings, GridFollower& f, const Phase
   const float free_phase = f.since_onset <= kFreePhaseReports ? square(kFreePhase_cycles) : 0.0f;
   predict(settings.step, f.rival, {free_phase, loss_noise_mw2(settings, kLossNoise)});
   const float innovation = correct_by(f.rival, m);
+  ++f.rival_next;
   if (!m.measured || m.after_gap) {
     return;
   }
@@ -336,6 +344,7 @@ void clear(GridFollower& f) {
   f.loss_before_mw = 0.0f;
   f.loss_before_change_mw = 0.0f;
   f.rival_lives = false;
+  f.rival_next = 0;
   f.rival_reports = 0;
   f.rival_sum = 0.0f;
   f.rival_squares = 0.0f;
@@ -357,6 +366,7 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   if (f.count == 0 && !measured) {
     return {};
   }
+  catch_up(settings, f, kFollowedReports);
   if (f.count == 0) {
     begin(settings, f, m, deviation_hz);
   } else {
@@ -404,6 +414,9 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
 }
 
 void follow_swing(const FollowerSettings& settings, GridFollower& f, int filters) {
+  if (filters > 0) {
+    catch_up(settings, f, kCaughtUpAtOnce);
+  }
   for (; filters > 0 && f.bank_next < kSwingFilters; --filters) {
     if (!f.filter.with_swing) {
       follow(settings.step, f.bank, f.bank_next, loss_noise_mw2(settings, kLossNoise),

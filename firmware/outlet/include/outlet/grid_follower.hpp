@@ -54,6 +54,7 @@ struct GridFollower {
 
   // The rival: only the phase has changed.
   GridFilter rival;
+  std::uint32_t rival_next = 0;    // number of its next report; behind `count` after an onset
   bool rival_lives = false;        // it has neither failed nor replaced `filter`
   std::uint8_t rival_reports = 0;  // measurements since the rival was started
   float rival_sum = 0.0f;          // of its normalised innovations in these
@@ -91,8 +92,9 @@ struct Followed {
 Followed follow(const FollowerSettings& settings, GridFollower& follower, float phase_cycles,
                 float amplitude, bool measured, float deviation_hz);
 
-// Moves the next filters of the bank by the newest report, at most `filters`. All must be moved
-// before the next follow().
+// Work that is spread over the time between two reports. Moves the next filters of the bank by the
+// newest report, at most `filters`. All must be moved before the next follow(). If `filters` > 0,
+// the rival also processes the next two reports of an onset; follow() processes what is left.
 void follow_swing(const FollowerSettings& settings, GridFollower& follower, int filters);
 
 }  // namespace gs::outlet

@@ -33,6 +33,12 @@ struct GridState {
 };
 
 // The state one step later, with constant p.
-GridState advanced(const GridStep& step, const GridState& state);
+inline GridState advanced(const GridStep& step, const GridState& s) {
+  const auto row = [&](GridVariable of) {
+    return step.to[of][kDeviation] * s.deviation_hz +
+           step.to[of][kUnloadedRocof] * s.unloaded_rocof_hz_s + step.to[of][kLoss] * s.loss_mw;
+  };
+  return {row(kDeviation), row(kUnloadedRocof), s.loss_mw};
+}
 
 }  // namespace gs::outlet

@@ -25,6 +25,7 @@ constexpr const char* kShift = "shift=8";
 constexpr double kTicksPerInstruction = 256.0 / 40.0;
 constexpr double kClock_hz = 168e6;  // of an STM32F405: 21 000 cycles in a sample
 constexpr double kMostInEvent = 5250.0;
+constexpr std::uint32_t kMostInSample = 21'000;
 constexpr std::uint32_t kFramesCapacity = 1U << 17U;
 
 class InstructionCounts : public testing::Test {
@@ -151,7 +152,7 @@ class InstructionsPerSample : public InstructionCounts,
   }
 };
 
-TEST_P(InstructionsPerSample, AreWithinTheBudgetOfTheirMeanAndTheFramesAreThoseOfThisMachine) {
+TEST_P(InstructionsPerSample, AreWithinTheirBudgetsAndTheFramesAreThoseOfThisMachine) {
   const Played profile = played(GetParam());
   const Result result = there(profile);
   ASSERT_EQ(result.counts.size(), profile.samples.size());
@@ -181,6 +182,7 @@ TEST_P(InstructionsPerSample, AreWithinTheBudgetOfTheirMeanAndTheFramesAreThoseO
   EXPECT_LE(in_event, kMostInEvent);
   EXPECT_LE(busiest, kMostInEvent);
   EXPECT_GE(*worst, 2000U);
+  EXPECT_LE(*worst, kMostInSample);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, InstructionsPerSample,
