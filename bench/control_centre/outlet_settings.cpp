@@ -92,7 +92,7 @@ struct Description {
 };
 
 double switch_off_of(const grid::Grid& grid, const RequestedSettings& requested) {
-  if (requested.rules == Rules::kGsbench) {
+  if (requested.staged_backup) {
     return Stages(grid).switch_off_hz(requested.accumulated_mw);
   }
   const double power_mw = requested.power_mw.value_or(requested.accumulated_mw);

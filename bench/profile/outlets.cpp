@@ -16,6 +16,7 @@ using keys::Table;
 constexpr std::int64_t kMostOutlets = 1000;  // in one run; larger studies do not use profiles
 constexpr std::size_t kLongestId = 64;
 constexpr const char* kPaperRules = "paper";
+constexpr const char* kGsbenchRules = "gsbench";
 
 control_centre::RequestedSettings read_requested(const Table& table, const grid::Grid& grid) {
   control_centre::RequestedSettings requested;
@@ -24,8 +25,10 @@ control_centre::RequestedSettings read_requested(const Table& table, const grid:
   const Range block = {0.0, 2.0 * requested.accumulated_mw, true, false,
                        "twice accumulated_mw, which includes half of the outlet's own block"};
   requested.power_mw = table.find_number("power_mw", block);
-  requested.rules = table.text("rules") == kPaperRules ? control_centre::Rules::kPaper
-                                                       : control_centre::Rules::kGsbench;
+  const std::optional<std::string> rules = table.find_text("rules");
+  requested.rules =
+      rules == kPaperRules ? control_centre::Rules::kPaper : control_centre::Rules::kGsbench;
+  requested.staged_backup = rules == kGsbenchRules;
   read_settings(table, grid.nominal_hz, requested.settings);
   return requested;
 }
@@ -57,11 +60,12 @@ Key outlet_keys() {
                     "only load that is known. If `accumulated_mw` is 0, f^B is `threshold_hz`")
            .permits("above 0, at most twice `accumulated_mw`")
            .or_else("`accumulated_mw`"),
-       keys::choice("rules", {"gsbench", kPaperRules},
+       keys::choice("rules", {kGsbenchRules, kPaperRules},
                     "how the control centre derives threshold loss and f^B: `gsbench`, such that "
                     "the outlets' delay is allowed for, and in stages over `accumulated_mw`; "
-                    "`paper`, by eq. (15) and eq. (17)")
-           .by_default("gsbench")});
+                    "`paper`, by eq. (15) and eq. (17). The played frequency does not react to "
+                    "what outlets shed, so that it passes stages that a fleet would stop before")
+           .or_else("threshold loss as `gsbench`, f^B as `paper`")});
   for (Key& key : setting_keys()) {
     outlets.inner.push_back(std::move(key));
   }

@@ -29,9 +29,13 @@ constexpr float kSureSigmas = 2.0f;
 // of the threshold loss.
 constexpr float kMoreSigmas = 3.0f;
 constexpr float kMorePart = 0.05f;
-// With method 1, an interruption of the voltage is bridged for 1 s. After the voltage returned, a
+// Required load was shed if the lost power fell by kVisiblePart of it, or rose by kHidingPart of
+// it.
+constexpr float kVisiblePart = 0.25f;
+constexpr float kHidingPart = 0.5f;
+// With method 1, an interruption of the voltage is bridged for 0.8 s. After the voltage returned, a
 // phase counts once the front end's window of 56 ms holds only the new voltage.
-constexpr std::uint16_t kLongestGap = 62;
+constexpr std::uint16_t kLongestGap = 50;
 constexpr int kReportsOfWindow = 4;
 // With method 1, an event ends after this many reports without a confirmed onset.
 constexpr int kReportsWithoutOnset = 60;
@@ -90,18 +94,34 @@ float certain_mw(const Settings& settings, float loss_sigma_mw) {
   return maximum(kMoreSigmas * loss_sigma_mw, kMorePart * settings.threshold_mw);
 }
 
+// Whether the load that the newest decision required was shed. The lost power then fell by it, at
+// the latest before the next change, or a further loss has hidden the fall. Otherwise it must still
+// be shed, and is part of what is required now.
+bool was_shed(const Settings& settings, const State& state, const Followed& followed) {
+  const ShedAccount& account = state.account;
+  const float loss_mw = followed.state.loss_mw;
+  const float least_mw =
+      state.follower.decided ? loss_mw : minimum(loss_mw, state.follower.loss_before_change_mw);
+  const float hidden_mw =
+      maximum(certain_mw(settings, followed.loss_sigma_mw), kHidingPart * account.required_mw);
+  return account.decided_loss_mw - least_mw > kVisiblePart * account.required_mw ||
+         loss_mw - account.decided_loss_mw > hidden_mw;
+}
+
 // Whether the lost power is above the lower of State::least_loss_mw and its value before this
 // change. Load that others shed, power that returns and slow control only lower it.
 bool more_is_lost(const Settings& settings, State& state, const Followed& followed) {
   const float loss_mw = followed.state.loss_mw;
-  const float least_mw = minimum(state.least_loss_mw, state.follower.loss_before_change_mw);
+  const float least_mw = state.follower.decided
+                             ? state.least_loss_mw
+                             : minimum(state.least_loss_mw, state.follower.loss_before_change_mw);
   const bool more = loss_mw > least_mw + certain_mw(settings, followed.loss_sigma_mw);
   state.least_loss_mw = more ? loss_mw : minimum(least_mw, loss_mw);
   return more;
 }
 
 // Criterion (1) by the grid's state. The sum of what is required now to keep the nadir at f_s, and
-// of what earlier decisions required, is compared with P^A.
+// of what was shed after earlier decisions, is compared with P^A.
 //
 // A decision is due decision_reports after the first onset of a change, if the estimate is sure. It
 // is the last one of the change if no onset was found in that time. Otherwise power is still being
@@ -126,10 +146,13 @@ void decide_by_grid_state(const Config& config, State& state, const Followed& fo
   if (!is_last && !(is_due && sure)) {
     return;
   }
+  ShedAccount& account = state.account;
+  account.shed_mw += was_shed(settings, state, followed) ? account.required_mw : 0.0f;
+  account.required_mw = 0.0f;
   const bool more = more_is_lost(settings, state, followed);
   follower.changed = !is_last;
+  follower.decided = true;
   follower.since_change = 0;
-  follower.loss_before_change_mw = followed.state.loss_mw;
   const auto nominal_hz = static_cast<float>(config.hardware.nominal_hz);
   const Shedding needed = shedding(config.look_ahead, advanced(config.lead, followed.state),
                                    settings.threshold_hz + settings.nadir_margin_hz - nominal_hz);
@@ -144,12 +167,12 @@ void decide_by_grid_state(const Config& config, State& state, const Followed& fo
   report.happened |= kDecision;
   report.required_mw = required_mw;
   report.nadir_hz = nominal_hz + needed.nadir_hz;
-  report.shed_before_mw = state.shed_before_mw;
-  if (required_mw > 0.0f &&
-      must_shed(state.shed_before_mw + required_mw, settings.accumulated_mw)) {
+  report.shed_before_mw = account.shed_mw;
+  if (required_mw > 0.0f && must_shed(account.shed_mw + required_mw, settings.accumulated_mw)) {
     switch_off(settings, state, report, Cause::kLoss);
   }
-  state.shed_before_mw += required_mw;
+  account.required_mw = required_mw;
+  account.decided_loss_mw = followed.state.loss_mw;
   if (is_last) {
     end_event(state);
   }
@@ -233,7 +256,7 @@ void act(const Config& config, State& state, const Phasor& z, Report& report) {
     case RelayChange::kNone:
       break;
     case RelayChange::kRestored:
-      state.shed_before_mw = 0.0f;
+      state.account = ShedAccount{};
       [[fallthrough]];
     case RelayChange::kOpened:
       report.happened |= kRelay;

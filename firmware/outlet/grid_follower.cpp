@@ -244,6 +244,7 @@ void open(const FollowerSettings& settings, GridFollower& f) {
   if (!f.rival_lives && !f.changed) {
     f.loss_before_change_mw = f.filter.x[kLoss];
     f.since_change = 0;
+    f.decided = false;
   }
   if (!f.rival_lives) {
     start_rival(f, first);
@@ -349,6 +350,7 @@ void clear(GridFollower& f) {
   f.rival_sum = 0.0f;
   f.rival_squares = 0.0f;
   f.changed = false;
+  f.decided = false;
   f.announced = true;
   f.bank_next = kSwingFilters;
   f.onsets = 0;

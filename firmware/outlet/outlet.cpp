@@ -72,7 +72,9 @@ SettingsError apply(Config& config, State& state, const Settings& settings) {
   } else {
     put_in_force(config, settings);
     // In a quiet grid the control centre knows which load is off, and P^A no longer includes it.
-    state.shed_before_mw = state.phase == Phase::kQuiet ? 0.0f : state.shed_before_mw;
+    if (state.phase == Phase::kQuiet) {
+      state.account = ShedAccount{};
+    }
   }
   return SettingsError::kNone;
 }
@@ -100,7 +102,7 @@ void reset(State& state) {
   lose_track(state);
   state.history = History{};
   state.estimator = EstimatorState{};
-  state.shed_before_mw = 0.0f;
+  state.account = ShedAccount{};
   state.least_loss_mw = kNoLoss_mw;
   state.undisturbed = 0;
   state.phase = Phase::kQuiet;
@@ -112,7 +114,7 @@ void reset(State& state) {
 
 bool command(State& state, bool close) {
   if (close) {
-    state.shed_before_mw = 0.0f;
+    state.account = ShedAccount{};
   }
   return command(state.relay, close);
 }

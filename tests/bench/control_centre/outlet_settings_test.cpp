@@ -102,6 +102,7 @@ TEST(OutletSettings, HaveTheSwitchOffFrequencyOfABlockWithTheSamePowers) {
       RequestedSettings requested = behind(block.accumulated_mw);
       requested.power_mw = block.power_mw;
       requested.rules = rules;
+      requested.staged_backup = rules == Rules::kGsbench;
       EXPECT_EQ(outlet_settings(grid, requested, 1).switch_off_hz,
                 static_cast<float>(block.switch_off_hz));
     }

@@ -77,12 +77,16 @@ const Scenario kScenarios[] = {
     {"SecondAfterTwoSeconds", {{3.0, 250.0}, {5.0, 350.0}}, 8.0, 200.0F, 330.0F, 600.0},
     {"ThreeInARow", {{3.0, 200.0}, {4.0, 200.0}, {5.0, 200.0}}, 9.0, 190.0F, 330.0F, 600.0},
     {"NeighbouringLosses", {{3.0, 400.0}, {3.3, 200.0}}, 7.0, 245.0F, 350.0F, 600.0},
-    {"RampOfOneSecond", ramped(3.0, 1.0, 500.0), 8.0, 140.0F, 210.0F},
-    {"RampOfThreeSeconds", ramped(3.0, 3.0, 500.0), 10.0, 90.0F, 200.0F},
+    // What was required in the ramp is not shed here and is counted once more after it.
+    {"RampOfOneSecond", ramped(3.0, 1.0, 500.0), 8.0, 140.0F, 250.0F},
+    {"RampOfThreeSeconds", ramped(3.0, 3.0, 500.0), 10.0, 90.0F, 250.0F},
     {"LowFrequencyBefore", {{-200.0, 191.5}, {3.0, 300.0}}, 8.0, 45.0F, 75.0F},
     {"ReturnsAtOnce", {{3.0, 500.0}, {3.3, -500.0}}, 7.0, 0.0F, 1.0F},
     {"DipWithTheLoss", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(3.0, 0.07, 85.0)},
     {"DipWhileEstimating", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(3.3, 0.15, 40.0)},
+    {"InterruptionWithTheLoss", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(3.0, 0.1, 0.0)},
+    {"InterruptionWhileEstimating", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(3.3, 0.2, 0.0)},
+    {"LossAfterAnInterruption", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(2.4, 0.2, 0.0)},
     {"LossAfterADip", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(2.53, 0.07, 40.0)},
     {"Oscillation", {}, 8.0, 0.0F, 1.0F, 0.0, {}, 0.06},
     {"LossInAnOscillation", {{7.0, 500.0}}, 10.0, 130.0F, 200.0F, 0.0, {}, 0.06},
@@ -124,12 +128,14 @@ TEST_P(GridDecision, IsRightForOutletsOnBothSidesOfWhatIsRequired) {
     }
     const std::vector<Report> reports = reports_with(scenario.stays_from_mw, seed);
     EXPECT_TRUE(reports.back().relay_closed) << seed;
+    bool decided = false;
     for (const Report& report : reports) {
       if ((report.happened & kDecision) != 0 && scenario.lost_mw > 0.0 &&
           test::report_s(report) > scenario.losses.back().at_s + 0.5) {
         EXPECT_NEAR(static_cast<double>(report.loss_mw), scenario.lost_mw, 0.04 * scenario.lost_mw)
             << seed;
-        EXPECT_LE(test::report_s(report), scenario.losses.back().at_s + 1.2) << seed;
+        EXPECT_TRUE(decided || test::report_s(report) <= scenario.losses.back().at_s + 1.2) << seed;
+        decided = true;
       }
     }
   }
@@ -167,11 +173,11 @@ TEST(GridDecisions, NewSettingsInAQuietGridClearWhatWasShedBefore) {
     ASSERT_TRUE(configure(Hardware{}, config));
     Settings settings = test::ieee24_settings();
     ASSERT_EQ(apply(config, state, settings), SettingsError::kNone);
-    state.shed_before_mw = 150.0F;
+    state.account.shed_mw = 150.0F;
     state.phase = phase;
     settings.version = 2;
     ASSERT_EQ(apply(config, state, settings), SettingsError::kNone);
-    EXPECT_EQ(state.shed_before_mw, phase == Phase::kQuiet ? 0.0F : 150.0F);
+    EXPECT_EQ(state.account.shed_mw, phase == Phase::kQuiet ? 0.0F : 150.0F);
   }
 }
 

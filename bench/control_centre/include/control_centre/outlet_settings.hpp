@@ -21,6 +21,7 @@ struct RequestedSettings {
   std::optional<double> power_mw;  // of the outlet's block, for eq. (17); P^A has half of it
   std::map<std::string, double> settings;  // by the names in outlet/settings.hpp
   Rules rules = Rules::kGsbench;           // for settings that are not requested
+  bool staged_backup = false;              // f^B by Stages, else by eq. (17)
 };
 
 // The settings that are the same for all outlets of a grid: response, threshold loss, largest
@@ -30,11 +31,10 @@ struct RequestedSettings {
 gs::outlet::Settings grid_settings(const grid::Grid& grid, Rules rules = Rules::kGsbench);
 
 // All settings of one outlet. f^B, unless it is requested:
-// - Rules::kPaper: by eq. (17). The power of the outlet's own block is power_mw, or accumulated_mw
-// if
+// - staged_backup: by Stages, from accumulated_mw. power_mw has no effect.
+// - Otherwise by eq. (17). The power of the outlet's own block is power_mw, or accumulated_mw if
 //   power_mw is not requested. The less important load is accumulated_mw minus half of that power.
 //   If accumulated_mw is 0, f^B is the threshold frequency.
-// - Rules::kGsbench: by Stages, from accumulated_mw. power_mw has no effect.
 // Throws std::invalid_argument for invalid input and for settings that the firmware would refuse.
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
                                      std::uint32_t version);

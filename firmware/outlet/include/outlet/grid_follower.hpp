@@ -49,7 +49,7 @@ struct GridFollower {
   // decision on it.
   std::uint16_t since_change = 0xFFFF;
   float loss_before_mw = 0.0f;  // lost power before the change that began with an onset
-  // Lost power before that onset, or at that decision, MW.
+  // Lost power before the first onset of the newest change, MW.
   float loss_before_change_mw = 0.0f;
 
   // The rival: only the phase has changed.
@@ -60,7 +60,8 @@ struct GridFollower {
   float rival_sum = 0.0f;          // of its normalised innovations in these
   float rival_squares = 0.0f;      // of the squares of these innovations
 
-  bool changed = false;   // an onset is confirmed; the outlet clears it when it decides
+  bool decided = false;   // a decision was made on the newest change; set by the outlet
+  bool changed = false;   // an onset is confirmed; the outlet clears it with the last decision
   bool announced = true;  // no change waits to be reported as Followed::significant
 
   SwingBank bank;

@@ -34,16 +34,21 @@ struct Config {
 
 constexpr float kNoLoss_mw = kLargestSetting;  // State::least_loss_mw before any decision
 
+// What was shed after earlier decisions by the grid's state. Cleared by restoration, by a command
+// to switch on, by new settings while the phase is quiet, and by a restart.
+struct ShedAccount {
+  float shed_mw = 0.0f;          // sum of required_mw of earlier decisions that were followed
+  float required_mw = 0.0f;      // by the newest decision; not in shed_mw yet
+  float decided_loss_mw = 0.0f;  // lost power at the newest decision
+};
+
 struct State {
   FrontEndState front_end;
   TrackerState tracker;
   History history;
   EstimatorState estimator;
   GridFollower follower;
-  // For decisions by the grid's state.
-  // Sum of required_mw of earlier decisions. Cleared by restoration, by a command to switch on, by
-  // new settings while the phase is quiet, and by a restart.
-  float shed_before_mw = 0.0f;
+  ShedAccount account;
   // Lost power at the latest decision that more was lost; lowered by later changes that begin or
   // end below it.
   float least_loss_mw = kNoLoss_mw;
@@ -86,7 +91,7 @@ struct Report {
   // Set with kDecision.
   float required_mw = 0.0f;      // must be shed now; method 0: ΔP_v, eq. (29)
   float nadir_hz = kNotANumber;  // if nothing more is shed; only with method 1, after an onset
-  float shed_before_mw = 0.0f;   // sum of earlier decisions; only with method 1
+  float shed_before_mw = 0.0f;   // after earlier decisions; only with method 1
   bool shed = false;             // by criterion (1): the relay opens, now or after delay_s
   bool relay_closed = true;
   Cause cause = Cause::kNone;
@@ -114,7 +119,7 @@ const Settings& accepted(const Config& config);
 // tracker acquires the frequency again, and a current event is abandoned.
 void lose_track(State& state);
 
-// Criterion (3). Returns true if the relay changed. Switching on also clears shed_before_mw.
+// Criterion (3). Returns true if the relay changed. Switching on also clears State::account.
 bool command(State& state, bool close);
 
 // Takes up to `count` samples, but none beyond the end of the current report. Returns the number
