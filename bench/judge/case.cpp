@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <grid/sfr_model.hpp>
 #include <judge/case.hpp>
 #include <waveform/synthesizer.hpp>
 
@@ -52,6 +53,11 @@ double Case::lost_mw(std::int64_t tick) const {
     }
   }
   return sum_mw;
+}
+
+double Case::lost_before_mw() const {
+  const double deviation_hz = plan.stimulus.initial_deviation_hz;
+  return deviation_hz == 0.0 ? 0.0 : -deviation_hz / grid::SfrModel(plan.grid).gain_hz_per_mw();
 }
 
 double Case::reference_voltage_pu(double t_s) const {

@@ -1,4 +1,5 @@
 #include <judge/reading.hpp>
+#include <outlet/settings.hpp>
 
 namespace gsbench::judge {
 namespace {
@@ -12,7 +13,8 @@ Reading marked(const Case& c, const char* kind, const char* reason) {
   return mark == nullptr ? not_done(reason) : number(mark->value);
 }
 
-Reading relative_error(const Case& c, const char* kind, const char* reason) {
+// before_mw is the part of the estimate that was lost before the profile.
+Reading relative_error(const Case& c, const char* kind, const char* reason, double before_mw) {
   const record::Mark* mark = c.first_mark(kind);
   if (mark == nullptr) {
     return not_done(reason);
@@ -21,7 +23,18 @@ Reading relative_error(const Case& c, const char* kind, const char* reason) {
   if (!(lost_mw > 0.0)) {
     return not_known("the profile contains no loss of power before the estimate");
   }
-  return number(100.0 * (mark->value / lost_mw - 1.0));
+  return number(100.0 * (mark->value - before_mw - lost_mw) / lost_mw);
+}
+
+Reading lse_error(const Case& c) {
+  return relative_error(c, "lse", kNoLse, 0.0);
+}
+
+// By the grid's state, ΔP includes the power that was lost before the profile.
+Reading ekf_error(const Case& c) {
+  const auto method = c.outlet.settings.find("method");
+  const bool all = method != c.outlet.settings.end() && method->second == gs::outlet::kByGridState;
+  return relative_error(c, kDecisionLoss, kNoDecision, all ? c.lost_before_mw() : 0.0);
 }
 
 Reading t_x_error(const Case& c, std::int64_t loss_tick) {
@@ -54,9 +67,9 @@ Reading decision_cause(const Case& c) {
 Readings estimate_readings() {
   return {
       {"lse.loss", [](const Case& c) { return marked(c, "lse", kNoLse); }},
-      {"lse.error", [](const Case& c) { return relative_error(c, "lse", kNoLse); }},
+      {"lse.error", lse_error},
       {"ekf.loss", [](const Case& c) { return marked(c, kDecisionLoss, kNoDecision); }},
-      {"ekf.error", [](const Case& c) { return relative_error(c, kDecisionLoss, kNoDecision); }},
+      {"ekf.error", ekf_error},
       {"ekf.t_x_error", after_loss<t_x_error>},
       {"decision.delay", after_loss<decision_delay>},
       {"decision.cause", decision_cause},

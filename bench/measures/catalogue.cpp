@@ -61,7 +61,8 @@ const std::vector<Measure>& catalogue() {
        "a decision"},
       {"ekf.error", "%",
        "Relative error of the lost power estimated by the EKF at the first decision. "
-       "The reference is the power lost in the profile up to that decision.",
+       "The reference is the power lost in the profile up to that decision and, by the grid's "
+       "state, what was lost before at frequency_before_hz.",
        "a decision and a loss in the profile before it"},
       {"ekf.t_x_error", "ms",
        "Error of t_x, the instant of the loss, as estimated by the EKF at the first decision. "

@@ -53,10 +53,10 @@ constexpr float kSignificantSigmas = 6.0f;
 constexpr float kSignificantPart = 0.11f;  // of scale_mw
 constexpr int kAnnouncedWithin = 60;
 
-// The bank restarts after 8 s without an oscillation. If it has run for 1.4 s, it also restarts at
-// its first onset: its filters have settled on no oscillation, and would adapt too slowly to one
-// that begins abruptly. Its oscillation is used only if the filter without one keeps failing: at
-// least kOnsetsOfSwing onsets since the bank's start, the newest less than kRecentOnset reports
+// The bank restarts after 8 s without an oscillation. If it has run for 1.4 s, it also restarts
+// after its first onset: its filters have settled on no oscillation, and would adapt too slowly to
+// one that begins abruptly. Its oscillation is used only if the filter without one keeps failing:
+// at least kOnsetsOfSwing onsets since the bank's start, the newest less than kRecentOnset reports
 // ago.
 constexpr std::uint16_t kBankReports = 500;
 constexpr std::uint16_t kSettledReports = 90;
@@ -322,9 +322,13 @@ void choose_swing(const FollowerSettings& settings, GridFollower& f, const Phase
     f.since_onset = 0;
     f.onsets = 0;
     f.since_swing = 0;
-  } else if (f.bank.age >= kBankReports && m.measured) {
+    return;
+  }
+  const bool first_onset = f.onsets == 1 && f.since_onset == 0;
+  if (m.measured &&
+      (f.bank.age >= kBankReports || (first_onset && f.bank.age >= kSettledReports))) {
     start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
-    f.onsets = 0;
+    f.onsets = first_onset ? f.onsets : std::uint8_t{0};
   }
 }
 
@@ -402,10 +406,6 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   }
   if (measured && onset_found(f)) {
     open(settings, f);
-    if (f.onsets == 1 && f.bank.age >= kSettledReports && !f.filter.with_swing) {
-      start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
-      f.bank_next = kSwingFilters;
-    }
   }
   Followed result;
   result.valid = true;

@@ -22,7 +22,7 @@ frequency = "{}"
 voltage = "{}"
 [[outlet]]
 count = 2
-accumulated_mw = 100.0
+accumulated_mw = 2500.0
 switch_off_hz = 48.9
 [[expect]]
 measure = "trip.time"

@@ -1,12 +1,14 @@
 // Checks each measure of the catalogue against a record whose values are calculated by hand.
 
 #include "synthetic_case.hpp"
+#include <grid_test/example_grids.hpp>
 
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include <grid/sfr_model.hpp>
 #include <judge/reading.hpp>
 
 namespace gsbench::judge::test {
@@ -89,6 +91,18 @@ TEST(KnownValues, AreReadFromTheRecordWithALoss) {
   const SyntheticCase c = loss_of_500_mw();
   for (const Known& known : loss_values()) {
     expect_known(c, known);
+  }
+}
+
+TEST(KnownValues, OfEstimatesByTheGridsStateIncludeThePowerLostBefore) {
+  SyntheticCase c = loss_of_500_mw();
+  c.plan.grid = grid::ieee24();
+  c.plan.stimulus.initial_deviation_hz = -0.1;
+  const double before_mw = 0.1 / grid::SfrModel(c.plan.grid).gain_hz_per_mw();
+  for (const double method : {0.0, 1.0}) {
+    c.outlet.settings["method"] = method;
+    c.set_marks("decision.loss", 515.0 + method * before_mw);
+    expect_known(c, {"ekf.error", 3.0, 1e-6, 0.0});
   }
 }
 

@@ -275,8 +275,8 @@ TEST_F(ApplicationTest, ReportsAnAbortedEvent) {
   app_.receive(settings_message(test::ieee24_settings()), outbox_);
   test::MainsSpec spec;
   spec.reference = test::loss_of(500.0, 1.0);
-  spec.signal.amplitude_steps = {{1.4, 100.0, 0.0}};
-  feed(spec, 2.2);
+  spec.signal.amplitude_steps = {{1.25, 100.0, 0.0}};
+  feed(spec, 2.5);
   EXPECT_EQ(outbox_.of(UplinkKind::kEvent).size(), 1U);
   EXPECT_EQ(outbox_.of(UplinkKind::kAborted).size(), 1U);
   EXPECT_TRUE(outbox_.of(UplinkKind::kDecision).empty());

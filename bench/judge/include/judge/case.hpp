@@ -24,8 +24,10 @@ struct Case {
   double tracker_delay_s() const;
   // The first loss of power in the profile.
   std::optional<std::int64_t> first_loss_tick() const;
-  // Total power lost up to `tick`, MW.
+  // Total power lost in the profile up to `tick`, MW.
   double lost_mw(std::int64_t tick) const;
+  // Power lost before the profile, MW, that explains its frequency before; below 0 above nominal.
+  double lost_before_mw() const;
   // Amplitude at the outlet's terminals in p.u. of nominal, without noise and harmonics.
   double reference_voltage_pu(double t_s) const;
   const record::Mark* first_mark(const std::string& kind, std::int64_t from_tick = 0) const;
