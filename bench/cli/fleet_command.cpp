@@ -138,8 +138,10 @@ void add_fleet(CommandLine& line) {
   add_page_options(command, arguments.output);
   command.footer(
       "With --profile, the exit code is 1 if a profile fails: the nadir is more than 20 mHz below\n"
-      "the lowest of four clairvoyants, more is shed than 1.15 times what one of them sheds and\n"
-      "10 MW, load is shed where none of them sheds any, or an outlet claims an event before a\n"
+      "the lowest of four clairvoyants, more is shed than 10 MW plus 1.15 times the most that one "
+      "of\n"
+      "them sheds, load is shed where none of them sheds any, or an outlet claims an event before "
+      "a\n"
       "loss in a profile without oscillations. A recorded frequency is not judged.\n"
       "\n"
       "Examples:\n"

@@ -1,21 +1,21 @@
+#include <algorithm>
+
 #include <judge/reading.hpp>
 #include <outlet/settings.hpp>
 
 namespace gsbench::judge {
 namespace {
 
-constexpr const char* kDecisionLoss = "decision.loss";
 constexpr const char* kNoLse = "the outlet reported no least-squares estimate (LSE)";
 constexpr const char* kNoDecision = "the outlet reported no decision";
 
-Reading marked(const Case& c, const char* kind, const char* reason) {
-  const record::Mark* mark = c.first_mark(kind);
+Reading loss_of(const record::Mark* mark, const char* reason) {
   return mark == nullptr ? not_done(reason) : number(mark->value);
 }
 
 // before_mw is the part of the estimate that was lost before the profile.
-Reading relative_error(const Case& c, const char* kind, const char* reason, double before_mw) {
-  const record::Mark* mark = c.first_mark(kind);
+Reading relative_error(const Case& c, const record::Mark* mark, const char* reason,
+                       double before_mw) {
   if (mark == nullptr) {
     return not_done(reason);
   }
@@ -26,15 +26,20 @@ Reading relative_error(const Case& c, const char* kind, const char* reason, doub
   return number(100.0 * (mark->value - before_mw - lost_mw) / lost_mw);
 }
 
+// The first decision after the loss; the first one at all if the profile has no loss.
+const record::Mark* decided_loss(const Case& c) {
+  return c.first_mark("decision.loss", std::max<std::int64_t>(c.first_loss_tick().value_or(0), 0));
+}
+
 Reading lse_error(const Case& c) {
-  return relative_error(c, "lse", kNoLse, 0.0);
+  return relative_error(c, c.first_mark("lse"), kNoLse, 0.0);
 }
 
 // By the grid's state, ΔP includes the power that was lost before the profile.
 Reading ekf_error(const Case& c) {
   const auto method = c.outlet.settings.find("method");
   const bool all = method != c.outlet.settings.end() && method->second == gs::outlet::kByGridState;
-  return relative_error(c, kDecisionLoss, kNoDecision, all ? c.lost_before_mw() : 0.0);
+  return relative_error(c, decided_loss(c), kNoDecision, all ? c.lost_before_mw() : 0.0);
 }
 
 Reading t_x_error(const Case& c, std::int64_t loss_tick) {
@@ -66,9 +71,9 @@ Reading decision_cause(const Case& c) {
 
 Readings estimate_readings() {
   return {
-      {"lse.loss", [](const Case& c) { return marked(c, "lse", kNoLse); }},
+      {"lse.loss", [](const Case& c) { return loss_of(c.first_mark("lse"), kNoLse); }},
       {"lse.error", lse_error},
-      {"ekf.loss", [](const Case& c) { return marked(c, kDecisionLoss, kNoDecision); }},
+      {"ekf.loss", [](const Case& c) { return loss_of(decided_loss(c), kNoDecision); }},
       {"ekf.error", ekf_error},
       {"ekf.t_x_error", after_loss<t_x_error>},
       {"decision.delay", after_loss<decision_delay>},

@@ -57,13 +57,14 @@ const std::vector<Measure>& catalogue() {
        "The reference is the power lost in the profile up to that estimate.",
        "a least-squares estimate, which follows an event, and a loss in the profile before it"},
       {"ekf.loss", "MW",
-       "Lost power estimated by the extended Kalman filter (EKF) at the first decision.",
+       "Estimate of the lost power (ΔP) at the first decision, from the loss on if the profile has "
+       "one.",
        "a decision"},
       {"ekf.error", "%",
-       "Relative error of the lost power estimated by the EKF at the first decision. "
+       "Relative error of the estimated lost power (ΔP) at the first decision after the loss. "
        "The reference is the power lost in the profile up to that decision and, by the grid's "
        "state, what was lost before at frequency_before_hz.",
-       "a decision and a loss in the profile before it"},
+       "a loss in the profile and a decision after it"},
       {"ekf.t_x_error", "ms",
        "Error of t_x, the instant of the loss, as estimated by the EKF at the first decision. "
        "Positive if t_x is later than the first loss in the profile.",

@@ -17,6 +17,7 @@ constexpr std::int64_t kMostOutlets = 1000;  // in one run; larger studies do no
 constexpr std::size_t kLongestId = 64;
 constexpr const char* kPaperRules = "paper";
 constexpr const char* kGsbenchRules = "gsbench";
+constexpr const char* kOpenLoopRules = "open-loop";
 
 control_centre::RequestedSettings read_requested(const Table& table, const grid::Grid& grid) {
   control_centre::RequestedSettings requested;
@@ -25,7 +26,7 @@ control_centre::RequestedSettings read_requested(const Table& table, const grid:
   const Range block = {0.0, 2.0 * requested.accumulated_mw, true, false,
                        "twice accumulated_mw, which includes half of the outlet's own block"};
   requested.power_mw = table.find_number("power_mw", block);
-  const std::optional<std::string> rules = table.find_text("rules");
+  const std::string rules = table.text("rules");
   requested.rules =
       rules == kPaperRules ? control_centre::Rules::kPaper : control_centre::Rules::kGsbench;
   requested.staged_backup = rules == kGsbenchRules;
@@ -60,12 +61,14 @@ Key outlet_keys() {
                     "only load that is known. If `accumulated_mw` is 0, f^B is `threshold_hz`")
            .permits("above 0, at most twice `accumulated_mw`")
            .or_else("`accumulated_mw`"),
-       keys::choice("rules", {kGsbenchRules, kPaperRules},
-                    "how the control centre derives threshold loss and f^B: `gsbench`, such that "
-                    "the outlets' delay is allowed for, and in stages over `accumulated_mw`; "
-                    "`paper`, by eq. (15) and eq. (17). The played frequency does not react to "
-                    "what outlets shed, so that it passes stages that a fleet would stop before")
-           .or_else("threshold loss as `gsbench`, f^B as `paper`")});
+       keys::choice(
+           "rules", {kOpenLoopRules, kGsbenchRules, kPaperRules},
+           "how the control centre derives threshold loss and f^B: `gsbench`, such that "
+           "the outlets' delay is allowed for, and in stages over `accumulated_mw`; "
+           "`paper`, by eq. (15) and eq. (17); `open-loop`, the threshold loss as `gsbench` "
+           "and f^B as `paper`, because a played frequency does not react to what is "
+           "shed, and falls through stages at which a fleet would stop it")
+           .by_default(kOpenLoopRules)});
   for (Key& key : setting_keys()) {
     outlets.inner.push_back(std::move(key));
   }

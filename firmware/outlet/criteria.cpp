@@ -29,8 +29,7 @@ constexpr float kSureSigmas = 2.0f;
 // of the threshold loss.
 constexpr float kMoreSigmas = 3.0f;
 constexpr float kMorePart = 0.05f;
-// Required load was shed if the lost power fell by kVisiblePart of it, or rose by kHidingPart of
-// it.
+// Parts of the power that the newest decision required, for was_shed().
 constexpr float kVisiblePart = 0.25f;
 constexpr float kHidingPart = 0.5f;
 // With method 1, an interruption of the voltage is bridged for 0.8 s. After the voltage returned, a
@@ -94,9 +93,9 @@ float certain_mw(const Settings& settings, float loss_sigma_mw) {
   return maximum(kMoreSigmas * loss_sigma_mw, kMorePart * settings.threshold_mw);
 }
 
-// Whether the load that the newest decision required was shed. The lost power then fell by it, at
-// the latest before the next change, or a further loss has hidden the fall. Otherwise it must still
-// be shed, and is part of what is required now.
+// Whether the load that the newest decision required was shed. The lost power then fell by at least
+// kVisiblePart of it, at the latest before the next change; or it rose by at least kHidingPart of
+// it, since a further loss hid the fall. Otherwise that load is part of what is required now.
 bool was_shed(const Settings& settings, const State& state, const Followed& followed) {
   const ShedAccount& account = state.account;
   const float loss_mw = followed.state.loss_mw;

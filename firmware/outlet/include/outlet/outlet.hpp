@@ -91,7 +91,7 @@ struct Report {
   // Set with kDecision.
   float required_mw = 0.0f;      // must be shed now; method 0: ΔP_v, eq. (29)
   float nadir_hz = kNotANumber;  // if nothing more is shed; only with method 1, after an onset
-  float shed_before_mw = 0.0f;   // after earlier decisions; only with method 1
+  float shed_before_mw = 0.0f;   // State::account.shed_mw; only with method 1
   bool shed = false;             // by criterion (1): the relay opens, now or after delay_s
   bool relay_closed = true;
   Cause cause = Cause::kNone;

@@ -96,7 +96,7 @@ struct DecisionMessage {
   float loss_sigma_mw = 0.0f;
   float nadir_hz = 0.0f;        // predicted if nothing more is shed; NaN if the paper's way decides
   float required_mw = 0.0f;     // ΔP_v: what must be shed now
-  float shed_before_mw = 0.0f;  // after earlier decisions
+  float shed_before_mw = 0.0f;  // required by earlier decisions that were followed
   std::uint16_t hits = 0;
   outlet::Trust trust = outlet::Trust::kNotYet;
   bool shed = false;
