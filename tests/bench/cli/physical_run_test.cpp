@@ -159,7 +159,7 @@ TEST_F(PhysicalRun, AHeadOnASerialPortTestsAnOutletAndAContactOnlyDevice) {
   const auto station = file.make_station(plan, {});
   const record::RunRecord record = station::run(plan, *station, {});
 
-  EXPECT_EQ(record.verdict, record::Verdict::kPass) << record.verdict_reason;
+  ASSERT_EQ(record.verdict, record::Verdict::kPass) << record.verdict_reason;
   ASSERT_EQ(record.outlets.size(), 2U);
   EXPECT_EQ(record.outlets[0].id, "outlet-7");
   // Three standard deviations: the uncertainty is expanded with k = 2, and in real time the noise
@@ -170,6 +170,7 @@ TEST_F(PhysicalRun, AHeadOnASerialPortTestsAnOutletAndAContactOnlyDevice) {
   EXPECT_TRUE(record.outlets[1].trace.tick.empty());
   // 50 ms of delay, 50 to 120 ms of measurement, 6.5 to 9.5 ms of the contact.
   const auto* const relay_trip = record::find_measurement(record.outlets[1], "trip.time");
+  ASSERT_NE(relay_trip, nullptr);
   EXPECT_GT(relay_trip->value, 0.567 + 0.1);
   EXPECT_LT(relay_trip->value, 0.567 + 0.2);
   EXPECT_EQ(head->observe().state, gs::head::State::kOff);
