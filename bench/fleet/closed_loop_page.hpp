@@ -54,9 +54,6 @@ campaign::Execution part_of(const campaign::Execution& execution, double done, d
 record::Judgement judgement_of(const profile::Plan& plan,
                                const std::vector<StrategyResult>& results, Strategy strategy);
 
-// "PASS", or the verdict with its reasons.
-std::string text_of(const record::Judgement& judgement);
-
 // How the limits follow from the clairvoyants.
 std::string limits_note();
 

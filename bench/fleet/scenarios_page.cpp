@@ -111,7 +111,7 @@ record::Page make_scenarios_page(const std::vector<profile::Plan>& plans, const 
     counts.add(*row.judgement);
     of_paper.add(judgement_of(plan, results, Strategy::kPaper));
     if (row.judgement->passed != true) {
-      notes.push_back(fmt::format("{}: {}", plan.name, text_of(*row.judgement)));
+      notes.push_back(fmt::format("{}: {}", plan.name, to_string(*row.judgement)));
     }
   }
   const bool all_done = table.rows.size() == plans.size();
@@ -124,7 +124,7 @@ record::Page make_scenarios_page(const std::vector<profile::Plan>& plans, const 
   page.subtitle = fmt::format("{} outlets with the whole firmware, beside clairvoyants",
                               fleet_of(plans.front(), study).outlets());
   page.judgement = judgement_of_all(counts, all_done);
-  page.facts = {{"verdict", text_of(*page.judgement)}};
+  page.facts = {{"verdict", to_string(*page.judgement)}};
   page.sections = {{{table}, {}, notes, "Nadir and power shed by profile", "scenarios"}};
   if (!all_done) {
     page.facts.emplace_back("stopped", "unfinished profiles are left out; the page is incomplete");

@@ -174,14 +174,6 @@ record::Judgement judgement_of(const profile::Plan& plan,
   return {missed.empty(), missed};
 }
 
-std::string text_of(const record::Judgement& judgement) {
-  if (judgement.passed == true) {
-    return "PASS";
-  }
-  return fmt::format("{}: {}", judgement.passed ? "FAIL" : "not judged",
-                     fmt::join(judgement.reasons, "; "));
-}
-
 std::string limits_note() {
   return fmt::format(
       "Limits of gsbench: the nadir is at least the lowest of the four clairvoyants less {:g} "
@@ -200,7 +192,7 @@ record::Page make_closed_loop_page(const profile::Plan& plan, const Study& study
   page.title = plan.title;
   page.subtitle = fmt::format("profile {} on grid {}", plan.name, plan.grid.name);
   page.judgement = judgement_of(plan, results, Strategy::kGsbench);
-  page.facts = {{"seed", std::to_string(plan.seed)}, {"verdict", text_of(*page.judgement)}};
+  page.facts = {{"seed", std::to_string(plan.seed)}, {"verdict", to_string(*page.judgement)}};
   page.sections = {strategies_section(plan, fleet, options, results)};
   page.sections[0].paragraphs.push_back(limits_note());
   if (stopped(execution)) {

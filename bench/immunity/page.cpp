@@ -39,12 +39,6 @@ std::vector<std::string> too_much_of_all(const Result& result) {
   return reasons;
 }
 
-std::string text_of(const record::Judgement& judgement) {
-  return judgement.passed == true ? "PASS"
-                                  : fmt::format("{}: {}", judgement.passed ? "FAIL" : "not judged",
-                                                fmt::join(judgement.reasons, "; "));
-}
-
 record::FigureRow row_of(const char* name, const Count& count) {
   return {name,
           {static_cast<double>(count.cases), static_cast<double>(count.events),
@@ -114,7 +108,7 @@ record::Page page_of(const grid::Grid& grid, const Options& options,
       "grid {}; outlets with the whole firmware and P^A = {:g} MW; {:g} % white noise on the "
       "voltage; each case is played until {:g} s after the disturbance",
       grid.name, options.accumulated_mw, options.noise_pct, kAfter_s);
-  page.facts = {{"verdict", text_of(judgement)}, {"seed", std::to_string(options.seed)}};
+  page.facts = {{"verdict", to_string(judgement)}, {"seed", std::to_string(options.seed)}};
   return page;
 }
 

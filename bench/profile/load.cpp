@@ -1,5 +1,7 @@
 #include "sections.hpp"
 
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -28,6 +30,16 @@ keys::Key time_in_run(const char* meaning) {
 
 keys::Range within_run(double duration_s) {
   return {0.0, duration_s, false, true, "the run's duration"};
+}
+
+double read_duration_s(const keys::Table& table, double at_s, double run_s, const char* what) {
+  const std::optional<double> duration_s = table.find_number("duration_s");
+  if (duration_s && at_s + *duration_s > run_s) {
+    table.refuse("duration_s", fmt::format("the {} ends at {} s, after the end of the run at {} s; "
+                                           "omit duration_s for one that lasts to the end",
+                                           what, at_s + *duration_s, run_s));
+  }
+  return duration_s.value_or(std::numeric_limits<double>::infinity());
 }
 
 const keys::Key& profile_keys() {

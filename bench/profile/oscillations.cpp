@@ -1,9 +1,5 @@
 #include "sections.hpp"
 
-#include <limits>
-
-#include <fmt/format.h>
-
 namespace gsbench::profile {
 
 using keys::Table;
@@ -38,17 +34,10 @@ std::vector<waveform::Oscillation> read_oscillations(const Table& signal, double
   for (const Table& table : signal.tables("oscillation")) {
     waveform::Oscillation oscillation;
     oscillation.at_s = table.number("at_s", within_run(duration_s));
-    oscillation.duration_s =
-        table.find_number("duration_s").value_or(std::numeric_limits<double>::infinity());
+    oscillation.duration_s = read_duration_s(table, oscillation.at_s, duration_s, "oscillation");
     oscillation.frequency_hz = table.number("frequency_hz");
     oscillation.amplitude_hz = 1e-3 * table.number("amplitude_mhz");
     oscillation.phase_deg = table.number("phase_deg");
-    if (table.has("duration_s") && oscillation.at_s + oscillation.duration_s > duration_s) {
-      table.refuse("duration_s",
-                   fmt::format("the oscillation ends at {} s, after the end of the run at {} s; "
-                               "omit duration_s for one that lasts to the end",
-                               oscillation.at_s + oscillation.duration_s, duration_s));
-    }
     oscillations.push_back(oscillation);
   }
   return oscillations;

@@ -23,6 +23,10 @@ constexpr double kShortestRun_s = 0.1;
 keys::Key time_in_run(const char* meaning);
 keys::Range within_run(double duration_s);
 
+// Value of the key duration_s of something that starts at at_s; infinity without the key. Refuses
+// an end after the end of the run. `what` names it in the message.
+double read_duration_s(const keys::Table& table, double at_s, double run_s, const char* what);
+
 // [grid]: from a file, or inline.
 keys::Key grid_section_keys();
 grid::Grid read_grid_file(const NamedFile& file);

@@ -35,7 +35,7 @@ void change(const Table& table, const grid::Grid& grid,
 
 bool equal(const control_centre::RequestedSettings& a, const control_centre::RequestedSettings& b) {
   return a.accumulated_mw == b.accumulated_mw && a.power_mw == b.power_mw &&
-         a.settings == b.settings && a.rules == b.rules;
+         a.settings == b.settings && a.rules == b.rules && a.staged_backup == b.staged_backup;
 }
 
 void check(const Table& table, const grid::Grid& grid, const SettingsUpdate& update) {

@@ -1,7 +1,5 @@
 #include "sections.hpp"
 
-#include <limits>
-
 #include <fmt/format.h>
 
 namespace gsbench::profile {
@@ -36,16 +34,10 @@ std::vector<waveform::Tone> read_tones(const Table& signal, double duration_s,
   const double limit_hz = 0.5 * static_cast<double>(sample_rate_hz);
   std::vector<waveform::Tone> tones;
   for (const Table& table : signal.tables("tone")) {
-    const waveform::Tone tone = {
-        table.number("at_s", within_run(duration_s)),
-        table.find_number("duration_s").value_or(std::numeric_limits<double>::infinity()),
-        table.number("frequency_hz"), table.number("amplitude_pct"), table.number("phase_deg")};
-    if (table.has("duration_s") && tone.at_s + tone.duration_s > duration_s) {
-      table.refuse("duration_s",
-                   fmt::format("the tone ends at {} s, after the end of the run at {} s; omit "
-                               "duration_s for one that lasts to the end",
-                               tone.at_s + tone.duration_s, duration_s));
-    }
+    const double at_s = table.number("at_s", within_run(duration_s));
+    const waveform::Tone tone = {at_s, read_duration_s(table, at_s, duration_s, "tone"),
+                                 table.number("frequency_hz"), table.number("amplitude_pct"),
+                                 table.number("phase_deg")};
     if (tone.frequency_hz >= limit_hz) {
       table.refuse("frequency_hz",
                    fmt::format("frequency_hz is {}; it must be below {} (half of sample_rate_hz)",

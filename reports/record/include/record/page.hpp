@@ -26,6 +26,9 @@ struct Judgement {
   std::vector<std::string> reasons;  // why not passed, or not judged
 };
 
+// "PASS", or "FAIL: " or "not judged: " with the reasons.
+std::string to_string(const Judgement& judgement);
+
 struct FigureTable;
 
 struct FigureRow {
