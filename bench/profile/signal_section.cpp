@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -143,17 +142,9 @@ std::vector<recording::TracePoint> read_points(const Table& signal, double nomin
 std::vector<waveform::AmplitudeStep> read_amplitude_steps(const Table& signal, double duration_s) {
   std::vector<waveform::AmplitudeStep> steps;
   for (const Table& table : signal.tables("amplitude_step")) {
-    const double until_end = std::numeric_limits<double>::infinity();
-    const waveform::AmplitudeStep step{table.number("at_s", within_run(duration_s)),
-                                       table.find_number("duration_s").value_or(until_end),
-                                       table.number("level_pct")};
-    if (table.has("duration_s") && step.at_s + step.duration_s > duration_s) {
-      table.refuse("duration_s",
-                   fmt::format("the step ends at {} s, after the end of the run at {} s; omit "
-                               "duration_s for a step that lasts to the end",
-                               step.at_s + step.duration_s, duration_s));
-    }
-    steps.push_back(step);
+    const double at_s = table.number("at_s", within_run(duration_s));
+    steps.push_back(
+        {at_s, read_duration_s(table, at_s, duration_s, "step"), table.number("level_pct")});
   }
   return steps;
 }

@@ -121,7 +121,7 @@ const std::vector<Mistake> kOfLosses = {
     {"at_s = 8.0", "at_s = 10.0",
      "53:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
     {"duration_s = 1.5", "duration_s = 5.5",
-     "50:14: the step ends at 10.5 s, after the end of the run at 10 s; omit duration_s for a step "
+     "50:14: the step ends at 10.5 s, after the end of the run at 10 s; omit duration_s for one "
      "that lasts to the end"},
     {"level_pct = 40.0", "",
      "48:1: missing key \"level_pct\" in [[signal.amplitude_step]]; give a number, at least 0 and "
