@@ -2,6 +2,8 @@
 #include "output_file.hpp"
 #include "page_output.hpp"
 
+#include <stdexcept>
+
 #include <immunity/page.hpp>
 #include <immunity/profile_text.hpp>
 #include <profile/load.hpp>
@@ -27,6 +29,11 @@ void write_profile(const ImmunityArguments& arguments, const grid::Grid& grid) {
 
 int run_immunity(const ImmunityArguments& arguments) {
   const grid::Grid grid = profile::load_grid(arguments.grid);
+  try {
+    check(grid, arguments.options);
+  } catch (const std::invalid_argument& error) {
+    throw profile::ConfigurationError(error.what());
+  }
   if (!arguments.profile.empty()) {
     write_profile(arguments, grid);
     return kPassed;
@@ -49,10 +56,9 @@ void add_immunity(CommandLine& line) {
       ->check(CLI::Range(1U, immunity::kMostCases));
   add_with_default(command, "--noise", options.noise_pct, "PCT",
                    "White noise on each outlet's voltage, RMS, % of the nominal peak amplitude")
-      ->check(number_between(0.0, 100.0));
+      ->check(number_between(0.0, immunity::kMostNoise_pct));
   add_with_default(command, "--accumulated", options.accumulated_mw, "MW",
-                   "P^A of the outlets, MW; the outlet with the least trips first")
-      ->check(number_between(0.0, 1e9));
+                   "P^A of the outlets, MW; the outlet with the least trips first");
   add_seed(command, "--seed", options.seed, "Seed of all random values");
   CLI::Option* only =
       command.add_option("--case", arguments.only, "Play only the case of this number, from 0")

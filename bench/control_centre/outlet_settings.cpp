@@ -139,6 +139,13 @@ gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSett
   return settings;
 }
 
+double largest_accumulated_mw(const grid::Grid& grid) {
+  const double least_hz = static_cast<double>(gs::outlet::kSwitchOffRange.least) * grid.nominal_hz;
+  // P^A ≤ part·(load_mw − P^A/2)
+  const double part = grid.damping_pu * (grid.threshold_hz - least_hz) / grid.nominal_hz;
+  return std::clamp(part / (1.0 + 0.5 * part), 0.0, 2.0 / 3.0) * grid.load_mw;
+}
+
 std::map<std::string, double> described(const gs::outlet::Settings& settings) {
   Description all;
   gs::outlet::visit_fields(settings, all);

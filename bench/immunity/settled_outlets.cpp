@@ -19,13 +19,6 @@ using campaign::demand;
 constexpr std::size_t kSamplesInReport = kSampleRate_hz / 1000 * gs::outlet::kReport_ms;
 constexpr std::int64_t kSettledTicks = static_cast<std::int64_t>(kSettled_s * kSampleRate_hz);
 
-void check(const Options& o) {
-  demand(o.cases >= 1 && o.cases <= kMostCases,
-         fmt::format("the number of cases is {}; it must be 1 … {}", o.cases, kMostCases));
-  demand(o.noise_pct >= 0.0 && o.noise_pct <= 100.0,
-         fmt::format("a noise of {:g} % is not within 0 … 100 %", o.noise_pct));
-}
-
 // The voltage at an outlet: the signal with noise of its own.
 class Voltage {
  public:
@@ -84,10 +77,23 @@ waveform::Synthesizer synthesizer_of(const grid::Grid& grid, const Disturbance& 
 
 }  // namespace
 
+void check(const grid::Grid& grid, const Options& options) {
+  demand(options.cases >= 1 && options.cases <= kMostCases,
+         fmt::format("the number of cases is {}; it must be 1 … {}", options.cases, kMostCases));
+  demand(
+      options.noise_pct >= 0.0 && options.noise_pct <= kMostNoise_pct,
+      fmt::format("a noise of {:g} % is not within 0 … {:g} %", options.noise_pct, kMostNoise_pct));
+  // Rounded down, so that the printed limit is accepted.
+  const double most_mw = std::floor(100.0 * control_centre::largest_accumulated_mw(grid)) / 100.0;
+  demand(options.accumulated_mw >= 0.0 && options.accumulated_mw <= most_mw,
+         fmt::format("a P^A of {:g} MW is not within 0 … {:g} MW, the range in grid {}",
+                     options.accumulated_mw, most_mw, grid.name));
+}
+
 SettledOutlets::SettledOutlets(const grid::Grid& grid, const Options& options,
                                const campaign::Execution& execution)
     : grid_(grid), options_(options), settled_(kSamplesInReport) {
-  check(options);
+  check(grid, options);
   gs::outlet::Hardware hardware;
   hardware.sample_rate_hz = static_cast<std::int32_t>(kSampleRate_hz);
   hardware.counts_per_pu = models::kCounts_per_pu;

@@ -91,8 +91,13 @@ TEST(ImmunityCommand, InterruptedReportsTheCasesSoFar) {
 TEST(ImmunityCommand, RefusesBadArguments) {
   expect_refused({"immunity", "--cases", "0"}, "--cases");
   expect_refused({"immunity", "--cases", "10000001"}, "--cases");
-  expect_refused({"immunity", "--noise", "101"}, "--noise");
-  expect_refused({"immunity", "--accumulated", "-1"}, "--accumulated");
+  expect_refused({"immunity", "--noise", "10.1"}, "--noise: 10.1 is not a number from 0 to 10");
+  for (const char* const mw : {"-1", "1054", "1e9", "nan"}) {
+    expect_refused({"immunity", "--cases", "1", "--accumulated", mw},
+                   "is not within 0 … 1053.63 MW");
+  }
+  expect_refused({"immunity", "--case", "1", "--profile", "-", "--accumulated", "1e9"},
+                 "P^A of 1e+09 MW is not within 0 … 1053.63 MW, the range in grid ieee24");
   expect_refused({"immunity", "--profile", "case.toml"}, "--case");
   expect_refused({"immunity", "no-such-grid"}, "no-such-grid");
 }

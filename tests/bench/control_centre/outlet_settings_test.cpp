@@ -146,6 +146,21 @@ TEST(OutletSettings, AreRefusedOutsideTheirRange) {
   EXPECT_THAT(refusal(with("ekf_samples", -246.0)), HasSubstr("ekf_samples is -246"));
 }
 
+// By the least f^B of the firmware; and with much damping, by the load.
+TEST(OutletSettings, AreRefusedAboveTheLargestAccumulatedPower) {
+  for (const auto& [damping_pu, expected_mw] : {std::pair{2.5, 1053.6}, {20.0, 1830.0}}) {
+    grid::Grid grid = grid::ieee24();
+    grid.damping_pu = damping_pu;
+    const double most_mw = largest_accumulated_mw(grid);
+    EXPECT_NEAR(most_mw, expected_mw, 0.1);
+    EXPECT_EQ(refusal(behind(0.9999 * most_mw), grid), "");
+    EXPECT_NE(refusal(behind(1.0001 * most_mw), grid), "");
+    grid.damping_pu = 0.0;
+    EXPECT_EQ(largest_accumulated_mw(grid), 0.0);
+    EXPECT_EQ(refusal(behind(0.0), grid), "");
+  }
+}
+
 TEST(OutletSettings, AreRefusedWithTheReasonOfTheFirmware) {
   EXPECT_THAT(refusal(with("loss_sigma_mw", 3000.0)),
               HasSubstr(to_string(gs::outlet::SettingsError::kEstimator)));

@@ -91,6 +91,22 @@ TEST(Immunity, FindsALossAmongTheCases) {
   EXPECT_FALSE(result.passes());
 }
 
+// So that a pass says something about outlets that measure.
+TEST(Immunity, OutletsShedAfterALossAtTheLargestNoise) {
+  Options options;
+  options.noise_pct = kMostNoise_pct;
+  const SettledOutlets noisy(ieee24(), options, on_threads(2));
+  Disturbance loss;
+  loss.losses = {{10.3, 600.0}};
+  loss.begin_s = 10.3;
+  loss.end_s = 10.3;
+  for (std::uint32_t number = 0; number < 128; ++number) {
+    const Outcome outcome = noisy.play(loss, number);
+    ASSERT_TRUE(outcome.trip_s.has_value()) << number;
+    EXPECT_LT(*outcome.trip_s, 10.3 + 2.0) << number;
+  }
+}
+
 TEST(Immunity, PassesWithoutTripsAndWithOneEventInThousandDips) {
   Result result;
   result.kinds[0].cases = 1999;
@@ -133,16 +149,20 @@ TEST(Immunity, CountsOnlyPlayedCasesAfterAStop) {
 }
 
 TEST(Immunity, RefusesImpossibleOptions) {
-  const auto settle = [](std::uint32_t cases, double noise_pct) {
+  const auto settle = [](std::uint32_t cases, double noise_pct, double accumulated_mw) {
     Options options;
     options.cases = cases;
     options.noise_pct = noise_pct;
+    options.accumulated_mw = accumulated_mw;
     SettledOutlets(ieee24(), options, on_threads(1));
   };
-  EXPECT_THROW(settle(0, 1.0), std::invalid_argument);
-  EXPECT_THROW(settle(kMostCases + 1, 1.0), std::invalid_argument);
-  EXPECT_THROW(settle(1, -0.1), std::invalid_argument);
-  EXPECT_THROW(settle(1, 100.1), std::invalid_argument);
+  EXPECT_THROW(settle(0, 1.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(settle(kMostCases + 1, 1.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(settle(1, -0.1, 0.0), std::invalid_argument);
+  EXPECT_THROW(settle(1, kMostNoise_pct + 0.1, 0.0), std::invalid_argument);
+  EXPECT_THROW(settle(1, 1.0, -0.1), std::invalid_argument);
+  EXPECT_THROW(settle(1, 1.0, 1053.64), std::invalid_argument);
+  EXPECT_NO_THROW(settle(1, kMostNoise_pct, 1053.63));
 }
 
 }  // namespace

@@ -39,6 +39,10 @@ gs::outlet::Settings grid_settings(const grid::Grid& grid, Rules rules = Rules::
 gs::outlet::Settings outlet_settings(const grid::Grid& grid, const RequestedSettings& requested,
                                      std::uint32_t version);
 
+// The largest P^A of an outlet without a requested power and f^B, MW: by eq. (17), f^B is then the
+// least that the firmware accepts, or its block and the less important load are the whole load.
+double largest_accumulated_mw(const grid::Grid& grid);
+
 // The value of every field by its name, for the run record. The conditions have the names
 // condition_rows, condition_01_from_hz, condition_01_rocof_below_hz_s, …
 std::map<std::string, double> described(const gs::outlet::Settings& settings);
