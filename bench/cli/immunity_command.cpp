@@ -2,6 +2,7 @@
 #include "output_file.hpp"
 #include "page_output.hpp"
 
+#include <filesystem>
 #include <stdexcept>
 
 #include <immunity/page.hpp>
@@ -19,11 +20,17 @@ struct ImmunityArguments {
   PageOutput output;
 };
 
+// As a profile in any folder names it.
+std::string name_of(const grid::Grid& grid, const std::string& given) {
+  const bool by_path = given != grid.name;
+  return by_path ? std::filesystem::canonical(grid.path).string() : given;
+}
+
 void write_profile(const ImmunityArguments& arguments, const grid::Grid& grid) {
-  OutputFile file(arguments.profile, {});
+  OutputFile file(arguments.profile, {grid.path});
   file.append(immunity::profile_text(
       immunity::draw(grid.nominal_hz, arguments.options.seed, *arguments.only), *arguments.only,
-      arguments.grid, arguments.options));
+      name_of(grid, arguments.grid), arguments.options));
   file.commit();
 }
 
@@ -52,8 +59,9 @@ void add_immunity(CommandLine& line) {
       run_immunity);
   immunity::Options& options = arguments.options;
   add_grid(command, arguments.grid)->capture_default_str();
-  add_with_default(command, "--cases", options.cases, "N", "Number of disturbances")
-      ->check(CLI::Range(1U, immunity::kMostCases));
+  CLI::Option* cases =
+      add_with_default(command, "--cases", options.cases, "N", "Number of disturbances")
+          ->check(CLI::Range(1U, immunity::kMostCases));
   add_with_default(command, "--noise", options.noise_pct, "PCT",
                    "White noise on each outlet's voltage, RMS, % of the nominal peak amplitude")
       ->check(number_between(0.0, immunity::kMostNoise_pct));
@@ -63,14 +71,20 @@ void add_immunity(CommandLine& line) {
   CLI::Option* only =
       command.add_option("--case", arguments.only, "Play only the case of this number, from 0")
           ->type_name("N")
-          ->check(CLI::Range(0U, immunity::kMostCases - 1));
-  command
-      .add_option("--profile", arguments.profile,
-                  "With --case: write the case as a profile, in place of playing it; - is standard "
-                  "output")
-      ->type_name("FILE")
-      ->needs(only);
+          ->check(CLI::Range(0U, immunity::kMostCases - 1))
+          ->excludes(cases);
+  CLI::Option* profile =
+      command
+          .add_option(
+              "--profile", arguments.profile,
+              "With --case: write the case as a profile, in place of playing it; - is standard "
+              "output")
+          ->type_name("FILE")
+          ->needs(only);
   add_page_options(command, arguments.output);
+  for (const char* const other : {"--output", "--json"}) {
+    profile->excludes(command.get_option(other));
+  }
   command.footer(
       "Dips, interruptions, phase steps, flicker, harmonics, mains signalling and oscillations\n"
       "are played in turn. FAIL if a relay opens, or if more than one dip in 1000 is an event.\n"

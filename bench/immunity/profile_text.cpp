@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <immunity/profile_text.hpp>
+#include <keys/document.hpp>
 
 namespace gsbench::immunity {
 namespace {
@@ -49,13 +50,13 @@ std::string signal_keys(const Disturbance& disturbance, double noise_pct) {
 }
 
 std::string profile_text(const Disturbance& disturbance, std::uint32_t number,
-                         const std::string& grid_name, const Options& options) {
+                         const std::string& grid, const Options& options) {
   return fmt::format(
       "title = \"Case {} of gsbench immunity, seed {}: {}\"\n"
       "source = \"gsbench immunity\"\n"
       "\n"
       "[grid]\n"
-      "system = \"{}\"\n"
+      "system = {}\n"
       "\n"
       "[signal]\n"
       "{}"
@@ -67,8 +68,8 @@ std::string profile_text(const Disturbance& disturbance, std::uint32_t number,
       "[[expect]]\n"
       "measure = \"relay.edges\"\n"
       "max = 0\n",
-      number, options.seed, kKinds[static_cast<std::size_t>(disturbance.kind)].name, grid_name,
-      signal_keys(disturbance, options.noise_pct), options.accumulated_mw);
+      number, options.seed, kKinds[static_cast<std::size_t>(disturbance.kind)].name,
+      keys::quoted(grid), signal_keys(disturbance, options.noise_pct), options.accumulated_mw);
 }
 
 }  // namespace gsbench::immunity

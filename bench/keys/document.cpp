@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -188,6 +189,13 @@ Document parse_toml(const std::string& text, const std::string& path) {
 
 ConfigurationError error_at(const std::string& path, Position at, const std::string& message) {
   return ConfigurationError(fmt::format("{}:{}:{}: {}", path, at.line, at.column, message));
+}
+
+std::string quoted(const std::string& text) {
+  std::ostringstream out;
+  const toml::value<std::string> value(text);
+  out << toml::toml_formatter(value, toml::format_flags::none);
+  return out.str();
 }
 
 std::string describe(const Value& value) {

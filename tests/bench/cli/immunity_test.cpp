@@ -2,7 +2,12 @@
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
 
+#include <filesystem>
+#include <fstream>
+
 #include <gmock/gmock.h>
+
+#include <profile/files.hpp>
 
 namespace gsbench::test {
 namespace {
@@ -72,6 +77,26 @@ TEST(ImmunityCommand, WritesACaseAsAProfile) {
   EXPECT_EQ(printed.out, text_of(folder.file("case.toml")));
 }
 
+// The folder's name needs escapes.
+TEST(ImmunityCommand, WritesAProfileOfAGridOfTheUsersForAnyFolder) {
+  const TemporaryFolder folder;
+  const std::filesystem::path grids = folder.path() / R"(my "grids" \ here)";
+  const std::filesystem::path cases = folder.path() / "cases";
+  std::filesystem::create_directories(grids);
+  std::filesystem::create_directories(cases);
+  std::ofstream(grids / "own.toml") << text_of(profile::find_grid("ieee24", "").value().path);
+  const auto in_folder_of_grids = [&] { std::filesystem::current_path(grids); };
+  const std::string profile = (cases / "case.toml").string();
+  const Outcome written = run_gsbench(
+      {"immunity", "./own.toml", "--case", "3", "--profile", profile}, in_folder_of_grids);
+  EXPECT_EQ(written.exit_code, 0) << written.err;
+  const Outcome checked = run_gsbench({"check", profile});
+  EXPECT_EQ(checked.exit_code, 0) << checked.err << text_of(profile);
+  EXPECT_THAT(text_of(profile), HasSubstr(R"(my \"grids\" \\ here/own.toml")"));
+  const std::string grid = (grids / "own.toml").string();
+  expect_refused({"immunity", grid, "--case", "3", "--profile", grid}, "as it is the input");
+}
+
 TEST(ImmunityCommand, NoLineIsWiderThan100Columns) {
   expect_lines_within_100_columns({"immunity", "--cases", "13"});
   for (const char* number : {"7", "9", "10", "12"}) {
@@ -99,6 +124,10 @@ TEST(ImmunityCommand, RefusesBadArguments) {
   expect_refused({"immunity", "--case", "1", "--profile", "-", "--accumulated", "1e9"},
                  "P^A of 1e+09 MW is not within 0 … 1053.63 MW, the range in grid ieee24");
   expect_refused({"immunity", "--profile", "case.toml"}, "--case");
+  expect_refused({"immunity", "--case", "1", "--cases", "10"}, "--cases excludes --case");
+  for (const Words& more : {Words{"--json"}, {"-o", "-"}}) {
+    expect_refused(with({"immunity", "--case", "1", "--profile", "-"}, more), "--profile excludes");
+  }
   expect_refused({"immunity", "no-such-grid"}, "no-such-grid");
 }
 

@@ -54,6 +54,9 @@ Document parse_toml(const std::string& text, const std::string& path);
 
 ConfigurationError error_at(const std::string& path, Position at, const std::string& message);
 
+// As a TOML file has it: in quotation marks, with escapes.
+std::string quoted(const std::string& text);
+
 // For messages: `the text "500 MW"`, `8000`, `a table`.
 std::string describe(const Value& value);
 
