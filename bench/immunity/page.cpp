@@ -13,6 +13,8 @@ namespace {
 
 using record::kNoFigure;
 
+constexpr double kMostTrips = 0.0;
+
 record::Judgement judgement_of(std::vector<std::string> reasons) {
   return {reasons.empty(), std::move(reasons)};
 }
@@ -39,37 +41,43 @@ std::vector<std::string> too_much_of_all(const Result& result) {
   return reasons;
 }
 
-record::FigureRow row_of(const char* name, const Count& count) {
+// `events_max`: of 1000 cases. A row without cases is not judged.
+record::FigureRow row_of(const char* name, const Count& count, double events_max,
+                         const std::vector<std::string>& reasons) {
+  const double cases = count.cases;
+  const double per_1000 = count.cases > 0 ? 1e3 * count.events / cases : kNoFigure;
   return {name,
-          {static_cast<double>(count.cases), static_cast<double>(count.events),
-           count.cases > 0 ? 1e3 * count.events / count.cases : kNoFigure, kNoFigure,
-           static_cast<double>(count.trips), kNoFigure}};
+          {cases, static_cast<double>(count.events), per_1000, events_max,
+           static_cast<double>(count.trips), kMostTrips},
+          {},
+          count.cases > 0 ? judgement_of(reasons)
+                          : record::Judgement{std::nullopt, {"no case was played"}}};
+}
+
+record::FigureColumn column(const char* name, const char* key, int decimals = 0) {
+  record::FigureColumn column = {name, decimals};
+  column.key = key;
+  return column;
 }
 
 record::FigureTable table_of(const Result& result) {
   record::FigureTable table = {
       "cases with an event, and with an open relay",
       "disturbance",
-      {{"cases"}, {"events"}, {"per 1000", 2}, {"limit"}, {"trips"}, {"limit"}}};
-  const char* const keys[] = {"cases", "events",   "events_per_1000", "events_per_1000_max",
-                              "trips", "trips_max"};
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    table.columns[i].key = keys[i];
-  }
+      {column("cases", "cases"), column("events", "events"),
+       column("per 1000", "events_per_1000", 2), column("limit", "events_per_1000_max"),
+       column("trips", "trips"), column("limit", "trips_max")}};
   table.list = "kinds";
   table.row_key = "kind";
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    table.rows.push_back(row_of(kKinds[i].name, result.kinds[i]));
-    table.rows.back().figures[5] = 0.0;
-    table.rows.back().judgement = judgement_of(too_many_trips(result.kinds[i]));
+    const Count& kind = result.kinds[i];
+    table.rows.push_back(row_of(kKinds[i].name, kind, kNoFigure, too_many_trips(kind)));
   }
-  table.rows.push_back(row_of("all dips and interruptions", result.dips()));
-  table.rows.back().figures[3] = 1e3 * kMostEventsOfDips;
-  table.rows.back().figures[5] = 0.0;
-  table.rows.back().judgement = judgement_of(too_much_of_dips(result.dips()));
-  table.rows.push_back(row_of("all", result.all()));
-  table.rows.back().figures[5] = 0.0;
-  table.rows.back().judgement = judgement_of(too_many_trips(result.all()));
+  const Count dips = result.dips();
+  table.rows.push_back(
+      row_of("all dips and interruptions", dips, 1e3 * kMostEventsOfDips, too_much_of_dips(dips)));
+  const Count all = result.all();
+  table.rows.push_back(row_of("all", all, kNoFigure, too_many_trips(all)));
   return table;
 }
 

@@ -12,6 +12,8 @@
 namespace gsbench::test {
 namespace {
 
+using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 // Ten of each kind, without an event of a dip.
@@ -43,6 +45,23 @@ TEST(ImmunityCommand, DoesNotDependOnThreadsButOnTheSeed) {
   EXPECT_EQ(one, run_for_json(with(kFewCases, {"--threads", "3"})));
   const json other = run_for_json({"immunity", "--cases", "130", "--json", "--seed", "3"});
   EXPECT_NE(one["kinds"], other["kinds"]);
+}
+
+TEST(ImmunityCommand, KindsWithoutACaseAreNotJudged) {
+  const json page = run_for_json({"immunity", "--cases", "2", "--json"});
+  const json& kinds = page["kinds"];
+  ASSERT_EQ(kinds.size(), 15U);
+  for (const std::size_t played : {0U, 1U, 13U, 14U}) {
+    EXPECT_EQ(kinds[played]["verdict"], "PASS") << kinds[played];
+  }
+  for (std::size_t i = 2; i < 13; ++i) {
+    EXPECT_EQ(kinds[i]["cases"], 0);
+    EXPECT_TRUE(kinds[i]["events_per_1000"].is_null()) << kinds[i];
+    EXPECT_TRUE(kinds[i]["verdict"].is_null()) << kinds[i];
+  }
+  const Outcome text = run_gsbench({"immunity", "--cases", "2"});
+  EXPECT_THAT(text.out, AllOf(ContainsRegex("\n  two dips .* PASS\n"),
+                              ContainsRegex("\n  dip in two stages +0 +0 +– +– +0 +0 +–\n")));
 }
 
 // Noise of 3 % looks like an event now and then, also beside a dip.
