@@ -68,17 +68,20 @@ struct Counts {
     ++(!judgement.passed ? not_judged : *judgement.passed ? passed : failed);
   }
   std::string text() const {
-    const std::string judged = fmt::format("{} of {} profiles pass", passed, passed + failed);
+    const std::string judged = passed + failed == 0
+                                   ? "no profile is judged"
+                                   : fmt::format("{} of {} profiles pass", passed, passed + failed);
     return not_judged == 0 ? judged : fmt::format("{}; not judged: {}", judged, not_judged);
   }
 };
 
-record::Judgement judgement_of_all(const Counts& counts, bool all_done) {
+// `stopped`: after how many of how many; empty if all are done.
+record::Judgement judgement_of_all(const Counts& counts, const std::string& stopped) {
   if (counts.failed > 0) {
     return {false, {counts.text()}};
   }
-  if (!all_done) {
-    return {std::nullopt, {"stopped"}};
+  if (!stopped.empty()) {
+    return {std::nullopt, {"stopped " + stopped}};
   }
   if (counts.passed == 0) {
     return {std::nullopt, {counts.text()}};
@@ -114,20 +117,24 @@ record::Page make_scenarios_page(const std::vector<profile::Plan>& plans, const 
       notes.push_back(fmt::format("{}: {}", plan.name, to_string(*row.judgement)));
     }
   }
-  const bool all_done = table.rows.size() == plans.size();
+  const std::string stopped =
+      table.rows.size() == plans.size()
+          ? ""
+          : fmt::format("after {} of {} profiles", table.rows.size(), plans.size());
   notes.push_back(limits_note());
   notes.push_back(fmt::format("By the paper's way (method = 0), {}.", of_paper.text()));
   notes.push_back(fmt::format("By gsbench, {}.", counts.text()));
 
   record::Page page;
-  page.title = fmt::format("{} profiles in a closed loop", plans.size());
+  page.title = fmt::format("Profiles in a closed loop: {}", plans.size());
   page.subtitle = fmt::format("{} outlets with the whole firmware, beside clairvoyants",
                               fleet_of(plans.front(), study).outlets());
-  page.judgement = judgement_of_all(counts, all_done);
+  page.judgement = judgement_of_all(counts, stopped);
   page.facts = {{"verdict", to_string(*page.judgement)}};
   page.sections = {{{table}, {}, notes, "Nadir and power shed by profile", "scenarios"}};
-  if (!all_done) {
-    page.facts.emplace_back("stopped", "unfinished profiles are left out; the page is incomplete");
+  if (!stopped.empty()) {
+    page.facts.emplace_back("stopped",
+                            stopped + "; the others are left out, the page is incomplete");
   }
   return page;
 }
