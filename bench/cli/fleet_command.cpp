@@ -1,6 +1,9 @@
 #include "commands.hpp"
 #include "page_output.hpp"
 
+#include <filesystem>
+#include <set>
+
 #include <fleet/page.hpp>
 #include <profile/files.hpp>
 #include <profile/load.hpp>
@@ -19,31 +22,60 @@ struct FleetArguments {
   PageOutput output;
 };
 
-// The profiles with the grid and the seed of the command line, if they are given.
-std::vector<profile::Plan> plans_of(const FleetArguments& arguments) {
+struct ReadProfiles {
+  std::vector<profile::Plan> plans;  // each file once
+  bool in_table = false;             // several were given, or a folder
+  bool complete = true;              // every file of a folder is a profile
+};
+
+// The profiles with the grid and the seed of the command line, if they are given. Files of a folder
+// that cannot be read are reported and left out.
+ReadProfiles read_profiles(const FleetArguments& arguments) {
   profile::Overrides overrides;
   if (arguments.has_seed) {
     overrides.seed = arguments.study.fleet.seed;
   }
-  std::vector<profile::Plan> plans;
+  ReadProfiles read;
+  read.in_table = arguments.profiles.size() > 1;
+  std::set<std::filesystem::path> files;
   for (const std::string& given : arguments.profiles) {
-    for (const std::string& name : profile::find_profile_or_folder(given)) {
-      plans.push_back(profile::load_profile(name, overrides));
-      if (arguments.has_grid) {
-        plans.back().grid = profile::load_grid(arguments.grid);
+    const profile::FoundProfiles found = profile::find_profile_or_folder(given);
+    read.in_table = read.in_table || found.of_folder;
+    for (const std::string& name : found.names) {
+      try {
+        if (files.insert(std::filesystem::canonical(profile::find_profile(name))).second) {
+          read.plans.push_back(profile::load_profile(name, overrides));
+        }
+      } catch (const profile::ConfigurationError& error) {
+        if (!found.of_folder) {
+          throw;
+        }
+        print_error(error.what());
+        read.complete = false;
       }
     }
   }
-  return plans;
+  if (arguments.has_grid) {
+    const grid::Grid grid = profile::load_grid(arguments.grid);
+    for (profile::Plan& plan : read.plans) {
+      plan.grid = grid;
+    }
+  }
+  return read;
 }
 
 int run_closed_loop(const FleetArguments& arguments) {
-  const std::vector<profile::Plan> plans = plans_of(arguments);
-  return print_page("fleet", arguments.output, [&](const campaign::Execution& execution) {
-    return plans.size() == 1
-               ? fleet::make_closed_loop_page(plans.front(), arguments.study, execution)
-               : fleet::make_scenarios_page(plans, arguments.study, execution);
-  });
+  const ReadProfiles read = read_profiles(arguments);
+  if (read.plans.empty()) {
+    return kBadInput;
+  }
+  const int exit_code =
+      print_page("fleet", arguments.output, [&](const campaign::Execution& execution) {
+        return read.in_table
+                   ? fleet::make_scenarios_page(read.plans, arguments.study, execution)
+                   : fleet::make_closed_loop_page(read.plans.front(), arguments.study, execution);
+      });
+  return read.complete || exit_code == kInterrupted ? exit_code : kBadInput;
 }
 
 int run_fleet(const FleetArguments& arguments) {
@@ -143,6 +175,8 @@ void add_fleet(CommandLine& line) {
       "them sheds, load is shed where none of them sheds any, or an outlet claims an event before "
       "a\n"
       "loss in a profile without oscillations. A recorded frequency is not judged.\n"
+      "A file in a folder that is not a profile is reported and left out; the exit code is then "
+      "2.\n"
       "\n"
       "Examples:\n"
       "  gsbench fleet                              a million outlets, loss of 500 MW\n"

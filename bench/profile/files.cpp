@@ -63,6 +63,15 @@ void add_files_below(const fs::path& folder, std::vector<NamedFile>& found) {
   }
 }
 
+// Removes the files of grids and stations; `files` are below a folder of profiles.
+void keep_profiles(std::vector<NamedFile>& files) {
+  const auto is_grid_or_station = [](const NamedFile& file) {
+    const fs::path folder = *fs::path(file.name).begin();
+    return folder == kGridsFolder || folder == kStationsFolder;
+  };
+  files.erase(std::remove_if(files.begin(), files.end(), is_grid_or_station), files.end());
+}
+
 // Every .toml file below `part` of folders(), sorted by name.
 std::vector<NamedFile> all_files(const fs::path& part) {
   std::error_code error;
@@ -141,25 +150,30 @@ std::string find_profile(const std::string& name_or_path) {
   return find_file(name_or_path, "profile", all_profiles).path;
 }
 
-std::vector<std::string> find_profile_or_folder(const std::string& name_or_path) {
+FoundProfiles find_profile_or_folder(const std::string& name_or_path) {
   if (is_toml_path(name_or_path)) {
-    return {name_or_path};
+    return {{name_or_path}};
   }
   const std::vector<std::string> names = names_of(all_profiles());
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
-    return {name_or_path};
+    return {{name_or_path}};
   }
   const std::string folder = (fs::path(name_or_path) / "").generic_string();  // ends in a slash
   std::vector<std::string> found;
   std::copy_if(names.begin(), names.end(), std::back_inserter(found), [&](const std::string& name) {
     return !folder.empty() && name.rfind(folder, 0) == 0;
   });
-  std::vector<NamedFile> files;
-  if (found.empty()) {
+  std::error_code ignored;  // what cannot be accessed is no folder
+  if (found.empty() && fs::is_directory(name_or_path, ignored)) {
+    std::vector<NamedFile> files;
     add_files_below(name_or_path, files);
+    keep_profiles(files);
     std::transform(files.begin(), files.end(), std::back_inserter(found),
                    [](const NamedFile& file) { return file.path; });
     std::sort(found.begin(), found.end());
+    if (found.empty()) {
+      throw ConfigurationError(fmt::format("{}: no profile is in this folder", name_or_path));
+    }
   }
   if (found.empty()) {
     std::vector<std::string> candidates = folders_of(names);
@@ -168,7 +182,7 @@ std::vector<std::string> find_profile_or_folder(const std::string& name_or_path)
         "unknown profile or folder of profiles \"{}\"{} (for your own, give its path)",
         name_or_path, keys::suggestion(name_or_path, candidates, "folders and profiles")));
   }
-  return found;
+  return {found, true};
 }
 
 NamedFile find_station(const std::string& name_or_path) {
@@ -245,11 +259,7 @@ std::string sha256(const std::string& text) {
 
 std::vector<NamedFile> all_profiles() {
   auto files = all_files("");
-  const auto is_grid_or_station = [](const NamedFile& file) {
-    const fs::path folder = *fs::path(file.name).begin();
-    return folder == kGridsFolder || folder == kStationsFolder;
-  };
-  files.erase(std::remove_if(files.begin(), files.end(), is_grid_or_station), files.end());
+  keep_profiles(files);
   return files;
 }
 

@@ -3,6 +3,7 @@
 #include "gsbench_process.hpp"
 #include <test_support/temporary_folder.hpp>
 
+#include <filesystem>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 constexpr const char* kSteady = "frequency = [[0.0, 50.0], [2.0, 50.0]]\n";
@@ -73,7 +75,7 @@ TEST_F(ClosedLoopProfiles, OfAFolderAreInOneTableAndFailIfOneFails) {
   EXPECT_EQ(text.exit_code, 1) << text.err;
   EXPECT_THAT(text.out, AllOf(HasSubstr("verdict: FAIL: 2 of 3 profiles pass; not judged: 1"),
                               HasSubstr("\n  noisy: FAIL: the nadir"),
-                              HasSubstr("\n  falling: not judged: ")));
+                              HasSubstr("\n  falling: not judged: "), Not(HasSubstr("stopped"))));
   std::istringstream lines(text.out);
   for (std::string line; std::getline(lines, line);) {
     EXPECT_LE(render::columns_of(line), 100U) << line;
@@ -93,6 +95,42 @@ TEST_F(ClosedLoopProfiles, OfAFolderAreInOneTableAndFailIfOneFails) {
               ElementsAre("falling null", "noisy \"FAIL\"", "steady \"PASS\"", "usual \"PASS\""));
   ASSERT_THAT(page["sections"], SizeIs(1));
   EXPECT_THAT(page["sections"][0]["tables"], SizeIs(1));
+}
+
+TEST_F(ClosedLoopProfiles, AFolderWithOneHasATableAndEachFileCountsOnce) {
+  const std::string steady = write("steady", 1.0, kSteady);
+  const std::string folder = folder_.path().string();
+  for (const Words& profiles : {Words{"--profile", folder},
+                                {"--profile", folder + "/./steady.toml", "--profile", steady},
+                                {"--profile", steady, "--profile", folder}}) {
+    Words words = command(profiles);
+    words.emplace_back("--json");
+    const json page = run_for_json(words);
+    ASSERT_THAT(page["scenarios"], SizeIs(1)) << testing::PrintToString(words);
+    EXPECT_EQ(page["scenarios"][0]["profile"], "steady");
+  }
+}
+
+TEST_F(ClosedLoopProfiles, AFileInAFolderThatIsNoProfileIsReportedAndLeftOut) {
+  write("steady", 1.0, kSteady);
+  std::filesystem::create_directory(folder_.path() / "grids");
+  folder_.write("grids/own.toml", "title = \"left out in silence\"\n");
+  const std::string other = folder_.write("other.toml", "title = \"x\"\nname = 1\n");
+  const Words words = command({"--profile", folder_.path().string(), "--json"});
+  const Outcome outcome = run_gsbench(words);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr(other + ":2:1: "), Not(HasSubstr("own.toml"))));
+  EXPECT_THAT(json::parse(outcome.out)["scenarios"], SizeIs(1));
+
+  std::filesystem::remove(folder_.path() / "steady.toml");
+  const Outcome none = run_gsbench(words);
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr(other + ":2:1: "));
+  EXPECT_EQ(none.out, "");
+  std::filesystem::remove(other);
+  expect_refused(words, folder_.path().string() + ": no profile is in this folder");
+  expect_refused(command({"--profile", folder_.path().string(), "--profile", other}),
+                 "no profile is in this folder");
 }
 
 TEST_F(ClosedLoopProfiles, MayBeNamedSeveralTimesWithAReport) {

@@ -80,10 +80,12 @@ TEST(ShippedProfiles, HaveFortyCascades) {
 TEST(ProfilesOfAFolder, AreFoundByNameAndByPath) {
   const std::vector<std::string> paper = {"paper/loss-320mw", "paper/loss-351.9mw",
                                           "paper/loss-500mw", "paper/loss-600mw"};
-  EXPECT_EQ(find_profile_or_folder("paper"), paper);
-  EXPECT_EQ(find_profile_or_folder("paper/"), paper);
+  for (const std::string name : {"paper", "paper/"}) {
+    EXPECT_EQ(find_profile_or_folder(name).names, paper);
+    EXPECT_TRUE(find_profile_or_folder(name).of_folder);
+  }
   std::vector<std::string> paths;
-  for (const std::string& path : find_profile_or_folder(profiles_folder() + "/paper")) {
+  for (const std::string& path : find_profile_or_folder(profiles_folder() + "/paper").names) {
     paths.push_back(load_profile(path).name);
   }
   EXPECT_EQ(paths, paper);
@@ -91,8 +93,20 @@ TEST(ProfilesOfAFolder, AreFoundByNameAndByPath) {
 
 TEST(ProfilesOfAFolder, AProfileIsFoundAlone) {
   for (const std::string name : {"paper/loss-500mw", "mine.toml"}) {
-    EXPECT_THAT(find_profile_or_folder(name), testing::ElementsAre(name));
+    EXPECT_THAT(find_profile_or_folder(name).names, testing::ElementsAre(name));
+    EXPECT_FALSE(find_profile_or_folder(name).of_folder);
   }
+}
+
+TEST(ProfilesOfAFolder, GridsAndStationsAreLeftOut) {
+  const FoundProfiles found = find_profile_or_folder(profiles_folder());
+  EXPECT_TRUE(found.of_folder);
+  std::vector<std::string> names;
+  for (const std::string& path : found.names) {
+    names.push_back(profile_name(path));
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, shipped_profiles());
 }
 
 TEST(ProfilesOfAFolder, UnknownNamesAreRefused) {
@@ -108,7 +122,8 @@ TEST(ProfilesOfAFolder, UnknownNamesAreRefused) {
   EXPECT_THAT(refusal("grids"), StartsWith("unknown profile or folder of profiles"));
   EXPECT_THAT(refusal(""), StartsWith("unknown profile or folder of profiles"));
   const TemporaryFolder empty;
-  EXPECT_THAT(refusal(empty.path().string()), StartsWith("unknown profile or folder"));
+  EXPECT_EQ(refusal(empty.path().string()),
+            empty.path().string() + ": no profile is in this folder");
 }
 
 TEST(ShippedProfiles, KeepTheirNamesWhenGivenByPath) {

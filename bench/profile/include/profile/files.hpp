@@ -16,9 +16,14 @@ struct NamedFile {
 // Throw ConfigurationError if the file does not exist, or if both a shipped file and one of the
 // user's own files have this name.
 std::string find_profile(const std::string& name_or_path);  // returns the path
-// What load_profile() takes: the profile itself, or every profile in a folder. A folder is a name
-// among those of profiles ("cascades", "cascades/") or a path to a folder of .toml files. Sorted.
-std::vector<std::string> find_profile_or_folder(const std::string& name_or_path);
+struct FoundProfiles {
+  std::vector<std::string> names;  // what load_profile() takes
+  bool of_folder = false;
+};
+// The profile itself, or every .toml file below a folder, sorted. A folder is a name among those of
+// profiles ("cascades", "cascades/"), or a path; grids/ and stations/ in it are left out. Throws
+// ConfigurationError if the name is unknown, or if nothing is in the folder.
+FoundProfiles find_profile_or_folder(const std::string& name_or_path);
 NamedFile find_station(const std::string& name_or_path);
 
 // The same for a grid. `folder` is the base of a relative path. nullopt if the file does not exist.
