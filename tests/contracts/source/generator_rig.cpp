@@ -78,7 +78,7 @@ void GeneratorRig::set_answers(Answers answers) {
   faults.half_answers = answers == Answers::kHalf;
   faults.garbage_answers = answers == Answers::kGarbage;
   faults.answer_delay_s = answers == Answers::kSlow      ? 0.01
-                          : answers == Answers::kTooSlow ? 2.0 * instrument.timing.answer_s
+                          : answers == Answers::kTooSlow ? 1.5 * instrument.timing.answer_s
                                                          : 0.0;
   generator_->set_faults(faults);
 }
