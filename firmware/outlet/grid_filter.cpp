@@ -14,13 +14,16 @@ constexpr float kSwingOmegaNoise_rad2_s2 = 9.0e-6f;
 // Limits of Ω: 0.08 … 1.2 Hz.
 constexpr float kLowestOmega_rad_s = kTwoPi * 0.08f;
 constexpr float kHighestOmega_rad_s = kTwoPi * 1.2f;
-constexpr float kUnknownSwing_hz = 0.1f;    // σ of an unknown oscillation's amplitude
+constexpr float kUnknownSwing_hz = 0.05f;   // σ of an unknown oscillation's amplitude
 constexpr float kUnknownOmegaPart = 0.15f;  // σ of its Ω, relative
 
 // Standard deviations at the start: of Δf along the line of equilibria, of p and q from that line.
 constexpr float kStartDeviation_hz = 0.5f;
 constexpr float kStartLoss_mw = 5.0f;
 constexpr float kStartRocof_hz_s = 0.002f;
+
+// What remains of the older terms of the likelihood with each measurement.
+constexpr float kKeptLikelihood = 0.99f;
 
 // Places of the covariances with a.
 constexpr int kWithSwing[kFilterStates] = {covariance_index(0, kSwing), covariance_index(1, kSwing),
@@ -212,6 +215,24 @@ Innovation correct(GridFilter& f, float phase_cycles, float phase_variance) {
     f.x[kSwingOmega] = bounded(f.x[kSwingOmega], kLowestOmega_rad_s, kHighestOmega_rad_s);
   }
   return {innovation * root(inverse), width / phase_variance};
+}
+
+void count(GridFilter& f, const Innovation& innovation) {
+  f.likelihood =
+      kKeptLikelihood * f.likelihood -
+      0.5f * (innovation.normalised * innovation.normalised + logarithm(innovation.relative_width));
+}
+
+void open_loss(const GridStep& step, GridFilter& f, float loss_mw2, int steps) {
+  float moved[kGridVariables] = {0.0f, 0.0f, 0.0f, 1.0f};  // by 1 MW that was lost some steps ago
+  for (int i = 0; i < steps; ++i) {
+    for (int row = 0; row < kGridVariables; ++row) {
+      for (int column = row; column < kGridVariables; ++column) {
+        covariance(f, row, column) += loss_mw2 * moved[row] * moved[column];
+      }
+    }
+    move_grid<1>({step, 1.0f, 0.0f, 0.0f, 0.0f}, moved);
+  }
 }
 
 void take_phase(GridFilter& f, float phase_cycles, float phase_variance) {

@@ -27,9 +27,7 @@ constexpr int kReportsBetweenOnsets = 12;
 constexpr std::uint32_t kReportsBeforeFirstOnset = 16;
 // The filter goes back only if it has processed at least this many reports.
 constexpr std::uint32_t kLeastHistory = 8;
-// Number of measurements that an onset processes again, and the most reports that they may span if
-// there are gaps.
-constexpr int kOnsetMeasurements = 7;
+// The most reports that the kOnsetMeasurements of an onset may span if there are gaps.
 constexpr int kLongestOnset = 20;
 constexpr int kLongestOnsetWithSwing = 9;
 // Measurements before a disturbance is recognised that it may already have affected.
@@ -53,15 +51,13 @@ constexpr float kSignificantSigmas = 6.0f;
 constexpr float kSignificantPart = 0.11f;  // of scale_mw
 constexpr int kAnnouncedWithin = 60;
 
-// The bank restarts after 8 s without an oscillation. If it has run for 1.4 s, it also restarts
-// after its first onset: its filters have settled on no oscillation, and would adapt too slowly to
-// one that begins abruptly. Its oscillation is used only if the filter without one keeps failing:
-// at least kOnsetsOfSwing onsets since the bank's start, the newest less than kRecentOnset reports
-// ago.
+// The bank restarts after 8 s without an oscillation. It also restarts at an onset, since an
+// oscillation may begin there, unless one has been going on: the previous onset is less than
+// kReportsOfSwing ago, or a filter of the bank is likelier than the one without an oscillation. The
+// state before the onset must have settled for kSettledReports.
 constexpr std::uint16_t kBankReports = 500;
-constexpr std::uint16_t kSettledReports = 90;
-constexpr std::uint8_t kOnsetsOfSwing = 3;
-constexpr std::uint16_t kRecentOnset = 70;
+constexpr std::uint16_t kReportsOfSwing = 60;
+constexpr std::uint32_t kSettledReports = 50;
 // The oscillation is given up below this amplitude, or if this many onsets are found in one period
 // of kSwingOnsetReports.
 constexpr float kSwingEnds_hz = 0.006f;
@@ -94,7 +90,11 @@ float correct_by(GridFilter& filter, const PhaseMeasurement& m) {
     take_phase(filter, m.phase_cycles, m.variance);
     return 0.0f;
   }
-  return correct(filter, m.phase_cycles, m.variance).normalised;
+  const Innovation innovation = correct(filter, m.phase_cycles, m.variance);
+  if (!filter.with_swing) {
+    count(filter, innovation);
+  }
+  return innovation.normalised;
 }
 
 // Processes report `number`, the first time or again.
@@ -154,13 +154,20 @@ void measure_noise(GridFollower& f, std::uint32_t now) {
   f.noise_squares += kNoiseMemory * (limited - f.noise_squares);
 }
 
+// follow_swing() starts the bank from a filter that is `behind` reports behind the newest one.
+void restart_bank(GridFollower& f, const GridFilter& from, std::uint32_t behind) {
+  f.bank.filters[0] = from;
+  f.bank_behind = static_cast<std::uint8_t>(behind);
+  f.bank_starts = true;
+}
+
 void begin(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m,
            float deviation_hz) {
   clear(f);
   f.noise_squares = kThirdDifference * nominal_phase_variance(settings) + kImages_cycles2;
   start(settings.response, f.filter, m.phase_cycles, deviation_hz);
   take_phase(f.filter, m.phase_cycles, m.variance);
-  start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
+  restart_bank(f, f.filter, 0);
 }
 
 // Another filter replaces the present one. Earlier reports cannot be processed again by it.
@@ -236,7 +243,13 @@ void catch_up(const FollowerSettings& settings, GridFollower& f, std::uint32_t r
 
 // Begins an onset: processes the last reports again, with a large process noise of the lost power.
 void open(const FollowerSettings& settings, GridFollower& f) {
+  const bool settled = f.count >= f.oldest + kSettledReports;
   const std::uint32_t first = go_back(settings, f, first_of_onset(f));
+  if (!f.filter.with_swing && settled && f.since_onset > kReportsOfSwing &&
+      f.filter.likelihood >= likeliest(f.bank).likelihood) {
+    restart_bank(f, f.filter, f.count - first);
+  }
+  f.filter.likelihood -= kOnsetPenalty;
   if (f.announced) {
     f.loss_before_mw = f.filter.x[kLoss];
     f.announced = false;
@@ -316,19 +329,11 @@ void choose_swing(const FollowerSettings& settings, GridFollower& f, const Phase
     }
     return;
   }
-  const GridFilter* const swinging = established(f.bank);
-  if (swinging != nullptr && f.onsets >= kOnsetsOfSwing && f.since_onset < kRecentOnset) {
+  if (const GridFilter* const swinging = established(f.bank, f.filter.likelihood)) {
     continue_with(f, *swinging);
     f.since_onset = 0;
     f.onsets = 0;
     f.since_swing = 0;
-    return;
-  }
-  const bool first_onset = f.onsets == 1 && f.since_onset == 0;
-  if (m.measured &&
-      (f.bank.age >= kBankReports || (first_onset && f.bank.age >= kSettledReports))) {
-    start(settings.response, f.bank, m.phase_cycles, m.variance, deviation_hz);
-    f.onsets = first_onset ? f.onsets : std::uint8_t{0};
   }
 }
 
@@ -357,6 +362,8 @@ void clear(GridFollower& f) {
   f.decided = false;
   f.announced = true;
   f.bank_next = kSwingFilters;
+  f.bank_starts = false;
+  f.bank_behind = 0;
   f.onsets = 0;
   f.since_swing = 0;
 }
@@ -401,6 +408,12 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   count_up(f.since_change);
   f.bank_measurement = m;
   f.bank_next = 0;
+  if (measured && f.bank.age >= kBankReports && !f.filter.with_swing) {
+    GridFilter steady;
+    start(settings.response, steady, phase_cycles, deviation_hz);
+    steady.likelihood = f.filter.likelihood;
+    restart_bank(f, steady, 0);
+  }
   if (f.rival_lives) {
     follow_rival(settings, f, m);
   }
@@ -419,10 +432,19 @@ void follow_swing(const FollowerSettings& settings, GridFollower& f, int filters
   if (filters > 0) {
     catch_up(settings, f, kCaughtUpAtOnce);
   }
+  const LossNoise noise = {loss_noise_mw2(settings, kLossNoise),
+                           loss_noise_mw2(settings, kOnsetLossNoise)};
+  if (filters > 0 && f.bank_starts) {
+    for (; f.bank_behind > 0; --f.bank_behind) {
+      predict(settings.step, f.bank.filters[0], {0.0f, noise.steady});
+    }
+    start(f.bank, f.bank_measurement);
+    f.bank_starts = false;
+    f.bank_next = kSwingFilters;
+  }
   for (; filters > 0 && f.bank_next < kSwingFilters; --filters) {
     if (!f.filter.with_swing) {
-      follow(settings.step, f.bank, f.bank_next, loss_noise_mw2(settings, kLossNoise),
-             f.bank_measurement);
+      follow(settings.step, f.bank, f.bank_next, noise, f.bank_measurement);
     }
     ++f.bank_next;
   }

@@ -6,63 +6,70 @@ namespace {
 
 constexpr float kStart_hz[kSwingFilters] = {0.10f, 0.14f, 0.20f, 0.28f, 0.40f, 0.56f, 0.78f, 1.05f};
 
-// What remains of the older terms with each measurement.
-constexpr float kKeptLikelihood = 0.99f;
-constexpr float kKeptSquares = 0.97f;
+// What remains of the older innovations in a sum, and the variance of such a sum if they fit.
+constexpr float kKeptInnovations = 0.8f;
+constexpr float kSumVariance = 1.0f / (1.0f - kKeptInnovations * kKeptInnovations);
+constexpr float kOnsetSigmas = 3.5f;
 
-// Limits of an established oscillation: amplitude, also in its standard deviations; mean square of
-// the normalised innovations; reports since the start.
+// Limits of an established oscillation: amplitude, also in its standard deviations; periods since
+// the start; difference of the likelihoods with and without it.
 constexpr float kSignificant_hz = 0.012f;
 constexpr float kSignificantSigmas = 6.0f;
-constexpr float kFittingSquares = 1.6f;
-constexpr std::uint16_t kLeastAge = 90;
+constexpr float kLargest_hz = 0.080f;
+constexpr float kLeastPeriods = 0.35f;
+constexpr float kLikelier = 32.0f;
 
 }  // namespace
 
-void start(const Response& response, SwingBank& bank, float phase_cycles, float phase_variance,
-           float deviation_hz) {
+void start(SwingBank& bank, const PhaseMeasurement& m) {
   bank.age = 0;
-  for (int i = 0; i < kSwingFilters; ++i) {
-    bank.likelihood[i] = 0.0f;
-    bank.innovation_squares[i] = 0.0f;
+  for (int i = kSwingFilters - 1; i >= 0; --i) {
     GridFilter& filter = bank.filters[i];
-    start(response, filter, phase_cycles, deviation_hz);
+    filter = bank.filters[0];
     add_swing(filter, kTwoPi * kStart_hz[i]);
-    take_phase(filter, phase_cycles, phase_variance);
+    take_phase(filter, m.phase_cycles, m.variance);
+    bank.innovation_sums[i] = 0.0f;
   }
 }
 
-void follow(const GridStep& step, SwingBank& bank, int number, float loss_noise_mw2,
+void follow(const GridStep& step, SwingBank& bank, int number, const LossNoise& noise,
             const PhaseMeasurement& m) {
   GridFilter& filter = bank.filters[number];
-  predict(step, filter, {0.0f, loss_noise_mw2});
+  float& sum = bank.innovation_sums[number];
+  predict(step, filter, {0.0f, noise.steady});
   if (m.measured && m.after_gap) {
     take_phase(filter, m.phase_cycles, m.variance);
   } else if (m.measured) {
     const Innovation innovation = correct(filter, m.phase_cycles, m.variance);
-    const float square = innovation.normalised * innovation.normalised;
-    bank.innovation_squares[number] =
-        kKeptSquares * bank.innovation_squares[number] + (1.0f - kKeptSquares) * square;
-    bank.likelihood[number] = kKeptLikelihood * bank.likelihood[number] -
-                              0.5f * (square + logarithm(innovation.relative_width));
+    count(filter, innovation);
+    sum = kKeptInnovations * sum + innovation.normalised;
+  }
+  if (sum * sum > kOnsetSigmas * kOnsetSigmas * kSumVariance) {
+    open_loss(step, filter, noise.onset, kOnsetMeasurements);
+    filter.likelihood -= kSwingOnsetPenalty;
+    sum = 0.0f;
   }
   if (number == kSwingFilters - 1 && bank.age < 0xFFFF) {
     ++bank.age;
   }
 }
 
-const GridFilter* established(const SwingBank& bank) {
-  int best = 0;
-  for (int i = 1; i < kSwingFilters; ++i) {
-    best = bank.likelihood[i] > bank.likelihood[best] ? i : best;
+const GridFilter& likeliest(const SwingBank& bank) {
+  const GridFilter* best = bank.filters;
+  for (const GridFilter& filter : bank.filters) {
+    best = filter.likelihood > best->likelihood ? &filter : best;
   }
-  const GridFilter& filter = bank.filters[best];
+  return *best;
+}
+
+const GridFilter* established(const SwingBank& bank, float likelihood_without) {
+  const GridFilter& filter = likeliest(bank);
   const float periods = kReport_s * static_cast<float>(bank.age) * filter.x[kSwingOmega] / kTwoPi;
   const float amplitude_hz = swing_hz(filter);
-  const bool explains = bank.age >= kLeastAge && periods >= 1.0f &&
-                        amplitude_hz > kSignificant_hz &&
+  const bool explains = periods > kLeastPeriods && amplitude_hz > kSignificant_hz &&
+                        amplitude_hz < kLargest_hz &&
                         amplitude_hz > kSignificantSigmas * swing_sigma_hz(filter) &&
-                        bank.innovation_squares[best] < kFittingSquares;
+                        filter.likelihood > likelihood_without + kLikelier;
   return explains ? &filter : nullptr;
 }
 

@@ -1,4 +1,4 @@
-// Every shipped profile passes, but for one, and leaves its reports.
+// Every shipped profile passes and leaves its reports.
 #include "gsbench_process.hpp"
 #include <test_support/shipped_profiles.hpp>
 #include <test_support/temporary_folder.hpp>
@@ -37,23 +37,11 @@ TEST_P(ShippedProfile, PassesAndLeavesItsReports) {
   }
 }
 
-// Its limits are not met yet; it must leave this constant when they are.
-constexpr const char* kNotMetYet = "cascades/oscillation-starts-then-loss";
-
-TEST(ShippedProfiles, WhoseLimitsAreNotMetYetFail) {
-  const TemporaryFolder folder;
-  const Outcome outcome =
-      run_gsbench({"run", kNotMetYet, "--json", "--out", folder.path().string()});
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-}
-
 std::vector<std::string> passing_profiles() {
   std::vector<std::string> names = shipped_profiles();
   // regression/steady takes an hour: see long_runs_test.cpp.
   names.erase(std::remove_if(names.begin(), names.end(),
-                             [](const std::string& name) {
-                               return name == kNotMetYet || name == "regression/steady";
-                             }),
+                             [](const std::string& name) { return name == "regression/steady"; }),
               names.end());
   return names;
 }

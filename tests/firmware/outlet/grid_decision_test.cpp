@@ -9,38 +9,12 @@
 #include <gtest/gtest.h>
 
 #include <outlet/outlet.hpp>
+#include <waveform/oscillation.hpp>
 
 namespace gs::outlet {
 namespace {
 
 using gsbench::grid::PowerChange;
-
-// The reference of losses, with an oscillation over it.
-class Swinging final : public gsbench::waveform::ReferenceSignal {
- public:
-  Swinging(std::vector<PowerChange> losses, double swing_hz, double swing_frequency_hz)
-      : losses_(gsbench::waveform::reference_from_losses(gsbench::grid::SfrModel(test::ieee24()),
-                                                         std::move(losses))),
-        swing_hz_(swing_hz),
-        omega_(6.283185307179586 * swing_frequency_hz) {}
-  double nominal_hz() const override { return losses_->nominal_hz(); }
-  double frequency_hz(double t_s) const override {
-    return losses_->frequency_hz(t_s) + swing_hz_ * std::sin(omega_ * t_s);
-  }
-  double rocof_hz_s(double t_s) const override {
-    return losses_->rocof_hz_s(t_s) + swing_hz_ * omega_ * std::cos(omega_ * t_s);
-  }
-  double excess_cycles(double t_s) const override {
-    return losses_->excess_cycles(t_s) + swing_hz_ / omega_ * (1.0 - std::cos(omega_ * t_s));
-  }
-  double voltage_pu(double /*t_s*/) const override { return 1.0; }
-  std::vector<double> corners_s() const override { return losses_->corners_s(); }
-
- private:
-  std::unique_ptr<gsbench::waveform::ReferenceSignal> losses_;
-  double swing_hz_;
-  double omega_;
-};
 
 struct Scenario {
   const char* name;
@@ -50,9 +24,18 @@ struct Scenario {
   float stays_from_mw;   // P^A of one that must not
   double lost_mw = 0.0;  // at the last decision; 0: not compared
   gsbench::waveform::SignalSpec signal = {};
-  double swing_hz = 0.0;
-  double swing_frequency_hz = 0.4;
+  gsbench::waveform::Oscillation oscillation = {};
 };
+
+gsbench::waveform::Oscillation oscillation(double at_s, double frequency_hz, double amplitude_hz,
+                                           double phase_deg = 0.0) {
+  gsbench::waveform::Oscillation swing;
+  swing.at_s = at_s;
+  swing.frequency_hz = frequency_hz;
+  swing.amplitude_hz = amplitude_hz;
+  swing.phase_deg = phase_deg;
+  return swing;
+}
 
 gsbench::waveform::SignalSpec dip(double at_s, double duration_s, double level_pct) {
   gsbench::waveform::SignalSpec signal;
@@ -88,10 +71,56 @@ const Scenario kScenarios[] = {
     {"InterruptionWhileEstimating", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(3.3, 0.2, 0.0)},
     {"LossAfterAnInterruption", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(2.4, 0.2, 0.0)},
     {"LossAfterADip", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(2.53, 0.07, 40.0)},
-    {"Oscillation", {}, 8.0, 0.0F, 1.0F, 0.0, {}, 0.06},
-    {"LossInAnOscillation", {{7.0, 500.0}}, 10.0, 130.0F, 200.0F, 0.0, {}, 0.06},
-    {"LossInASlowOscillation", {{8.0, 500.0}}, 11.0, 130.0F, 200.0F, 0.0, {}, 0.06, 0.25},
-    {"LossInAFastOscillation", {{7.0, 500.0}}, 10.0, 130.0F, 200.0F, 0.0, {}, 0.04, 0.8},
+    {"Oscillation", {}, 8.0, 0.0F, 1.0F, 0.0, {}, oscillation(0.0, 0.4, 0.06)},
+    {"LossInAnOscillation",
+     {{7.0, 500.0}},
+     10.0,
+     130.0F,
+     200.0F,
+     0.0,
+     {},
+     oscillation(0.0, 0.4, 0.06)},
+    {"LossInASlowOscillation",
+     {{8.0, 500.0}},
+     11.0,
+     130.0F,
+     200.0F,
+     0.0,
+     {},
+     oscillation(0.0, 0.25, 0.06)},
+    {"LossInAFastOscillation",
+     {{7.0, 500.0}},
+     10.0,
+     130.0F,
+     200.0F,
+     0.0,
+     {},
+     oscillation(0.0, 0.8, 0.04)},
+    {"OscillationThatStarts", {}, 12.0, 0.0F, 1.0F, 0.0, {}, oscillation(3.0, 0.5, 0.06)},
+    {"OscillationThatStartsWithAStep",
+     {},
+     12.0,
+     0.0F,
+     1.0F,
+     0.0,
+     {},
+     oscillation(3.0, 0.3, 0.05, 90.0)},
+    {"LossAfterAnOscillationStarted",
+     {{5.0, 500.0}},
+     8.0,
+     130.0F,
+     200.0F,
+     500.0,
+     {},
+     oscillation(3.5, 0.6, 0.04)},
+    {"LossAfterAnOscillationStartedWithAStep",
+     {{5.0, 500.0}},
+     8.0,
+     130.0F,
+     200.0F,
+     500.0,
+     {},
+     oscillation(4.0, 0.7, 0.04, 180.0)},
 };
 
 void PrintTo(const Scenario& scenario, std::ostream* out) {
@@ -106,8 +135,10 @@ class GridDecision : public testing::TestWithParam<Scenario> {
     settings.accumulated_mw = accumulated_mw;
     settings.switch_off_hz = 45.0F;
     test::MainsSpec mains;
-    mains.reference =
-        std::make_shared<Swinging>(scenario.losses, scenario.swing_hz, scenario.swing_frequency_hz);
+    mains.reference = gsbench::waveform::with_oscillations(
+        gsbench::waveform::reference_from_losses(gsbench::grid::SfrModel(test::ieee24()),
+                                                 scenario.losses),
+        {scenario.oscillation});
     mains.signal = scenario.signal;
     mains.noise_pct = 1.0;
     mains.seed = seed;

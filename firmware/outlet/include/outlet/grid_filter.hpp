@@ -23,6 +23,9 @@ struct GridFilter {
   float x[kFilterStates] = {};          // φ within ± 0.5 cycles after each predict()
   float covariance[kCovariances] = {};  // upper triangle, row by row, in the units of the states
   bool with_swing = false;              // an oscillation is estimated
+  // Log-likelihood of the measurements, weighted exponentially over about 100 of them, without the
+  // terms that are the same for all filters; see count().
+  float likelihood = 0.0f;
 };
 
 // Index of the covariance of states i and j in GridFilter::covariance.
@@ -48,8 +51,8 @@ struct ProcessNoise {
 void start(const Response& response, GridFilter& filter, float phase_cycles, float deviation_hz);
 
 // Adds an oscillation of unknown phase near `omega_rad_s`, in place of one that was there. Standard
-// deviations: 0.1 Hz of its amplitude, 15 % of Ω. The estimate of Ω stays within 2π · 0.08 … 1.2
-// Hz.
+// deviations: 0.05 Hz of its amplitude, 15 % of Ω. The estimate of Ω stays within 2π · 0.08 … 1.2
+// Hz. The phase of the voltage does not jump when an oscillation begins: take_phase() must follow.
 void add_swing(GridFilter& filter, float omega_rad_s);
 void remove_swing(GridFilter& filter);
 
@@ -69,6 +72,14 @@ struct Innovation {
 // Updates the state with a measured phase, cycles; whole cycles do not matter. `phase_variance` >
 // 0, cycles².
 Innovation correct(GridFilter& filter, float phase_cycles, float phase_variance);
+
+// Counts the innovation of a measurement in the likelihood. Not needed for a filter that is not
+// compared with others.
+void count(GridFilter& filter, const Innovation& innovation);
+
+// Adds the uncertainty of a change of p in one of the last `steps` steps, with a variance of
+// `loss_mw2` in each: of p, and of what p has moved since then.
+void open_loss(const GridStep& step, GridFilter& filter, float loss_mw2, int steps);
 
 // Sets φ from a measured phase and leaves all other states unchanged. For the first measurement,
 // and for the one after a gap in which the phase may have jumped.

@@ -67,8 +67,9 @@ struct GridFollower {
   SwingBank bank;
   PhaseMeasurement bank_measurement;       // of the newest report, for the bank
   std::uint8_t bank_next = kSwingFilters;  // index of its next filter; kSwingFilters: all are done
-  // Onsets since the bank was started; while `filter` has an oscillation, since the present period
-  // of 6.4 s began.
+  bool bank_starts = false;      // the next follow_swing() starts it from its first filter,
+  std::uint8_t bank_behind = 0;  // which is as many reports behind the newest one
+  // While `filter` has an oscillation: onsets since the present period of 6.4 s began.
   std::uint8_t onsets = 0;
   std::uint16_t since_swing = 0;  // with an oscillation: reports since it was added, modulo 2¹⁶
 };
@@ -93,9 +94,9 @@ struct Followed {
 Followed follow(const FollowerSettings& settings, GridFollower& follower, float phase_cycles,
                 float amplitude, bool measured, float deviation_hz);
 
-// Work that is spread over the time between two reports. Moves the next filters of the bank by the
-// newest report, at most `filters`. All must be moved before the next follow(). If `filters` > 0,
-// the rival also processes the next two reports of an onset; follow() processes what is left.
+// Work that is spread over the time between two reports. Starts the bank, or moves its next filters
+// by the newest report, at most `filters`. All must be moved before the next follow(). If `filters`
+// > 0, the rival also processes the next two reports of an onset; follow() processes what is left.
 void follow_swing(const FollowerSettings& settings, GridFollower& follower, int filters);
 
 }  // namespace gs::outlet

@@ -1,7 +1,7 @@
 // Detects an inter-area oscillation of 0.1 … 1 Hz that is superposed on the grid's frequency. Eight
 // filters process the same measurements; each one starts at another frequency of the oscillation.
-// After one period of the oscillation (at least 1.44 s) one of the filters has converged to it, and
-// the follower may continue with it.
+// Some tenths of a period after its beginning, one of the filters has converged to the oscillation,
+// and the follower may continue with it.
 #pragma once
 
 #include <outlet/grid_filter.hpp>
@@ -12,19 +12,11 @@ constexpr int kSwingFilters = 8;
 
 struct SwingBank {
   GridFilter filters[kSwingFilters];
-  // Log-likelihood of each filter, weighted exponentially over about 100 measurements, without the
-  // terms that are the same for all filters.
-  float likelihood[kSwingFilters] = {};
-  // Mean of the squares of the normalised innovations, weighted exponentially over about 33
-  // measurements from 0 on; 1 if they fit.
-  float innovation_squares[kSwingFilters] = {};
+  // Sums of the normalised innovations of each filter, weighted exponentially over about five
+  // measurements.
+  float innovation_sums[kSwingFilters] = {};
   std::uint16_t age = 0;  // reports since the start, up to 65535
 };
-
-// Starts all filters in equilibrium at a measured phase (cycles, variance in cycles²) and at
-// `deviation_hz` from nominal.
-void start(const Response& response, SwingBank& bank, float phase_cycles, float phase_variance,
-           float deviation_hz);
 
 // The phase in one report.
 struct PhaseMeasurement {
@@ -34,14 +26,35 @@ struct PhaseMeasurement {
   bool after_gap = false;     // the first one after a disturbance: the phase may have jumped
 };
 
-// Moves filter `number`, 0 … kSwingFilters − 1, by one report. To spread the work, the filters may
-// be moved one at a time, in ascending order. All must be moved before the next report.
-void follow(const GridStep& step, SwingBank& bank, int number, float loss_noise_mw2,
-            const PhaseMeasurement& measurement);
+// Starts all filters with the grid's state of `bank.filters[0]` at the time of `m`, each with an
+// oscillation of another frequency that begins now.
+void start(SwingBank& bank, const PhaseMeasurement& m);
 
-// The most likely filter, if its oscillation is established; otherwise nullptr. It is established
-// if its amplitude is significant (above 12 mHz and six standard deviations), at least one of its
-// periods and 1.44 s have passed since the start, and its innovations fit.
-const GridFilter* established(const SwingBank& bank);
+// Variances that a step adds to p, MW²: in general, and when p changes.
+struct LossNoise {
+  float steady = 0.0f;
+  float onset = 0.0f;
+};
+
+// Moves filter `number`, 0 … kSwingFilters − 1, by one report. To spread the work, the filters may
+// be moved one at a time, in ascending order. All must be moved before the next report. A filter
+// whose innovations do not fit assumes that p has changed in the last kOnsetMeasurements reports.
+constexpr int kOnsetMeasurements = 7;
+void follow(const GridStep& step, SwingBank& bank, int number, const LossNoise& noise,
+            const PhaseMeasurement& m);
+
+const GridFilter& likeliest(const SwingBank& bank);
+
+// The likeliest filter, if its oscillation is established; otherwise nullptr. It is established if
+// its amplitude is between 12 mHz (and six standard deviations) and 80 mHz, at least 0.35 of its
+// periods have passed since the start, and it is clearly likelier than the filter without an
+// oscillation, whose likelihood is given.
+const GridFilter* established(const SwingBank& bank, float likelihood_without);
+
+// An onset is rare, so that it makes a filter less likely by this, whether or not its innovations
+// fit afterwards. In a filter of the bank it costs more: a filter with an oscillation that needs
+// onsets, too, fits almost anything.
+constexpr float kOnsetPenalty = 20.0f;
+constexpr float kSwingOnsetPenalty = 32.0f;
 
 }  // namespace gs::outlet
