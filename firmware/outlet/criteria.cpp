@@ -138,6 +138,9 @@ void decide_by_grid_state(const Config& config, State& state, const Followed& fo
     }
     return;
   }
+  if (is_behind(follower)) {
+    return;
+  }
   const bool sure = is_sure(settings, followed.loss_sigma_mw);
   const int due = settings.decision_reports + (sure ? 0 : kLatestReports);
   const bool is_due = follower.since_change >= due;

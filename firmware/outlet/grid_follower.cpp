@@ -42,7 +42,8 @@ constexpr float kRivalSumSigmas = 4.0f;
 constexpr float kRivalSquaresSigmas = 4.0f;
 constexpr float kRivalSquaresMargin = 6.0f;
 constexpr int kRivalReports = 16;
-constexpr std::uint32_t kCaughtUpAtOnce = 2;
+constexpr int kCaughtUpAtOnce = 2;
+constexpr int kBankReportsAtOnce = 4;
 
 // A change of the lost power is significant if it exceeds both limits, between kSignificantReports
 // and kAnnouncedWithin reports after the newest onset was found.
@@ -105,24 +106,21 @@ void take(const FollowerSettings& settings, GridFollower& f, std::uint32_t numbe
   FollowedReport& report = at(f, number);
   predict(settings.step, f.filter,
           {0.0f, loss_noise_mw2(settings, report.onset ? kOnsetLossNoise : kLossNoise)});
-  report.innovation = correct_by(f.filter, report.measurement);
+  const float innovation = correct_by(f.filter, report.measurement);
+  report.innovation = report.onset ? 0.0f : innovation;
+  f.next = number + 1;
 }
 
-// Restores the filter's state before report `number`, or before the earliest later one whose state
-// can be restored. Returns the number of that report.
-std::uint32_t go_back(const FollowerSettings& settings, GridFollower& f, std::uint32_t number) {
+// Restores the filter's state before report `number`, or before the nearest one whose state was
+// kept. catch_up() processes the reports from there on again.
+void go_back(GridFollower& f, std::uint32_t number) {
   constexpr std::uint32_t kSpacing = kFollowedReports / kKeptFilters;
   number = number > f.oldest ? number : f.oldest;
-  std::uint32_t from = number / kSpacing * kSpacing;
-  if (from < f.oldest) {
-    from += kSpacing;
-    number = from;
+  f.next = number / kSpacing * kSpacing;
+  if (f.next < f.oldest) {
+    f.next += kSpacing;
   }
-  f.filter = f.kept[from / kSpacing % kKeptFilters];
-  for (; from < number; ++from) {
-    take(settings, f, from);
-  }
-  return number;
+  f.filter = f.kept[f.next / kSpacing % kKeptFilters];
 }
 
 float nominal_phase_variance(const FollowerSettings& settings) {
@@ -154,7 +152,7 @@ void measure_noise(GridFollower& f, std::uint32_t now) {
   f.noise_squares += kNoiseMemory * (limited - f.noise_squares);
 }
 
-// follow_swing() starts the bank from a filter that is `behind` reports behind the newest one.
+// start_bank() continues with it. `from` is `behind` reports behind the newest one.
 void restart_bank(GridFollower& f, const GridFilter& from, std::uint32_t behind) {
   f.bank.filters[0] = from;
   f.bank_behind = static_cast<std::uint8_t>(behind);
@@ -174,6 +172,7 @@ void begin(const FollowerSettings& settings, GridFollower& f, const PhaseMeasure
 void continue_with(GridFollower& f, const GridFilter& filter) {
   f.filter = filter;
   f.oldest = f.count;
+  f.next = f.count;
   f.rival_lives = false;
   f.announced = true;
   for (FollowedReport& report : f.reports) {
@@ -222,32 +221,36 @@ std::uint32_t first_of_onset(GridFollower& f) {
   return f.count - static_cast<std::uint32_t>(length);
 }
 
-// The rival processes the reports of the onset afterwards, by catch_up().
-void start_rival(GridFollower& f, std::uint32_t first) {
+void start_rival(GridFollower& f) {
   f.rival = f.filter;
-  f.rival_next = first;
+  f.rival_next = f.next;
   f.rival_lives = true;
   f.rival_reports = 0;
   f.rival_sum = 0.0f;
   f.rival_squares = 0.0f;
 }
 
-// The rival processes at most `reports` of those that it has missed.
-void catch_up(const FollowerSettings& settings, GridFollower& f, std::uint32_t reports) {
-  for (; f.rival_lives && reports > 0 && f.rival_next < f.count; --reports) {
+// The filter and the rival process at most `reports` each of those that they must process again.
+void catch_up(const FollowerSettings& settings, GridFollower& f, int reports) {
+  for (int i = 0; i < reports && is_behind(f); ++i) {
+    take(settings, f, f.next);
+  }
+  for (int i = 0; i < reports && f.rival_lives && f.rival_next < f.count; ++i) {
     predict(settings.step, f.rival,
             {square(kFreePhase_cycles), loss_noise_mw2(settings, kLossNoise)});
     correct_by(f.rival, at(f, f.rival_next++).measurement);
   }
 }
 
-// Begins an onset: processes the last reports again, with a large process noise of the lost power.
-void open(const FollowerSettings& settings, GridFollower& f) {
+// Begins an onset: the last reports are processed again, with a large process noise of the lost
+// power.
+void open(GridFollower& f) {
   const bool settled = f.count >= f.oldest + kSettledReports;
-  const std::uint32_t first = go_back(settings, f, first_of_onset(f));
+  const std::uint32_t first = first_of_onset(f);
+  go_back(f, first);
   if (!f.filter.with_swing && settled && f.since_onset > kReportsOfSwing &&
       f.filter.likelihood >= likeliest(f.bank).likelihood) {
-    restart_bank(f, f.filter, f.count - first);
+    restart_bank(f, f.filter, f.count - f.next);
   }
   f.filter.likelihood -= kOnsetPenalty;
   if (f.announced) {
@@ -260,15 +263,36 @@ void open(const FollowerSettings& settings, GridFollower& f) {
     f.decided = false;
   }
   if (!f.rival_lives) {
-    start_rival(f, first);
+    start_rival(f);
   }
   for (std::uint32_t i = first; i < f.count; ++i) {
     at(f, i).onset = true;
-    take(settings, f, i);
-    at(f, i).innovation = 0.0f;
   }
   f.since_onset = 0;
   f.onsets = static_cast<std::uint8_t>(f.onsets < 0xFF ? f.onsets + 1 : 0xFF);
+}
+
+// The voltage is found to be disturbed: its last measurements before may be wrong.
+void discard_spoiled(GridFollower& f) {
+  const std::uint32_t first = f.count - 1 - kSpoiledMeasurements;
+  for (std::uint32_t i = first; i < f.count; ++i) {
+    at(f, i).measurement.measured = false;
+  }
+  go_back(f, first);
+}
+
+// Moves the bank's first filter by at most kBankReportsAtOnce of the reports that it is behind, and
+// then starts the bank from it.
+void start_bank(const FollowerSettings& settings, GridFollower& f) {
+  for (int i = 0; i < kBankReportsAtOnce && f.bank_behind > 0; ++i) {
+    predict(settings.step, f.bank.filters[0], {0.0f, loss_noise_mw2(settings, kLossNoise)});
+    --f.bank_behind;
+  }
+  if (f.bank_behind == 0) {
+    start(f.bank, f.bank_measurement);
+    f.bank_starts = false;
+    f.bank_next = kSwingFilters;
+  }
 }
 
 // Processes the newest report by the rival. It may fail, which confirms the onset, or replace the
@@ -346,6 +370,7 @@ void clear(GridFollower& f) {
     report = FollowedReport{};
   }
   f.count = 0;
+  f.next = 0;
   f.oldest = 0;
   f.gap = 0;
   f.noise_squares = 0.0f;
@@ -361,6 +386,7 @@ void clear(GridFollower& f) {
   f.changed = false;
   f.decided = false;
   f.announced = true;
+  f.parts = 0;
   f.bank_next = kSwingFilters;
   f.bank_starts = false;
   f.bank_behind = 0;
@@ -379,7 +405,8 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   if (f.count == 0 && !measured) {
     return {};
   }
-  catch_up(settings, f, kFollowedReports);
+  follow_up(settings, f, kReportParts);
+  f.parts = 0;
   if (f.count == 0) {
     begin(settings, f, m, deviation_hz);
   } else {
@@ -389,16 +416,7 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   at(f, now) = FollowedReport{};
   at(f, now).measurement = m;
   measure_noise(f, now);
-  if (!measured && f.gap == 0 && now >= f.oldest + kLeastHistory) {
-    for (std::uint32_t age = 1; age <= kSpoiledMeasurements; ++age) {
-      at(f, now - age).measurement.measured = false;
-    }
-    for (std::uint32_t i = go_back(settings, f, now - kSpoiledMeasurements); i <= now; ++i) {
-      take(settings, f, i);
-    }
-  } else {
-    take(settings, f, now);
-  }
+  take(settings, f, now);
   if (measured) {
     f.gap = 0;
   } else {
@@ -417,36 +435,29 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   if (f.rival_lives) {
     follow_rival(settings, f, m);
   }
-  if (measured && onset_found(f)) {
-    open(settings, f);
-  }
   Followed result;
   result.valid = true;
   result.state = {f.filter.x[kDeviation], f.filter.x[kUnloadedRocof], f.filter.x[kLoss]};
   result.loss_sigma_mw = root(variance(f.filter, kLoss));
+  if (measured && onset_found(f)) {
+    open(f);
+  } else if (!measured && f.gap == 1 && now >= f.oldest + kLeastHistory) {
+    discard_spoiled(f);
+  }
   result.significant = becomes_significant(settings, f);
   return result;
 }
 
-void follow_swing(const FollowerSettings& settings, GridFollower& f, int filters) {
-  if (filters > 0) {
+void follow_up(const FollowerSettings& settings, GridFollower& f, int due) {
+  for (; f.parts < due; ++f.parts) {
     catch_up(settings, f, kCaughtUpAtOnce);
-  }
-  const LossNoise noise = {loss_noise_mw2(settings, kLossNoise),
-                           loss_noise_mw2(settings, kOnsetLossNoise)};
-  if (filters > 0 && f.bank_starts) {
-    for (; f.bank_behind > 0; --f.bank_behind) {
-      predict(settings.step, f.bank.filters[0], {0.0f, noise.steady});
+    if (f.bank_starts) {
+      start_bank(settings, f);
+    } else if (f.bank_next < kSwingFilters && !f.filter.with_swing) {
+      follow(settings.step, f.bank, f.bank_next++,
+             {loss_noise_mw2(settings, kLossNoise), loss_noise_mw2(settings, kOnsetLossNoise)},
+             f.bank_measurement);
     }
-    start(f.bank, f.bank_measurement);
-    f.bank_starts = false;
-    f.bank_next = kSwingFilters;
-  }
-  for (; filters > 0 && f.bank_next < kSwingFilters; --filters) {
-    if (!f.filter.with_swing) {
-      follow(settings.step, f.bank, f.bank_next, noise, f.bank_measurement);
-    }
-    ++f.bank_next;
   }
 }
 

@@ -123,9 +123,7 @@ std::size_t step(const Config& config, State& state, const std::int16_t* samples
                  Report& report, bool& ready) {
   const std::size_t taken = feed(config.front_end, state.front_end, samples, count, ready);
   if (config.has_settings && config.settings.method == kByGridState) {
-    // One filter of the bank in each millisecond; those that are left, before the next report.
-    follow_swing(config.follower, state.follower,
-                 ready ? kSwingFilters : state.front_end.subsum - state.follower.bank_next);
+    follow_up(config.follower, state.follower, ready ? kReportParts : state.front_end.subsum);
   }
   if (!ready) {
     return taken;

@@ -42,6 +42,7 @@ struct GridFollower {
   GridFilter kept[kKeptFilters];  // ring: the filter before report n, at n/4 % kKeptFilters
   std::uint32_t count = 0;        // reports since the start; number of the next one
   std::uint32_t oldest = 0;       // number of the first report that `filter` has processed
+  std::uint32_t next = 0;         // number of its next report; behind `count` after an onset
   std::uint16_t gap = 0;          // successive newest reports without a measurement
   float noise_squares = 0.0f;     // running mean of the phases' squared third differences, cycles²
   std::uint16_t since_onset = 0xFFFF;  // reports since the newest onset was found
@@ -64,11 +65,14 @@ struct GridFollower {
   bool changed = false;   // an onset is confirmed; the outlet clears it with the last decision
   bool announced = true;  // no change waits to be reported as Followed::significant
 
+  // For follow_up().
+  std::uint8_t parts = 0;  // that are done since the newest report
   SwingBank bank;
   PhaseMeasurement bank_measurement;       // of the newest report, for the bank
   std::uint8_t bank_next = kSwingFilters;  // index of its next filter; kSwingFilters: all are done
-  bool bank_starts = false;      // the next follow_swing() starts it from its first filter,
-  std::uint8_t bank_behind = 0;  // which is as many reports behind the newest one
+  bool bank_starts = false;                // the bank is to be started from its first filter,
+  std::uint8_t bank_behind = 0;            // which is as many reports behind the newest one
+
   // While `filter` has an oscillation: onsets since the present period of 6.4 s began.
   std::uint8_t onsets = 0;
   std::uint16_t since_swing = 0;  // with an oscillation: reports since it was added, modulo 2¹⁶
@@ -94,9 +98,16 @@ struct Followed {
 Followed follow(const FollowerSettings& settings, GridFollower& follower, float phase_cycles,
                 float amplitude, bool measured, float deviation_hz);
 
-// Work that is spread over the time between two reports. Starts the bank, or moves its next filters
-// by the newest report, at most `filters`. All must be moved before the next follow(). If `filters`
-// > 0, the rival also processes the next two reports of an onset; follow() processes what is left.
-void follow_swing(const FollowerSettings& settings, GridFollower& follower, int filters);
+// True if reports are to be processed again, since an onset or a disturbance was found in the
+// newest one. Its state does not take account of that yet.
+inline bool is_behind(const GridFollower& follower) {
+  return follower.next < follower.count;
+}
+
+// Work that is spread over the time between two reports, in kReportParts parts: the filters of the
+// bank, and reports that are to be processed again. Does what is left of the first `due` parts.
+// follow() does the rest.
+constexpr int kReportParts = 16;
+void follow_up(const FollowerSettings& settings, GridFollower& follower, int due);
 
 }  // namespace gs::outlet

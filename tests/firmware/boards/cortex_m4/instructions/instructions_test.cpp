@@ -188,8 +188,9 @@ TEST_P(InstructionsPerSample, AreWithinTheirBudgetsAndTheFramesAreThoseOfThisMac
 INSTANTIATE_TEST_SUITE_P(Profiles, InstructionsPerSample,
                          testing::Values("paper/loss-500mw",
                                          "cascades/two-losses-half-a-second-apart",
-                                         "cascades/oscillation-then-loss",
-                                         "cascades/dip-at-the-loss"),
+                                         "cascades/slow-oscillation-then-loss",
+                                         "cascades/ramp-of-five-seconds",
+                                         "cascades/deep-dip-at-the-loss"),
                          [](const auto& profile) {
                            std::string name = profile.param;
                            name = name.substr(name.find('/') + 1);
