@@ -122,10 +122,10 @@ bool more_is_lost(const Settings& settings, State& state, const Followed& follow
 // Criterion (1) by the grid's state. The sum of what is required now to keep the nadir at f_s, and
 // of what was shed after earlier decisions, is compared with P^A.
 //
-// A decision is due decision_reports after the first onset of a change, if the estimate is sure. It
-// is the last one of the change if no onset was found in that time. Otherwise power is still being
-// lost, or the voltage was disturbed, and the next decision follows after as many reports, in which
-// the shed load has become visible.
+// A decision is due decision_reports after the first onset of a change, if the estimate is sure; or
+// a report later, if the last reports are processed again. It is the last one of the change if no
+// onset was found in that time. Otherwise power is still being lost, or the voltage was disturbed,
+// and the next decision follows after as many reports, in which the shed load has become visible.
 void decide_by_grid_state(const Config& config, State& state, const Followed& followed,
                           Report& report) {
   GridFollower& follower = state.follower;
@@ -239,9 +239,10 @@ void note_estimate(const Settings& settings, const State& state, const Followed&
                    Report& report) {
   report.loss_mw = followed.state.loss_mw;
   report.loss_sigma_mw = followed.loss_sigma_mw;
-  report.trust = !state.follower.changed                     ? Trust::kNotYet
-                 : is_sure(settings, followed.loss_sigma_mw) ? Trust::kTrusted
-                                                             : Trust::kUncertain;
+  const bool sure = !is_behind(state.follower) && is_sure(settings, followed.loss_sigma_mw);
+  report.trust = !state.follower.changed ? Trust::kNotYet
+                 : sure                  ? Trust::kTrusted
+                                         : Trust::kUncertain;
   if (state.phase == Phase::kEstimating && followed.valid) {
     report.happened |= kEstimate;
   }
@@ -253,6 +254,9 @@ void act(const Config& config, State& state, const Phasor& z, Report& report) {
   const Settings& settings = config.settings;
   const bool valid = report.measurement.validity == Validity::kValid;
   const bool by_state = settings.method == kByGridState;
+  if (!by_state && state.follower.count > 0) {
+    clear(state.follower);
+  }
   watch_voltage(state, valid);
   switch (run(settings, state.relay, report.measurement.frequency_hz)) {
     case RelayChange::kNone:

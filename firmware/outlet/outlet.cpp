@@ -44,7 +44,9 @@ void put_in_force(Config& config, const Settings& settings) {
 }
 
 bool event_under_way(const State& state) {
-  return state.phase == Phase::kEstimating || state.follower.changed;
+  const GridFollower& follower = state.follower;
+  return state.phase == Phase::kEstimating || follower.changed || follower.rival_lives ||
+         is_behind(follower);
 }
 
 }  // namespace

@@ -9,14 +9,15 @@ constexpr float kStart_hz[kSwingFilters] = {0.10f, 0.14f, 0.20f, 0.28f, 0.40f, 0
 // What remains of the older innovations in a sum, and the variance of such a sum if they fit.
 constexpr float kKeptInnovations = 0.8f;
 constexpr float kSumVariance = 1.0f / (1.0f - kKeptInnovations * kKeptInnovations);
-constexpr float kOnsetSigmas = 3.5f;
+constexpr float kSumSigmas = 3.5f;
 
 // Limits of an established oscillation: amplitude, also in its standard deviations; periods since
 // the start; difference of the likelihoods with and without it.
-constexpr float kSignificant_hz = 0.012f;
-constexpr float kSignificantSigmas = 6.0f;
+constexpr float kSmallest_hz = 0.012f;
+constexpr float kAmplitudeSigmas = 6.0f;
 constexpr float kLargest_hz = 0.080f;
 constexpr float kLeastPeriods = 0.35f;
+constexpr float kMostPeriods = 0.9f;
 constexpr float kLikelier = 32.0f;
 
 }  // namespace
@@ -44,7 +45,7 @@ void follow(const GridStep& step, SwingBank& bank, int number, const LossNoise& 
     count(filter, innovation);
     sum = kKeptInnovations * sum + innovation.normalised;
   }
-  if (sum * sum > kOnsetSigmas * kOnsetSigmas * kSumVariance) {
+  if (sum * sum > kSumSigmas * kSumSigmas * kSumVariance) {
     open_loss(step, filter, noise.onset, kOnsetMeasurements);
     filter.likelihood -= kSwingOnsetPenalty;
     sum = 0.0f;
@@ -66,9 +67,9 @@ const GridFilter* established(const SwingBank& bank, float likelihood_without) {
   const GridFilter& filter = likeliest(bank);
   const float periods = kReport_s * static_cast<float>(bank.age) * filter.x[kSwingOmega] / kTwoPi;
   const float amplitude_hz = swing_hz(filter);
-  const bool explains = periods > kLeastPeriods && amplitude_hz > kSignificant_hz &&
-                        amplitude_hz < kLargest_hz &&
-                        amplitude_hz > kSignificantSigmas * swing_sigma_hz(filter) &&
+  const bool explains = periods > kLeastPeriods && periods < kMostPeriods &&
+                        amplitude_hz > kSmallest_hz && amplitude_hz < kLargest_hz &&
+                        amplitude_hz > kAmplitudeSigmas * swing_sigma_hz(filter) &&
                         filter.likelihood > likelihood_without + kLikelier;
   return explains ? &filter : nullptr;
 }

@@ -144,7 +144,7 @@ TEST(Decision, WithoutSettingsItMeasuresButDecidesNothing) {
 // As a control centre does that sends settings every 15 minutes.
 TEST(Decision, OfAnEventUnderWayIsMadeWithTheSettingsThatItBeganWith) {
   for (const std::uint8_t method : {kByPaper, kByGridState}) {
-    for (const double after_loss_s : {0.3, 0.6}) {
+    for (const double after_loss_s : {0.15, 0.3, 0.6}) {
       Settings settings = test::ieee24_settings();
       settings.method = method;
       test::PlayedOutlet outlet({test::loss_of(500.0, kLoss_s)}, settings);
@@ -169,6 +169,27 @@ TEST(Decision, OfAnEventUnderWayIsMadeWithTheSettingsThatItBeganWith) {
       EXPECT_EQ(outlet.config.settings.version, 2U) << "the new ones follow";
     }
   }
+}
+
+// The follower has not seen the frequency that changed meanwhile.
+TEST(Decision, ByTheGridsStateMayBeSwitchedOffForSomeTime) {
+  Settings settings = test::ieee24_settings();
+  test::PlayedOutlet outlet({test::ramp(49.85, 50.2, 2.5, 0.2)}, settings);
+  Reports reports;
+  outlet.play(9.0, [&](const Report& report) {
+    const std::uint8_t method =
+        test::report_s(report) > 2.0 && test::report_s(report) < 6.0 ? kByPaper : kByGridState;
+    if (method != settings.method) {
+      settings.method = method;
+      ++settings.version;
+      ASSERT_EQ(apply(outlet.config, outlet.state, settings), SettingsError::kNone);
+      ASSERT_EQ(outlet.config.settings.version, settings.version);
+    }
+    reports.push_back(report);
+  });
+  EXPECT_EQ(settings.version, 3U);
+  EXPECT_EQ(count_of(reports, kEvent), 0);
+  EXPECT_GT(reports.back().loss_sigma_mw, 0.0F) << "the follower has started again";
 }
 
 // 25 ms of samples are missing: a phase step for a tracker that is not restarted.

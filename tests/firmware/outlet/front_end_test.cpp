@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <outlet/front_end.hpp>
+#include <outlet/outlet.hpp>
+#include <waveform/oscillation.hpp>
 
 namespace gs::outlet {
 namespace {
@@ -97,29 +99,49 @@ std::vector<Report> reports_in_pieces(const test::MainsSpec& mains,
   return reports;
 }
 
-TEST(FrontEnd, ReportsDoNotDependOnTheSizesOfSampleBlocks) {
-  for (const std::int32_t rate : {1000, 4000, 8000, 32000}) {
-    const test::MainsSpec mains = {test::loss_of(600.0, 0.7), {}, 1.0, 1, rate};
-    const auto samples = test::Mains(mains).samples(0, 2 * static_cast<std::size_t>(rate));
-    const std::vector<Report> whole =
-        reports_in_pieces(mains, samples, [&] { return samples.size(); });
-    ASSERT_EQ(whole.size(), 125U);
-    EXPECT_TRUE(std::any_of(whole.begin(), whole.end(), [](const Report& report) {
-      return (report.happened & kDecision) != 0;
-    })) << "the samples must lead to a decision";
+void expect_same_for_all_block_sizes(const test::MainsSpec& mains, std::size_t duration_s) {
+  const auto rate = static_cast<std::size_t>(mains.sample_rate_hz);
+  const auto samples = test::Mains(mains).samples(0, duration_s * rate);
+  const std::vector<Report> whole =
+      reports_in_pieces(mains, samples, [&] { return samples.size(); });
+  ASSERT_EQ(whole.size(), duration_s * 1000 / 16);
+  EXPECT_TRUE(std::any_of(whole.begin(), whole.end(), [](const Report& report) {
+    return (report.happened & kDecision) != 0;
+  })) << "the samples must lead to a decision";
 
-    std::mt19937 generator(1);
-    const std::size_t per_report = static_cast<std::size_t>(rate) * 16 / 1000;
-    for (const std::size_t longest :
-         {std::size_t{1}, std::size_t{7}, per_report, per_report + 1, 5 * per_report}) {
-      const std::vector<Report> cut =
-          reports_in_pieces(mains, samples, [&] { return std::size_t{1} + generator() % longest; });
-      ASSERT_EQ(cut.size(), whole.size());
-      for (std::size_t i = 0; i < whole.size(); ++i) {
-        expect_same(cut[i], whole[i]);
-      }
+  std::mt19937 generator(1);
+  const std::size_t per_report = rate * 16 / 1000;
+  for (const std::size_t longest :
+       {std::size_t{1}, std::size_t{7}, per_report, per_report + 1, 5 * per_report}) {
+    const std::vector<Report> cut =
+        reports_in_pieces(mains, samples, [&] { return std::size_t{1} + generator() % longest; });
+    ASSERT_EQ(cut.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      expect_same(cut[i], whole[i]);
     }
   }
+}
+
+TEST(FrontEnd, ReportsDoNotDependOnTheSizesOfSampleBlocks) {
+  for (const std::int32_t rate : {1000, 4000, 8000, 32000}) {
+    expect_same_for_all_block_sizes({test::loss_of(600.0, 0.7), {}, 1.0, 1, rate}, 2);
+  }
+}
+
+// A dip and an oscillation cause work that is spread over the time between two reports.
+TEST(FrontEnd, ReportsDoNotDependOnTheSizesOfSampleBlocksInAnOscillation) {
+  gsbench::waveform::Oscillation oscillation;
+  oscillation.at_s = 2.0;
+  oscillation.frequency_hz = 0.6;
+  oscillation.amplitude_hz = 0.04;
+  test::MainsSpec mains;
+  mains.reference = gsbench::waveform::with_oscillations(
+      gsbench::waveform::reference_from_losses(gsbench::grid::SfrModel(test::ieee24()),
+                                               {{5.0, 600.0}}),
+      {oscillation});
+  mains.signal.amplitude_steps = {{3.0, 0.1, 40.0}, {5.3, 0.1, 40.0}};
+  mains.noise_pct = 1.0;
+  expect_same_for_all_block_sizes(mains, 8);
 }
 
 // ---- The filter, measured with tones.

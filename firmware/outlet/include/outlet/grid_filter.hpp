@@ -77,8 +77,8 @@ Innovation correct(GridFilter& filter, float phase_cycles, float phase_variance)
 // compared with others.
 void count(GridFilter& filter, const Innovation& innovation);
 
-// Adds the uncertainty of a change of p in one of the last `steps` steps, with a variance of
-// `loss_mw2` in each: of p, and of what p has moved since then.
+// Adds to the covariances what independent changes of p in each of the last `steps` steps would
+// have caused by now, each with a variance of `loss_mw2`.
 void open_loss(const GridStep& step, GridFilter& filter, float loss_mw2, int steps);
 
 // Sets φ from a measured phase and leaves all other states unchanged. For the first measurement,

@@ -3,13 +3,17 @@
 // disturbances of the voltage and an inter-area oscillation.
 //
 // The filter assumes that the lost power is nearly constant. An onset is the report in which its
-// innovations show that this is wrong. The filter then goes back by seven measurements and
-// processes them again, with a large process noise of the lost power.
+// innovations show that this is wrong. The filter then goes back by seven measurements, and up to
+// three reports more, and processes them again with a large process noise of the lost power. That
+// work is spread over the time to the next report.
 //
 // A phase step of the voltage causes an onset, too. A rival filter therefore processes the same
 // measurements with a large process noise of the phase instead. If its innovations fit for sixteen
 // measurements (a quarter of a second), only the phase has changed, and the rival replaces the
 // filter. If they do not, the onset is confirmed.
+//
+// An oscillation causes onsets, too. The bank starts at the first of them. The follower continues
+// with one of its filters if that is clearly likelier.
 #pragma once
 
 #include <outlet/swing_bank.hpp>
@@ -42,7 +46,7 @@ struct GridFollower {
   GridFilter kept[kKeptFilters];  // ring: the filter before report n, at n/4 % kKeptFilters
   std::uint32_t count = 0;        // reports since the start; number of the next one
   std::uint32_t oldest = 0;       // number of the first report that `filter` has processed
-  std::uint32_t next = 0;         // number of its next report; behind `count` after an onset
+  std::uint32_t next = 0;         // number of its next report; see is_behind()
   std::uint16_t gap = 0;          // successive newest reports without a measurement
   float noise_squares = 0.0f;     // running mean of the phases' squared third differences, cycles²
   std::uint16_t since_onset = 0xFFFF;  // reports since the newest onset was found
@@ -57,7 +61,7 @@ struct GridFollower {
   GridFilter rival;
   std::uint32_t rival_next = 0;    // number of its next report; behind `count` after an onset
   bool rival_lives = false;        // it has neither failed nor replaced `filter`
-  std::uint8_t rival_reports = 0;  // measurements since the rival was started
+  std::uint8_t rival_reports = 0;  // its measurements since the onset was found
   float rival_sum = 0.0f;          // of its normalised innovations in these
   float rival_squares = 0.0f;      // of the squares of these innovations
 
@@ -78,8 +82,8 @@ struct GridFollower {
   std::uint16_t since_swing = 0;  // with an oscillation: reports since it was added, modulo 2¹⁶
 };
 
-// Forgets everything; the next measurement starts the follower. It sets field by field, because a
-// temporary GridFollower would not fit onto an outlet's stack.
+// Forgets everything; the next measurement starts the follower, and that starts the bank's filters.
+// It sets field by field, because a temporary GridFollower would not fit onto an outlet's stack.
 void clear(GridFollower& follower);
 
 struct Followed {
@@ -99,14 +103,14 @@ Followed follow(const FollowerSettings& settings, GridFollower& follower, float 
                 float amplitude, bool measured, float deviation_hz);
 
 // True if reports are to be processed again, since an onset or a disturbance was found in the
-// newest one. Its state does not take account of that yet.
+// newest one. Followed::state of that report does not take account of it yet.
 inline bool is_behind(const GridFollower& follower) {
   return follower.next < follower.count;
 }
 
 // Work that is spread over the time between two reports, in kReportParts parts: the filters of the
-// bank, and reports that are to be processed again. Does what is left of the first `due` parts.
-// follow() does the rest.
+// bank, and reports that are to be processed again. Does what is left of the first `due` parts, 0 …
+// kReportParts. The next follow() does what is left then.
 constexpr int kReportParts = 16;
 void follow_up(const FollowerSettings& settings, GridFollower& follower, int due);
 
