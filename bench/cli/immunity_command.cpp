@@ -65,8 +65,10 @@ void add_immunity(CommandLine& line) {
   add_with_default(command, "--noise", options.noise_pct, "PCT",
                    "White noise on each outlet's voltage, RMS, % of the nominal peak amplitude")
       ->check(number_between(0.0, immunity::kMostNoise_pct));
-  add_with_default(command, "--accumulated", options.accumulated_mw, "MW",
-                   "P^A of the outlets, MW; the outlet with the least trips first");
+  add_with_default(
+      command, "--accumulated", options.accumulated_mw, "MW",
+      "P^A of the outlets, MW, from 0 to a limit of the grid; the outlet with the least "
+      "trips first");
   add_seed(command, "--seed", options.seed, "Seed of all random values");
   CLI::Option* only =
       command.add_option("--case", arguments.only, "Play only the case of this number, from 0")
@@ -82,7 +84,7 @@ void add_immunity(CommandLine& line) {
           ->type_name("FILE")
           ->needs(only);
   add_page_options(command, arguments.output);
-  for (const char* const other : {"--output", "--json"}) {
+  for (const char* const other : {"--output", "--json", "--threads"}) {
     profile->excludes(command.get_option(other));
   }
   command.footer(

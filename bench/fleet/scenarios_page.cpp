@@ -68,9 +68,10 @@ struct Counts {
     ++(!judgement.passed ? not_judged : *judgement.passed ? passed : failed);
   }
   std::string text() const {
-    const std::string judged = passed + failed == 0
-                                   ? "no profile is judged"
-                                   : fmt::format("{} of {} profiles pass", passed, passed + failed);
+    if (passed + failed == 0) {
+      return "no profile is judged";
+    }
+    const std::string judged = fmt::format("{} of {} profiles pass", passed, passed + failed);
     return not_judged == 0 ? judged : fmt::format("{}; not judged: {}", judged, not_judged);
   }
 };

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -135,6 +136,11 @@ record::Page make_page(const grid::Grid& grid, const Options& options,
                  {fmt::format("{} of {} cases were played", result.all().cases, options.cases)}};
   }
   record::Page page = page_of(grid, options, judgement);
+  const auto without_case = std::count_if(result.kinds.begin(), result.kinds.end(),
+                                          [](const Count& kind) { return kind.cases == 0; });
+  if (without_case > 0) {
+    page.facts.emplace_back("kinds without a case", std::to_string(without_case));
+  }
   record::PageSection section;
   section.title = "Events and trips";
   section.id = "immunity";

@@ -60,7 +60,8 @@ TEST(ImmunityCommand, KindsWithoutACaseAreNotJudged) {
     EXPECT_TRUE(kinds[i]["verdict"].is_null()) << kinds[i];
   }
   const Outcome text = run_gsbench({"immunity", "--cases", "2"});
-  EXPECT_THAT(text.out, AllOf(ContainsRegex("\n  two dips .* PASS\n"),
+  EXPECT_THAT(text.out, AllOf(ContainsRegex("kinds without a case: 11\n"),
+                              ContainsRegex("\n  two dips .* PASS\n"),
                               ContainsRegex("\n  dip in two stages +0 +0 +– +– +0 +0 +–\n")));
 }
 
