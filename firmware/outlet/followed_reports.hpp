@@ -28,9 +28,6 @@ inline FollowedReport& at(GridFollower& f, std::uint32_t number) {
   return f.reports[number & (kFollowedReports - 1)];
 }
 
-// Returns the normalised innovation; 0 without a measurement, or if only the phase is taken.
-float correct_by(GridFilter& filter, const PhaseMeasurement& m);
-
 // Processes report `number`, the first time or again.
 void take(const FollowerSettings& settings, GridFollower& f, std::uint32_t number);
 

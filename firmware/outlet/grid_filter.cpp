@@ -189,16 +189,23 @@ void predict(const GridStep& step, GridFilter& f, const ProcessNoise& noise) {
   }
 }
 
-Innovation correct(GridFilter& f, float phase_cycles, float phase_variance) {
+float correct(GridFilter& f, const PhaseMeasurement& m) {
+  if (!m.measured) {
+    return 0.0f;
+  }
+  if (m.after_gap) {
+    take_phase(f, m);
+    return 0.0f;
+  }
   const int n = states_of(f);
-  float innovation = phase_cycles - f.x[kPhase] - f.x[kSwing];
+  float innovation = m.phase_cycles - f.x[kPhase] - f.x[kSwing];
   innovation -= nearest_whole(innovation);
   float with_measured[kFilterStates];  // covariance of each state with z; φ's are the first row
   for (int i = 0; i < n; ++i) {
     with_measured[i] = f.covariance[i] + (f.with_swing ? f.covariance[kWithSwing[i]] : 0.0f);
   }
   const float width =
-      with_measured[kPhase] + (f.with_swing ? with_measured[kSwing] : 0.0f) + phase_variance;
+      with_measured[kPhase] + (f.with_swing ? with_measured[kSwing] : 0.0f) + m.variance;
   const float inverse = 1.0f / width;
   float* row = f.covariance;
   for (int i = 0; i < n; ++i) {
@@ -214,13 +221,10 @@ Innovation correct(GridFilter& f, float phase_cycles, float phase_variance) {
   if (f.with_swing) {
     f.x[kSwingOmega] = bounded(f.x[kSwingOmega], kLowestOmega_rad_s, kHighestOmega_rad_s);
   }
-  return {innovation * root(inverse), width / phase_variance};
-}
-
-void count(GridFilter& f, const Innovation& innovation) {
-  f.likelihood =
-      kKeptLikelihood * f.likelihood -
-      0.5f * (innovation.normalised * innovation.normalised + logarithm(innovation.relative_width));
+  const float normalised = innovation * root(inverse);
+  f.likelihood = kKeptLikelihood * f.likelihood -
+                 0.5f * (normalised * normalised + logarithm(width / m.variance));
+  return normalised;
 }
 
 void open_loss(const GridStep& step, GridFilter& f, float loss_mw2, int steps) {
@@ -235,13 +239,13 @@ void open_loss(const GridStep& step, GridFilter& f, float loss_mw2, int steps) {
   }
 }
 
-void take_phase(GridFilter& f, float phase_cycles, float phase_variance) {
-  f.x[kPhase] = phase_cycles - f.x[kSwing];
+void take_phase(GridFilter& f, const PhaseMeasurement& m) {
+  f.x[kPhase] = m.phase_cycles - f.x[kSwing];
   // φ = z − a: the uncertainty of φ is that of a, plus the measurement's.
   for (int i = kDeviation; i < kFilterStates; ++i) {
     covariance(f, kPhase, i) = -covariance(f, kSwing, i);
   }
-  covariance(f, kPhase, kPhase) = variance(f, kSwing) + phase_variance;
+  covariance(f, kPhase, kPhase) = variance(f, kSwing) + m.variance;
 }
 
 }  // namespace gs::outlet

@@ -38,7 +38,7 @@ void begin(const FollowerSettings& settings, GridFollower& f, const PhaseMeasure
   clear(f);
   f.noise_squares = nominal_noise_squares(settings);
   start(settings.response, f.filter, m.phase_cycles, deviation_hz);
-  take_phase(f.filter, m.phase_cycles, m.variance);
+  take_phase(f.filter, m);
   restart_bank(f, f.filter, 0);
 }
 
@@ -85,7 +85,7 @@ void start_bank(const FollowerSettings& settings, GridFollower& f) {
     --f.bank_behind;
   }
   if (f.bank_behind == 0) {
-    start(f.bank, f.bank_measurement);
+    start(f.bank, at(f, f.count - 1).measurement);
     f.bank_starts = false;
     f.bank_next = kSwingFilters;
   }
@@ -155,7 +155,6 @@ Followed follow(const FollowerSettings& settings, GridFollower& f, float phase_c
   }
   count_up(f.since_onset);
   count_up(f.since_change);
-  f.bank_measurement = m;
   f.bank_next = 0;
   if (measured && f.bank.age >= kBankReports && !f.filter.with_swing) {
     GridFilter steady;
@@ -190,7 +189,7 @@ void follow_up(const FollowerSettings& settings, GridFollower& f, int due) {
     } else if (f.bank_next < kSwingFilters && !f.filter.with_swing) {
       follow(settings.step, f.bank, f.bank_next++,
              {loss_noise_mw2(settings, kLossNoise), loss_noise_mw2(settings, kOnsetLossNoise)},
-             f.bank_measurement);
+             at(f, f.count - 1).measurement);
     }
   }
 }

@@ -123,14 +123,14 @@ void catch_up_rival(const FollowerSettings& settings, GridFollower& f, int repor
     predict(
         settings.step, f.rival,
         {report.onset ? square(kFreePhase_cycles) : 0.0f, loss_noise_mw2(settings, kLossNoise)});
-    correct_by(f.rival, report.measurement);
+    correct(f.rival, report.measurement);
   }
 }
 
 void follow_rival(const FollowerSettings& settings, GridFollower& f, const PhaseMeasurement& m) {
   const float free_phase = f.since_onset <= kFreePhaseReports ? square(kFreePhase_cycles) : 0.0f;
   predict(settings.step, f.rival, {free_phase, loss_noise_mw2(settings, kLossNoise)});
-  const float innovation = correct_by(f.rival, m);
+  const float innovation = correct(f.rival, m);
   ++f.rival_next;
   if (!m.measured || m.after_gap) {
     return;

@@ -6,9 +6,10 @@
 
 namespace gs::outlet {
 
-// The most reports that are processed again.
+// The most reports of an onset, and the most that are processed again: from the last kept filter
+// on.
 constexpr int kLongestOnset = 20;
-constexpr int kMostBehind = kLongestOnset + kFollowedReports / kKeptFilters - 1;
+constexpr int kMostBehind = kLongestOnset + kReportsPerKept - 1;
 
 // Looks for an onset in the innovations of the newest reports.
 bool onset_found(GridFollower& f);

@@ -28,7 +28,7 @@ void start(SwingBank& bank, const PhaseMeasurement& m) {
     GridFilter& filter = bank.filters[i];
     filter = bank.filters[0];
     add_swing(filter, kTwoPi * kStart_hz[i]);
-    take_phase(filter, m.phase_cycles, m.variance);
+    take_phase(filter, m);
     bank.innovation_sums[i] = 0.0f;
   }
 }
@@ -38,12 +38,9 @@ void follow(const GridStep& step, SwingBank& bank, int number, const LossNoise& 
   GridFilter& filter = bank.filters[number];
   float& sum = bank.innovation_sums[number];
   predict(step, filter, {0.0f, noise.steady});
-  if (m.measured && m.after_gap) {
-    take_phase(filter, m.phase_cycles, m.variance);
-  } else if (m.measured) {
-    const Innovation innovation = correct(filter, m.phase_cycles, m.variance);
-    count(filter, innovation);
-    sum = kKeptInnovations * sum + innovation.normalised;
+  const float innovation = correct(filter, m);
+  if (m.measured && !m.after_gap) {
+    sum = kKeptInnovations * sum + innovation;
   }
   if (sum * sum > kSumSigmas * kSumSigmas * kSumVariance) {
     open_loss(step, filter, noise.onset, kOnsetMeasurements);

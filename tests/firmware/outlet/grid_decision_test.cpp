@@ -4,8 +4,6 @@
 #include <firmware_test/mains.hpp>
 #include <firmware_test/settings.hpp>
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include <outlet/outlet.hpp>
@@ -35,6 +33,11 @@ gsbench::waveform::Oscillation oscillation(double at_s, double frequency_hz, dou
   swing.amplitude_hz = amplitude_hz;
   swing.phase_deg = phase_deg;
   return swing;
+}
+
+Scenario within(const gsbench::waveform::Oscillation& oscillation, Scenario scenario) {
+  scenario.oscillation = oscillation;
+  return scenario;
 }
 
 gsbench::waveform::SignalSpec dip(double at_s, double duration_s, double level_pct) {
@@ -71,56 +74,20 @@ const Scenario kScenarios[] = {
     {"InterruptionWhileEstimating", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(3.3, 0.2, 0.0)},
     {"LossAfterAnInterruption", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(2.4, 0.2, 0.0)},
     {"LossAfterADip", {{3.0, 600.0}}, 7.0, 240.0F, 330.0F, 600.0, dip(2.53, 0.07, 40.0)},
-    {"Oscillation", {}, 8.0, 0.0F, 1.0F, 0.0, {}, oscillation(0.0, 0.4, 0.06)},
-    {"LossInAnOscillation",
-     {{7.0, 500.0}},
-     10.0,
-     130.0F,
-     200.0F,
-     0.0,
-     {},
-     oscillation(0.0, 0.4, 0.06)},
-    {"LossInASlowOscillation",
-     {{8.0, 500.0}},
-     11.0,
-     130.0F,
-     200.0F,
-     0.0,
-     {},
-     oscillation(0.0, 0.25, 0.06)},
-    {"LossInAFastOscillation",
-     {{7.0, 500.0}},
-     10.0,
-     130.0F,
-     200.0F,
-     0.0,
-     {},
-     oscillation(0.0, 0.8, 0.04)},
-    {"OscillationThatStarts", {}, 12.0, 0.0F, 1.0F, 0.0, {}, oscillation(3.0, 0.5, 0.06)},
-    {"OscillationThatStartsWithAStep",
-     {},
-     12.0,
-     0.0F,
-     1.0F,
-     0.0,
-     {},
-     oscillation(3.0, 0.3, 0.05, 90.0)},
-    {"LossAfterAnOscillationStarted",
-     {{5.0, 500.0}},
-     8.0,
-     130.0F,
-     200.0F,
-     500.0,
-     {},
-     oscillation(3.5, 0.6, 0.04)},
-    {"LossAfterAnOscillationStartedWithAStep",
-     {{5.0, 500.0}},
-     8.0,
-     130.0F,
-     200.0F,
-     500.0,
-     {},
-     oscillation(4.0, 0.7, 0.04, 180.0)},
+    within(oscillation(0.0, 0.4, 0.06), {"Oscillation", {}, 8.0, 0.0F, 1.0F}),
+    within(oscillation(0.0, 0.4, 0.06),
+           {"LossInAnOscillation", {{7.0, 500.0}}, 10.0, 130.0F, 200.0F}),
+    within(oscillation(0.0, 0.25, 0.06),
+           {"LossInASlowOscillation", {{8.0, 500.0}}, 11.0, 130.0F, 200.0F}),
+    within(oscillation(0.0, 0.8, 0.04),
+           {"LossInAFastOscillation", {{7.0, 500.0}}, 10.0, 130.0F, 200.0F}),
+    within(oscillation(3.0, 0.5, 0.06), {"OscillationThatStarts", {}, 12.0, 0.0F, 1.0F}),
+    within(oscillation(3.0, 0.3, 0.05, 90.0),
+           {"OscillationThatStartsWithAStep", {}, 12.0, 0.0F, 1.0F}),
+    within(oscillation(3.5, 0.6, 0.04),
+           {"LossAfterAnOscillationStarted", {{5.0, 500.0}}, 8.0, 130.0F, 200.0F, 500.0}),
+    within(oscillation(4.0, 0.7, 0.04, 180.0),
+           {"LossAfterAnOscillationStartedWithAStep", {{5.0, 500.0}}, 8.0, 130.0F, 200.0F, 500.0}),
 };
 
 void PrintTo(const Scenario& scenario, std::ostream* out) {

@@ -24,7 +24,7 @@ struct GridFilter {
   float covariance[kCovariances] = {};  // upper triangle, row by row, in the units of the states
   bool with_swing = false;              // an oscillation is estimated
   // Log-likelihood of the measurements, weighted exponentially over about 100 of them, without the
-  // terms that are the same for all filters; see count().
+  // terms that are the same for all filters.
   float likelihood = 0.0f;
 };
 
@@ -38,6 +38,14 @@ constexpr int covariance_index(int i, int j) {
 inline float variance(const GridFilter& filter, int state) {
   return filter.covariance[covariance_index(state, state)];
 }
+
+// The phase in one report.
+struct PhaseMeasurement {
+  float phase_cycles = 0.0f;  // relative to nominal; whole cycles do not matter
+  float variance = 0.0f;      // cycles², > 0 if measured
+  bool measured = false;      // false: the voltage was disturbed, and the phase is not used
+  bool after_gap = false;     // the first one after a disturbance: the phase may have jumped
+};
 
 // Variances that a step of 16 ms adds to φ and p. Those of the other states are constants.
 struct ProcessNoise {
@@ -64,18 +72,10 @@ float swing_sigma_hz(const GridFilter& filter);
 // One step of 16 ms. `step` is that of kReport_s.
 void predict(const GridStep& step, GridFilter& filter, const ProcessNoise& noise);
 
-struct Innovation {
-  float normalised = 0.0f;      // in its own standard deviations
-  float relative_width = 1.0f;  // its variance / that of the measurement
-};
-
-// Updates the state with a measured phase, cycles; whole cycles do not matter. `phase_variance` >
-// 0, cycles².
-Innovation correct(GridFilter& filter, float phase_cycles, float phase_variance);
-
-// Counts the innovation of a measurement in the likelihood. Not needed for a filter that is not
-// compared with others.
-void count(GridFilter& filter, const Innovation& innovation);
+// Updates the state with a measurement, and counts its innovation in the likelihood. The first
+// measurement after a gap only sets φ. Returns the innovation in its own standard deviations; 0
+// without a measurement, or if only φ was set.
+float correct(GridFilter& filter, const PhaseMeasurement& m);
 
 // Adds to the covariances what independent changes of p in each of the last `steps` steps would
 // have caused by now, each with a variance of `loss_mw2`.
@@ -83,6 +83,6 @@ void open_loss(const GridStep& step, GridFilter& filter, float loss_mw2, int ste
 
 // Sets φ from a measured phase and leaves all other states unchanged. For the first measurement,
 // and for the one after a gap in which the phase may have jumped.
-void take_phase(GridFilter& filter, float phase_cycles, float phase_variance);
+void take_phase(GridFilter& filter, const PhaseMeasurement& m);
 
 }  // namespace gs::outlet

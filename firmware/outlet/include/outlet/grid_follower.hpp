@@ -21,7 +21,8 @@
 namespace gs::outlet {
 
 constexpr int kFollowedReports = 32;  // a power of two
-constexpr int kKeptFilters = 8;       // one for every fourth report
+constexpr int kKeptFilters = 8;
+constexpr int kReportsPerKept = kFollowedReports / kKeptFilters;
 
 struct FollowerSettings {
   Response response;
@@ -43,12 +44,13 @@ struct FollowedReport {
 struct GridFollower {
   GridFilter filter;                         // after the newest report
   FollowedReport reports[kFollowedReports];  // ring: report n at n % kFollowedReports
-  GridFilter kept[kKeptFilters];  // ring: the filter before report n, at n/4 % kKeptFilters
-  std::uint32_t count = 0;        // reports since the start; number of the next one
-  std::uint32_t oldest = 0;       // number of the first report that `filter` has processed
-  std::uint32_t next = 0;         // number of its next report; see is_behind()
-  std::uint16_t gap = 0;          // successive newest reports without a measurement
-  float noise_squares = 0.0f;     // running mean of the phases' squared third differences, cycles²
+  // Ring: the filter before report n, at n / kReportsPerKept % kKeptFilters.
+  GridFilter kept[kKeptFilters];
+  std::uint32_t count = 0;     // reports since the start; number of the next one
+  std::uint32_t oldest = 0;    // number of the first report that `filter` has processed
+  std::uint32_t next = 0;      // number of its next report; see is_behind()
+  std::uint16_t gap = 0;       // successive newest reports without a measurement
+  float noise_squares = 0.0f;  // running mean of the phases' squared third differences, cycles²
   std::uint16_t since_onset = 0xFFFF;  // reports since the newest onset was found
   // Reports since the first onset of a change that is not decided completely, or since the newest
   // decision on it.
@@ -72,7 +74,6 @@ struct GridFollower {
   // For follow_up().
   std::uint8_t parts = 0;  // that are done since the newest report
   SwingBank bank;
-  PhaseMeasurement bank_measurement;       // of the newest report, for the bank
   std::uint8_t bank_next = kSwingFilters;  // index of its next filter; kSwingFilters: all are done
   bool bank_starts = false;                // the bank is to be started from its first filter,
   std::uint8_t bank_behind = 0;            // which is as many reports behind the newest one

@@ -19,18 +19,10 @@ struct SwingBank {
 };
 
 // An onset is rare, so that it makes a filter less likely by this, whether or not its innovations
-// fit afterwards. In a filter of the bank it costs more: with 20, one of 15 ramps of 0.3 to 3 s was
-// taken for an oscillation, with 32 none of 400.
+// fit afterwards. In a filter of the bank it costs more: otherwise, an oscillation with onsets is
+// likelier than a ramp of the lost power.
 constexpr float kOnsetPenalty = 20.0f;
 constexpr float kSwingOnsetPenalty = 32.0f;
-
-// The phase in one report.
-struct PhaseMeasurement {
-  float phase_cycles = 0.0f;  // relative to nominal
-  float variance = 0.0f;      // cycles², > 0 if measured
-  bool measured = false;      // false: the voltage was disturbed, and the phase is not used
-  bool after_gap = false;     // the first one after a disturbance: the phase may have jumped
-};
 
 // Starts all filters with the grid's state of `bank.filters[0]` at the time of `m`, each with an
 // oscillation of another frequency that begins now.
@@ -57,8 +49,8 @@ const GridFilter& likeliest(const SwingBank& bank);
 // its amplitude is between 12 mHz (and six standard deviations) and 80 mHz, 0.35 to 0.9 of its
 // period has passed since the start (what takes longer is a ramp of the lost power), and it is
 // likelier by 32 than the filter without an oscillation, whose likelihood is given. A bank that
-// starts at an onset has a lead of about 28: it has neither paid kOnsetPenalty nor processed the
-// reports before the onset was found.
+// starts at an onset has a lead: it has neither paid kOnsetPenalty nor processed the reports before
+// the onset was found.
 const GridFilter* established(const SwingBank& bank, float likelihood_without);
 
 }  // namespace gs::outlet
