@@ -208,12 +208,8 @@ class Fit {
 
 }  // namespace
 
-std::int64_t OutletClock::tick_of(std::uint64_t sample) const {
-  return std::llround((static_cast<double>(sample) - sample_at_zero_) / samples_per_tick_);
-}
-
-std::optional<Alignment> align(const VoltageTrace& trace, const Markers& markers,
-                               double sample_rate_hz) {
+std::optional<record::Clock> align(const VoltageTrace& trace, const Markers& markers,
+                                   double sample_rate_hz) {
   const FoundMarkers found = find_markers(trace, markers, sample_rate_hz);
   if (found.markers.empty()) {
     return std::nullopt;
@@ -232,13 +228,14 @@ std::optional<Alignment> align(const VoltageTrace& trace, const Markers& markers
           ? (static_cast<double>(markers.after.first_tick) - line.tick_at_centre) * samples_per_tick
           : static_cast<double>(trace.sample.back()) - line.centre_sample;
   const double at_worst = std::max(covariance.sigma_at(to_start), covariance.sigma_at(to_end));
-  Alignment alignment;
-  alignment.clock = OutletClock(line.centre_sample + to_start, samples_per_tick);
-  alignment.measured.drift_ppm = 1e6 * (samples_per_tick - 1.0);
-  alignment.measured.drift_uncertainty_ppm = 2e6 * std::sqrt(covariance.slope);
+  record::Clock clock;
+  clock.sample_at_zero = line.centre_sample + to_start;
+  clock.samples_per_tick = samples_per_tick;
+  clock.drift_ppm = 1e6 * (samples_per_tick - 1.0);
+  clock.drift_uncertainty_ppm = 2e6 * std::sqrt(covariance.slope);
   // Stamps are rounded to whole ticks: up to half a tick of error.
-  alignment.measured.uncertainty_ms = 1e3 / sample_rate_hz * (2.0 * at_worst + 0.5);
-  return alignment;
+  clock.uncertainty_ms = 1e3 / sample_rate_hz * (2.0 * at_worst + 0.5);
+  return clock;
 }
 
 }  // namespace gsbench::capture

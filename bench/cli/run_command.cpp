@@ -10,6 +10,7 @@
 
 #include <profile/load.hpp>
 #include <record/store.hpp>
+#include <render/file.hpp>
 #include <render/render.hpp>
 #include <station/run.hpp>
 #include <station/station_file.hpp>
@@ -36,7 +37,16 @@ void report(const record::RunRecord& run, const RunFolder& folder, bool json) {
     std::fputs((colour ? render::coloured_terminal(run) : render::terminal(run)).c_str(), stdout);
   }
   std::fflush(stdout);
-  write_reports(run, folder.path());
+  try {
+    write_reports(record::read_run(folder.file(kRecordFile)), folder.path());
+  } catch (const render::WriteError& error) {
+    // The exit code says that the run failed, not that its reports are missing.
+    if (run.verdict != record::Verdict::kError) {
+      throw;
+    }
+    print_error(error.what());
+    return;
+  }
   if (!json) {
     std::printf("\nReport: %s\n", folder.file(render::find_format("html")->file).c_str());
   }

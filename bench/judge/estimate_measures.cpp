@@ -50,7 +50,8 @@ Reading t_x_error(const Case& c, std::int64_t loss_tick) {
   const record::EstimateTrace& estimates = c.outlet.estimates;
   for (std::size_t i = estimates.tick.size(); i-- > 0;) {
     if (estimates.tick[i] <= decision->tick) {
-      const double error_s = static_cast<double>(estimates.t_x_s[i]) - c.seconds(loss_tick);
+      const auto rate_hz = static_cast<double>(c.plan.stimulus.sample_rate_hz);
+      const double error_s = record::loss_instant_s(estimates, i, rate_hz) - c.seconds(loss_tick);
       return number(1e3 * error_s, c.outlet.clock.uncertainty_ms);
     }
   }

@@ -12,16 +12,6 @@ namespace {
 
 constexpr const char* kInterrupted = "interrupted before its end";
 
-// Sets the run and all outlets to ERROR, without measurements.
-void set_error(RunRecord& run, const std::string& reason) {
-  run.verdict = Verdict::kError;
-  run.verdict_reason = reason;
-  for (OutletRecord& outlet : run.outlets) {
-    outlet.measurements.clear();
-    outlet.verdict = Verdict::kError;
-  }
-}
-
 std::string reason_of(const RunRecord& run) {
   const auto did_not_pass =
       std::count_if(run.outlets.begin(), run.outlets.end(),
@@ -38,20 +28,39 @@ std::string reason_of(const RunRecord& run) {
 
 }  // namespace
 
-void judge(const profile::Plan& plan, RunRecord& run) {
-  if (!run.fault.empty() || run.interrupted || run.outlets.empty()) {
-    set_error(run, !run.fault.empty() ? run.fault
-                   : run.interrupted  ? kInterrupted
-                                      : "the run has no outlets");
-    return;
+Judge::Judge(const profile::Plan& plan, const RunRecord& head)
+    : plan_(plan),
+      reference_(plan.reference()),
+      uncertainty_(head.bench_uncertainty),
+      failed_(!head.fault.empty() || head.interrupted) {}
+
+void Judge::judge(OutletRecord& outlet) const {
+  if (failed_) {
+    outlet.measurements.clear();
+    outlet.verdict = Verdict::kError;
+  } else {
+    judge_outlet(plan_, *reference_, uncertainty_, outlet);
   }
-  const auto reference = plan.reference();
-  run.verdict = Verdict::kPass;
-  for (OutletRecord& outlet : run.outlets) {
-    judge_outlet(plan, *reference, run.bench_uncertainty, outlet);
+}
+
+void conclude(RunRecord& run) {
+  const bool failed = !run.fault.empty() || run.interrupted || run.outlets.empty();
+  run.verdict = failed ? Verdict::kError : Verdict::kPass;
+  for (const OutletRecord& outlet : run.outlets) {
     run.verdict = std::max(run.verdict, outlet.verdict);
   }
-  run.verdict_reason = reason_of(run);
+  run.verdict_reason = !run.fault.empty()    ? run.fault
+                       : run.interrupted     ? kInterrupted
+                       : run.outlets.empty() ? "the run has no outlets"
+                                             : reason_of(run);
+}
+
+void judge(const profile::Plan& plan, RunRecord& run) {
+  const Judge judge(plan, run);
+  for (OutletRecord& outlet : run.outlets) {
+    judge.judge(outlet);
+  }
+  conclude(run);
 }
 
 }  // namespace gsbench::judge

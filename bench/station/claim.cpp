@@ -15,11 +15,24 @@
 namespace gsbench::station {
 namespace {
 
+constexpr std::int64_t kBeforeTheRun = -1;
+
+// Of another version's hello, only the first two fields are known.
+void note_identity(const gs::wire::Hello& hello, record::OutletRecord& record) {
+  record.protocol_version = hello.protocol_version;
+  if (hello.protocol_version != gs::wire::kProtocolVersion) {
+    return;
+  }
+  record.board = hello.board;
+  record.instance = hello.instance;
+  record.firmware = link::version_text(hello.firmware_version);
+  record.build = fmt::format("{:08x}", hello.build);
+}
+
 void send_settings(const profile::Plan& plan, const profile::Outlet& planned,
                    const link::OutletPresence& outlet, link::Link& link,
                    record::OutletRecord& record) {
   const gs::wire::Hello& hello = outlet.hello;
-  record.firmware = link::version_text(hello.firmware_version);
   if (hello.sample_rate_hz != plan.stimulus.sample_rate_hz ||
       hello.nominal_hz != static_cast<std::int32_t>(std::lround(plan.grid.nominal_hz))) {
     note(record, "samples at " + std::to_string(hello.sample_rate_hz) + " Hz for " +
@@ -37,9 +50,13 @@ void send_settings(const profile::Plan& plan, const profile::Outlet& planned,
   record.settings = control_centre::described(message.settings);
   record.settings["tracker_delay_s"] = static_cast<double>(hello.tracker_delay_s);
   record.settings["voltage_delay_s"] = static_cast<double>(hello.voltage_delay_s);
-  require(link.send(outlet.id, message));
+  const auto send = [&] {
+    record.sent.push_back(sent(message, kBeforeTheRun));
+    require(link.send(outlet.id, message));
+  };
+  send();
   message.kind = gs::wire::DownlinkKind::kAskSelfTest;
-  require(link.send(outlet.id, message));
+  send();
 }
 
 // Waits for the outlets of all slots that have a link. Keeps the order of the slots.
@@ -136,6 +153,7 @@ std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::ve
     }
     if (!outlet.where.empty()) {
       record.id = outlet.id;
+      note_identity(outlet.hello, record);
     }
     if (outlet.fault.empty()) {
       send_settings(plan, plan.outlets[i], outlet, station.link(), record);

@@ -54,6 +54,7 @@ struct Player {
   const RunOptions& options;
   std::vector<record::OutletRecord>& outlets;
   capture::Capture& capture;
+  Recorder& recorder;
   Watch watch = {outlets, plan.stimulus.sample_rate_hz};
   std::uint32_t requests = 0;
   std::vector<std::uint32_t> versions = versions_sent(outlets);  // of the settings
@@ -109,6 +110,7 @@ struct Player {
       tick = played;
       watch.check_later_answers(capture, tick);
       watch.check_silence(capture, tick);
+      recorder.reached(tick);
       require_an_outlet(outlets);
       if (options.progress) {
         options.progress(static_cast<double>(tick) / static_cast<double>(end));
@@ -148,14 +150,17 @@ struct Player {
     add_edges();
   }
 
-  // Edges before the run are not kept, but the position of the contact at tick 0 is: an open one is
-  // an opening at tick 0.
+  // Edges before and after the run are not kept, but the position of the contact at tick 0 is: an
+  // open one is an opening at tick 0.
   void add_edges() {
     const relay::Alignment alignment = station.relay_sense().alignment();
     for (std::size_t i = 0; i < slots.size(); ++i) {
       for (const relay::Edge& edge : edges) {
         if (slots[i].relay_channel == edge.channel) {
           const std::int64_t tick = alignment.tick_of(edge.count) - signal.lead_ticks();
+          if (tick > plan.duration_ticks()) {
+            continue;
+          }
           if (tick > 0) {
             capture.add_edge(outlets[i].id, tick, edge.closed);
           } else {
@@ -185,6 +190,7 @@ struct Player {
       }
       message.settings =
           control_centre::outlet_settings(plan.grid, settings->second, ++versions[i]);
+      capture.add_sent(id, station::sent(message, tick - signal.lead_ticks()));
       require(station.link().send(id, message));
       capture.add_settings(id, tick - signal.lead_ticks(), versions[i], update.changes);
       watch.expect_answer(id, update.at_s,
@@ -225,6 +231,7 @@ struct Player {
           command.outlets.empty() ||
           std::count(command.outlets.begin(), command.outlets.end(), plan.outlets[i].id) > 0;
       if (is_addressed && watch.is_watched(id)) {
+        capture.add_sent(id, station::sent(message, tick - signal.lead_ticks()));
         sent.push_back({i, command.switch_on, tick, std::chrono::steady_clock::now()});
         require(station.link().send(id, message));
       }
@@ -236,8 +243,8 @@ struct Player {
 
 bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const PlayedSignal& signal,
           Station& station, const RunOptions& options, std::vector<record::OutletRecord>& outlets,
-          capture::Capture& capture) {
-  return Player{plan, slots, signal, station, options, outlets, capture}.play();
+          capture::Capture& capture, Recorder& recorder) {
+  return Player{plan, slots, signal, station, options, outlets, capture, recorder}.play();
 }
 
 }  // namespace gsbench::station

@@ -16,6 +16,7 @@
 #include <installation/installation.hpp>
 #include <profile/load.hpp>
 #include <waveform/synthesizer.hpp>
+#include <wire/codec.hpp>
 
 namespace gsbench::station {
 namespace {
@@ -126,10 +127,32 @@ std::vector<record::Comparison> comparisons(const grid::Grid& grid) {
   return all;
 }
 
+record::Recording kept(const profile::Recording& recording) {
+  record::Recording kept;
+  kept.file = recording.file;
+  kept.sha256 = recording.sha256;
+  kept.time = recording.columns.time;
+  kept.frequency = recording.columns.frequency;
+  kept.voltage = recording.columns.voltage;
+  kept.nominal_voltage = recording.columns.nominal_voltage;
+  kept.replaces_profile = recording.replaces_profile;
+  return kept;
+}
+
 }  // namespace
 
 std::string utc_now() {
   return formatted_utc("%Y-%m-%dT%H:%M:%SZ");
+}
+
+record::Sent sent(const gs::wire::Downlink& message, std::int64_t tick) {
+  const char* kind = message.kind == gs::wire::DownlinkKind::kSettings  ? "settings"
+                     : message.kind == gs::wire::DownlinkKind::kCommand ? "command"
+                                                                        : "ask self test";
+  record::Sent kept = {tick, kind, {}};
+  kept.message.resize(gs::wire::kLongestMessage);
+  kept.message.resize(gs::wire::encode(message, 0, kept.message.data(), kept.message.size()));
+  return kept;
 }
 
 record::RunRecord prepare(const profile::Plan& plan, Station& station) {
@@ -152,11 +175,7 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
   run.profile_text = plan.text;
   run.grid = plan.grid.name;
   run.grid_sha256 = plan.grid.sha256;
-  const profile::Recording& source = plan.stimulus.recording;
-  const recording::TraceColumns& columns = source.columns;
-  run.recording = {
-      source.file,     source.sha256,           columns.time,           columns.frequency,
-      columns.voltage, columns.nominal_voltage, source.replaces_profile};
+  run.recording = kept(plan.stimulus.recording);
   run.station = station.name();
   run.noise = noise_text(plan, station.source().limits());
   run.seed = plan.seed;

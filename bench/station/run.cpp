@@ -65,9 +65,18 @@ class StoppableSource {
   source::Source& source_;
 };
 
+// What is stored so far stays readable; nothing more can be added.
+record::RunRecord ended_by_store(const std::string& fault, const profile::Plan& plan,
+                                 record::RunRecord run) {
+  run.fault = run.fault.empty() ? fault : fault + "; " + run.fault;
+  run.finished_utc = utc_now();
+  judge::judge(plan, run);
+  return run;
+}
+
 }  // namespace
 
-// The steps before judge() record facts and faults only; the verdicts come from bench/judge.
+// The steps before judge_stored() record facts and faults only; the verdicts come from bench/judge.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options) {
   const StationLock lock(station.ports(), "profile " + plan.name);
   record::RunRecord run = prepare(plan, station);
@@ -77,13 +86,16 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
   if (!station.source_accuracy().empty()) {
     check_source(plan, signal, station.source());
   }
-  capture::Capture capture(plan.stimulus.sample_rate_hz);
+  record::MemoryStore memory;
+  record::Store& store =
+      options.writer != nullptr ? *options.writer : static_cast<record::Store&>(memory);
+  capture::Capture capture;
+  std::string store_fault;
+  Recorder recorder(store, station, signal, capture, run.outlets);
   {
     const StoppableSource stoppable(station.source(), options.stop);
     const SafeState safe_state(station.source(), station.link(), run.fault, options.output_unknown);
-    if (options.writer != nullptr) {
-      options.writer->begin(run);
-    }
+    store.begin(run);
     try {
       note_source(upload(plan, signal, station, options), station, run);
       require(station.link().open());
@@ -92,24 +104,29 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
       require(station.source(), station.source().energise());
       Boot boot(station, slots, options);
       run.outlets = claim(plan, slots, station, boot);
+      recorder.add_outlets();
       boot.finish();
-      run.interrupted = !play(plan, slots, signal, station, options, run.outlets, capture);
+      run.interrupted =
+          !play(plan, slots, signal, station, options, run.outlets, capture, recorder);
     } catch (const BenchFault& fault) {
       run.fault = fault.what();
+    } catch (const record::StoreError& error) {
+      store_fault = error.what();
     } catch (const Stopped&) {
       run.interrupted = true;
     }
     note_relay_sense(station, run);
   }
-  align(station, signal.markers(), capture, run);
-  note_clocks(station, run);
-  judge::judge(plan, run);
-  run.finished_utc = utc_now();
-  if (options.writer != nullptr) {
-    for (const record::OutletRecord& outlet : run.outlets) {
-      options.writer->add_outlet(outlet);
-    }
-    options.writer->finish(run);
+  if (!store_fault.empty()) {
+    return ended_by_store(store_fault, plan, std::move(run));
+  }
+  try {
+    recorder.finish();
+    judge_stored(plan, station, signal, store, options.writer == nullptr, run);
+    run.finished_utc = utc_now();
+    store.finish(run);
+  } catch (const record::StoreError& error) {
+    return ended_by_store(error.what(), plan, std::move(run));
   }
   return run;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boot.hpp"
+#include "recorder.hpp"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ namespace gsbench::station {
 record::RunRecord prepare(const profile::Plan& plan, Station& station);
 
 std::string utc_now();  // ISO 8601, to the second
+
+// `message` as the record keeps it.
+record::Sent sent(const gs::wire::Downlink& message, std::int64_t tick);
 
 // Assigns one slot to each outlet of a plan, in the plan's order. An outlet gets the slot whose
 // serial number is its id. If there is none, it gets the next free slot whose serial number is not
@@ -50,15 +54,23 @@ std::vector<record::OutletRecord> claim(const profile::Plan& plan, const std::ve
                                         Station& station, Boot& boot);
 
 // Plays the whole signal and notes the faults of `outlets`. Returns false if `options.stop` ended
-// it. Throws BenchFault.
+// it. Throws BenchFault and record::StoreError.
 bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const PlayedSignal& signal,
           Station& station, const RunOptions& options, std::vector<record::OutletRecord>& outlets,
-          capture::Capture& capture);
+          capture::Capture& capture, Recorder& recorder);
 
-// Converts the outlets' reports to the run's time base and moves them into their records. Outlets
-// with their own sample clock are aligned by the marker dips in `markers`.
-void align(const Station& station, const capture::Markers& markers, capture::Capture& capture,
-           record::RunRecord& run);
+// The outlet counts its own samples, not the ticks of the source.
+bool has_own_clock(const Station& station, const record::OutletRecord& outlet);
+
+// Measures the outlet's clock by the marker dips in its reports. Returns false, and leaves the
+// clock as it is, if they are not found. An outlet that was sent no settings is not measured.
+bool align(const capture::Markers& markers, const record::MeasurementTrace& reports,
+           std::int64_t sample_rate_hz, record::OutletRecord& outlet);
+
+// Aligns and judges each outlet as the store has it. Without `keeps_reports`, the outlets of `run`
+// keep their results only: the reports stay in the store. Throws record::StoreError.
+void judge_stored(const profile::Plan& plan, const Station& station, const PlayedSignal& signal,
+                  record::Store& store, bool keeps_reports, record::RunRecord& run);
 
 constexpr const char* kAlignedByDips = "voltage dips before and after the run";
 

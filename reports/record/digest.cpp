@@ -1,6 +1,6 @@
 // SHA-256 of the fields of a record, in their order. All NaNs are equal, and so are 0 and -0,
 // because SQLite does not distinguish them.
-#include "fields.hpp"
+#include "seals.hpp"
 
 #include <QCryptographicHash>
 #include <algorithm>
@@ -23,6 +23,9 @@ Float canonical(Float value) {
 
 class Digest {
  public:
+  // With `stored`, the fields of a file only.
+  explicit Digest(const StoredFields* stored = nullptr) : stored_(stored) {}
+
   template <class Field>
   void add(const Field& field) {
     if constexpr (std::is_same_v<Field, double>) {
@@ -47,7 +50,13 @@ class Digest {
 
   template <class Part>
   void add_fields(const Part& part) {
-    visit_fields<Part>(part, [&](const char*, const auto& field) { add(field); });
+    const std::string table =
+        table_name<Part> != nullptr ? table_name<Part> : StoredFields::kTraces;
+    visit_fields<Part>(part, [&](const char* name, const auto& field) {
+      if (stored_ == nullptr || stored_->has(table, name)) {
+        add(field);
+      }
+    });
   }
 
   template <class Part>
@@ -61,13 +70,17 @@ class Digest {
   // Without outlets, run id and wall-clock times.
   void add_content(const RunRecord& head) {
     visit_content(head, [&](const char*, const auto& field) { add(field); });
+    add_parts_of_head(head);
+  }
+
+  void add_parts_of_head(const RunRecord& head) {
     add_parts(head.clocks);
     add_parts(head.comparisons);
     add_fields(head.reference);
     add_parts(head.stimulus);
   }
 
-  void add_outlet(const OutletRecord& outlet) {
+  void add_results(const OutletRecord& outlet) {
     add_fields(outlet);
     add(outlet.settings.size());
     for (const auto& [name, value] : outlet.settings) {
@@ -75,9 +88,12 @@ class Digest {
       add(value);
     }
     add_parts(outlet.measurements);
-    add_parts(outlet.marks);
-    add_fields(outlet.trace);
-    add_fields(outlet.estimates);
+  }
+
+  void add_reports(const Reports& reports) {
+    add_parts(reports.marks);
+    add_fields(reports.trace);
+    add_fields(reports.estimates);
   }
 
   std::string hexadecimal() const { return hash_.result().toHex().toStdString(); }
@@ -95,35 +111,68 @@ class Digest {
     }
   }
 
+  const StoredFields* stored_;
   QCryptographicHash hash_{QCryptographicHash::Sha256};
 };
 
 }  // namespace
 
-std::string seal_of_run(const RunRecord& head, bool complete) {
-  Digest digest;
+std::string seal_of_run(const RunRecord& head, bool complete, const std::string& seals_of_outlets,
+                        const StoredFields* stored) {
+  Digest digest(stored);
   digest.add(complete);
-  digest.add(head.run_id);
-  digest.add(head.started_utc);
-  digest.add(head.finished_utc);
-  digest.add_content(head);
+  digest.add_fields(head);
+  digest.add_parts_of_head(head);
+  if (!seals_of_outlets.empty()) {
+    digest.add(seals_of_outlets);
+  }
   return digest.hexadecimal();
 }
 
-std::string seal_of_outlet(const OutletRecord& outlet) {
-  Digest digest;
-  digest.add_outlet(outlet);
+std::string seal_of_results(const OutletRecord& outlet, const StoredFields* stored) {
+  Digest digest(stored);
+  digest.add_results(outlet);
   return digest.hexadecimal();
+}
+
+std::string seal_of_reports(const std::string& before, const Reports& reports,
+                            const StoredFields* stored) {
+  Digest digest(stored);
+  digest.add(before);
+  digest.add_reports(reports);
+  digest.add_parts(reports.sent);
+  return digest.hexadecimal();
+}
+
+std::string seal_of_whole(const OutletRecord& outlet, const StoredFields& stored) {
+  Digest digest(&stored);
+  digest.add_results(outlet);
+  digest.add_reports(outlet);
+  return digest.hexadecimal();
+}
+
+struct ContentDigest::Impl : Digest {};
+
+ContentDigest::ContentDigest() : impl_(std::make_unique<Impl>()) {}
+ContentDigest::~ContentDigest() = default;
+
+void ContentDigest::add(const OutletRecord& outlet) {
+  impl_->add_results(outlet);
+  impl_->add_reports(outlet);
+  impl_->add_parts(outlet.sent);
+}
+
+std::string ContentDigest::of(const RunRecord& head) {
+  impl_->add_content(head);
+  return impl_->hexadecimal();
 }
 
 std::string content_digest(const RunRecord& run) {
-  Digest digest;
-  digest.add_content(run);
-  digest.add(run.outlets.size());
+  ContentDigest digest;
   for (const OutletRecord& outlet : run.outlets) {
-    digest.add_outlet(outlet);
+    digest.add(outlet);
   }
-  return digest.hexadecimal();
+  return digest.of(run);
 }
 
 }  // namespace gsbench::record

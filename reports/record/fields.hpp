@@ -24,15 +24,13 @@ struct Series {
   std::vector<std::uint8_t> data;
 };
 
-// The digest of all that is stored for one owner (the run or an outlet). A digest that does not
-// match shows that the file is damaged.
+// A digest of what is stored. One that does not match shows that the file is damaged. An outlet has
+// one for its results and one for each append of its reports, which covers the one before. In
+// version 6 it has one for all.
 struct Seal {
   bool complete = false;  // for the run: finish() was called
   std::string sha256;
 };
-
-std::string seal_of_run(const RunRecord& head, bool complete);
-std::string seal_of_outlet(const OutletRecord& outlet);
 
 // visit_fields<T>(object, visitor) calls visitor(name, member) for each field in a fixed order.
 template <class T>
@@ -52,14 +50,17 @@ inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
   visitor("profile_text", run.profile_text);
   visitor("grid", run.grid);
   visitor("grid_sha256", run.grid_sha256);
+  visitor("grid_text", run.grid_text);
   visitor("recording_file", run.recording.file);
   visitor("recording_sha256", run.recording.sha256);
+  visitor("recording_text", run.recording.text);
   visitor("recording_time", run.recording.time);
   visitor("recording_frequency", run.recording.frequency);
   visitor("recording_voltage", run.recording.voltage);
   visitor("recording_nominal_voltage", run.recording.nominal_voltage);
   visitor("recording_replaces_profile", run.recording.replaces_profile);
   visitor("station", run.station);
+  visitor("station_text", run.station_text);
   visitor("noise", run.noise);
   visitor("firmware_sha256", run.firmware_sha256);
   visitor("seed", run.seed);
@@ -87,6 +88,8 @@ inline constexpr auto visit_fields<RunRecord> = [](auto& run, auto&& visitor) {
   visitor("run_id", run.run_id);
   visitor("started_utc", run.started_utc);
   visitor("finished_utc", run.finished_utc);
+  visitor("software", run.software);
+  visitor("content_sha256", run.content_sha256);
   visit_content(run, visitor);
 };
 
@@ -98,13 +101,19 @@ inline constexpr auto visit_fields<OutletRecord> = [](auto& outlet, auto&& visit
   visitor("took_part", outlet.took_part);
   visitor("group", outlet.group);
   visitor("link", outlet.link);
+  visitor("board", outlet.board);
+  visitor("instance", outlet.instance);
   visitor("firmware", outlet.firmware);
+  visitor("build", outlet.build);
+  visitor("protocol_version", outlet.protocol_version);
   visitor("settings_digest", outlet.settings_digest);
   visitor("fault", outlet.fault);
   visitor("relay_sensed", outlet.relay_sensed);
   visitor("clock_drift_ppm", outlet.clock.drift_ppm);
   visitor("clock_drift_uncertainty_ppm", outlet.clock.drift_uncertainty_ppm);
   visitor("clock_uncertainty_ms", outlet.clock.uncertainty_ms);
+  visitor("clock_sample_at_zero", outlet.clock.sample_at_zero);
+  visitor("clock_samples_per_tick", outlet.clock.samples_per_tick);
   visitor("verdict", outlet.verdict);
 };
 
@@ -142,6 +151,16 @@ inline constexpr auto visit_fields<Mark> = [](auto& mark, auto&& visitor) {
   visitor("kind", mark.kind);
   visitor("value", mark.value);
   visitor("text", mark.text);
+  visitor("by_outlet", mark.by_outlet);
+};
+
+template <>
+inline constexpr const char* table_name<Sent> = "sent";
+template <>
+inline constexpr auto visit_fields<Sent> = [](auto& sent, auto&& visitor) {
+  visitor("tick", sent.tick);
+  visitor("kind", sent.kind);
+  visitor("message", sent.message);
 };
 
 template <>
@@ -197,7 +216,9 @@ inline constexpr auto visit_fields<EstimateTrace> = [](auto& trace, auto&& visit
   visitor("estimates.tick", trace.tick);
   visitor("estimates.loss_mw", trace.loss_mw);
   visitor("estimates.loss_sigma_mw", trace.loss_sigma_mw);
-  visitor("estimates.t_x_s", trace.t_x_s);
+  // Version 6 has no event_tick, and the loss's instant of the run in its place.
+  visitor("estimates.event_tick", trace.event_tick);
+  visitor("estimates.t_x_s", trace.loss_after_event_s);
   visitor("estimates.trusted", trace.trusted);
 };
 

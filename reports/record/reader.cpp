@@ -1,7 +1,6 @@
-#include "columns.hpp"
-#include "schema.hpp"
+#include "read_parts.hpp"
 
-#include <map>
+#include <optional>
 #include <utility>
 
 #include <record/store.hpp>
@@ -9,117 +8,89 @@
 namespace gsbench::record {
 namespace {
 
-using SeriesByName = std::map<std::string, Series>;
+constexpr const char* kUnfinished =
+    "interrupted: the run did not finish; gsbench was ended, or is still playing it";
 
 void mark_unfinished(RunRecord& run) {
-  run.fault = "the run did not finish";
+  run.interrupted = true;
+  run.fault = kUnfinished;
   run.verdict = Verdict::kError;
   run.verdict_reason = run.fault;
 }
 
-SeriesByName select_series(Database& database, std::int64_t owner) {
-  SeriesByName by_name;
-  for (Series& series : select<Series>(database, owner)) {
-    const std::string name = series.name;
-    by_name[name] = std::move(series);
-  }
-  return by_name;
-}
+}  // namespace
 
-template <class Trace>
-void unpack_trace(const SeriesByName& series, Trace& trace) {
-  visit_fields<Trace>(trace, [&](const char* name, auto& column) {
-    const auto found = series.find(name);
-    if (found == series.end()) {
-      throw columns::DamagedColumn("column " + std::string(name) + " is missing");
+struct Reader::Impl {
+  explicit Impl(const std::string& path) : database(path, Database::Mode::kRead) {
+    database.execute("PRAGMA cell_size_check = ON");
+    stored.emplace(database);
+    // One transaction: of a run that is still being written a consistent state is read.
+    database.execute("BEGIN");
+    if (database.first<std::int64_t>("SELECT count(*) FROM \"run\"") != 0) {
+      head = read_head(database, *stored, complete);
     }
-    columns::unpack(found->second.data, found->second.entries, column);
-    if (column.size() != trace.tick.size()) {
-      throw columns::DamagedColumn("column " + std::string(name) + " has a wrong length");
+    if (!complete) {
+      mark_unfinished(head);
     }
-  });
+    outlets =
+        static_cast<std::size_t>(database.first<std::int64_t>("SELECT count(*) FROM \"outlet\""));
+  }
+
+  // Outlets are judged at the end of a run.
+  OutletRecord judged(OutletRecord outlet) const {
+    outlet.verdict = complete ? outlet.verdict : Verdict::kError;
+    return outlet;
+  }
+
+  Database database;
+  std::optional<StoredFields> stored;
+  bool complete = false;
+  RunRecord head;
+  std::size_t outlets = 0;
+};
+
+Reader::Reader(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}
+Reader::~Reader() = default;
+
+const RunRecord& Reader::head() const {
+  return impl_->head;
 }
 
-template <class Part>
-Part select_one(Database& database, std::int64_t owner) {
-  std::vector<Part> parts = select<Part>(database, owner);
-  if (parts.size() != 1) {
-    database.fail("the record is damaged: none or several rows in table " +
-                  std::string(table_name<Part>));
-  }
-  return std::move(parts.front());
+std::size_t Reader::outlets() const {
+  return impl_->outlets;
 }
 
-OutletRecord read_outlet(Database& database, std::int64_t owner) {
-  auto outlet = select_one<OutletRecord>(database, owner);
-  for (const Setting& setting : select<Setting>(database, owner)) {
-    outlet.settings[setting.name] = setting.value;
-  }
-  outlet.measurements = select<MeasurementResult>(database, owner);
-  outlet.marks = select<Mark>(database, owner);
-  const SeriesByName series = select_series(database, owner);
-  unpack_trace(series, outlet.trace);
-  unpack_trace(series, outlet.estimates);
-  if (select_one<Seal>(database, owner).sha256 != seal_of_outlet(outlet)) {
-    database.fail("the record is damaged: the digest of an outlet does not match");
-  }
+OutletRecord Reader::results(std::size_t i) {
+  return impl_->judged(read_results(impl_->database, *impl_->stored, i + 1));
+}
+
+OutletRecord Reader::outlet(std::size_t i) {
+  OutletRecord outlet = impl_->judged(read_outlet(impl_->database, *impl_->stored, i + 1));
+  place_on_run_time(outlet, impl_->head.duration_ticks);
   return outlet;
 }
 
-enum class Extent { kHead, kWhole };
-
-RunRecord read_parts(Database& database, Extent extent) {
-  if (database.first<std::int64_t>("SELECT count(*) FROM \"run\"") == 0) {
-    RunRecord never_begun;
-    mark_unfinished(never_begun);
-    return never_begun;
-  }
-  auto run = select_one<RunRecord>(database, kRunOwner);
-  run.clocks = select<AlignedClock>(database, kRunOwner);
-  run.comparisons = select<Comparison>(database, kRunOwner);
-  run.stimulus = select<Mark>(database, kRunOwner);
-  unpack_trace(select_series(database, kRunOwner), run.reference);
-  const auto seal = select_one<Seal>(database, kRunOwner);
-  if (seal.sha256 != seal_of_run(run, seal.complete)) {
-    database.fail("the record is damaged: the digest of the run does not match");
-  }
-  if (extent == Extent::kWhole) {
-    const auto outlets = database.first<std::int64_t>("SELECT count(*) FROM \"outlet\"");
-    for (std::int64_t owner = 1; owner <= outlets; ++owner) {
-      run.outlets.push_back(read_outlet(database, owner));
-    }
-  }
-  if (!seal.complete) {
-    mark_unfinished(run);
+RunRecord read_run(const std::string& path,
+                   const std::function<bool(const OutletRecord& results)>& wanted) {
+  Reader reader(path);
+  RunRecord run = reader.head();
+  for (std::size_t i = 0; i < reader.outlets(); ++i) {
+    OutletRecord results = reader.results(i);
+    run.outlets.push_back(wanted(results) ? reader.outlet(i) : std::move(results));
   }
   return run;
 }
 
-RunRecord read(const std::string& path, Extent extent) {
-  Database database(path, Database::Mode::kRead);
-  database.execute("PRAGMA cell_size_check = ON");
-  check_schema(database);
-  // The whole file is checked only if all of it is read.
-  if (extent == Extent::kWhole && database.first<std::string>("PRAGMA quick_check(1)") != "ok") {
-    database.fail("the record is damaged");
-  }
-  // One transaction: of a run that is still being written a consistent state is read.
-  database.execute("BEGIN");
-  try {
-    return read_parts(database, extent);
-  } catch (const columns::DamagedColumn& damage) {
-    database.fail("the record is damaged: " + std::string(damage.what()));
-  }
-}
-
-}  // namespace
-
 RunRecord read_run(const std::string& path) {
-  return read(path, Extent::kWhole);
+  RunRecord run = read_run(path, [](const OutletRecord&) { return true; });
+  if (run.content_sha256.empty() && !run.interrupted) {
+    run.content_sha256 = content_digest(run);
+  }
+  return run;
 }
 
 RunRecord read_head(const std::string& path) {
-  return read(path, Extent::kHead);
+  return Reader(path).head();
 }
 
 }  // namespace gsbench::record

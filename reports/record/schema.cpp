@@ -5,6 +5,10 @@
 namespace gsbench::record {
 namespace {
 
+using Names = std::set<std::string>;
+
+constexpr const char* kIndex = "CREATE UNIQUE INDEX outlet_id ON \"outlet\" (id)";
+
 // A NaN is stored as NULL, so only real numbers may be NULL.
 template <class Field>
 const char* column_type() {
@@ -20,48 +24,114 @@ const char* column_type() {
   return "INTEGER NOT NULL";
 }
 
+// With the fields of these names only.
 template <class Part>
-std::string create_table() {
+std::string create_table(const Names& fields) {
   std::string sql = "CREATE TABLE \"" + std::string(table_name<Part>) +
                     "\" (owner INTEGER NOT NULL, position INTEGER NOT NULL";
   Part part;
   visit_fields<Part>(part, [&](const char* name, const auto& field) {
-    using Field = std::decay_t<decltype(field)>;
-    sql += ", \"" + std::string(name) + "\" " + column_type<Field>();
+    if (fields.count(name) != 0) {
+      using Field = std::decay_t<decltype(field)>;
+      sql += ", \"" + std::string(name) + "\" " + column_type<Field>();
+    }
   });
-  return sql + ", PRIMARY KEY (owner, position)) STRICT;\n";
+  return sql + ", PRIMARY KEY (owner, position)) STRICT";
 }
 
-std::string tables_of(Database& database) {
-  return database.first<std::string>(
-      "SELECT group_concat(type || ' ' || name || ' ' || coalesce(sql, ''), char(10)) "
-      "FROM (SELECT type, name, sql FROM sqlite_schema ORDER BY type, name)");
+struct Table {
+  std::string name;
+  Names fields;  // all of this version
+  std::string (*create)(const Names& fields);
+};
+
+template <class Part>
+Table table_of() {
+  const std::vector<std::string> names = column_names<Part>();
+  return {table_name<Part>, Names(names.begin(), names.end()), create_table<Part>};
+}
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> all = {
+      table_of<RunRecord>(),    table_of<AlignedClock>(), table_of<Comparison>(),
+      table_of<OutletRecord>(), table_of<Setting>(),      table_of<MeasurementResult>(),
+      table_of<Mark>(),         table_of<Sent>(),         table_of<Series>(),
+      table_of<Seal>(),
+  };
+  return all;
+}
+
+std::int64_t checked_version(Database& database) {
+  if (database.first<std::int64_t>("PRAGMA application_id") != kApplicationId) {
+    database.fail("not a gsbench record");
+  }
+  const auto version = database.first<std::int64_t>("PRAGMA user_version");
+  if (version < kOldestVersion || version > kSchemaVersion) {
+    database.fail("record of version " + std::to_string(version) +
+                  "; this gsbench reads versions " + std::to_string(kOldestVersion) + " to " +
+                  std::to_string(kSchemaVersion) +
+                  (version > kSchemaVersion ? ": use a newer gsbench" : ""));
+  }
+  return version;
+}
+
+Names names_in(Database& database, const std::string& sql, const std::string& parameter = "") {
+  Statement statement = database.prepare(sql);
+  if (!parameter.empty()) {
+    statement.bind(1, parameter);
+  }
+  Names names;
+  while (statement.step()) {
+    std::string name;
+    statement.get(0, name);
+    names.insert(name);
+  }
+  return names;
+}
+
+template <class Trace>
+void add_columns(Names& names) {
+  for (const std::string& name : column_names<Trace>()) {
+    names.insert(name);
+  }
 }
 
 }  // namespace
 
 std::string schema_sql() {
-  return create_table<RunRecord>() + create_table<AlignedClock>() + create_table<Comparison>() +
-         create_table<OutletRecord>() + create_table<Setting>() +
-         create_table<MeasurementResult>() + create_table<Mark>() + create_table<Series>() +
-         create_table<Seal>() + "CREATE UNIQUE INDEX outlet_id ON \"outlet\" (id);\n";
+  std::string sql;
+  for (const Table& table : tables()) {
+    sql += table.create(table.fields) + ";\n";
+  }
+  return sql + kIndex + ";\n";
 }
 
-void check_schema(Database& database) {
-  if (database.first<std::int64_t>("PRAGMA application_id") != kApplicationId) {
-    database.fail("not a gsbench record");
+StoredFields::StoredFields(Database& database) : version_(checked_version(database)) {
+  Names known = {kIndex};
+  for (const Table& table : tables()) {
+    const Names stored = names_in(database, "SELECT name FROM pragma_table_info(?)", table.name);
+    if (!stored.empty()) {
+      fields_[table.name] = stored;
+      known.insert(table.create(stored));
+    }
   }
-  const std::int64_t version = database.first<std::int64_t>("PRAGMA user_version");
-  if (version != kSchemaVersion) {
-    database.fail("record of version " + std::to_string(version) + "; this gsbench reads version " +
-                  std::to_string(kSchemaVersion) +
-                  (version > kSchemaVersion ? ": use a newer gsbench" : ""));
-  }
-  Database fresh = Database::in_memory();
-  fresh.execute(schema_sql());
-  if (tables_of(database) != tables_of(fresh)) {
+  // SQLite's own objects have no text.
+  if (names_in(database, "SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL") != known) {
     database.fail("the record is damaged: its tables are not those of a record");
   }
+  Names& traces = fields_[kTraces];
+  if (version_ == kSchemaVersion) {
+    add_columns<ReferenceTrace>(traces);
+    add_columns<MeasurementTrace>(traces);
+    add_columns<EstimateTrace>(traces);
+  } else {
+    traces.merge(names_in(database, "SELECT DISTINCT name FROM series"));
+  }
+}
+
+bool StoredFields::has(const std::string& table, const std::string& field) const {
+  const auto found = fields_.find(table);
+  return found != fields_.end() && found->second.count(field) != 0;
 }
 
 }  // namespace gsbench::record

@@ -1,5 +1,6 @@
 #include "columns.hpp"
-#include "schema.hpp"
+#include "read_parts.hpp"
+#include "seals.hpp"
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -22,23 +23,31 @@ void create_empty(const std::string& path) {
 }
 
 template <class Trace>
-void insert_trace(std::vector<Series>& all, const Trace& trace) {
+void pack_trace(std::vector<Series>& all, const Trace& trace) {
   visit_fields<Trace>(trace, [&](const char* name, const auto& column) {
     if (column.size() != trace.tick.size()) {
       throw std::invalid_argument(std::string(name) + " has " + std::to_string(column.size()) +
                                   " entries, its ticks " + std::to_string(trace.tick.size()));
     }
-    all.push_back({name, static_cast<std::int64_t>(column.size()), columns::pack(column)});
+    if (!column.empty()) {
+      all.push_back({name, static_cast<std::int64_t>(column.size()), columns::pack(column)});
+    }
   });
 }
 
 }  // namespace
 
 struct Writer::Impl {
+  struct Appended {
+    std::int64_t count = 0;
+    std::string seal;  // of the last
+  };
+
   explicit Impl(const std::string& path) : database(path, Database::Mode::kWrite) {
-    // With WAL and full sync each finished transaction survives a power cut; there are few of them.
     database.execute("PRAGMA journal_mode = WAL");
-    database.execute("PRAGMA synchronous = FULL");
+    // No wait for the disk during a run, which must keep its pace. A finished transaction survives
+    // the end of this process; a power cut may take those of the last seconds.
+    database.execute("PRAGMA synchronous = NORMAL");
     database.transact([&] {
       database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
       database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
@@ -57,11 +66,10 @@ struct Writer::Impl {
 
   void write_head(const RunRecord& run, bool complete) {
     std::vector<Series> series;
-    insert_trace(series, run.reference);
+    pack_trace(series, run.reference);
     database.transact([&] {
       for (const char* table : {"run", "clock", "comparison", "mark", "series", "seal"}) {
-        database.execute("DELETE FROM \"" + std::string(table) +
-                         "\" WHERE owner = " + std::to_string(kRunOwner));
+        remove(table, kRunOwner);
       }
       RunRecord head = run;
       head.outlets.clear();
@@ -70,28 +78,57 @@ struct Writer::Impl {
       insert(database, kRunOwner, run.comparisons);
       insert(database, kRunOwner, run.stimulus);
       insert(database, kRunOwner, series);
-      insert(database, kRunOwner, std::vector<Seal>{{complete, seal_of_run(head, complete)}});
+      const std::string seals = complete ? seals_of_outlets(database) : "";
+      insert(database, kRunOwner,
+             std::vector<Seal>{{complete, seal_of_run(head, complete, seals)}});
     });
   }
 
-  void write_outlet(const OutletRecord& outlet) {
-    std::vector<Series> series;
-    insert_trace(series, outlet.trace);
-    insert_trace(series, outlet.estimates);
+  void remove(const char* table, std::int64_t owner) {
+    database.execute("DELETE FROM \"" + std::string(table) +
+                     "\" WHERE owner = " + std::to_string(owner));
+  }
+
+  void write_settings(std::size_t number, const OutletRecord& outlet) {
     std::vector<Setting> settings;
     for (const auto& [name, value] : outlet.settings) {
       settings.push_back({name, value});
     }
-    database.transact([&] {
-      const std::int64_t owner = outlets + 1;
-      insert(database, owner, std::vector<OutletRecord>{outlet});
-      insert(database, owner, settings);
-      insert(database, owner, outlet.measurements);
-      insert(database, owner, outlet.marks);
-      insert(database, owner, series);
-      insert(database, owner, std::vector<Seal>{{true, seal_of_outlet(outlet)}});
-    });
-    ++outlets;
+    insert(database, static_cast<std::int64_t>(number), settings);
+  }
+
+  // In place of those that are stored.
+  void write_results(std::size_t number, const OutletRecord& outlet) {
+    const auto owner = static_cast<std::int64_t>(number);
+    for (const char* table : {"outlet", "measurement"}) {
+      remove(table, owner);
+    }
+    database.execute("DELETE FROM seal WHERE position = 0 AND owner = " + std::to_string(owner));
+    insert(database, owner, std::vector<OutletRecord>{outlet});
+    insert(database, owner, outlet.measurements);
+    insert(database, owner, std::vector<Seal>{{true, seal_of_results(outlet)}});
+  }
+
+  void write_reports(std::size_t number, const Reports& reports, Appended& appended) {
+    if (reports.empty()) {
+      return;
+    }
+    const auto owner = static_cast<std::int64_t>(number);
+    std::vector<Series> series;
+    pack_trace(series, reports.trace);
+    pack_trace(series, reports.estimates);
+    appended.seal = seal_of_reports(appended.seal, reports);
+    insert(database, owner, reports.marks, appended.count);
+    insert(database, owner, reports.sent, appended.count);
+    insert(database, owner, series, appended.count);
+    insert(database, owner, std::vector<Seal>{{true, appended.seal}}, ++appended.count);
+  }
+
+  // In one transaction. What was appended is known only once it is stored.
+  void write(const std::function<void(std::vector<Appended>&)>& work) {
+    std::vector<Appended> appended = outlets;
+    database.transact([&] { work(appended); });
+    outlets = std::move(appended);
   }
 
   void require(bool in_order, const char* what) const {
@@ -100,8 +137,12 @@ struct Writer::Impl {
     }
   }
 
+  void require_running() const {
+    require(begun && !finished, "outlets are written between begin() and finish()");
+  }
+
   Database database;
-  std::int64_t outlets = 0;
+  std::vector<Appended> outlets;
   bool begun = false;
   bool finished = false;
 };
@@ -125,14 +166,36 @@ void Writer::begin(const RunRecord& head) {
 }
 
 void Writer::add_outlet(const OutletRecord& outlet) {
-  impl_->require(impl_->begun && !impl_->finished,
-                 "add_outlet() must be called between begin() and finish()");
-  impl_->write_outlet(outlet);
+  impl_->require_running();
+  impl_->write([&](std::vector<Impl::Appended>& outlets) {
+    outlets.emplace_back();
+    impl_->write_settings(outlets.size(), outlet);
+    impl_->write_results(outlets.size(), outlet);
+    impl_->write_reports(outlets.size(), outlet, outlets.back());
+  });
 }
 
-void Writer::finish(const RunRecord& whole) {
+void Writer::append(const std::vector<Reports>& reports) {
+  impl_->require_running();
+  impl_->write([&](std::vector<Impl::Appended>& outlets) {
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      impl_->write_reports(i + 1, reports[i], outlets.at(i));
+    }
+  });
+}
+
+void Writer::update_outlet(std::size_t i, const OutletRecord& outlet) {
+  impl_->require_running();
+  impl_->database.transact([&] { impl_->write_results(i + 1, outlet); });
+}
+
+OutletRecord Writer::outlet(std::size_t i) {
+  return read_outlet(impl_->database, StoredFields(impl_->database), i + 1);
+}
+
+void Writer::finish(const RunRecord& head) {
   impl_->require(impl_->begun && !impl_->finished, "finish() must be called once, after begin()");
-  impl_->write_head(whole, true);
+  impl_->write_head(head, true);
   impl_->finished = true;
 }
 

@@ -75,7 +75,8 @@ void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outle
       add_cell(out, estimates.loss_mw[estimate]);
       add_cell(out, estimates.loss_sigma_mw[estimate]);
       add_cell(out, estimates.trusted[estimate] != 0 ? 1 : 0);
-      add_cell(out, estimates.t_x_s[estimate]);
+      add_cell(out, static_cast<float>(record::loss_instant_s(
+                        estimates, estimate, static_cast<double>(run.sample_rate_hz))));
       ++estimate;
     } else {
       out.append(kFourEmpty);

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <record/store.hpp>
 #include <render/render.hpp>
 
 namespace gsbench::render {
@@ -47,7 +46,7 @@ List facts(const record::RunRecord& run) {
   add("Profile SHA-256", run.profile_sha256, true);
   add("Grid SHA-256", run.grid_sha256, true);
   add("Recording SHA-256", run.recording.sha256, true);
-  add("Content SHA-256", record::content_digest(run), true);
+  add("Content SHA-256", run.content_sha256, true);
   return list;
 }
 

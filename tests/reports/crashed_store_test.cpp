@@ -7,7 +7,7 @@
 
 #include <csignal>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <record/store.hpp>
 
@@ -58,12 +58,17 @@ TEST_P(CrashedStore, KeepsEveryFinishedCall) {
   });
   const RunRecord read = read_run(path);
   EXPECT_EQ(read.verdict, Verdict::kError);
-  EXPECT_EQ(read.verdict_reason, "the run did not finish");
+  EXPECT_TRUE(read.interrupted);
+  EXPECT_THAT(read.verdict_reason, ::testing::StartsWith("interrupted: the run did not finish"));
   RunRecord expected = run;
-  expected.fault = "the run did not finish";
+  expected.interrupted = true;
+  expected.fault = read.fault;
   expected.verdict = read.verdict;
   expected.verdict_reason = read.verdict_reason;
   expected.outlets.resize(written);
+  for (OutletRecord& outlet : expected.outlets) {
+    outlet.verdict = Verdict::kError;
+  }
   EXPECT_EQ(content_digest(read), content_digest(expected));
 }
 

@@ -61,12 +61,12 @@ TEST_F(DamagedStore, IsRefusedIfItIsAnotherDatabase) {
 }
 
 TEST_F(DamagedStore, OfANewerVersionRequiresANewerGsbench) {
-  change("PRAGMA user_version = 7");
-  EXPECT_THAT(error(), AllOf(StartsWith(path_), HasSubstr("version 7"), HasSubstr("newer")));
+  change("PRAGMA user_version = 8");
+  EXPECT_THAT(error(), AllOf(StartsWith(path_), HasSubstr("version 8"), HasSubstr("newer")));
 }
 
 // A change of the tables requires a new kSchemaVersion; this digest detects such changes.
-TEST_F(DamagedStore, TablesOfVersion6AreUnchanged) {
+TEST_F(DamagedStore, TablesOfVersion7AreUnchanged) {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(path_.c_str(), &database), SQLITE_OK);
   QCryptographicHash hash(QCryptographicHash::Sha256);
@@ -80,7 +80,7 @@ TEST_F(DamagedStore, TablesOfVersion6AreUnchanged) {
                          nullptr),
             SQLITE_OK);
   sqlite3_close(database);
-  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "a914216edef8a522");
+  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "82ae205c0a5c4459");
 }
 
 TEST_F(DamagedStore, IsRefusedWithForeignTables) {
@@ -101,6 +101,12 @@ TEST_F(DamagedStore, IsRefusedIfAnyFigureIsChanged) {
            "DELETE FROM measurement WHERE owner = 1 AND position = 0",
            "DELETE FROM setting WHERE owner = 2",
            "DELETE FROM series WHERE owner = 1 AND position = 0",
+           "DELETE FROM sent WHERE owner = 1",
+           "UPDATE sent SET message = x'00' WHERE owner = 1",
+           "DELETE FROM series WHERE owner = 1",
+           "DELETE FROM seal WHERE owner = 1 AND position > 0",
+           "DELETE FROM seal WHERE owner = 1 AND position = 0",
+           "UPDATE outlet SET clock_samples_per_tick = 2 WHERE owner = 1",
            "UPDATE outlet SET owner = 7 WHERE owner = 2",
            "UPDATE series SET entries = 9000000000000000000 WHERE owner = 1 AND position = 1",
            "UPDATE series SET entries = -1 WHERE owner = 1 AND position = 1",

@@ -118,7 +118,9 @@ void estimate(record::OutletRecord& outlet, std::int64_t from_tick, std::int64_t
     outlet.estimates.loss_mw.push_back(
         static_cast<float>(final_mw - 190.0 * settling + 6.0 * settling * noise()));
     outlet.estimates.loss_sigma_mw.push_back(static_cast<float>(5.0 + 35.0 * settling));
-    outlet.estimates.t_x_s.push_back(static_cast<float>(kLoss_s + 0.02 * settling * noise()));
+    outlet.estimates.event_tick.push_back(from_tick);
+    outlet.estimates.loss_after_event_s.push_back(
+        static_cast<float>(kLoss_s - seconds(from_tick) + 0.02 * settling * noise()));
     outlet.estimates.trusted.push_back(age_s > 0.1 ? 1 : 0);
   }
 }
@@ -129,7 +131,12 @@ record::OutletRecord outlet_500mw(int number_from_1, bool sheds, std::int64_t du
   outlet.id = (sheds ? "sheds-" : "stays-") + std::to_string(number_from_1);
   outlet.group = sheds ? "sheds" : "stays";
   outlet.link = "simulated";
-  outlet.firmware = "0.1.0 (3f2a9c41)";
+  outlet.firmware = "0.1.0";
+  outlet.board = "mps2-an386";
+  outlet.instance = 0x12345678;
+  outlet.build = "3f2a9c41";
+  outlet.protocol_version = 3;
+  outlet.sent = {{-1, "settings", {0x83, 0x01, 0x00}}, {-1, "ask self test", {0x82, 0x05, 0x00}}};
   outlet.settings_digest = "5be1a0f2";
   outlet.settings = {{"accumulated_mw", sheds ? 100.0 : 200.0},
                      {"threshold_mw", 351.92},
@@ -195,6 +202,7 @@ record::RunRecord loss_500mw(int outlet_count) {
   for (int i = 1; i <= outlet_count; ++i) {
     run.outlets.push_back(outlet_500mw(i, 2 * i <= outlet_count, run.duration_ticks));
   }
+  run.content_sha256 = record::content_digest(run);
   return run;
 }
 

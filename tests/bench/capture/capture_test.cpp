@@ -12,7 +12,7 @@ using gs::outlet::Trust;
 using gs::wire::UplinkKind;
 using ::testing::ElementsAre;
 
-constexpr std::int64_t kRate_hz = 8000;
+constexpr double kRate_hz = 8000.0;
 
 link::Received received(const std::string& outlet, std::int64_t tick, UplinkKind kind) {
   link::Received message;
@@ -48,8 +48,8 @@ link::Received estimate(std::int64_t tick, float loss_instant_s, Trust trust) {
 
 record::OutletRecord taken(Capture& capture, const std::string& outlet) {
   record::OutletRecord record;
-  record.id = outlet;
-  capture.move_into(record, OutletClock(), 1 << 30);
+  static_cast<record::Reports&>(record) = capture.take(outlet);
+  record::place_on_run_time(record, 1 << 30);
   return record;
 }
 
@@ -67,7 +67,7 @@ std::vector<std::string> printed(const record::OutletRecord& record) {
 }
 
 TEST(Capture, KeepsMeasurementsInTheTraceOfTheirOutlet) {
-  Capture capture(kRate_hz);
+  Capture capture;
   capture.add({measurement("a", 128, 50.0F), measurement("b", 128, 49.0F)});
   capture.add({measurement("a", 256, std::numeric_limits<float>::quiet_NaN())});
   EXPECT_EQ(capture.last_report_sample("a"), 256);
@@ -83,13 +83,13 @@ TEST(Capture, KeepsMeasurementsInTheTraceOfTheirOutlet) {
 }
 
 TEST(Capture, HasNoReportsOfASilentOutlet) {
-  const Capture capture(kRate_hz);
+  const Capture capture{};
   EXPECT_EQ(capture.last_report_sample("a"), 0);
   EXPECT_TRUE(capture.settings_answers("a").empty());
 }
 
 TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
-  Capture capture(kRate_hz);
+  Capture capture;
   link::Received lse = received("a", 200, UplinkKind::kLse);
   lse.message.lse = {450.0F};
   link::Received shed = received("a", 300, UplinkKind::kDecision);
@@ -114,7 +114,7 @@ TEST(Capture, KeepsEventsEdgesAndCommandsAsMarks) {
 }
 
 TEST(Capture, MarksADecisionToHoldWithTheReliabilityOfItsEstimate) {
-  Capture capture(kRate_hz);
+  Capture capture;
   link::Received hold = received("a", 300, UplinkKind::kDecision);
   hold.message.decision = {515.0F, 2.5F, NAN, 163.0F, 0.0F, 3, Trust::kNotYet, false};
   capture.add({hold});
@@ -125,7 +125,7 @@ TEST(Capture, MarksADecisionToHoldWithTheReliabilityOfItsEstimate) {
 }
 
 TEST(Capture, SortsMarksByTimeAndKeepsTheOrderWithinOneTick) {
-  Capture capture(kRate_hz);
+  Capture capture;
   capture.add({relay_report("a", 500, false), event("a", 700)});
   capture.add_edge("a", 600, false);
   capture.add_edge("a", 500, true);
@@ -137,24 +137,23 @@ TEST(Capture, SortsMarksByTimeAndKeepsTheOrderWithinOneTick) {
 }
 
 TEST(Capture, ConvertsTheInstantOfTheLossToTheTimeBaseOfTheRun) {
-  Capture capture(kRate_hz);
+  Capture capture;
   // An event at 3.12 s, a loss 0.11 s before it; then another event.
   capture.add({event("a", 24960), estimate(25088, -0.11F, Trust::kNotYet),
                estimate(25216, -0.12F, Trust::kTrusted), event("a", 80000),
                estimate(80128, -0.1F, Trust::kTrusted)});
   const record::EstimateTrace estimates = taken(capture, "a").estimates;
   EXPECT_THAT(estimates.tick, ElementsAre(25088, 25216, 80128));
-  // A float near 10 s resolves a microsecond.
-  EXPECT_NEAR(static_cast<double>(estimates.t_x_s[0]), 3.01, 1e-6);
-  EXPECT_NEAR(static_cast<double>(estimates.t_x_s[1]), 3.00, 1e-6);
-  EXPECT_NEAR(static_cast<double>(estimates.t_x_s[2]), 9.90, 1e-6);
+  EXPECT_NEAR(record::loss_instant_s(estimates, 0, kRate_hz), 3.01, 1e-6);
+  EXPECT_NEAR(record::loss_instant_s(estimates, 1, kRate_hz), 3.00, 1e-6);
+  EXPECT_NEAR(record::loss_instant_s(estimates, 2, kRate_hz), 9.90, 1e-6);
   EXPECT_THAT(estimates.trusted, ElementsAre(0, 1, 1));
   EXPECT_THAT(estimates.loss_mw, ElementsAre(500.0F, 500.0F, 500.0F));
   EXPECT_THAT(estimates.loss_sigma_mw, ElementsAre(8.0F, 8.0F, 8.0F));
 }
 
 TEST(Capture, KeepsTheAnswersToTheSettingsAndTheDigestOfTheFirst) {
-  Capture capture(kRate_hz);
+  Capture capture;
   link::Received accepted = received("a", 40, UplinkKind::kSettingsAnswer);
   accepted.message.settings_answer = {gs::outlet::SettingsError::kNone, 1, 0x00C0FFEEU};
   link::Received refused = received("b", 40, UplinkKind::kSettingsAnswer);
@@ -166,25 +165,14 @@ TEST(Capture, KeepsTheAnswersToTheSettingsAndTheDigestOfTheFirst) {
   EXPECT_THAT(capture.settings_answers("a"),
               ElementsAre(gs::outlet::SettingsError::kNone, gs::outlet::SettingsError::kStale));
   EXPECT_THAT(capture.settings_answers("b"), ElementsAre(gs::outlet::SettingsError::kConditions));
-  EXPECT_EQ(taken(capture, "a").settings_digest, "00c0ffee");
-}
-
-TEST(Capture, PreservesTheOtherFieldsOfTheRecord) {
-  Capture capture(kRate_hz);
-  capture.add({event("outlet-7", 100)});
-  record::OutletRecord record;
-  record.id = "outlet-7";
-  record.settings = {{"threshold_mw", 351.9}};
-  record.verdict = record::Verdict::kError;
-  capture.move_into(record, OutletClock(), 1 << 30);
-  EXPECT_EQ(record.id, "outlet-7");
-  EXPECT_EQ(record.settings.size(), 1U);
-  EXPECT_EQ(record.verdict, record::Verdict::kError);
-  EXPECT_EQ(record.marks.size(), 1U);
+  EXPECT_EQ(capture.settings_digest("a"), "00c0ffee");
+  EXPECT_THAT(printed(taken(capture, "a")),
+              ElementsAre(std::string("800 settings.answer 1 refused: ") +
+                          to_string(gs::outlet::SettingsError::kStale)));
 }
 
 TEST(Capture, IsEmptyAfterItsContentIsTaken) {
-  Capture capture(kRate_hz);
+  Capture capture;
   capture.add(
       {measurement("a", 128, 50.0F), event("a", 200), estimate(300, 0.0F, Trust::kTrusted)});
   taken(capture, "a");
@@ -195,14 +183,14 @@ TEST(Capture, IsEmptyAfterItsContentIsTaken) {
 }
 
 TEST(Capture, SeparatesTheOutlets) {
-  Capture capture(kRate_hz);
+  Capture capture;
   capture.add({measurement("b", 128, 50.0F), event("h", 200), event("a", 300)});
   capture.add_edge("b", 400, false);
   EXPECT_THAT(printed(taken(capture, "a")), ElementsAre("300 event 49 frequency before it, Hz"));
 }
 
 TEST(Capture, MakesNoMarkOfAHello) {
-  Capture capture(kRate_hz);
+  Capture capture;
   capture.add({received("a", 0, UplinkKind::kHello)});
   EXPECT_TRUE(taken(capture, "a").marks.empty());
 }

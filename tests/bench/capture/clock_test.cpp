@@ -32,14 +32,14 @@ profile::Plan plan_of(double duration_s, const std::string& grid = "ieee24",
 }
 
 // Largest error of a converted time stamp over the run, ms.
-double error_ms(const Played& played, const OutletClock& clock) {
+double error_ms(const Played& played, const record::Clock& clock) {
   double largest_ms = 0.0;
   for (int part = 0; part <= 8; ++part) {
     const double tick = static_cast<double>(played.run_ticks) * part / 8.0;
     // A whole sample near it, and the exact tick of that sample.
     const double sample = std::floor(played.sample_at(tick));
     const double exact = tick + (sample - played.sample_at(tick)) / played.samples_per_tick;
-    const auto converted = static_cast<double>(clock.tick_of(static_cast<std::uint64_t>(sample)));
+    const auto converted = static_cast<double>(clock.tick_of(static_cast<std::int64_t>(sample)));
     largest_ms = std::max(largest_ms, 1e3 / kTickRate_hz * std::fabs(converted - exact));
   }
   return largest_ms;
@@ -53,16 +53,15 @@ struct Totals {
   double largest_uncertainty_ms = 0.0;
   double largest_drift_uncertainty_ppm = 0.0;
 
-  void add(const Played& played, double ppm, const Alignment& found) {
-    const double error = error_ms(played, found.clock);
+  void add(const Played& played, double ppm, const record::Clock& found) {
+    const double error = error_ms(played, found);
     ++cases;
-    times_within += error <= found.measured.uncertainty_ms ? 1 : 0;
-    drifts_within +=
-        std::fabs(found.measured.drift_ppm - ppm) <= found.measured.drift_uncertainty_ppm ? 1 : 0;
+    times_within += error <= found.uncertainty_ms ? 1 : 0;
+    drifts_within += std::fabs(found.drift_ppm - ppm) <= found.drift_uncertainty_ppm ? 1 : 0;
     largest_error_ms = std::max(largest_error_ms, error);
-    largest_uncertainty_ms = std::max(largest_uncertainty_ms, found.measured.uncertainty_ms);
+    largest_uncertainty_ms = std::max(largest_uncertainty_ms, found.uncertainty_ms);
     largest_drift_uncertainty_ppm =
-        std::max(largest_drift_uncertainty_ppm, found.measured.drift_uncertainty_ppm);
+        std::max(largest_drift_uncertainty_ppm, found.drift_uncertainty_ppm);
   }
 };
 
@@ -126,18 +125,17 @@ class AlignmentTest : public testing::Test {
   const profile::Plan plan_ = plan_of(4.0);
   Played played_ = play(plan_, {kDrift_ppm, 123, 1000000, 5});
 
-  std::optional<Alignment> found() const {
+  std::optional<record::Clock> found() const {
     return align(played_.trace, played_.markers, kTickRate_hz);
   }
 
-  void expect_within(const Alignment& alignment) const {
-    EXPECT_LE(error_ms(played_, alignment.clock), alignment.measured.uncertainty_ms);
-    EXPECT_LE(std::fabs(alignment.measured.drift_ppm - kDrift_ppm),
-              alignment.measured.drift_uncertainty_ppm);
+  void expect_within(const record::Clock& alignment) const {
+    EXPECT_LE(error_ms(played_, alignment), alignment.uncertainty_ms);
+    EXPECT_LE(std::fabs(alignment.drift_ppm - kDrift_ppm), alignment.drift_uncertainty_ppm);
   }
 
   std::size_t reading_at(double tick) const {
-    const auto sample = static_cast<std::uint64_t>(played_.sample_at(tick));
+    const auto sample = static_cast<std::int64_t>(played_.sample_at(tick));
     const auto at =
         std::lower_bound(played_.trace.sample.begin(), played_.trace.sample.end(), sample);
     return static_cast<std::size_t>(at - played_.trace.sample.begin());
@@ -157,12 +155,12 @@ TEST_F(AlignmentTest, DetectsADelayWithTheWrongSign) {
   const auto right = found();
   ASSERT_TRUE(right);
   VoltageTrace wrong = played_.trace;
-  for (std::uint64_t& sample : wrong.sample) {
-    sample -= static_cast<std::uint64_t>(wrong.window_samples);
+  for (std::int64_t& sample : wrong.sample) {
+    sample -= static_cast<std::int64_t>(wrong.window_samples);
   }
   const auto mutant = align(wrong, played_.markers, kTickRate_hz);
   ASSERT_TRUE(mutant);
-  EXPECT_GT(error_ms(played_, mutant->clock), 40.0);
+  EXPECT_GT(error_ms(played_, *mutant), 40.0);
   expect_within(*right);
 }
 
@@ -187,8 +185,8 @@ TEST_F(AlignmentTest, AssumesTheToleranceOfACrystalWithoutTheMarkersAfterTheRun)
   lose(end, played_.trace.sample.size() - end);
   const auto alignment = found();
   ASSERT_TRUE(alignment);
-  EXPECT_EQ(alignment->measured.drift_ppm, 0.0);
-  EXPECT_DOUBLE_EQ(alignment->measured.drift_uncertainty_ppm, 100.0);
+  EXPECT_EQ(alignment->drift_ppm, 0.0);
+  EXPECT_DOUBLE_EQ(alignment->drift_uncertainty_ppm, 100.0);
   expect_within(*alignment);
 }
 
@@ -240,10 +238,9 @@ TEST(DisturbedRun, IsAlignedWithinTheUncertainty) {
     const Played played = play(plan_of(duration_s, "ieee24", signal, ""), crystal);
     const auto alignment = align(played.trace, played.markers, kTickRate_hz);
     ASSERT_TRUE(alignment);
-    EXPECT_LE(error_ms(played, alignment->clock), alignment->measured.uncertainty_ms);
-    EXPECT_LE(std::fabs(alignment->measured.drift_ppm - crystal.ppm),
-              alignment->measured.drift_uncertainty_ppm);
-    EXPECT_LT(alignment->measured.uncertainty_ms, kMostUncertainty_ms);
+    EXPECT_LE(error_ms(played, *alignment), alignment->uncertainty_ms);
+    EXPECT_LE(std::fabs(alignment->drift_ppm - crystal.ppm), alignment->drift_uncertainty_ppm);
+    EXPECT_LT(alignment->uncertainty_ms, kMostUncertainty_ms);
   }
 }
 

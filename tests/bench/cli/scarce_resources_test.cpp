@@ -39,30 +39,50 @@ TEST(LittleMemory, EndsWithAResultOrAnOutOfMemoryError) {
   }
 }
 
-TEST(FullDisk, ExitsWithTwoAndLeavesNoFiles) {
-  // The disk is full early and late in the record.
-  for (const char* size : {"size=32k", "size=300k"}) {
-    const TemporaryFolder folder;
-    const SmallDisk disk(folder.path(), size);
-    if (!disk.mounted()) {
-      GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
-    }
-    const Outcome outcome = run_gsbench({"run", "paper/loss-500mw", "--out", folder.file("runs")});
-    EXPECT_EQ(outcome.exit_code, 2) << size;
-    EXPECT_THAT(outcome.err, HasSubstr(folder.path().string()));
-    // The message is that of the database or, for a folder or a report, that of the system.
-    EXPECT_THAT(outcome.err, HasSubstr("o space left on"));
-    EXPECT_TRUE(folder.entries().empty()) << size;
-  }
-}
-
-TEST(FullDisk, DuringTheReportsKeepsTheFinishedRecord) {
+TEST(FullDisk, BeforeTheRunExitsWithTwoAndLeavesNoFiles) {
   const TemporaryFolder folder;
-  const SmallDisk disk(folder.path(), "size=900k");
+  const SmallDisk disk(folder.path(), "size=32k");
   if (!disk.mounted()) {
     GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
   }
   const Outcome outcome = run_gsbench({"run", "paper/loss-500mw", "--out", folder.file("runs")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr(folder.path().string()));
+  // The message is that of the database or, for a folder or a report, that of the system.
+  EXPECT_THAT(outcome.err, HasSubstr("o space left on"));
+  EXPECT_TRUE(folder.entries().empty());
+}
+
+TEST(FullDisk, DuringTheRunEndsItWithErrorAndKeepsWhatWasStored) {
+  const TemporaryFolder folder;
+  const SmallDisk disk(folder.path(), "size=700k");
+  if (!disk.mounted()) {
+    GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
+  }
+  // Half a second and more of the run is stored at a time.
+  const Outcome outcome =
+      run_gsbench({"run", "paper/loss-500mw", "--real-time", "--out", folder.file("runs")});
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("ERROR: "));
+  EXPECT_THAT(outcome.out, HasSubstr("o space left on"));
+  const Outcome report =
+      run_gsbench({"report", only_run(folder.path() / "runs").string(), "--format", "csv"});
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_THAT(report.out, HasSubstr("sheds-1,0.512,50,"));
+}
+
+TEST(FullDisk, DuringTheReportsKeepsTheFinishedRecord) {
+  const TemporaryFolder profiles;
+  profiles.write("short.toml",
+                 "title = \"Short\"\nsource = \"none\"\n[grid]\nsystem = \"ieee24\"\n[signal]\n"
+                 "duration_s = 0.2\n[[outlet]]\n[[expect]]\nmeasure = \"event.count\"\nmax = 0\n");
+  const TemporaryFolder folder;
+  const SmallDisk disk(folder.path(), "size=380k");
+  if (!disk.mounted()) {
+    GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
+  }
+  const Outcome outcome =
+      run_gsbench({"run", profiles.file("short.toml"), "--out", folder.file("runs")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("o space left on"));
   EXPECT_THAT(outcome.err, HasSubstr("the run is kept"));
@@ -70,7 +90,6 @@ TEST(FullDisk, DuringTheReportsKeepsTheFinishedRecord) {
   // Each report is complete or missing; the last one is missing.
   const std::string html = text_of(run / "report.html");
   EXPECT_TRUE(html.empty() || html.find("</html>") != std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(run / "traces.csv"));
   const Outcome report = run_gsbench({"report", run.string()});
   EXPECT_EQ(report.exit_code, 0) << report.err;
   EXPECT_THAT(report.out, HasSubstr("PASS: "));

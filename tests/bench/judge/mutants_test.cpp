@@ -68,7 +68,7 @@ void dead_bus(SyntheticCase& c) {
 }
 
 void wrong_instant(SyntheticCase& c) {
-  c.outlet.estimates.t_x_s[1] = 3.1F;
+  c.outlet.estimates.loss_after_event_s[1] = 3.1F;
 }
 
 void bounces(SyntheticCase& c) {

@@ -116,7 +116,8 @@ SyntheticCase loss_of_500_mw() {
   c.outlet.estimates.tick = {3296, 3920, 3936};
   c.outlet.estimates.loss_mw = {460.0F, 515.0F, 516.0F};
   c.outlet.estimates.loss_sigma_mw = {80.0F, 8.0F, 8.0F};
-  c.outlet.estimates.t_x_s = {2.95F, 3.010F, 3.2F};
+  c.outlet.estimates.event_tick = {0, 0, 0};
+  c.outlet.estimates.loss_after_event_s = {2.95F, 3.010F, 3.2F};
   c.outlet.estimates.trusted = {0, 1, 1};
   return c;
 }

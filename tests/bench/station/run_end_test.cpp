@@ -315,12 +315,10 @@ TEST_F(RecordedRunEnd, RecordThatCannotBeCreatedThrows) {
 }
 
 TEST_F(RecordedRunEnd, RecordThatCannotBeWrittenAtTheEndThrows) {
-  bool finished = false;
-  options_.progress = [&](double) {
-    if (!finished) {
-      writer_.finish({});  // outlets after finish() are refused
+  options_.progress = [&](double part) {
+    if (part == 1.0) {
+      writer_.finish({});  // results after finish() are refused
     }
-    finished = true;
   };
   EXPECT_ANY_THROW(run(one_second(), station_, options_));
   EXPECT_TRUE(station_.is_safe());

@@ -12,21 +12,6 @@
 
 namespace gsbench::capture {
 
-// Converts an outlet's sample count to ticks of the run, linearly.
-class OutletClock {
- public:
-  // For an outlet whose sample count is the tick of the run.
-  OutletClock() = default;
-  OutletClock(double sample_at_zero, double samples_per_tick)
-      : sample_at_zero_(sample_at_zero), samples_per_tick_(samples_per_tick) {}
-
-  std::int64_t tick_of(std::uint64_t sample) const;
-
- private:
-  double sample_at_zero_ = 0.0;
-  double samples_per_tick_ = 1.0;
-};
-
 // A voltage dip, in ticks of the run.
 struct Dip {
   std::int64_t from_tick = 0;
@@ -48,21 +33,16 @@ struct Markers {
 
 // The voltage that an outlet reports, with its own time stamps.
 struct VoltageTrace {
-  std::vector<std::uint64_t> sample;  // ascending
+  std::vector<std::int64_t> sample;  // ascending
   std::vector<float> voltage_pu;
   double window_samples = 0.0;  // length of the RMS window that ends at the stamp
-};
-
-struct Alignment {
-  OutletClock clock;
-  record::Clock measured;
 };
 
 // Least-squares fit of offset and rate, so that the outlet's voltage in the edges of the dips
 // matches the RMS of the played signal. Dips are identified by their length and spacing. Without
 // the dips after the run, the drift is set to 0 and its uncertainty to that of a crystal of
 // ±100 ppm. Returns nullopt if the dips before the run are not found or the fit fails.
-std::optional<Alignment> align(const VoltageTrace& trace, const Markers& markers,
-                               double sample_rate_hz);
+std::optional<record::Clock> align(const VoltageTrace& trace, const Markers& markers,
+                                   double sample_rate_hz);
 
 }  // namespace gsbench::capture

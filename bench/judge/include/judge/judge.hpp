@@ -2,6 +2,7 @@
 // verdict of each outlet and of the run.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <judge/reading.hpp>
@@ -31,9 +32,27 @@ std::vector<record::MeasurementResult> measure(const Case& c);
 void judge_outlet(const profile::Plan& plan, const waveform::ReferenceSignal& reference,
                   const record::BenchUncertainty& uncertainty, record::OutletRecord& outlet);
 
-// Calls judge_outlet for each outlet and overwrites run.verdict and run.verdict_reason. The verdict
-// of a run is the worst of its outlets. It is ERROR, without measurements, if the bench failed or
-// the run was interrupted. `plan` must be the plan of run.profile_text.
+// Judges the outlets of a run one after the other, so that only one has to be in memory. `plan`
+// must be the plan of the run, and outlives the judge.
+class Judge {
+ public:
+  Judge(const profile::Plan& plan, const record::RunRecord& head);
+
+  // As judge_outlet(); ERROR without measurements if the bench failed or the run was interrupted.
+  void judge(record::OutletRecord& outlet) const;
+
+ private:
+  const profile::Plan& plan_;
+  std::shared_ptr<const waveform::ReferenceSignal> reference_;
+  record::BenchUncertainty uncertainty_;
+  bool failed_;
+};
+
+// Overwrites run.verdict and run.verdict_reason by the verdicts of its outlets. The verdict of a
+// run is the worst of its outlets. It is ERROR if the bench failed or the run was interrupted.
+void conclude(record::RunRecord& run);
+
+// Both, for all outlets of a run.
 void judge(const profile::Plan& plan, record::RunRecord& run);
 
 }  // namespace gsbench::judge

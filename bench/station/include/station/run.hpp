@@ -15,7 +15,7 @@
 namespace gsbench::station {
 
 struct RunOptions {
-  record::Writer* writer = nullptr;           // stores the run while it proceeds; none: no file
+  record::Writer* writer = nullptr;           // stores the run while it proceeds; none: in memory
   const std::atomic<bool>* stop = nullptr;    // set from outside to end the run early
   std::function<void(double part)> progress;  // share played, 0 … 1
   // What the run waits for before it plays: "waiting for outlets: 2 of 4 joined, 18 s left".
@@ -29,8 +29,10 @@ struct RunOptions {
 // throw: the record has the verdict ERROR and the reason. Throws profile::ConfigurationError if the
 // firmware would refuse an outlet's settings, if the profile asks for what the station's slots
 // cannot give, or if the source cannot keep the profile's tolerances; nothing has been energised or
-// written then. Throws StationBusy if another bench uses the station. Throws
-// record::StoreError if the record cannot be written.
+// written then. Throws StationBusy if another bench uses the station. Throws record::StoreError if
+// the record cannot be begun. If it cannot be continued, the run ends with that fault, and the file
+// keeps what was stored. With options.writer, the outlets that are returned have no reports: read
+// them from the file.
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options);
 
 }  // namespace gsbench::station

@@ -9,6 +9,9 @@
 
 namespace gsbench::record {
 
+// Version of the records that are written, and of result.json.
+constexpr int kFormatVersion = 7;
+
 // Ordered from good to bad: combine verdicts with std::max.
 enum class Verdict : std::uint8_t { kPass = 0, kInconclusive = 1, kFail = 2, kError = 3 };
 
@@ -34,8 +37,16 @@ struct MeasurementResult {
 struct Mark {
   std::int64_t tick = 0;
   std::string kind;  // "event", "lse", "decision", "relay.reported", "relay.sense", "command", …
-  double value = 0.0;  // depends on `kind`: MW, 1 closed / 0 open, …
-  std::string text;    // reason or note
+  double value = 0.0;      // depends on `kind`: MW, 1 closed / 0 open, …
+  std::string text;        // reason or note
+  bool by_outlet = false;  // stamped by the outlet; false: by the bench
+};
+
+// A message that was sent to an outlet.
+struct Sent {
+  std::int64_t tick = 0;  // of the source, on the run's time base; below 0 before the run
+  std::string kind;       // "settings", "command", "ask self test"
+  std::vector<std::uint8_t> message;  // as on the wire (firmware/wire), with sequence number 0
 };
 
 // One entry per report of the outlet (every 16 ms); all columns have equal length.
@@ -52,35 +63,66 @@ struct EstimateTrace {
   std::vector<std::int64_t> tick;
   std::vector<float> loss_mw;
   std::vector<float> loss_sigma_mw;
-  std::vector<float> t_x_s;           // time of the loss on the run's time base, s
+  std::vector<std::int64_t> event_tick;  // of the event that the estimate belongs to
+  std::vector<float> loss_after_event_s;
   std::vector<std::uint8_t> trusted;  // 1 trusted, 0 not
 };
 
-// The outlet's sample clock, compared with the source's ticks. All members are zero if the outlet
-// has no clock of its own but counts the source's ticks, as simulated outlets do.
+// Time of the loss by estimate i, on the run's time base, s.
+double loss_instant_s(const EstimateTrace& estimates, std::size_t i, double sample_rate_hz);
+
+// The outlet's sample clock, compared with the source's ticks. The first three members are zero if
+// the outlet has no clock of its own but counts the source's ticks, as simulated outlets do.
 struct Clock {
   double drift_ppm = 0.0;              // positive if its crystal runs fast
   double drift_uncertainty_ppm = 0.0;  // expanded, k = 2
   double uncertainty_ms = 0.0;         // of its time stamps on the run's time base, expanded
+  // tick = (sample − sample_at_zero) / samples_per_tick
+  double sample_at_zero = 0.0;
+  double samples_per_tick = 1.0;  // 0: the clock is not aligned
+
+  bool is_aligned() const { return samples_per_tick > 0.0; }
+  bool counts_ticks() const { return sample_at_zero == 0.0 && samples_per_tick == 1.0; }
+  std::int64_t tick_of(std::int64_t sample) const;
 };
 
-struct OutletRecord {
+// What an outlet reported and was sent, and what the bench saw of it, in the order of time. The
+// columns and the marks that the outlet stamped have its own sample counts until place_on_run_time.
+struct Reports {
+  std::vector<Mark> marks;
+  std::vector<Sent> sent;
+  MeasurementTrace trace;
+  EstimateTrace estimates;
+
+  bool empty() const;
+  void append(const Reports& later);
+};
+
+struct OutletRecord : Reports {
   std::string id;
   bool took_part = false;  // false: it was not part of the run, and there is nothing to judge
   std::string group;
-  std::string link;             // "simulated", "/dev/ttyUSB0", …; empty: none
-  std::string firmware;         // version and digest that it reports
+  std::string link;  // "simulated", "/dev/ttyUSB0", …; empty: none
+  // From its hello.
+  std::string board;
+  std::uint64_t instance = 0;          // unique number of the unit
+  std::string firmware;                // version
+  std::string build;                   // digest of its firmware's sources, hexadecimal
+  std::uint64_t protocol_version = 0;  // 0: it has sent no hello
+
   std::string settings_digest;  // of the settings it acknowledged, hexadecimal
   std::string fault;            // first communication or outlet fault; empty: none
   bool relay_sensed = true;     // the bench senses its relay contact
   Clock clock;
-  std::map<std::string, double> settings;  // sent to the outlet; the unit is in the name
+  std::map<std::string, double> settings;  // the first that it was sent; the unit is in the name
   Verdict verdict = Verdict::kPass;
   std::vector<MeasurementResult> measurements;
-  std::vector<Mark> marks;
-  MeasurementTrace trace;
-  EstimateTrace estimates;
 };
+
+// Converts the outlet's sample counts to ticks of the run by its clock, drops what is outside of
+// tick 0 … last_tick, and sorts the marks by time. Without an aligned clock, only what the bench
+// stamped is left. Nothing changes for an outlet that counts the source's ticks.
+void place_on_run_time(OutletRecord& outlet, std::int64_t last_tick);
 
 // The reference frequency, thinned: linear interpolation between entries is within 0.05 mHz.
 struct ReferenceTrace {
@@ -100,13 +142,14 @@ struct Comparison {
 
 // The CSV recording whose frequency was played. All empty if there was none.
 struct Recording {
-  std::string file;  // path as given
-  std::string sha256;
-  std::string time;  // column name, as are the next two members
+  std::string file;    // path as given
+  std::string sha256;  // of the whole file
+  std::string time;    // column name, as are the next two members
   std::string frequency;
   std::string voltage;            // empty: nominal voltage
   double nominal_voltage = 0.0;   // in that column's unit; 0: the column's median
   bool replaces_profile = false;  // given by --trace, in place of the profile's own signal
+  std::string text = {};          // the part of the file that was played
 };
 
 // Uncertainty of the bench, expanded (k = 2), without that of the outlets' clocks.
@@ -137,6 +180,8 @@ struct RunRecord {
   std::string run_id;       // unique
   std::string started_utc;  // ISO 8601, wall clock
   std::string finished_utc;
+  std::string software;        // versions of the libraries and of the system; one line each
+  std::string content_sha256;  // as content_digest(); empty before the end
   std::string gsbench_version;
   std::string profile;  // name
   std::string profile_title;
@@ -145,8 +190,10 @@ struct RunRecord {
   std::string profile_text;
   std::string grid;
   std::string grid_sha256;  // of the grid file; empty if the grid is part of the profile
+  std::string grid_text;    // its content
   Recording recording;
   std::string station;          // "simulated"
+  std::string station_text;     // content of the station file
   std::string noise;            // "1 % white, independent at each outlet"
   std::string firmware_sha256;  // of the firmware sources in this build
   std::uint64_t seed = 0;

@@ -1,6 +1,8 @@
-// Stores a run in one SQLite file (WAL), with traces as compressed columns.
+// Stores a run while it proceeds, and reads it back.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -17,30 +19,84 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Writes a run while it proceeds. Each call is one transaction: a crash loses the current call
-// only. A run without finish() reads back with the fault "the run did not finish" and verdict
-// ERROR. After destruction the record is one plain file, without -wal or -shm files. Call begin(),
-// then add_outlet() for each outlet, then finish(). Another order throws std::logic_error. Columns
-// of unequal length throw std::invalid_argument. A failure of the file throws StoreError. Earlier
-// calls remain stored after any error. Not thread-safe.
-class Writer {
+// Takes a run while it proceeds: begin(), add_outlet() for each outlet, append() as its reports
+// arrive, update_outlet() with its results, finish(). Another order throws std::logic_error.
+// Columns of unequal length throw std::invalid_argument. Not thread-safe.
+class Store {
+ public:
+  virtual ~Store() = default;
+  virtual void begin(const RunRecord& head) = 0;            // without outlets and final verdict
+  virtual void add_outlet(const OutletRecord& outlet) = 0;  // with the reports that it has
+  // Element i: what has arrived from the i-th outlet since the last call.
+  virtual void append(const std::vector<Reports>& reports) = 0;
+  // Replaces all but the settings and the reports.
+  virtual void update_outlet(std::size_t i, const OutletRecord& outlet) = 0;
+  // All of the i-th outlet, not yet placed on the run's time.
+  virtual OutletRecord outlet(std::size_t i) = 0;
+  // With verdict, time stamps, comparisons and reference; its outlets are not used.
+  virtual void finish(const RunRecord& head) = 0;
+};
+
+// In memory.
+class MemoryStore final : public Store {
+ public:
+  void begin(const RunRecord&) override {}
+  void add_outlet(const OutletRecord& outlet) override { outlets_.push_back(outlet); }
+  void append(const std::vector<Reports>& reports) override;
+  void update_outlet(std::size_t i, const OutletRecord& outlet) override;
+  OutletRecord outlet(std::size_t i) override { return outlets_.at(i); }
+  void finish(const RunRecord&) override {}
+
+ private:
+  std::vector<OutletRecord> outlets_;
+};
+
+// In one SQLite file (WAL), with traces as compressed columns. Each call is one transaction: a
+// crash of the process loses the current call only, a power cut those of the last seconds. A run
+// without finish() reads back as interrupted, with verdict ERROR. After destruction the record is
+// one plain file, without -wal or -shm files. A failure of the file throws StoreError; earlier
+// calls remain stored.
+class Writer final : public Store {
  public:
   // Creates the file. Throws StoreError if it exists or cannot be written.
   explicit Writer(const std::string& path);
-  ~Writer();
+  ~Writer() override;
 
-  void begin(const RunRecord& head);            // without outlets and final verdict
-  void add_outlet(const OutletRecord& outlet);  // with its traces and results
-  void finish(const RunRecord& whole);  // with verdict, time stamps, comparisons and reference
+  void begin(const RunRecord& head) override;
+  void add_outlet(const OutletRecord& outlet) override;
+  void append(const std::vector<Reports>& reports) override;
+  void update_outlet(std::size_t i, const OutletRecord& outlet) override;
+  OutletRecord outlet(std::size_t i) override;
+  void finish(const RunRecord& head) override;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-// Throws StoreError if the file is not a record, is of another version, or was changed. A stored
-// digest of every part detects changes.
+// Reads a record outlet by outlet. Of a run that is still written, it sees the state at its
+// construction. All calls throw StoreError if the file is not a record, is of an unknown version,
+// or was changed: a stored digest of every part detects changes.
+class Reader {
+ public:
+  explicit Reader(const std::string& path);
+  ~Reader();
+
+  const RunRecord& head() const;  // without outlets
+  std::size_t outlets() const;
+  OutletRecord results(std::size_t i);  // of the i-th outlet, without its reports
+  OutletRecord outlet(std::size_t i);   // the same with its reports, placed on the run's time
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// The whole record; with `wanted`, with the reports of those outlets only for whose results it
+// returns true.
 RunRecord read_run(const std::string& path);
+RunRecord read_run(const std::string& path,
+                   const std::function<bool(const OutletRecord& results)>& wanted);
 
 // The same without the outlets, which are most of the file.
 RunRecord read_head(const std::string& path);
@@ -48,5 +104,19 @@ RunRecord read_head(const std::string& path);
 // SHA-256 (hexadecimal) of a record without run id and wall-clock times: equal for equal profile,
 // seed and build.
 std::string content_digest(const RunRecord& run);
+
+// The same, outlet by outlet.
+class ContentDigest {
+ public:
+  ContentDigest();
+  ~ContentDigest();
+
+  void add(const OutletRecord& outlet);   // each, in order
+  std::string of(const RunRecord& head);  // then once
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace gsbench::record

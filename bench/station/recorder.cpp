@@ -1,0 +1,93 @@
+#include "recorder.hpp"
+
+#include "run_steps.hpp"
+
+namespace gsbench::station {
+namespace {
+
+// Of the signal. A station that plays faster than real time takes far less for either.
+constexpr double kPeriod_s = 0.5;
+constexpr double kFastPeriod_s = 8.0;
+// Blocks of real time are shorter.
+constexpr double kLongestRealTimeBlock_s = 0.1;
+// After the start of the run, the dips before it have been reported.
+constexpr double kDipsReported_s = 1.0;
+
+std::string changing(const record::OutletRecord& outlet) {
+  return outlet.settings_digest + (outlet.clock.is_aligned() ? " aligned " : " ") + outlet.fault;
+}
+
+}  // namespace
+
+Recorder::Recorder(record::Store& store, const Station& station, const PlayedSignal& signal,
+                   capture::Capture& capture, std::vector<record::OutletRecord>& outlets)
+    : store_(store),
+      station_(station),
+      signal_(signal),
+      capture_(capture),
+      outlets_(outlets),
+      period_ticks_(
+          waveform::tick_at(station.block_s() > kLongestRealTimeBlock_s ? kFastPeriod_s : kPeriod_s,
+                            signal.sample_rate_hz())),
+      next_tick_(period_ticks_) {}
+
+void Recorder::add_outlets() {
+  for (record::OutletRecord& outlet : outlets_) {
+    if (has_own_clock(station_, outlet)) {
+      outlet.clock.samples_per_tick = 0.0;  // not aligned yet
+    }
+    store_.add_outlet(outlet);
+    static_cast<record::Reports&>(outlet) = {};
+    stored_.push_back(changing(outlet));
+  }
+}
+
+void Recorder::reached(std::int64_t tick) {
+  if (tick < next_tick_) {
+    return;
+  }
+  next_tick_ = tick + period_ticks_;
+  append();
+  align_early(tick);
+  update_changed();
+}
+
+void Recorder::finish() {
+  append();
+  update_changed();
+}
+
+void Recorder::append() {
+  std::vector<record::Reports> reports;
+  for (record::OutletRecord& outlet : outlets_) {
+    reports.push_back(capture_.take(outlet.id));
+    outlet.settings_digest = capture_.settings_digest(outlet.id);
+  }
+  store_.append(reports);
+}
+
+void Recorder::align_early(std::int64_t tick) {
+  const std::int64_t reported =
+      signal_.lead_ticks() + waveform::tick_at(kDipsReported_s, signal_.sample_rate_hz());
+  if (aligned_early_ || tick < reported) {
+    return;
+  }
+  aligned_early_ = true;
+  for (std::size_t i = 0; i < outlets_.size(); ++i) {
+    if (has_own_clock(station_, outlets_[i])) {
+      align(signal_.markers(), store_.outlet(i).trace, signal_.sample_rate_hz(), outlets_[i]);
+    }
+  }
+}
+
+void Recorder::update_changed() {
+  for (std::size_t i = 0; i < outlets_.size(); ++i) {
+    const std::string now = changing(outlets_[i]);
+    if (now != stored_[i]) {
+      store_.update_outlet(i, outlets_[i]);
+      stored_[i] = now;
+    }
+  }
+}
+
+}  // namespace gsbench::station

@@ -1,0 +1,69 @@
+// Records of earlier versions stay readable. A record of each version is kept in records/.
+#include <test_support/temporary_folder.hpp>
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include <record/store.hpp>
+
+namespace gsbench::record {
+namespace {
+
+using ::testing::StartsWith;
+
+std::string record_of_version_6() {
+  return (std::filesystem::path(GSBENCH_TEST_RECORDS) / "version-6.sqlite").string();
+}
+
+double value_of(const OutletRecord& outlet, const char* measure) {
+  const MeasurementResult* result = find_measurement(outlet, measure);
+  return result != nullptr ? result->value : -1.0;
+}
+
+TEST(RecordOfVersion6, HasItsVerdictsFiguresAndTraces) {
+  const RunRecord run = read_run(record_of_version_6());
+  EXPECT_EQ(run.run_id, "20261130T175057Z-65b204c6");
+  EXPECT_EQ(run.verdict, Verdict::kFail);
+  EXPECT_EQ(run.verdict_reason, "1 of 2 outlets did not pass");
+  EXPECT_FALSE(run.interrupted);
+  EXPECT_EQ(run.stimulus.at(0).text, "500 MW lost");
+  ASSERT_EQ(run.outlets.size(), 2U);
+  const OutletRecord& outlet = run.outlets[0];
+  EXPECT_EQ(outlet.verdict, Verdict::kFail);
+  EXPECT_EQ(outlet.settings.size(), 58U);
+  EXPECT_EQ(value_of(outlet, "event.delay"), 104.0);
+  EXPECT_EQ(value_of(outlet, "decision.delay"), 728.0);
+  // A report every 16 ms.
+  ASSERT_EQ(outlet.trace.tick.size(), 187U);
+  EXPECT_EQ(outlet.trace.tick.front(), 128);
+  EXPECT_EQ(outlet.trace.tick.back(), 23936);
+  EXPECT_EQ(outlet.marks.front().kind, "event");
+  EXPECT_EQ(outlet.marks.front().tick, 8832);
+  // What it does not have takes its default.
+  EXPECT_EQ(outlet.board, "");
+  EXPECT_TRUE(outlet.clock.counts_ticks());
+  EXPECT_TRUE(outlet.sent.empty());
+}
+
+TEST(RecordOfVersion6, HasTheInstantOfTheLossOnTheTimeOfTheRun) {
+  const EstimateTrace estimates = read_run(record_of_version_6()).outlets.at(0).estimates;
+  ASSERT_FALSE(estimates.tick.empty());
+  const std::size_t last = estimates.tick.size() - 1;
+  EXPECT_NEAR(loss_instant_s(estimates, last, 8000.0), 1.0, 0.2);
+}
+
+TEST(RecordOfVersion6, IsRefusedIfItWasChanged) {
+  const test::TemporaryFolder folder;
+  const std::string changed = folder.file("changed.sqlite");
+  std::filesystem::copy_file(record_of_version_6(), changed);
+  std::string bytes = folder.read("changed.sqlite");
+  const std::size_t at = bytes.find("500 MW lost");
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at, 3, "900");
+  folder.write("changed.sqlite", bytes);
+  EXPECT_THROW(read_run(changed), StoreError);
+}
+
+}  // namespace
+}  // namespace gsbench::record
