@@ -85,7 +85,7 @@ int run(const RunArguments& arguments) {
 }
 
 void add_trace(CLI::App& command, profile::Overrides& overrides) {
-  recording::TraceColumns& columns = overrides.trace_columns;
+  recording::TraceFormat& columns = overrides.trace_format;
   CLI::Option* trace =
       command
           .add_option(

@@ -63,6 +63,11 @@ ordered_json shape_of(const keys::Key& key) {
       return {{"type", "integer"}};
     case keys::Type::kText:
       return {{"type", "string"}, {"minLength", 1}};
+    case keys::Type::kTextOrNumber: {
+      ordered_json number = {{"type", "number"}};
+      add_range(key.range, number);
+      return {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, std::move(number)}}};
+    }
     case keys::Type::kId:
       return {{"type", "string"},
               {"minLength", 1},
@@ -99,7 +104,9 @@ std::string description_of(const keys::Key& key) {
 
 ordered_json schema_of(const keys::Key& key) {
   ordered_json schema = shape_of(key);
-  add_range(key.range, schema);
+  if (keys::is_number(key)) {
+    add_range(key.range, schema);
+  }
   if (const auto* number = std::get_if<double>(&key.fallback)) {
     schema["default"] = *number;
   }

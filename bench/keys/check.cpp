@@ -42,6 +42,8 @@ std::string wanted(const Key& key) {
     case Type::kChoice:
     case Type::kTextOrTable:
       return "a text in quotes";
+    case Type::kTextOrNumber:
+      return "a text in quotes or a number";
     case Type::kArray:
       return "an array of " + plural(key.inner.front());
     case Type::kRow:
@@ -94,6 +96,14 @@ void Table::check(const Key& key, const Value& value) const {
     case Type::kNumber:
     case Type::kWhole:
       return check_number(key, value);
+    case Type::kTextOrNumber:
+      if (std::holds_alternative<DateOrTime>(value.data)) {
+        return;
+      }
+      return std::holds_alternative<std::int64_t>(value.data) ||
+                     std::holds_alternative<double>(value.data)
+                 ? check_number(key, value)
+                 : check_text(key, value);
     case Type::kTextOrTable:
       if (!std::holds_alternative<Entries>(value.data)) {
         return check_text(key, value);

@@ -43,7 +43,11 @@ Value convert(const toml::node& node) {
       for (const toml::node& item : content) {
         items.push_back(convert(item));
       }
-    } else if constexpr (!toml::is_chronological<Content>) {
+    } else if constexpr (toml::is_chronological<Content>) {
+      std::ostringstream text;
+      text << content.get();
+      value.data = DateOrTime{text.str()};
+    } else {
       value.data = content.get();
     }
   });
@@ -170,7 +174,7 @@ struct Describe {
   std::string operator()(const std::string& value) const {
     return fmt::format("the text \"{}\"", value);
   }
-  std::string operator()(DateOrTime) const { return "a date or time"; }
+  std::string operator()(const DateOrTime&) const { return "a date or time"; }
   std::string operator()(const Array&) const { return "an array"; }
   std::string operator()(const Entries&) const { return "a table"; }
 };

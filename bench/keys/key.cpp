@@ -62,6 +62,11 @@ Key text(std::string name, std::string meaning) {
   return {Type::kText, std::move(name), std::move(meaning)};
 }
 
+Key text_or_number(std::string name, std::string unit, Range range, std::string meaning) {
+  return number(std::move(name), std::move(unit), std::move(range), std::move(meaning))
+      .with(&Key::type, Type::kTextOrNumber);
+}
+
 Key id(std::string name, std::size_t longest, std::string meaning) {
   return Key{Type::kId, std::move(name), std::move(meaning)}.with(&Key::longest, longest);
 }

@@ -57,6 +57,8 @@ std::string permitted(const Key& key) {
       return range_text(key.range);
     case Type::kText:
       return "text";
+    case Type::kTextOrNumber:
+      return "text or number";
     case Type::kId:
       return fmt::format("letters, digits, `-`, `_`, `.`; at most {}", key.longest);
     case Type::kChoice:

@@ -96,7 +96,11 @@ std::optional<std::int64_t> Table::find_whole(const std::string& key) const {
 
 std::optional<std::string> Table::find_text(const std::string& key) const {
   if (const Value* value = find(key)) {
-    return std::get<std::string>(value->data);
+    if (const auto* date = std::get_if<DateOrTime>(&value->data)) {
+      return date->text;
+    }
+    return holds_number(key) ? fmt::format("{}", as_number(*value))
+                             : std::get<std::string>(value->data);
   }
   const auto* fallback = std::get_if<std::string>(&declared(key).fallback);
   return fallback == nullptr ? std::nullopt : std::optional<std::string>(*fallback);
@@ -128,6 +132,12 @@ std::vector<Row> Table::rows(const std::string& key) const {
     }
   }
   return found;
+}
+
+bool Table::holds_number(const std::string& key) const {
+  const Value* value = find(key);
+  return value != nullptr && (std::holds_alternative<std::int64_t>(value->data) ||
+                              std::holds_alternative<double>(value->data));
 }
 
 bool Table::holds_table(const std::string& key) const {

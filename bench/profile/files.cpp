@@ -1,5 +1,4 @@
 #include <QCryptographicHash>
-#include <QFile>
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -200,6 +199,12 @@ std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::s
   return only_named(name_or_path, all_grids());
 }
 
+NamedFile copied_grid(const std::string& name_or_path, const std::string& folder) {
+  return is_toml_path(name_or_path) ? NamedFile{fs::path(name_or_path).stem().string(),
+                                                (fs::path(folder) / name_or_path).string()}
+                                    : NamedFile{name_or_path, name_or_path};
+}
+
 std::string unknown_grid(const std::string& name_or_path) {
   return not_found("grid", name_or_path, all_grids(), "grids");
 }
@@ -239,16 +244,6 @@ std::string read_file(const std::string& path) {
                                          bytes, kLargestFile));
   }
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-std::string sha256_of_file(const std::string& path) {
-  QFile file(QFile::decodeName(path.c_str()));
-  QCryptographicHash hash(QCryptographicHash::Sha256);
-  if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file)) {
-    throw ConfigurationError(
-        fmt::format("{}: cannot be read: {}", path, file.errorString().toStdString()));
-  }
-  return hash.result().toHex().toStdString();
 }
 
 std::string sha256(const std::string& text) {

@@ -213,8 +213,7 @@ Key grid_section_keys() {
   return section;
 }
 
-grid::Grid read_grid_file(const NamedFile& file) {
-  const std::string text = read_file(file.path);
+grid::Grid read_grid_text(const NamedFile& file, const std::string& text) {
   const keys::Document document = keys::parse_toml(text, file.path);
   const Table top(document, grid_keys());
   grid::Grid grid = read_parts(top, file.name, top.text("title"), top.text("source"));
@@ -224,7 +223,8 @@ grid::Grid read_grid_file(const NamedFile& file) {
 }
 
 grid::Grid read_grid_section(const Table& section, const std::string& title,
-                             const std::string& source) {
+                             const std::string& source, const std::optional<std::string>& copy,
+                             std::string& text) {
   if (section.holds_table("system")) {
     return read_parts(section, kInPlaceName, title, source);
   }
@@ -237,11 +237,16 @@ grid::Grid read_grid_section(const Table& section, const std::string& title,
     }
   }
   const auto folder = std::filesystem::path(section.document().path).parent_path().string();
+  if (copy) {
+    text = *copy;
+    return read_grid_text(copied_grid(name, folder), text);
+  }
   const auto file = find_grid(name, folder);
   if (!file) {
     section.refuse("system", unknown_grid(name));
   }
-  return read_grid_file(*file);
+  text = read_file(file->path);
+  return read_grid_text(*file, text);
 }
 
 void check_conditions(const Table& section, const grid::Grid& grid) {

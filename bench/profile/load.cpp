@@ -56,7 +56,8 @@ const keys::Key& profile_keys() {
   return keys;
 }
 
-Plan parse_profile(const std::string& text, const std::string& path, const Overrides& overrides) {
+Plan parse_profile(const std::string& text, const std::string& path, const Overrides& overrides,
+                   const Copies& copies) {
   const keys::Document document = keys::parse_toml(text, path);
   const keys::Table top(document, profile_keys());
   Plan plan;
@@ -69,13 +70,12 @@ Plan parse_profile(const std::string& text, const std::string& path, const Overr
   plan.seed = static_cast<std::uint64_t>(top.whole("seed"));
   const keys::Table grid_section = top.table("grid");
   const keys::Table signal = top.table("signal");
-  plan.grid = read_grid_section(grid_section, plan.title, plan.source);
+  plan.grid = read_grid_section(grid_section, plan.title, plan.source, copies.grid, plan.grid_text);
   check_conditions(grid_section, plan.grid);
   const bool replaced = !overrides.trace_path.empty();
-  plan.stimulus = read_stimulus(signal, grid_section, plan.grid, replaced);
+  plan.stimulus = read_stimulus(signal, grid_section, plan.grid, replaced, copies);
   if (replaced) {
-    replace_by_recording(overrides.trace_path, overrides.trace_columns, plan.grid.nominal_hz,
-                         plan.stimulus);
+    replace_by_recording(overrides, plan.grid.nominal_hz, copies, plan.stimulus);
   }
   plan.seed = overrides.seed.value_or(plan.seed);
   plan.outlets = read_outlets(top, plan.grid);
@@ -97,7 +97,7 @@ grid::Grid load_grid(const std::string& name) {
   if (!file) {
     throw ConfigurationError(unknown_grid(name));
   }
-  return read_grid_file(*file);
+  return read_grid_text(*file, read_file(file->path));
 }
 
 namespace {

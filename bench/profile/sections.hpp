@@ -3,12 +3,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <grid/grid.hpp>
 #include <keys/table.hpp>
 #include <profile/files.hpp>
+#include <profile/load.hpp>
 #include <profile/plan.hpp>
 
 namespace gsbench::profile {
@@ -29,10 +31,12 @@ double read_duration_s(const keys::Table& table, double at_s, double run_s, cons
 
 // [grid]: from a file, or inline.
 keys::Key grid_section_keys();
-grid::Grid read_grid_file(const NamedFile& file);
-// `title` and `source`: those of the profile, used for an inline grid.
+grid::Grid read_grid_text(const NamedFile& file, const std::string& text);
+// `title` and `source`: those of the profile, used for an inline grid. Sets `text` to the content
+// of the grid file; if `copy` is given, it is this.
 grid::Grid read_grid_section(const keys::Table& section, const std::string& title,
-                             const std::string& source);
+                             const std::string& source, const std::optional<std::string>& copy,
+                             std::string& text);
 // Refuses a grid with more load-shedding conditions than an outlet stores. Such a grid is valid in
 // a grid file, but not in a profile.
 void check_conditions(const keys::Table& section, const grid::Grid& grid);
@@ -56,19 +60,20 @@ std::vector<waveform::Tone> read_tones(const keys::Table& signal, double duratio
                                        std::int64_t sample_rate_hz);
 
 // [signal] and the disturbances of [grid]. `skip_recording`: the file of [signal.trace] is not read
-// and need not exist, because another recording replaces it.
+// and need not exist, because another recording replaces it. `copies`: of its recording.
 keys::Key signal_keys();
 Stimulus read_stimulus(const keys::Table& signal, const keys::Table& grid_section,
-                       const grid::Grid& grid, bool skip_recording);
+                       const grid::Grid& grid, bool skip_recording, const Copies& copies);
 
 // [signal.trace]: sets the stimulus's points, recording and duration.
 keys::Key trace_keys();
-void read_trace_section(const keys::Table& signal, double nominal_hz, Stimulus& stimulus);
-// Makes the stimulus play the whole recording. It replaces the profile's frequency source (losses,
-// points or recording), its oscillations, tones, amplitude and phase steps. Noise, harmonics and DC
-// offset stay.
-void replace_by_recording(const std::string& path, const recording::TraceColumns& columns,
-                          double nominal_hz, Stimulus& stimulus);
+void read_trace_section(const keys::Table& signal, double nominal_hz, const Copies& copies,
+                        Stimulus& stimulus);
+// Makes the stimulus play the recording of the overrides. It replaces the profile's frequency
+// source (losses, points or recording), its oscillations, tones, amplitude and phase steps. Noise,
+// harmonics and DC offset stay.
+void replace_by_recording(const Overrides& overrides, double nominal_hz, const Copies& copies,
+                          Stimulus& stimulus);
 
 // Full scale of every source, per unit of the nominal peak amplitude.
 constexpr double kFullScale_pu = 1.5;

@@ -214,7 +214,7 @@ Key signal_keys() {
 }
 
 Stimulus read_stimulus(const Table& signal, const Table& grid_section, const grid::Grid& grid,
-                       bool skip_recording) {
+                       bool skip_recording, const Copies& copies) {
   refuse_second_source(signal, grid_section);
   Stimulus stimulus;
   stimulus.sample_rate_hz = read_sample_rate(signal);
@@ -228,7 +228,7 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
   } else if (skip_recording) {
     stimulus.duration_s = duration_s.value_or(kLongestRun_s);
   } else {
-    read_trace_section(signal, grid.nominal_hz, stimulus);
+    read_trace_section(signal, grid.nominal_hz, copies, stimulus);
     if (duration_s && *duration_s > stimulus.duration_s) {
       signal.refuse("duration_s",
                     fmt::format("duration_s is {}; it must be at most {} (the recording's length)",

@@ -1,5 +1,7 @@
 #include "csv.hpp"
 
+#include <algorithm>
+
 namespace gsbench::recording {
 namespace {
 
@@ -26,6 +28,8 @@ bool CsvReader::next(std::vector<Cell>& row) {
       return false;
     }
     row.clear();
+    row_from_ = at_;
+    row_start_ = here_;
     row.push_back(read_cell());
     while (!at_end() && text_[at_] == ',') {
       advance();
@@ -33,8 +37,17 @@ bool CsvReader::next(std::vector<Cell>& row) {
     }
     row_end_ = here_;
     skip_line_end();
-  } while (row.size() == 1 && row.front().text.empty());
+  } while (std::all_of(row.begin(), row.end(), [](const Cell& cell) { return cell.text.empty(); }));
   return true;
+}
+
+void CsvReader::skip_failed_row() {
+  at_ = row_from_;
+  here_ = row_start_;
+  while (!at_line_end()) {
+    advance();
+  }
+  skip_line_end();
 }
 
 bool CsvReader::at_line_end() const {

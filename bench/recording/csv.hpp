@@ -1,6 +1,6 @@
 // Reads comma-separated values (RFC 4180) with the position of each cell for messages. Quoted cells
 // may contain commas, line breaks and doubled quotes. Lines end in LF or CRLF. A byte-order mark
-// and empty lines are skipped.
+// and rows without any text are skipped.
 #pragma once
 
 #include <cstddef>
@@ -31,11 +31,17 @@ class CsvReader {
  public:
   explicit CsvReader(std::string_view text);  // the text must outlive the reader
 
-  // Reads the next row that is not empty; false at the end of the text. Throws CsvError.
+  // Reads the next row that has text; false at the end of the text. Throws CsvError.
   bool next(std::vector<Cell>& row);
 
   // Position just after the row that was read last.
   const Place& row_end() const { return row_end_; }
+  // The bytes of the row that was read last, with its line end.
+  std::string_view row_text() const { return text_.substr(row_from_, at_ - row_from_); }
+  // All bytes up to the end of the row that was read last.
+  std::string_view text_so_far() const { return text_.substr(0, at_); }
+  // After a CsvError: continues after the line in which the row that failed began.
+  void skip_failed_row();
 
  private:
   bool at_end() const { return at_ == text_.size(); }
@@ -48,7 +54,9 @@ class CsvReader {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  std::size_t row_from_ = 0;
   Place here_;
+  Place row_start_;
   Place row_end_;
 };
 

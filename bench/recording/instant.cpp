@@ -132,7 +132,8 @@ std::optional<Instant> parse_date_and_time(std::string_view text) {
   }
   // timegm() changes a date that does not exist, such as 30 February, to one that does.
   std::tm real = time;
-  instant.whole_s = timegm(&real) - 60 * offset_minutes;
+  instant.offset_s = 60 * offset_minutes;
+  instant.whole_s = timegm(&real) - instant.offset_s;
   const bool exists = real.tm_mon == time.tm_mon && real.tm_mday == time.tm_mday &&
                       real.tm_hour == time.tm_hour && real.tm_min == time.tm_min &&
                       real.tm_sec == time.tm_sec;

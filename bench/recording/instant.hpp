@@ -9,9 +9,13 @@
 
 namespace gsbench::recording {
 
-// Returns the number if the whole text is a finite number, otherwise nullopt.
+// Returns the number if the whole text is a finite number, otherwise nullopt. A plus sign may
+// precede it.
 inline std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') {
+    text.remove_prefix(1);
+  }
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || !std::isfinite(value)) {
@@ -25,8 +29,9 @@ struct Instant {
   enum class Kind { kSeconds, kLocal, kZoned };
 
   Kind kind = Kind::kSeconds;
-  std::int64_t whole_s = 0;  // since an origin that depends on the kind
-  double fraction_s = 0.0;   // in [0, 1)
+  std::int64_t whole_s = 0;   // since an origin that depends on the kind
+  double fraction_s = 0.0;    // in [0, 1)
+  std::int64_t offset_s = 0;  // of a zoned instant: local time less UTC
 
   double seconds_since(const Instant& start) const {
     return static_cast<double>(whole_s - start.whole_s) + (fraction_s - start.fraction_s);

@@ -131,10 +131,10 @@ record::Recording kept(const profile::Recording& recording) {
   record::Recording kept;
   kept.file = recording.file;
   kept.sha256 = recording.sha256;
-  kept.time = recording.columns.time;
-  kept.frequency = recording.columns.frequency;
-  kept.voltage = recording.columns.voltage;
-  kept.nominal_voltage = recording.columns.nominal_voltage;
+  kept.time = recording.format.time;
+  kept.frequency = recording.format.frequency;
+  kept.voltage = recording.format.voltage;
+  kept.nominal_voltage = recording.format.nominal_voltage;
   kept.replaces_profile = recording.replaces_profile;
   return kept;
 }

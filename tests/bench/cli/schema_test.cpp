@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ToJson {
-  json operator()(keys::DateOrTime) const { return nullptr; }
+  json operator()(const keys::DateOrTime& value) const { return value.text; }
   json operator()(const keys::Array& items) const {
     json out = json::array();
     for (const auto& item : items) {

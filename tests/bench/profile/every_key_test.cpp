@@ -304,7 +304,9 @@ TEST_P(EveryKey, IsRefusedWithAWrongTypeOrOutsideItsRange) {
     std::vector<std::string> wrong = out_of_range(key);
     outside += static_cast<int>(wrong.size());
     wrong.insert(wrong.end(), {"true", "2025-04-28", "{}"});  // valid for no key
-    wrong.emplace_back(keys::is_number(key) ? "\"6\"" : "6");
+    if (key.type != Type::kTextOrNumber) {
+      wrong.emplace_back(keys::is_number(key) ? "\"6\"" : "6");
+    }
     for (const std::string& value : wrong) {
       EXPECT_THAT(refusal_of(spoilt(text, entry.value.at, value)),
                   StartsWith(place(entry.value.at) + key.name + " is "))

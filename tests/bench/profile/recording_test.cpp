@@ -43,7 +43,7 @@ class Recording : public testing::Test {
   Overrides replay(const std::string& name) const {
     Overrides overrides;
     overrides.trace_path = path(name);
-    overrides.trace_columns = {"t", "f", "", 0.0};
+    overrides.trace_format = {"t", "f", "", 0.0};
     return overrides;
   }
 
@@ -53,11 +53,11 @@ class Recording : public testing::Test {
 TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
   const Plan plan = parse_here(kRecording);
   EXPECT_EQ(plan.stimulus.recording.path, path("recording.csv"));
-  ASSERT_THAT(plan.stimulus.points, SizeIs(4));  // of 1 s … 4 s
+  ASSERT_THAT(plan.stimulus.points, SizeIs(3));  // of 1 s … 4 s, up to the duration
   EXPECT_EQ(plan.stimulus.points[0].t_s, 0.0);
   EXPECT_EQ(plan.stimulus.points[0].frequency_hz, 49.9);
   EXPECT_EQ(plan.stimulus.points[1].voltage_pu, 0.5);
-  EXPECT_EQ(plan.stimulus.points[3].t_s, 3.0);
+  EXPECT_EQ(plan.stimulus.points[2].t_s, 2.0);
   EXPECT_EQ(plan.stimulus.duration_s, 2.0);
   EXPECT_NEAR(plan.reference()->frequency_hz(2.0), 49.7, 1e-12);  // rounding of a cubic
 }
@@ -65,13 +65,13 @@ TEST_F(Recording, IsFoundBesideTheProfileAndCutToItsWindow) {
 TEST_F(Recording, HasItsNameColumnsAndDigestInThePlan) {
   const profile::Recording own = parse_here(kRecording).stimulus.recording;
   EXPECT_EQ(own.file, "recording.csv") << "as given in the profile";
-  EXPECT_EQ(own.columns.voltage, "u");
+  EXPECT_EQ(own.format.voltage, "u");
   EXPECT_EQ(own.sha256, "4fa5e3a1c3d7576c5d86a01f68b4974c7a3055ae4491f197a1af73e00d069837");
   EXPECT_FALSE(own.replaces_profile);
   folder_.write("other.csv", "t,f\n0,50\n9,50\n");
   const profile::Recording other = parse_here(kRecording, replay("other.csv")).stimulus.recording;
   EXPECT_EQ(other.file, path("other.csv"));
-  EXPECT_EQ(other.columns.voltage, "");
+  EXPECT_EQ(other.format.voltage, "");
   EXPECT_NE(other.sha256, own.sha256);
   EXPECT_TRUE(other.replaces_profile);
   EXPECT_EQ(parse(kMinimal).stimulus.recording.file, "");
@@ -90,10 +90,9 @@ TEST_F(Recording, IsRefusedAtThePositionInTheProfile) {
             "12:19: nominal_voltage is given without a voltage column; give voltage = \"…\", or "
             "omit nominal_voltage");
   EXPECT_EQ(refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
-            "13:10: from_s and until_s leave fewer than two rows of " + path("recording.csv") +
-                " to play");
+            "13:10: from_s and until_s leave fewer than two rows to play");
   EXPECT_EQ(refusal_of_one_with("until_s = 4.0", "until_s = 0.5"),
-            "14:11: until_s is 0.5; it must be above 1");
+            "14:11: until_s is 0.5; it must be above from_s, 1");
 }
 
 TEST_F(Recording, IsNamedInTheRefusalIfAColumnIsMissing) {
@@ -133,7 +132,7 @@ TEST_F(Recording, IsRefusedWithAVoltageBeyondFullScale) {
             "7:1: the voltage reaches 1.533 p.u. at 0 s, harmonics and offset included; it must be "
             "at most 1.5 p.u.");
   Overrides overrides = replay("recording.csv");
-  overrides.trace_columns = {"t", "f", "u", 150.0};
+  overrides.trace_format = {"t", "f", "u", 150.0};
   EXPECT_THAT(refusal_here(kMinimal, overrides),
               StartsWith(path("recording.csv") + ": the voltage reaches 1.533 p.u. at 0 s"));
 }
@@ -141,7 +140,7 @@ TEST_F(Recording, IsRefusedWithAVoltageBeyondFullScale) {
 TEST_F(Recording, OfTheCommandLineIsNamedInItsRefusal) {
   folder_.write("short.csv", "t,f\n0,50\n0.09,50\n");
   EXPECT_EQ(refusal_here(kMinimal, replay("short.csv")),
-            path("short.csv") + ": the recording is 0.09 s long; it must be at least 0.1 s");
+            path("short.csv") + ":3:1: the recording is 0.09 s long; it must be at least 0.1 s");
   EXPECT_EQ(refusal_here(kMinimal, replay("none.csv")),
             path("none.csv") + ": is not an existing file");
   folder_.write("bad.csv", "t,f\n0,50\n1,fifty\n");

@@ -1,5 +1,3 @@
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -17,25 +15,21 @@ using testing::ThrowsMessage;
 
 class ReadTrace : public testing::Test {
  protected:
-  ~ReadTrace() override { std::filesystem::remove(path_); }
-
-  std::vector<TracePoint> read(const std::string& text, const TraceColumns& columns) const {
-    std::ofstream(path_, std::ios::binary) << text;
-    return read_trace(path_, columns);
+  std::vector<TracePoint> read(const std::string& text, const TraceFormat& columns) const {
+    return read_trace(text, path_, columns).points;
   }
 
-  void expect_refused(const std::string& text, const TraceColumns& columns,
-                      const std::string& place, const std::string& what) const {
+  void expect_refused(const std::string& text, const TraceFormat& columns, const std::string& place,
+                      const std::string& what) const {
     EXPECT_THAT([&] { return read(text, columns); },
                 ThrowsMessage<std::runtime_error>(
                     AllOf(StartsWith(path_ + ":" + place + ": "), HasSubstr(what))))
         << text;
   }
 
-  std::string path_ =
-      testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
-  TraceColumns columns_{"t", "f", "", 0.0};
-  TraceColumns with_voltage_{"t", "f", "v", 0.0};
+  const std::string path_ = testing::TempDir() + "none.csv";
+  TraceFormat columns_{"t", "f", "", 0.0};
+  TraceFormat with_voltage_{"t", "f", "v", 0.0};
 };
 
 TEST_F(ReadTrace, TakesColumnsInAnyOrderAndTimeFromTheFirstRow) {
@@ -50,7 +44,7 @@ TEST_F(ReadTrace, TakesColumnsInAnyOrderAndTimeFromTheFirstRow) {
 }
 
 TEST_F(ReadTrace, HasNominalVoltageWithoutAVoltageColumn) {
-  EXPECT_EQ(read("t,f\n0,50\n", columns_).at(0).voltage_pu, 1.0);
+  EXPECT_EQ(read("t,f\n0,50\n1,50\n", columns_).at(1).voltage_pu, 1.0);
 }
 
 TEST_F(ReadTrace, TakesTheMedianAsDefaultOfTheNominalVoltage) {
@@ -67,7 +61,7 @@ TEST_F(ReadTrace, KeepsTheRecordedFrequencyOfADeadBus) {
 
 TEST_F(ReadTrace, SkipsGapsButChecksTheirTime) {
   const auto points =
-      read("t,f,v\n0,50,230\n1,NaN,230\n2,50,nan\n3,NaN,NaN\n4,49,230\n", with_voltage_);
+      read("t,f,v\n0,50,230\n1,NaN,230\n2,50,nan\n3,,NA\n3.5,null,230\n4,49,230\n", with_voltage_);
   ASSERT_EQ(points.size(), 2u);
   EXPECT_EQ(points[1].t_s, 4.0);
   EXPECT_EQ(points[1].frequency_hz, 49.0);
@@ -132,7 +126,7 @@ TEST_F(ReadTrace, RefusesTimesOfDifferentFormats) {
 }
 
 TEST_F(ReadTrace, RefusesValuesThatAreNotNumbers) {
-  for (const char* value : {"", "fifty", "50,1", "50 Hz", "inf", "-nan", "0x32", "1e999"}) {
+  for (const char* value : {"fifty", "50,1", "50 Hz", "inf", "-nan", "0x32", "1e999"}) {
     expect_refused("t,f\n0,\"" + std::string(value) + "\"\n", columns_, "2:3",
                    "`" + std::string(value) + "` is not a finite number");
   }
@@ -144,9 +138,10 @@ TEST_F(ReadTrace, RefusesValuesOutOfRange) {
 }
 
 TEST_F(ReadTrace, RefusesANominalVoltageThatIsNotAbove0) {
-  expect_refused("t,f,v\n0,50,0\n", with_voltage_, "1:5", "the nominal voltage of `v` is 0");
+  expect_refused("t,f,v\n0,50,0\n1,50,0\n", with_voltage_, "1:5",
+                 "the nominal voltage of `v` is 0");
   for (const double nominal : {-230.0, std::numeric_limits<double>::quiet_NaN()}) {
-    expect_refused("t,f,v\n0,50,230\n", {"t", "f", "v", nominal}, "1:5",
+    expect_refused("t,f,v\n0,50,230\n1,50,230\n", {"t", "f", "v", nominal}, "1:5",
                    "must be finite and above 0");
   }
 }
@@ -177,10 +172,10 @@ TEST_F(ReadTrace, RefusesAFileWithoutData) {
 }
 
 TEST_F(ReadTrace, RefusesAFileThatCannotBeRead) {
-  EXPECT_THAT([&] { return read_trace(path_, columns_); },
+  EXPECT_THAT([&] { return read_trace_file(path_); },
               ThrowsMessage<std::runtime_error>(
                   AllOf(StartsWith(path_ + ":1:1: "), HasSubstr("No such file"))));
-  EXPECT_THAT([&] { return read_trace(testing::TempDir(), columns_); },
+  EXPECT_THAT([&] { return read_trace_file(testing::TempDir()); },
               ThrowsMessage<std::runtime_error>(
                   AllOf(StartsWith(testing::TempDir() + ":1:1: "), HasSubstr("cannot be read"))));
 }

@@ -15,7 +15,9 @@ namespace {
 
 std::vector<recording::TracePoint> read(const std::string& path) {
   return recording::read_trace(
-      path, {test::kCollapseTime, test::kCollapseFrequency, test::kCollapseVoltage, 0.0});
+             recording::read_trace_file(path), path,
+             {test::kCollapseTime, test::kCollapseFrequency, test::kCollapseVoltage, 0.0})
+      .points;
 }
 
 TEST(RecordedCollapse, IsReadWithTheRecordedFrequencies) {

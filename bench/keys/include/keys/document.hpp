@@ -31,7 +31,9 @@ struct Entry;
 struct Value;
 using Array = std::vector<Value>;
 using Entries = std::vector<Entry>;  // of a table, in the order of the file
-struct DateOrTime {};                // no key has this type: its value is not needed
+struct DateOrTime {
+  std::string text;  // "2025-04-28T11:00:02"
+};
 
 struct Value {
   std::variant<bool, std::int64_t, double, std::string, DateOrTime, Array, Entries> data;

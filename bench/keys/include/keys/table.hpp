@@ -42,7 +42,8 @@ class Table {
   // range, which depends on the rest of the document. A value outside it throws ConfigurationError.
   std::optional<double> find_number(const std::string& key, const Range& narrower = {}) const;
   std::optional<std::int64_t> find_whole(const std::string& key) const;
-  std::optional<std::string> find_text(const std::string& key) const;  // also of kId and kChoice
+  // Also of kId and kChoice; of kTextOrNumber, a number as its shortest text.
+  std::optional<std::string> find_text(const std::string& key) const;
   // The same for keys that are required or have a default.
   double number(const std::string& key, const Range& narrower = {}) const {
     return find_number(key, narrower).value();
@@ -55,6 +56,7 @@ class Table {
   std::vector<PlacedText> texts(const std::string& key) const;
   std::vector<Row> rows(const std::string& key) const;
 
+  bool holds_number(const std::string& key) const;          // false if the value is a text
   bool holds_table(const std::string& key) const;           // false if the value is a text
   Table table(const std::string& key) const;                // the key must be present
   std::vector<Table> tables(const std::string& key) const;  // empty if the key is missing

@@ -28,6 +28,8 @@ NamedFile find_station(const std::string& name_or_path);
 
 // The same for a grid. `folder` is the base of a relative path. nullopt if the file does not exist.
 std::optional<NamedFile> find_grid(const std::string& name_or_path, const std::string& folder);
+// The name that find_grid() would give, and the path or name for messages. The file need not exist.
+NamedFile copied_grid(const std::string& name_or_path, const std::string& folder);
 std::string unknown_grid(const std::string& name_or_path);  // the message for that case
 
 // "paper/loss-500mw" for a shipped or own profile, otherwise the file name without extension.
@@ -42,9 +44,8 @@ bool is_regular_file(const std::string& path);
 // Throws ConfigurationError if `path` is not a readable regular file of at most 4 MiB.
 std::string read_file(const std::string& path);
 
-// Checksums, hexadecimal. sha256_of_file throws ConfigurationError if the file cannot be read.
+// Checksum, hexadecimal.
 std::string sha256(const std::string& text);
-std::string sha256_of_file(const std::string& path);
 
 // Sorted by name. Throw ConfigurationError if the folder of profiles does not exist. Subfolders
 // that may not be read are left out.

@@ -30,12 +30,24 @@ constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 // Values of the command line that replace those of the profile.
 struct Overrides {
   std::optional<std::uint64_t> seed;
-  // A recording to play in full length; empty: none. It replaces the profile's frequency source
-  // (losses, points or recording), its oscillations, tones, amplitude and phase steps. Noise,
-  // harmonics and DC offset stay.
+  // A recording to play; empty: none. It replaces the profile's frequency source (losses, points or
+  // recording), its oscillations, tones, amplitude and phase steps. Noise, harmonics and DC offset
+  // stay. The length of the run is that of the recording's played part.
   std::string trace_path;
-  recording::TraceColumns trace_columns;
+  recording::TraceFormat trace_format;
 };
+
+// Contents of files, as a run record has them. They are used in place of the files that the profile
+// and the overrides name, which are then not opened and need not exist.
+struct Copies {
+  std::optional<std::string> grid;       // Plan::grid_text
+  std::optional<std::string> recording;  // Recording::played_text; then Recording::sha256 is empty
+};
+
+// A format as text, for records: the keys of [signal.trace] but `file`. trace_format() reads it,
+// and also one without a key that has been added since. Throws ConfigurationError.
+std::string trace_options(const recording::TraceFormat& format);
+recording::TraceFormat trace_format(const std::string& options);
 
 // `name`: a profile in one of the folders searched ("paper/loss-500mw"), or the path of a .toml
 // file.
@@ -44,7 +56,7 @@ Plan load_profile(const std::string& name, const Overrides& overrides = {});
 // The same for the text of a profile, e.g. from a run record. Relative paths of grids and
 // recordings are relative to the folder of `path`.
 Plan parse_profile(const std::string& text, const std::string& path,
-                   const Overrides& overrides = {});
+                   const Overrides& overrides = {}, const Copies& copies = {});
 
 // `name`: a grid in one of the folders searched ("ieee24"), or the path of a .toml file.
 grid::Grid load_grid(const std::string& name);

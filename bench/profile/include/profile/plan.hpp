@@ -4,6 +4,7 @@
 
 #include <control_centre/outlet_settings.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -22,9 +23,13 @@ namespace gsbench::profile {
 struct Recording {
   std::string file;    // as given in the profile or on the command line
   std::string path;    // as opened
-  std::string sha256;  // of the content, hexadecimal
-  recording::TraceColumns columns;
+  std::string sha256;  // of the whole file, hexadecimal; empty if a copy was read in its place
+  recording::TraceFormat format;
   bool replaces_profile = false;  // given on the command line (Overrides)
+  // The played part, from which Copies make the same plan. Bytes of the file: not always UTF-8.
+  std::string played_text;
+  std::size_t rows = 0;  // of the played part, with gaps
+  std::size_t gaps = 0;  // rows without a value
 };
 
 // Largest accepted deviations of the played voltage from the signal. A source that cannot keep them
@@ -94,6 +99,7 @@ struct Plan {
   std::string text;    // content of the profile file
   std::string sha256;  // of text, hexadecimal
   grid::Grid grid;
+  std::string grid_text;  // content of the grid file; empty if the grid is part of the profile
   Stimulus stimulus;
   std::vector<Outlet> outlets;            // at least one
   std::vector<SettingsUpdate> settings;   // ascending in time

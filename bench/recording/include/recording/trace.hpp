@@ -1,30 +1,85 @@
-// Recordings of the mains: points of frequency and voltage.
+// Recordings of the mains: points of frequency and voltage, from CSV.
 #pragma once
 
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gsbench::recording {
 
 struct TracePoint {
-  double t_s;  // from the start of the recording
+  double t_s;  // from the first point
   double frequency_hz;
   double voltage_pu = 1.0;  // 1 if the recording has no voltage
 };
 
-// Names of the columns of a CSV recording.
-struct TraceColumns {
+// How a CSV recording is read, and which part of it is played.
+struct TraceFormat {
+  // Names of the columns.
   std::string time;
   std::string frequency;
   std::string voltage;           // empty: none
-  double nominal_voltage = 0.0;  // in the column's unit (RMS); 0: the column's median is nominal
+  double nominal_voltage = 0.0;  // in the column's unit (RMS); 0: median of the played part
+
+  // The window: seconds after the first row that has a time, or date and time as in the recording.
+  std::string from = {};   // empty: from the first row
+  std::string until = {};  // empty: to the last row
+};
+
+// A name and the field of every option, in the order of the documentation.
+template <class Format, class Visitor>
+void visit_fields(Format& format, Visitor&& visitor) {
+  visitor("time", format.time);
+  visitor("frequency", format.frequency);
+  visitor("voltage", format.voltage);
+  visitor("nominal_voltage", format.nominal_voltage);
+  visitor("from_s", format.from);
+  visitor("until_s", format.until);
+}
+
+// What the played part must satisfy.
+struct TraceLimits {
+  double lowest_hz = 0.0;
+  double highest_hz = std::numeric_limits<double>::infinity();
+  double shortest_s = 0.0;
+  double longest_s = std::numeric_limits<double>::infinity();
+  // Time to play. Rows after the first point at or beyond it are not read.
+  double duration_s = std::numeric_limits<double>::infinity();
+};
+
+// The played part of a recording.
+struct Trace {
+  std::vector<TracePoint> points;  // at least two, ascending; the first is at 0
+  std::size_t rows = 0;            // with gaps
+  std::size_t gaps = 0;            // rows without a frequency or voltage
+  // A CSV with the lines above the data, the rows of the played part, and the row from which `from`
+  // and `until` count. Read with the same format and limits, it gives the same points, bit for bit.
+  std::string text;
+};
+
+// A bad option of a TraceFormat. `key`: its name in visit_fields(); empty: none in particular.
+struct FormatError : std::runtime_error {
+  FormatError(std::string the_key, const std::string& what)
+      : std::runtime_error(what), key(std::move(the_key)) {}
+
+  std::string key;
 };
 
 // Reads a CSV recording whose first row has the names of the columns. Times are in seconds, or date
 // and time of day such as `28-Apr-2025 11:00:02`, `2025-04-28 11:00:02.5` or
-// `2025-04-28T11:00:02Z`. The first row of values is at t = 0. A row with frequency or voltage
-// `NaN` is a gap and gives no point. Throws std::runtime_error with `file:line:column: …` if the
-// file cannot be read, or a column, row, value or time in it is not valid.
-std::vector<TracePoint> read_trace(const std::string& path, const TraceColumns& columns);
+// `2025-04-28T11:00:02Z`. A row with an empty frequency or voltage, or `NaN`, `NA` or `null`, is a
+// gap and gives no point.
+//
+// Rows outside the window and after the duration may have any content. Throws FormatError, or
+// std::runtime_error with `path:line:column: …` if a column, or a row, value or time of the played
+// part, is not valid.
+Trace read_trace(const std::string& text, const std::string& path, const TraceFormat& format,
+                 const TraceLimits& limits = {});
+
+// The bytes of a file. Throws std::runtime_error with `path:1:1: …` if it cannot be read.
+std::string read_trace_file(const std::string& path);
 
 }  // namespace gsbench::recording

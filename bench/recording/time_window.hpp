@@ -1,0 +1,42 @@
+// The part of a recording to play, as instants of its time column.
+#pragma once
+
+#include "instant.hpp"
+
+#include <optional>
+#include <string>
+
+#include <recording/trace.hpp>
+
+namespace gsbench::recording {
+
+class TimeWindow {
+ public:
+  // Throws FormatError if `from` or `until` is neither seconds nor date and time.
+  explicit TimeWindow(const TraceFormat& format);
+
+  // True if rows may precede the window.
+  bool has_start() const { return from_.has_value(); }
+  bool counts_from_first_row() const { return is_seconds(from_) || is_seconds(until_); }
+
+  // `first`: the first instant of the recording. To be called before the functions below. Throws
+  // FormatError if a limit cannot be compared with it, or if `until` is not after `from`.
+  void start_at(const Instant& first);
+  bool is_before(const Instant& instant) const;  // before the start
+  bool is_after(const Instant& instant) const;   // after the end
+
+ private:
+  static bool is_seconds(const std::optional<Instant>& limit) {
+    return limit && limit->kind == Instant::Kind::kSeconds;
+  }
+
+  std::string from_text_;
+  std::string until_text_;
+  std::optional<Instant> from_;
+  std::optional<Instant> until_;
+  Instant first_;
+  std::optional<double> from_s_;  // after the first instant
+  std::optional<double> until_s_;
+};
+
+}  // namespace gsbench::recording
