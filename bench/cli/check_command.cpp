@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "trace_arguments.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@ int check_all(const std::vector<std::string>& profiles) {
                                 plan.outlets.size(), plan.stimulus.duration_s,
                                 plan.stimulus.sample_rate_hz, plan.expectations.size()),
                     4);
+      print_recording(plan);
     } catch (const profile::ConfigurationError& error) {
       print_error(error.what());
       exit_code = kBadInput;

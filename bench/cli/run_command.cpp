@@ -3,6 +3,7 @@
 #include "live_output.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
+#include "trace_arguments.hpp"
 #include <unistd.h>
 
 #include <cstdio>
@@ -54,6 +55,7 @@ void report(const record::RunRecord& run, const RunFolder& folder, bool json) {
 
 int run(const RunArguments& arguments) {
   const profile::Plan asked = profile::load_profile(arguments.profile, arguments.overrides);
+  print_recording(asked);
   const auto file = station::load_station(arguments.station);
   const profile::Plan plan = station::fit_to_station(file, asked);
   const std::atomic<bool>& interrupted = catch_interrupts();
@@ -82,27 +84,6 @@ int run(const RunArguments& arguments) {
     report(run, folder, arguments.json);
     return run.interrupted ? kInterrupted : exit_code_of(run.verdict);
   });
-}
-
-void add_trace(CLI::App& command, profile::Overrides& overrides) {
-  recording::TraceFormat& columns = overrides.trace_format;
-  CLI::Option* trace =
-      command
-          .add_option(
-              "--trace", overrides.trace_path,
-              "Play this CSV recording; --trace-time and --trace-frequency name its columns. It "
-              "replaces the profile's frequency (losses, points or recording) and its amplitude "
-              "and phase steps; noise, harmonics and DC offset stay")
-          ->type_name("FILE");
-  const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
-    command.add_option(name, value, text)->type_name(type)->needs(trace);
-  };
-  add("--trace-time", columns.time, "COLUMN", "Column of the times");
-  add("--trace-frequency", columns.frequency, "COLUMN", "Column of the frequencies, Hz");
-  add("--trace-voltage", columns.voltage, "COLUMN",
-      "Column of the RMS voltages; without it the voltage is nominal");
-  add("--trace-nominal-voltage", columns.nominal_voltage, "V",
-      "Nominal voltage, in the unit of that column; without it the median of the column");
 }
 
 }  // namespace

@@ -63,8 +63,9 @@ ordered_json shape_of(const keys::Key& key) {
       return {{"type", "integer"}};
     case keys::Type::kText:
       return {{"type", "string"}, {"minLength", 1}};
-    case keys::Type::kTextOrNumber: {
-      ordered_json number = {{"type", "number"}};
+    case keys::Type::kTextOrWhole:
+    case keys::Type::kInstant: {
+      ordered_json number = {{"type", key.type == keys::Type::kInstant ? "number" : "integer"}};
       add_range(key.range, number);
       return {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, std::move(number)}}};
     }

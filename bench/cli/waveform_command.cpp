@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "live_output.hpp"
 #include "output_file.hpp"
+#include "trace_arguments.hpp"
 #include "waveform_samples.hpp"
 
 #include <cstdio>
@@ -16,6 +17,7 @@ struct WaveformArguments {
 
 int write_waveform(const WaveformArguments& arguments) {
   const profile::Plan plan = profile::load_profile(arguments.profile, arguments.overrides);
+  print_recording(plan);
   const std::atomic<bool>& interrupted = catch_interrupts();
   OutputFile file(arguments.output, {plan.path, plan.grid.path, plan.stimulus.recording.path});
   if (!write_samples(plan, interrupted, file)) {
@@ -39,6 +41,7 @@ void add_waveform(CommandLine& line) {
       ->type_name("FILE")
       ->required();
   add_seed(command, arguments.overrides.seed, "Seed of the noise, in place of the profile's");
+  add_trace(command, arguments.overrides);
   command.footer(
       "Columns: t_s, frequency_hz, rocof_hz_s, voltage_pu; one row per sample.\n"
       "\n"

@@ -42,8 +42,10 @@ std::string wanted(const Key& key) {
     case Type::kChoice:
     case Type::kTextOrTable:
       return "a text in quotes";
-    case Type::kTextOrNumber:
-      return "a text in quotes or a number";
+    case Type::kTextOrWhole:
+      return "a text in quotes or a whole number";
+    case Type::kInstant:
+      return "a number of seconds, or date and time";
     case Type::kArray:
       return "an array of " + plural(key.inner.front());
     case Type::kRow:
@@ -96,14 +98,9 @@ void Table::check(const Key& key, const Value& value) const {
     case Type::kNumber:
     case Type::kWhole:
       return check_number(key, value);
-    case Type::kTextOrNumber:
-      if (std::holds_alternative<DateOrTime>(value.data)) {
-        return;
-      }
-      return std::holds_alternative<std::int64_t>(value.data) ||
-                     std::holds_alternative<double>(value.data)
-                 ? check_number(key, value)
-                 : check_text(key, value);
+    case Type::kTextOrWhole:
+    case Type::kInstant:
+      return check_alternative(key, value);
     case Type::kTextOrTable:
       if (!std::holds_alternative<Entries>(value.data)) {
         return check_text(key, value);
@@ -146,6 +143,18 @@ void Table::check_number(const Key& key, const Value& value) const {
                                  describe(value)));
   }
   refuse_type(key, value);
+}
+
+// Of a key whose value is a number or something else.
+void Table::check_alternative(const Key& key, const Value& value) const {
+  const bool real = std::holds_alternative<double>(value.data);
+  if (std::holds_alternative<std::int64_t>(value.data) || (real && key.type == Type::kInstant)) {
+    return check_number(key, value);
+  }
+  if (std::holds_alternative<DateOrTime>(value.data) && key.type == Type::kInstant) {
+    return;
+  }
+  check_text(key, value);
 }
 
 void Table::check_text(const Key& key, const Value& value) const {

@@ -62,9 +62,14 @@ Key text(std::string name, std::string meaning) {
   return {Type::kText, std::move(name), std::move(meaning)};
 }
 
-Key text_or_number(std::string name, std::string unit, Range range, std::string meaning) {
-  return number(std::move(name), std::move(unit), std::move(range), std::move(meaning))
-      .with(&Key::type, Type::kTextOrNumber);
+Key text_or_whole(std::string name, double low, double high, std::string meaning) {
+  return number(std::move(name), "", between(low, high), std::move(meaning))
+      .with(&Key::type, Type::kTextOrWhole);
+}
+
+Key instant(std::string name, Range range, std::string meaning) {
+  return number(std::move(name), "s", std::move(range), std::move(meaning))
+      .with(&Key::type, Type::kInstant);
 }
 
 Key id(std::string name, std::size_t longest, std::string meaning) {

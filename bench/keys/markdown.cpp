@@ -57,8 +57,10 @@ std::string permitted(const Key& key) {
       return range_text(key.range);
     case Type::kText:
       return "text";
-    case Type::kTextOrNumber:
-      return "text or number";
+    case Type::kTextOrWhole:
+      return "text, or " + range_text(key.range);
+    case Type::kInstant:
+      return range_text(key.range) + ", or date and time";
     case Type::kId:
       return fmt::format("letters, digits, `-`, `_`, `.`; at most {}", key.longest);
     case Type::kChoice:

@@ -67,6 +67,7 @@ Stimulus read_stimulus(const keys::Table& signal, const keys::Table& grid_sectio
 
 // [signal.trace]: sets the stimulus's points, recording and duration.
 keys::Key trace_keys();
+recording::TraceFormat read_trace_format(const keys::Table& trace);
 void read_trace_section(const keys::Table& signal, double nominal_hz, const Copies& copies,
                         Stimulus& stimulus);
 // Makes the stimulus play the recording of the overrides. It replaces the profile's frequency

@@ -3,19 +3,8 @@
 #include <algorithm>
 
 namespace gsbench::recording {
-namespace {
 
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
-}
-
-}  // namespace
-
-CsvReader::CsvReader(std::string_view text) : text_(text) {
+CsvReader::CsvReader(std::string_view text, char delimiter) : text_(text), delimiter_(delimiter) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     at_ = kByteOrderMark.size();
@@ -31,8 +20,12 @@ bool CsvReader::next(std::vector<Cell>& row) {
     row_from_ = at_;
     row_start_ = here_;
     row.push_back(read_cell());
-    while (!at_end() && text_[at_] == ',') {
+    while (at_delimiter()) {
       advance();
+      skip_blanks();
+      if (delimiter_ == ' ' && at_line_end()) {
+        break;
+      }
       row.push_back(read_cell());
     }
     row_end_ = here_;
@@ -41,17 +34,30 @@ bool CsvReader::next(std::vector<Cell>& row) {
   return true;
 }
 
-void CsvReader::skip_failed_row() {
-  at_ = row_from_;
-  here_ = row_start_;
+void CsvReader::skip_line() {
   while (!at_line_end()) {
     advance();
   }
   skip_line_end();
 }
 
+void CsvReader::skip_failed_row() {
+  at_ = row_from_;
+  here_ = row_start_;
+  skip_line();
+}
+
 bool CsvReader::at_line_end() const {
   return at_end() || text_[at_] == '\n' || text_.substr(at_, 2) == "\r\n";
+}
+
+// A tab that separates cells is no blank.
+bool CsvReader::at_blank() const {
+  return !at_end() && (text_[at_] == ' ' || (text_[at_] == '\t' && delimiter_ != '\t'));
+}
+
+bool CsvReader::at_delimiter() const {
+  return !at_end() && (text_[at_] == delimiter_ || (delimiter_ == ' ' && text_[at_] == '\t'));
 }
 
 void CsvReader::advance() {
@@ -63,6 +69,12 @@ void CsvReader::advance() {
   ++at_;
 }
 
+void CsvReader::skip_blanks() {
+  while (at_blank()) {
+    advance();
+  }
+}
+
 void CsvReader::skip_line_end() {
   if (!at_end() && text_[at_] == '\r') {
     advance();
@@ -72,27 +84,35 @@ void CsvReader::skip_line_end() {
   }
 }
 
-Cell CsvReader::read_cell() {
-  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) {
-    advance();
+std::string CsvReader::trimmed(std::string_view text) const {
+  const char* blanks = delimiter_ == '\t' ? " " : " \t";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) {
+    return {};
   }
+  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
+Cell CsvReader::read_cell() {
+  skip_blanks();
   const Place place = here_;
   if (at_end() || text_[at_] != '"') {
     return {read_plain(), place};
   }
   Cell cell{read_quoted(), place};
-  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) {
-    advance();
+  if (delimiter_ != ' ') {
+    skip_blanks();
   }
-  if (!at_line_end() && text_[at_] != ',') {
-    throw CsvError(here_, "text after a closing quote; it must be followed by a comma or line end");
+  if (!at_line_end() && !at_delimiter()) {
+    throw CsvError(here_,
+                   "text after a closing quote; it must be followed by a delimiter or line end");
   }
   return cell;
 }
 
 std::string CsvReader::read_plain() {
   const std::size_t first = at_;
-  while (!at_line_end() && text_[at_] != ',') {
+  while (!at_line_end() && !at_delimiter()) {
     advance();
   }
   return trimmed(text_.substr(first, at_ - first));

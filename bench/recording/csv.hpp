@@ -1,6 +1,6 @@
 // Reads comma-separated values (RFC 4180) with the position of each cell for messages. Quoted cells
-// may contain commas, line breaks and doubled quotes. Lines end in LF or CRLF. A byte-order mark
-// and rows without any text are skipped.
+// may contain delimiters, line breaks and doubled quotes. Lines end in LF or CRLF. A byte-order
+// mark and rows without any text are skipped.
 #pragma once
 
 #include <cstddef>
@@ -29,9 +29,13 @@ struct CsvError : std::runtime_error {
 
 class CsvReader {
  public:
-  explicit CsvReader(std::string_view text);  // the text must outlive the reader
+  // The text must outlive the reader. Delimiter ' ': any number of blanks and tabs.
+  CsvReader(std::string_view text, char delimiter);
 
-  // Reads the next row that has text; false at the end of the text. Throws CsvError.
+  void skip_line();
+
+  // Reads the next row that has text; false at the end of the text. Throws CsvError; then `row` has
+  // the cells before the mistake.
   bool next(std::vector<Cell>& row);
 
   // Position just after the row that was read last.
@@ -46,13 +50,18 @@ class CsvReader {
  private:
   bool at_end() const { return at_ == text_.size(); }
   bool at_line_end() const;
+  bool at_blank() const;
+  bool at_delimiter() const;
   void advance();
+  void skip_blanks();
   void skip_line_end();
+  std::string trimmed(std::string_view text) const;
   Cell read_cell();
   std::string read_plain();
   std::string read_quoted();
 
   std::string_view text_;
+  char delimiter_;
   std::size_t at_ = 0;
   std::size_t row_from_ = 0;
   Place here_;

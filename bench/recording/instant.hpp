@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace gsbench::recording {
@@ -38,8 +39,17 @@ struct Instant {
   }
 };
 
-// Accepts "12.5" · "28-Apr-2025 11:00:02" · "2025-04-28 11:00:02.5" · "2025-04-28T11:00:02Z" or
-// with an offset such as "+02:00". nullopt for other texts and for times that do not exist.
-std::optional<Instant> parse_instant(std::string_view text);
+// nullopt beyond ± 10¹⁵ s.
+std::optional<Instant> instant_of_seconds(double seconds);
+
+// Accepts "28-Apr-2025 11:00:02" · "2025-04-28 11:00:02.5" · "2025-04-28T11:00:02Z" or with an
+// offset such as "+02:00". nullopt for other texts and for times that do not exist.
+std::optional<Instant> parse_date_and_time(std::string_view text);
+
+// A time by a format with kTimeDirectives. A date or time of day that the format lacks is 1 January
+// 1970 or midnight.
+std::optional<Instant> parse_by_format(std::string_view text, const std::string& format);
+// The first directive of the format that is unknown; empty: all are known.
+std::string unknown_directive(const std::string& format);
 
 }  // namespace gsbench::recording

@@ -10,11 +10,20 @@ namespace {
 constexpr const char* kFrom = "from_s";
 constexpr const char* kUntil = "until_s";
 
-std::optional<Instant> limit(const char* key, const std::string& text) {
+std::optional<Instant> limit(const char* key, const std::string& text, const std::string& format) {
   if (text.empty()) {
     return std::nullopt;
   }
-  const std::optional<Instant> instant = parse_instant(text);
+  std::optional<Instant> instant;
+  if (!format.empty()) {
+    instant = parse_by_format(text, format);
+  }
+  if (const std::optional<double> seconds = parse_number(text); !instant && seconds) {
+    instant = instant_of_seconds(*seconds);
+  }
+  if (!instant) {
+    instant = parse_date_and_time(text);
+  }
   if (!instant) {
     throw FormatError(key,
                       fmt::format("{} is `{}`; it must be seconds after the first row, or date "
@@ -55,8 +64,8 @@ double seconds_after(const Instant& first, const Instant& limit, const char* key
 TimeWindow::TimeWindow(const TraceFormat& format)
     : from_text_(format.from),
       until_text_(format.until),
-      from_(limit(kFrom, format.from)),
-      until_(limit(kUntil, format.until)) {
+      from_(limit(kFrom, format.from, format.time_format)),
+      until_(limit(kUntil, format.until, format.time_format)) {
   if (is_seconds(from_) && from_->whole_s == 0 && from_->fraction_s == 0.0) {
     from_.reset();
   }
@@ -71,7 +80,7 @@ void TimeWindow::start_at(const Instant& first) {
     until_s_ = seconds_after(first, *until_, kUntil, until_text_);
   }
   if (until_s_ && *until_s_ <= from_s_.value_or(0.0)) {
-    throw FormatError(kUntil, from_ ? fmt::format("until_s is {}; it must be above from_s, {}",
+    throw FormatError(kUntil, from_ ? fmt::format("until_s is {}; it must be above {}, the start",
                                                   shown(until_text_), shown(from_text_))
                                     : fmt::format("until_s is {}; it must be after the first row",
                                                   shown(until_text_)));

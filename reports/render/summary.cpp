@@ -87,8 +87,8 @@ std::string played_sentence(const record::RunRecord& run) {
       fmt::format("The recording {} ({}; SHA-256 {})", recording.file, columns, recording.sha256);
   return valid_text(recording.replaces_profile
                         ? what +
-                              " was played to its end, in place of the losses, frequency points or "
-                              "recording, amplitude steps and phase steps of this profile."
+                              " was played in place of the losses, frequency points or recording, "
+                              "amplitude steps and phase steps of this profile."
                         : what + " is its [signal.trace].");
 }
 

@@ -93,6 +93,13 @@ TEST_F(RecordingCopy, PlaysTheSameWithEachOption) {
   }
 }
 
+TEST_F(RecordingCopy, PlaysTheSameInAForeignFormat) {
+  folder_.write("foreign.csv", kForeignCsv);
+  const Plan plan = parse_profile(kForeignRecording, folder_.file("case.toml"));
+  expect_same(again(plan), plan);
+  EXPECT_THAT(plan.stimulus.recording.played_text, Not(HasSubstr("11:00:04")));
+}
+
 TEST_F(RecordingCopy, HasNoFlawOutsideThePlayedPart) {
   const std::string csv =
       "t,f\n2019-08-09 16:52:00,50\n2019-08-09 16:52:00,0\nbroken\n2019-08-09 16:52:10.1,50.01\n"

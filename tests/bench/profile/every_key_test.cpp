@@ -206,6 +206,7 @@ class EveryKey : public testing::TestWithParam<File> {
  protected:
   EveryKey() {
     folder_.write("recording.csv", "t,f,u\n0,50,230\n2,50,230\n4,50,230\n");
+    folder_.write("foreign.csv", kForeignCsv);
     folder_.write("outlet.elf", "code");
   }
 
@@ -304,7 +305,7 @@ TEST_P(EveryKey, IsRefusedWithAWrongTypeOrOutsideItsRange) {
     std::vector<std::string> wrong = out_of_range(key);
     outside += static_cast<int>(wrong.size());
     wrong.insert(wrong.end(), {"true", "2025-04-28", "{}"});  // valid for no key
-    if (key.type != Type::kTextOrNumber) {
+    if (key.type != Type::kTextOrWhole && key.type != Type::kInstant) {
       wrong.emplace_back(keys::is_number(key) ? "\"6\"" : "6");
     }
     for (const std::string& value : wrong) {
@@ -351,7 +352,7 @@ TEST_P(EveryKey, IsDocumentedInTheReadme) {
 const File kFiles[] = {
     {"profile",
      &profile_keys,
-     {kLossesInPlace, kDisturbed, kPoints, kRecording},
+     {kLossesInPlace, kDisturbed, kPoints, kRecording, kForeignRecording},
      [](const std::string& path) { (void)load_profile(path); }},
     {"grid", &grid_keys, {grid_file()}, [](const std::string& path) { (void)load_grid(path); }},
     {"emulated_station",

@@ -77,6 +77,38 @@ TEST_F(Recording, HasItsNameColumnsAndDigestInThePlan) {
   EXPECT_EQ(parse(kMinimal).stimulus.recording.file, "");
 }
 
+TEST_F(Recording, IsReadInAForeignFormat) {
+  folder_.write("foreign.csv", kForeignCsv);
+  const Stimulus stimulus = parse_here(kForeignRecording).stimulus;
+  EXPECT_EQ(stimulus.recording.rows, 4U);
+  EXPECT_EQ(stimulus.recording.gaps, 2U);
+  ASSERT_THAT(stimulus.points, SizeIs(2));
+  EXPECT_DOUBLE_EQ(stimulus.points[0].frequency_hz, 49.9895);
+  EXPECT_EQ(stimulus.points[1].t_s, 2.0);
+  EXPECT_DOUBLE_EQ(stimulus.points[1].frequency_hz, 50.01);
+}
+
+TEST_F(Recording, HasOptionsThatArePrintedAndReadAgain) {
+  recording::TraceFormat format = {"t", "#2", "u \"1\"", 230.5, "1", "2025-04-28 11:00:03"};
+  format.delimiter = "\t";
+  format.decimal = ",";
+  format.skip_rows = 3;
+  format.header_rows = 0;
+  format.time_unit = "ms";
+  format.time_format = "%H:%M:%S";
+  format.frequency_unit = "rad/s";
+  format.frequency_offset_hz = 49.95;
+  format.gaps = {"-999", "it's bad"};
+  const std::string text = trace_options(format);
+  EXPECT_EQ(trace_options(trace_format(text)), text);
+  int fields = 0;
+  recording::visit_fields(format, [&](const char* key, const auto&) {
+    EXPECT_THAT(text, HasSubstr(std::string(key) + " = "));
+    ++fields;
+  });
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), fields);
+}
+
 TEST_F(Recording, IsPlayedToItsEndWithoutADuration) {
   EXPECT_EQ(parse_here(replaced(kRecording, "duration_s = 2.0", "")).stimulus.duration_s, 3.0);
 }
@@ -87,12 +119,12 @@ TEST_F(Recording, IsRefusedAtThePositionInTheProfile) {
   EXPECT_EQ(refusal_of_one_with("recording.csv", "none.csv"),
             "8:8: file is \"none.csv\"; there is no file " + path("none.csv"));
   EXPECT_EQ(refusal_of_one_with("voltage = \"u\"", ""),
-            "12:19: nominal_voltage is given without a voltage column; give voltage = \"…\", or "
-            "omit nominal_voltage");
+            "12:19: nominal_voltage is given without a voltage column; give the column "
+            "too, or omit nominal_voltage");
   EXPECT_EQ(refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
             "13:10: from_s and until_s leave fewer than two rows to play");
   EXPECT_EQ(refusal_of_one_with("until_s = 4.0", "until_s = 0.5"),
-            "14:11: until_s is 0.5; it must be above from_s, 1");
+            "14:11: until_s is 0.5; it must be above 1, the start");
 }
 
 TEST_F(Recording, IsNamedInTheRefusalIfAColumnIsMissing) {

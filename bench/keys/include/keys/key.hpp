@@ -31,13 +31,14 @@ Range between(double low, double high);
 
 enum class Type {
   kNumber,
-  kWhole,         // a number without a fraction
-  kText,          // never empty
-  kId,            // a text that is an identifier
-  kChoice,        // a text, one of `choices`
-  kTextOrNumber,  // the range is that of the number; a TOML date and time is a text
-  kArray,         // at least one item, declared by `inner`
-  kRow,           // an array with one value for each key of `inner`
+  kWhole,        // a number without a fraction
+  kText,         // never empty
+  kId,           // a text that is an identifier
+  kChoice,       // a text, one of `choices`
+  kTextOrWhole,  // the range is that of the whole number
+  kInstant,      // a number of seconds in the range, or date and time as text or TOML's own type
+  kArray,        // at least one item, declared by `inner`
+  kRow,          // an array with one value for each key of `inner`
   kTable,
   kTables,       // an array of tables
   kTextOrTable,  // a name, or the table that the name would refer to
@@ -91,7 +92,8 @@ struct Key {
 Key number(std::string name, std::string unit, Range range, std::string meaning);
 Key whole(std::string name, std::string unit, double low, double high, std::string meaning);
 Key text(std::string name, std::string meaning);
-Key text_or_number(std::string name, std::string unit, Range range, std::string meaning);
+Key text_or_whole(std::string name, double low, double high, std::string meaning);
+Key instant(std::string name, Range range, std::string meaning);
 Key id(std::string name, std::size_t longest, std::string meaning);
 Key choice(std::string name, std::vector<std::string> choices, std::string meaning);
 // `item` declares each item; messages call it "an item of <name>".

@@ -42,7 +42,7 @@ class Table {
   // range, which depends on the rest of the document. A value outside it throws ConfigurationError.
   std::optional<double> find_number(const std::string& key, const Range& narrower = {}) const;
   std::optional<std::int64_t> find_whole(const std::string& key) const;
-  // Also of kId and kChoice; of kTextOrNumber, a number as its shortest text.
+  // Also of kId and kChoice; of kTextOrWhole and kInstant, a number as its shortest text.
   std::optional<std::string> find_text(const std::string& key) const;
   // The same for keys that are required or have a default.
   double number(const std::string& key, const Range& narrower = {}) const {
@@ -79,6 +79,7 @@ class Table {
   void check(const Key& key, const Value& value) const;
   [[noreturn]] void refuse_type(const Key& key, const Value& value) const;
   void check_number(const Key& key, const Value& value) const;
+  void check_alternative(const Key& key, const Value& value) const;
   void check_text(const Key& key, const Value& value) const;
   void check_items(const Key& key, const Value& value) const;
 

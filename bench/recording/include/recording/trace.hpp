@@ -18,7 +18,7 @@ struct TracePoint {
 
 // How a CSV recording is read, and which part of it is played.
 struct TraceFormat {
-  // Names of the columns.
+  // Columns: the name in the header, or the number from 1. A name has precedence; "#2" is a number.
   std::string time;
   std::string frequency;
   std::string voltage;           // empty: none
@@ -27,7 +27,23 @@ struct TraceFormat {
   // The window: seconds after the first row that has a time, or date and time as in the recording.
   std::string from = {};   // empty: from the first row
   std::string until = {};  // empty: to the last row
+
+  std::string delimiter = {};    // a character, "tab" or "space"; empty: "," or ";", see decimal
+  std::string decimal = ".";     // "." or ","; with "," the default of the delimiter is ";"
+  double skip_rows = 0;          // lines above the header; whole, at least 0
+  double header_rows = 1;        // whole, at least 0; names are in the first of them
+  std::string time_unit = "s";   // of times that are numbers: kTimeUnits
+  std::string time_format = {};  // as strptime, see kTimeDirectives; empty: see read_trace()
+  std::string frequency_unit = "Hz";   // kFrequencyUnits
+  double frequency_offset_hz = 0;      // is added: 50 for deviations from 50 Hz
+  std::vector<std::string> gaps = {};  // further words for a missing value
 };
+
+constexpr const char* kTimeUnits[] = {"s", "ms", "us", "ns", "min", "h", "d"};
+constexpr const char* kFrequencyUnits[] = {"Hz", "mHz", "kHz", "rad/s", "pu"};
+// Year, month, day, name of the month, hour, hour of 12 with AM or PM, minute, second with
+// decimals, offset from UTC.
+constexpr const char* kTimeDirectives = "%Y %y %m %d %b %H %I %p %M %S %z %%";
 
 // A name and the field of every option, in the order of the documentation.
 template <class Format, class Visitor>
@@ -38,10 +54,20 @@ void visit_fields(Format& format, Visitor&& visitor) {
   visitor("nominal_voltage", format.nominal_voltage);
   visitor("from_s", format.from);
   visitor("until_s", format.until);
+  visitor("delimiter", format.delimiter);
+  visitor("decimal", format.decimal);
+  visitor("skip_rows", format.skip_rows);
+  visitor("header_rows", format.header_rows);
+  visitor("time_unit", format.time_unit);
+  visitor("time_format", format.time_format);
+  visitor("frequency_unit", format.frequency_unit);
+  visitor("frequency_offset_hz", format.frequency_offset_hz);
+  visitor("gaps", format.gaps);
 }
 
 // What the played part must satisfy.
 struct TraceLimits {
+  double nominal_hz = 50.0;  // for frequencies in p.u.
   double lowest_hz = 0.0;
   double highest_hz = std::numeric_limits<double>::infinity();
   double shortest_s = 0.0;
@@ -68,10 +94,9 @@ struct FormatError : std::runtime_error {
   std::string key;
 };
 
-// Reads a CSV recording whose first row has the names of the columns. Times are in seconds, or date
-// and time of day such as `28-Apr-2025 11:00:02`, `2025-04-28 11:00:02.5` or
-// `2025-04-28T11:00:02Z`. A row with an empty frequency or voltage, or `NaN`, `NA` or `null`, is a
-// gap and gives no point.
+// Reads a CSV recording. Without a time_format, times are numbers, or date and time of day such as
+// `28-Apr-2025 11:00:02`, `2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`. A row with an empty
+// frequency or voltage, or `NaN`, `NA`, `N/A` or `null` in any case, is a gap and gives no point.
 //
 // Rows outside the window and after the duration may have any content. Throws FormatError, or
 // std::runtime_error with `path:line:column: …` if a column, or a row, value or time of the played

@@ -229,6 +229,38 @@ measure = "event.count"
 max = 0
 )";
 
+// With every option that kRecording does not have.
+inline constexpr const char* kForeignRecording = R"(title = "A recording in another format"
+source = "Somewhere"
+[grid]
+system = "ieee24"
+[signal]
+[signal.trace]
+file = "foreign.csv"
+time = 1
+frequency = 2
+from_s = "28.04.25 11:00:01"
+until_s = 2025-04-28 11:00:03.5
+delimiter = ";"
+decimal = ","
+skip_rows = 2
+header_rows = 0
+time_unit = "s"
+time_format = "%d.%m.%y %H:%M:%S"
+frequency_unit = "mHz"
+frequency_offset_hz = 50.0
+gaps = ["-999", "bad"]
+[[outlet]]
+[[expect]]
+measure = "event.count"
+max = 0
+)";
+
+inline constexpr const char* kForeignCsv =
+    "recorder 7\n\"unbalanced\n28.04.25 11:00:00;0\n28.04.25 11:00:01;-10,5\n"
+    "28.04.25 11:00:02;-999,0\n28.04.25 11:00:02,5;bad\n28.04.25 11:00:03;+1E1\n28.04.25 "
+    "11:00:04;-\n";
+
 // `text` with the first occurrence of `what` replaced; throws std::out_of_range without one.
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
   return text.replace(text.find(what), what.size(), by);

@@ -1,0 +1,195 @@
+#include "dialect.hpp"
+
+#include "shown.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace gsbench::recording {
+namespace {
+
+constexpr double kMostRows = 1e6;
+
+char delimiter_of(const TraceFormat& format) {
+  const std::string& text = format.delimiter;
+  if (text.empty()) {
+    return format.decimal == "," ? ';' : ',';
+  }
+  if (text == "tab" || text == "\\t") {
+    return '\t';
+  }
+  if (text == "space") {
+    return ' ';
+  }
+  const auto c = static_cast<unsigned char>(text.front());
+  if (text.size() > 1 || std::isalnum(c) != 0 || c == '"' || c == '\n' || c == '\r' || c == '\0' ||
+      c >= 0x80) {
+    throw FormatError("delimiter",
+                      fmt::format("delimiter is `{}`; it must be one character that is no letter, "
+                                  "digit or quote, or `tab` or `space`",
+                                  shown(text)));
+  }
+  return text.front();
+}
+
+std::size_t rows_of(const char* key, double rows) {
+  if (!(rows >= 0.0 && rows <= kMostRows) || rows != std::floor(rows)) {
+    throw FormatError(key, fmt::format("{} is {}; it must be a whole number from 0 to {:.0f}", key,
+                                       rows, kMostRows));
+  }
+  return static_cast<std::size_t>(rows);
+}
+
+// The factor of `unit`, one of `units` with these `factors`.
+template <std::size_t count>
+double factor_of(const char* key, const std::string& unit, const char* const (&units)[count],
+                 const double (&factors)[count]) {
+  const auto* const found = std::find(std::begin(units), std::end(units), unit);
+  if (found == std::end(units)) {
+    throw FormatError(key, fmt::format("{} is `{}`; it must be one of {}", key, shown(unit),
+                                       fmt::join(units, ", ")));
+  }
+  return factors[found - std::begin(units)];
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+Dialect::Dialect(const TraceFormat& format, double nominal_hz)
+    : format_(format),
+      delimiter_(delimiter_of(format)),
+      skip_rows_(rows_of("skip_rows", format.skip_rows)),
+      header_rows_(rows_of("header_rows", format.header_rows)) {
+  if (format.decimal != "." && format.decimal != ",") {
+    throw FormatError("decimal",
+                      fmt::format("decimal is `{}`; it must be `.` or `,`", shown(format.decimal)));
+  }
+  time_unit_s_ = factor_of("time_unit", format.time_unit, kTimeUnits,
+                           {1.0, 1e-3, 1e-6, 1e-9, 60.0, 3600.0, 86400.0});
+  constexpr double kTurn = 6.28318530717958648;
+  frequency_unit_hz_ = factor_of("frequency_unit", format.frequency_unit, kFrequencyUnits,
+                                 {1.0, 1e-3, 1e3, 1.0 / kTurn, nominal_hz});
+  if (!std::isfinite(format.frequency_offset_hz)) {
+    throw FormatError("frequency_offset_hz", fmt::format("frequency_offset_hz is {}; it must be "
+                                                         "finite",
+                                                         format.frequency_offset_hz));
+  }
+  if (const std::string unknown = unknown_directive(format.time_format); !unknown.empty()) {
+    throw FormatError("time_format", fmt::format("time_format has `{}`; it may have {}",
+                                                 shown(unknown), kTimeDirectives));
+  }
+  if (format.voltage.empty() && format.nominal_voltage != 0.0) {
+    throw FormatError("nominal_voltage",
+                      "nominal_voltage is given without a voltage column; give the column too, or "
+                      "omit nominal_voltage");
+  }
+}
+
+std::optional<double> Dialect::number(const std::string& text) const {
+  if (format_.decimal == ".") {
+    return parse_number(text);
+  }
+  if (text.find('.') != std::string::npos) {
+    return std::nullopt;
+  }
+  std::string with_point = text;
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  return parse_number(with_point);
+}
+
+std::optional<Instant> Dialect::instant(const std::string& text) const {
+  if (!format_.time_format.empty()) {
+    return parse_by_format(text, format_.time_format);
+  }
+  if (const std::optional<double> value = number(text)) {
+    return instant_of_seconds(*value * time_unit_s_);
+  }
+  return parse_date_and_time(text);
+}
+
+double Dialect::frequency_hz(double value) const {
+  return value * frequency_unit_hz_ + format_.frequency_offset_hz;
+}
+
+// Recorders mark missing measurements like this. A number among the words is compared as a number:
+// -999 is also -999.0.
+bool Dialect::is_gap(const std::string& text) const {
+  const std::string word = lower(text);
+  if (word.empty() || word == "nan" || word == "na" || word == "n/a" || word == "null") {
+    return true;
+  }
+  const std::optional<double> value = number(text);
+  return std::any_of(format_.gaps.begin(), format_.gaps.end(), [&](const std::string& gap) {
+    return lower(gap) == word || (value && parse_number(gap) == value);
+  });
+}
+
+namespace {
+
+std::string column_list(const std::vector<Cell>& header) {
+  std::string list;
+  for (const Cell& cell : header) {
+    list += (list.empty() ? "`" : ", `") + shown(cell.text) + '`';
+  }
+  return list;
+}
+
+// "3" and "#3" as 3.
+std::optional<std::size_t> column_number(const std::string& column) {
+  const std::size_t first = column.rfind('#', 0) == 0 ? 1 : 0;
+  const std::string digits = column.substr(first);
+  constexpr std::size_t kMostDigits = 6;
+  if (digits.empty() || digits.size() > kMostDigits ||
+      digits.find_first_not_of("0123456789") != std::string::npos) {
+    return std::nullopt;
+  }
+  return std::stoul(digits);
+}
+
+}  // namespace
+
+std::size_t column_of(const char* key, const std::string& column, const std::vector<Cell>& header) {
+  const auto is_it = [&](const Cell& cell) { return cell.text == column; };
+  const auto found = std::find_if(header.begin(), header.end(), is_it);
+  if (found != header.end()) {
+    const auto again = std::find_if(found + 1, header.end(), is_it);
+    if (again != header.end()) {
+      throw CsvError(again->place, fmt::format("a second column `{}`; the name must be unique, or "
+                                               "give the column's number",
+                                               shown(column)));
+    }
+    return static_cast<std::size_t>(found - header.begin());
+  }
+  const std::optional<std::size_t> number = column_number(column);
+  if (header.empty()) {
+    if (!number || *number == 0) {
+      throw FormatError(key, fmt::format("{} is `{}`; without a header it must be the number of a "
+                                         "column, from 1",
+                                         key, shown(column)));
+    }
+    return *number - 1;
+  }
+  if (!number || *number == 0 || *number > header.size()) {
+    const std::string& first = header.front().text;
+    const std::size_t other = first.find_first_of(";\t|");
+    const bool other_delimiter = header.size() == 1 && other != std::string::npos;
+    throw CsvError(
+        header.front().place,
+        fmt::format("no column `{}`; the columns are {}{}", shown(column), column_list(header),
+                    other_delimiter
+                        ? fmt::format(" (is the delimiter `{}`?)", shown(first.substr(other, 1)))
+                        : ""));
+  }
+  return *number - 1;
+}
+
+}  // namespace gsbench::recording

@@ -1,0 +1,265 @@
+#include "trace_reader.hpp"
+
+#include "shown.hpp"
+#include "text_check.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace gsbench::recording {
+namespace {
+
+const char* zeros_in(const std::string& text) {
+  return text.find('\0') == std::string::npos ? "" : ", it has NUL bytes";
+}
+
+}  // namespace
+
+TraceReader::TraceReader(std::string_view text, const TraceFormat& format,
+                         const TraceLimits& limits)
+    : format_(format),
+      limits_(limits),
+      dialect_(format, limits.nominal_hz),
+      csv_(text, dialect_.delimiter()),
+      window_(format) {
+  check_is_text(text);
+  read_header();
+  trace_.text = csv_.text_so_far();
+}
+
+void TraceReader::read_header() {
+  for (std::size_t i = 0; i < dialect_.skip_rows(); ++i) {
+    csv_.skip_line();
+  }
+  Row row;
+  for (std::size_t i = 0; i < dialect_.header_rows(); ++i) {
+    if (!csv_.next(row)) {
+      throw CsvError(csv_.row_end(), "the file is empty; it must start with a row of column names");
+    }
+    if (i == 0) {
+      header_ = row;
+    }
+  }
+  time_ = column_of("time", format_.time, header_);
+  frequency_ = column_of("frequency", format_.frequency, header_);
+  if (!format_.voltage.empty()) {
+    voltage_ = column_of("voltage", format_.voltage, header_);
+  }
+  if (!header_.empty()) {
+    check_is_header();
+  }
+}
+
+// Without this, a file without a header would lose its first row.
+void TraceReader::check_is_header() const {
+  const std::string& time = header_.at(time_).text;
+  if (dialect_.instant(time) && time != format_.time &&
+      dialect_.number(header_.at(frequency_).text) &&
+      header_.at(frequency_).text != format_.frequency) {
+    throw CsvError(header_[time_].place,
+                   "this row has values, but the names of the columns are expected; give "
+                   "header_rows = 0 for a file without them");
+  }
+}
+
+Trace TraceReader::trace() {
+  Row row;
+  while (!reached_duration() && next(row)) {
+    const std::optional<Instant> instant = instant_of(row);
+    if (instant && is_played(*instant, row)) {
+      take(*instant, row);
+    }
+  }
+  if (trace_.points.size() < 2) {
+    refuse_too_few();
+  }
+  check_length();
+  return std::move(trace_);
+}
+
+Place TraceReader::voltage_place() const {
+  return header_.empty() ? Place{} : header_[*voltage_].place;
+}
+
+// Rows outside the window may have any content.
+bool TraceReader::is_outside() const {
+  return (window_.has_start() && !last_) || left_at_;
+}
+
+bool TraceReader::reached_duration() const {
+  return !trace_.points.empty() && trace_.points.back().t_s >= limits_.duration_s;
+}
+
+bool TraceReader::next(Row& row) {
+  while (true) {
+    try {
+      return csv_.next(row);
+    } catch (const CsvError&) {
+      if (!is_outside() && !is_after_the_window(row)) {
+        throw;
+      }
+      csv_.skip_failed_row();
+    }
+  }
+}
+
+// For a row of which only the cells before a mistake are known.
+bool TraceReader::is_after_the_window(const Row& row) {
+  if (!last_ || time_ >= row.size()) {
+    return false;
+  }
+  const std::optional<Instant> instant = dialect_.instant(row[time_].text);
+  if (!instant || instant->kind != first_->kind || !window_.is_after(*instant)) {
+    return false;
+  }
+  left_at_ = row[time_].place;
+  return true;
+}
+
+const Cell& TraceReader::cell(const Row& row, std::size_t column) const {
+  if (column < row.size()) {
+    return row[column];
+  }
+  throw CsvError(
+      csv_.row_end(),
+      fmt::format(
+          "the row has {} cells; it must have at least {}{}", row.size(), column + 1,
+          header_.empty() ? "" : fmt::format(", up to column `{}`", shown(header_[column].text))));
+}
+
+// nullopt: a row outside the window without a time.
+std::optional<Instant> TraceReader::instant_of(const Row& row) {
+  if (is_outside() && time_ >= row.size()) {
+    return std::nullopt;
+  }
+  const Cell& time = cell(row, time_);
+  const std::optional<Instant> instant = dialect_.instant(time.text);
+  if (instant && !first_) {
+    first_ = instant;
+    first_row_ = csv_.row_text();
+    window_.start_at(*first_);
+  }
+  if (instant && instant->kind == first_->kind) {
+    return instant;
+  }
+  if (is_outside()) {
+    return std::nullopt;
+  }
+  throw CsvError(
+      time.place,
+      instant ? fmt::format("time `{}` has another format than the first; all must have the same",
+                            shown(time.text))
+              : fmt::format("`{}` is not a time{}; it must be {}", shown(time.text),
+                            zeros_in(time.text),
+                            format_.time_format.empty()
+                                ? "a number, `28-Apr-2025 11:00:02`, `2025-04-28 11:00:02.5` or "
+                                  "`2025-04-28T11:00:02Z`; time_format gives another format"
+                                : "as time_format, `" + shown(format_.time_format) + '`'));
+}
+
+bool TraceReader::is_played(const Instant& instant, const Row& row) {
+  const bool inside = !window_.is_before(instant) && !window_.is_after(instant);
+  if (!last_) {
+    return inside;
+  }
+  const bool later = instant.seconds_since(*last_) > 0.0;
+  if (left_at_) {
+    if (inside && later) {
+      throw CsvError(*left_at_, fmt::format("this time is after the end of the played part, but "
+                                            "line {} is within it; times must increase",
+                                            row[time_].place.line));
+    }
+    return false;
+  }
+  if (!later) {
+    throw CsvError(row[time_].place,
+                   fmt::format("time `{}` is not later than in the previous row; times must "
+                               "increase",
+                               shown(row[time_].text)));
+  }
+  if (!inside) {
+    left_at_ = row[time_].place;
+  }
+  return inside;
+}
+
+void TraceReader::take(const Instant& instant, const Row& row) {
+  if (!last_ && window_.counts_from_first_row() && first_row_.data() != csv_.row_text().data()) {
+    trace_.text += first_row_;
+  }
+  last_ = instant;
+  last_place_ = row[time_].place;
+  trace_.text += csv_.row_text();
+  ++trace_.rows;
+  const Cell& frequency = cell(row, frequency_);
+  const Cell* voltage = voltage_ ? &cell(row, *voltage_) : nullptr;
+  if (dialect_.is_gap(frequency.text) || (voltage != nullptr && dialect_.is_gap(voltage->text))) {
+    ++trace_.gaps;
+    return;
+  }
+  if (!start_) {
+    start_ = instant;
+  }
+  trace_.points.push_back({instant.seconds_since(*start_), frequency_in(frequency),
+                           voltage != nullptr ? voltage_in(*voltage) : 1.0});
+}
+
+double TraceReader::number_in(const Cell& cell) const {
+  const std::optional<double> number = dialect_.number(cell.text);
+  if (!number) {
+    throw CsvError(cell.place,
+                   fmt::format("`{}` is not a finite number{}; it must be one, or empty or `NaN` "
+                               "for a gap",
+                               shown(cell.text), zeros_in(cell.text)));
+  }
+  return *number;
+}
+
+double TraceReader::frequency_in(const Cell& cell) const {
+  const double frequency_hz = dialect_.frequency_hz(number_in(cell));
+  if (frequency_hz > 0.0 && frequency_hz >= limits_.lowest_hz &&
+      frequency_hz <= limits_.highest_hz) {
+    return frequency_hz;
+  }
+  const std::string wanted =
+      std::isfinite(limits_.highest_hz)
+          ? fmt::format("{} … {} Hz (0.5 … 1.5 of nominal)", limits_.lowest_hz, limits_.highest_hz)
+          : "above 0";
+  throw CsvError(cell.place,
+                 fmt::format("the frequency is {} Hz; it must be {}; frequency_unit and "
+                             "frequency_offset_hz give another unit and deviations",
+                             frequency_hz, wanted));
+}
+
+double TraceReader::voltage_in(const Cell& cell) const {
+  const double voltage = number_in(cell);
+  if (voltage < 0.0) {
+    throw CsvError(cell.place,
+                   fmt::format("the RMS voltage is {}; it must be at least 0", voltage));
+  }
+  return voltage;
+}
+
+void TraceReader::refuse_too_few() const {
+  if (!format_.from.empty() || !format_.until.empty()) {
+    throw FormatError(format_.from.empty() ? "until_s" : "from_s",
+                      "from_s and until_s leave fewer than two rows to play");
+  }
+  throw CsvError(csv_.row_end(),
+                 trace_.rows == 0 ? "no data below the column names; at least two rows are needed"
+                                  : "fewer than two rows have values; at least two are needed");
+}
+
+void TraceReader::check_length() const {
+  const double length_s = trace_.points.back().t_s;
+  const bool is_short = length_s < limits_.shortest_s;
+  if (is_short || length_s > limits_.longest_s) {
+    throw CsvError(last_place_, fmt::format("the recording is {} s long; it must be at {} {} s",
+                                            length_s, is_short ? "least" : "most",
+                                            is_short ? limits_.shortest_s : limits_.longest_s));
+  }
+}
+
+}  // namespace gsbench::recording

@@ -1,0 +1,111 @@
+// The window of a recording: what is outside it does not matter, what is inside it does.
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include <recording/trace.hpp>
+
+namespace gsbench::recording {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::ThrowsMessage;
+
+Trace played(const std::string& text, const std::string& from, const std::string& until,
+             const TraceLimits& limits = {}) {
+  return read_trace(text, "r.csv", {"t", "f", "", 0.0, from, until}, limits);
+}
+
+std::string refusal(const std::string& text, const std::string& from, const std::string& until) {
+  try {
+    (void)played(text, from, until);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+constexpr const char* kFlaws[] = {
+    "X,0",      "X,-1",   "X,",      "X,fifty", "X,4",
+    "X",        "X,\"50", "noon,50", ",50",     "2025-04-28 11:00:00,50",
+    "X,\"5\"0", "\"X,50"};
+
+// A flaw at time t.
+std::string flaw_at(std::string flaw, int t) {
+  const std::size_t x = flaw.find('X');
+  return x == std::string::npos ? flaw : flaw.replace(x, 1, std::to_string(t));
+}
+
+TEST(RecordingWindow, ProtectsFromFlawsBeforeAndAfter) {
+  const TraceLimits plausible = {50.0, 25.0, 75.0};
+  for (const std::string flaw : kFlaws) {
+    SCOPED_TRACE(flaw);
+    const std::string before =
+        "t,f\n0,50\n" + flaw_at(flaw, 1) + "\n1,50\n2,50\n3,50.1\n4,50.2\n5,50\n";
+    EXPECT_EQ(played(before, "2", "", plausible).rows, 4U);
+    const std::string after =
+        "t,f\n0,50\n1,50\n2,50\n3,50.1\n4,50\n" + flaw_at(flaw, 5) + "\n6,50\n";
+    EXPECT_EQ(played(after, "0", "3.5", plausible).rows, 4U);
+    const Trace both = played(
+        "t,f\n0,50\n" + flaw_at(flaw, 1) + "\n2,50\n3,50.1\n4,50\n" + flaw_at(flaw, 5) + "\n",
+        "1.5", "3.5", plausible);
+    EXPECT_EQ(both.points.size(), 2U);
+    EXPECT_EQ(both.points[1].t_s, 1.0);
+  }
+}
+
+TEST(RecordingWindow, ProtectsFromTimesThatDoNotIncrease) {
+  const std::string text = "t,f\n0,50\n0,50\n2,50\n1,50\n3,50\n4,50.1\n5,50\n7,50\n7,50\n6,50\n";
+  EXPECT_EQ(played(text, "3", "5").rows, 3U);
+  EXPECT_THAT(refusal(text, "2", "5"), StartsWith("r.csv:5:1: time `1` is not later"));
+  EXPECT_THAT(refusal(text, "3", "7"), StartsWith("r.csv:10:1: time `7` is not later"));
+}
+
+TEST(RecordingWindow, DoesNotEndAtAFalseTimeInside) {
+  EXPECT_THAT(refusal("t,f\n0,50\n1,50\n99,50\n2,50\n3,50\n", "", "3"),
+              AllOf(StartsWith("r.csv:4:1: "), HasSubstr("line 5 is within it")));
+}
+
+TEST(RecordingWindow, IsGivenByDatesOfTheRecording) {
+  const std::string local =
+      "t,f\n2025-10-26 02:00:00,50\n2025-10-26 02:00:01,50\n"
+      "2025-10-26 02:00:02,50\n2025-10-26 02:00:03,50\n";
+  EXPECT_EQ(played(local, "2025-10-26 02:00:01", "2025-10-26T02:00:02.5").rows, 2U);
+  EXPECT_EQ(played(local, "1", "2025-10-26 02:00:02").rows, 2U);
+  EXPECT_EQ(played(local, "2025-10-25 00:00:00", "").rows, 4U);
+  EXPECT_THAT(refusal(local, "2025-10-26 02:00:01Z", ""), HasSubstr("have no offset from UTC"));
+  const std::string zoned =
+      "t,f\n2025-10-26T02:00:00+02:00,50\n2025-10-26T02:00:01+02:00,50\n"
+      "2025-10-26T02:00:02+02:00,50\n";
+  EXPECT_EQ(played(zoned, "2025-10-26 02:00:01", "").rows, 2U) << "the recording's own offset";
+  EXPECT_EQ(played(zoned, "2025-10-26T00:00:01Z", "").rows, 2U);
+  EXPECT_THAT(refusal("t,f\n0,50\n1,50\n", "2025-10-26 02:00:01", ""),
+              HasSubstr("the recording's times are seconds"));
+  TraceFormat format = {"t", "f", "", 0.0, "26.10.2025 02:01", "60.5"};
+  format.time_format = "%d.%m.%Y %H:%M";
+  EXPECT_THAT(
+      [&] { (void)read_trace("t,f\n26.10.2025 02:00,50\n26.10.2025 02:01,50\n", "r.csv", format); },
+      ThrowsMessage<FormatError>(HasSubstr("fewer than two rows")));
+}
+
+TEST(RecordingWindow, IsRefusedWithTheKey) {
+  const std::string text = "t,f\n0,50\n1,50\n2,50\n";
+  EXPECT_THAT(refusal(text, "2", "1"), StartsWith("until_s is 1; it must be above 2, the start"));
+  EXPECT_THAT(refusal(text, "noon", ""), StartsWith("from_s is `noon`"));
+  EXPECT_THAT(refusal(text, "-1", ""), StartsWith("from_s is -1"));
+  EXPECT_THAT(refusal(text, "1.5", ""), HasSubstr("fewer than two rows to play"));
+}
+
+TEST(RecordingWindow, EndsWithTheDuration) {
+  TraceLimits limits;
+  limits.duration_s = 1.5;
+  const Trace trace = played("t,f\n0,50\n1,50\n2,50.1\n2,bad\n", "", "", limits);
+  EXPECT_EQ(trace.rows, 3U) << "up to the first row at or beyond it";
+  EXPECT_EQ(trace.text, "t,f\n0,50\n1,50\n2,50.1\n");
+}
+
+}  // namespace
+}  // namespace gsbench::recording
