@@ -5,6 +5,11 @@
 #include <QString>
 #include <QXmlStreamWriter>
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include <render/render.hpp>
 
@@ -31,6 +36,29 @@ Case case_of(const record::MeasurementResult& result) {
     one.message = value_of(result) + " (no limit)";
   }
   return one;
+}
+
+// CI joins the history of cases by their names, so each is unique: a measure with several limits
+// has the limit in its name, and a number if it has the same limit again.
+std::vector<Case> cases_of(const std::vector<record::MeasurementResult>& results) {
+  std::map<std::string, int> limits_of_measure;
+  for (const record::MeasurementResult& result : results) {
+    ++limits_of_measure[result.name];
+  }
+  std::vector<Case> cases;
+  std::set<std::string> names;
+  for (const record::MeasurementResult& result : results) {
+    Case one = case_of(result);
+    if (limits_of_measure[result.name] > 1 && result.judged) {
+      one.name += ' ' + limits(result);
+    }
+    const std::string name = one.name;
+    for (int n = 2; !names.insert(one.name).second; ++n) {
+      one.name = fmt::format("{} ({})", name, n);
+    }
+    cases.push_back(std::move(one));
+  }
+  return cases;
 }
 
 // The element for its outcome; "" for a case that passed.
@@ -100,10 +128,7 @@ std::string junit_xml(const record::RunRecord& run) {
   xml.writeAttribute("name", text(run.profile));
   Verdict shown = Verdict::kPass;
   for (const record::OutletRecord& outlet : run.outlets) {
-    std::vector<Case> cases;
-    for (const auto& result : outlet.measurements) {
-      cases.push_back(case_of(result));
-    }
+    std::vector<Case> cases = cases_of(outlet.measurements);
     if (outlet.verdict > worst(cases)) {
       cases.push_back({"outlet", outlet.verdict, outlet_sentence(outlet)});
     }

@@ -173,6 +173,28 @@ TEST(JunitXml, HasASuitePerOutletAndACasePerMeasurement) {
   EXPECT_EQ(cases[3].attributes.at("classname"), "paper/loss-500mw.sheds-1");
 }
 
+TEST(JunitXml, NamesEachCaseOnceIfAMeasureHasSeveralLimits) {
+  RunRecord run = sample::loss_500mw(1);
+  auto& measurements = run.outlets[0].measurements;
+  const record::MeasurementResult delay = sample::measurement(run.outlets[0], "event.delay");
+  const record::MeasurementResult relay = sample::measurement(run.outlets[0], "relay.end");
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  measurements.assign(6, delay);
+  measurements[1].low = 0.05;
+  measurements[1].high = kNone;
+  measurements[1].unit = "s";
+  measurements[2].high = 160.00001;  // the same in six digits
+  measurements[4].judged = false;
+  measurements[5] = relay;
+  std::vector<std::string> names;
+  for (const Element& one : named(elements(junit_xml(run)), "testcase")) {
+    names.push_back(one.attributes.at("name"));
+  }
+  EXPECT_THAT(
+      names, ElementsAre("event.delay ≤ 160 ms", "event.delay ≥ 0.05 s", "event.delay ≤ 160 ms (2)",
+                         "event.delay ≤ 160 ms (3)", "event.delay", "relay.end"));
+}
+
 TEST(JunitXml, HasFailuresAndErrorsForWhatDidNotPass) {
   RunRecord run = sample::loss_500mw(1);
   auto& delay = sample::measurement(run.outlets[0], "event.delay");
