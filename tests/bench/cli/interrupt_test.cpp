@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -16,9 +17,10 @@ namespace {
 using testing::HasSubstr;
 
 // In real time the profile takes six seconds, enough time for a signal.
-Outcome stop_slow_run(const TemporaryFolder& folder, int signal) {
+Started start_slow_run(
+    const TemporaryFolder& folder, const std::function<void()>& prepare = [] {}) {
   const Started started = start_gsbench(
-      {"run", "paper/loss-500mw", "--real-time", "--json", "--out", folder.file("runs")});
+      {"run", "paper/loss-500mw", "--real-time", "--json", "--out", folder.file("runs")}, prepare);
   // The run has started when its record exists.
   EXPECT_TRUE(until([&] {
     const Words entries = folder.entries();
@@ -27,11 +29,15 @@ Outcome stop_slow_run(const TemporaryFolder& folder, int signal) {
     });
   }));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  return stop(started, signal);
+  return started;
+}
+
+Outcome stop_slow_run(const TemporaryFolder& folder, int signal) {
+  return stop(start_slow_run(folder), signal);
 }
 
 TEST(Interrupt, EndsTheRunAndKeepsItAsInterrupted) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
     const Outcome outcome = stop_slow_run(folder, signal);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
@@ -39,6 +45,14 @@ TEST(Interrupt, EndsTheRunAndKeepsItAsInterrupted) {
     const Outcome report = run_gsbench({"report", only_run(folder.path() / "runs").string()});
     EXPECT_THAT(report.out, HasSubstr("interrupted"));
   }
+}
+
+TEST(Interrupt, AHangUpThatTheParentIgnoresDoesNotEndIt) {
+  const TemporaryFolder folder;
+  const Started started = start_slow_run(folder, [] { std::signal(SIGHUP, SIG_IGN); });
+  const Outcome outcome = stop(started, SIGHUP);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["verdict"], "PASS");
 }
 
 TEST(Interrupt, AKilledRunIsListedAsUnfinished) {
