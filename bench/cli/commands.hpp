@@ -108,6 +108,7 @@ void add_list(CommandLine& line);
 void add_measures(CommandLine& line);
 void add_monitor(CommandLine& line);
 void add_params(CommandLine& line);
+void add_rejudge(CommandLine& line);
 void add_report(CommandLine& line);
 void add_reproduce(CommandLine& line);
 void add_run(CommandLine& line);

@@ -33,9 +33,9 @@ constexpr const char* kExitCodes =
 void add_commands(cli::CommandLine& line) {
   for (const auto add :
        {cli::add_run, cli::add_list, cli::add_check, cli::add_params, cli::add_waveform,
-        cli::add_report, cli::add_runs, cli::add_compare, cli::add_study, cli::add_reproduce,
-        cli::add_fleet, cli::add_immunity, cli::add_measures, cli::add_schema, cli::add_devices,
-        cli::add_monitor, cli::add_safe}) {
+        cli::add_report, cli::add_rejudge, cli::add_runs, cli::add_compare, cli::add_study,
+        cli::add_reproduce, cli::add_fleet, cli::add_immunity, cli::add_measures, cli::add_schema,
+        cli::add_devices, cli::add_monitor, cli::add_safe}) {
     add(line);
   }
 }

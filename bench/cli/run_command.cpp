@@ -78,7 +78,8 @@ int run(const RunArguments& arguments) {
                           [&](const std::string& what) {
                             progress.clear();
                             output.note_unknown(what);
-                          }});
+                          },
+                          file.text});
     }
     folder.keep(run.run_id);
     report(run, folder, arguments.json);

@@ -136,6 +136,10 @@ record::Recording kept(const profile::Recording& recording) {
   kept.voltage = recording.format.voltage;
   kept.nominal_voltage = recording.format.nominal_voltage;
   kept.replaces_profile = recording.replaces_profile;
+  if (!recording.file.empty()) {
+    kept.options = profile::trace_options(recording.format);
+    kept.text = recording.played_text;
+  }
   return kept;
 }
 
@@ -166,6 +170,7 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
   record::RunRecord run;
   run.run_id = new_run_id();
   run.started_utc = utc_now();
+  run.software = software();
   run.gsbench_version = installation::version();
   run.firmware_sha256 = GSBENCH_FIRMWARE_SHA256;
   run.profile = plan.name;
@@ -175,6 +180,7 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station) {
   run.profile_text = plan.text;
   run.grid = plan.grid.name;
   run.grid_sha256 = plan.grid.sha256;
+  run.grid_text = plan.grid_text;
   run.recording = kept(plan.stimulus.recording);
   run.station = station.name();
   run.noise = noise_text(plan, station.source().limits());

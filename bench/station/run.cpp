@@ -80,6 +80,7 @@ record::RunRecord ended_by_store(const std::string& fault, const profile::Plan& 
 record::RunRecord run(const profile::Plan& plan, Station& station, const RunOptions& options) {
   const StationLock lock(station.ports(), "profile " + plan.name);
   record::RunRecord run = prepare(plan, station);
+  run.station_text = options.station_text;
   const std::vector<Slot> slots = assign(plan.outlets, station.slots());
   check_offered(plan, slots);
   const PlayedSignal signal = signal_of(plan, slots, station);

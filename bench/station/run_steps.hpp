@@ -23,6 +23,9 @@ record::RunRecord prepare(const profile::Plan& plan, Station& station);
 
 std::string utc_now();  // ISO 8601, to the second
 
+// Versions of the compiler, the libraries and the system: lines.
+std::string software();
+
 // `message` as the record keeps it.
 record::Sent sent(const gs::wire::Downlink& message, std::int64_t tick);
 

@@ -83,7 +83,8 @@ void refuse_keys_of_other_kinds(const keys::Document& document, const StationKin
 }
 
 StationFile parse_station(const profile::NamedFile& file) {
-  const keys::Document document = keys::parse_toml(profile::read_file(file.path), file.path);
+  const std::string text = profile::read_file(file.path);
+  const keys::Document document = keys::parse_toml(text, file.path);
   const StationKind* kind = kind_of(document);
   if (kind == nullptr) {
     const keys::Table refused(document, keys_of_no_kind());
@@ -91,7 +92,7 @@ StationFile parse_station(const profile::NamedFile& file) {
   }
   refuse_keys_of_other_kinds(document, *kind);
   const keys::Table top(document, station_keys(kind->name));
-  StationFile station = {file.name, top.text("title"), file.path};
+  StationFile station = {file.name, top.text("title"), file.path, text};
   kind->read(top, station);
   return station;
 }

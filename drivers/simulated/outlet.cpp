@@ -12,6 +12,7 @@ Outlet::Outlet(const OutletParameters& parameters, const std::string& id, std::u
   gs::app::set_text(identity_.id, id.c_str());
   gs::app::set_text(identity_.board, "simulated");
   identity_.instance = index;
+  identity_.build = GSBENCH_FIRMWARE_BUILD;
 }
 
 bool Outlet::start(std::int64_t sample_rate_hz, int nominal_hz, float noise_rms_pu,

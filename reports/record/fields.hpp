@@ -53,6 +53,7 @@ inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
   visitor("grid_text", run.grid_text);
   visitor("recording_file", run.recording.file);
   visitor("recording_sha256", run.recording.sha256);
+  visitor("recording_options", run.recording.options);
   visitor("recording_text", run.recording.text);
   visitor("recording_time", run.recording.time);
   visitor("recording_frequency", run.recording.frequency);

@@ -1,4 +1,5 @@
-// Every shipped profile passes and leaves its reports.
+// Every shipped profile passes and leaves its reports; judged again from its record, it has the
+// same results.
 #include "gsbench_process.hpp"
 #include <test_support/shipped_profiles.hpp>
 #include <test_support/temporary_folder.hpp>
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 class ShippedProfile : public testing::TestWithParam<std::string> {};
 
-TEST_P(ShippedProfile, PassesAndLeavesItsReports) {
+TEST_P(ShippedProfile, PassesLeavesItsReportsAndIsJudgedAgainAsRecorded) {
   const TemporaryFolder folder;
   const json result = run_for_json({"run", GetParam(), "--json", "--out", folder.path().string()});
   EXPECT_EQ(result["profile"], GetParam());
@@ -35,6 +36,8 @@ TEST_P(ShippedProfile, PassesAndLeavesItsReports) {
   for (const render::Format& format : render::kFormats) {
     EXPECT_TRUE(!format.is_kept() || fs::is_regular_file(run / format.file)) << format.file;
   }
+  const json again = run_for_json({"rejudge", run.string(), "--json"});
+  EXPECT_EQ(again["differences"], json::array());
 }
 
 std::vector<std::string> passing_profiles() {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <judge/judge.hpp>
+#include <judge/plan_of.hpp>
 #include <record/store.hpp>
 #include <station/run.hpp>
 
@@ -45,7 +46,7 @@ record::Verdict verdict_when_judged_again(const profile::Plan& plan, Station& st
   EXPECT_EQ(record.content_sha256, digest);
   clear_verdicts(record);
   EXPECT_NE(record::content_digest(record), digest);
-  judge::judge(parse(record.profile_text), record);
+  judge::judge(judge::plan_of(record), record);
   EXPECT_EQ(record::content_digest(record), digest);
   return record.verdict;
 }

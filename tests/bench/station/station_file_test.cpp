@@ -237,7 +237,7 @@ constexpr const char* kTwoGroups =
 
 // A station with this number of outlets.
 StationFile station_of(std::optional<std::size_t> outlets) {
-  return {"station", "", "", outlets};
+  return {"station", "", "", "", outlets};
 }
 
 std::vector<std::string> ids(const profile::Plan& plan) {

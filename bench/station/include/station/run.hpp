@@ -23,6 +23,7 @@ struct RunOptions {
   // Called at once if the source could not be made safe, with what a user must know. Also if run()
   // throws afterwards, so that another error cannot hide it. Must not throw.
   std::function<void(const std::string& what)> output_unknown = {};
+  std::string station_text = {};  // content of the station file, for the record
 };
 
 // Blocks until the run has ended. A fault of the bench, a fault of an outlet or a stop does not

@@ -35,6 +35,7 @@ struct StationFile {
   std::string name;
   std::string title;
   std::string path;
+  std::string text;  // of the file
   // Number of outlets; nullopt: as many as the plan has.
   std::optional<std::size_t> outlets = {};
   // Outlets that can be reached without a run; nullopt: they exist only during a run, or none has a

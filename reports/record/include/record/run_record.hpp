@@ -149,7 +149,8 @@ struct Recording {
   std::string voltage;            // empty: nominal voltage
   double nominal_voltage = 0.0;   // in that column's unit; 0: the column's median
   bool replaces_profile = false;  // given by --trace, in place of the profile's own signal
-  std::string text = {};          // the part of the file that was played
+  std::string options = {};       // how it was read: the keys of [signal.trace] but `file`
+  std::string text = {};          // the part of the file that was played, in bytes of the file
 };
 
 // Uncertainty of the bench, expanded (k = 2), without that of the outlets' clocks.

@@ -1,0 +1,172 @@
+#include "commands.hpp"
+#include "run_folder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <judge/judge.hpp>
+#include <judge/plan_of.hpp>
+#include <record/store.hpp>
+#include <render/layout.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+using record::MeasurementResult;
+
+struct RejudgeArguments {
+  std::string run;
+  std::string output_folder = default_runs_folder();
+  bool json = false;
+};
+
+// A measurement, or a verdict, that is not what the record has.
+struct Difference {
+  std::string outlet;  // empty: of the run
+  std::string what;
+  std::string recorded;
+  std::string now;
+};
+
+struct Rejudged {
+  record::RunRecord run;  // the outlets without measurements
+  record::Verdict recorded = record::Verdict::kPass;
+  std::vector<Difference> differences;
+};
+
+bool is_equal(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+bool is_equal(const MeasurementResult& a, const MeasurementResult& b) {
+  return a.name == b.name && a.unit == b.unit && a.text == b.text &&
+         a.expected_text == b.expected_text && a.judged == b.judged && a.verdict == b.verdict &&
+         is_equal(a.value, b.value) && is_equal(a.low, b.low) && is_equal(a.high, b.high) &&
+         is_equal(a.uncertainty, b.uncertainty);
+}
+
+std::string text_of(const MeasurementResult& result) {
+  std::string text = result.text.empty() ? fmt::format("{}", result.value) : result.text;
+  text += result.unit.empty() ? "" : " " + result.unit;
+  return result.judged ? text + ", " + record::to_string(result.verdict) : text;
+}
+
+// Results are in the order of the profile's limits, then of the catalogue.
+void compare(const record::OutletRecord& recorded, const record::OutletRecord& now,
+             std::vector<Difference>& differences) {
+  const std::size_t count = std::max(recorded.measurements.size(), now.measurements.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto* before = i < recorded.measurements.size() ? &recorded.measurements[i] : nullptr;
+    const auto* after = i < now.measurements.size() ? &now.measurements[i] : nullptr;
+    if (before == nullptr || after == nullptr || !is_equal(*before, *after)) {
+      differences.push_back({now.id, after != nullptr ? after->name : before->name,
+                             before != nullptr ? text_of(*before) : "none",
+                             after != nullptr ? text_of(*after) : "none"});
+    }
+  }
+  if (recorded.verdict != now.verdict) {
+    differences.push_back({now.id, "verdict", to_string(recorded.verdict), to_string(now.verdict)});
+  }
+}
+
+Rejudged judged_again(const std::string& path) {
+  record::Reader reader(path);
+  Rejudged again;
+  again.run = reader.head();
+  again.recorded = again.run.verdict;
+  const profile::Plan plan = judge::plan_of(again.run);
+  const judge::Judge judge(plan, again.run);
+  for (std::size_t i = 0; i < reader.outlets(); ++i) {
+    record::OutletRecord outlet = reader.outlet(i);
+    const record::OutletRecord recorded = reader.results(i);
+    judge.judge(outlet);
+    compare(recorded, outlet, again.differences);
+    static_cast<record::Reports&>(outlet) = {};
+    outlet.measurements.clear();
+    again.run.outlets.push_back(std::move(outlet));
+  }
+  judge::conclude(again.run);
+  if (again.run.verdict != again.recorded) {
+    again.differences.push_back(
+        {"", "verdict", to_string(again.recorded), to_string(again.run.verdict)});
+  }
+  return again;
+}
+
+nlohmann::ordered_json as_json(const Rejudged& again) {
+  nlohmann::ordered_json out = {{"run_id", again.run.run_id},
+                                {"gsbench_version", again.run.gsbench_version},
+                                {"recorded_verdict", to_string(again.recorded)},
+                                {"verdict", to_string(again.run.verdict)},
+                                {"differences", nlohmann::ordered_json::array()}};
+  for (const Difference& difference : again.differences) {
+    out["differences"].push_back(
+        {{"outlet", difference.outlet.empty() ? nlohmann::ordered_json(nullptr)
+                                              : nlohmann::ordered_json(difference.outlet)},
+         {"what", difference.what},
+         {"recorded", difference.recorded},
+         {"now", difference.now}});
+  }
+  return out;
+}
+
+constexpr std::size_t kMostPrinted = 30;
+
+void print(const Rejudged& again) {
+  std::vector<std::vector<std::string>> rows = {{"outlet", "measure", "recorded", "now"}};
+  for (std::size_t i = 0; i < std::min(again.differences.size(), kMostPrinted); ++i) {
+    const Difference& difference = again.differences[i];
+    rows.push_back({difference.outlet.empty() ? "the run" : difference.outlet, difference.what,
+                    difference.recorded, difference.now});
+  }
+  if (!again.differences.empty()) {
+    for (const std::string& line : render::aligned(rows, "l")) {
+      print_wrapped(line, 4);
+    }
+  }
+  if (again.differences.size() > kMostPrinted) {
+    std::printf("… and %zu more\n", again.differences.size() - kMostPrinted);
+  }
+  const std::string how = again.differences.empty()
+                              ? "as recorded: the verdicts and values of all outlets are the same"
+                              : fmt::format("{} differences; the record is of gsbench {}",
+                                            again.differences.size(), again.run.gsbench_version);
+  print_wrapped(fmt::format("{}, {}", to_string(again.run.verdict), how), 4);
+}
+
+int rejudge(const RejudgeArguments& arguments) {
+  const Rejudged again = judged_again(find_record(arguments.run, arguments.output_folder));
+  if (arguments.json) {
+    print_json(as_json(again));
+  } else {
+    print(again);
+  }
+  return exit_code_of(again.run.verdict);
+}
+
+}  // namespace
+
+void add_rejudge(CommandLine& line) {
+  const auto [command, arguments] = line.command(
+      "rejudge", "Judge a kept run again, from its record alone, and compare the results", rejudge);
+  command
+      .add_option("RUN", arguments.run,
+                  "Id of a run, its folder, or its record file; the start of an id is enough")
+      ->type_name("RUN")
+      ->required();
+  add_runs_folder(command, arguments.output_folder);
+  add_json_flag(command, arguments.json);
+  command.footer(
+      "The record has all that is needed: profile, grid, the played part of the recording, and "
+      "what\n"
+      "each outlet reported. It is not changed. The exit code is that of the new verdict.\n"
+      "\n"
+      "Example:\n  gsbench rejudge 20260101T120000Z-0123abcd");
+}
+
+}  // namespace gsbench::cli

@@ -1,0 +1,15 @@
+// The plan of a recorded run, so that it can be judged again on any machine.
+#pragma once
+
+#include <profile/plan.hpp>
+#include <record/run_record.hpp>
+
+namespace gsbench::judge {
+
+// Made from the texts of profile, grid and recording in the record; no file is read. The number of
+// its outlets is the profile's, not the station's. Throws profile::ConfigurationError if this
+// version of gsbench does not take the profile, or if the record has no text of its grid or
+// recording, as those of version 6 do not.
+profile::Plan plan_of(const record::RunRecord& head);
+
+}  // namespace gsbench::judge
