@@ -33,7 +33,7 @@ Key key_of(const Field& field) {
           ? keys::whole(field.name, field.unit, range.low, range.high, field.meaning)
       : field.range.of_nominal
           ? keys::number(field.name, field.unit, keys::above(0.0), field.meaning)
-                .permits(fmt::format("{} × nominal ≤ value < nominal, after rounding to float",
+                .permits(fmt::format("{} × nominal ≤ value ≤ nominal, after rounding to float",
                                      range.low))
           : keys::number(field.name, field.unit, range, field.meaning);
   return key.or_else(

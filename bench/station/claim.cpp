@@ -45,8 +45,8 @@ void send_settings(const profile::Plan& plan, const profile::Outlet& planned,
   // An outlet rejects settings with an older version than its own.
   gs::wire::Downlink message;
   message.kind = gs::wire::DownlinkKind::kSettings;
-  message.settings =
-      control_centre::outlet_settings(plan.grid, planned.settings, hello.settings_version + 1);
+  message.settings = control_centre::outlet_settings(
+      plan.grid, planned.settings, gs::outlet::next_version(hello.settings_version));
   record.settings = control_centre::described(message.settings);
   record.settings["tracker_delay_s"] = static_cast<double>(hello.tracker_delay_s);
   record.settings["voltage_delay_s"] = static_cast<double>(hello.voltage_delay_s);

@@ -188,8 +188,8 @@ struct Player {
       if (settings == update.outlets.end() || !watch.is_watched(id)) {
         continue;
       }
-      message.settings =
-          control_centre::outlet_settings(plan.grid, settings->second, ++versions[i]);
+      versions[i] = gs::outlet::next_version(versions[i]);
+      message.settings = control_centre::outlet_settings(plan.grid, settings->second, versions[i]);
       capture.add_sent(id, station::sent(message, tick - signal.lead_ticks()));
       require(station.link().send(id, message));
       capture.add_settings(id, tick - signal.lead_ticks(), versions[i], update.changes);

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <random>
 #include <utility>
 
 #include <link/outlet_stream.hpp>
@@ -5,70 +7,126 @@
 namespace gsbench::link {
 
 using gs::wire::Decoded;
+using gs::wire::DownlinkKind;
 using gs::wire::Sequence;
 using gs::wire::UplinkKind;
 
+namespace {
+
+constexpr std::size_t kMostEarlierStarts = 64;
+
+bool is_hello(const gs::wire::Uplink& message) {
+  return message.kind == UplinkKind::kHello;
+}
+
+}  // namespace
+
+std::uint32_t new_session() {
+  std::random_device device;
+  std::uint32_t session = gs::wire::kNoSession;
+  while (session == gs::wire::kNoSession) {
+    session = device();
+  }
+  return session;
+}
+
 std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, std::size_t size) {
-  // On a cable, a repeated or swapped message is at most this many numbers back: 1 s of
-  // measurements.
-  constexpr std::uint32_t kMostRepeated = 64;
   gs::wire::Uplink message;
   std::uint32_t sequence = 0;
   const Decoded decoded = gs::wire::decode(bytes, size, message, sequence);
-  if (decoded != Decoded::kOk) {
-    note(decoded == Decoded::kUnknownKind ? "sent a message of an unknown kind"
-                                          : "sent a message that cannot be read");
+  if (decoded == Decoded::kMalformed) {
+    note("sent a message that cannot be read");
     return std::nullopt;
   }
-  // At start-up an outlet numbers from 0, and its first message is its hello.
-  const bool restarted = message.kind == UplinkKind::kHello && sequence == 0;
-  if (restarted) {
-    // A broker may deliver a hello twice: the same bytes, with no message in between.
-    std::vector<std::uint8_t> hello(bytes, bytes + size);
-    if (hello == newest_) {
-      return std::nullopt;
-    }
-    newest_ = std::move(hello);
-    if (hello_received_ && (last_sample_ > message.sample || message.sample == 0)) {
-      note_restart();
-    }
-    received_.restart();
-  } else {
-    newest_.clear();
+  const bool known = decoded == Decoded::kOk;
+  // Of another version, the start number is unknown.
+  if (known && is_hello(message) && message.hello.protocol_version != gs::wire::kProtocolVersion) {
+    return message;
   }
-  bool goes_back = message.kind != UplinkKind::kHello && message.sample < last_sample_;
-  switch (received_.take(sequence)) {
-    case Sequence::Order::kDuplicate:
-      if (delivery_ == Delivery::kByBroker || received_.behind() <= kMostRepeated) {
-        return std::nullopt;
-      }
-      goes_back = true;
-      received_.restart();
-      received_.take(sequence);
-      break;
-    case Sequence::Order::kGap:
-      // What an outlet sends before it has connected for the first time is lost. That is no fault.
-      if (message.kind == UplinkKind::kHello && !reports_received_) {
-        break;
-      }
-      note(std::to_string(received_.missed()) + " of its messages were lost before its sample " +
-           std::to_string(message.sample));
-      break;
-    case Sequence::Order::kNext:
-      break;
+  if (!take_start(message) || !take_number(message, sequence)) {
+    return std::nullopt;
   }
-  if (goes_back) {
-    note_restart();
-  }
-  hello_received_ = hello_received_ || message.kind == UplinkKind::kHello;
-  reports_received_ = reports_received_ || message.kind != UplinkKind::kHello;
   last_sample_ = message.sample;
+  if (!known) {
+    note("sent a message of an unknown kind");
+    return std::nullopt;
+  }
+  look_at_session(message);
   return message;
 }
 
-std::vector<std::uint8_t> OutletStream::encode(const gs::wire::Downlink& message) {
-  if (message.kind == gs::wire::DownlinkKind::kIdentify) {
-    sent_ = 0;
+// False if the message is not to be taken.
+bool OutletStream::take_start(const gs::wire::Uplink& message) {
+  const std::uint32_t number = message.start_number;
+  if (start_ == number) {
+    return true;
+  }
+  // Another outlet on the same cable has other starts.
+  const bool is_other = is_hello(message) && !id_.empty() && id_ != message.hello.id;
+  if (is_other) {
+    earlier_starts_.clear();
+    start_.reset();
+  }
+  if (std::count(earlier_starts_.begin(), earlier_starts_.end(), number) > 0) {
+    return false;
+  }
+  wants_identify_ = wants_identify_ || !is_hello(message);
+  if (delivery_ == Delivery::kByCable && !is_hello(message)) {
+    return false;
+  }
+  begin_start(number);
+  return true;
+}
+
+void OutletStream::begin_start(std::uint32_t number) {
+  if (start_) {
+    note("restarted after its sample " + std::to_string(last_sample_));
+    earlier_starts_.push_back(*start_);
+    if (earlier_starts_.size() > kMostEarlierStarts) {
+      earlier_starts_.erase(earlier_starts_.begin());
+    }
+  }
+  start_ = number;
+  open_ = false;
+  hellos_.restart();
+  others_.restart();
+}
+
+bool OutletStream::take_number(const gs::wire::Uplink& message, std::uint32_t sequence) {
+  Sequence& count = is_hello(message) ? hellos_ : others_;
+  switch (count.take(sequence)) {
+    case Sequence::Order::kDuplicate:
+      return false;
+    case Sequence::Order::kGap:
+      if (!is_hello(message)) {
+        note(std::to_string(count.missed()) + " of its messages were lost before its sample " +
+             std::to_string(message.sample));
+      }
+      return true;
+    case Sequence::Order::kNext:
+      return true;
+  }
+  return true;
+}
+
+void OutletStream::look_at_session(const gs::wire::Uplink& message) {
+  if (is_hello(message)) {
+    id_ = message.hello.id;
+    open_ = open_ || message.hello.session == session_;
+    wants_identify_ = !open_;
+  } else if (message.kind == UplinkKind::kError &&
+             message.error.code == gs::wire::ErrorCode::kUnknownSession &&
+             message.error.detail == session_) {
+    note("did not take a message: it did not know the bench's session");
+    open_ = false;
+    wants_identify_ = true;
+  }
+}
+
+std::vector<std::uint8_t> OutletStream::encode(gs::wire::Downlink message) {
+  message.session = session_;
+  if (message.kind == DownlinkKind::kCommand) {
+    message.start_number = start_.value_or(0);
   }
   std::vector<std::uint8_t> bytes(gs::wire::kLongestMessage);
   bytes.resize(gs::wire::encode(message, sent_++, bytes.data(), bytes.size()));

@@ -9,6 +9,7 @@ bool Application::start(const outlet::Hardware& hardware, const Identity& identi
                         SettingsStorage* storage, Outbox& outbox, const outlet::Settings* kept) {
   outlet::reset(state_);
   counts_ = Counts{};
+  kept_ = false;
   started_ = outlet::configure(hardware, config_);
   if (!started_) {
     return false;
@@ -24,7 +25,8 @@ bool Application::start(const outlet::Hardware& hardware, const Identity& identi
 }
 
 bool Application::restore(const outlet::Settings& settings) {
-  return started_ && outlet::apply(config_, state_, settings) == outlet::SettingsError::kNone;
+  kept_ = started_ && outlet::apply(config_, state_, settings) == outlet::SettingsError::kNone;
+  return kept_;
 }
 
 void Application::feed(const std::int16_t* samples, std::size_t count, Outbox& outbox) {
@@ -56,7 +58,7 @@ void Application::receive(const wire::Downlink& downlink, Outbox& outbox) {
     case wire::DownlinkKind::kCommand:
       return take_command(downlink, outbox);
     case wire::DownlinkKind::kIdentify:
-      return send_hello(outbox);
+      return send_hello(outbox, downlink.session);
     case wire::DownlinkKind::kAskStatus:
       return send_status(outbox);
     case wire::DownlinkKind::kAskSelfTest:
@@ -78,6 +80,13 @@ void Application::note(wire::ErrorCode error, Outbox& outbox) {
   put(outbox, UplinkKind::kError, &wire::Uplink::error, {error, ++counts_.errors[place]});
 }
 
+void Application::refuse(wire::ErrorCode error, std::uint32_t detail, Outbox& outbox) {
+  note_dropped();
+  if (started_) {
+    put(outbox, UplinkKind::kError, &wire::Uplink::error, {error, detail});
+  }
+}
+
 void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
   counts_.samples_lost += count;
   counts_.samples += count;
@@ -85,8 +94,9 @@ void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
   note(wire::ErrorCode::kSamplesLost, outbox);
 }
 
-void Application::send_hello(Outbox& outbox) const {
+void Application::send_hello(Outbox& outbox, std::uint32_t session) const {
   wire::Hello hello = identity_;
+  hello.session = session;
   hello.firmware_version = kFirmwareVersion;
   hello.sample_rate_hz = config_.hardware.sample_rate_hz;
   hello.nominal_hz = config_.hardware.nominal_hz;
@@ -105,24 +115,31 @@ void Application::take_settings(const wire::Downlink& sent, Outbox& outbox) {
                                           ? sent.settings_error
                                           : outlet::apply(config_, state_, settings);
   // Settings that cannot be stored are applied all the same; the answer then has kept = false.
-  const bool tried = error == outlet::SettingsError::kNone && storage_ != nullptr;
-  const bool kept = tried && storage_->keep(settings);
+  // Refused settings leave those in force as they were, stored or not.
+  const bool accepted = error == outlet::SettingsError::kNone;
+  if (accepted) {
+    kept_ = storage_ != nullptr && storage_->keep(settings);
+  }
   // Version and digest are 0 without settings, as in the hello.
   put(outbox, UplinkKind::kSettingsAnswer, &wire::Uplink::settings_answer,
       {error, config_.has_settings ? outlet::accepted(config_).version : 0,
-       config_.has_settings ? outlet::digest(outlet::accepted(config_)) : 0, kept});
-  if (tried && !kept) {
+       config_.has_settings ? outlet::digest(outlet::accepted(config_)) : 0, kept_});
+  if (accepted && storage_ != nullptr && !kept_) {
     note(wire::ErrorCode::kSettingsStorage, outbox);
   }
 }
 
 void Application::take_command(const wire::Downlink& command, Outbox& outbox) {
   const bool changed = outlet::command(state_, command.close_relay);
-  put(outbox, UplinkKind::kCommandAnswer, &wire::Uplink::command_answer,
-      {command.request, state_.relay.closed});
+  answer_command(command, outbox);
   if (changed) {
     send_relay(outbox);
   }
+}
+
+void Application::answer_command(const wire::Downlink& command, Outbox& outbox) const {
+  put(outbox, UplinkKind::kCommandAnswer, &wire::Uplink::command_answer,
+      {command.request, state_.relay.closed, command.session});
 }
 
 void Application::run_self_test(Outbox& outbox) const {
@@ -149,7 +166,7 @@ void Application::run_self_test(Outbox& outbox) const {
 void Application::send_status(Outbox& outbox) const {
   put(outbox, UplinkKind::kStatus, &wire::Uplink::status,
       {state_.reports, state_.relay.closed, state_.relay.cause, state_.phase, counts_.samples_lost,
-       counts_.messages_bad, counts_.messages_unsent});
+       counts_.messages_bad, counts_.messages_unsent, counts_.messages_dropped});
 }
 
 void Application::send_report(const outlet::Report& report, Outbox& outbox) const {
@@ -184,6 +201,7 @@ wire::Uplink Application::message(UplinkKind kind) const {
   wire::Uplink message;
   message.kind = kind;
   message.sample = counts_.samples;
+  message.start_number = identity_.start_number;
   return message;
 }
 

@@ -6,9 +6,10 @@ using wire::Decoded;
 using wire::ErrorCode;
 
 void MessageEndpoint::put(const wire::Uplink& message) {
-  const std::size_t size = wire::encode(message, sent_, bytes_, sizeof bytes_);
+  std::uint32_t& sent = message.kind == wire::UplinkKind::kHello ? hellos_sent_ : others_sent_;
+  const std::size_t size = wire::encode(message, sent, bytes_, sizeof bytes_);
   // A message that the carrier refuses uses up a number: the other side sees the gap.
-  ++sent_;
+  ++sent;
   if (!carrier_.send(bytes_, size)) {
     app_.note_unsent();
   }
@@ -17,21 +18,41 @@ void MessageEndpoint::put(const wire::Uplink& message) {
 void MessageEndpoint::receive(const std::uint8_t* bytes, std::size_t size) {
   wire::Downlink message;
   std::uint32_t sequence = 0;
-  switch (wire::decode(bytes, size, message, sequence)) {
-    case Decoded::kMalformed:
-      return app_.note(ErrorCode::kMalformed, *this);
-    case Decoded::kUnknownKind:
-      return app_.note(ErrorCode::kUnknownKind, *this);
-    case Decoded::kOk:
-      break;
+  const Decoded decoded = wire::decode(bytes, size, message, sequence);
+  if (decoded == Decoded::kMalformed) {
+    return app_.note(ErrorCode::kMalformed, *this);
   }
-  // A peer that sends identify has restarted its numbering.
-  if (message.kind == wire::DownlinkKind::kIdentify) {
-    received_.restart();
+  const bool known = decoded == Decoded::kOk;
+  Session* session = sessions_.find(message.session);
+  if (session == nullptr && known && message.kind == wire::DownlinkKind::kIdentify) {
+    session = &sessions_.begin(message.session);
   }
-  if (received_.take(sequence) != wire::Sequence::Order::kDuplicate) {
-    app_.receive(message, *this);
+  if (session == nullptr) {
+    return app_.refuse(ErrorCode::kUnknownSession, message.session, *this);
   }
+  if (session->received.take(sequence) == wire::Sequence::Order::kDuplicate) {
+    return app_.note_dropped();
+  }
+  session = &sessions_.use(*session);
+  if (!known) {
+    return app_.note(ErrorCode::kUnknownKind, *this);
+  }
+  if (message.kind == wire::DownlinkKind::kCommand) {
+    return take_command(message, *session);
+  }
+  app_.receive(message, *this);
+}
+
+// A centre that misses the answer sends the same request again, in a new message.
+void MessageEndpoint::take_command(const wire::Downlink& command, Session& session) {
+  if (command.start_number != app_.start_number()) {
+    return app_.refuse(ErrorCode::kOtherStart, command.request, *this);
+  }
+  if (command.request <= session.newest_request) {
+    return app_.answer_command(command, *this);
+  }
+  session.newest_request = command.request;
+  app_.receive(command, *this);
 }
 
 bool SerialEndpoint::Framer::send(const std::uint8_t* bytes, std::size_t count) {

@@ -65,7 +65,7 @@ SettingsError apply(Config& config, State& state, const Settings& settings) {
     return error;
   }
   const std::uint32_t newest = config.has_settings ? accepted(config).version : kNoSettings;
-  if (settings.version <= newest) {
+  if (!is_newer(settings.version, newest)) {
     return SettingsError::kStale;
   }
   config.has_next = config.has_settings && event_under_way(state);

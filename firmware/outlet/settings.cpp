@@ -78,7 +78,7 @@ const char* to_string(SettingsError error) {
       "frequency response out of range",
       "threshold or largest loss out of range",
       "accumulated power negative",
-      "switching-off frequency not from 80 % of nominal to below nominal",
+      "switching-off frequency below 80 % of nominal or above nominal",
       "load-shedding conditions missing, too many or not descending",
       "number of samples out of range",
       "event drop or departure out of range",

@@ -207,27 +207,54 @@ std::size_t finished(const cbor::Writer& writer) {
   return writer.ok() ? writer.size() : 0;
 }
 
-// Visits everything after kind and sequence. `M`: the message type, or its const form.
+// `M`: the message type, or its const form.
+template <class M, class V>
+void head(M& message, V& visit) {
+  if constexpr (std::is_same_v<std::remove_const_t<M>, Uplink>) {
+    uplink_head(message, visit);
+  } else {
+    downlink_head(message, visit);
+  }
+}
+
 template <class M, class V>
 void fields(M& message, V& visit) {
   if constexpr (std::is_same_v<std::remove_const_t<M>, Uplink>) {
-    visit(message.sample);
     uplink_fields(message, visit);
   } else {
     downlink_fields(message, visit);
   }
 }
 
+// Ranges that the types do not have.
+bool in_range(const Uplink& message) {
+  return message.kind != UplinkKind::kHello || is_valid(message.hello);
+}
+
+bool in_range(const Downlink& message) {
+  return message.kind != DownlinkKind::kCommand || message.request > 0;
+}
+
+bool has_session(const Uplink&) {
+  return true;
+}
+
+bool has_session(const Downlink& message) {
+  return message.session != kNoSession;
+}
+
 template <class M>
 std::size_t encode_message(const M& message, std::uint32_t sequence, std::uint8_t* out,
                            std::size_t capacity) {
   Counter counter;
+  head(message, counter);
   fields(message, counter);
   cbor::Writer writer(out, capacity);
   writer.array(2 + counter.items);
   writer.unsigned_integer(static_cast<std::uint8_t>(message.kind));
   writer.unsigned_integer(sequence);
   Encoder encoder{writer};
+  head(message, encoder);
   fields(message, encoder);
   return finished(writer);
 }
@@ -238,19 +265,23 @@ Decoded decode_message(const std::uint8_t* bytes, std::size_t size, decltype(M::
   cbor::Reader reader(bytes, size);
   std::size_t items = 0;
   std::uint64_t kind = 0;
-  if (!reader.array(items) || items < 2 || !reader.unsigned_integer(kind) ||
-      !read_number(reader, sequence)) {
+  if (size > kLongestMessage || !reader.array(items) || items < 2 ||
+      !reader.unsigned_integer(kind) || !read_number(reader, sequence)) {
     return Decoded::kMalformed;
   }
-  items -= 2;
-  if (kind == 0 || kind > static_cast<std::uint64_t>(last_kind)) {
-    return pass_over(reader, items) ? Decoded::kUnknownKind : Decoded::kMalformed;
-  }
+  const bool known = kind > 0 && kind <= static_cast<std::uint64_t>(last_kind);
   message = M{};
-  message.kind = static_cast<decltype(M::kind)>(kind);
-  Decoder decoder{reader, items};
-  fields(message, decoder);
-  return decoder.finish() ? Decoded::kOk : Decoded::kMalformed;
+  // Any kind but hello has the usual head.
+  message.kind = known ? static_cast<decltype(M::kind)>(kind) : last_kind;
+  Decoder decoder{reader, items - 2};
+  head(message, decoder);
+  if (known) {
+    fields(message, decoder);
+  }
+  if (!decoder.finish() || !has_session(message) || (known && !in_range(message))) {
+    return Decoded::kMalformed;
+  }
+  return known ? Decoded::kOk : Decoded::kUnknownKind;
 }
 
 }  // namespace

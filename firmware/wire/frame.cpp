@@ -129,7 +129,6 @@ FrameReader::Taken FrameReader::end_frame() {
 Sequence::Order Sequence::take(std::uint32_t sequence) {
   const std::uint32_t ahead = sequence - next_;
   if (started_ && ahead >= 0x80000000u) {
-    behind_ = next_ - sequence;
     return Order::kDuplicate;
   }
   missed_ = started_ ? ahead : 0;

@@ -40,6 +40,12 @@ class Listener final : public gs::app::Carrier {
   int messages_ = 0;
 };
 
+gs::app::Identity test_identity() {
+  gs::app::Identity identity;
+  gs::app::set_text(identity.id, "fuzzed");
+  return identity;
+}
+
 bool is_settings(const gs::wire::Uplink&) {
   return false;
 }
@@ -79,7 +85,7 @@ std::string wrong_with_outlet(const std::uint8_t* bytes, std::size_t size) {
   Listener listener;
   gs::app::Application app;
   gs::app::MessageEndpoint endpoint(app, listener);
-  if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) {
+  if (!app.start(gs::outlet::Hardware{}, test_identity(), nullptr, endpoint)) {
     return "the outlet did not start";
   }
   endpoint.receive(bytes, size);
@@ -187,7 +193,7 @@ std::string wrong_with_settings(const std::uint8_t* bytes, std::size_t size) {
   Listener listener;
   gs::app::Application app;
   gs::app::MessageEndpoint endpoint(app, listener);
-  if (!app.start(gs::outlet::Hardware{}, {}, nullptr, endpoint)) {
+  if (!app.start(gs::outlet::Hardware{}, test_identity(), nullptr, endpoint)) {
     return "the outlet did not start";
   }
   // Version 0 means: no settings.

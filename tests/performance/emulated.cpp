@@ -102,7 +102,7 @@ double link_round_trip_ms() {
   for (int i = 0; i < kRoundTrips; ++i) {
     Downlink command;
     command.kind = DownlinkKind::kCommand;
-    command.request = static_cast<std::uint32_t>(i);
+    command.request = static_cast<std::uint32_t>(i + 1);
     happenings.messages.clear();
     const auto begin = steady_clock::now();
     or_die(link.send("outlet-0", command));

@@ -90,7 +90,8 @@ void FramedLink::Impl::open_ports() {
 // Called repeatedly: an emulator or an adapter may drop bytes while it starts.
 void FramedLink::Impl::ask() {
   for (const auto& line : lines) {
-    if (!line->hello && !line->unplugged) {
+    const bool answered = line->hello && (line->faulty || line->stream.is_open());
+    if (!answered && !line->unplugged) {
       send(*line, gs::wire::identify());
     }
   }
@@ -142,6 +143,9 @@ void FramedLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
       continue;
     }
     const auto message = line.stream.take(line.reader.message(), line.reader.size());
+    if (line.stream.take_wants_identify() && !line.faulty) {
+      send(line, gs::wire::identify());
+    }
     if (!message) {
       continue;
     }

@@ -44,10 +44,17 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
   }
   if (found->second.hello) {
     take_hello(found->second.outlet, message, size, retained);
-  } else if (Outlet& outlet = outlets_[found->second.outlet]; outlet.joined) {
+  } else if (Outlet& outlet = outlets_[found->second.outlet]; outlet.joined && size > 0) {
     if (const auto read = outlet.stream.take(message, size)) {
       happenings_.messages.push_back({outlet.id, *read, now_ns()});
     }
+    ask_if_wanted(found->second.outlet);
+  }
+}
+
+void Arrivals::ask_if_wanted(std::size_t place) {
+  if (outlets_[place].stream.take_wants_identify()) {
+    newcomers_.push_back(place);
   }
 }
 
@@ -76,15 +83,10 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
     outlet.here = false;
     return;
   }
-  // A retained hello is new only if it differs from the last one.
-  const bool known =
-      std::equal(message, message + size, outlet.last_hello.begin(), outlet.last_hello.end());
-  if (retained && !outlet.joined) {
+  // A retained hello does not prove that the outlet answers, but that one that had left is back.
+  if (retained && (!outlet.joined || outlet.here)) {
     outlet.here = true;
     newcomers_.push_back(place);
-    return;
-  }
-  if (retained && known) {
     return;
   }
   gs::wire::Uplink read;
@@ -95,15 +97,11 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
   if (is_hello && !take_identity(outlet, read.hello)) {
     return;
   }
-  // It may have talked to another bench before: `identify` restarts its sequence numbers.
-  if (joins && sequence != 0) {
-    newcomers_.push_back(place);
-  }
   outlet.here = true;
-  outlet.last_hello.assign(message, message + size);
   if (const auto taken = outlet.stream.take(message, size); taken && !joins) {
     happenings_.messages.push_back({outlet.id, *taken, now_ns()});
   }
+  ask_if_wanted(place);
 }
 
 // Runs before the sequence number is checked, because that of another outlet has no meaning here.

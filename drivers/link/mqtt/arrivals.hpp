@@ -33,7 +33,8 @@ class Arrivals {
 
   // ---- called by the bench; outlets are numbered from 0 in the order of their first hellos
 
-  // Outlets to which the bench must send `identify`, for instance because their hello was retained.
+  // Outlets to which the bench must send `identify`: because their hello was retained, or because
+  // they have not begun its session.
   std::vector<std::size_t> take_newcomers();
   const std::string& id(std::size_t outlet);
   std::optional<std::size_t> find(const std::string& id);  // among those that joined
@@ -55,9 +56,8 @@ class Arrivals {
     OutletStream stream{Delivery::kByBroker};
     bool here = true;  // connected to the broker, according to its newest hello
     bool joined = false;
-    gs::wire::Hello hello;                 // with which it joined
-    std::vector<std::uint8_t> last_hello;  // newest hello, as bytes
-    bool faulty = false;                   // excluded from the run
+    gs::wire::Hello hello;  // with which it joined
+    bool faulty = false;    // excluded from the run
   };
   struct Place {
     std::size_t outlet = 0;
@@ -66,6 +66,7 @@ class Arrivals {
 
   void add(std::string_view hello_topic);
   void take_hello(std::size_t place, const std::uint8_t* message, std::size_t size, bool retained);
+  void ask_if_wanted(std::size_t place);
   bool take_identity(Outlet& outlet, const gs::wire::Hello& hello);
 
   std::mutex mutex_;

@@ -26,6 +26,8 @@ class Line : public app::Carrier {
   virtual bool wants_to_write() const = 0;
   // True once after a reconnection: the outlet must then send its hello again.
   virtual bool take_reconnected() { return false; }
+  // Messages lost since the last call although send() had accepted them.
+  virtual std::uint32_t take_unsent() { return 0; }
 
  protected:
   std::deque<std::uint8_t> received_;  // bytes of frames, added by serve()

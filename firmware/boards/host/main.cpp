@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,6 +94,7 @@ superloop::StartUp start_up(const shared_memory_io::SharedMemory& terminals) {
   start_up.identity.instance = terminals.instance;
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings;
+  start_up.identity.start_number = std::random_device()();
   return start_up;
 }
 
@@ -158,6 +160,7 @@ int main(int argc, char** argv) {
     if (line->take_reconnected()) {
       loop.send_hello();
     }
+    loop.note_unsent(line->take_unsent());
     while (loop.turn()) {
     }
   }

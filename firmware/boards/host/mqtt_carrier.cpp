@@ -152,7 +152,7 @@ void MqttCarrier::serve() {
   }
   check(mosquitto_loop_read(client_, 1));
   while (connected() && !waiting_.empty()) {
-    publish(waiting_.front().data(), waiting_.front().size());
+    unsent_ += publish(waiting_.front().data(), waiting_.front().size()) ? 0 : 1;
     waiting_.pop_front();
   }
   if (mosquitto_want_write(client_)) {
@@ -193,7 +193,8 @@ void MqttCarrier::on_connect(mosquitto* client, void* self, int reason, int,
     return;
   }
   // Subscribes before the hello is sent, so that an answer to it is received.
-  mosquitto_subscribe_v5(client, nullptr, carrier.down_topic_.c_str(), 1, 0, nullptr);
+  mosquitto_subscribe_v5(client, nullptr, carrier.down_topic_.c_str(), 1,
+                         MQTT_SUB_OPT_SEND_RETAIN_NEVER, nullptr);
   carrier.trouble_.clear();
   carrier.connected_ = true;
   carrier.reconnected_ = carrier.was_connected_;
@@ -211,12 +212,15 @@ void MqttCarrier::on_disconnect(mosquitto*, void* self, int reason, const mosqui
 
 void MqttCarrier::on_publish(mosquitto*, void* self, int, int reason, const mosquitto_property*) {
   if (reason >= MQTT_RC_UNSPECIFIED) {
-    ++static_cast<MqttCarrier*>(self)->refused_;
+    ++static_cast<MqttCarrier*>(self)->unsent_;
   }
 }
 
 void MqttCarrier::on_message(mosquitto*, void* self, const mosquitto_message* message,
                              const mosquitto_property*) {
+  if (message->payloadlen == 0) {
+    return;
+  }
   const auto* bytes = static_cast<const std::uint8_t*>(message->payload);
   static_cast<MqttCarrier*>(self)->received_.emplace_back(bytes, bytes + message->payloadlen);
 }

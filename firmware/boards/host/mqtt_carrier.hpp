@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <app/endpoint.hpp>
@@ -45,7 +46,7 @@ class MqttCarrier final : public app::Carrier {
   bool start(const MqttOptions& options, std::string& why);
 
   // Returns false for a measurement while there is no connection, and for any message if the queue
-  // is full.
+  // is full. A message of which the broker says later that it does not take it is counted instead.
   bool send(const std::uint8_t* message, std::size_t size) override;
 
   // Receives messages, sends queued messages, keeps the connection alive, and reconnects after a
@@ -55,7 +56,8 @@ class MqttCarrier final : public app::Carrier {
   int descriptor() const;  // -1: no socket now
   bool wants_to_write() const;
 
-  // Takes the next message to the outlet. Returns false if there is none.
+  // Takes the next message to the outlet. Returns false if there is none. Empty payloads are no
+  // messages.
   bool take(std::vector<std::uint8_t>& message);
   // True once after each reconnection. The outlet must then send its hello again, because the
   // broker may no longer have it.
@@ -63,7 +65,9 @@ class MqttCarrier final : public app::Carrier {
 
   bool connected() const { return connected_ && descriptor() >= 0; }
   const std::string& trouble() const { return trouble_; }  // why the last connection failed
-  std::uint64_t refused() const { return refused_; }       // messages that the broker rejected
+  // Messages since the last call that send() accepted, and that the broker rejected or that could
+  // not be sent after all.
+  std::uint32_t take_unsent() { return std::exchange(unsent_, 0); }
 
  private:
   static void on_connect(mosquitto*, void* self, int reason, int, const mqtt5__property*);
@@ -85,7 +89,7 @@ class MqttCarrier final : public app::Carrier {
   std::chrono::steady_clock::time_point next_attempt_;
   std::chrono::steady_clock::time_point next_upkeep_;
   std::deque<std::vector<std::uint8_t>> waiting_;  // queued while there is no connection
-  std::uint64_t refused_ = 0;
+  std::uint32_t unsent_ = 0;
   std::string trouble_;
   bool connected_ = false;
   bool was_connected_ = false;

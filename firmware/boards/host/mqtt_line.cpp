@@ -17,14 +17,13 @@ void MqttLine::serve() {
   std::vector<std::uint8_t> message;
   if (received_.empty() && carrier_.take(message)) {  // one at a time: the carrier bounds its queue
     std::uint8_t framed[wire::kLongestFrame];
-    // A message too long for a frame is invalid. A damaged frame in its place makes the outlet
-    // count and report it.
-    const std::size_t size = wire::frame(message.data(), message.size(), framed, sizeof framed);
-    if (size > 0) {
-      received_.insert(received_.end(), framed, framed + size);
-    } else {
-      received_.insert(received_.end(), {0, 1, 0});
+    // A message that is too long for a frame is malformed. Another malformed message in its place
+    // makes the outlet count and report it.
+    if (message.size() > wire::kLongestMessage) {
+      message = {0xFF};
     }
+    const std::size_t size = wire::frame(message.data(), message.size(), framed, sizeof framed);
+    received_.insert(received_.end(), framed, framed + size);
   }
 }
 

@@ -32,6 +32,7 @@ superloop::StartUp start_up() {
   start_up.identity.instance = terminals().instance;
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
+  start_up.identity.start_number = terminals().starts;
   start_up.reset_by_watchdog = reset_by_watchdog();
   return start_up;
 }

@@ -22,6 +22,14 @@ void set_default_id(char (&id)[wire::kLongestId + 1], std::uint32_t number) {
   }
 }
 
+__attribute__((section(".noinit"))) volatile std::uint32_t last_start;
+
+// Random. Without the generator it still differs from the last start, unless power was lost.
+std::uint32_t start_number() {
+  last_start = (last_start + 1) ^ random_number();
+  return last_start;
+}
+
 superloop::StartUp start_up(const Clocks& clocks) {
   superloop::StartUp start_up;
   start_up.hardware = {kSampleRate_hz, 50, kCounts_per_pu, clocks.crystal_runs};
@@ -30,6 +38,7 @@ superloop::StartUp start_up(const Clocks& clocks) {
   app::set_text(start_up.identity.board, "stm32f405");
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
   start_up.identity.capabilities = wire::kKeepsSettings | wire::kHasWatchdog;
+  start_up.identity.start_number = start_number();
   start_up.reset_by_watchdog = reset_by_watchdog();
   return start_up;
 }

@@ -32,6 +32,22 @@ void start_watchdog(std::uint32_t prescaler, std::uint32_t ticks) {
   IWDG->KR = IWDG_KR_START;
 }
 
+std::uint32_t random_number() {
+  // A number takes 40 cycles of 48 MHz, 140 of the processor's.
+  constexpr int kPolls = 1000;
+  RCC->AHB2ENR = RCC->AHB2ENR | RCC_AHB2ENR_RNGEN;
+  RNG->CR = RNG_CR_RNGEN;
+  std::uint32_t number = 0;
+  // The first number after the start must not be used (RM0090, 24.3.1).
+  for (int numbers = 0, poll = 0; numbers < 2 && poll < kPolls; ++poll) {
+    if ((RNG->SR & RNG_SR_DRDY) != 0) {
+      number = RNG->DR;
+      ++numbers;
+    }
+  }
+  return number;
+}
+
 void read_unique_id(std::uint8_t (&id)[kUniqueIdBytes]) {
   std::fill(id, id + kUniqueIdBytes, std::uint8_t{0});
   // On other chips or in an emulator, reading the unique id's address may fault.

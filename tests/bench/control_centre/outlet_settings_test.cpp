@@ -131,7 +131,7 @@ std::string refusal(const RequestedSettings& requested, const grid::Grid& grid =
 
 TEST(OutletSettings, AreRefusedOutsideTheirRange) {
   EXPECT_EQ(refusal(with("switch_off_hz", 39.0)),
-            "switch_off_hz is 39; it must be a number from 40 to below 50 Hz");
+            "switch_off_hz is 39; it must be a number from 40 to 50 Hz");
   EXPECT_EQ(refusal(with("event_drop_hz", 2.0)),
             "event_drop_hz is 2; it must be a number from 0 to 1 Hz");
   EXPECT_EQ(refusal(with("threshold_mw", -1.0)),

@@ -175,18 +175,16 @@ const std::vector<Mistake> kOfLosses = {
      "63:12: power_mw is 240; it must be above 0 and at most 200 (twice accumulated_mw, which "
      "includes half of the outlet's own block)"},
     {"id = \"alone\"", "id = \"alone\"\nrules = \"paper\"\naccumulated_mw = 300.0",
-     "71:1: the firmware refuses these settings: switching-off frequency not from 80 % of nominal "
-     "to below nominal"},
+     "71:1: the firmware refuses these settings: switching-off frequency below 80 % of nominal or "
+     "above nominal"},
     {"threshold_mw = 200.0", "threshold_mw = 1e-300",
      "64:16: threshold_mw is 1e-300; outlets use single precision, in which it is 0 and out of "
      "range"},
-    {"switch_off_hz = 58.5", "switch_off_hz = 59.9999999",
-     "65:17: switch_off_hz is 59.9999999; outlets use single precision, in which it is 60 and out "
-     "of range"},
-    {"switch_off_hz = 58.5", "switch_off_hz = 60",
-     "65:17: switch_off_hz is 60; it must be at least 48 and below 60 (the grid's nominal_hz)"},
+    {"switch_off_hz = 58.5", "switch_off_hz = 60.0000001",
+     "65:17: switch_off_hz is 60.0000001; it must be at least 48 and at most 60 (the grid's "
+     "nominal_hz)"},
     {"switch_off_hz = 58.5", "switch_off_hz = 47.9",
-     "65:17: switch_off_hz is 47.9; it must be at least 48 and below 60 (the grid's nominal_hz)"},
+     "65:17: switch_off_hz is 47.9; it must be at least 48 and at most 60 (the grid's nominal_hz)"},
     {"[[command]]\nat_s = 7.0", "[[command]]\nat_s = 10.5",
      "76:8: at_s is 10.5; it must be at least 0 and below 10 (the run's duration)"},
     {"\"alone\", \"early\"", "\"alone\", \"shed-4\"",
@@ -226,8 +224,8 @@ const std::vector<Mistake> kOfDisturbed = {
     {"threshold_mw = 250.0", "accumulated_mw = 20.0",
      "55:18: power_mw is 50 and accumulated_mw is 20; power_mw must be at most twice "
      "accumulated_mw, which includes half of the outlet's own block"},
-    {"switch_off_hz = 49.2", "switch_off_hz = 50.0",
-     "36:17: switch_off_hz is 50; it must be at least 40 and below 50 (the grid's nominal_hz)"},
+    {"switch_off_hz = 49.2", "switch_off_hz = 50.1",
+     "36:17: switch_off_hz is 50.1; it must be at least 40 and at most 50 (the grid's nominal_hz)"},
     {"= 49.85", "= 47.0",
      "5:23: frequency_before_hz is 47; it must be at least 47.852 and at most 52.148 (as far as "
      "the "

@@ -85,9 +85,16 @@ wire::Downlink settings_message(std::uint32_t version) {
 
 class EndpointTest : public testing::Test {
  protected:
-  void SetUp() override { start(&storage_); }
+  // Begins the session, whose next number is 0. The hello that was sent unasked stays.
+  void SetUp() override {
+    start(&storage_);
+    send(downlink(DownlinkKind::kIdentify), 0xFFFFFFFFU);
+    ASSERT_EQ(listener_.received.size(), 2U);
+    listener_.received.pop_back();
+    listener_.numbers.pop_back();
+  }
   void start(SettingsStorage* storage) {
-    ASSERT_TRUE(app_.start(outlet::Hardware{}, Identity{}, storage, endpoint_));
+    ASSERT_TRUE(app_.start(outlet::Hardware{}, identity_, storage, endpoint_));
   }
   void send(const wire::Downlink& downlink, std::uint32_t sequence) {
     send(encoded(downlink, sequence));
@@ -103,6 +110,13 @@ class EndpointTest : public testing::Test {
     return listener_.last().status;
   }
 
+  static Identity test_identity() {
+    Identity identity;
+    set_text(identity.id, "outlet-7");
+    return identity;
+  }
+
+  Identity identity_ = test_identity();
   Application app_;
   FakeStorage storage_;
   Listener listener_;
@@ -114,8 +128,22 @@ TEST_F(EndpointTest, NumbersItsMessagesFromZero) {
   send(ping(1), 0);
   ASSERT_EQ(listener_.received.size(), 12U);
   EXPECT_EQ(listener_.received.front().kind, UplinkKind::kHello);
-  for (std::uint32_t i = 0; i < 12; ++i) {
-    EXPECT_EQ(listener_.numbers[i], i);
+  EXPECT_EQ(listener_.numbers[0], 0U);
+  for (std::uint32_t i = 1; i < 12; ++i) {
+    EXPECT_EQ(listener_.numbers[i], i - 1) << "hellos have numbers of their own";
+  }
+  send(downlink(DownlinkKind::kIdentify), 1);
+  EXPECT_EQ(listener_.last().kind, UplinkKind::kHello);
+  EXPECT_EQ(listener_.numbers.back(), 2U) << "the fixture's identify was answered by number 1";
+}
+
+TEST_F(EndpointTest, EveryMessageHasTheStartNumber) {
+  identity_.start_number = 0xC0FFEE07U;
+  start(nullptr);
+  feed(128);
+  send(ping(1), 0);
+  for (std::size_t i = 1; i < listener_.received.size(); ++i) {
+    EXPECT_EQ(listener_.received[i].start_number, 0xC0FFEE07U) << i;
   }
 }
 
@@ -137,19 +165,122 @@ TEST_F(EndpointTest, DropsDuplicatesWithoutAnAnswer) {
   EXPECT_EQ(listener_.received.size(), 3U);
   send(ping(3), 100);
   EXPECT_EQ(listener_.last().echo.token, 3U) << "a message after a gap counts";
-  EXPECT_EQ(status(101).messages_bad, 0U);
+  const wire::Status reported = status(101);
+  EXPECT_EQ(reported.messages_bad, 0U);
+  EXPECT_EQ(reported.messages_dropped, 2U);
 }
 
-TEST_F(EndpointTest, IdentifyRestartsTheNumbering) {
-  send(ping(1), 1000);
+// ---- sessions
+
+TEST_F(EndpointTest, ARepeatedIdentifyIsADuplicateAndWhatFollowsItIsNotObeyedAgain) {
+  send(wire::test::command(false, 1), 0);
+  send(wire::test::command(true, 2), 1);
+  ASSERT_TRUE(app_.relay_closed());
+  const std::size_t before = listener_.received.size();
+  send(downlink(DownlinkKind::kIdentify), 0xFFFFFFFFU);
+  send(wire::test::command(false, 1), 0);
+  send(wire::test::command(true, 2), 1);
+  EXPECT_EQ(listener_.received.size(), before);
+  EXPECT_EQ(status(2).messages_dropped, 3U);
+}
+
+TEST_F(EndpointTest, AMessageOfAnUnknownSessionIsRefusedUntilIdentifyBeginsIt) {
+  wire::Downlink other = ping(5);
+  other.session = 1234;
+  send(other, 7);
+  ASSERT_EQ(listener_.last().kind, UplinkKind::kError);
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownSession);
+  EXPECT_EQ(listener_.last().error.detail, 1234U);
+  wire::Downlink identify = wire::identify();
+  identify.session = 1234;
+  send(identify, 7);
+  EXPECT_EQ(listener_.last().hello.session, 1234U);
+  send(other, 7);
+  EXPECT_EQ(listener_.last().kind, UplinkKind::kHello) << "a duplicate";
+  send(other, 8);
+  EXPECT_EQ(listener_.last().echo.token, 5U);
+  const wire::Status reported = status(0);
+  EXPECT_EQ(reported.messages_dropped, 2U);
+  EXPECT_EQ(reported.messages_bad, 0U);
+}
+
+TEST_F(EndpointTest, SessionsHaveNumbersAndRequestsOfTheirOwn) {
+  send(wire::test::command(false, 5), 0);
+  wire::Downlink other = wire::identify();
+  other.session = 1234;
+  send(other, 0);
+  other = wire::test::command(true, 1);
+  other.session = 1234;
+  send(other, 1);
+  EXPECT_EQ(listener_.received[listener_.received.size() - 2].command_answer.session, 1234U);
+  EXPECT_TRUE(app_.relay_closed());
+  send(wire::test::command(false, 6), 1);
+  EXPECT_FALSE(app_.relay_closed());
+}
+
+TEST_F(EndpointTest, AFifthSessionReplacesTheOneUsedLongestAgo) {
+  const auto identify = [this](std::uint32_t session) {
+    wire::Downlink message = wire::identify();
+    message.session = session;
+    send(message, 0);
+  };
+  for (const std::uint32_t session : {101U, 102U, 103U}) {
+    identify(session);
+  }
+  send(ping(1), 0);  // the fixture's session is now used last
+  identify(104);
   send(ping(2), 1);
-  ASSERT_EQ(listener_.received.size(), 2U) << "a late message is dropped";
-  send(downlink(DownlinkKind::kIdentify), 0);
-  ASSERT_EQ(listener_.last().kind, UplinkKind::kHello);
-  send(ping(3), 1);
+  EXPECT_EQ(listener_.last().echo.token, 2U);
+  wire::Downlink late = ping(3);
+  late.session = 101;
+  send(late, 1);
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownSession);
+  late.session = 102;
+  send(late, 1);
   EXPECT_EQ(listener_.last().echo.token, 3U);
-  send(ping(4), 1);
-  EXPECT_EQ(listener_.last().echo.token, 3U);
+}
+
+TEST_F(EndpointTest, AMessageOfAnUnknownKindUsesUpItsNumber) {
+  const Bytes unknown = {0x83, 0x18, 0x63, 0x00, 0x18, wire::test::kSession};
+  send(unknown);
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownKind);
+  const std::size_t before = listener_.received.size();
+  send(unknown);
+  send(ping(1), 0);
+  EXPECT_EQ(listener_.received.size(), before) << "duplicates";
+  Bytes of_another = unknown;
+  of_another.back() = wire::test::kSession + 1;
+  send(of_another);
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownSession);
+}
+
+// ---- commands
+
+TEST_F(EndpointTest, ARepeatedRequestIsAnsweredButNotObeyedAgain) {
+  send(wire::test::command(false, 3), 0);
+  send(wire::test::command(true, 4), 1);
+  std::uint32_t sequence = 2;
+  for (const std::uint32_t request : {3U, 4U, 1U}) {
+    const std::size_t before = listener_.received.size();
+    send(wire::test::command(false, request), sequence++);
+    ASSERT_EQ(listener_.received.size(), before + 1) << "an answer, and no relay message";
+    EXPECT_EQ(listener_.last().command_answer.request, request);
+    EXPECT_TRUE(listener_.last().command_answer.closed);
+  }
+  EXPECT_EQ(status(100).messages_dropped, 0U);
+}
+
+TEST_F(EndpointTest, ACommandForAnotherStartIsRefused) {
+  wire::Downlink command = wire::test::command(false, 8);
+  command.start_number = app_.start_number() + 1;
+  send(command, 0);
+  EXPECT_TRUE(app_.relay_closed());
+  EXPECT_EQ(listener_.last().error.code, ErrorCode::kOtherStart);
+  EXPECT_EQ(listener_.last().error.detail, 8U);
+  command.start_number = app_.start_number();
+  send(command, 1);
+  EXPECT_FALSE(app_.relay_closed()) << "the refused request was not used up";
+  EXPECT_EQ(status(2).messages_dropped, 1U);
 }
 
 TEST_F(EndpointTest, ReportsMessagesThatItCannotDecode) {
@@ -159,10 +290,10 @@ TEST_F(EndpointTest, ReportsMessagesThatItCannotDecode) {
   EXPECT_EQ(listener_.last().error.detail, 1U);
   send(Bytes{});
   EXPECT_EQ(listener_.last().error.detail, 2U);
-  send(Bytes{0x82, 0x18, 0x63, 0x00});
+  send(Bytes{0x83, 0x18, 0x63, 0x00, 0x18, wire::test::kSession});
   EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownKind);
   EXPECT_EQ(listener_.last().error.detail, 1U) << "each code has its own count";
-  EXPECT_EQ(status(0).messages_bad, 3U);
+  EXPECT_EQ(status(1).messages_bad, 3U);
 }
 
 TEST_F(EndpointTest, CountsUnsentMessagesAndLeavesAGapInTheNumbering) {
@@ -171,7 +302,7 @@ TEST_F(EndpointTest, CountsUnsentMessagesAndLeavesAGapInTheNumbering) {
   feed(256);
   listener_.refuses = false;
   EXPECT_EQ(status(1).messages_unsent, 3U);
-  EXPECT_EQ(listener_.numbers, (std::vector<std::uint32_t>{0, 4}));
+  EXPECT_EQ(listener_.numbers, (std::vector<std::uint32_t>{0, 3}));
 }
 
 TEST_F(EndpointTest, StatusHasCountersAndState) {
@@ -216,8 +347,26 @@ TEST_F(EndpointTest, DoesNotStoreRefusedSettings) {
   wrong.settings.threshold_mw = -1.0F;
   send(wrong, 0);
   EXPECT_EQ(listener_.last().settings_answer.error, outlet::SettingsError::kThreshold);
-  EXPECT_FALSE(listener_.last().settings_answer.kept);
+  EXPECT_FALSE(listener_.last().settings_answer.kept) << "there are none";
   EXPECT_TRUE(storage_.kept.empty());
+}
+
+TEST_F(EndpointTest, ARefusalSaysWhetherTheSettingsInForceAreStored) {
+  const auto refused = [this](std::uint32_t sequence) {
+    send(settings_message(1), sequence);
+    EXPECT_EQ(listener_.last().settings_answer.error, outlet::SettingsError::kStale);
+    return listener_.last().settings_answer.kept;
+  };
+  send(settings_message(3), 0);
+  EXPECT_TRUE(refused(1));
+  storage_.keeps = false;
+  EXPECT_TRUE(refused(2)) << "nothing had to be stored";
+  send(settings_message(4), 3);
+  EXPECT_FALSE(refused(4));
+  storage_.keeps = true;
+  EXPECT_FALSE(refused(5));
+  send(settings_message(5), 6);
+  EXPECT_TRUE(refused(7));
 }
 
 TEST_F(EndpointTest, AppliesSettingsThatCannotBeStoredAndReportsAnError) {
@@ -248,6 +397,7 @@ TEST_F(EndpointTest, ReportsRestoredSettingsInTheHello) {
   EXPECT_EQ(listener_.last().hello.settings_digest, outlet::digest(settings));
   send(settings_message(7), 1);
   EXPECT_EQ(listener_.last().settings_answer.error, outlet::SettingsError::kStale);
+  EXPECT_TRUE(listener_.last().settings_answer.kept);
 }
 
 TEST_F(EndpointTest, SettingsOutOfRangeAreNotRestored) {
@@ -280,8 +430,13 @@ TEST_F(EndpointTest, SelfTestReportsArithmeticStorageClockAndAdc) {
 
 class SerialEndpointTest : public testing::Test {
  protected:
+  // Begins the session, whose next number is 0. The hello that was sent unasked stays.
   void SetUp() override {
-    ASSERT_TRUE(app_.start(outlet::Hardware{}, Identity{}, nullptr, endpoint_));
+    Identity identity;
+    set_text(identity.id, "outlet-7");
+    ASSERT_TRUE(app_.start(outlet::Hardware{}, identity, nullptr, endpoint_));
+    send(framed(encoded(downlink(DownlinkKind::kIdentify), 0xFFFFFFFFU)));
+    line_.listener.received.pop_back();
   }
   void send(const Bytes& bytes) { endpoint_.receive(bytes.data(), bytes.size()); }
 

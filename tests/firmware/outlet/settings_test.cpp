@@ -55,11 +55,10 @@ std::vector<InvalidSetting> invalid_settings() {
       {"negative accumulated power", E::kAccumulated, [](S s) { s.accumulated_mw = -1.0F; }},
       {"switches off at 39 Hz", E::kSwitchOff, [](S s) { s.switch_off_hz = 39.9F; }},
       {"switches off above nominal", E::kSwitchOff, [](S s) { s.switch_off_hz = 50.1F; }},
-      {"switches off at nominal", E::kSwitchOff, [](S s) { s.switch_off_hz = 50.0F; }},
       {"no conditions", E::kConditions, [](S s) { s.condition_rows = 0; }},
       {"too many conditions", E::kConditions, [](S s) { s.condition_rows = kMaxConditions + 1; }},
       {"conditions out of order", E::kConditions, [](S s) { s.conditions[1] = s.conditions[0]; }},
-      {"condition at nominal", E::kConditions, [](S s) { s.conditions[0].from_hz = 50.0F; }},
+      {"condition above nominal", E::kConditions, [](S s) { s.conditions[0].from_hz = 50.1F; }},
       {"condition on a rising frequency", E::kConditions,
        [](S s) { s.conditions[0].rocof_below_hz_s = 0.1F; }},
       {"slope over one sample", E::kCounts, [](S s) { s.rocof_samples = 1; }},
@@ -169,6 +168,33 @@ TEST(Settings, AreRefusedAsStaleUnlessNewerThanThoseInForce) {
   settings.version = 8;
   EXPECT_EQ(apply(config, state, settings), SettingsError::kNone);
   EXPECT_EQ(config.settings.accumulated_mw, 1.0F);
+}
+
+// Equal to nominal is within; above it is not.
+TEST(Settings, MayHaveFrequenciesAtNominal) {
+  Settings settings = test::ieee24_settings();
+  settings.switch_off_hz = 50.0F;
+  settings.threshold_hz = 50.0F;
+  settings.conditions[0].from_hz = 50.0F;
+  EXPECT_EQ(validate(settings, 50.0F), SettingsError::kNone);
+  settings.conditions[0].from_hz = std::nextafter(50.0F, 51.0F);
+  EXPECT_EQ(validate(settings, 50.0F), SettingsError::kConditions);
+}
+
+TEST(Settings, HaveNoLastVersion) {
+  EXPECT_TRUE(is_newer(1, kNoSettings));
+  EXPECT_TRUE(is_newer(0xFFFFFFFFU, kNoSettings));
+  EXPECT_FALSE(is_newer(kNoSettings, kNoSettings));
+  EXPECT_FALSE(is_newer(kNoSettings, 0xFFFFFFFFU));
+  EXPECT_EQ(next_version(0xFFFFFFFFU), 1U);
+  EXPECT_EQ(next_version(kNoSettings), 1U);
+  for (const std::uint32_t version : {1U, 7U, 0x80000000U, 0xFFFFFFFFU}) {
+    EXPECT_TRUE(is_newer(next_version(version), version)) << version;
+    EXPECT_FALSE(is_newer(version, version)) << version;
+    EXPECT_FALSE(is_newer(version, next_version(version))) << version;
+  }
+  EXPECT_TRUE(is_newer(0x80000006U, 7U));
+  EXPECT_FALSE(is_newer(0x80000007U, 7U));
 }
 
 TEST(Settings, TheFirstMayHaveAnyVersionButZero) {

@@ -1,5 +1,5 @@
 // The encoding of a few messages, byte by byte, so that a change of the protocol is detected. The
-// README's examples are the same messages.
+// examples in exchange.md are the same messages.
 #include <wire_test/downlinks.hpp>
 #include <wire_test/messages.hpp>
 
@@ -17,6 +17,9 @@
 namespace gs::wire::test {
 namespace {
 
+constexpr std::uint32_t kStart = 0xC0FFEE07U;
+constexpr std::uint32_t kSession = 0x5E551011U;
+
 struct Golden {
   std::string name;
   Bytes is;         // encoded now
@@ -29,7 +32,14 @@ Bytes up(UplinkKind kind, std::uint32_t sequence, std::uint64_t sample, Content 
   Uplink message;
   message.kind = kind;
   message.sample = sample;
+  message.start_number = kStart;
   message.*member = content;
+  return encoded(message, sequence);
+}
+
+Bytes down(Downlink message, std::uint32_t sequence) {
+  message.session = kSession;
+  message.start_number = kStart;
   return encoded(message, sequence);
 }
 
@@ -93,45 +103,49 @@ outlet::Settings golden_settings() {
 }
 
 std::vector<Golden> goldens() {
-  const Bytes identify = encoded(downlink(DownlinkKind::kIdentify), 0);
-  const Bytes error = up(UplinkKind::kError, 68, 8100, &Uplink::error, {ErrorCode::kBadFrame, 1});
+  const Bytes identify = down(downlink(DownlinkKind::kIdentify), 0);
+  const Bytes error = up(UplinkKind::kError, 66, 8100, &Uplink::error, {ErrorCode::kBadFrame, 1});
   return {
       {"hello", up(UplinkKind::kHello, 0, 0, &Uplink::hello, golden_hello()),
-       "90 01 00 00 03 68 6f 75 74 6c 65 74 2d 37 6a 6d 70 73 32 2d 61 6e 33 38 "
-       "36 1a 12 34 56 78 19 03 e8 1a de ad be ef 03 19 1f 40 18 32 fa 3d 80 00 "
-       "00 fa 3d 00 00 00 00 00"},
-      {"identify", identify, "82 03 00"},
-      {"identify as a frame", framed(identify), "00 03 82 03 05 3f 45 dd 36 00"},
-      {"settings", encoded(settings_message(golden_settings()), 1),
-       "83 01 01 b8 24 01 01 02 fa 3a 80 00 00 03 fa 3e 80 00 00 04 fa 3d 80 00 "
-       "00 05 fa 3f a0 00 00 06 fa 43 b0 00 00 07 fa 45 2b 90 00 08 fa 42 c8 00 "
-       "00 09 fa 42 44 00 00 0a 84 fa 42 47 00 00 fa bf 00 00 00 fa 42 46 00 00 "
-       "fa be 80 00 00 0b 14 0c 08 0d 05 0e fa 3c 80 00 00 0f fa 3d 00 00 00 10 "
-       "0a 11 18 28 12 fa 3b 80 00 00 13 fa 42 b0 00 00 14 fa 3c 00 00 00 15 fa "
-       "3c c0 00 00 16 fa 3c 40 00 00 17 03 18 18 fa 3a 80 00 00 18 19 fa 3f 40 "
-       "00 00 18 1a fa 3d 50 00 00 18 1b fa 3d 80 00 00 18 1c fa 3e 00 00 00 18 "
-       "1d 01 18 1e fa 42 46 00 00 18 1f fa 3b 80 00 00 18 20 18 28 18 21 fa 3e "
-       "00 00 00 18 22 fa 42 47 00 00 18 23 fa 42 80 00 00 18 24 fa 43 80 00 00"},
+       "92 01 00 00 03 68 6f 75 74 6c 65 74 2d 37 1a c0 ff ee 07 6a 6d 70 73 32 "
+       "2d 61 6e 33 38 36 1a 12 34 56 78 19 03 e8 1a de ad be ef 03 19 1f 40 18 "
+       "32 fa 3d 80 00 00 fa 3d 00 00 00 00 00 00"},
+      {"identify", identify, "83 03 00 1a 5e 55 10 11"},
+      {"identify as a frame", framed(identify), "00 03 83 03 0a 1a 5e 55 10 11 87 6e f9 c2 00"},
+      {"settings", down(settings_message(golden_settings()), 1),
+       "84 01 01 1a 5e 55 10 11 b8 24 01 01 02 fa 3a 80 00 00 03 fa 3e 80 00 00 "
+       "04 fa 3d 80 00 00 05 fa 3f a0 00 00 06 fa 43 b0 00 00 07 fa 45 2b 90 00 "
+       "08 fa 42 c8 00 00 09 fa 42 44 00 00 0a 84 fa 42 47 00 00 fa bf 00 00 00 "
+       "fa 42 46 00 00 fa be 80 00 00 0b 14 0c 08 0d 05 0e fa 3c 80 00 00 0f fa "
+       "3d 00 00 00 10 0a 11 18 28 12 fa 3b 80 00 00 13 fa 42 b0 00 00 14 fa 3c "
+       "00 00 00 15 fa 3c c0 00 00 16 fa 3c 40 00 00 17 03 18 18 fa 3a 80 00 00 "
+       "18 19 fa 3f 40 00 00 18 1a fa 3d 50 00 00 18 1b fa 3d 80 00 00 18 1c fa "
+       "3e 00 00 00 18 1d 01 18 1e fa 42 46 00 00 18 1f fa 3b 80 00 00 18 20 18 "
+       "28 18 21 fa 3e 00 00 00 18 22 fa 42 47 00 00 18 23 fa 42 80 00 00 18 24 "
+       "fa 43 80 00 00"},
       {"settings answer",
-       up(UplinkKind::kSettingsAnswer, 3, 200, &Uplink::settings_answer,
+       up(UplinkKind::kSettingsAnswer, 1, 200, &Uplink::settings_answer,
           {outlet::SettingsError::kNone, 1, outlet::digest(golden_settings()), true}),
-       "87 02 03 18 c8 00 01 1a 79 23 88 da f5"},
+       "88 02 01 18 c8 1a c0 ff ee 07 00 01 1a 79 23 88 da f5"},
       {"first measurement, not settled",
-       up(UplinkKind::kMeasurement, 1, 128, &Uplink::measurement,
+       up(UplinkKind::kMeasurement, 0, 128, &Uplink::measurement,
           {NAN, NAN, 0.0F, outlet::Validity::kInvalid}),
-       "87 03 01 18 80 fa 7f c0 00 00 fa 7f c0 00 00 fa 00 00 00 00 00"},
+       "88 03 00 18 80 1a c0 ff ee 07 fa 7f c0 00 00 fa 7f c0 00 00 fa 00 00 00 "
+       "00 00"},
       {"measurement",
-       up(UplinkKind::kMeasurement, 65, 8064, &Uplink::measurement,
+       up(UplinkKind::kMeasurement, 63, 8064, &Uplink::measurement,
           {49.984375F, -0.125F, 1.0F, outlet::Validity::kValid}),
-       "87 03 18 41 19 1f 80 fa 42 47 f0 00 fa be 00 00 00 fa 3f 80 00 00 01"},
-      {"command", encoded(command(false, 9), 2), "84 02 02 09 f4"},
+       "88 03 18 3f 19 1f 80 1a c0 ff ee 07 fa 42 47 f0 00 fa be 00 00 00 fa 3f "
+       "80 00 00 01"},
+      {"command", down(command(false, 9), 2), "86 02 02 1a 5e 55 10 11 09 f4 1a c0 ff ee 07"},
       {"command answer",
-       up(UplinkKind::kCommandAnswer, 66, 8064, &Uplink::command_answer, {9, false}),
-       "85 0a 18 42 19 1f 80 09 f4"},
-      {"relay", up(UplinkKind::kRelay, 67, 8064, &Uplink::relay, {false, outlet::Cause::kCommand}),
-       "85 08 18 43 19 1f 80 f4 03"},
-      {"error", error, "85 0e 18 44 19 1f a4 01 01"},
-      {"error as a frame", framed(error), "00 0e 85 0e 18 44 19 1f a4 01 01 1e 9f 5e ca 00"},
+       up(UplinkKind::kCommandAnswer, 64, 8064, &Uplink::command_answer, {9, false, kSession}),
+       "87 0a 18 40 19 1f 80 1a c0 ff ee 07 09 f4 1a 5e 55 10 11"},
+      {"relay", up(UplinkKind::kRelay, 65, 8064, &Uplink::relay, {false, outlet::Cause::kCommand}),
+       "86 08 18 41 19 1f 80 1a c0 ff ee 07 f4 03"},
+      {"error", error, "86 0e 18 42 19 1f a4 1a c0 ff ee 07 01 01"},
+      {"error as a frame", framed(error),
+       "00 13 86 0e 18 42 19 1f a4 1a c0 ff ee 07 01 01 1a 1f c8 17 00"},
   };
 }
 
@@ -141,9 +155,9 @@ TEST(Golden, MessagesHaveTheirFixedEncoding) {
   }
 }
 
-// The examples in the README's ```hex blocks, separated by empty lines.
-std::set<std::string> examples_of_readme() {
-  std::ifstream file(GSBENCH_SOURCE_DIR "/firmware/wire/README.md");
+// The examples in the text's ```hex blocks, separated by empty lines.
+std::set<std::string> examples_of_text() {
+  std::ifstream file(GSBENCH_SOURCE_DIR "/firmware/wire/exchange.md");
   EXPECT_TRUE(file.is_open());
   std::set<std::string> examples;
   std::string line;
@@ -171,12 +185,12 @@ std::set<std::string> examples_of_readme() {
   return examples;
 }
 
-TEST(Golden, ExamplesInTheReadmeAreTheEncodedMessages) {
+TEST(Golden, ExamplesInTheTextAreTheEncodedMessages) {
   std::set<std::string> golden;
   for (const Golden& one : goldens()) {
     golden.insert(one.was);
   }
-  EXPECT_EQ(examples_of_readme(), golden);
+  EXPECT_EQ(examples_of_text(), golden);
 }
 
 // Compares the rows of the README's table of settings, "| 16 | lse_samples | u8 |", with the code.

@@ -33,11 +33,16 @@ float float_of(const Field& field) {
 }
 
 std::vector<std::uint64_t> head_of(const Uplink& message) {
-  return {static_cast<std::uint64_t>(message.kind), kSequence, message.sample};
+  std::vector<std::uint64_t> head = {static_cast<std::uint64_t>(message.kind), kSequence,
+                                     message.sample};
+  if (message.kind != UplinkKind::kHello) {
+    head.push_back(message.start_number);
+  }
+  return head;
 }
 
 std::vector<std::uint64_t> head_of(const Downlink& message) {
-  return {static_cast<std::uint64_t>(message.kind), kSequence};
+  return {static_cast<std::uint64_t>(message.kind), kSequence, message.session};
 }
 
 // Number of items of the message's array. The contents of a map or array belong to its item.
@@ -127,10 +132,10 @@ TEST(QtAgreement, FloatsInQtsShortestFormAreRefused) {
   Uplink message;
   std::uint32_t sequence = 0;
   const auto bytes = [](QCborValue::EncodingOptions options) {
-    return from_qt(QCborValue(QCborArray{5, 0, 0, 50.0}).toCbor(options));
+    return from_qt(QCborValue(QCborArray{5, 0, 0, 0, 50.0}).toCbor(options));
   };
   const Bytes half = bytes(QCborValue::UseFloat16);
-  EXPECT_EQ(hex(half), "84 05 00 00 f9 52 40");
+  EXPECT_EQ(hex(half), "85 05 00 00 00 f9 52 40");
   EXPECT_EQ(decode(half.data(), half.size(), message, sequence), Decoded::kMalformed);
   const Bytes whole = bytes(QCborValue::NoTransformation);
   EXPECT_EQ(decode(whole.data(), whole.size(), message, sequence), Decoded::kMalformed);

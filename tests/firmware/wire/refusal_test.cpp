@@ -1,6 +1,11 @@
 // Malformed messages are refused wherever the defect is; additions of later versions are ignored.
 #include <wire_test/messages.hpp>
 
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include <wire/cbor.hpp>
@@ -78,12 +83,13 @@ Bytes array_of(const std::vector<Bytes>& items) {
   return joined(head, items);
 }
 
-// Decodes each case with its items changed.
+// Decodes each case with its items changed. Too long a message is malformed in any case.
 template <class Change>
 void expect_changed(Decoded expected, Change change) {
   for (const Case& one : cases()) {
     const Bytes bytes = change(items_of(one.bytes));
-    EXPECT_EQ(one.decode(bytes), expected) << hex(bytes);
+    EXPECT_EQ(one.decode(bytes), bytes.size() > kLongestMessage ? Decoded::kMalformed : expected)
+        << hex(bytes);
   }
 }
 
@@ -207,16 +213,108 @@ TEST(Refusal, AnItemOtherThanAnArrayIsMalformed) {
 
 TEST(Refusal, AnUnknownKindIsDistinguishedFromAMalformedMessage) {
   // Kinds 0, one above the last, 255, 2^64 − 1, and any fields.
+  const Bytes sequence = {0x01};
+  const Bytes sample = {0x02};
+  const Bytes start = {0x03};
+  const Bytes session = {0x04};
   for (const Bytes& kind : {Bytes{0x00}, Bytes{0x0F}, Bytes{0x18, 0xFF}, kAnyItem[1]}) {
-    EXPECT_EQ(decode_uplink(array_of({kind, {0x01}})), Decoded::kUnknownKind);
-    EXPECT_EQ(decode_uplink(array_of({kind, {0x01}, {0xF6}, {0x81, 0x01}})), Decoded::kUnknownKind);
-    EXPECT_EQ(decode_downlink(array_of({kind, {0x01}})), Decoded::kUnknownKind);
-    EXPECT_EQ(decode_uplink(array_of({kind})), Decoded::kMalformed) << "no sequence";
-    EXPECT_EQ(decode_uplink(array_of({kind, {0x01}, {0x41}})), Decoded::kMalformed) << "cut short";
+    const std::vector<Bytes> up = {kind, sequence, sample, start};
+    EXPECT_EQ(decode_uplink(array_of(up)), Decoded::kUnknownKind);
+    std::vector<Bytes> longer = up;
+    longer.insert(longer.end(), {{0xF6}, {0x81, 0x01}});
+    EXPECT_EQ(decode_uplink(array_of(longer)), Decoded::kUnknownKind);
+    longer.back() = {0x41};
+    EXPECT_EQ(decode_uplink(array_of(longer)), Decoded::kMalformed) << "cut short";
+    EXPECT_EQ(decode_uplink(array_of({kind, sequence, sample})), Decoded::kMalformed);
+    EXPECT_EQ(decode_downlink(array_of({kind, sequence, session})), Decoded::kUnknownKind);
+    EXPECT_EQ(decode_downlink(array_of({kind, sequence})), Decoded::kMalformed);
+    EXPECT_EQ(decode_downlink(array_of({kind, sequence, {0xF4}})), Decoded::kMalformed);
   }
-  EXPECT_EQ(decode_downlink({0x82, 0x07, 0x01}), Decoded::kUnknownKind);
-  EXPECT_EQ(decode_uplink({0x83, 0x0F, 0x01, 0x02, 0x00}), Decoded::kMalformed)
+  EXPECT_EQ(decode_uplink({0x84, 0x0F, 0x01, 0x02, 0x03, 0x00}), Decoded::kMalformed)
       << "a byte too many";
+}
+
+// Its number counts, so that the receiver must know its head.
+TEST(Refusal, TheHeadOfAnUnknownKindIsRead) {
+  const Bytes up = {0x84, 0x0F, 0x11, 0x12, 0x13};
+  Uplink uplink;
+  std::uint32_t sequence = 0;
+  ASSERT_EQ(decode(up.data(), up.size(), uplink, sequence), Decoded::kUnknownKind);
+  EXPECT_EQ(sequence, 0x11U);
+  EXPECT_EQ(uplink.sample, 0x12U);
+  EXPECT_EQ(uplink.start_number, 0x13U);
+  const Bytes down = {0x83, 0x07, 0x11, 0x12};
+  Downlink downlink;
+  ASSERT_EQ(decode(down.data(), down.size(), downlink, sequence), Decoded::kUnknownKind);
+  EXPECT_EQ(downlink.session, 0x12U);
+}
+
+TEST(Refusal, AMessageOfMoreThan560BytesIsMalformed) {
+  // identify, and a text that is ignored: 9 bytes, and its contents.
+  for (const std::size_t size : {kLongestMessage, kLongestMessage + 1}) {
+    Bytes bytes = {0x84, 0x03, 0x00, 0x05, 0x79, 0, 0};
+    const std::size_t text = size - bytes.size();
+    bytes[5] = static_cast<std::uint8_t>(text >> 8);
+    bytes[6] = static_cast<std::uint8_t>(text);
+    bytes.resize(size, 'x');
+    EXPECT_EQ(decode_downlink(bytes), size == 560 ? Decoded::kOk : Decoded::kMalformed);
+    bytes[3] = 0x00;
+    EXPECT_EQ(decode_downlink(bytes), Decoded::kMalformed) << "session 0";
+  }
+}
+
+Decoded decode_hello(const std::function<void(Hello&)>& change) {
+  Uplink message;
+  std::strcpy(message.hello.id, "outlet-7");
+  message.hello.sample_rate_hz = 8000;
+  message.hello.nominal_hz = 50;
+  change(message.hello);
+  return decode_uplink(encoded(message, 0));
+}
+
+TEST(Refusal, AHelloOutOfItsRangesIsMalformed) {
+  EXPECT_EQ(decode_hello([](Hello&) {}), Decoded::kOk);
+  for (const char* const good : {"a", "A-z_0.9", "12345678901234567890123456789012"}) {
+    EXPECT_EQ(decode_hello([&](Hello& hello) { std::strcpy(hello.id, good); }), Decoded::kOk);
+  }
+  for (const char* const bad : {"", "$x", "a b", "a/b", "+", "#", "a~"}) {
+    const auto set = [&](Hello& hello) { std::strcpy(hello.id, bad); };
+    EXPECT_EQ(decode_hello(set), Decoded::kMalformed) << bad;
+    EXPECT_EQ(decode_hello([&](Hello& hello) {
+                set(hello);
+                hello.protocol_version = 4;
+              }),
+              Decoded::kMalformed)
+        << bad;
+  }
+  const std::pair<std::int32_t, Decoded> rates[] = {
+      {1000, Decoded::kOk},         {1000000, Decoded::kOk},    {0, Decoded::kMalformed},
+      {-8000, Decoded::kMalformed}, {999, Decoded::kMalformed}, {1000001, Decoded::kMalformed}};
+  for (const auto& [rate_hz, expected] : rates) {
+    EXPECT_EQ(decode_hello([&, at = rate_hz](Hello& hello) { hello.sample_rate_hz = at; }),
+              expected)
+        << rate_hz;
+  }
+  for (const std::int32_t nominal_hz : {0, 49, 51, 55, 61, -50}) {
+    EXPECT_EQ(decode_hello([&](Hello& hello) { hello.nominal_hz = nominal_hz; }),
+              Decoded::kMalformed)
+        << nominal_hz;
+  }
+  EXPECT_EQ(decode_hello([](Hello& hello) { hello.nominal_hz = 60; }), Decoded::kOk);
+  for (float Hello::*const delay_s : {&Hello::tracker_delay_s, &Hello::voltage_delay_s}) {
+    for (const float good_s : {0.0F, 1.0F}) {
+      EXPECT_EQ(decode_hello([&](Hello& hello) { hello.*delay_s = good_s; }), Decoded::kOk);
+    }
+    for (const float bad_s : {-0.001F, 1.001F, std::nanf(""), HUGE_VALF}) {
+      EXPECT_EQ(decode_hello([&](Hello& hello) { hello.*delay_s = bad_s; }), Decoded::kMalformed)
+          << bad_s;
+    }
+  }
+}
+
+TEST(Refusal, ACommandWithRequestZeroIsMalformed) {
+  EXPECT_EQ(decode_downlink({0x86, 0x02, 0x00, 0x05, 0x01, 0xF4, 0x00}), Decoded::kOk);
+  EXPECT_EQ(decode_downlink({0x86, 0x02, 0x00, 0x05, 0x00, 0xF4, 0x00}), Decoded::kMalformed);
 }
 
 // Replaces a field of a message by an integer, and decodes it.
@@ -226,7 +324,7 @@ Decoded with_field(const Uplink& message, std::size_t field, std::uint64_t value
   cbor::Writer writer(number.data(), number.size());
   writer.unsigned_integer(value);
   number.resize(writer.size());
-  items.at(3 + field) = number;
+  items.at((message.kind == UplinkKind::kHello ? 3 : 4) + field) = number;
   return decode_uplink(array_of(items));
 }
 
@@ -241,7 +339,7 @@ TEST(Refusal, EnumeratorsOutOfRangeAreMalformed) {
       {UplinkKind::kSettingsAnswer, 0, 0, 13}, {UplinkKind::kMeasurement, 3, 0, 2},
       {UplinkKind::kEstimate, 3, 0, 5},        {UplinkKind::kDecision, 6, 0, 5},
       {UplinkKind::kRelay, 1, 0, 3},           {UplinkKind::kStatus, 2, 0, 3},
-      {UplinkKind::kStatus, 3, 0, 2},          {UplinkKind::kError, 0, 1, 7}};
+      {UplinkKind::kStatus, 3, 0, 2},          {UplinkKind::kError, 0, 1, 9}};
   std::mt19937 random(8);
   for (const Range& range : ranges) {
     const Uplink message = uplink(range.kind, Fill::kHighest, random);
@@ -263,16 +361,16 @@ TEST(Refusal, NumbersOutOfRangeAreMalformed) {
   EXPECT_EQ(with_field(echo, 0, 0xFFFFFFFF), Decoded::kOk);
   EXPECT_EQ(with_field(echo, 0, 0x100000000), Decoded::kMalformed);
   const Uplink hello = uplink(UplinkKind::kHello, Fill::kLowest, random);
-  EXPECT_EQ(with_field(hello, 7, 0x7FFFFFFF), Decoded::kOk);
-  EXPECT_EQ(with_field(hello, 7, 0x80000000), Decoded::kMalformed);
+  EXPECT_EQ(with_field(hello, 2, 0xFFFFFFFF), Decoded::kOk);
+  EXPECT_EQ(with_field(hello, 2, 0x100000000), Decoded::kMalformed);
   // A sequence number of more than 32 bits.
-  EXPECT_EQ(decode_downlink({0x82, 0x03, 0x1A, 0xFF, 0xFF, 0xFF, 0xFF}), Decoded::kOk);
-  EXPECT_EQ(decode_downlink({0x82, 0x03, 0x1B, 0, 0, 0, 1, 0, 0, 0, 0}), Decoded::kMalformed);
+  EXPECT_EQ(decode_downlink({0x83, 0x03, 0x1A, 0xFF, 0xFF, 0xFF, 0xFF, 0x05}), Decoded::kOk);
+  EXPECT_EQ(decode_downlink({0x83, 0x03, 0x1B, 0, 0, 0, 1, 0, 0, 0, 0, 0x05}), Decoded::kMalformed);
 }
 
 // Decodes a settings message with this map, and the map alone.
 void expect_settings(const Bytes& map, Decoded expected, const char* what) {
-  EXPECT_EQ(decode_downlink(array_of({{0x01}, {0x05}, map})), expected) << what;
+  EXPECT_EQ(decode_downlink(array_of({{0x01}, {0x05}, {0x06}, map})), expected) << what;
   EXPECT_EQ(decode_settings(map), expected) << what;
   for (std::size_t length = 0; length < map.size(); ++length) {
     const Bytes cut(map.begin(), map.begin() + static_cast<std::ptrdiff_t>(length));
@@ -298,7 +396,7 @@ TEST(Refusal, SettingsWithWrongTypesOrDuplicateKeysAreMalformed) {
 TEST(Refusal, SettingsWithAnUnknownKeyDecodeWithAnError) {
   for (const Bytes& value : kAnyItem) {
     const Bytes map = joined({0xA2, 0x18, 0xC8}, {value, {0x10, 0x0C}});
-    const Bytes bytes = array_of({{0x01}, {0x05}, map});
+    const Bytes bytes = array_of({{0x01}, {0x05}, {0x06}, map});
     Downlink message;
     std::uint32_t sequence = 0;
     ASSERT_EQ(decode(bytes.data(), bytes.size(), message, sequence), Decoded::kOk) << hex(bytes);

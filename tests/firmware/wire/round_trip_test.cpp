@@ -91,7 +91,7 @@ TEST(RoundTrip, SettingsKeepTheirDigest) {
 }
 
 TEST(RoundTrip, MissingSettingsHaveTheirDefaults) {
-  const Bytes bytes = {0x83, 0x01, 0x05, 0xA1, 0x10, 0x18, 0x1E};  // lse_samples 30
+  const Bytes bytes = {0x84, 0x01, 0x05, 0x06, 0xA1, 0x10, 0x18, 0x1E};  // lse_samples 30
   Downlink message;
   std::uint32_t sequence = 0;
   ASSERT_EQ(decode(bytes.data(), bytes.size(), message, sequence), Decoded::kOk);
@@ -114,7 +114,8 @@ TEST(RoundTrip, EveryNaNIsEncodedAsTheProtocolsNaN) {
   std::mt19937 random(1);
   Uplink message = uplink(UplinkKind::kLse, Fill::kNaN, random);
   message.sample = 5;
-  EXPECT_EQ(hex(encoded(message, 1)), "84 05 01 05 fa 7f c0 00 00");
+  message.start_number = 6;
+  EXPECT_EQ(hex(encoded(message, 1)), "85 05 01 05 06 fa 7f c0 00 00");
 }
 
 TEST(RoundTrip, OfAHelloOfAnotherVersionOnlyVersionAndIdAreRead) {

@@ -1,5 +1,6 @@
-// The bench's end of one outlet's messages. It decodes them, drops duplicates, and notes faults
-// (lost messages, damaged messages, restarts of the outlet).
+// The bench's end of one outlet's messages, on any link. It decodes them, drops late messages and
+// duplicates, and notes faults (lost messages, damaged messages, restarts of the outlet). It
+// follows wire/README.md, "Starts and sessions" and "Numbering".
 #pragma once
 
 #include <cstddef>
@@ -14,36 +15,53 @@
 
 namespace gsbench::link {
 
-// How a link may disturb the order of messages. On a cable, a message may arrive twice, or after
-// the one that follows it. A broker may send all unacknowledged messages again.
+// What is known of an outlet that sends messages of a new start before its hello. On a cable it may
+// be another outlet. On a broker's topic it is the same one.
 enum class Delivery : std::uint8_t { kByCable, kByBroker };
+
+// A random number for a link's `identify` and all that follows it. Never 0.
+std::uint32_t new_session();
 
 class OutletStream {
  public:
-  explicit OutletStream(Delivery delivery) : delivery_(delivery) {}
+  explicit OutletStream(Delivery delivery, std::uint32_t session = new_session())
+      : delivery_(delivery), session_(session) {}
 
-  // Takes one whole message. Returns nothing for a duplicate. Returns nothing for an unreadable
-  // message either, and notes a fault. A restarted outlet sends a hello unasked. If that hello is
-  // lost, the restart shows in sequence and sample numbers that go back.
+  // Takes one whole message. Returns nothing for a late message, a duplicate, and an unreadable
+  // message; the last is noted as a fault. A message of another start than the last one is a
+  // restart, whatever its kind.
   std::optional<gs::wire::Uplink> take(const std::uint8_t* message, std::size_t size);
+
+  // True once after each message that must be answered by `identify`: the outlet has restarted, or
+  // does not know this session.
+  bool take_wants_identify() { return std::exchange(wants_identify_, false); }
+  // Whether the newest start of the outlet has answered `identify`.
+  bool is_open() const { return open_; }
 
   // Notes any other fault of this outlet, such as a frame with a wrong CRC.
   void note(const std::string& fault) { faults_.push_back(fault); }
   std::vector<std::string> take_faults() { return std::exchange(faults_, {}); }
 
-  // The next message to the outlet, as bytes. `identify` restarts the numbering.
-  std::vector<std::uint8_t> encode(const gs::wire::Downlink& message);
+  // The next message to the outlet, as bytes.
+  std::vector<std::uint8_t> encode(gs::wire::Downlink message);
 
  private:
-  void note_restart() { note("restarted after its sample " + std::to_string(last_sample_)); }
+  bool take_start(const gs::wire::Uplink& message);
+  bool take_number(const gs::wire::Uplink& message, std::uint32_t sequence);
+  void look_at_session(const gs::wire::Uplink& message);
+  void begin_start(std::uint32_t number);
 
   Delivery delivery_;
-  gs::wire::Sequence received_;
+  std::uint32_t session_;
+  std::optional<std::uint32_t> start_;  // the newest
+  std::vector<std::uint32_t> earlier_starts_;
+  std::string id_;  // of the newest hello
+  gs::wire::Sequence hellos_;
+  gs::wire::Sequence others_;
   std::uint32_t sent_ = 0;
-  bool hello_received_ = false;
-  bool reports_received_ = false;  // any message but hellos
+  bool wants_identify_ = false;
+  bool open_ = false;
   std::uint64_t last_sample_ = 0;
-  std::vector<std::uint8_t> newest_;  // bytes of the newest message if it is a hello with number 0
   std::vector<std::string> faults_;
 };
 

@@ -15,7 +15,10 @@ constexpr std::uint32_t kFirmwareVersion = 1000;  // 0.1.0 as major·10⁶ + min
 
 // A hello in which the board sets id, board, instance, build and capabilities. The application
 // fills in the other fields.
-using Identity = wire::Hello;
+struct Identity : wire::Hello {
+  // Of every message: another one for each start-up, from a source of random numbers or a count.
+  std::uint32_t start_number = 0;
+};
 
 // Copies zero-terminated text into a field of Identity; text that is too long is truncated.
 template <std::size_t N>
@@ -61,19 +64,27 @@ class Application {
   bool restore(const outlet::Settings& settings);
 
   void feed(const std::int16_t* samples, std::size_t count, Outbox& outbox);
+  // Obeys and answers a message. The endpoint passes each message once.
   void receive(const wire::Downlink& message, Outbox& outbox);
+  // Answers a command with the relay's state, without obeying it.
+  void answer_command(const wire::Downlink& command, Outbox& outbox) const;
 
   // Counts an error of the board or the link, and sends an error message.
   void note(wire::ErrorCode error, Outbox& outbox);
-  void note_unsent() { ++counts_.messages_unsent; }
+  void note_unsent(std::uint32_t count = 1) { counts_.messages_unsent += count; }
+  // Counts a received message that has no effect.
+  void note_dropped() { ++counts_.messages_dropped; }
+  // The same, and sends an error message with this detail.
+  void refuse(wire::ErrorCode error, std::uint32_t detail, Outbox& outbox);
   // Notes samples that the ADC delivered but the firmware did not take. Time stamps include them.
   void note_samples_lost(std::uint32_t count, Outbox& outbox);
 
   bool relay_closed() const { return state_.relay.closed; }
   std::uint64_t samples_taken() const { return counts_.samples; }
+  std::uint32_t start_number() const { return identity_.start_number; }
 
  private:
-  void send_hello(Outbox& outbox) const;
+  void send_hello(Outbox& outbox, std::uint32_t session = wire::kNoSession) const;
   void take_settings(const wire::Downlink& sent, Outbox& outbox);
   void take_command(const wire::Downlink& command, Outbox& outbox);
   void run_self_test(Outbox& outbox) const;
@@ -94,10 +105,12 @@ class Application {
     std::uint32_t samples_lost = 0;
     std::uint32_t messages_bad = 0;
     std::uint32_t messages_unsent = 0;
+    std::uint32_t messages_dropped = 0;
     std::uint32_t errors[static_cast<std::size_t>(wire::kLastErrorCode) + 1] = {};
   };
   Counts counts_;  // since start-up
   bool started_ = false;
+  bool kept_ = false;  // the settings accepted last are stored
 };
 
 }  // namespace gs::app

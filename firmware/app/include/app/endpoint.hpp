@@ -1,12 +1,14 @@
 // The outlet's end of a link. It encodes and numbers the messages to send. It decodes received
-// messages, drops duplicates and reports damaged messages. There is one class for a serial line and
-// one for a broker.
+// messages, drops late messages, duplicates and those of unknown sessions, and reports what it
+// cannot take (wire/README.md, "What an outlet does with a message"). There is one class for a
+// serial line and one for a broker.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
 #include <app/application.hpp>
+#include <app/sessions.hpp>
 #include <wire/frame.hpp>
 
 namespace gs::app {
@@ -30,10 +32,13 @@ class MessageEndpoint final : public Outbox {
   void receive(const std::uint8_t* message, std::size_t size);
 
  private:
+  void take_command(const wire::Downlink& command, Session& session);
+
   Application& app_;
   Carrier& carrier_;
-  wire::Sequence received_;
-  std::uint32_t sent_ = 0;
+  Sessions sessions_;
+  std::uint32_t hellos_sent_ = 0;
+  std::uint32_t others_sent_ = 0;
   std::uint8_t bytes_[wire::kLongestMessage] = {};
 };
 

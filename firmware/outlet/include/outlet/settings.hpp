@@ -28,6 +28,16 @@ constexpr std::uint8_t kByGridState = 1;  // estimated state of the grid, and it
 
 constexpr std::uint32_t kNoSettings = 0;  // version of an outlet without settings
 
+// Whether settings with this version replace those accepted last. The version after the largest is
+// 1, so that no version is the last one.
+constexpr bool is_newer(std::uint32_t version, std::uint32_t accepted) {
+  return version != kNoSettings &&
+         (accepted == kNoSettings || version - accepted - 1 < 0x7FFFFFFFu);
+}
+constexpr std::uint32_t next_version(std::uint32_t accepted) {
+  return accepted + 1 == kNoSettings ? 1 : accepted + 1;
+}
+
 struct Settings {
   std::uint32_t version = kNoSettings;  // the control centre counts its sets of settings from 1
 
@@ -98,13 +108,13 @@ enum class SettingsError : std::uint8_t {
   kResponse = 2,
   kThreshold = 3,
   kAccumulated = 4,
-  kSwitchOff = 5,   // below 80 % of nominal, or not below nominal
+  kSwitchOff = 5,   // below 80 % of nominal, or above nominal
   kConditions = 6,  // no row, too many, not descending, or a limit above zero
   kCounts = 7,      // number of samples out of range
   kEvent = 8,       // drop or departure not within 0 … 1 Hz
   kEstimator = 9,
   kTracker = 10,
-  kStale = 11,   // version not above that of the settings accepted last
+  kStale = 11,   // version not newer than that of the settings accepted last
   kMethod = 12,  // method, threshold frequency or margin out of range
   kRelay = 13,   // delay or restoration out of range
 };
@@ -140,7 +150,7 @@ constexpr Range from_to(float least, float most) {
   return {least, most};
 }
 constexpr Range kAbove0 = {0.0f, kLargestSetting, true};
-constexpr Range kSwitchOffRange = {0.8f, 1.0f, false, true, true};
+constexpr Range kSwitchOffRange = {0.8f, 1.0f, false, false, true};
 
 enum class FieldType : std::uint8_t { kU8, kU16, kU32, kFloat, kRows };
 
@@ -244,7 +254,7 @@ inline constexpr Field kSettingsFields[] = {
 #undef GS_SETTING
 
 // Ranges of a row of conditions.
-constexpr Range kRowFrequency = {0.0f, 1.0f, true, true, true};
+constexpr Range kRowFrequency = {0.0f, 1.0f, true, false, true};
 constexpr Range kRowRocof = {-kLargestSetting, 0.0f};
 
 // Whether the value is in the range. nominal_hz scales ranges that are of_nominal. NaN is outside

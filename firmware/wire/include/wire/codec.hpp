@@ -13,15 +13,15 @@
 
 namespace gs::wire {
 
-// Lengths in bytes. A link must carry kLongestMessage, the limit for messages of any version. The
-// longest message of this version is settings with all their rows.
+// Lengths in bytes. A link must carry kLongestMessage, the limit for messages of any version; a
+// longer message is malformed. The longest message of this version is settings with all their rows.
 constexpr std::size_t kLongestMessage = 560;
-constexpr std::size_t kLongestOfThisVersion = 532;
+constexpr std::size_t kLongestOfThisVersion = 537;
 static_assert(kLongestOfThisVersion <= kLongestMessage, "");
 
 enum class Decoded : std::uint8_t {
   kOk = 0,
-  kMalformed = 1,    // not an array of the required items
+  kMalformed = 1,    // not an array of the required items, or too long
   kUnknownKind = 2,  // well-formed, but of a kind that is not listed
 };
 
@@ -31,8 +31,9 @@ std::size_t encode(const Uplink& message, std::uint32_t sequence, std::uint8_t* 
 std::size_t encode(const Downlink& message, std::uint32_t sequence, std::uint8_t* out,
                    std::size_t capacity);
 
-// Unless the result is kOk, `message` is unspecified. Values of a decoded settings message can be
-// out of range: check them with outlet::validate.
+// If the kind is unknown, only the head is set: sequence, and session or sample and start_number.
+// If malformed, all is unspecified. Values of a decoded settings message can be out of range: check
+// them with outlet::validate.
 Decoded decode(const std::uint8_t* bytes, std::size_t size, Uplink& message,
                std::uint32_t& sequence);
 Decoded decode(const std::uint8_t* bytes, std::size_t size, Downlink& message,

@@ -17,17 +17,18 @@ void visit_all(V& visit, Fields&... fields) {
   (visit(fields), ...);
 }
 
-// `M`: the message type, or its const form.
-template <class M, class V>
-void hello_fields(M& m, V& visit) {
+// `U`, `D`: the message type, or its const form.
+template <class U, class V>
+void hello_fields(U& message, V& visit) {
+  auto& m = message.hello;
   visit_all(visit, m.protocol_version, m.id);
   // The other fields of another version's hello are unknown.
   if (m.protocol_version != kProtocolVersion) {
     return;
   }
-  visit_all(visit, m.board, m.instance, m.firmware_version, m.build, m.capabilities,
-            m.sample_rate_hz, m.nominal_hz, m.tracker_delay_s, m.voltage_delay_s,
-            m.settings_version, m.settings_digest);
+  visit_all(visit, message.start_number, m.board, m.instance, m.firmware_version, m.build,
+            m.capabilities, m.sample_rate_hz, m.nominal_hz, m.tracker_delay_s, m.voltage_delay_s,
+            m.settings_version, m.settings_digest, m.session);
 }
 
 template <class M, class V>
@@ -35,14 +36,29 @@ void status_fields(M& m, V& visit) {
   visit_all(visit, m.reports, m.relay_closed);
   visit.choice(m.cause, outlet::Cause::kCommand);
   visit.choice(m.phase, outlet::Phase::kCooling);
-  visit_all(visit, m.samples_lost, m.messages_bad, m.messages_unsent);
+  visit_all(visit, m.samples_lost, m.messages_bad, m.messages_unsent, m.messages_dropped);
+}
+
+// The rest of the head: what comes after kind and sequence. The head of hello is the same in every
+// version, so that its start number is among its fields.
+template <class U, class V>
+void uplink_head(U& m, V& visit) {
+  visit(m.sample);
+  if (m.kind != UplinkKind::kHello) {
+    visit(m.start_number);
+  }
+}
+
+template <class D, class V>
+void downlink_head(D& m, V& visit) {
+  visit(m.session);
 }
 
 template <class U, class V>
 void uplink_fields(U& m, V& visit) {
   switch (m.kind) {
     case UplinkKind::kHello:
-      return hello_fields(m.hello, visit);
+      return hello_fields(m, visit);
     case UplinkKind::kSettingsAnswer:
       visit.choice(m.settings_answer.error, outlet::kLastSettingsError);
       return visit_all(visit, m.settings_answer.version, m.settings_answer.digest,
@@ -69,7 +85,8 @@ void uplink_fields(U& m, V& visit) {
     case UplinkKind::kAborted:
       return;
     case UplinkKind::kCommandAnswer:
-      return visit_all(visit, m.command_answer.request, m.command_answer.closed);
+      return visit_all(visit, m.command_answer.request, m.command_answer.closed,
+                       m.command_answer.session);
     case UplinkKind::kStatus:
       return status_fields(m.status, visit);
     case UplinkKind::kSelfTest:
@@ -88,7 +105,7 @@ void downlink_fields(D& m, V& visit) {
     case DownlinkKind::kSettings:
       return visit.settings(m);
     case DownlinkKind::kCommand:
-      return visit_all(visit, m.request, m.close_relay);
+      return visit_all(visit, m.request, m.close_relay, m.start_number);
     case DownlinkKind::kIdentify:
     case DownlinkKind::kAskStatus:
     case DownlinkKind::kAskSelfTest:

@@ -44,7 +44,7 @@ class FrameReader {
   bool too_long_ = false;
 };
 
-// Detects lost and duplicate messages by their sequence numbers, which start at 0 at start-up.
+// Detects lost and duplicate messages by the numbers of one count.
 class Sequence {
  public:
   enum class Order : std::uint8_t {
@@ -56,14 +56,11 @@ class Sequence {
   Order take(std::uint32_t sequence);
   void restart() { started_ = false; }  // the next message is taken whatever its number
   std::uint32_t missed() const { return missed_; }
-  // Distance of the newest duplicate from the number expected next.
-  std::uint32_t behind() const { return behind_; }
 
  private:
   bool started_ = false;
   std::uint32_t next_ = 0;
   std::uint32_t missed_ = 0;
-  std::uint32_t behind_ = 0;
 };
 
 }  // namespace gs::wire

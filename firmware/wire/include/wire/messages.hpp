@@ -3,7 +3,8 @@
 // wire. Plain data without pointers.
 //
 // Time in a message is the outlet's sample count: the number of samples taken before the moment
-// that the message describes.
+// that the message describes. It says nothing about the order of messages: start and sequence
+// numbers do.
 #pragma once
 
 #include <cstddef>
@@ -59,13 +60,17 @@ struct Hello {
   float voltage_delay_s = 0.0f;        // age of a measured voltage at its time stamp
   std::uint32_t settings_version = 0;  // in force; 0: none
   std::uint32_t settings_digest = 0;   // outlet::digest of them
+  std::uint32_t session = 0;           // of the identify that it answers; 0: sent unasked
 };
+
+// Whether all fields are within their ranges. Of another version, only the id is checked.
+bool is_valid(const Hello& hello);
 
 struct SettingsAnswer {
   outlet::SettingsError error = outlet::SettingsError::kNone;
   std::uint32_t version = 0;  // in force now
   std::uint32_t digest = 0;   // of the settings in force now
-  bool kept = false;          // stored: they survive a loss of power
+  bool kept = false;          // those in force are stored: they survive a loss of power
 };
 
 struct MeasurementMessage {
@@ -110,6 +115,7 @@ struct RelayMessage {
 struct CommandAnswer {
   std::uint32_t request = 0;  // of the command
   bool closed = true;         // the relay's state now
+  std::uint32_t session = 0;  // of the command
 };
 
 struct Status {
@@ -119,7 +125,9 @@ struct Status {
   outlet::Phase phase = outlet::Phase::kQuiet;
   std::uint32_t samples_lost = 0;     // delivered by the ADC but not taken, since start-up
   std::uint32_t messages_bad = 0;     // received as bad frame, malformed or of an unknown kind
-  std::uint32_t messages_unsent = 0;  // dropped because the link did not take them
+  std::uint32_t messages_unsent = 0;  // dropped because the link or the broker did not take them
+  // Received and dropped: late or duplicate, of an unknown session, commands for another start.
+  std::uint32_t messages_dropped = 0;
 };
 
 // Bits of SelfTest::failed.
@@ -148,18 +156,23 @@ enum class ErrorCode : std::uint8_t {
   kSettingsStorage = 5,  // settings could not be stored
   kWatchdog = 6,         // the watchdog restarted the outlet
   kClock = 7,            // the crystal did not start
+  kUnknownSession = 8,   // a message of a session that no identify has begun
+  kOtherStart = 9,       // a command for another start of the outlet
 };
 constexpr ErrorCode kFirstErrorCode = ErrorCode::kBadFrame;
-constexpr ErrorCode kLastErrorCode = ErrorCode::kClock;
+constexpr ErrorCode kLastErrorCode = ErrorCode::kOtherStart;
 
 struct ErrorMessage {
   ErrorCode code = ErrorCode::kMalformed;
-  std::uint32_t detail = 0;  // number of errors of this code since start-up
+  // kUnknownSession: the session. kOtherStart: the command's request. Otherwise the number of
+  // errors of this code since start-up.
+  std::uint32_t detail = 0;
 };
 
 struct Uplink {
   UplinkKind kind = UplinkKind::kHello;
   std::uint64_t sample = 0;
+  std::uint32_t start_number = 0;  // another one for each start-up of the outlet
   union {
     Hello hello;
     SettingsAnswer settings_answer;
@@ -191,17 +204,21 @@ enum class DownlinkKind : std::uint8_t {
 };
 constexpr DownlinkKind kLastDownlink = DownlinkKind::kPing;
 
+constexpr std::uint32_t kNoSession = 0;
+
 struct Downlink {
   DownlinkKind kind = DownlinkKind::kCommand;
-  outlet::Settings settings;  // of kSettings
+  std::uint32_t session = kNoSession;  // another one for each start of the centre
+  outlet::Settings settings;           // of kSettings
   // Of kSettings, set by decode(): kNone or kUnknownField.
   outlet::SettingsError settings_error = outlet::SettingsError::kNone;
-  bool close_relay = true;    // of kCommand
-  std::uint32_t request = 0;  // of kCommand: repeated in its answer
-  std::uint32_t token = 0;    // of kPing
+  bool close_relay = true;         // of kCommand
+  std::uint32_t request = 0;       // of kCommand: from 1, counted up; repeated in its answer
+  std::uint32_t start_number = 0;  // of kCommand: the outlet's start for which it is meant
+  std::uint32_t token = 0;         // of kPing
 };
 
-// A kIdentify message.
+// A kIdentify message. The link sets its session.
 Downlink identify();
 
 const char* to_string(UplinkKind kind);

@@ -103,6 +103,8 @@ TEST_F(FindingOutlets, AnOutletOfAnotherProtocolVersionIsFaulty) {
 TEST_F(FindingOutlets, RefusesAnOutletOnTheTopicOfAnother) {
   gs::wire::Uplink hello;
   gs::app::set_text(hello.hello.id, "b");
+  hello.hello.sample_rate_hz = 8000;
+  hello.hello.nominal_hz = 50;
   const Parrot a(broker_, "a", hello);
   EXPECT_EQ(fault_of_a(), "reports another id there: \"b\"");
 }

@@ -54,8 +54,9 @@ void MqttOutlet::run() {
 void MqttOutlet::serve() {
   carrier_.serve();
   if (carrier_.take_reconnected()) {
-    app_.receive(gs::wire::test::downlink(gs::wire::DownlinkKind::kIdentify), *endpoint_);
+    app_.receive(gs::wire::identify(), *endpoint_);
   }
+  app_.note_unsent(carrier_.take_unsent());
   std::vector<std::uint8_t> message;
   while (carrier_.take(message)) {
     endpoint_->receive(message.data(), message.size());
@@ -87,6 +88,7 @@ void MqttOutlet::stop_answering() {
 void MqttOutlet::restart() {
   const std::lock_guard<std::mutex> lock(mutex_);
   endpoint_.emplace(app_, carrier_);
+  ++identity_.start_number;
   app_.start({}, identity_, nullptr, *endpoint_);
 }
 

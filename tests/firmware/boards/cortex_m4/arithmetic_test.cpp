@@ -45,7 +45,7 @@ void add(Outcome& outcome, const wire::Uplink& uplink, Message message) {
   outcome.messages.push_back(std::move(message));
 }
 
-Outcome in_process(const wire::Hello& as) {
+Outcome in_process(const wire::Uplink& hello) {
   class Collector final : public app::Carrier {
    public:
     bool send(const std::uint8_t* bytes, std::size_t count) override {
@@ -66,13 +66,16 @@ Outcome in_process(const wire::Hello& as) {
   Keeps storage;
   app::Application app;
   app::MessageEndpoint endpoint(app, collector);
+  const wire::Hello& as = hello.hello;
   app::Identity identity;
+  identity.start_number = hello.start_number;
   app::set_text(identity.id, as.id);
   app::set_text(identity.board, as.board);
   identity.instance = as.instance;
   identity.build = as.build;
   identity.capabilities = as.capabilities;
   EXPECT_TRUE(app.start(Mains({steady(50.0, 50.0)}).hardware(), identity, &storage, endpoint));
+  app.receive(downlink(wire::DownlinkKind::kIdentify), endpoint);
   app.receive(settings_message(ieee24_settings()), endpoint);
   app.feed(stream().data(), stream().size(), endpoint);
   app.receive(downlink(wire::DownlinkKind::kAskStatus), endpoint);
@@ -102,7 +105,7 @@ class BitIdentity : public testing::Test {
     return outcome;
   }
   Outcome in_process() {
-    return test::in_process(outlet_.line().of(UplinkKind::kHello).at(0).uplink.hello);
+    return test::in_process(outlet_.line().of(UplinkKind::kHello).at(0).uplink);
   }
 
   EmulatedOutlet outlet_;

@@ -1,5 +1,6 @@
 #include "emulated_outlet.hpp"
 
+#include <wire_test/downlinks.hpp>
 #include <wire_test/messages.hpp>
 
 #include <algorithm>
@@ -9,7 +10,11 @@ namespace gs::test {
 using gsbench::test::demand;
 using gsbench::transport::Clock;
 
-void Line::send(const wire::Downlink& message) {
+void Line::send(wire::Downlink message) {
+  if (sequence_ == 0 && message.kind != wire::DownlinkKind::kIdentify) {
+    send(wire::test::downlink(wire::DownlinkKind::kIdentify));
+  }
+  message.start_number = messages_.empty() ? 0 : messages_.back().uplink.start_number;
   demand(transport_.send(wire::test::framed(wire::test::encoded(message, sequence_++))));
 }
 

@@ -28,7 +28,8 @@ class Line {
  public:
   explicit Line(gsbench::transport::Transport& transport) : transport_(transport) {}
 
-  void send(const wire::Downlink& message);
+  // The first message begins the session. Commands are for the start of the newest message.
+  void send(wire::Downlink message);
   // Reads messages until `enough` returns true; throws after kPatience.
   void read_until(const std::function<bool()>& enough, const std::string& what);
   void read_for(std::chrono::milliseconds patience);

@@ -99,7 +99,11 @@ class LoopTest : public testing::Test {
     return loop_.start(start_up);
   }
 
+  // The first message begins the session.
   void send(const wire::Downlink& message) {
+    if (sequence_ == 0 && message.kind != wire::DownlinkKind::kIdentify) {
+      send(wire::test::downlink(wire::DownlinkKind::kIdentify));
+    }
     const Bytes frame = wire::test::framed(wire::test::encoded(message, sequence_++));
     board_.incoming.insert(board_.incoming.end(), frame.begin(), frame.end());
   }

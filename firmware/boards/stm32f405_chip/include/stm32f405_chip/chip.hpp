@@ -24,6 +24,9 @@ inline void feed_watchdog() {
   IWDG->KR = IWDG_KR_FEED;
 }
 
+// A number from the random number generator; 0 if its clock does not run. Takes up to 0.1 ms.
+std::uint32_t random_number();
+
 // The chip's unique id; zeros on any other chip.
 void read_unique_id(std::uint8_t (&id)[kUniqueIdBytes]);
 

@@ -23,7 +23,7 @@ constexpr std::uint32_t RCC_CFGR_SW_PLL = 2u, RCC_CFGR_SWS = 3u << 2, RCC_CFGR_S
 constexpr std::uint32_t RCC_CFGR_PPRE1_DIV4 = 5u << 10, RCC_CFGR_PPRE2_DIV2 = 4u << 13;
 constexpr std::uint32_t RCC_AHB1ENR_GPIOAEN = 1u << 0, RCC_AHB1ENR_GPIOCEN = 1u << 2;
 constexpr std::uint32_t RCC_AHB1ENR_DMA1EN = 1u << 21;
-constexpr std::uint32_t RCC_AHB1ENR_DMA2EN = 1u << 22;
+constexpr std::uint32_t RCC_AHB1ENR_DMA2EN = 1u << 22, RCC_AHB2ENR_RNGEN = 1u << 6;
 constexpr std::uint32_t RCC_APB1ENR_TIM2EN = 1u << 0, RCC_APB1ENR_TIM3EN = 1u << 1;
 constexpr std::uint32_t RCC_APB1ENR_DACEN = 1u << 29, RCC_APB2ENR_TIM8EN = 1u << 1;
 constexpr std::uint32_t RCC_APB2ENR_USART1EN = 1u << 4, RCC_APB2ENR_ADC1EN = 1u << 8;
@@ -105,6 +105,12 @@ constexpr std::uint32_t DMA_SxCR_CHSEL_7 = 7u << 25;
 constexpr std::uint32_t DMA_SxCR_PL_HIGH = 2u << 16;
 constexpr std::uint32_t DMA_LIFCR_STREAM0 = 0x3Du, DMA_HIFCR_STREAM5 = 0x3Du << 6;
 
+// Random number generator; it needs the 48 MHz of the PLL.
+struct Rng {
+  Register CR, SR, DR;
+};
+constexpr std::uint32_t RNG_CR_RNGEN = 1u << 2, RNG_SR_DRDY = 1u << 0;
+
 struct Iwdg {
   Register KR, PR, RLR, SR;
 };
@@ -124,6 +130,7 @@ constexpr cortex_m4::At<Rcc, 0x40023800u> RCC;
 constexpr cortex_m4::At<Flash, 0x40023C00u> FLASH;
 constexpr cortex_m4::At<Dma, 0x40026000u> DMA1;
 constexpr cortex_m4::At<Dma, 0x40026400u> DMA2;
+constexpr cortex_m4::At<Rng, 0x50060800u> RNG;
 // Device id: 0x413 for the STM32F405/407 and 415/417.
 constexpr cortex_m4::At<Register, 0xE0042000u> DBGMCU_IDCODE;
 constexpr std::uint32_t DBGMCU_IDCODE_DEV_ID = 0xFFFu, kF405 = 0x413u;

@@ -30,6 +30,9 @@ class Loop {
   // Sends the hello again, after a reconnection.
   void send_hello() { app_.receive(wire::identify(), endpoint_); }
 
+  // Counts messages that were lost after the board had accepted them.
+  void note_unsent(std::uint32_t count) { app_.note_unsent(count); }
+
   // Returns false if there was nothing to do: the board may sleep until an interrupt.
   bool turn();
 

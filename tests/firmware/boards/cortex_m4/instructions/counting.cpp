@@ -36,7 +36,9 @@ class Outlet final : public gs::app::Carrier {
     return true;
   }
   void start(const CountingArguments& arguments) {
-    app_.start(arguments.hardware, {}, nullptr, endpoint_, &arguments.settings);
+    gs::app::Identity identity;
+    gs::app::set_text(identity.id, "counted");
+    app_.start(arguments.hardware, identity, nullptr, endpoint_, &arguments.settings);
   }
   void feed(const std::int16_t* sample) { app_.feed(sample, 1, endpoint_); }
   std::uint32_t frames_length() const { return length_; }

@@ -48,7 +48,9 @@ Bytes frames_here(const Played& played) {
   Collector collector;
   app::Application app;
   app::SerialEndpoint endpoint(app, collector);
-  EXPECT_TRUE(app.start(played.hardware, {}, nullptr, endpoint, &played.settings));
+  app::Identity identity;
+  app::set_text(identity.id, "counted");  // as in counting.cpp
+  EXPECT_TRUE(app.start(played.hardware, identity, nullptr, endpoint, &played.settings));
   app.feed(played.samples.data(), played.samples.size(), endpoint);
   return collector.frames;
 }

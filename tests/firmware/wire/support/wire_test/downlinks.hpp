@@ -10,9 +10,13 @@
 
 namespace gs::wire::test {
 
+constexpr std::uint32_t kSession = 77;  // of all messages here
+constexpr std::uint32_t kStart = 0;     // of outlets whose identity does not say otherwise
+
 inline Downlink downlink(DownlinkKind kind) {
   Downlink message;
   message.kind = kind;
+  message.session = kSession;
   return message;
 }
 
@@ -22,10 +26,17 @@ inline Downlink ping(std::uint32_t token) {
   return message;
 }
 
-inline Downlink command(bool close, std::uint32_t request = 0) {
+// Each command has a new request by default.
+inline std::uint32_t next_request() {
+  static std::uint32_t newest = 0;
+  return ++newest;
+}
+
+inline Downlink command(bool close, std::uint32_t request = next_request()) {
   Downlink message = downlink(DownlinkKind::kCommand);
   message.close_relay = close;
   message.request = request;
+  message.start_number = kStart;
   return message;
 }
 

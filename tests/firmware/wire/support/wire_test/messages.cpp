@@ -168,6 +168,21 @@ class Filler {
   std::mt19937& random_;
 };
 
+// Moves values into the ranges of a hello's fields.
+void make_valid(Hello& hello) {
+  for (char* at = hello.id; *at != '\0'; ++at) {
+    *at = static_cast<char>('a' + static_cast<unsigned char>(*at) % 26);
+  }
+  if (hello.id[0] == '\0') {
+    hello.id[0] = '-';
+  }
+  hello.sample_rate_hz = 1000 + (hello.sample_rate_hz & 0x7FFFFFFF) % 999001;
+  hello.nominal_hz = hello.nominal_hz % 2 == 0 ? 50 : 60;
+  for (float* const delay_s : {&hello.tracker_delay_s, &hello.voltage_delay_s}) {
+    *delay_s = *delay_s >= 0.0F ? std::fmin(*delay_s, 1.0F) : 0.5F;
+  }
+}
+
 // Fixes protocol_version, the only 16-bit field: a hello of another version has no further fields.
 class HelloFiller : public Filler {
  public:
@@ -245,9 +260,11 @@ Uplink uplink(UplinkKind kind, Fill fill, std::mt19937& random) {
   Filler filler(fill, random);
   const std::uint64_t high = filler.integer<std::uint32_t>(0, 0xFFFFFFFFU);
   message.sample = high << 32 | filler.integer<std::uint32_t>(0, 0xFFFFFFFFU);
+  message.start_number = filler.integer<std::uint32_t>(0, 0xFFFFFFFFU);
   if (kind == UplinkKind::kHello) {
     HelloFiller hello(fill, random);
     uplink_fields(message, hello);
+    make_valid(message.hello);
   } else {
     uplink_fields(message, filler);
   }
@@ -258,7 +275,10 @@ Downlink downlink(DownlinkKind kind, Fill fill, std::mt19937& random) {
   Downlink message;
   message.kind = kind;
   Filler filler(fill, random);
+  message.session = filler.integer<std::uint32_t>(1, 0xFFFFFFFFU);
+  message.session += message.session == kNoSession ? 1 : 0;
   downlink_fields(message, filler);
+  message.request += kind == DownlinkKind::kCommand && message.request == 0 ? 1 : 0;
   return message;
 }
 
