@@ -1,6 +1,9 @@
 // Outlets count samples of their own crystals; the bench converts their time stamps to the time
 // base of the run. The configured crystals and the relay sense are the references here.
 #include "station_of_four.hpp"
+#include <test_support/temporary_folder.hpp>
+
+#include <record/store.hpp>
 
 namespace gsbench::station::test {
 namespace {
@@ -37,6 +40,38 @@ TEST_F(OutletClocks, AreMeasuredWithinTheirStatedUncertainty) {
   play();
   expect_all_complete();
   expect_drifts_of_the_crystals();
+}
+
+// The record of a bench that is killed after the first second of the run can be read.
+TEST_F(OutletClocks, PlaceTheReportsOfARunThatIsStillPlayed) {
+  plan_ = plan(3.0, "noise_pct = 1.0\n", "[[outlet]]\ncount = 4\n");
+  set_up(station_of_four());
+  const gsbench::test::TemporaryFolder folder;
+  record::Writer writer(folder.file("run.sqlite"));
+  writer_ = &writer;
+  // 2.8 s of dips before the run, 2 s after it.
+  const auto played_s = [](double part) { return part * (2.8 + 3.0 + 2.0) - 2.8; };
+  constexpr double kPart = 0.68;
+  at(kPart, [&] {
+    const record::RunRecord run = record::read_run(folder.file("run.sqlite"));
+    EXPECT_TRUE(run.interrupted);
+    ASSERT_EQ(run.outlets.size(), 4U);
+    for (const record::OutletRecord& outlet : run.outlets) {
+      ASSERT_FALSE(outlet.trace.tick.empty()) << outlet.id;
+      EXPECT_LE(outlet.trace.tick.front(), 128) << outlet.id;
+      const double last_s = static_cast<double>(outlet.trace.tick.back()) / 8000.0;
+      EXPECT_GT(last_s, played_s(kPart) - 1.0) << outlet.id;
+      EXPECT_LT(last_s, played_s(kPart) + 0.2) << outlet.id;
+    }
+  });
+  play();
+  EXPECT_EQ(record_.verdict, record::Verdict::kPass) << record_.verdict_reason;
+  // The fit with the dips after the run replaces the first one.
+  const record::RunRecord whole = record::read_run(folder.file("run.sqlite"));
+  for (const record::OutletRecord& outlet : whole.outlets) {
+    expect_complete(outlet);
+    EXPECT_LT(outlet.clock.drift_uncertainty_ppm, 150.0);
+  }
 }
 
 // Crystals with much larger errors than real ones, so that a wrong sign is obvious.

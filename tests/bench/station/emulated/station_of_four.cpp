@@ -40,6 +40,7 @@ void FaultyStation::at(double part, std::function<void()> fault) {
 
 void FaultyStation::play() {
   RunOptions options;
+  options.writer = writer_;
   options.progress = [this](double part) {
     for (Fault& fault : faults_) {
       if (!fault.injected && part >= fault.part) {

@@ -50,6 +50,7 @@ class FaultyStation : public testing::Test {
   // Undisturbed mains between the marker dips.
   profile::Plan plan_ = plan(1.5, "noise_pct = 1.0\n", "[[outlet]]\ncount = 4\n");
   std::unique_ptr<EmulatedStation> station_;
+  record::Writer* writer_ = nullptr;  // of play(); null: in memory
   record::RunRecord record_;
   double wall_s_ = 0.0;
 
