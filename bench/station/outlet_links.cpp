@@ -2,9 +2,13 @@
 
 #include "port_keys.hpp"
 #include "station_kind.hpp"
+#include <link_mqtt/broker_url.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -13,27 +17,6 @@
 
 namespace gsbench::station {
 namespace {
-
-constexpr std::size_t kLongestUrl = 300;
-
-bool begins_with(const std::string& text, const char* beginning) {
-  return text.rfind(beginning, 0) == 0;
-}
-
-bool is_broker_url(const std::string& url) {
-  if (url.size() > kLongestUrl || !(begins_with(url, "mqtt://") || begins_with(url, "mqtts://"))) {
-    return false;
-  }
-  const std::size_t host = url.find("://") + 3;
-  const std::size_t colon = url.find_first_of("/:", host);
-  if (colon == std::string::npos || colon == host || url[colon] != ':') {
-    return false;
-  }
-  const std::string port = url.substr(colon + 1);
-  return !port.empty() && port.size() <= 5 &&
-         port.find_first_not_of("0123456789") == std::string::npos && std::stoi(port) >= 1 &&
-         std::stoi(port) <= 65535;
-}
 
 std::vector<std::string> outlet_ids(const keys::Table& table) {
   std::vector<std::string> ids;
@@ -46,31 +29,75 @@ std::vector<std::string> outlet_ids(const keys::Table& table) {
   return ids;
 }
 
+// The path of a file beside the station file, and the place that names it.
+void read_path(const keys::Table& table, const std::string& key, const std::string& file_path,
+               std::string& path, std::string& at) {
+  if (const auto given = table.find_text(key)) {
+    path = profile::resolve(*given, file_path);
+    at = fmt::format("{}:{}:{}", file_path, table.at(key).line, table.at(key).column);
+  }
+}
+
 void read_mqtt(const keys::Table& table, const std::string& file_path, PhysicalOutlets& outlets) {
   link::MqttOptions& mqtt = outlets.mqtt;
-  mqtt.url = table.text("url");
-  if (!is_broker_url(mqtt.url)) {
-    table.refuse("url", fmt::format("url is \"{}\"; it must be mqtts://host:port, or "
-                                    "mqtt://host:port without TLS",
-                                    mqtt.url));
+  const std::string given = table.text("url");
+  const auto url = link::read_broker_url(given);
+  if (!url) {
+    table.refuse("url",
+                 fmt::format("url is \"{}\"; it must be mqtts://host:port, or mqtt://host:port "
+                             "without TLS, with a port from 1 to 65535; an IPv6 address is in "
+                             "brackets: mqtts://[::1]:8883",
+                             given));
   }
-  const auto beside = [&](const std::optional<std::string>& path) {
-    return path ? profile::resolve(*path, file_path) : std::string();
-  };
-  mqtt.ca_file = beside(table.find_text("ca_file"));
-  if (begins_with(mqtt.url, "mqtts://") && mqtt.ca_file.empty()) {
+  mqtt.url = link::text_of(*url);
+  read_path(table, "ca_file", file_path, mqtt.ca_file, outlets.ca_file_at);
+  if (url->tls && mqtt.ca_file.empty()) {
     table.refuse_missing("ca_file", "the CA certificate that verifies the broker: ca_file = …");
   }
   mqtt.user = table.find_text("user").value_or("");
   mqtt.outlets = outlet_ids(table);
-  outlets.password_file = beside(table.find_text("password_file"));
+  read_path(table, "password_file", file_path, outlets.password_file, outlets.password_file_at);
 }
 
-std::string first_line(const std::string& path) {
+[[noreturn]] void refuse_file(const std::string& at, const char* key, const std::string& path,
+                              const std::string& why) {
+  throw keys::ConfigurationError(fmt::format("{}: {} is \"{}\", {}", at, key, path, why));
+}
+
+void require_ca(const PhysicalOutlets& outlets) {
+  const bool uses_tls = outlets.mqtt.url.rfind("mqtts:", 0) == 0;
+  if (uses_tls && !outlets.ca_file_at.empty()) {
+    if (const auto read = link::check_ca_file(outlets.mqtt.ca_file); !read.ok()) {
+      refuse_file(outlets.ca_file_at, "ca_file", outlets.mqtt.ca_file,
+                  "from which no CA certificate can be read: " + read.error());
+    }
+  }
+}
+
+// The first line, without what editors of other systems add: a byte order mark at its beginning and
+// a carriage return at its end.
+std::string password_of(const PhysicalOutlets& outlets) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  const auto refuse = [&](const std::string& why) {
+    refuse_file(outlets.password_file_at, "password_file", outlets.password_file, why);
+  };
+  errno = 0;
+  std::ifstream file(outlets.password_file, std::ios::binary);
   std::string line;
-  if (!std::getline(std::ifstream(path), line)) {
-    throw keys::ConfigurationError(path +
-                                   ": cannot read a password from the first line of this file");
+  if (!std::getline(file, line) && errno != 0) {
+    refuse(fmt::format("which cannot be read: {}", std::strerror(errno)));
+  }
+  if (line.rfind(kByteOrderMark, 0) == 0) {
+    line.erase(0, kByteOrderMark.size());
+  }
+  if (!line.empty() && line.back() == '\r') {
+    line.pop_back();
+  }
+  if (line.find('\0') != std::string::npos) {
+    refuse("which has a NUL in its first line; a password file is UTF-8 text");
+  }
+  if (line.empty()) {
+    refuse("whose first line is empty; it must be the password");
   }
   return line;
 }
@@ -90,7 +117,9 @@ std::vector<keys::Key> link_keys() {
       keys::table(
           "mqtt", "The MQTT broker of the outlets.",
           {keys::text("url", "address of the broker")
-               .permits("`mqtts://host:port`, or `mqtt://host:port` without TLS")
+               .permits(
+                   "`mqtts://host:port`, or `mqtt://host:port` without TLS; an IPv6 address is in "
+                   "brackets")
                .require(),
            keys::text("ca_file", "CA certificate to verify the broker with")
                .permits("path")
@@ -126,8 +155,9 @@ std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets) {
     links.push_back(std::make_unique<link::FramedLink>(outlets.serial));
   }
   if (!outlets.mqtt.url.empty()) {
+    require_ca(outlets);
     if (!outlets.password_file.empty()) {
-      outlets.mqtt.password = first_line(outlets.password_file);
+      outlets.mqtt.password = password_of(outlets);
     }
     links.push_back(std::make_unique<link::MqttLink>(outlets.mqtt));
   }

@@ -95,7 +95,9 @@ void add_links(const keys::Table& top, const std::vector<PhysicalSlot>& slots,
     }
   }
   if (links.mqtt.outlets.empty()) {
-    links.mqtt.url.clear();  // a broker that no slot uses is not connected to
+    links.mqtt = {};  // a broker that no slot uses is not connected to
+    links.ca_file_at.clear();
+    links.password_file.clear();
   }
 }
 

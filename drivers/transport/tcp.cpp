@@ -31,11 +31,19 @@ struct Address {
   std::string service;
 };
 
+// The resolver takes an IPv6 address without the brackets that a URL puts around it.
+std::string without_brackets(const std::string& host) {
+  return host.size() > 2 && host.front() == '[' && host.back() == ']'
+             ? host.substr(1, host.size() - 2)
+             : host;
+}
+
 Address address_of(const std::string& port) {
   const std::string rest = port.substr(std::strlen(kScheme));
   const std::size_t colon = rest.rfind(':');
-  return colon == std::string::npos ? Address{rest, ""}
-                                    : Address{rest.substr(0, colon), rest.substr(colon + 1)};
+  return colon == std::string::npos
+             ? Address{rest, ""}
+             : Address{without_brackets(rest.substr(0, colon)), rest.substr(colon + 1)};
 }
 
 // Returns 0 or an errno value.
@@ -67,7 +75,8 @@ Status check_address(const std::string& port) {
                       std::all_of(address.service.begin(), address.service.end(),
                                   [](char c) { return c >= '0' && c <= '9'; }) &&
                       std::stoul(address.service) >= 1 && std::stoul(address.service) <= 65535;
-  if (address.host.find_first_of(" \t/") != std::string::npos || address.host.empty() || !number) {
+  if (address.host.find_first_of(" \t/[]") != std::string::npos || address.host.empty() ||
+      !number) {
     return Error{port + ": is not of the form tcp://host:port, with a port from 1 to 65535"};
   }
   return Done{};
@@ -152,7 +161,7 @@ std::vector<std::string> addresses_of(const std::string& host) {
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  if (getaddrinfo(host.c_str(), nullptr, &wanted, &found) != 0) {
+  if (getaddrinfo(without_brackets(host).c_str(), nullptr, &wanted, &found) != 0) {
     return {host};
   }
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);

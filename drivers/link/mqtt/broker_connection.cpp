@@ -1,5 +1,6 @@
 #include "broker_connection.hpp"
 
+#include "broker_trial.hpp"
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
@@ -29,17 +30,10 @@ constexpr int kMostWaiting = 10000;  // messages to outlets that wait for a conn
 constexpr int kMostInFlight = 65535;
 constexpr int kNoRoom = MQTTASYNC_MAX_BUFFERED_MESSAGES;
 
-std::string paho_url(const std::string& url) {
-  for (const auto& [ours, theirs] : {std::pair("mqtts://", "ssl://"), {"mqtt://", "tcp://"}}) {
-    if (url.rfind(ours, 0) == 0) {
-      return theirs + url.substr(std::string(ours).size());
-    }
-  }
-  return url;
-}
-
-bool uses_tls(const MqttOptions& options) {
-  return options.url.rfind("mqtts://", 0) == 0;
+// Paho checks the host of a certificate with the brackets of an IPv6 address, which no certificate
+// has. It takes such an address without brackets, too: the port follows the last colon.
+std::string paho_url(const BrokerUrl& broker) {
+  return (broker.tls ? "ssl://" : "tcp://") + broker.host + ':' + std::to_string(broker.port);
 }
 
 // New for each open(): no earlier session is resumed.
@@ -79,14 +73,12 @@ unsigned peer_port(int descriptor) {
 // Sets TCP_NODELAY: without it, every other command waits 40 ms for the acknowledgement of the one
 // before. Paho has no option for it and does not expose its socket, so this searches the process's
 // descriptors for connections to the broker's port.
-void send_at_once(const std::string& url) {
-  const auto port =
-      static_cast<unsigned>(std::strtoul(url.c_str() + url.rfind(':') + 1, nullptr, 10));
+void send_at_once(unsigned port) {
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", none)) {
     const int descriptor =
         static_cast<int>(std::strtol(entry.path().filename().c_str(), nullptr, 10));
-    if (port != 0 && peer_port(descriptor) == port) {
+    if (peer_port(descriptor) == port) {
       const int yes = 1;
       setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
     }
@@ -98,7 +90,8 @@ void send_at_once(const std::string& url) {
 BrokerConnection::BrokerConnection(const MqttOptions& options, Arrivals& arrivals)
     : options_(options),
       arrivals_(arrivals),
-      client_(paho_url(options.url), new_client_id(),
+      broker_(read_broker_url(options.url).value_or(BrokerUrl())),
+      client_(paho_url(broker_), new_client_id(),
               mqtt::create_options(MQTTVERSION_5, kMostWaiting)) {
   // By default, Paho formats and stores a trace of every packet.
   MQTTAsync_setTraceLevel(MQTTASYNC_TRACE_ERROR);
@@ -109,15 +102,16 @@ mqtt::connect_options BrokerConnection::connect_options() const {
   mqtt::connect_options asked;
   asked.set_mqtt_version(MQTTVERSION_5);
   asked.set_clean_start(false);
-  asked.set_properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, kKeepSession_s},
-                        {mqtt::property::RECEIVE_MAXIMUM, kMostInFlight}});
+  asked.set_properties(
+      {{mqtt::property::SESSION_EXPIRY_INTERVAL, options_.keeps_session ? kKeepSession_s : 0},
+       {mqtt::property::RECEIVE_MAXIMUM, kMostInFlight}});
   asked.set_keep_alive_interval(kKeepAlive_s);
   asked.set_connect_timeout(kToConnect);
   asked.set_automatic_reconnect(1, 2);
   asked.set_max_inflight(kMostInFlight);
   asked.set_user_name(options_.user);
   asked.set_password(options_.password);
-  if (uses_tls(options_)) {
+  if (broker_.tls) {
     mqtt::ssl_options tls;
     tls.set_trust_store(options_.ca_file);
     tls.set_enable_server_cert_auth(true);
@@ -130,28 +124,27 @@ mqtt::connect_options BrokerConnection::connect_options() const {
 }
 
 Status BrokerConnection::connect() {
+  if (broker_.port == 0) {
+    return Error{"\"" + options_.url + "\" is not the address of a broker"};
+  }
   try {
     const mqtt::token_ptr connecting = client_.connect(connect_options());
-    if (!connecting->wait_for(kToConnect)) {
-      return Error{"the broker " + options_.url + " does not answer"};
+    if (connecting->wait_for(kToConnect)) {
+      return Done{};
     }
-    return Done{};
+    return Error{why_not_connected("does not answer")};
   } catch (const mqtt::exception& error) {
-    return Error{why_not_connected(error)};
+    return Error{refused_login(error)
+                     ? "the broker " + options_.url + " refuses the user name \"" + options_.user +
+                           "\" or the password"
+                     : why_not_connected("cannot be reached: " + error.to_string())};
   }
 }
 
-std::string BrokerConnection::why_not_connected(const mqtt::exception& error) {
-  const std::string broker = "the broker " + options_.url;
-  if (refused_login(error)) {
-    return broker + " refuses the user name \"" + options_.user + "\" or the password";
-  }
-  // Paho does not distinguish these causes.
-  const std::string tls = uses_tls(options_)
-                              ? ", or its certificate is not signed by the CA in \"" +
-                                    options_.ca_file + "\" or is for another host name"
-                              : "";
-  return broker + " cannot be reached" + tls + ": " + error.to_string();
+// `unless_known`: the reason if a second attempt finds none.
+std::string BrokerConnection::why_not_connected(const std::string& unless_known) const {
+  const std::string trouble = trouble_with(broker_, options_.ca_file);
+  return "the broker " + options_.url + ' ' + (trouble.empty() ? unless_known : trouble);
 }
 
 // A copy, so that the lock is not held during calls into Paho, whose callbacks hold Paho's locks.
@@ -220,7 +213,7 @@ BrokerConnection::~BrokerConnection() {
 }
 
 void BrokerConnection::connected(const std::string&) {
-  send_at_once(options_.url);
+  send_at_once(broker_.port);
   if (!lost_) {
     return;  // the first connection: the caller subscribes
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "arrivals.hpp"
+#include <link_mqtt/broker_url.hpp>
 #include <link_mqtt/mqtt_link.hpp>
 #include <mqtt/async_client.h>
 
@@ -18,7 +19,8 @@ class BrokerConnection final : private mqtt::callback, private mqtt::iaction_lis
   BrokerConnection(const MqttOptions& options, Arrivals& arrivals);
   ~BrokerConnection() override;
 
-  // Connects; from then on, Paho reconnects after each loss. Blocks up to 10 s.
+  // Connects; from then on, Paho reconnects after each loss. Blocks up to 10 s, and 6 s more to
+  // find the reason why it cannot.
   drivers::Status connect();
   // Subscribes now and after each reconnection. Blocks up to 5 s.
   drivers::Status subscribe(std::vector<std::string> filters);
@@ -52,10 +54,11 @@ class BrokerConnection final : private mqtt::callback, private mqtt::iaction_lis
 
   mqtt::connect_options connect_options() const;
   std::vector<std::string> filters();
-  std::string why_not_connected(const mqtt::exception& error);
+  std::string why_not_connected(const std::string& unless_known) const;
 
   const MqttOptions& options_;
   Arrivals& arrivals_;
+  const BrokerUrl broker_;  // port 0: the URL cannot be read
   std::mutex mutex_;
   std::vector<std::string> filters_;
   std::atomic<bool> lost_{false};

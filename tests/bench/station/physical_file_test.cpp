@@ -109,10 +109,42 @@ TEST_F(PhysicalFile, NeedsAPasswordOnlyForItsLink) {
   const auto refusal = [&] {
     return gsbench::test::refusal_of<profile::ConfigurationError>([&] { (void)station->link(); });
   };
-  EXPECT_EQ(refusal(),
-            folder_.file("pw") + ": cannot read a password from the first line of this file");
+  const auto refused = [&](const std::string& why) {
+    return AllOf(HasSubstr("hardware.toml:"),
+                 HasSubstr(": password_file is \"" + folder_.file("pw") + "\", " + why));
+  };
+  EXPECT_THAT(refusal(), refused("which cannot be read: No such file or directory"));
+  for (const std::string empty : {"", "\n", "\r\nsecret\r\n", "\xEF\xBB\xBF\n"}) {
+    (void)folder_.write("pw", empty);
+    EXPECT_THAT(refusal(), refused("whose first line is empty"));
+  }
+  (void)folder_.write("pw", std::string("\xFF\xFEs\0e\0", 6));
+  EXPECT_THAT(refusal(), refused("which has a NUL in its first line"));
   (void)folder_.write("pw", "secret\n");
   EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(PhysicalFile, NamesThePlaceOfACaFileThatCannotBeUsed) {
+  const auto refusal = [&] {
+    const auto outlets = *load(
+                              "title = \"A\"\nkind = \"physical\"\n[mqtt]\n"
+                              "url = \"mqtts://127.0.0.1:1\"\nca_file = \"ca\"\n")
+                              .reachable;
+    return gsbench::test::refusal_of<profile::ConfigurationError>(
+        [&] { (void)make_link(outlets); });
+  };
+  const auto refused = [&](const std::string& why) {
+    return folder_.file("hardware.toml") + ":5:11: ca_file is \"" + folder_.file("ca") +
+           "\", from which no CA certificate can be read: " + why;
+  };
+  EXPECT_EQ(refusal(), refused("No such file or directory"));
+  std::filesystem::create_directory(folder_.file("ca"));
+  EXPECT_EQ(refusal(), refused("Is a directory"));
+  std::filesystem::remove(folder_.file("ca"));
+  (void)folder_.write("ca", "");
+  EXPECT_EQ(refusal(), refused("it is empty"));
+  (void)folder_.write("ca", "no certificate\n");
+  EXPECT_EQ(refusal(), refused("no certificate or crl found"));
 }
 
 TEST_F(PhysicalFile, LocksAllThatOnlyOneBenchMayUse) {

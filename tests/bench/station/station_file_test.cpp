@@ -199,12 +199,13 @@ TEST_F(StationFiles, RequireSchemeHostAndPortOfABroker) {
   const auto mqtt = [](const std::string& url) {
     return std::string(kPhysical) + "[mqtt]\nca_file = \"ca.crt\"\nurl = \"" + url + "\"\n";
   };
-  for (const char* url : {"mqtt://b:1", "mqtts://b:65535", "mqtt://10.0.0.1:01883"}) {
+  for (const char* url : {"mqtt://b:1", "mqtts://b:65535", "mqtts://[fe80::1]:8883"}) {
     EXPECT_EQ(load(mqtt(url)).reachable->mqtt.url, url);
   }
+  EXPECT_EQ(load(mqtt("MQTTS://[::1]:08883/")).reachable->mqtt.url, "mqtts://[::1]:8883");
   for (const std::string& url :
        {std::string("mqtt://:1883"), std::string("mqtt://b:"), std::string("mqtt://b:0"),
-        std::string("mqtt://b:001883"), std::string("mqtt://b:1883/"),
+        std::string("mqtt://b:001883"), std::string("mqtt://::1:1883"),
         std::string("mqtt://b/c:1883"), std::string("mqtt://b:1:2"), std::string("mqtt://b:+1"),
         std::string("mqttx://b:1883"), std::string(" mqtt://b:1883"),
         "mqtt://" + std::string(300, 'b') + ":1883"}) {

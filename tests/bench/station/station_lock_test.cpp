@@ -143,6 +143,12 @@ TEST_F(Lock, TwoNamesOfAHostHaveOneLock) {
   EXPECT_THAT(refusal_of({name}), HasSubstr("profile second"));
 }
 
+TEST_F(Lock, TwoFormsOfAnIpv6AddressHaveOneLock) {
+  EXPECT_EQ(lock_files("tcp://[::1]:7"), lock_files("tcp://[0:0::1]:7"));
+  EXPECT_NE(lock_files("tcp://[::1]:7"), lock_files("tcp://[::2]:7"));
+  EXPECT_EQ(lock_files("mqtts://[::1]:8883/a"), lock_files("mqtt://[0:0::1]:1883/a"));
+}
+
 TEST_F(Lock, HostThatCannotBeLookedUpIsLockedByItsName) {
   const std::string nowhere = known("tcp://no such host:" + std::to_string(::getpid()));
   const StationLock lock({nowhere}, "profile first");

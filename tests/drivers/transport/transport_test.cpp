@@ -218,9 +218,15 @@ TEST(Tcp, ReportsAPortWithoutAListener) {
   EXPECT_EQ(refusal(port), port + ": cannot be connected to: Connection refused");
 }
 
+TEST(Tcp, AcceptsAnIpv6AddressInBrackets) {
+  EXPECT_TRUE(check_port("tcp://[::1]:5000").ok());
+  // Port 1 is closed: the address was understood.
+  EXPECT_EQ(refusal("tcp://[::1]:1"), "tcp://[::1]:1: cannot be connected to: Connection refused");
+}
+
 TEST(Tcp, RefusesInvalidAddresses) {
   for (const std::string wrong : {"tcp://", "tcp://host", "tcp://host:", "tcp://:5000",
-                                  "tcp://host:65536", "tcp://host:http", "tcp://host:123456"}) {
+                                  "tcp://host:65536", "tcp://[::1:5000", "tcp://host:http", "tcp://host:123456"}) {
     EXPECT_EQ(check_port(wrong).error(),
               wrong + ": is not of the form tcp://host:port, with a port from 1 to 65535");
     EXPECT_EQ(refusal(wrong),

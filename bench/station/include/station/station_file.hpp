@@ -25,9 +25,13 @@ struct PhysicalOutlets {
   link::FramedOptions serial;      // no ports: no outlets on serial ports
   link::MqttOptions mqtt;          // no URL: no outlets on a broker
   std::string password_file = {};  // its first line replaces mqtt.password; empty: no file
+  // Where a station file names these files, for messages: "lab.toml:7:11".
+  std::string ca_file_at = {};
+  std::string password_file_at = {};
 };
 
-// Throws keys::ConfigurationError if the password file cannot be read.
+// Connects to nothing. Throws keys::ConfigurationError, with the place in the station file, if no CA
+// certificate or no password can be read from its file.
 std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets);
 
 // The content of a station file.

@@ -57,7 +57,7 @@ class Transport {
   std::string port_;
 };
 
-// `port`: "tcp://127.0.0.1:5000", or a serial port: "/dev/ttyUSB0".
+// `port`: "tcp://127.0.0.1:5000", "tcp://[::1]:5000", or a serial port: "/dev/ttyUSB0".
 std::unique_ptr<Transport> make_transport(const std::string& port, int baud = kBaud);
 
 // An error if `port` is neither of the form tcp://host:port nor the absolute path of a device.
@@ -69,7 +69,7 @@ std::unique_ptr<Transport> make_transport(const std::string& port, int baud = kB
 [[nodiscard]] drivers::Status check_port(const std::string& port);
 
 // The addresses that the name of a host leads to: "127.0.0.1", "::1"; the name itself if it cannot
-// be looked up. Blocks for the look-up.
+// be looked up. An IPv6 address may have brackets. Blocks for the look-up.
 std::vector<std::string> addresses_of(const std::string& host);
 
 // The serial ports of this machine.

@@ -116,25 +116,6 @@ TEST_F(FindingOutlets, ReportsThatTheBrokerRefusesThePassword) {
                                     HasSubstr("\"bench\"")));
 }
 
-TEST_F(FindingOutlets, RefusesABrokerWithAnotherCaOrHostName) {
-  const auto other = demand(emulation::PrivateBroker::start({folder_.file("other"), {}}));
-  for (const std::string& ca_file : {other.ca_file(), std::string()}) {
-    MqttOptions wrong = options({"a"});
-    wrong.ca_file = ca_file;
-    EXPECT_THAT(refusal(wrong),
-                AllOf(HasSubstr(broker_.url()), HasSubstr("certificate is not signed by the CA")));
-  }
-  // The certificate is for 127.0.0.1 only.
-  MqttOptions wrong = options({"a"});
-  wrong.url = "mqtts://localhost:" + std::to_string(broker_.port());
-  EXPECT_THAT(refusal(wrong), AllOf(HasSubstr("localhost"), HasSubstr("certificate")));
-}
-
-TEST_F(FindingOutlets, ReportsABrokerThatCannotBeReached) {
-  broker_.kill();
-  EXPECT_THAT(refusal(options({"a"})), AllOf(HasSubstr(broker_.url()), HasSubstr("reached")));
-}
-
 TEST_F(FindingOutlets, FindsNoOutletWithAnOutletsLogin) {
   const MqttOutlet a(broker_, "a");
   MqttOptions wrong = options({"a"});

@@ -15,12 +15,18 @@
 namespace gsbench::link {
 
 struct MqttOptions {
-  std::string url;      // mqtts://host:port with TLS, mqtt://host:port without
+  std::string url;      // as read_broker_url() takes it
   std::string ca_file;  // for TLS: the CA that signs the broker's certificate, PEM
   std::string user;
   std::string password;
   std::vector<std::string> outlets;  // ids; outlets not in the list are ignored. Empty: all outlets
+  // After a lost connection, the broker stores messages for 60 s. If false, the broker keeps
+  // nothing for a bench that is not connected.
+  bool keeps_session = true;
 };
+
+// An error, the reason, if the file cannot be read or holds no certificate in PEM form.
+[[nodiscard]] drivers::Status check_ca_file(const std::string& path);
 
 class MqttLink final : public Link {
  public:
@@ -28,7 +34,8 @@ class MqttLink final : public Link {
   ~MqttLink() override;
 
   // Blocks until the broker has accepted connection and subscriptions, about 15 s at most. An error
-  // if the broker cannot be reached, fails the TLS check, or refuses the login.
+  // if the broker cannot be reached, fails the TLS check, or refuses the login. Then up to 6 s
+  // more: the error states what the resolver, the kernel or OpenSSL reports.
   [[nodiscard]] drivers::Status open() override;
   // A message that the broker refuses, or cannot deliver, becomes a fault of the outlet. Without a
   // connection, up to 10000 messages wait for the broker. Blocks up to 0.5 s if that queue is full.
