@@ -123,6 +123,14 @@ void print_wrapped(const std::string& line, std::size_t indent) {
   std::puts(render::wrapped(line, render::kLineColumns, indent).c_str());
 }
 
+void print_line(const std::string& line, std::size_t indent) {
+  if (isatty(STDOUT_FILENO) == 1) {
+    print_wrapped(line, indent);
+  } else {
+    std::puts(line.c_str());
+  }
+}
+
 std::string error_line(const std::string& text) {
   constexpr std::size_t kIndent = 4;
   const std::string line = "gsbench: " + text;

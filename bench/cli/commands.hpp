@@ -44,6 +44,9 @@ void print_json(const nlohmann::ordered_json& value);
 // the first start with `indent` spaces.
 void print_wrapped(const std::string& line, std::size_t indent = 0);
 
+// The same if standard output is a terminal; otherwise the line is not wrapped, for scripts.
+void print_line(const std::string& line, std::size_t indent = 0);
+
 // Returns "gsbench: ", the text and a line end. The text is wrapped if standard error is a
 // terminal; otherwise it is one line, for tools that read "FILE:LINE:COLUMN: …".
 std::string error_line(const std::string& text);

@@ -1,14 +1,17 @@
 #include "commands.hpp"
 #include "link_arguments.hpp"
+#include "message_text.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
-#include <iterator>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <link/version_text.hpp>
+#include <link/wait_for_outlets.hpp>
 #include <render/layout.hpp>
 
 namespace gsbench::cli {
@@ -19,22 +22,42 @@ struct DevicesArguments {
   bool json = false;
 };
 
-nlohmann::ordered_json as_json(const link::OutletPresence& outlet) {
-  const gs::wire::Hello& hello = outlet.hello;
-  return {{"id", outlet.id},
-          {"where", outlet.where},
-          {"fault", outlet.fault},
-          {"board", hello.board},
-          {"instance", hello.instance},
-          {"protocol", hello.protocol_version},
-          {"firmware", link::version_text(hello.firmware_version)},
-          {"build", fmt::format("{:08x}", hello.build)},
-          {"sample_rate_hz", hello.sample_rate_hz},
-          {"nominal_hz", hello.nominal_hz},
-          {"settings_version", hello.settings_version},
-          {"settings_digest", fmt::format("{:08x}", hello.settings_digest)},
-          {"keeps_settings", (hello.capabilities & gs::wire::kKeepsSettings) != 0},
-          {"has_watchdog", (hello.capabilities & gs::wire::kHasWatchdog) != 0}};
+constexpr auto kPatience = std::chrono::seconds(3);      // for the named outlets
+constexpr auto kForSearching = std::chrono::seconds(1);  // for all outlets on a broker
+
+struct Device {
+  link::OutletPresence outlet;
+  bool answers = false;  // with or without a fault
+};
+
+// With the ports that were given, and that another bench uses.
+std::vector<Device> devices_of(ReachableOutlets& reached) {
+  std::vector<std::string> named = reached.ports;
+  named.insert(named.end(), reached.ids.begin(), reached.ids.end());
+  const bool any_on_broker = !reached.broker.empty() && reached.ids.empty();
+  auto found = link::wait_for_outlets(*reached.link, named, kPatience,
+                                      any_on_broker ? kForSearching : std::chrono::seconds(0));
+  if (!found.ok()) {
+    throw std::runtime_error(found.error());
+  }
+  std::vector<Device> devices;
+  for (link::OutletPresence& outlet : found.take()) {
+    const bool answers = !outlet.where.empty();
+    if (answers) {
+      outlet.id = outlet.hello.id;  // without the place that one of two with the same id has
+    } else {
+      const bool is_port =
+          std::find(reached.ports.begin(), reached.ports.end(), outlet.id) != reached.ports.end();
+      outlet.where = is_port ? outlet.id : reached.broker;  // where it was expected
+    }
+    if (answers || !reached.is_search) {
+      devices.push_back({std::move(outlet), answers});
+    }
+  }
+  for (const link::OutletPresence& port : reached.in_use) {
+    devices.push_back({port, false});
+  }
+  return devices;
 }
 
 std::vector<std::string> cells_of(const link::OutletPresence& outlet) {
@@ -71,27 +94,31 @@ void print_table(const std::vector<link::OutletPresence>& answering) {
   }
 }
 
-void print(const std::vector<link::OutletPresence>& present) {
+void print(const std::vector<Device>& present) {
   std::vector<link::OutletPresence> answering;
-  std::copy_if(present.begin(), present.end(), std::back_inserter(answering),
-               [](const auto& outlet) { return outlet.fault.empty(); });
+  for (const Device& device : present) {
+    if (device.outlet.fault.empty()) {
+      answering.push_back(device.outlet);
+    }
+  }
   if (!answering.empty()) {
     print_table(answering);
   }
-  for (const link::OutletPresence& outlet : present) {
+  for (const auto& [outlet, answers] : present) {
     if (!outlet.fault.empty()) {
       const std::string where = outlet.where == outlet.id ? "" : " at " + outlet.where;
-      print_wrapped(fmt::format("! {}{}: {}", outlet.id, where, outlet.fault), 4);
+      print_line(fmt::format("! {}{}: {}", outlet.id, where, outlet.fault), 4);
     }
   }
 }
 
 int devices(const DevicesArguments& arguments) {
-  const std::vector<link::OutletPresence> present = find_outlets(arguments.link, "devices").outlets;
+  ReachableOutlets reached = reach_outlets(arguments.link, "devices");
+  const std::vector<Device> present = devices_of(reached);
   if (arguments.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const link::OutletPresence& outlet : present) {
-      all.push_back(as_json(outlet));
+    for (const Device& device : present) {
+      all.push_back(as_json(device.outlet, device.answers));
     }
     print_json(all);
   } else if (present.empty()) {
@@ -99,8 +126,9 @@ int devices(const DevicesArguments& arguments) {
   } else {
     print(present);
   }
-  const bool all_answer = std::all_of(present.begin(), present.end(),
-                                      [](const auto& outlet) { return outlet.fault.empty(); });
+  const bool all_answer = std::all_of(present.begin(), present.end(), [](const Device& device) {
+    return device.outlet.fault.empty();
+  });
   return all_answer ? kPassed : kErrored;
 }
 
@@ -114,7 +142,9 @@ void add_devices(CommandLine& line) {
   command.footer(
       "Exit code 4 if an outlet does not answer, has the same id as another outlet, or uses "
       "another\n"
-      "version of the protocol, or if another bench uses a port that was given.\n"
+      "version of the protocol, or if a port that was given cannot be opened, or another bench "
+      "uses it.\n"
+      "--json: of an outlet that does not answer, only its place (or id) and its fault are given.\n"
       "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"

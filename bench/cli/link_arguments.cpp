@@ -1,28 +1,44 @@
 #include "link_arguments.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <optional>
-#include <stdexcept>
+#include <cstring>
+#include <filesystem>
+#include <set>
+#include <utility>
 
-#include <link/wait_for_outlets.hpp>
+#include <fmt/format.h>
+
 #include <station/station_file.hpp>
 #include <transport/transport.hpp>
 
 namespace gsbench::cli {
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(3);      // for the named outlets
-constexpr auto kForSearching = std::chrono::seconds(1);  // for all outlets on a broker
+// A path may be relative on the command line.
+std::string port_of(const std::string& given) {
+  const bool is_path =
+      given.find('/') != std::string::npos && given.find("://") == std::string::npos;
+  std::string port = is_path ? std::filesystem::absolute(given).string() : given;
+  if (const drivers::Status form = transport::check_form(port); !form.ok()) {
+    throw profile::ConfigurationError(form.error());
+  }
+  return port;
+}
 
-// A port that was given must exist; other ports of the machine that cannot be opened are skipped.
-void require_ports(const std::vector<std::string>& named) {
-  for (const std::string& port : named) {
-    const drivers::Status there = transport::check_port(port);
-    if (!there.ok()) {
-      throw profile::ConfigurationError(there.error());
+// Of several names of one port, the first remains.
+std::vector<std::string> each_once(const std::vector<std::string>& ports) {
+  std::vector<std::string> different;
+  std::set<std::string> known;
+  for (const std::string& port : ports) {
+    const std::vector<std::string> identities = station::lock_files(port);
+    const bool is_known = std::any_of(identities.begin(), identities.end(),
+                                      [&](const auto& one) { return known.count(one) > 0; });
+    known.insert(identities.begin(), identities.end());
+    if (!is_known) {
+      different.push_back(port);
     }
   }
+  return different;
 }
 
 station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
@@ -32,12 +48,15 @@ station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
       throw profile::ConfigurationError(file.path +
                                         ": no outlet of this station can be reached without a run");
     }
-    require_ports(file.reachable->serial.ports);
     return *file.reachable;
   }
-  require_ports(arguments.ports);
   station::PhysicalOutlets outlets;
-  outlets.serial.ports = arguments.ports.empty() ? transport::serial_ports() : arguments.ports;
+  for (const std::string& given : arguments.ports) {
+    outlets.serial.ports.push_back(port_of(given));
+  }
+  if (arguments.ports.empty()) {
+    outlets.serial.ports = transport::serial_ports();
+  }
   if (outlets.serial.ports.empty()) {
     throw profile::ConfigurationError(
         "this machine has no serial port; name a station with --station");
@@ -45,22 +64,27 @@ station::PhysicalOutlets outlets_of(const LinkArguments& arguments) {
   return outlets;
 }
 
-// Keeps the ports that no other bench uses, locked.
-std::vector<std::unique_ptr<station::StationLock>> lock_free_ones(std::vector<std::string>& ports,
-                                                                  const std::string& doing) {
-  std::vector<std::unique_ptr<station::StationLock>> locks;
+// Locks the ports; keeps those that no other bench uses.
+void lock_ports(ReachableOutlets& reached, const std::string& doing) {
   std::vector<std::string> free;
-  for (const std::string& port : ports) {
+  for (const std::string& port : reached.ports) {
     try {
-      locks.push_back(
+      reached.locks.push_back(
           std::make_unique<station::StationLock>(std::vector<std::string>{port}, doing));
       free.push_back(port);
     } catch (const station::StationBusy& busy) {
-      print_error(std::string(busy.what()) + "; this port is left out");
+      if (reached.is_search) {
+        print_error(std::string(busy.what()) + "; this port is left out");
+        continue;
+      }
+      if (reached.ports.size() == 1 && reached.broker.empty()) {
+        throw;
+      }
+      reached.in_use.push_back(
+          {port, port, {}, std::string(busy.what()).substr(port.size() + std::strlen(": "))});
     }
   }
-  ports = free;
-  return locks;
+  reached.ports = std::move(free);
 }
 
 }  // namespace
@@ -79,39 +103,26 @@ void add_link_options(CLI::App& command, LinkArguments& arguments) {
       ->excludes(station);
 }
 
-FoundOutlets find_outlets(const LinkArguments& arguments, const std::string& command) {
+std::string ReachableOutlets::places() const {
+  std::string text = fmt::format("{}", fmt::join(ports, ", "));
+  if (!broker.empty()) {
+    text += (text.empty() ? "the broker " : " and the broker ") + broker;
+  }
+  return text;
+}
+
+ReachableOutlets reach_outlets(const LinkArguments& arguments, const std::string& command) {
   station::PhysicalOutlets there = outlets_of(arguments);
-  const bool looking = arguments.station.empty() && arguments.ports.empty();
-  FoundOutlets found;
-  if (looking) {
-    found.locks = lock_free_ones(there.serial.ports, "command " + command);
-  } else {
-    found.locks.push_back(
-        std::make_unique<station::StationLock>(there.serial.ports, "command " + command));
-  }
-  std::vector<std::string> named = there.serial.ports;
-  named.insert(named.end(), there.mqtt.outlets.begin(), there.mqtt.outlets.end());
-  const bool any_on_broker = !there.mqtt.url.empty() && there.mqtt.outlets.empty();
-  found.link = station::make_link(there);
-  auto outlets = link::wait_for_outlets(*found.link, named, kPatience,
-                                        any_on_broker ? kForSearching : std::chrono::seconds(0));
-  if (!outlets.ok()) {
-    throw std::runtime_error(outlets.error());
-  }
-  found.outlets = outlets.take();
-  if (looking) {
-    found.outlets.erase(std::remove_if(found.outlets.begin(), found.outlets.end(),
-                                       [](const auto& outlet) { return outlet.where.empty(); }),
-                        found.outlets.end());
-  }
-  for (link::OutletPresence& outlet : found.outlets) {
-    if (outlet.where.empty()) {
-      const auto& ports = there.serial.ports;
-      const bool is_port = std::find(ports.begin(), ports.end(), outlet.id) != ports.end();
-      outlet.where = is_port ? outlet.id : there.mqtt.url;  // where it was expected
-    }
-  }
-  return found;
+  ReachableOutlets reached;
+  reached.is_search = arguments.station.empty() && arguments.ports.empty();
+  reached.broker = there.mqtt.url;
+  reached.ids = there.mqtt.outlets;
+  reached.ports = each_once(there.serial.ports);
+  lock_ports(reached, "command " + command);
+  there.serial.ports = reached.ports;
+  there.mqtt.keeps_session = false;
+  reached.link = station::make_link(there);
+  return reached;
 }
 
 }  // namespace gsbench::cli

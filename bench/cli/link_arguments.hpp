@@ -19,20 +19,30 @@ struct LinkArguments {
 
 void add_link_options(CLI::App& command, LinkArguments& arguments);
 
-struct FoundOutlets {
+// A link to outlets, and which of them are expected.
+struct ReachableOutlets {
   std::vector<std::unique_ptr<station::StationLock>> locks;  // of the serial and TCP ports
-  std::unique_ptr<link::Link> link;                          // open
-  std::vector<link::OutletPresence> outlets;
+  std::unique_ptr<link::Link> link;                          // not open
+  std::vector<std::string> ports;  // that it opens, each once: a port may have several names
+  std::vector<std::string> ids;    // that the station names behind its broker
+  std::string broker;              // its URL; empty: none
+  // All serial ports are searched: one without an outlet is no fault.
+  bool is_search = false;
+  // Ports that were given, but that another bench uses: left out, each with its fault.
+  std::vector<link::OutletPresence> in_use;
+
+  // "/dev/ttyUSB0 and the broker mqtts://lab:8883"
+  std::string places() const;
 };
 
-// Looks for the outlets of the station, or on the given ports, or on all serial ports; in the last
-// case ports without an outlet are left out. Locks the ports: to read one that a run uses would
-// spoil the run. Behind a broker any number of benches may listen. `command`: for the message to
-// others. Blocks for up to 3 s if an outlet does not answer.
+// The outlets of the station, or on the given ports, or on all serial ports. Locks the ports: to
+// read one that a run uses would spoil the run. Behind a broker any number of benches may listen;
+// the broker keeps nothing for them after their end. Connects to nothing, and does not look whether
+// a port exists. `command`: for the message to others.
 //
-// Throws profile::ConfigurationError if there is no port or a given port does not exist,
-// station::StationBusy if another bench uses a given port (of all serial ports, those in use are
-// left out, with a message), and std::runtime_error with the error of the link.
-FoundOutlets find_outlets(const LinkArguments& arguments, const std::string& command);
+// Throws profile::ConfigurationError if there is no port, or a text cannot be a port, and
+// station::StationBusy if another bench uses the only port that was given (of all serial ports,
+// those in use are left out, with a message).
+ReachableOutlets reach_outlets(const LinkArguments& arguments, const std::string& command);
 
 }  // namespace gsbench::cli

@@ -1,187 +1,157 @@
 #include "commands.hpp"
 #include "link_arguments.hpp"
 #include "live_output.hpp"
+#include "message_text.hpp"
+#include "monitor_output.hpp"
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <cerrno>
 #include <chrono>
-#include <cstdio>
+#include <cstring>
 #include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
 
-#include <link/version_text.hpp>
-#include <wire/messages.hpp>
-
 namespace gsbench::cli {
 namespace {
 
-using gs::wire::Uplink;
-using gs::wire::UplinkKind;
-
-const char* validity_text(gs::outlet::Validity validity) {
-  static constexpr std::array kNames = {"invalid", "valid", "held"};
-  const auto index = static_cast<std::size_t>(validity);
-  return index < kNames.size() ? kNames[index] : "unknown";
-}
-
-const char* position(bool closed) {
-  return closed ? "closed" : "open";
-}
-
-std::string hello_text(const gs::wire::Hello& hello) {
-  return fmt::format("board {}, firmware {} build {:08x}, {} Hz samples of {} Hz mains, {}",
-                     hello.board, link::version_text(hello.firmware_version), hello.build,
-                     hello.sample_rate_hz, hello.nominal_hz,
-                     hello.settings_version == 0
-                         ? std::string("no settings")
-                         : fmt::format("settings version {}", hello.settings_version));
-}
-
-std::string details(const Uplink& m) {
-  switch (m.kind) {
-    case UplinkKind::kHello:
-      return hello_text(m.hello);
-    case UplinkKind::kSettingsAnswer:
-      return fmt::format("{}; in force: version {}, digest {:08x}{}",
-                         gs::outlet::to_string(m.settings_answer.error), m.settings_answer.version,
-                         m.settings_answer.digest, m.settings_answer.kept ? ", kept" : "");
-    case UplinkKind::kMeasurement:
-      return fmt::format("{:9.4f} Hz {:+8.3f} Hz/s {:6.4f} pu {}", m.measurement.frequency_hz,
-                         m.measurement.rocof_hz_s, m.measurement.voltage_pu,
-                         validity_text(m.measurement.validity));
-    case UplinkKind::kEvent:
-      return fmt::format("from {:.4f} Hz, {:+.4f} Hz/s", m.event.baseline_hz,
-                         m.event.baseline_rocof_hz_s);
-    case UplinkKind::kLse:
-      return fmt::format("{:.1f} MW", m.lse.loss_mw);
-    case UplinkKind::kEstimate:
-      return fmt::format("{:.1f} ± {:.1f} MW, {}", m.estimate.loss_mw, m.estimate.loss_sigma_mw,
-                         gs::outlet::to_string(m.estimate.trust));
-    case UplinkKind::kDecision:
-      return fmt::format(
-          "{}: {:.1f} ± {:.1f} MW lost, nadir {:.3f} Hz, {:.1f} MW to shed after {:.1f} MW before, "
-          "{} hits, estimate {}",
-          m.decision.shed ? "shed" : "hold", m.decision.loss_mw, m.decision.loss_sigma_mw,
-          m.decision.nadir_hz, m.decision.required_mw, m.decision.shed_before_mw, m.decision.hits,
-          gs::outlet::to_string(m.decision.trust));
-    case UplinkKind::kRelay:
-      return fmt::format("{}, cause {}", position(m.relay.closed),
-                         gs::outlet::to_string(m.relay.cause));
-    case UplinkKind::kAborted:
-      return "the voltage was lost";
-    case UplinkKind::kCommandAnswer:
-      return fmt::format("request {}: relay {}", m.command_answer.request,
-                         position(m.command_answer.closed));
-    case UplinkKind::kStatus:
-      return fmt::format("{} reports, relay {}, {} samples lost, {} messages bad, {} unsent",
-                         m.status.reports, position(m.status.relay_closed), m.status.samples_lost,
-                         m.status.messages_bad, m.status.messages_unsent);
-    case UplinkKind::kSelfTest:
-      return m.self_test.failed == 0
-                 ? fmt::format("passed, fingerprint {:08x}", m.self_test.fingerprint)
-                 : fmt::format("FAILED, parts {:#x}", m.self_test.failed);
-    case UplinkKind::kEcho:
-      return fmt::format("token {}", m.echo.token);
-    case UplinkKind::kError:
-      return fmt::format("{}, {} so far", gs::wire::to_string(m.error.code), m.error.detail);
-  }
-  return {};
-}
-
-// On a terminal a long line is wrapped; otherwise a line holds one message, so that scripts can
-// filter them.
-void print_line(const std::string& line) {
-  constexpr std::size_t kIndent = 33;
-  static const bool terminal = isatty(STDOUT_FILENO) == 1;
-  if (terminal) {
-    print_wrapped(line, kIndent);
-  } else {
-    std::puts(line.c_str());
-  }
-}
-
-void print_message(const std::string& outlet, const Uplink& message) {
-  print_line(fmt::format("{:<20} {:>10}  {:<15} {}", outlet, message.sample,
-                         gs::wire::to_string(message.kind), details(message)));
-}
+using std::chrono::duration;
+using std::chrono::steady_clock;
 
 constexpr auto kPollInterval = std::chrono::milliseconds(20);
+constexpr double kUntilMissing_s = 3.0;  // then an outlet counts as missing
+constexpr auto kForTheReader = std::chrono::seconds(1);
+constexpr const char* kSilent = "does not answer";
+constexpr double kLongest_s = 1e6;
 
 struct MonitorArguments {
   LinkArguments link;
   std::string outlet;
   double seconds = std::numeric_limits<double>::infinity();
+  double wait_s = 30.0;
   bool quiet = false;
+  bool json = false;
 };
 
-bool wanted(const MonitorArguments& arguments, const std::string& id) {
-  return arguments.outlet.empty() || arguments.outlet == id;
+std::string awaited(const MonitorArguments& arguments) {
+  return arguments.outlet.empty() ? "an outlet" : "outlet " + arguments.outlet;
 }
 
-void print_fault(const std::string& id, const std::string& fault) {
-  print_line(fmt::format("{:<20} ! {}", id, fault));
-}
+class Monitor {
+ public:
+  explicit Monitor(const MonitorArguments& arguments)
+      : arguments_(arguments),
+        reached_(reach_outlets(arguments.link, "monitor")),
+        output_(STDOUT_FILENO, arguments.json, arguments.quiet, arguments.outlet) {}
 
-void print(const MonitorArguments& arguments, const link::OutletPresence& outlet) {
-  if (!outlet.fault.empty()) {
-    print_fault(outlet.id, outlet.fault);
-  } else if (wanted(arguments, outlet.id)) {
-    gs::wire::Uplink hello;
-    hello.hello = outlet.hello;
-    print_message(outlet.id, hello);
+  int run(const std::atomic<bool>& interrupted) {
+    require(reached_.link->open());
+    for (const link::OutletPresence& port : reached_.in_use) {
+      output_.show_fault("", port.where, port.fault);
+    }
+    while (!interrupted && output_.error() == 0 && !is_over()) {
+      happenings_.clear();
+      require(reached_.link->poll(happenings_));
+      output_.show(happenings_);
+      output_.flush();
+      if (const auto given_up = waited_in_vain()) {
+        return *given_up;
+      }
+      std::this_thread::sleep_for(kPollInterval);
+    }
+    reached_.link->close();
+    output_.finish(kForTheReader);
+    return exit_code();
   }
-}
 
-void print(const MonitorArguments& arguments, const link::Happenings& happenings) {
-  for (const link::OutletPresence& outlet : happenings.joined) {
-    print(arguments, outlet);
-  }
-  for (const link::Received& received : happenings.messages) {
-    const bool measurement = received.message.kind == gs::wire::UplinkKind::kMeasurement;
-    if (wanted(arguments, received.id) && !(arguments.quiet && measurement)) {
-      print_message(received.id, received.message);
+ private:
+  static void require(const drivers::Status& done) {
+    if (!done.ok()) {
+      throw std::runtime_error(done.error());
     }
   }
-  for (const std::vector<link::Fault>& faults : {happenings.left, happenings.faults}) {
-    for (const link::Fault& fault : faults) {
-      print_fault(fault.id, fault.what);
+
+  // --seconds counts from the first answer.
+  bool is_over() {
+    if (!answered_ && output_.has_answered()) {
+      answered_ = steady_clock::now();
+    }
+    return answered_ &&
+           duration<double>(steady_clock::now() - *answered_).count() >= arguments_.seconds;
+  }
+
+  // The exit code once the wait for the first answer has taken too long.
+  std::optional<int> waited_in_vain() {
+    const double passed_s = duration<double>(steady_clock::now() - started_).count();
+    if (!missing_shown_ && passed_s >= std::min(kUntilMissing_s, arguments_.wait_s)) {
+      missing_shown_ = true;
+      show_missing();
+    }
+    if (output_.has_answered() || passed_s < arguments_.wait_s) {
+      return std::nullopt;
+    }
+    output_.finish(kForTheReader);
+    print_error(
+        fmt::format("{} answered within {:.3g} s",
+                    arguments_.outlet.empty() ? "no outlet" : "no outlet " + arguments_.outlet,
+                    arguments_.wait_s));
+    return kErrored;
+  }
+
+  // Outlets that are named may still join; so may others.
+  void show_missing() {
+    std::map<std::string, std::string> reasons;
+    for (const link::Fault& fault : reached_.link->missing()) {
+      reasons[fault.id] = fault.what;
+    }
+    for (const std::string& port : reached_.ports) {
+      const auto reason = reasons.find(port);
+      if (!reached_.is_search && !output_.knows(port)) {
+        output_.show_fault("", port, reason != reasons.end() ? reason->second : kSilent);
+      }
+      reasons.erase(port);
+    }
+    for (const std::string& id : reached_.ids) {
+      if (!output_.knows(id)) {
+        reasons.emplace(id, kSilent);
+      }
+    }
+    for (const auto& [id, reason] : reasons) {
+      output_.show_fault(id, reached_.broker, reason);
+    }
+    if (!output_.has_answered() && arguments_.wait_s > kUntilMissing_s) {
+      output_.flush();
+      print_error(fmt::format("waiting for {} on {}, {:.3g} s at most; Ctrl-C ends",
+                              awaited(arguments_), reached_.places(), arguments_.wait_s));
     }
   }
-}
+
+  int exit_code() const {
+    // A reader that ends, such as `head`, is a usual way to stop, as Ctrl-C is.
+    if (output_.error() == 0 || output_.error() == EPIPE) {
+      return kPassed;
+    }
+    print_error(
+        fmt::format("standard output cannot be written: {}", std::strerror(output_.error())));
+    return kBadInput;
+  }
+
+  const MonitorArguments& arguments_;
+  ReachableOutlets reached_;
+  MonitorOutput output_;
+  link::Happenings happenings_;
+  const steady_clock::time_point started_ = steady_clock::now();
+  std::optional<steady_clock::time_point> answered_;
+  bool missing_shown_ = false;
+};
 
 int monitor(const MonitorArguments& arguments) {
-  const std::atomic<bool>& interrupted = catch_interrupts();
-  const FoundOutlets found = find_outlets(arguments.link, "monitor");
-  if (std::none_of(found.outlets.begin(), found.outlets.end(), [&](const auto& outlet) {
-        return outlet.fault.empty() && wanted(arguments, outlet.id);
-      })) {
-    throw profile::ConfigurationError(arguments.outlet.empty()
-                                          ? "no outlet answers"
-                                          : "no outlet " + arguments.outlet + " answers");
-  }
-  for (const link::OutletPresence& outlet : found.outlets) {
-    print(arguments, outlet);
-  }
-  std::fflush(stdout);
-  const auto started = std::chrono::steady_clock::now();
-  link::Happenings happenings;
-  while (!interrupted && !std::ferror(stdout) &&
-         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() <
-             arguments.seconds) {
-    happenings.clear();
-    const drivers::Status status = found.link->poll(happenings);
-    if (!status.ok()) {
-      throw std::runtime_error(status.error());
-    }
-    print(arguments, happenings);
-    std::fflush(stdout);
-    std::this_thread::sleep_for(kPollInterval);
-  }
-  // Ctrl-C is the usual way to stop.
-  return kPassed;
+  return Monitor(arguments).run(catch_interrupts());
 }
 
 }  // namespace
@@ -189,22 +159,37 @@ int monitor(const MonitorArguments& arguments) {
 void add_monitor(CommandLine& line) {
   const auto [command, arguments] =
       line.command("monitor", "Print the messages of outlets as they arrive", monitor);
+  constexpr const char* kOnly = "Print only this outlet's messages";
+  CLI::Option* const by_name = command.add_option("ID", arguments.outlet, kOnly)->type_name("ID");
+  command.add_option("--outlet", arguments.outlet, kOnly)->type_name("ID")->excludes(by_name);
   add_link_options(command, arguments.link);
-  command.add_option("--outlet", arguments.outlet, "Print only this outlet's messages")
-      ->type_name("ID");
+  add_with_default(command, "--wait", arguments.wait_s, "S",
+                   "Wait so long for this outlet, or else for the first one, 0.1 to 1000000 s")
+      ->check(number_between(0.1, kLongest_s));
   command
-      .add_option("--seconds", arguments.seconds,
-                  "Stop after S seconds (default: run until Ctrl-C)")
+      .add_option(
+          "--seconds", arguments.seconds,
+          "Stop S seconds after the first answer, 0.001 to 1000000 s (default: run until Ctrl-C)")
       ->type_name("S")
-      ->check(CLI::PositiveNumber);
+      ->check(number_between(0.001, kLongest_s));
   command.add_flag("--quiet", arguments.quiet,
                    "Leave out the measurements, which come every 16 ms");
+  command.add_flag("--json", arguments.json, "Print JSON: one object on each line, at once");
   command.footer(
-      "A serial or TCP port is read by one bench at a time: exit code 4 if another bench uses it.\n"
+      "Outlets that join later are shown, too. If the reader of a pipe or a terminal stops, up to\n"
+      "1 MiB waits for it; what is left out then is counted, and the count is shown.\n"
+      "\n"
+      "--json: each object has an \"event\": \"joined\" and \"message\" with the fields, \"left\" "
+      "and\n"
+      "\"fault\" with the reason, \"left out\" with the number of objects left out.\n"
+      "\n"
+      "Exit code 4 if no outlet answers in time. A serial or TCP port is read by one bench at a\n"
+      "time: exit code 4 if another bench uses it.\n"
       "\n"
       "Examples:\n"
       "  gsbench monitor --port /dev/ttyUSB0\n"
-      "  gsbench monitor --station my-station.toml --outlet kitchen-1 --quiet");
+      "  gsbench monitor kitchen-1 --station my-station.toml --quiet\n"
+      "  gsbench monitor --json | jq 'select(.kind == \"decision\")'");
 }
 
 }  // namespace gsbench::cli

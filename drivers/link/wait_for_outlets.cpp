@@ -90,7 +90,7 @@ class RollCall {
         return !outlet.where.empty() && other.id == outlet.id && other.where != outlet.where;
       });
       if (twin != everyone.end()) {
-        outlet.fault = "has the same id as the outlet on " + twin->where;
+        outlet.fault = same_id_fault(twin->where);
         outlet.id += " on " + outlet.where;
       }
     }

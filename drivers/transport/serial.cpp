@@ -1,8 +1,10 @@
 #include "kinds.hpp"
+#include "port_users.hpp"
 #include <libserialport.h>
 #include <sys/file.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 
 namespace gsbench::transport {
@@ -26,11 +28,12 @@ class Serial final : public Transport {
     const std::filesystem::path device = std::filesystem::canonical(port(), none);
     if (sp_get_port_by_name(none ? port().c_str() : device.c_str(), &port_) != SP_OK) {
       port_ = nullptr;
-      return none ? last_error("cannot be found")
-                  : drivers::Status(failure("cannot be opened", "is not a serial port"));
+      return none ? failure("cannot be found", none.message())
+                  : failure("cannot be opened", "is not a serial port");
     }
     if (sp_open(port_, SP_MODE_READ_WRITE) != SP_OK) {
-      const Error error = last_error("cannot be opened");
+      // A program may have claimed it with TIOCEXCL.
+      const Error error = errno == EBUSY ? in_use(device) : last_error("cannot be opened");
       sp_free_port(port_);
       port_ = nullptr;
       return error;
@@ -84,8 +87,9 @@ class Serial final : public Transport {
       return last_error("has no handle");
     }
     // Locked before any setting is changed: another program may use the port.
+    std::error_code none;
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-      return failure("cannot be opened", "another program has it open");
+      return in_use(std::filesystem::canonical(port(), none));
     }
     if (sp_set_baudrate(port_, baud_) != SP_OK || sp_set_bits(port_, 8) != SP_OK ||
         sp_set_parity(port_, SP_PARITY_NONE) != SP_OK || sp_set_stopbits(port_, 1) != SP_OK ||
@@ -94,6 +98,12 @@ class Serial final : public Transport {
     }
     sp_flush(port_, SP_BUF_BOTH);
     return Done{};
+  }
+
+  Error in_use(const std::filesystem::path& device) const {
+    const std::string user = user_of(device, descriptor_);
+    return failure("cannot be opened",
+                   "another program has it open" + (user.empty() ? "" : ": " + user));
   }
 
   Error last_error(const std::string& doing) const {

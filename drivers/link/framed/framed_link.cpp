@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstring>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -292,7 +293,10 @@ std::vector<Fault> FramedLink::unreachable() {
   std::vector<Fault> faults;
   for (const auto& line : impl_->lines) {
     if (!line->cannot_open.empty()) {
-      faults.push_back({line->port->port(), "cannot be reached: " + line->cannot_open});
+      const std::string& port = line->port->port();
+      // The error begins with the port, as the fault does.
+      faults.push_back({port, "cannot be reached: " +
+                                  line->cannot_open.substr(port.size() + std::strlen(": "))});
     }
   }
   return faults;

@@ -22,6 +22,7 @@ namespace {
 
 constexpr auto kToConnect = std::chrono::seconds(10);
 constexpr auto kToDisconnect = std::chrono::seconds(1);
+constexpr auto kToEndSession = std::chrono::seconds(3);  // Paho connects again after 1.1 s
 constexpr auto kToSubscribe = std::chrono::seconds(5);
 constexpr auto kToFindRoom = std::chrono::milliseconds(500);
 constexpr int kKeepAlive_s = 5;      // a silent broker counts as lost after 1.5 intervals
@@ -101,7 +102,7 @@ BrokerConnection::BrokerConnection(const MqttOptions& options, Arrivals& arrival
 mqtt::connect_options BrokerConnection::connect_options() const {
   mqtt::connect_options asked;
   asked.set_mqtt_version(MQTTVERSION_5);
-  asked.set_clean_start(false);
+  asked.set_clean_start(!options_.keeps_session);
   asked.set_properties(
       {{mqtt::property::SESSION_EXPIRY_INTERVAL, options_.keeps_session ? kKeepSession_s : 0},
        {mqtt::property::RECEIVE_MAXIMUM, kMostInFlight}});
@@ -200,15 +201,25 @@ BrokerConnection::~BrokerConnection() {
   try {
     client_.disable_callbacks();
     if (client_.is_connected()) {
-      client_
-          .disconnect(mqtt::disconnect_options_builder()
-                          .properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, 0}})
-                          .timeout(kToDisconnect)
-                          .finalize())
-          ->wait_for(kToDisconnect);
+      client_.disconnect(kToDisconnect)->wait_for(kToDisconnect);
+      if (options_.keeps_session) {
+        end_session();
+      }
     }
   } catch (const mqtt::exception&) {
     return;  // was not connected
+  }
+}
+
+// Otherwise the broker would store messages for 60 s that nobody wants. A session may also be ended
+// by a property of the disconnection, but Paho 1.2.0 does not send it.
+void BrokerConnection::end_session() {
+  mqtt::connect_options asked = connect_options();
+  asked.set_clean_start(true);
+  asked.set_properties({{mqtt::property::SESSION_EXPIRY_INTERVAL, 0}});
+  asked.set_automatic_reconnect(false);
+  if (client_.connect(asked)->wait_for(kToEndSession)) {
+    client_.disconnect(kToDisconnect)->wait_for(kToDisconnect);
   }
 }
 

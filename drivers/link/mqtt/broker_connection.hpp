@@ -53,6 +53,7 @@ class BrokerConnection final : private mqtt::callback, private mqtt::iaction_lis
   };
 
   mqtt::connect_options connect_options() const;
+  void end_session();
   std::vector<std::string> filters();
   std::string why_not_connected(const std::string& unless_known) const;
 

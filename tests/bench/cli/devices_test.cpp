@@ -1,114 +1,36 @@
-// gsbench devices and gsbench monitor with an emulated outlet, on a serial line or behind a broker.
-#include "gsbench_process.hpp"
-#include <test_support/demand.hpp>
-#include <test_support/mains.hpp>
+// gsbench devices with emulated outlets, on serial lines or behind a broker.
+#include "live_outlets.hpp"
+#include "spoilers.hpp"
 #include <test_support/output_of.hpp>
-#include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
 
-#include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <fstream>
-#include <memory>
-#include <sstream>
-#include <thread>
 
 #include <gmock/gmock.h>
 
-#include <emulation/hardware.hpp>
+#include <emulation/listening.hpp>
 #include <render/layout.hpp>
-#include <station/station_lock.hpp>
 
 namespace gsbench::test {
 namespace {
 
-using emulation::Connection;
 using testing::AllOf;
 using testing::HasSubstr;
 
-// An emulated station with one outlet at nominal voltage and frequency, for the duration of a test.
-class OneOutlet : public testing::Test {
- protected:
-  explicit OneOutlet(Connection connection) : connection_(connection) {}
-  void SetUp() override {
-    emulation::HardwareOptions options;
-    options.outlets = {{"kitchen-1", "host", connection_, 0.0}};
-    options.host_program = GS_OUTLET_PROGRAM;
-    hardware_ = demand(emulation::Hardware::set_up(options));
-    mains_ = std::thread([this] { play(); });
-    if (connection_ == Connection::kSerial) {
-      where_ = hardware_->serial_ports().front();
-      return;
-    }
-    const auto& broker = *hardware_->broker();
-    where_ = broker.url();
-    folder_.write("bench.password", broker.bench().password + "\n");
-    station_ = folder_.write("station.toml",
-                             "title = \"Radio\"\nkind = \"physical\"\n[mqtt]\nurl = \"" + where_ +
-                                 "\"\nca_file = \"" + broker.ca_file() + "\"\nuser = \"" +
-                                 broker.bench().user + "\"\npassword_file = \"bench.password\"\n");
-  }
-  void TearDown() override {
-    over_ = true;
-    if (mains_.joinable()) {
-      mains_.join();
-    }
-    std::filesystem::remove(station::lock_files(where_).front());
-  }
-
-  // The command with the options that reach the outlet.
-  Words to_it(const std::string& command, const Words& more = {}) const {
-    Words words = {command, "--port", where_};
-    if (connection_ == Connection::kMqtt) {
-      words = {command, "--station", station_};
-    }
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-
-  const Connection connection_;
-  const TemporaryFolder folder_;
-  std::unique_ptr<emulation::Hardware> hardware_;
-  std::string where_;  // its port, or the broker's URL
-  std::string station_;
-
- private:
-  void play() try {
-    Mains mains;
-    mains.duration_s = 600.0;
-    start(hardware_->source(), mains);
-    for (std::int64_t tick = 128; !over_; tick += 128) {
-      advance(hardware_->source(), tick);
-    }
-  } catch (const std::exception& error) {
-    ADD_FAILURE() << error.what();
-  }
-
-  std::atomic<bool> over_{false};
-  std::thread mains_;
+struct SerialStation : LiveOutlets {
+  SerialStation() : LiveOutlets(Connection::kSerial) {}
 };
-
-struct SerialStation : OneOutlet {
-  SerialStation() : OneOutlet(Connection::kSerial) {}
+struct MqttStation : LiveOutlets {
+  MqttStation() : LiveOutlets(Connection::kMqtt) {}
 };
-struct MqttStation : OneOutlet {
-  MqttStation() : OneOutlet(Connection::kMqtt) {}
-};
-struct AnyStation : OneOutlet, testing::WithParamInterface<Connection> {
-  AnyStation() : OneOutlet(GetParam()) {}
+struct AnyStation : LiveOutlets, testing::WithParamInterface<Connection> {
+  AnyStation() : LiveOutlets(GetParam()) {}
 };
 INSTANTIATE_TEST_SUITE_P(SerialAndMqtt, AnyStation,
                          testing::Values(Connection::kSerial, Connection::kMqtt));
-
-Words lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  Words lines;
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
 
 TEST_P(AnyStation, IsListedWithTheDataThatItsOutletReports) {
   const json found = run_for_json(to_it("devices", {"--json"}));
@@ -136,35 +58,6 @@ TEST_P(AnyStation, IsListedWithTheDataThatItsOutletReports) {
   }
 }
 
-TEST_P(AnyStation, IsMonitoredForTheGivenTime) {
-  const Outcome outcome = run_gsbench(to_it("monitor", {"--seconds", "1.5"}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const Words lines = lines_of(outcome.out);
-  // A hello, and most of the measurements of every 16 ms, also on a slow machine.
-  ASSERT_GT(lines.size(), 20U);
-  EXPECT_THAT(lines.front(), HasSubstr("hello"));
-  EXPECT_THAT(lines.front(), HasSubstr("8000 Hz samples of 50 Hz mains, no settings"));
-  EXPECT_THAT(lines.back(), testing::StartsWith("kitchen-1"));
-  EXPECT_THAT(outcome.out, HasSubstr("50.0000 Hz"));
-  EXPECT_THAT(outcome.out, HasSubstr("1.0000 pu valid"));
-}
-
-TEST_F(SerialStation, IsMonitoredUntilInterrupted) {
-  const Started started = start_gsbench(to_it("monitor"));
-  EXPECT_TRUE(until([&] { return text_of(started.out).find("pu valid") != std::string::npos; }));
-  const Outcome outcome = stop(started, SIGINT);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-}
-
-TEST_F(SerialStation, IsMonitoredUntilTheReaderOfThePipeEnds) {
-  const std::string command = "timeout 30 " + std::string(GSBENCH_PROGRAM) + " monitor --port " +
-                              where_ + " 2>&1 | head -n 3";
-  const auto began = std::chrono::steady_clock::now();
-  EXPECT_EQ(lines_of(output_of(command).text).size(), 3U);
-  // The shell waits for both processes: without the broken pipe monitor would run for 30 s.
-  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(15));
-}
-
 // To read a port that a run uses would spoil the run.
 TEST_F(SerialStation, IsNotReadWhileAnotherBenchUsesItsPort) {
   const std::string station = folder_.write(
@@ -182,41 +75,11 @@ TEST_F(SerialStation, IsNotReadWhileAnotherBenchUsesItsPort) {
   }
 }
 
-TEST_F(SerialStation, IsInUseWhileItIsMonitored) {
-  const Started started = start_gsbench(to_it("monitor"));
-  EXPECT_TRUE(until([&] { return text_of(started.out).find("pu valid") != std::string::npos; }));
-  const Outcome second = run_gsbench(to_it("devices"));
-  EXPECT_EQ(second.exit_code, 4);
-  EXPECT_THAT(second.err, HasSubstr("(gsbench), command monitor, since 20"));
-  EXPECT_EQ(stop(started, SIGINT).exit_code, 0) << "it was not disturbed";
-  EXPECT_EQ(run_gsbench(to_it("devices")).exit_code, 0);
-}
-
-TEST_F(MqttStation, IsListedWhileItIsMonitored) {
-  const Started started = start_gsbench(to_it("monitor"));
-  EXPECT_TRUE(until([&] { return text_of(started.out).find("pu valid") != std::string::npos; }));
-  EXPECT_EQ(run_gsbench(to_it("devices")).exit_code, 0);
-  EXPECT_EQ(stop(started, SIGINT).exit_code, 0);
-}
-
-TEST_P(AnyStation, HasNoOutletWithAnotherId) {
-  expect_refused(to_it("monitor", {"--outlet", "cellar", "--seconds", "1"}),
-                 "no outlet cellar answers");
-}
-
 TEST_F(SerialStation, ReportsAnOutletThatDoesNotAnswer) {
   hardware_->outlet_process(0).kill();
   const Outcome found = run_gsbench(to_it("devices"));
   EXPECT_EQ(found.exit_code, 4) << found.err;
   EXPECT_THAT(found.out, HasSubstr("! " + where_ + ": does not answer"));
-  expect_refused(to_it("monitor"), "no outlet answers");
-}
-
-TEST_F(MqttStation, RefusesAWrongPassword) {
-  folder_.write("bench.password", "guessed\n");
-  const Outcome outcome = run_gsbench(to_it("monitor", {"--seconds", "1"}));
-  EXPECT_EQ(outcome.exit_code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("refuses the user name"));
 }
 
 TEST_F(MqttStation, ReportsAMissingOutletAndListsTheOther) {
@@ -225,12 +88,118 @@ TEST_F(MqttStation, ReportsAMissingOutletAndListsTheOther) {
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_THAT(outcome.out, testing::ContainsRegex("! cellar at .*: is not on the broker"));
   EXPECT_THAT(outcome.out, HasSubstr("kitchen-1"));
-  expect_refused(to_it("monitor", {"--outlet", "cellar"}), "no outlet cellar answers");
 }
 
-TEST(Devices, AMissingPortIsNamed) {
-  for (const char* command : {"devices", "monitor"}) {
-    expect_refused({command, "--port", "/dev/ttyNowhere7"}, "/dev/ttyNowhere7: No such file");
+TEST_F(MqttStation, TakesAPasswordFileOfAnotherEditor) {
+  folder_.write("bench.password",
+                "\xEF\xBB\xBF" + hardware_->broker()->bench().password + "\r\nsecond line\r\n");
+  EXPECT_EQ(run_gsbench(to_it("devices")).exit_code, 0);
+}
+
+TEST_F(MqttStation, RefusesAWrongPasswordAndAMissingCaFile) {
+  folder_.write("bench.password", "guessed\n");
+  for (const Words& words : {to_it("devices"), to_it("monitor", {"--seconds", "1"})}) {
+    const Outcome outcome = run_gsbench(words);
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_THAT(outcome.err, HasSubstr("refuses the user name"));
+  }
+  std::filesystem::remove(hardware_->broker()->ca_file());
+  expect_refused(to_it("devices"), station_ + ":5:11: ca_file is ");
+  expect_refused(to_it("monitor"), station_ + ":5:11: ca_file is ");
+}
+
+struct TwoOnSerialLines : LiveOutlets {
+  TwoOnSerialLines()
+      : LiveOutlets(Connection::kSerial, {"kitchen-1", "a-name-of-thirty-two-characters1"}) {}
+};
+
+TEST_F(TwoOnSerialLines, ALongIdDoesNotBreakTheTable) {
+  const Outcome table = run_gsbench(to_it("devices"));
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  const Words lines = lines_of(table.out);
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[3], ids_[1]);
+  EXPECT_EQ(lines[2].find("host"), lines[4].find("host"));
+  EXPECT_EQ(lines[2].find("tcp://"), lines[4].find("tcp://"));
+  for (const Words& words : {to_it("devices"), to_it("monitor", {"--seconds", "0.5"})}) {
+    for (const std::string& line : lines_of(run_on_terminal(words))) {
+      EXPECT_LE(render::columns_of(line), render::kLineColumns) << line;
+    }
+  }
+}
+
+TEST_F(TwoOnSerialLines, APortThatCannotBeOpenedIsAtFaultAndTheOthersAreListed) {
+  const auto closed = demand(emulation::LoopbackPort::reserve());
+  const std::string refusing = "tcp://127.0.0.1:" + std::to_string(closed.number());
+  const std::string file = folder_.write("a-file-and-no-port-" + std::string(150, 'x'), "text");
+  const Words more = {"--port", "/dev/ttyNowhere7", "--port", file, "--port", refusing};
+  const Outcome found = run_gsbench(to_it("devices", more));
+  EXPECT_EQ(found.exit_code, 4) << found.err;
+  EXPECT_THAT(found.out, AllOf(HasSubstr("kitchen-1"), HasSubstr("! /dev/ttyNowhere7: "),
+                               HasSubstr("No such file or directory"),
+                               HasSubstr("! " + file + ": "), HasSubstr("is not a serial port"),
+                               HasSubstr("! " + refusing + ": "), HasSubstr("Connection refused")));
+  Words words = to_it("devices", more);
+  words.emplace_back("--json");
+  const json listed = json::parse(run_gsbench(words).out);
+  ASSERT_EQ(listed.size(), 5U);
+  EXPECT_EQ(listed[1]["id"], ids_[1]);
+  EXPECT_EQ(listed[1]["sample_rate_hz"], 8000);
+  for (std::size_t i = 2; i < 5; ++i) {
+    EXPECT_EQ(listed[i].size(), 2U) << listed[i];
+    EXPECT_EQ(listed[i]["where"], more[2 * i - 3]);
+    EXPECT_NE(listed[i]["fault"], "");
+  }
+}
+
+TEST_F(TwoOnSerialLines, APortInUseIsAtFaultAndTheOtherIsListed) {
+  const station::StationLock lock({where_}, "profile paper/loss-500mw");
+  const Outcome found = run_gsbench(to_it("devices"));
+  EXPECT_EQ(found.exit_code, 4) << found.err;
+  EXPECT_THAT(found.out, AllOf(HasSubstr(ids_[1]),
+                               HasSubstr("! " + where_ + ": in use by another bench: user "),
+                               HasSubstr("profile paper/loss-500mw")));
+}
+
+TEST_F(TwoOnSerialLines, TwoNamesOfOnePortAreOnePort) {
+  const std::string other = "tcp://localhost" + where_.substr(where_.rfind(':'));
+  const json found = run_for_json({"devices", "--port", where_, "--port", other, "--json"});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0]["where"], where_);
+}
+
+TEST_F(TwoOnSerialLines, OutletsWithTheSameIdAreReportedAlikeByBothCommands) {
+  hardware_->cable(1).spoil(
+      change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "kitchen-1"); }));
+  const std::string other = hardware_->serial_ports()[1];
+  const Outcome found = run_gsbench(to_it("devices"));
+  EXPECT_EQ(found.exit_code, 4) << found.err;
+  EXPECT_EQ(lines_of(found.out),
+            (Words{"! kitchen-1 at " + where_ + ": has the same id as the outlet on " + other,
+                   "! kitchen-1 at " + other + ": has the same id as the outlet on " + where_}));
+  for (const json& listed : json::parse(run_gsbench(to_it("devices", {"--json"})).out)) {
+    EXPECT_EQ(listed["id"], "kitchen-1");
+    EXPECT_EQ(listed["board"], "host");
+  }
+  const Outcome shown = run_gsbench(to_it("monitor", {"--seconds", "1", "--wait", "5"}));
+  for (const auto& [one, two] : {std::pair(where_, other), {other, where_}}) {
+    EXPECT_THAT(lines_of(shown.out),
+                testing::Contains(AllOf(testing::StartsWith("kitchen-1 at " + one + " ! "),
+                                        HasSubstr("has the same id as the outlet on " + two))));
+  }
+}
+
+TEST(Devices, AMissingPortIsAFaultAndATextThatIsNoPortIsRefused) {
+  for (const Words& words : {Words{"devices"}, Words{"monitor", "--wait", "0.1"}}) {
+    Words missing = words;
+    missing.insert(missing.end(), {"--port", "/dev/ttyNowhere8"});
+    const Outcome outcome = run_gsbench(missing);
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_THAT(outcome.out, HasSubstr("/dev/ttyNowhere8"));
+    EXPECT_THAT(outcome.out, HasSubstr("No such file or directory"));
+    Words none = words;
+    none.insert(none.end(), {"--port", "COM7"});
+    expect_refused(none, "COM7: is neither of the form tcp://host:port nor the path of a device");
   }
 }
 

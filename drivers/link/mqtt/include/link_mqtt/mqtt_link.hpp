@@ -20,8 +20,8 @@ struct MqttOptions {
   std::string user;
   std::string password;
   std::vector<std::string> outlets;  // ids; outlets not in the list are ignored. Empty: all outlets
-  // After a lost connection, the broker stores messages for 60 s. If false, the broker keeps
-  // nothing for a bench that is not connected.
+  // After a lost connection, the broker stores messages for 60 s; close() ends that. If false, the
+  // broker keeps nothing for a bench that is not connected.
   bool keeps_session = true;
 };
 
@@ -44,6 +44,7 @@ class MqttLink final : public Link {
   // A lost broker is a fault of each outlet, once for each loss; the link reconnects by itself.
   [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
   std::vector<Fault> missing() override;
+  // With a kept session, blocks about 1 s, until the broker has ended it; 5 s at most.
   void close() noexcept override;
 
  private:

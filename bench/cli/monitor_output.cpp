@@ -1,0 +1,171 @@
+#include "monitor_output.hpp"
+
+#include "message_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <link/wait_for_outlets.hpp>
+#include <render/layout.hpp>
+
+namespace gsbench::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kFewestIdColumns = 20;
+constexpr std::size_t kFaultIndent = 4;
+constexpr std::size_t kMessageIndent = 13;  // after the id, and the space behind it
+
+}  // namespace
+
+MonitorOutput::MonitorOutput(int descriptor, bool json, bool quiet, std::string only)
+    : json_(json),
+      quiet_(quiet),
+      only_(std::move(only)),
+      output_(descriptor, [this](std::uint64_t lines) { return notice(lines); }),
+      id_columns_(kFewestIdColumns) {}
+
+void MonitorOutput::show(const link::Happenings& happenings) {
+  for (const link::OutletPresence& outlet : happenings.joined) {
+    join(outlet);
+  }
+  for (const link::Received& received : happenings.messages) {
+    const bool measurement = received.message.kind == gs::wire::UplinkKind::kMeasurement;
+    if (wanted(received.id) && !is_twin(received.id) && !(quiet_ && measurement)) {
+      show_message(received);
+    }
+  }
+  for (const link::Fault& left : happenings.left) {
+    known_.erase(std::remove_if(known_.begin(), known_.end(),
+                                [&](const Known& one) { return one.id == left.id; }),
+                 known_.end());
+    show_reason("left", left.id, "", left.what);
+  }
+  for (const link::Fault& fault : happenings.faults) {
+    show_reason("fault", fault.id, "", fault.what);
+  }
+}
+
+void MonitorOutput::show_fault(const std::string& id, const std::string& where,
+                               const std::string& fault) {
+  show_reason("fault", id, where, fault);
+}
+
+bool MonitorOutput::knows(const std::string& name) const {
+  return std::any_of(known_.begin(), known_.end(),
+                     [&](const Known& one) { return one.id == name || one.where == name; });
+}
+
+bool MonitorOutput::is_twin(const std::string& id) const {
+  return std::any_of(known_.begin(), known_.end(),
+                     [&](const Known& one) { return one.is_twin && one.id == id; });
+}
+
+void MonitorOutput::join(const link::OutletPresence& outlet) {
+  const auto same_id = [&](const Known& one) { return one.id == outlet.id; };
+  const auto again = std::find_if(known_.begin(), known_.end(), [&](const Known& one) {
+    return same_id(one) && one.where == outlet.where;
+  });
+  if (again == known_.end()) {
+    known_.push_back({outlet.id, outlet.where, false});
+  }
+  const auto twin = std::find_if(known_.begin(), known_.end(), [&](const Known& one) {
+    return same_id(one) && one.where != outlet.where;
+  });
+  if (twin == known_.end()) {
+    return show_joined(outlet);
+  }
+  const auto show_twin = [&](const std::string& where, const std::string& other) {
+    show_fault(outlet.id, where, link::same_id_fault(other));
+  };
+  if (!twin->is_twin) {
+    show_twin(twin->where, outlet.where);
+  }
+  show_twin(outlet.where, twin->where);
+  for (Known& one : known_) {
+    one.is_twin = one.is_twin || same_id(one);
+  }
+}
+
+void MonitorOutput::show_joined(const link::OutletPresence& outlet) {
+  has_answered_ = has_answered_ || (outlet.fault.empty() && wanted(outlet.id));
+  if (!outlet.fault.empty() && !json_) {
+    return show_fault(outlet.id, outlet.where, outlet.fault);
+  }
+  if (!wanted(outlet.id) && outlet.fault.empty()) {
+    return;
+  }
+  if (json_) {
+    Json object = {{"event", "joined"}};
+    object.update(as_json(outlet, true));
+    return put_json(object);
+  }
+  gs::wire::Uplink hello;
+  hello.hello = outlet.hello;
+  show_message({outlet.id, hello});
+}
+
+void MonitorOutput::show_message(const link::Received& received) {
+  const gs::wire::Uplink& message = received.message;
+  if (!json_) {
+    return put_text(received.id,
+                    fmt::format("{:>10} {:<15} {}", message.sample,
+                                gs::wire::to_string(message.kind), details(message)),
+                    kMessageIndent);
+  }
+  Json object = {{"event", "message"}, {"id", received.id}};
+  if (received.arrival_ns > 0) {
+    const auto arrival =
+        std::chrono::steady_clock::time_point(std::chrono::nanoseconds(received.arrival_ns));
+    object["arrival_s"] =
+        std::round(1e6 * std::chrono::duration<double>(arrival - started_).count()) / 1e6;
+  }
+  object["sample"] = message.sample;
+  object["kind"] = gs::wire::to_string(message.kind);
+  object.update(fields_of(message));
+  put_json(object);
+}
+
+void MonitorOutput::show_reason(const char* event, const std::string& id, const std::string& where,
+                                const std::string& reason) {
+  if (!json_) {
+    return put_text(id.empty() || where.empty() ? id + where : id + " at " + where, "! " + reason,
+                    kFaultIndent);
+  }
+  Json object = {{"event", event}};
+  for (const auto& [key, value] : {std::pair("id", id), std::pair("where", where)}) {
+    if (!value.empty()) {
+      object[key] = value;
+    }
+  }
+  object["fault"] = reason;
+  put_json(object);
+}
+
+// On a terminal a long line is wrapped; otherwise a line holds one message, so that scripts can
+// filter them. The columns grow with the longest id.
+void MonitorOutput::put_text(const std::string& id, const std::string& text, std::size_t indent) {
+  constexpr std::size_t kMostIdColumns = gs::wire::kLongestId;
+  id_columns_ = std::max(id_columns_, std::min(id.size(), kMostIdColumns));
+  const std::string line = fmt::format("{:<{}} {}", id, id_columns_, text);
+  output_.put(output_.writes_to_terminal()
+                  ? render::wrapped(line, render::kLineColumns, indent + id_columns_)
+                  : line);
+}
+
+void MonitorOutput::put_json(const Json& object) {
+  output_.put(object.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string MonitorOutput::notice(std::uint64_t lines) const {
+  return json_ ? Json({{"event", "left out"}, {"count", lines}}).dump()
+               : fmt::format("! {} {} left out here: the output was not read in time", lines,
+                             lines == 1 ? "line was" : "lines were");
+}
+
+}  // namespace gsbench::cli

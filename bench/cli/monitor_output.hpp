@@ -1,0 +1,66 @@
+// What gsbench monitor shows, as text or as JSON lines.
+#pragma once
+
+#include "patient_output.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <link/link.hpp>
+
+namespace gsbench::cli {
+
+class MonitorOutput {
+ public:
+  // `only`: the id of the outlet to show; empty: all. `quiet`: without measurements.
+  MonitorOutput(int descriptor, bool json, bool quiet, std::string only);
+
+  // Two outlets with the same id have the fault that gsbench devices reports, and are not shown
+  // from then on. Does not block.
+  void show(const link::Happenings& happenings);
+  // Of an outlet, or of a place (a port) whose outlet is not known. Empty: not known.
+  void show_fault(const std::string& id, const std::string& where, const std::string& fault);
+
+  // Whether an outlet with this id or at this place has joined.
+  bool knows(const std::string& name) const;
+
+  // True from the first answer of an outlet that is shown and has no fault.
+  bool has_answered() const { return has_answered_; }
+
+  void flush() { output_.flush(); }
+  void finish(std::chrono::milliseconds patience) { output_.finish(patience); }
+  int error() const { return output_.error(); }
+
+ private:
+  struct Known {
+    std::string id;
+    std::string where;
+    bool is_twin = false;  // of another outlet with the same id
+  };
+
+  bool wanted(const std::string& id) const { return only_.empty() || only_ == id; }
+  bool is_twin(const std::string& id) const;
+  void join(const link::OutletPresence& outlet);
+  void show_joined(const link::OutletPresence& outlet);
+  void show_message(const link::Received& received);
+  void show_reason(const char* event, const std::string& id, const std::string& where,
+                   const std::string& reason);
+  void put_text(const std::string& id, const std::string& text, std::size_t indent);
+  void put_json(const nlohmann::ordered_json& object);
+  std::string notice(std::uint64_t lines) const;
+
+  const bool json_;
+  const bool quiet_;
+  const std::string only_;
+  PatientOutput output_;
+  std::vector<Known> known_;
+  std::size_t id_columns_;
+  bool has_answered_ = false;
+  const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace gsbench::cli
