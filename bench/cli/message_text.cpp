@@ -76,7 +76,8 @@ Json status_fields(const gs::wire::Status& status) {
           {"phase", phase_text(status.phase)},
           {"samples_lost", status.samples_lost},
           {"messages_bad", status.messages_bad},
-          {"messages_unsent", status.messages_unsent}};
+          {"messages_unsent", status.messages_unsent},
+          {"messages_dropped", status.messages_dropped}};
 }
 
 Json decision_fields(const gs::wire::DecisionMessage& decision) {
@@ -128,9 +129,10 @@ std::string details(const Uplink& m) {
       return fmt::format("request {}: relay {}", m.command_answer.request,
                          position(m.command_answer.closed));
     case UplinkKind::kStatus:
-      return fmt::format("{} reports, relay {}, {} samples lost, {} messages bad, {} unsent",
-                         m.status.reports, position(m.status.relay_closed), m.status.samples_lost,
-                         m.status.messages_bad, m.status.messages_unsent);
+      return fmt::format(
+          "{} reports, relay {}, {} samples lost, {} messages bad, {} unsent, {} dropped",
+          m.status.reports, position(m.status.relay_closed), m.status.samples_lost,
+          m.status.messages_bad, m.status.messages_unsent, m.status.messages_dropped);
     case UplinkKind::kSelfTest:
       return m.self_test.failed == 0
                  ? fmt::format("passed, fingerprint {:08x}", m.self_test.fingerprint)
@@ -138,7 +140,10 @@ std::string details(const Uplink& m) {
     case UplinkKind::kEcho:
       return fmt::format("token {}", m.echo.token);
     case UplinkKind::kError:
-      return fmt::format("{}, {} so far", gs::wire::to_string(m.error.code), m.error.detail);
+      return m.error.code == gs::wire::ErrorCode::kUnknownSession ||
+                     m.error.code == gs::wire::ErrorCode::kOtherStart
+                 ? fmt::format("{}, number {}", gs::wire::to_string(m.error.code), m.error.detail)
+                 : fmt::format("{}, {} so far", gs::wire::to_string(m.error.code), m.error.detail);
   }
   return {};
 }
@@ -182,7 +187,7 @@ Json fields_of(const Uplink& m) {
     case UplinkKind::kEcho:
       return {{"token", m.echo.token}};
     case UplinkKind::kError:
-      return {{"error", gs::wire::to_string(m.error.code)}, {"count", m.error.detail}};
+      return {{"error", gs::wire::to_string(m.error.code)}, {"detail", m.error.detail}};
   }
   return Json::object();
 }

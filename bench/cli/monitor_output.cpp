@@ -125,6 +125,7 @@ void MonitorOutput::show_message(const link::Received& received) {
     object["arrival_s"] =
         std::round(1e6 * std::chrono::duration<double>(arrival - started_).count()) / 1e6;
   }
+  object["start_number"] = message.start_number;
   object["sample"] = message.sample;
   object["kind"] = gs::wire::to_string(message.kind);
   object.update(fields_of(message));
