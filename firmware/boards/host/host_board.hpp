@@ -22,9 +22,11 @@ class HostBoard final : public superloop::Board {
   // Connects to the doorbell, a socket on which the bench sends a byte after each block of samples.
   // If the connection fails, returns false with the reason in `why`.
   bool start(const std::string& doorbell, std::string& why);
+  // Starts without a bench: this process writes the samples, after each wait().
+  void start_alone();
 
-  // Blocks until samples or bytes arrive, at most a tenth of a second. Returns false if the bench
-  // has closed the doorbell.
+  // Blocks until samples or bytes arrive, at most a tenth of a second; without a bench 4 ms.
+  // Returns false if the bench has closed the doorbell.
   bool wait();
 
   bool send(const std::uint8_t* bytes, std::size_t count) override {
@@ -47,5 +49,10 @@ class HostBoard final : public superloop::Board {
 // Maps a terminals file. If the file cannot be opened or is of another kind, returns null with the
 // reason in `why`.
 shared_memory_io::SharedMemory* map_terminals(const std::string& path, std::string& why);
+
+// Terminals of an outlet without a bench, with its hardware still to be set. With a path, the flash
+// is that of the file, which is made if it does not exist; otherwise it is erased. Null with the
+// reason in `why`.
+shared_memory_io::SharedMemory* own_terminals(const std::string& path, std::string& why);
 
 }  // namespace gs::host

@@ -1,18 +1,20 @@
-// gs-outlet: an outlet as a process, on a line over TCP or a broker.
+// gs-outlet: an outlet as a process, on a serial line, on a line over TCP, or behind a broker; with
+// the bench, or alone with mains of its own.
+#include "arguments.hpp"
 #include "host_board.hpp"
+#include "mains.hpp"
 #include "mqtt_line.hpp"
+#include "serial_line.hpp"
 #include "tcp_line.hpp"
-#include <getopt.h>
 #include <shared_memory_io/shared_flash.hpp>
 
 #include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <superloop/loop.hpp>
 
@@ -25,35 +27,6 @@ namespace settings_storage = gs::settings_storage;
 namespace shared_memory_io = gs::shared_memory_io;
 namespace wire = gs::wire;
 
-constexpr const char* kHelp =
-    "gs-outlet: a Grid Sense outlet as a process of this machine.\n"
-    "\n"
-    "usage: gs-outlet --tcp ADDRESS:PORT | --mqtt URL  --terminals FILE --doorbell SOCKET\n"
-    "\n"
-    "  --tcp ADDRESS:PORT    connect a serial line to this address: 127.0.0.1:5000\n"
-    "  --mqtt URL            connect to this broker: mqtts://host:port, or mqtt://host:port\n"
-    "                        without TLS\n"
-    "    --ca FILE             CA certificate that the broker's certificate is checked against\n"
-    "    --user NAME           user name at the broker; default: the outlet's id\n"
-    "    --password-file FILE  file with the password in its first line\n"
-    "  --terminals FILE      shared memory in place of ADC, relay and flash; made by the bench,\n"
-    "                        with the outlet's id\n"
-    "  --doorbell SOCKET     socket on which the bench signals each block of samples\n"
-    "\n"
-    "It ends when the bench closes the doorbell, or at SIGTERM.\n"
-    "Exit codes: 0 ended; 2 bad usage.\n"
-    "\n"
-    "Example:\n"
-    "  gs-outlet --tcp 127.0.0.1:5000 --terminals shed-1.terminals --doorbell shed-1.doorbell\n";
-
-struct Arguments {
-  std::string tcp;
-  std::string password_file;
-  std::string terminals;
-  std::string doorbell;
-  host::MqttOptions mqtt;
-};
-
 volatile std::sig_atomic_t ended = 0;
 
 int refuse(const std::string& why) {
@@ -61,31 +34,7 @@ int refuse(const std::string& why) {
   return 2;
 }
 
-bool parse(int argc, char** argv, Arguments& arguments) {
-  const std::pair<const char*, std::string*> places[] = {
-      {"tcp", &arguments.tcp},
-      {"mqtt", &arguments.mqtt.url},
-      {"ca", &arguments.mqtt.ca_file},
-      {"user", &arguments.mqtt.user},
-      {"password-file", &arguments.password_file},
-      {"terminals", &arguments.terminals},
-      {"doorbell", &arguments.doorbell}};
-  std::vector<option> options;
-  for (const auto& [name, place] : places) {
-    options.push_back({name, required_argument, nullptr, 0});
-  }
-  options.push_back({});
-  int at = 0;
-  for (int given = 0; (given = getopt_long(argc, argv, "", options.data(), &at)) != -1;) {
-    if (given == '?') {
-      return false;
-    }
-    *places[at].second = optarg;
-  }
-  return optind == argc;
-}
-
-superloop::StartUp start_up(const shared_memory_io::SharedMemory& terminals) {
+superloop::StartUp start_up(const shared_memory_io::SharedMemory& terminals, bool keeps_settings) {
   superloop::StartUp start_up;
   start_up.hardware = {terminals.sample_rate_hz, terminals.nominal_hz, terminals.counts_per_pu,
                        terminals.crystal_fails == 0};
@@ -93,17 +42,29 @@ superloop::StartUp start_up(const shared_memory_io::SharedMemory& terminals) {
   app::set_text(start_up.identity.board, "host");
   start_up.identity.instance = terminals.instance;
   start_up.identity.build = GSBENCH_FIRMWARE_BUILD;
-  start_up.identity.capabilities = wire::kKeepsSettings;
+  start_up.identity.capabilities = keeps_settings ? std::uint32_t{wire::kKeepsSettings} : 0U;
   start_up.identity.start_number = std::random_device()();
   return start_up;
 }
 
-std::unique_ptr<host::Line> make_line(Arguments& arguments,
+template <class Opened>
+std::unique_ptr<host::Line> open(const std::string& place, std::string& why) {
+  auto line = std::make_unique<Opened>(place);
+  return line->open(why) ? std::move(line) : nullptr;
+}
+
+std::unique_ptr<host::Line> make_line(host::Arguments& arguments,
                                       const shared_memory_io::SharedMemory& terminals,
                                       std::string& why) {
   if (!arguments.tcp.empty()) {
-    auto line = std::make_unique<host::TcpLine>(arguments.tcp);
-    return line->open(why) ? std::move(line) : nullptr;
+    return open<host::TcpLine>(arguments.tcp, why);
+  }
+  if (!arguments.serial.empty()) {
+    return open<host::SerialLine>(arguments.serial, why);
+  }
+  if (!arguments.listen.empty()) {
+    auto line = std::make_unique<host::ListeningLine>(arguments.listen);
+    return line->listen(why) ? std::move(line) : nullptr;
   }
   arguments.mqtt.id = terminals.id;
   arguments.mqtt.instance = terminals.instance;
@@ -119,44 +80,85 @@ std::unique_ptr<host::Line> make_line(Arguments& arguments,
   return line->start(arguments.mqtt, why) ? std::move(line) : nullptr;
 }
 
+shared_memory_io::SharedMemory* make_terminals(const host::Arguments& arguments, std::string& why) {
+  if (!arguments.alone()) {
+    return host::map_terminals(arguments.terminals, why);
+  }
+  shared_memory_io::SharedMemory* const terminals = host::own_terminals(arguments.flash, why);
+  if (terminals != nullptr) {
+    terminals->sample_rate_hz = arguments.sample_rate_hz;
+    terminals->nominal_hz = arguments.nominal_hz;
+    terminals->counts_per_pu = 32767.0F / 1.5F;  // full scale: 1.5 times the nominal amplitude
+    terminals->instance = arguments.instance;
+    app::set_text(terminals->id, arguments.id.c_str());
+  }
+  return terminals;
+}
+
+// No value: the reason is in `why`.
+std::optional<host::Curve> make_curve(const host::Arguments& arguments, std::string& why) {
+  host::Curve curve;
+  if (!arguments.signal.empty() &&
+      !host::read_curve(arguments.signal, arguments.nominal_hz, curve, why)) {
+    return std::nullopt;
+  }
+  if (arguments.loss_mw != 0.0) {
+    curve = host::loss_curve(arguments.nominal_hz, arguments.loss_mw, arguments.loss_at_s);
+  }
+  return curve;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::string(argv[1]) == "--help") {
-    std::fputs(kHelp, stdout);
+    std::fputs(host::kHelp, stdout);
     return 0;
   }
-  Arguments arguments;
-  if (!parse(argc, argv, arguments)) {
-    return refuse("invalid arguments");
-  }
-  if (arguments.tcp.empty() == arguments.mqtt.url.empty()) {
-    return refuse("exactly one of --tcp and --mqtt is required");
-  }
+  host::Arguments arguments;
   std::string why;
-  shared_memory_io::SharedMemory* terminals = host::map_terminals(arguments.terminals, why);
+  if (!host::parse(argc, argv, arguments, why)) {
+    return refuse(why);
+  }
+  std::optional<host::Curve> curve = make_curve(arguments, why);
+  shared_memory_io::SharedMemory* const terminals =
+      curve ? make_terminals(arguments, why) : nullptr;
   if (terminals == nullptr) {
     return refuse(why);
   }
+  // A broken connection shows as an error of a write.
+  std::signal(SIGPIPE, SIG_IGN);
   const std::unique_ptr<host::Line> line = make_line(arguments, *terminals, why);
   if (line == nullptr) {
     return refuse(why);
   }
-  std::signal(SIGTERM, [](int) { ended = 1; });
+  for (const int signal : {SIGTERM, SIGINT}) {
+    std::signal(signal, [](int) { ended = 1; });
+  }
   host::HostBoard board(*terminals, *line);
-  if (!board.start(arguments.doorbell, why)) {
+  if (arguments.alone()) {
+    board.start_alone();
+  } else if (!board.start(arguments.doorbell, why)) {
     return refuse(why);
   }
   shared_memory_io::SharedFlash flash(*terminals);
   settings_storage::FlashSettingsStorage storage(flash);
   superloop::Loop loop(board, storage);
-  if (!loop.start(start_up(*terminals))) {
+  const bool keeps_settings = !arguments.alone() || !arguments.flash.empty();
+  if (!loop.start(start_up(*terminals, keeps_settings))) {
     return refuse("the firmware does not support the hardware in the terminals file: " +
                   std::to_string(terminals->sample_rate_hz) + " Hz sample rate, " +
                   std::to_string(terminals->nominal_hz) + " Hz nominal, " +
                   std::to_string(terminals->counts_per_pu) + " counts per unit");
   }
+  std::optional<host::Mains> mains;
+  if (arguments.alone()) {
+    mains.emplace(*terminals, *std::move(curve));
+  }
   while (ended == 0 && board.wait()) {
+    if (mains) {
+      mains->write_due();
+    }
     if (line->take_reconnected()) {
       loop.send_hello();
     }

@@ -8,95 +8,86 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
+#include <charconv>
 #include <cstring>
 
 namespace gs::host {
+namespace {
 
-bool TcpLine::open(std::string& why) {
-  constexpr auto kBetweenConnections = std::chrono::milliseconds(250);
-  close();
-  next_attempt_ = std::chrono::steady_clock::now() + kBetweenConnections;
-  sockaddr_in to{};
+bool parse(const std::string& address, sockaddr_in& to, std::string& why) {
+  to = {};
   to.sin_family = AF_INET;
-  const std::size_t colon = address_.find(':');
-  const unsigned long port =
-      colon == std::string::npos ? 0 : std::strtoul(address_.c_str() + colon + 1, nullptr, 10);
-  if (port == 0 || port > 65535 ||
-      inet_pton(AF_INET, address_.substr(0, colon).c_str(), &to.sin_addr) != 1) {
-    why = "\"" + address_ + "\" is not ADDRESS:PORT, for instance 127.0.0.1:5000";
+  const std::size_t colon = address.find(':');
+  std::uint16_t port = 0;
+  const char* const end = address.data() + address.size();
+  const char* const digits = colon == std::string::npos ? end : address.data() + colon + 1;
+  const auto read = std::from_chars(digits, end, port);
+  if (read.ec != std::errc() || read.ptr != end || port == 0 ||
+      inet_pton(AF_INET, address.substr(0, colon).c_str(), &to.sin_addr) != 1) {
+    why = "\"" + address + "\" is not ADDRESS:PORT, for instance 127.0.0.1:5000";
     return false;
   }
-  to.sin_port = htons(static_cast<std::uint16_t>(port));
-  descriptor_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  to.sin_port = htons(port);
+  return true;
+}
+
+bool send_at_once(int socket) {
   const int yes = 1;
-  if (descriptor_ < 0 ||
-      ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0 ||
-      fcntl(descriptor_, F_SETFL, O_NONBLOCK) != 0 ||
-      setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes) != 0) {
-    why = address_ + ": " + std::strerror(errno);
-    close();
+  return fcntl(socket, F_SETFL, O_NONBLOCK) == 0 &&
+         setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes) == 0;
+}
+
+int failed(int socket, const std::string& address, std::string& why) {
+  why = address + ": " + std::strerror(errno);
+  if (socket >= 0) {
+    ::close(socket);
+  }
+  return -1;
+}
+
+}  // namespace
+
+int TcpLine::connect(std::string& why) {
+  sockaddr_in to{};
+  if (!parse(address_, to, why)) {
+    return -1;
+  }
+  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (socket < 0 || ::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0 ||
+      !send_at_once(socket)) {
+    return failed(socket, address_, why);
+  }
+  return socket;
+}
+
+ListeningLine::~ListeningLine() {
+  if (listener_ >= 0) {
+    ::close(listener_);
+  }
+}
+
+bool ListeningLine::listen(std::string& why) {
+  sockaddr_in at{};
+  if (!parse(address_, at, why)) {
     return false;
   }
+  const int yes = 1;
+  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (socket < 0 || setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
+      bind(socket, reinterpret_cast<const sockaddr*>(&at), sizeof at) != 0 ||
+      ::listen(socket, 1) != 0) {
+    return failed(socket, address_, why) >= 0;
+  }
+  listener_ = socket;
   return true;
 }
 
-void TcpLine::close() {
-  if (descriptor_ >= 0) {
-    ::close(descriptor_);
-    descriptor_ = -1;
+int ListeningLine::connect(std::string& why) {
+  const int socket = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+  if (socket < 0 || !send_at_once(socket)) {
+    return failed(socket, address_, why);
   }
-  to_send_.clear();
-}
-
-bool TcpLine::send(const std::uint8_t* bytes, std::size_t count) {
-  constexpr std::size_t kMostWaitingBytes = 8192;
-  if (descriptor_ < 0 || to_send_.size() + count > kMostWaitingBytes) {
-    return false;
-  }
-  to_send_.insert(to_send_.end(), bytes, bytes + count);
-  transmit();
-  return true;
-}
-
-void TcpLine::serve() {
-  if (descriptor_ < 0) {
-    std::string why;
-    if (std::chrono::steady_clock::now() < next_attempt_ || !open(why)) {
-      return;
-    }
-  }
-  receive();
-  transmit();
-}
-
-void TcpLine::receive() {
-  std::uint8_t bytes[1024];
-  while (descriptor_ >= 0) {
-    const ssize_t got = ::recv(descriptor_, bytes, sizeof bytes, 0);
-    if (got > 0) {
-      received_.insert(received_.end(), bytes, bytes + got);
-      continue;
-    }
-    // 0: the other side closed the connection. EAGAIN: no bytes are available.
-    if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
-      close();
-    }
-    return;
-  }
-}
-
-void TcpLine::transmit() {
-  while (descriptor_ >= 0 && !to_send_.empty()) {
-    const ssize_t put = ::send(descriptor_, to_send_.data(), to_send_.size(), MSG_NOSIGNAL);
-    if (put <= 0) {
-      if (put < 0 && errno != EAGAIN && errno != EINTR) {
-        close();
-      }
-      return;
-    }
-    to_send_.erase(to_send_.begin(), to_send_.begin() + put);
-  }
+  return socket;
 }
 
 }  // namespace gs::host

@@ -7,8 +7,9 @@ Loop::Loop(Board& board, settings_storage::FlashSettingsStorage& storage)
 
 bool Loop::start(const StartUp& start_up) {
   outlet::Settings kept;
-  const bool has_kept = storage_.load(kept);
-  if (!app_.start(start_up.hardware, start_up.identity, &storage_, endpoint_,
+  const bool keeps = (start_up.identity.capabilities & wire::kKeepsSettings) != 0;
+  const bool has_kept = keeps && storage_.load(kept);
+  if (!app_.start(start_up.hardware, start_up.identity, keeps ? &storage_ : nullptr, endpoint_,
                   has_kept ? &kept : nullptr)) {
     return false;
   }

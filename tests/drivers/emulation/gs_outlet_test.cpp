@@ -52,14 +52,15 @@ class GsOutlet : public testing::Test {
 TEST_F(GsOutlet, PrintsHelp) {
   const Output output = run("--help");
   EXPECT_EQ(output.exit_code, 0);
-  for (const char* option : {"--tcp", "--mqtt", "--ca", "--user", "--password-file", "--terminals",
-                             "--doorbell", "Example:"}) {
+  for (const char* option :
+       {"--tcp", "--mqtt", "--ca", "--user", "--password-file", "--terminals", "--doorbell",
+        "--serial", "--listen", "--id", "--signal", "--loss", "--flash", "Examples:"}) {
     EXPECT_THAT(output.text, HasSubstr(option));
   }
 }
 
 TEST_F(GsOutlet, RefusesUnknownArguments) {
-  for (const std::string wrong : {"--nonsense", "--tcp", "something"}) {
+  for (const std::string wrong : {"--nonsense", "--tcp", "--mqtt mqtt://a:1 something"}) {
     const Output output = run(wrong);
     EXPECT_EQ(output.exit_code, 2) << wrong;
     EXPECT_THAT(output.text,
@@ -68,9 +69,9 @@ TEST_F(GsOutlet, RefusesUnknownArguments) {
 }
 
 TEST_F(GsOutlet, RequiresExactlyOneConnection) {
-  expect_refused(at_terminals(), "exactly one of --tcp and --mqtt is required");
+  expect_refused(at_terminals(), "exactly one of --serial, --listen, --tcp and --mqtt is required");
   expect_refused("--tcp 127.0.0.1:1 --mqtt mqtt://127.0.0.1:1" + at_terminals(),
-                 "exactly one of --tcp and --mqtt is required");
+                 "exactly one of --serial, --listen, --tcp and --mqtt is required");
 }
 
 TEST_F(GsOutlet, RefusesInvalidConnections) {
@@ -110,6 +111,47 @@ TEST_F(GsOutlet, RefusesUnsupportedSampleRates) {
   expect_refused(line() + at_terminals(),
                  "the firmware does not support the hardware in the terminals file: 100 Hz sample "
                  "rate, 50 Hz nominal");
+}
+
+TEST_F(GsOutlet, RefusesWhatDoesNotFitWithoutTheBench) {
+  const std::string alone = "--listen 127.0.0.1:1 ";
+  expect_refused(alone, "--id is required without --terminals");
+  for (const std::string wrong : {"'$x'", "''", "a/b", std::string(33, 'x').c_str()}) {
+    const Output output = run(alone + "--id " + wrong);
+    EXPECT_EQ(output.exit_code, 2) << wrong;
+  }
+  const std::string named = alone + "--id a ";
+  expect_refused(named + "--doorbell bell", "--doorbell needs --terminals");
+  expect_refused(named + "--nominal 55", "--nominal must be 50 or 60");
+  expect_refused(named + "--nominal 49", "--nominal is \"49\"; it must be a number from 50 to 60");
+  expect_refused(named + "--sample-rate 8500", "--sample-rate must be a multiple of 1000");
+  expect_refused(named + "--loss lots", "--loss is \"lots\"; it must be a number");
+  expect_refused(named + "--loss-at 3", "--loss-at needs --loss");
+  expect_refused(named + "--loss 3 --signal f", "give --signal or --loss, not both");
+  expect_refused(line() + at_terminals() + " --id a", "--terminals has the outlet's id");
+  const std::string other = folder_.write("other", "something else");
+  expect_refused(named + "--flash " + other, other + ": not the flash of an outlet");
+  expect_refused("--serial /nowhere/tty --id a", "/nowhere/tty: No such file or directory");
+  expect_refused("--serial " + other + " --id a", other + ": Inappropriate ioctl for device");
+}
+
+TEST_F(GsOutlet, RefusesASignalFileWithThePlace) {
+  const std::string path = folder_.file("signal.csv");
+  const auto expect = [&](const std::string& text, const std::string& why) {
+    folder_.write("signal.csv", text);
+    expect_refused("--listen 127.0.0.1:1 --id a --signal " + path, path + ":" + why);
+  };
+  expect("", "1:1: needs a header and at least two rows");
+  expect("t_s,frequency_hz\n0,50\n", "2:1: needs a header and at least two rows");
+  expect("time,frequency_hz\n0,50\n",
+         "1:1: the header must name a column t_s and a column frequency_hz or voltage_pu");
+  expect("t_s,frequency_hz\n0,50\n1,fifty\n", "3:3: \"fifty\" is not a number");
+  expect("t_s,frequency_hz\n0,50\n1\n", "3:1: the row has too few cells");
+  expect("t_s,frequency_hz\n0,nan\n", "2:3: \"nan\" is not a number");
+  expect("t_s,frequency_hz\n0,50\n0,50\n", "3:1: the time must be later than in the row before");
+  expect("t_s,frequency_hz\n0,4\n", "2:3: \"4\" is outside of 25.000000 … 75.000000 Hz");
+  expect("t_s,voltage_pu\n0,325\n", "2:3: \"325\" is outside of -1.500000 … 1.500000 p.u.");
+  expect_refused("--listen 127.0.0.1:1 --id a --signal /nowhere/s", "/nowhere/s: cannot be read");
 }
 
 TEST_F(GsOutlet, EndsOnSigterm) {

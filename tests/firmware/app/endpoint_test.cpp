@@ -1,48 +1,10 @@
 // The outlet's end of a link, over a carrier of whole messages and over one of bytes.
-#include <firmware_test/settings.hpp>
-#include <wire_test/downlinks.hpp>
-#include <wire_test/messages.hpp>
+#include "endpoint_fixture.hpp"
 
-#include <vector>
-
-#include <gtest/gtest.h>
-
-#include <app/endpoint.hpp>
 #include <app/self_test.hpp>
 
 namespace gs::app {
 namespace {
-
-using wire::DownlinkKind;
-using wire::ErrorCode;
-using wire::Uplink;
-using wire::UplinkKind;
-using wire::test::Bytes;
-using wire::test::downlink;
-using wire::test::encoded;
-using wire::test::framed;
-using wire::test::ping;
-
-// A carrier of whole messages, which decodes them like the other side.
-class Listener final : public Carrier {
- public:
-  bool send(const std::uint8_t* bytes, std::size_t size) override {
-    if (refuses) {
-      return false;
-    }
-    Uplink message;
-    std::uint32_t sequence = 0;
-    EXPECT_EQ(wire::decode(bytes, size, message, sequence), wire::Decoded::kOk);
-    received.push_back(message);
-    numbers.push_back(sequence);
-    return true;
-  }
-  const Uplink& last() const { return received.back(); }
-
-  bool refuses = false;
-  std::vector<Uplink> received;
-  std::vector<std::uint32_t> numbers;
-};
 
 // A carrier of bytes, which finds the frames in them.
 class Line final : public Carrier {
@@ -59,68 +21,6 @@ class Line final : public Carrier {
 
  private:
   wire::FrameReader reader_;
-};
-
-class FakeStorage final : public SettingsStorage {
- public:
-  bool keep(const outlet::Settings& settings) override {
-    if (!keeps) {
-      return false;
-    }
-    kept.push_back(settings);
-    return true;
-  }
-  bool usable() const override { return works; }
-
-  bool keeps = true;
-  bool works = true;
-  std::vector<outlet::Settings> kept;
-};
-
-wire::Downlink settings_message(std::uint32_t version) {
-  outlet::Settings settings = test::ieee24_settings();
-  settings.version = version;
-  return wire::test::settings_message(settings);
-}
-
-class EndpointTest : public testing::Test {
- protected:
-  // Begins the session, whose next number is 0. The hello that was sent unasked stays.
-  void SetUp() override {
-    start(&storage_);
-    send(downlink(DownlinkKind::kIdentify), 0xFFFFFFFFU);
-    ASSERT_EQ(listener_.received.size(), 2U);
-    listener_.received.pop_back();
-    listener_.numbers.pop_back();
-  }
-  void start(SettingsStorage* storage) {
-    ASSERT_TRUE(app_.start(outlet::Hardware{}, identity_, storage, endpoint_));
-  }
-  void send(const wire::Downlink& downlink, std::uint32_t sequence) {
-    send(encoded(downlink, sequence));
-  }
-  void send(const Bytes& bytes) { endpoint_.receive(bytes.data(), bytes.size()); }
-  void feed(std::size_t samples) {
-    const std::vector<std::int16_t> silence(samples);
-    app_.feed(silence.data(), silence.size(), endpoint_);
-  }
-  wire::Status status(std::uint32_t sequence) {
-    send(downlink(DownlinkKind::kAskStatus), sequence);
-    EXPECT_EQ(listener_.last().kind, UplinkKind::kStatus);
-    return listener_.last().status;
-  }
-
-  static Identity test_identity() {
-    Identity identity;
-    set_text(identity.id, "outlet-7");
-    return identity;
-  }
-
-  Identity identity_ = test_identity();
-  Application app_;
-  FakeStorage storage_;
-  Listener listener_;
-  MessageEndpoint endpoint_{app_, listener_};
 };
 
 TEST_F(EndpointTest, NumbersItsMessagesFromZero) {
@@ -168,119 +68,6 @@ TEST_F(EndpointTest, DropsDuplicatesWithoutAnAnswer) {
   const wire::Status reported = status(101);
   EXPECT_EQ(reported.messages_bad, 0U);
   EXPECT_EQ(reported.messages_dropped, 2U);
-}
-
-// ---- sessions
-
-TEST_F(EndpointTest, ARepeatedIdentifyIsADuplicateAndWhatFollowsItIsNotObeyedAgain) {
-  send(wire::test::command(false, 1), 0);
-  send(wire::test::command(true, 2), 1);
-  ASSERT_TRUE(app_.relay_closed());
-  const std::size_t before = listener_.received.size();
-  send(downlink(DownlinkKind::kIdentify), 0xFFFFFFFFU);
-  send(wire::test::command(false, 1), 0);
-  send(wire::test::command(true, 2), 1);
-  EXPECT_EQ(listener_.received.size(), before);
-  EXPECT_EQ(status(2).messages_dropped, 3U);
-}
-
-TEST_F(EndpointTest, AMessageOfAnUnknownSessionIsRefusedUntilIdentifyBeginsIt) {
-  wire::Downlink other = ping(5);
-  other.session = 1234;
-  send(other, 7);
-  ASSERT_EQ(listener_.last().kind, UplinkKind::kError);
-  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownSession);
-  EXPECT_EQ(listener_.last().error.detail, 1234U);
-  wire::Downlink identify = wire::identify();
-  identify.session = 1234;
-  send(identify, 7);
-  EXPECT_EQ(listener_.last().hello.session, 1234U);
-  send(other, 7);
-  EXPECT_EQ(listener_.last().kind, UplinkKind::kHello) << "a duplicate";
-  send(other, 8);
-  EXPECT_EQ(listener_.last().echo.token, 5U);
-  const wire::Status reported = status(0);
-  EXPECT_EQ(reported.messages_dropped, 2U);
-  EXPECT_EQ(reported.messages_bad, 0U);
-}
-
-TEST_F(EndpointTest, SessionsHaveNumbersAndRequestsOfTheirOwn) {
-  send(wire::test::command(false, 5), 0);
-  wire::Downlink other = wire::identify();
-  other.session = 1234;
-  send(other, 0);
-  other = wire::test::command(true, 1);
-  other.session = 1234;
-  send(other, 1);
-  EXPECT_EQ(listener_.received[listener_.received.size() - 2].command_answer.session, 1234U);
-  EXPECT_TRUE(app_.relay_closed());
-  send(wire::test::command(false, 6), 1);
-  EXPECT_FALSE(app_.relay_closed());
-}
-
-TEST_F(EndpointTest, AFifthSessionReplacesTheOneUsedLongestAgo) {
-  const auto identify = [this](std::uint32_t session) {
-    wire::Downlink message = wire::identify();
-    message.session = session;
-    send(message, 0);
-  };
-  for (const std::uint32_t session : {101U, 102U, 103U}) {
-    identify(session);
-  }
-  send(ping(1), 0);  // the fixture's session is now used last
-  identify(104);
-  send(ping(2), 1);
-  EXPECT_EQ(listener_.last().echo.token, 2U);
-  wire::Downlink late = ping(3);
-  late.session = 101;
-  send(late, 1);
-  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownSession);
-  late.session = 102;
-  send(late, 1);
-  EXPECT_EQ(listener_.last().echo.token, 3U);
-}
-
-TEST_F(EndpointTest, AMessageOfAnUnknownKindUsesUpItsNumber) {
-  const Bytes unknown = {0x83, 0x18, 0x63, 0x00, 0x18, wire::test::kSession};
-  send(unknown);
-  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownKind);
-  const std::size_t before = listener_.received.size();
-  send(unknown);
-  send(ping(1), 0);
-  EXPECT_EQ(listener_.received.size(), before) << "duplicates";
-  Bytes of_another = unknown;
-  of_another.back() = wire::test::kSession + 1;
-  send(of_another);
-  EXPECT_EQ(listener_.last().error.code, ErrorCode::kUnknownSession);
-}
-
-// ---- commands
-
-TEST_F(EndpointTest, ARepeatedRequestIsAnsweredButNotObeyedAgain) {
-  send(wire::test::command(false, 3), 0);
-  send(wire::test::command(true, 4), 1);
-  std::uint32_t sequence = 2;
-  for (const std::uint32_t request : {3U, 4U, 1U}) {
-    const std::size_t before = listener_.received.size();
-    send(wire::test::command(false, request), sequence++);
-    ASSERT_EQ(listener_.received.size(), before + 1) << "an answer, and no relay message";
-    EXPECT_EQ(listener_.last().command_answer.request, request);
-    EXPECT_TRUE(listener_.last().command_answer.closed);
-  }
-  EXPECT_EQ(status(100).messages_dropped, 0U);
-}
-
-TEST_F(EndpointTest, ACommandForAnotherStartIsRefused) {
-  wire::Downlink command = wire::test::command(false, 8);
-  command.start_number = app_.start_number() + 1;
-  send(command, 0);
-  EXPECT_TRUE(app_.relay_closed());
-  EXPECT_EQ(listener_.last().error.code, ErrorCode::kOtherStart);
-  EXPECT_EQ(listener_.last().error.detail, 8U);
-  command.start_number = app_.start_number();
-  send(command, 1);
-  EXPECT_FALSE(app_.relay_closed()) << "the refused request was not used up";
-  EXPECT_EQ(status(2).messages_dropped, 1U);
 }
 
 TEST_F(EndpointTest, ReportsMessagesThatItCannotDecode) {

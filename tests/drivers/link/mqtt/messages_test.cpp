@@ -43,6 +43,56 @@ TEST_F(Broker, ARestartOnTheSameConnectionIsReported) {
   EXPECT_THAT(faults(kA), ElementsAre("restarted after its sample 1280"));
 }
 
+// As a broker or a reconnecting centre may do with messages of QoS 1.
+TEST_F(Broker, MessagesThatArriveAgainHaveNoEffect) {
+  MqttOutlet a(broker_, "a");
+  open({"a"});
+  for (const bool close : {false, true}) {
+    send(kA, command(close));
+  }
+  ASSERT_TRUE(answers(kA));
+  a.receive_all_again();
+  ASSERT_TRUE(answers(kA, 2));
+  EXPECT_EQ(messages(kA, UplinkKind::kRelay).size(), 2U);
+  EXPECT_EQ(messages(kA, UplinkKind::kCommandAnswer).size(), 2U);
+  EXPECT_TRUE(a.relay_closed());
+  EXPECT_THAT(faults_, IsEmpty());
+}
+
+// The same to an outlet that has restarted: its relay is closed, and stays so.
+TEST_F(Broker, CommandsToAnEarlierStartHaveNoEffect) {
+  MqttOutlet a(broker_, "a");
+  open({"a"});
+  send(kA, command(false));
+  ASSERT_TRUE(answers(kA));
+  ASSERT_FALSE(a.relay_closed());
+  a.restart();
+  a.receive_all_again();
+  ASSERT_TRUE(answers(kA, 2));
+  EXPECT_TRUE(a.relay_closed());
+  send(kA, command(false));
+  ASSERT_TRUE(answers(kA, 3));
+  EXPECT_FALSE(a.relay_closed());
+}
+
+TEST_F(Broker, TwoCentresServeOneOutlet) {
+  MqttOutlet a(broker_, "a");
+  open({"a"});
+  for (std::uint32_t token = 1; token <= 5; ++token) {
+    ASSERT_TRUE(answers(kA, token));
+  }
+  std::shared_ptr<link::Link> other = link_;
+  open({"a"});
+  send(kA, command(false, 1));
+  ASSERT_TRUE(answers(kA, 6));
+  EXPECT_FALSE(a.relay_closed());
+  std::swap(link_, other);
+  send(kA, command(true, 1));
+  ASSERT_TRUE(answers(kA, 7));
+  EXPECT_TRUE(a.relay_closed()) << "the request of another session";
+  EXPECT_THAT(faults_, IsEmpty());
+}
+
 TEST_F(Broker, ALaterOutletWithTheSameIdIsAFault) {
   MqttOutlet one(broker_, "a", 1);
   open({"a"});

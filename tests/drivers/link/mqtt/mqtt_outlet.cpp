@@ -60,6 +60,14 @@ void MqttOutlet::serve() {
   std::vector<std::uint8_t> message;
   while (carrier_.take(message)) {
     endpoint_->receive(message.data(), message.size());
+    received_.push_back(message);
+  }
+}
+
+void MqttOutlet::receive_all_again() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::vector<std::uint8_t>& message : received_) {
+    endpoint_->receive(message.data(), message.size());
   }
 }
 

@@ -29,6 +29,7 @@ class MqttOutlet {
   void report_status();                  // after one sample, so that statuses differ
   void stop_answering();                 // stays connected but is silent
   void restart();                        // on the same connection
+  void receive_all_again();              // everything that it has received
   bool relay_closed();
   bool connected();
 
@@ -41,6 +42,7 @@ class MqttOutlet {
   gs::app::Application app_;
   std::optional<gs::app::MessageEndpoint> endpoint_;
   std::mutex mutex_;
+  std::vector<std::vector<std::uint8_t>> received_;
   std::uint64_t taken_ = 0;
   std::atomic<bool> ending_{false};
   std::thread thread_;

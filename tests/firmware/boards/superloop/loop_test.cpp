@@ -94,6 +94,7 @@ class LoopTest : public testing::Test {
   bool start(bool clock_failed = false, bool reset_by_watchdog = false) {
     StartUp start_up;
     app::set_text(start_up.identity.id, "outlet-7");
+    start_up.identity.capabilities = keeps_settings_ ? wire::kKeepsSettings : 0U;
     start_up.hardware.has_crystal = !clock_failed;
     start_up.reset_by_watchdog = reset_by_watchdog;
     return loop_.start(start_up);
@@ -126,6 +127,7 @@ class LoopTest : public testing::Test {
   settings_storage::FlashSettingsStorage storage_{flash_};
   Loop loop_{board_, storage_};
   std::uint32_t sequence_ = 0;
+  bool keeps_settings_ = true;
 };
 
 TEST_F(LoopTest, TakesOneMillisecondOfSamplesPerTurn) {
@@ -158,6 +160,23 @@ TEST_F(LoopTest, StartsWithTheStoredSettings) {
   ASSERT_EQ(board_.sent.size(), 1U);
   EXPECT_EQ(board_.sent[0].hello.settings_version, 41U);
   EXPECT_EQ(board_.sent[0].hello.settings_digest, outlet::digest(kept));
+}
+
+TEST_F(LoopTest, WithoutTheCapabilityNeitherLoadsNorStoresSettings) {
+  outlet::Settings kept = test::ieee24_settings();
+  kept.version = 41;
+  ASSERT_TRUE(storage_.keep(kept));
+  keeps_settings_ = false;
+  ASSERT_TRUE(start());
+  EXPECT_EQ(board_.sent[0].hello.settings_version, 0U);
+  kept.version = 42;
+  send(wire::test::settings_message(kept));
+  turn_until_idle();
+  ASSERT_EQ(board_.of(UplinkKind::kSettingsAnswer).size(), 1U);
+  EXPECT_FALSE(board_.of(UplinkKind::kSettingsAnswer)[0].settings_answer.kept);
+  EXPECT_THAT(board_.errors(), IsEmpty());
+  ASSERT_TRUE(storage_.load(kept));
+  EXPECT_EQ(kept.version, 41U);
 }
 
 TEST_F(LoopTest, ReportsStoredSettingsThatAreRefused) {

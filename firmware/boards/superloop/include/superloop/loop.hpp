@@ -23,7 +23,8 @@ class Loop {
  public:
   Loop(Board& board, settings_storage::FlashSettingsStorage& storage);
 
-  // Applies the stored settings and sends the hello. Returns false if the hardware is not
+  // Applies the stored settings and sends the hello. The storage is not used without the capability
+  // to keep settings. Returns false if the hardware is not
   // supported; the application then does nothing.
   bool start(const StartUp& start_up);
 

@@ -1,0 +1,75 @@
+#include "descriptor_line.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace gs::host {
+
+bool DescriptorLine::open(std::string& why) {
+  constexpr auto kBetweenConnections = std::chrono::milliseconds(250);
+  close();
+  next_attempt_ = std::chrono::steady_clock::now() + kBetweenConnections;
+  descriptor_ = connect(why);
+  return descriptor_ >= 0;
+}
+
+void DescriptorLine::close() {
+  if (descriptor_ >= 0) {
+    ::close(descriptor_);
+    descriptor_ = -1;
+  }
+  to_send_.clear();
+}
+
+bool DescriptorLine::send(const std::uint8_t* bytes, std::size_t count) {
+  constexpr std::size_t kMostWaitingBytes = 8192;
+  if (descriptor_ < 0 || to_send_.size() + count > kMostWaitingBytes) {
+    return false;
+  }
+  to_send_.insert(to_send_.end(), bytes, bytes + count);
+  transmit();
+  return true;
+}
+
+void DescriptorLine::serve() {
+  if (descriptor_ < 0) {
+    std::string why;
+    if (std::chrono::steady_clock::now() < next_attempt_ || !open(why)) {
+      return;
+    }
+  }
+  receive();
+  transmit();
+}
+
+void DescriptorLine::receive() {
+  std::uint8_t bytes[1024];
+  while (descriptor_ >= 0) {
+    const ssize_t got = ::read(descriptor_, bytes, sizeof bytes);
+    if (got > 0) {
+      received_.insert(received_.end(), bytes, bytes + got);
+      continue;
+    }
+    // 0: the other side closed the connection. EAGAIN: no bytes are available.
+    if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
+      close();
+    }
+    return;
+  }
+}
+
+void DescriptorLine::transmit() {
+  while (descriptor_ >= 0 && !to_send_.empty()) {
+    const ssize_t put = ::write(descriptor_, to_send_.data(), to_send_.size());
+    if (put <= 0) {
+      if (put < 0 && errno != EAGAIN && errno != EINTR) {
+        close();
+      }
+      return;
+    }
+    to_send_.erase(to_send_.begin(), to_send_.begin() + put);
+  }
+}
+
+}  // namespace gs::host

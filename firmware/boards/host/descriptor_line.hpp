@@ -1,0 +1,43 @@
+// A line over a file descriptor: a serial port or TCP. If the connection is lost, serve() opens it
+// again.
+#pragma once
+
+#include "line.hpp"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace gs::host {
+
+class DescriptorLine : public Line {
+ public:
+  ~DescriptorLine() override { close(); }
+  DescriptorLine() = default;
+  DescriptorLine(const DescriptorLine&) = delete;
+  DescriptorLine& operator=(const DescriptorLine&) = delete;
+
+  // Opens the line, and may block meanwhile. If that fails, returns false with the reason in `why`.
+  bool open(std::string& why);
+
+  // Returns false without a connection or if the send buffer is full: the bytes are then lost.
+  bool send(const std::uint8_t* bytes, std::size_t count) override;
+  void serve() override;
+  int descriptor() const override { return descriptor_; }
+  bool wants_to_write() const override { return !to_send_.empty(); }
+
+ protected:
+  // A descriptor that does not block; -1: none, with the reason in `why`.
+  virtual int connect(std::string& why) = 0;
+
+ private:
+  void close();
+  void receive();
+  void transmit();
+
+  int descriptor_ = -1;
+  std::vector<std::uint8_t> to_send_;
+  std::chrono::steady_clock::time_point next_attempt_;
+};
+
+}  // namespace gs::host
