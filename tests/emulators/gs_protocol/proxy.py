@@ -1,0 +1,215 @@
+"""A TCP proxy that disturbs what passes, at random but from a seed: of MQTT packets and of frames."""
+import collections
+import heapq
+import itertools
+import random
+import select
+import socket
+import threading
+import time
+
+Odds = collections.namedtuple("Odds", "redeliver hold swallow cut corrupt drop", defaults=(0.0,) * 6)
+
+
+class Pair:
+    """A client's connection and the one to the server."""
+
+    def __init__(self, client, server):
+        self.client, self.server = client, server
+        for end in (client, server):
+            end.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self.rest = {client: b"", server: b""}
+        self.due = collections.defaultdict(float)  # by direction and topic: order is kept in each
+        self.state = {}
+
+    def other(self, end):
+        return self.server if end is self.client else self.client
+
+
+class Proxy(threading.Thread):
+    """Subclasses have split(data) -> (units, rest) and disturb(pair, end, unit) -> [(delay_s, topic,
+    bytes)] for the units that came in at `end`; topic None waits for all that came before."""
+
+    def __init__(self, target_port, odds, seed):
+        super().__init__(daemon=True)
+        self.target_port, self.odds = target_port, odds
+        self.random = random.Random(seed)
+        self.listening = socket.create_server(("127.0.0.1", 0))
+        self.port = self.listening.getsockname()[1]
+        self.pairs = {}  # by socket, those that are read
+        self.made = []
+        self.later = []  # heap of (due, number, end, bytes)
+        self.numbers = itertools.count()
+        self.did = collections.Counter()
+        self.passed = 0
+        self.seen = []  # the first packets of clients, for tests
+        self.shut = False  # refuses new connections
+        self.ending = False
+        self.start()
+
+    def close(self):
+        self.ending = True
+        self.join()
+        for pair in self.made:
+            self.cut(pair)
+        self.listening.close()
+
+    def chance(self, name):
+        happens = self.random.random() < getattr(self.odds, name)
+        self.did[name] += happens
+        return happens
+
+    def run(self):
+        while not self.ending:
+            now = time.monotonic()
+            wait_s = min(max(self.later[0][0] - now, 0.0), 0.05) if self.later else 0.05
+            for end in select.select([self.listening, *self.pairs], [], [], wait_s)[0]:
+                if end is self.listening:
+                    self.accept()
+                elif end in self.pairs:
+                    self.read(end)
+            self.send_what_is_due()
+
+    def accept(self):
+        client = self.listening.accept()[0]
+        if self.shut:
+            client.close()
+            return
+        try:
+            server = socket.create_connection(("127.0.0.1", self.target_port))
+        except OSError:
+            client.close()
+            return
+        self.made.append(Pair(client, server))
+        self.pairs[client] = self.pairs[server] = self.made[-1]
+
+    def cut_all(self):
+        """From any thread: both ends of each connection see it end."""
+        for end in list(self.pairs):
+            try:
+                end.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                pass
+
+    def cut(self, pair):
+        for end in (pair.client, pair.server):
+            self.pairs.pop(end, None)
+            end.close()
+
+    def read(self, end):
+        pair = self.pairs[end]
+        try:
+            data = end.recv(65536)
+        except OSError:
+            data = b""
+        if not data:
+            # What came before the end still passes.
+            self.schedule(pair, end, 0.0, None, None)
+            return
+        units, pair.rest[end] = self.split(pair.rest[end] + data)
+        for unit in units:
+            self.passed += 1
+            if self.chance("cut"):
+                self.cut(pair)
+                return
+            for delay_s, topic, out in self.disturb(pair, end, unit):
+                self.schedule(pair, end, delay_s, topic, out)
+
+    def schedule(self, pair, end, delay_s, topic, out):
+        held = pair.due.values() if topic is None else [pair.due[end, topic]]
+        due = max([time.monotonic() + delay_s, *held])
+        if topic is not None:
+            pair.due[end, topic] = due
+        if out is None:
+            pair.rest[end] = b""
+            self.pairs.pop(end, None)
+        heapq.heappush(self.later, (due, next(self.numbers), pair.other(end), out))
+
+    def send_what_is_due(self):
+        while self.later and self.later[0][0] <= time.monotonic():
+            _, _, end, out = heapq.heappop(self.later)
+            pair = self.pairs.get(end)
+            if pair is None:
+                continue
+            if out is None:
+                self.cut(pair)
+                continue
+            try:
+                end.sendall(out)
+            except OSError:
+                self.cut(pair)
+
+
+class FrameProxy(Proxy):
+    """Drops, repeats and corrupts frames, and cuts the connection within one."""
+
+    def split(self, data):
+        *frames, rest = data.split(b"\0")
+        return [frame for frame in frames if frame], rest
+
+    def disturb(self, pair, end, frame):
+        if self.chance("drop"):
+            return []
+        if self.chance("corrupt"):
+            at = self.random.randrange(len(frame))
+            frame = frame[:at] + bytes([frame[at] ^ self.random.randrange(1, 256)]) + frame[at + 1:]
+        whole = b"\0" + frame + b"\0"
+        if self.chance("swallow"):
+            whole = whole[:self.random.randrange(len(whole))]  # interrupted
+        out = [(0.0, "", whole)]
+        if self.chance("redeliver"):
+            out.append((0.0, "", whole))
+        return out
+
+
+PUBLISH, PUBACK, DISCONNECT = 3, 4, 14
+
+
+class MqttProxy(Proxy):
+    """Redelivers PUBLISH of QoS 1, at once and later; holds one topic while others pass; swallows
+    PUBACK; cuts. An acknowledgement of a copy does not pass."""
+
+    LONGEST_HOLD_S = 0.3
+
+    def split(self, data):
+        packets = []
+        while True:
+            length, size, at = 0, 0, 1
+            while at < len(data):
+                length |= (data[at] & 127) << size
+                size += 7
+                at += 1
+                if data[at - 1] < 128:
+                    break
+            else:
+                return packets, data
+            if len(data) < at + length:
+                return packets, data
+            packets.append((data[:at + length], at))
+            data = data[at + length:]
+
+    def disturb(self, pair, end, unit):
+        packet, at = unit
+        if end is pair.client and len(self.seen) < 100:
+            self.seen.append(packet)
+        kind = packet[0] >> 4
+        if kind == PUBACK:
+            return self.puback(pair, end, packet, int.from_bytes(packet[at:at + 2], "big"))
+        if kind != PUBLISH:
+            return [(0.0, None if kind == DISCONNECT else "control", packet)]
+        size = int.from_bytes(packet[at:at + 2], "big")
+        topic = packet[at + 2:at + 2 + size]
+        hold_s = self.random.random() * self.LONGEST_HOLD_S if self.chance("hold") else 0.0
+        out = [(hold_s, topic, packet)]
+        if packet[0] & 6 == 2 and self.chance("redeliver"):
+            number = packet[at + 2 + size:at + 4 + size]
+            pair.state[end, int.from_bytes(number, "big")] = True
+            later_s = hold_s + self.random.random() * self.LONGEST_HOLD_S
+            out.append((later_s, (topic, next(self.numbers)), bytes([packet[0] | 8]) + packet[1:]))
+        return out
+
+    def puback(self, pair, end, packet, number):
+        # The first of a repeated message is for its copy: both have been received by the second.
+        if pair.state.pop((pair.other(end), number), False):
+            return []
+        return [] if self.chance("swallow") else [(0.0, "control", packet)]
