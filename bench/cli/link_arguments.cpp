@@ -18,7 +18,7 @@ namespace {
 std::string port_of(const std::string& given) {
   const bool is_path =
       given.find('/') != std::string::npos && given.find("://") == std::string::npos;
-  std::string port = is_path ? std::filesystem::absolute(given).string() : given;
+  std::string port = is_path ? std::filesystem::absolute(given).lexically_normal().string() : given;
   if (const drivers::Status form = transport::check_form(port); !form.ok()) {
     throw profile::ConfigurationError(form.error());
   }

@@ -3,8 +3,11 @@
 #include <mosquitto.h>
 #include <mqtt_protocol.h>
 
+#include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstring>
 #include <utility>
 
 #include <wire/cbor.hpp>
@@ -37,19 +40,32 @@ wire::UplinkKind kind_of(const std::uint8_t* message, std::size_t size) {
   return static_cast<wire::UplinkKind>(kind);
 }
 
+bool port_in(const std::string& text, int& port) {
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, port);
+  return number.ec == std::errc() && number.ptr == end && port > 0 && port <= 65535;
+}
+
+// The scheme may be in upper case, an IPv6 address is in brackets, and a slash may follow the port.
 bool parse(const std::string& url, std::string& host, int& port, bool& tls) {
   const std::size_t scheme_end = url.find("://");
   const std::size_t colon = url.rfind(':');
   if (scheme_end == std::string::npos || colon <= scheme_end + 3) {
     return false;
   }
-  const std::string scheme = url.substr(0, scheme_end);
+  std::string scheme = url.substr(0, scheme_end);
+  for (char& letter : scheme) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
   host = url.substr(scheme_end + 3, colon - scheme_end - 3);
-  const char* const end = url.data() + url.size();
-  const auto number = std::from_chars(url.data() + colon + 1, end, port);
+  if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
+    host = host.substr(1, host.size() - 2);
+  } else if (host.find_first_of(":[]/@ ") != std::string::npos) {
+    return false;
+  }
+  const std::size_t end = url.back() == '/' ? url.size() - 1 : url.size();
   tls = scheme == "mqtts";
-  return (tls || scheme == "mqtt") && number.ec == std::errc() && number.ptr == end && port > 0 &&
-         port <= 65535;
+  return (tls || scheme == "mqtt") && port_in(url.substr(colon + 1, end - colon - 1), port);
 }
 
 }  // namespace
@@ -83,6 +99,7 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
   mosquitto_disconnect_v5_callback_set(client_, on_disconnect);
   mosquitto_publish_v5_callback_set(client_, on_publish);
   mosquitto_message_v5_callback_set(client_, on_message);
+  mosquitto_log_callback_set(client_, on_log);
   int error = mosquitto_int_option(client_, MOSQ_OPT_PROTOCOL_VERSION, MQTT_PROTOCOL_V5);
   const auto then = [&error](int result) { error = error == MOSQ_ERR_SUCCESS ? result : error; };
   then(mosquitto_int_option(client_, MOSQ_OPT_TCP_NODELAY, 1));
@@ -93,7 +110,8 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
     const int given =
         mosquitto_tls_set(client_, options.ca_file.c_str(), nullptr, nullptr, nullptr, nullptr);
     if (given != MOSQ_ERR_SUCCESS) {
-      why = "the CA file \"" + options.ca_file + "\" cannot be read";
+      why = "the CA file \"" + options.ca_file + "\" cannot be read (--ca)" +
+            (given == MOSQ_ERR_INVAL ? ": " + std::string(std::strerror(errno)) : "");
       return false;
     }
   }
@@ -108,12 +126,21 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
 void MqttCarrier::connect() {
   next_attempt_ = steady_clock::now() + kBetweenAttempts;
   connected_ = false;
+  logged_.clear();
   check(mosquitto_connect_bind_v5(client_, host_.c_str(), port_, kKeepAlive_s, nullptr, nullptr));
 }
 
 void MqttCarrier::check(int error) {
   if (error != MOSQ_ERR_SUCCESS && trouble_.empty()) {
-    trouble_ = mosquitto_strerror(error);
+    note_trouble(error);
+  }
+}
+
+// Of TLS, the library's code says only that it failed; its log says why.
+void MqttCarrier::note_trouble(int error) {
+  trouble_ = mosquitto_strerror(error);
+  if (error == MOSQ_ERR_TLS) {
+    trouble_ += logged_;
   }
 }
 
@@ -206,13 +233,19 @@ void MqttCarrier::on_disconnect(mosquitto*, void* self, int reason, const mosqui
   carrier.connected_ = false;
   carrier.next_attempt_ = steady_clock::now() + kBetweenAttempts;
   if (carrier.trouble_.empty()) {
-    carrier.trouble_ = mosquitto_strerror(reason);
+    carrier.note_trouble(reason);
   }
 }
 
 void MqttCarrier::on_publish(mosquitto*, void* self, int, int reason, const mosquitto_property*) {
   if (reason >= MQTT_RC_UNSPECIFIED) {
     ++static_cast<MqttCarrier*>(self)->unsent_;
+  }
+}
+
+void MqttCarrier::on_log(mosquitto*, void* self, int level, const char* text) {
+  if (level == MOSQ_LOG_ERR) {
+    static_cast<MqttCarrier*>(self)->logged_ += std::string(" ") + text;
   }
 }
 

@@ -75,9 +75,11 @@ class MqttCarrier final : public app::Carrier {
   static void on_publish(mosquitto*, void* self, int, int reason, const mqtt5__property*);
   static void on_message(mosquitto*, void* self, const mosquitto_message* message,
                          const mqtt5__property*);
+  static void on_log(mosquitto*, void* self, int level, const char* text);
   void connect();
   bool publish(const std::uint8_t* message, std::size_t size);
   void check(int error);
+  void note_trouble(int error);
 
   mosquitto* client_ = nullptr;
   std::string host_;
@@ -91,6 +93,7 @@ class MqttCarrier final : public app::Carrier {
   std::deque<std::vector<std::uint8_t>> waiting_;  // queued while there is no connection
   std::uint32_t unsent_ = 0;
   std::string trouble_;
+  std::string logged_;  // error messages of the library during this attempt to connect
   bool connected_ = false;
   bool was_connected_ = false;
   bool reconnected_ = false;
