@@ -10,7 +10,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <random>
@@ -72,8 +71,7 @@ std::unique_ptr<host::Line> make_line(host::Arguments& arguments,
     arguments.mqtt.user = terminals.id;
   }
   if (!arguments.password_file.empty() &&
-      !std::getline(std::ifstream(arguments.password_file), arguments.mqtt.password)) {
-    why = arguments.password_file + ": cannot be read";
+      !host::read_password(arguments.password_file, arguments.mqtt.password, why)) {
     return nullptr;
   }
   auto line = std::make_unique<host::MqttLine>();

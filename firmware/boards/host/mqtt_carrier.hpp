@@ -34,6 +34,10 @@ struct MqttOptions {
   std::uint32_t instance = 0;  // part of the client id: two outlets with one id can both connect
 };
 
+// The first line of a file, without a byte order mark at its beginning and a carriage return at its
+// end. Returns false with the reason in `why` if the file cannot be read or the line is empty.
+bool read_password(const std::string& file, std::string& password, std::string& why);
+
 class MqttCarrier final : public app::Carrier {
  public:
   MqttCarrier() = default;

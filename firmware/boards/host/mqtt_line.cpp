@@ -1,5 +1,7 @@
 #include "mqtt_line.hpp"
 
+#include <cstdio>
+
 namespace gs::host {
 
 bool MqttLine::send(const std::uint8_t* bytes, std::size_t count) {
@@ -14,6 +16,12 @@ bool MqttLine::send(const std::uint8_t* bytes, std::size_t count) {
 
 void MqttLine::serve() {
   carrier_.serve();
+  if (carrier_.trouble() != trouble_) {
+    trouble_ = carrier_.trouble();
+    if (!trouble_.empty()) {
+      std::fprintf(stderr, "gs-outlet: not connected to the broker: %s\n", trouble_.c_str());
+    }
+  }
   std::vector<std::uint8_t> message;
   if (received_.empty() && carrier_.take(message)) {  // one at a time: the carrier bounds its queue
     std::uint8_t framed[wire::kLongestFrame];

@@ -5,6 +5,8 @@
 #include "line.hpp"
 #include "mqtt_carrier.hpp"
 
+#include <string>
+
 #include <wire/frame.hpp>
 
 namespace gs::host {
@@ -14,6 +16,7 @@ class MqttLine final : public Line {
   bool start(const MqttOptions& options, std::string& why) { return carrier_.start(options, why); }
 
   bool send(const std::uint8_t* bytes, std::size_t count) override;
+  // Prints once why there is no connection.
   void serve() override;
   int descriptor() const override { return carrier_.descriptor(); }
   bool wants_to_write() const override { return carrier_.wants_to_write(); }
@@ -23,6 +26,7 @@ class MqttLine final : public Line {
  private:
   MqttCarrier carrier_;
   wire::FrameReader reader_;
+  std::string trouble_;  // printed last
 };
 
 }  // namespace gs::host

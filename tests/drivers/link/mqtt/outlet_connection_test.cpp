@@ -46,5 +46,23 @@ TEST(OutletConnection, StatesWhyTlsFails) {
             "the CA file \"/nowhere/ca.pem\" cannot be read (--ca): No such file or directory");
 }
 
+TEST(OutletConnection, PasswordFilesOfOtherEditorsAreRead) {
+  const TemporaryFolder folder;
+  const auto password_in = [&](const std::string& content) {
+    std::string password;
+    std::string why;
+    return gs::host::read_password(folder.write("pw", content), password, why) ? password : why;
+  };
+  for (const char* content : {"secret", "secret\n", "secret\r\nmore", "\xEF\xBB\xBFsecret\r\n"}) {
+    EXPECT_EQ(password_in(content), "secret");
+  }
+  EXPECT_EQ(password_in(" two words \n"), " two words ");
+  for (const std::string& content : {std::string(), std::string("\r\n"),
+                                     std::string("\xEF\xBB\xBF"), std::string("s\0e\0", 4)}) {
+    EXPECT_EQ(password_in(content),
+              folder.file("pw") + ": its first line must be the password, as UTF-8 text");
+  }
+}
+
 }  // namespace
 }  // namespace gsbench::test
