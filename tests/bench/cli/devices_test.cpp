@@ -203,6 +203,22 @@ TEST(Devices, AMissingPortIsAFaultAndATextThatIsNoPortIsRefused) {
   }
 }
 
+TEST(Devices, ASymbolicLinkToAPortIsThatPort) {
+  const TemporaryFolder folder;
+  const std::string port = folder.write("ttyUSB0", "");
+  const std::string link = folder.file("by-id");
+  std::filesystem::create_symlink("ttyUSB0", link);
+  const Words both = {"devices", "--port", link, "--port", port, "--json"};
+  const json listed = json::parse(run_gsbench(both).out);
+  ASSERT_EQ(listed.size(), 1U) << listed;
+  EXPECT_EQ(listed[0]["where"], link);
+  EXPECT_THAT(listed[0]["fault"].get<std::string>(), HasSubstr("is not a serial port"));
+  const station::StationLock lock({port}, "profile first");
+  EXPECT_THAT(run_gsbench({"monitor", "--port", link}).err,
+              HasSubstr(link + ": in use by another bench: user "));
+  std::filesystem::remove(station::lock_files(port).front());
+}
+
 TEST(Devices, AStationWithOutletsOnlyDuringARunIsRefused) {
   expect_refused({"devices", "--station", "simulated"}, "can be reached without a run");
   expect_refused({"monitor", "--station", "emulatd"}, "\"emulated\"");

@@ -53,13 +53,15 @@ TEST_F(Ports, ASilentPortIsFaultyUntilItsOutletAnswers) {
 
 TEST_F(Ports, APortThatCannotBeOpenedIsFaultyAndTheOthersAreNotAffected) {
   FramedOptions some = options();
-  some.ports.insert(some.ports.begin(), {unconnected_->bench_end(), "/dev/no-such-port"});
+  some.ports.insert(some.ports.begin(),
+                    {unconnected_->bench_end(), "/dev/no-such-port", "/dev/null"});
   open(some);
-  ASSERT_THAT(present_, SizeIs(4));
+  ASSERT_THAT(present_, SizeIs(5));
+  EXPECT_EQ(present("/dev/null").fault,
+            "cannot be reached: cannot be opened: is not a serial port");
   EXPECT_EQ(present(unconnected_->bench_end()).fault, "does not answer");
   EXPECT_EQ(present("/dev/no-such-port").where, "");
-  EXPECT_THAT(present("/dev/no-such-port").fault,
-              HasSubstr("cannot be reached: cannot be found"));
+  EXPECT_THAT(present("/dev/no-such-port").fault, HasSubstr("cannot be reached: cannot be found"));
   EXPECT_EQ(present(kA).fault, "");
   EXPECT_TRUE(answers(kA));
 }
