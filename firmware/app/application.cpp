@@ -95,7 +95,7 @@ void Application::note_samples_lost(std::uint32_t count, Outbox& outbox) {
 }
 
 void Application::send_hello(Outbox& outbox, std::uint32_t session) const {
-  wire::Hello hello = identity_;
+  wire::Hello hello = static_cast<const wire::Hello&>(identity_);
   hello.session = session;
   hello.firmware_version = kFirmwareVersion;
   hello.sample_rate_hz = config_.hardware.sample_rate_hz;

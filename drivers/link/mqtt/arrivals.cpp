@@ -97,7 +97,7 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
   if (is_hello && !take_identity(outlet, read.hello)) {
     return;
   }
-  outlet.here = true;
+  outlet.here = outlet.here || is_hello;
   if (const auto taken = outlet.stream.take(message, size); taken && !joins) {
     happenings_.messages.push_back({outlet.id, *taken, now_ns()});
   }

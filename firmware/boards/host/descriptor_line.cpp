@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 
 namespace gs::host {
@@ -19,6 +20,9 @@ void DescriptorLine::close() {
     ::close(descriptor_);
     descriptor_ = -1;
   }
+  // Each frame begins and ends with a zero; of the first one, some bytes may have been sent.
+  const auto zeros = std::count(to_send_.begin(), to_send_.end(), std::uint8_t{0});
+  unsent_ += static_cast<std::uint32_t>((zeros + 1) / 2);
   to_send_.clear();
 }
 

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gs::host {
@@ -25,6 +26,7 @@ class DescriptorLine : public Line {
   void serve() override;
   int descriptor() const override { return descriptor_; }
   bool wants_to_write() const override { return !to_send_.empty(); }
+  std::uint32_t take_unsent() override { return std::exchange(unsent_, 0); }
 
  protected:
   // A descriptor that does not block; -1: none, with the reason in `why`.
@@ -37,6 +39,7 @@ class DescriptorLine : public Line {
 
   int descriptor_ = -1;
   std::vector<std::uint8_t> to_send_;
+  std::uint32_t unsent_ = 0;
   std::chrono::steady_clock::time_point next_attempt_;
 };
 

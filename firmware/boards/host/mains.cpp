@@ -24,12 +24,13 @@ double value_at(const Curve& curve, std::size_t at, double t_s) {
 Curve loss_curve(std::int32_t nominal_hz, double loss_mw, double at_s) {
   // The modified IEEE 24-bus system. Its response has settled when the model's series ends.
   const outlet::Response response = {9.13e-4F, 0.2993F, 0.0682F, 1.262F};
-  constexpr double kSettled_s = 15.0;
+  constexpr int kSteps = 1500;
   constexpr double kStep_s = 0.01;
   Curve curve;
   curve.t_s.push_back(0.0);
   curve.value.push_back(nominal_hz);
-  for (double tau_s = 0.0; tau_s <= kSettled_s; tau_s += kStep_s) {
+  for (int step = 0; step <= kSteps; ++step) {
+    const double tau_s = kStep_s * step;
     const float u = outlet::unit_response(response, static_cast<float>(tau_s)).value;
     if (at_s + tau_s > curve.t_s.back()) {
       curve.t_s.push_back(at_s + tau_s);
