@@ -149,11 +149,12 @@ std::string utc_now() {
   return formatted_utc("%Y-%m-%dT%H:%M:%SZ");
 }
 
-record::Sent sent(const gs::wire::Downlink& message, std::int64_t tick) {
+record::Sent sent(gs::wire::Downlink message, std::int64_t tick) {
   const char* kind = message.kind == gs::wire::DownlinkKind::kSettings  ? "settings"
                      : message.kind == gs::wire::DownlinkKind::kCommand ? "command"
                                                                         : "ask self test";
   record::Sent kept = {tick, kind, {}};
+  message.session = 1;
   kept.message.resize(gs::wire::kLongestMessage);
   kept.message.resize(gs::wire::encode(message, 0, kept.message.data(), kept.message.size()));
   return kept;

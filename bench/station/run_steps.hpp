@@ -27,7 +27,7 @@ std::string utc_now();  // ISO 8601, to the second
 std::string software();
 
 // `message` as the record keeps it.
-record::Sent sent(const gs::wire::Downlink& message, std::int64_t tick);
+record::Sent sent(gs::wire::Downlink message, std::int64_t tick);
 
 // Assigns one slot to each outlet of a plan, in the plan's order. An outlet gets the slot whose
 // serial number is its id. If there is none, it gets the next free slot whose serial number is not

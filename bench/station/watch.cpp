@@ -78,8 +78,9 @@ void Watch::process(link::Happenings& happenings, std::int64_t now) {
       note(*session.outlet,
            std::string("reported the error: ") + gs::wire::to_string(message.error.code));
     }
-    session.ended = session.ended || message.sample < session.newest_sample;
-    session.newest_sample = message.sample;
+    // The samples and settings of another start are not those of the run.
+    session.start_number = session.start_number.value_or(message.start_number);
+    session.ended = session.ended || message.start_number != *session.start_number;
     return session.ended;
   };
   std::vector<link::Received>& messages = happenings.messages;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,8 @@ class Watch {
 
   bool is_watched(const std::string& id) const { return sessions_.count(id) > 0; }
   // Processes everything received up to the source's tick `now`. Removes the messages of outlets
-  // that are not watched and all messages after a restart of an outlet: its sample count starts at
-  // 0 again, and that count cannot be aligned.
+  // that are not watched and all messages after a restart of an outlet, whose sample count starts
+  // at 0 again.
   void process(link::Happenings& happenings, std::int64_t now);
   void check_answers(const capture::Capture& capture);
   // Settings were sent again to an outlet `at_s` after the start of the run. It must have answered
@@ -37,11 +38,11 @@ class Watch {
     std::int64_t due;
   };
 
-  // The time from one start-up of an outlet to the next; its sample count only increases.
+  // The time from one start-up of an outlet to the next.
   struct Session {
     record::OutletRecord* outlet;
-    std::uint64_t newest_sample = 0;
-    std::int64_t last_message_tick = 0;  // of the source
+    std::optional<std::uint32_t> start_number = {};  // of the first message
+    std::int64_t last_message_tick = 0;              // of the source
     bool ended = false;
     std::vector<LaterAnswer> later_answers = {};  // in the order of sending
     std::size_t later_answers_checked = 0;

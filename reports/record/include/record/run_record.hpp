@@ -46,7 +46,8 @@ struct Mark {
 struct Sent {
   std::int64_t tick = 0;  // of the source, on the run's time base; below 0 before the run
   std::string kind;       // "settings", "command", "ask self test"
-  std::vector<std::uint8_t> message;  // as on the wire (firmware/wire), with sequence number 0
+  // As on the wire (firmware/wire), but with sequence number 0 and session 1: the link has its own.
+  std::vector<std::uint8_t> message;
 };
 
 // One entry per report of the outlet (every 16 ms); all columns have equal length.
