@@ -1,6 +1,8 @@
 #include "faults.hpp"
 #include "run_steps.hpp"
 
+#include <utility>
+
 #include <judge/judge.hpp>
 
 namespace gsbench::station {
@@ -31,7 +33,8 @@ void judge_stored(const profile::Plan& plan, const Station& station, const Playe
   record::ContentDigest digest;
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
     record::OutletRecord& outlet = run.outlets[i];
-    static_cast<record::Reports&>(outlet) = store.outlet(i);
+    record::OutletRecord stored = store.outlet(i);
+    static_cast<record::Reports&>(outlet) = std::move(static_cast<record::Reports&>(stored));
     align_stored(station, signal, run, outlet);
     record::place_on_run_time(outlet, run.duration_ticks);
     judge.judge(outlet);

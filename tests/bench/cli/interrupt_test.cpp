@@ -19,7 +19,7 @@ using testing::HasSubstr;
 // In real time the profile takes six seconds, enough time for a signal.
 Started start_slow_run(
     const TemporaryFolder& folder, const std::function<void()>& prepare = [] {}) {
-  const Started started = start_gsbench(
+  Started started = start_gsbench(
       {"run", "paper/loss-500mw", "--real-time", "--json", "--out", folder.file("runs")}, prepare);
   // The run has started when its record exists.
   EXPECT_TRUE(until([&] {
