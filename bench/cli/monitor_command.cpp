@@ -17,6 +17,8 @@
 
 #include <fmt/format.h>
 
+#include <wire/messages.hpp>
+
 namespace gsbench::cli {
 namespace {
 
@@ -53,6 +55,11 @@ class Monitor {
     require(reached_.link->open());
     for (const link::OutletPresence& port : reached_.in_use) {
       output_.show_fault("", port.where, port.fault);
+    }
+    if (reached_.ports.empty() && reached_.broker.empty()) {
+      output_.finish(kForTheReader);
+      print_error("other benches use all ports");
+      return kErrored;
     }
     while (!interrupted && output_.error() == 0 && !is_over()) {
       happenings_.clear();
@@ -150,6 +157,23 @@ class Monitor {
   bool missing_shown_ = false;
 };
 
+// For check().
+CLI::Validator outlet_id() {
+  return CLI::Validator(
+      [](std::string& text) {
+        gs::wire::Hello hello;
+        hello.protocol_version = 0;  // only the id is checked
+        const bool fits = text.size() <= gs::wire::kLongestId;
+        text.copy(hello.id, gs::wire::kLongestId);
+        return fits && gs::wire::is_valid(hello)
+                   ? std::string()
+                   : text +
+                         " is not the id of an outlet: 1 to 32 letters, digits, '-', '_' and "
+                         "'.'; a port is given by --port";
+      },
+      "");
+}
+
 int monitor(const MonitorArguments& arguments) {
   return Monitor(arguments).run(catch_interrupts());
 }
@@ -160,8 +184,12 @@ void add_monitor(CommandLine& line) {
   const auto [command, arguments] =
       line.command("monitor", "Print the messages of outlets as they arrive", monitor);
   constexpr const char* kOnly = "Print only this outlet's messages";
-  CLI::Option* const by_name = command.add_option("ID", arguments.outlet, kOnly)->type_name("ID");
-  command.add_option("--outlet", arguments.outlet, kOnly)->type_name("ID")->excludes(by_name);
+  CLI::Option* const by_name =
+      command.add_option("ID", arguments.outlet, kOnly)->type_name("ID")->check(outlet_id());
+  command.add_option("--outlet", arguments.outlet, kOnly)
+      ->type_name("ID")
+      ->check(outlet_id())
+      ->excludes(by_name);
   add_link_options(command, arguments.link);
   add_with_default(command, "--wait", arguments.wait_s, "S",
                    "Wait so long for this outlet, or else for the first one, 0.1 to 1000000 s")

@@ -221,6 +221,13 @@ TEST_F(BehindABroker, LeavesNothingAtTheBrokerHoweverItIsEnded) {
   EXPECT_LT(std::chrono::steady_clock::now() - closed, std::chrono::seconds(40)) << "it expired";
 }
 
+TEST_F(OnSerialLine, RefusesAPortInPlaceOfAnId) {
+  for (const std::string& wrong : {where_, std::string("/dev/ttyUSB0"), std::string(33, 'x')}) {
+    expect_refused({"monitor", wrong}, wrong + " is not the id of an outlet");
+    expect_refused({"monitor", "--outlet", wrong}, wrong + " is not the id of an outlet");
+  }
+}
+
 TEST_F(OnSerialLine, RefusesTimesThatAreNone) {
   for (const char* option : {"--seconds", "--wait"}) {
     for (const char* time : {"nan", "-nan", "inf", "0", "-1", "1e400", "2 s", "x", ""}) {
