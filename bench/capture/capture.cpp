@@ -25,7 +25,7 @@ std::string reason(const gs::wire::DecisionMessage& decision) {
 }
 
 void append(record::MeasurementTrace& trace, std::int64_t sample,
-         const gs::wire::MeasurementMessage& message) {
+            const gs::wire::MeasurementMessage& message) {
   trace.tick.push_back(sample);
   trace.frequency_hz.push_back(message.frequency_hz);
   trace.rocof_hz_s.push_back(message.rocof_hz_s);
@@ -34,7 +34,7 @@ void append(record::MeasurementTrace& trace, std::int64_t sample,
 }
 
 void append(record::EstimateTrace& estimates, std::int64_t sample, std::int64_t event_sample,
-         const gs::wire::EstimateMessage& message) {
+            const gs::wire::EstimateMessage& message) {
   estimates.tick.push_back(sample);
   estimates.loss_mw.push_back(message.loss_mw);
   estimates.loss_sigma_mw.push_back(message.loss_sigma_mw);

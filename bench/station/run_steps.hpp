@@ -71,7 +71,8 @@ bool align(const capture::Markers& markers, const record::MeasurementTrace& repo
            std::int64_t sample_rate_hz, record::OutletRecord& outlet);
 
 // Aligns and judges each outlet as the store has it. Without `keeps_reports`, the outlets of `run`
-// keep their results only, the reports stay in the store, and the digest of the content is noted. Throws record::StoreError.
+// keep their results only, the reports stay in the store, and the digest of the content is noted.
+// Throws record::StoreError.
 void judge_stored(const profile::Plan& plan, const Station& station, const PlayedSignal& signal,
                   record::Store& store, bool keeps_reports, record::RunRecord& run);
 
