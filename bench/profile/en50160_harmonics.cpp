@@ -23,7 +23,8 @@ std::vector<waveform::Harmonic> en50160_harmonics() {
   harmonics.reserve(std::size(kEn50160_pct));
   int order = 2;
   for (const double pct : kEn50160_pct) {
-    harmonics.push_back({order, pct, std::fmod(order * kGoldenAngle_deg, 360.0)});
+    harmonics.push_back(
+        {static_cast<double>(order), pct, std::fmod(order * kGoldenAngle_deg, 360.0)});
     ++order;
   }
   return harmonics;

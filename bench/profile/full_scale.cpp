@@ -22,6 +22,16 @@ double step_level(const std::vector<waveform::AmplitudeStep>& steps, double t_s,
   return level;
 }
 
+// Product of the highest factors of the flicker at t_s.
+double flicker_level(const std::vector<waveform::Flicker>& flickers, double t_s) {
+  double level = 1.0;
+  for (const waveform::Flicker& flicker : flickers) {
+    const bool on = flicker.at_s <= t_s && t_s < flicker.at_s + flicker.duration_s;
+    level *= on ? 1.0 + 0.5 * flicker.depth_pct / 100.0 : 1.0;
+  }
+  return level;
+}
+
 // Sum of the amplitudes of the tones at t_s; their peaks coincide at worst.
 double tones_pct(const std::vector<waveform::Tone>& tones, double t_s) {
   double sum_pct = 0.0;
@@ -43,15 +53,16 @@ struct Peak {
   double recorded_pu = 1.0;  // voltage of the recording
   double level = 1.0;        // product of the amplitude steps
   double tones_pct = 0.0;
-  double reached_pu = 0.0;  // with harmonics, tones and offset
+  double flicker = 1.0;     // highest factor
+  double reached_pu = 0.0;  // with all of these, harmonics and offset
 };
 
 Peak peak_at(const Stimulus& stimulus, const waveform::ReferenceSignal& reference,
              const Extremes& period, double t_s, bool before) {
   Peak peak = {t_s, reference.voltage_pu(t_s),
                step_level(stimulus.signal.amplitude_steps, t_s, before),
-               tones_pct(stimulus.signal.tones, t_s)};
-  const double amplitude_pu = peak.recorded_pu * peak.level;
+               tones_pct(stimulus.signal.tones, t_s), flicker_level(stimulus.signal.flickers, t_s)};
+  const double amplitude_pu = peak.recorded_pu * peak.level * peak.flicker;
   const double offset_pu = stimulus.signal.dc_offset_pct / 100.0;
   peak.reached_pu = std::max(std::abs(amplitude_pu * period.highest_pu + offset_pu),
                              std::abs(amplitude_pu * period.lowest_pu + offset_pu)) +
@@ -74,6 +85,9 @@ Peak greatest_voltage(const Stimulus& stimulus, const waveform::ReferenceSignal&
   for (const waveform::Tone& tone : stimulus.signal.tones) {
     instants.push_back(tone.at_s);
   }
+  for (const waveform::Flicker& flicker : stimulus.signal.flickers) {
+    instants.push_back(flicker.at_s);
+  }
   std::sort(instants.begin(), instants.end());  // so that the first of equal maxima is reported
   Peak peak = peak_at(stimulus, reference, period, 0.0, false);
   for (const double t_s : instants) {
@@ -91,17 +105,25 @@ Peak greatest_voltage(const Stimulus& stimulus, const waveform::ReferenceSignal&
 }
 
 // Lowest and highest voltage of a period with its harmonics. Sampling at 1 MHz misses less than
-// 10⁻⁴ of the 50th harmonic between samples.
+// 10⁻⁴ of the 50th harmonic between samples. The peaks of orders that are not whole numbers move
+// along the fundamental, so that at worst all coincide.
 Extremes extremes_of_a_period(const std::vector<waveform::Harmonic>& harmonics, double nominal_hz) {
   constexpr std::int64_t kFineRate_hz = 1000000;
   waveform::SignalSpec spec;
-  spec.harmonics = harmonics;
+  double others_pu = 0.0;
+  for (const waveform::Harmonic& harmonic : harmonics) {
+    if (harmonic.order == std::floor(harmonic.order)) {
+      spec.harmonics.push_back(harmonic);
+    } else {
+      others_pu += harmonic.amplitude_pct / 100.0;
+    }
+  }
   const waveform::Synthesizer synthesizer(
       waveform::reference_from_points(nominal_hz, {{0.0, nominal_hz}}), spec, kFineRate_hz);
   std::vector<float> period(static_cast<std::size_t>(kFineRate_hz / nominal_hz) + 1);
   synthesizer.render(0, period.size(), period.data());
   const auto [lowest, highest] = std::minmax_element(period.begin(), period.end());
-  return {static_cast<double>(*lowest), static_cast<double>(*highest)};
+  return {static_cast<double>(*lowest) - others_pu, static_cast<double>(*highest) + others_pu};
 }
 
 // Position of the key that contributes most to a voltage above full scale.
@@ -122,14 +144,23 @@ keys::Position cause_of(const Table& signal, const Stimulus& stimulus, const Pea
   for (const waveform::Harmonic& harmonic : stimulus.signal.harmonics) {
     harmonics_pct += harmonic.amplitude_pct;
   }
-  if (peak.tones_pct > std::max(harmonics_pct, std::abs(stimulus.signal.dc_offset_pct))) {
+  const double offset_pct = std::abs(stimulus.signal.dc_offset_pct);
+  const double flicker_pct = 100.0 * (peak.flicker - 1.0);
+  if (peak.tones_pct > std::max({harmonics_pct, offset_pct, flicker_pct})) {
     const auto& tones = stimulus.signal.tones;
     const auto largest = std::max_element(
         tones.begin(), tones.end(),
         [](const auto& a, const auto& b) { return a.amplitude_pct < b.amplitude_pct; });
     return signal.tables("tone").at(static_cast<std::size_t>(largest - tones.begin())).at();
   }
-  if (std::abs(stimulus.signal.dc_offset_pct) > harmonics_pct) {
+  if (flicker_pct > std::max(harmonics_pct, offset_pct)) {
+    const auto& flickers = stimulus.signal.flickers;
+    const auto deepest =
+        std::max_element(flickers.begin(), flickers.end(),
+                         [](const auto& a, const auto& b) { return a.depth_pct < b.depth_pct; });
+    return signal.tables("flicker").at(static_cast<std::size_t>(deepest - flickers.begin())).at();
+  }
+  if (offset_pct > harmonics_pct) {
     return signal.at("dc_offset_pct");
   }
   return signal.at(signal.has("harmonics") ? "harmonics" : "harmonic_set");
@@ -147,7 +178,10 @@ void check_full_scale(const Table& signal, const Stimulus& stimulus,
   const std::string message = fmt::format(
       "the voltage reaches {:.4g} p.u. at {:.6g} s, {} included; it must be at most {} p.u.",
       peak.reached_pu, peak.t_s,
-      peak.tones_pct > 0.0 ? "harmonics, tones and offset" : "harmonics and offset", kFullScale_pu);
+      peak.flicker > 1.0     ? "harmonics, flicker, tones and offset"
+      : peak.tones_pct > 0.0 ? "harmonics, tones and offset"
+                             : "harmonics and offset",
+      kFullScale_pu);
   if (stimulus.recording.replaces_profile && peak.recorded_pu * peak.level > 1.0) {
     throw keys::ConfigurationError(fmt::format("{}: {}", stimulus.recording.path, message));
   }

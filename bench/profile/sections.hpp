@@ -54,6 +54,17 @@ double read_initial_deviation_hz(const keys::Table& grid_section, const grid::Gr
 keys::Key oscillation_keys();
 std::vector<waveform::Oscillation> read_oscillations(const keys::Table& signal, double duration_s);
 
+// [signal] harmonics and harmonic_set. Refuses an order that is given twice, or 1.
+keys::Key harmonics_key();
+keys::Key harmonic_set_key();
+std::vector<waveform::Harmonic> read_harmonics(const keys::Table& signal, double nominal_hz,
+                                               double rate_hz);
+
+// [[signal.flicker]], in the order of the profile.
+keys::Key flicker_keys();
+std::vector<waveform::Flicker> read_flickers(const keys::Table& signal, double duration_s,
+                                             std::int64_t sample_rate_hz);
+
 // [[signal.tone]], in the order of the profile.
 keys::Key tone_keys();
 std::vector<waveform::Tone> read_tones(const keys::Table& signal, double duration_s,
@@ -71,8 +82,8 @@ recording::TraceFormat read_trace_format(const keys::Table& trace);
 void read_trace_section(const keys::Table& signal, double nominal_hz, const Copies& copies,
                         Stimulus& stimulus);
 // Makes the stimulus play the recording of the overrides. It replaces the profile's frequency
-// source (losses, points or recording), its oscillations, tones, amplitude and phase steps. Noise,
-// harmonics and DC offset stay.
+// source (losses, points or recording), its oscillations, tones, flicker, amplitude and phase
+// steps. Noise, harmonics and DC offset stay.
 void replace_by_recording(const Overrides& overrides, double nominal_hz, const Copies& copies,
                           Stimulus& stimulus);
 

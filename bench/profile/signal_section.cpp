@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <profile/en50160.hpp>
-
 namespace gsbench::profile {
 namespace {
 
@@ -16,23 +14,14 @@ using keys::Table;
 
 constexpr std::int64_t kRateStep_hz = 1000;
 constexpr std::int64_t kHighestRate_hz = 32000;
-constexpr int kHighestOrder = 50;
 constexpr double kLevelMax_pct = 100.0 * kFullScale_pu;
 
 const char* const kSignalMeaning =
     "The voltage that the source plays. Its frequency comes from one of `[[grid.loss]]`, "
     "`frequency` and `[signal.trace]`. The voltage must stay within ± 1.5 p.u. of the nominal peak "
-    "amplitude, including amplitude steps, recorded voltage, harmonics, tones and offset. Noise is "
+    "amplitude, including amplitude steps, flicker, recorded voltage, harmonics, tones and offset. "
+    "Noise is "
     "not counted, because an outlet's input clips it.";
-
-Key harmonics_key() {
-  return keys::array("harmonics",
-                     keys::row({keys::whole("order", "", 2, kHighestOrder, ""),
-                                keys::number("pct", "%", keys::between(0.0, 100.0), ""),
-                                keys::number("deg", "degrees", keys::between(-360.0, 360.0), "")}),
-                     "order 2 … 50, below half the sample rate; amplitude in % of the fundamental, "
-                     "0 … 100; phase at the rising zero crossing of the fundamental, ± 360");
-}
 
 Key frequency_key() {
   return keys::array(
@@ -81,37 +70,6 @@ std::int64_t read_sample_rate(const Table& signal) {
                               rate_hz, kRateStep_hz));
   }
   return rate_hz;
-}
-
-std::vector<waveform::Harmonic> read_harmonics(const Table& signal, double nominal_hz,
-                                               double rate_hz) {
-  std::vector<waveform::Harmonic> harmonics;
-  const auto add = [&](const waveform::Harmonic& harmonic, keys::Position at) {
-    const auto same = [&](const waveform::Harmonic& other) {
-      return other.order == harmonic.order;
-    };
-    if (std::any_of(harmonics.begin(), harmonics.end(), same)) {
-      signal.refuse(at, fmt::format("harmonic order {} is given twice; give each order once, "
-                                    "including those of harmonic_set",
-                                    harmonic.order));
-    }
-    if (harmonic.order * nominal_hz >= rate_hz / 2.0) {
-      signal.refuse(at,
-                    fmt::format("harmonic order {} is at {} Hz; it must be below {} Hz (half of "
-                                "sample_rate_hz)",
-                                harmonic.order, harmonic.order * nominal_hz, rate_hz / 2.0));
-    }
-    harmonics.push_back(harmonic);
-  };
-  if (signal.has("harmonic_set")) {
-    for (const waveform::Harmonic& harmonic : en50160_harmonics()) {
-      add(harmonic, signal.at("harmonic_set"));
-    }
-  }
-  for (const keys::Row& row : signal.rows("harmonics")) {
-    add({static_cast<int>(row.values[0]), row.values[1], row.values[2]}, row.at[0]);
-  }
-  return harmonics;
 }
 
 std::vector<recording::TracePoint> read_points(const Table& signal, double nominal_hz,
@@ -189,13 +147,7 @@ Key signal_keys() {
               keys::number("noise_pct", "%", keys::between(0.0, 100.0),
                            "white noise, RMS, relative to the nominal peak amplitude")
                   .by_default(0.0),
-              harmonics_key(),
-              keys::choice(
-                  "harmonic_set", {"en50160"},
-                  "orders 2 … 25, each at its limit of EN 50160, in addition to `harmonics`; total "
-                  "distortion 11.3 %, above the standard's limit of 8 %; phases are multiples of "
-                  "the golden angle"),
-              frequency_key(),
+              harmonics_key(), harmonic_set_key(), frequency_key(),
               keys::number("dc_offset_pct", "%", keys::between(-100.0, 100.0),
                            "DC offset, relative to the nominal peak amplitude")
                   .by_default(0.0),
@@ -208,8 +160,8 @@ Key signal_keys() {
                         "voltage, with the accuracy of its amplitude, relative to the nominal peak "
                         "amplitude"),
               tolerance("time_tolerance_ms", "ms", Tolerances{}.time_ms, "time"),
-              oscillation_keys(), amplitude_step_keys(), phase_jump_keys(), tone_keys(),
-              trace_keys()})
+              oscillation_keys(), amplitude_step_keys(), phase_jump_keys(), flicker_keys(),
+              tone_keys(), trace_keys()})
       .require("the signal to play, e.g. [signal] duration_s = 6.0");
 }
 
@@ -246,6 +198,7 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
       read_harmonics(signal, grid.nominal_hz, static_cast<double>(stimulus.sample_rate_hz));
   stimulus.signal.amplitude_steps = read_amplitude_steps(signal, stimulus.duration_s);
   stimulus.signal.phase_jumps = read_phase_jumps(signal, stimulus.duration_s);
+  stimulus.signal.flickers = read_flickers(signal, stimulus.duration_s, stimulus.sample_rate_hz);
   stimulus.signal.tones = read_tones(signal, stimulus.duration_s, stimulus.sample_rate_hz);
   stimulus.signal.dc_offset_pct = signal.number("dc_offset_pct");
   stimulus.signal.initial_phase_deg = signal.number("initial_phase_deg");

@@ -141,7 +141,7 @@ Key trace_keys() {
       "is a gap, and the curve is interpolated across it. Run records and reports contain the file "
       "name, the columns and the SHA-256 of the content. `--trace` on the command line, with an "
       "option for each of these keys (`--trace-from` for `from_s`), plays another recording, in "
-      "place of the profile's losses, frequency points or recording, oscillations, tones, "
+      "place of the profile's losses, frequency points or recording, oscillations, tones, flicker, "
       "amplitude "
       "steps and phase steps; noise, harmonics and DC offset stay.",
       std::move(all));

@@ -91,6 +91,7 @@ void replace_by_recording(const Overrides& overrides, double nominal_hz, const C
   stimulus.signal.amplitude_steps.clear();
   stimulus.signal.phase_jumps.clear();
   stimulus.signal.tones.clear();
+  stimulus.signal.flickers.clear();
   try {
     use(std::move(recording), std::numeric_limits<double>::infinity(), nominal_hz, copies,
         stimulus);

@@ -90,8 +90,17 @@ std::vector<record::Mark> stimulus_marks(const profile::Plan& plan) {
       marks.push_back({tick(step.at_s + step.duration_s), "amplitude", 100.0, "voltage restored"});
     }
   }
+  for (const waveform::Flicker& flicker : plan.stimulus.signal.flickers) {
+    const std::string what = figure(flicker.frequency_hz, " Hz") + " flicker";
+    marks.push_back({tick(flicker.at_s), "flicker", flicker.depth_pct,
+                     what + ", ΔV/V " + figure(flicker.depth_pct, " %")});
+    if (std::isfinite(flicker.duration_s)) {
+      marks.push_back({tick(flicker.at_s + flicker.duration_s), "flicker", 0.0, "end of " + what});
+    }
+  }
   for (const waveform::Tone& tone : plan.stimulus.signal.tones) {
-    const std::string what = figure(tone.frequency_hz, " Hz") + " tone";
+    const std::string what =
+        figure(tone.frequency_hz, " Hz") + (tone.pulses.empty() ? " tone" : " keyed tone");
     marks.push_back({tick(tone.at_s), "tone", tone.amplitude_pct,
                      what + ", " + figure(tone.amplitude_pct, " %")});
     if (std::isfinite(tone.duration_s)) {

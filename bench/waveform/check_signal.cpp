@@ -30,10 +30,13 @@ void check_finite(const std::string& what, double value) {
 }
 
 void check_harmonics(const SignalSpec& spec, double nominal_hz, std::int64_t sample_rate_hz) {
-  std::set<int> orders;
+  std::set<double> orders;
   for (const Harmonic& harmonic : spec.harmonics) {
     const std::string name = fmt::format("harmonic {}", harmonic.order);
-    check_within("harmonic order", harmonic.order, 2, 50);
+    check_within("harmonic order", harmonic.order, kLowestOrder, kInfinity);
+    if (harmonic.order == 1.0) {
+      throw std::invalid_argument("harmonic order is 1, the fundamental; it must be another");
+    }
     check_within(name + ": amplitude in %", harmonic.amplitude_pct, 0, 100);
     check_finite(name + ": phase in degrees", harmonic.phase_deg);
     if (!orders.insert(harmonic.order).second) {
@@ -63,6 +66,33 @@ void check_tones(const SignalSpec& spec, std::int64_t sample_rate_hz) {
     }
     check_within("tone: amplitude in %", tone.amplitude_pct, 0, 100);
     check_finite("tone: phase in degrees", tone.phase_deg);
+    for (const Pulse& pulse : tone.pulses) {
+      check_within("tone: start of a pulse in s", pulse.from_s, 0, kInfinity);
+      if (!(pulse.to_s > pulse.from_s)) {
+        throw std::invalid_argument(
+            fmt::format("tone: end of a pulse in s is {}; it must be above "
+                        "{}, its start",
+                        pulse.to_s, pulse.from_s));
+      }
+    }
+  }
+}
+
+void check_flickers(const SignalSpec& spec, std::int64_t sample_rate_hz) {
+  const double limit_hz = 0.5 * static_cast<double>(sample_rate_hz);
+  for (const Flicker& flicker : spec.flickers) {
+    check_within("flicker: time in s", flicker.at_s, 0, kInfinity);
+    if (!(flicker.duration_s > 0.0)) {
+      throw std::invalid_argument(
+          fmt::format("flicker: duration in s is {}; it must be above 0", flicker.duration_s));
+    }
+    if (!(flicker.frequency_hz > 0.0 && flicker.frequency_hz < limit_hz)) {
+      throw std::invalid_argument(
+          fmt::format("flicker: frequency in Hz is {}; it must be above 0 and below {} (half of "
+                      "the sample rate)",
+                      flicker.frequency_hz, limit_hz));
+    }
+    check_within("flicker: depth in %", flicker.depth_pct, 0, 100);
   }
 }
 
@@ -90,6 +120,7 @@ void check_signal(const SignalSpec& spec, double nominal_hz, std::int64_t sample
     check_finite("phase step: degrees", jump.degrees);
   }
   check_tones(spec, sample_rate_hz);
+  check_flickers(spec, sample_rate_hz);
   check_within("DC offset in %", spec.dc_offset_pct, -100, 100);
   check_finite("initial phase in degrees", spec.initial_phase_deg);
 }

@@ -75,8 +75,13 @@ SmoothPiece ExcessPhase::piece(const Edge& from, const Edge& to) const {
                    span_s * (reference_.frequency_hz(to.before_s) - nominal_hz),
                    span_s * span_s * reference_.rocof_hz_s(to.before_s)};
   const double voltage_pu = reference_.voltage_pu(from.t_s);
-  return {from.position,       length,     cycles_from - std::floor(cycles_from),
-          quintic(start, end), voltage_pu, reference_.voltage_pu(to.t_s) - voltage_pu};
+  return {from.position,
+          length,
+          cycles_from,
+          cycles_from - std::floor(cycles_from),
+          quintic(start, end),
+          voltage_pu,
+          reference_.voltage_pu(to.t_s) - voltage_pu};
 }
 
 }  // namespace gsbench::waveform

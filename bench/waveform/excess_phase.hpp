@@ -49,7 +49,8 @@ class NominalPhase {
 struct SmoothPiece {
   double start;
   double length;
-  double cycles_at_start;        // excess, within [0, 1)
+  double excess_at_start;        // cycles
+  double cycles_at_start;        // its fraction, within [0, 1)
   std::array<double, 5> cycles;  // coefficients of u … u⁵, added to cycles_at_start
   double voltage_pu;             // at u = 0
   double voltage_slope_pu;       // per u

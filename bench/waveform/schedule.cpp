@@ -85,7 +85,7 @@ Schedule::Schedule(const SignalSpec& spec, std::int64_t sample_rate_hz) {
       level *= interval.level;
     }
     const double cycles = degrees / 360.0;
-    entries_.push_back({tick, level, cycles - std::floor(cycles)});
+    entries_.push_back({tick, level, cycles - std::floor(cycles), cycles});
   }
 }
 

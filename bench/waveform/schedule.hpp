@@ -13,7 +13,8 @@ namespace gsbench::waveform {
 struct ScheduleEntry {
   std::int64_t from_tick;
   double level;          // product of the active amplitude steps; 1 is nominal
-  double offset_cycles;  // initial phase plus all phase steps so far, within [0, 1)
+  double offset_cycles;  // fraction of `turns`, within [0, 1)
+  double turns;          // initial phase plus all phase steps so far, cycles
 };
 
 class Schedule {

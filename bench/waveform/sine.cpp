@@ -77,6 +77,10 @@ void render_batch(const Stretch& stretch, const std::vector<Phasor>& series, int
 
 }  // namespace
 
+double sine_of(double cycles) {
+  return sine_of_cycles(cycles);
+}
+
 void render_sine(const Stretch& stretch, int first, int count, float* out) {
   const Stretch s = stretch;  // a local copy cannot alias `out`
   for (int i = 0; i < count; ++i) {

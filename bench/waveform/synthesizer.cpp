@@ -1,5 +1,7 @@
 #include "check_signal.hpp"
 #include "excess_phase.hpp"
+#include "flickers.hpp"
+#include "partials.hpp"
 #include "schedule.hpp"
 #include "sine.hpp"
 #include "tones.hpp"
@@ -31,6 +33,9 @@ std::shared_ptr<const ReferenceSignal> checked(std::shared_ptr<const ReferenceSi
 std::vector<Phasor> harmonic_series(const std::vector<Harmonic>& harmonics) {
   std::vector<Phasor> series = {{0.0, 0.0}, {1.0, 0.0}};
   for (const Harmonic& harmonic : harmonics) {
+    if (!is_of_series(harmonic)) {
+      continue;
+    }
     const auto order = static_cast<std::size_t>(harmonic.order);
     if (series.size() <= order) {
       series.resize(order + 1);
@@ -54,6 +59,8 @@ struct Synthesizer::Impl {
         excess_phase(*reference, rate_hz),
         schedule(spec, rate_hz),
         series(harmonic_series(spec.harmonics)),
+        partials(spec.harmonics, reference->nominal_hz(), rate_hz),
+        flickers(spec.flickers, rate_hz),
         tones(spec.tones, rate_hz),
         offset(spec.dc_offset_pct / 100.0) {}
 
@@ -76,6 +83,8 @@ struct Synthesizer::Impl {
   ExcessPhase excess_phase;
   Schedule schedule;
   std::vector<Phasor> series;
+  Partials partials;
+  Flickers flickers;
   Tones tones;
   double offset;
 };
@@ -102,6 +111,7 @@ void Synthesizer::Impl::render_piece(const Block& block, const SmoothPiece& piec
     } else {
       render_sine(stretch, first, count, out);
     }
+    partials.add(block.first_tick, piece, signal, stretch, first, count, out);
     out += count;
     from = stretch_end;
   }
@@ -139,6 +149,9 @@ void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out)
                                impl_->nominal_phase.cycles_at(block_tick)};
     const std::int64_t end = std::min(end_tick, block.end_tick);
     impl_->render_block(block, tick, end, out);
+    if (impl_->flickers.is_on(tick, end)) {
+      impl_->flickers.modulate(tick, end, static_cast<float>(impl_->offset), out);
+    }
     impl_->tones.add(block.first_tick, tick, end, out);
     out += end - tick;
     tick = end;
@@ -147,7 +160,8 @@ void Synthesizer::render(std::int64_t first_tick, std::size_t count, float* out)
 
 double Synthesizer::amplitude_pu(std::int64_t tick) const {
   const double t_s = static_cast<double>(tick) / static_cast<double>(impl_->sample_rate_hz);
-  return impl_->schedule[impl_->schedule.index_at(tick)].level * impl_->reference->voltage_pu(t_s);
+  return impl_->schedule[impl_->schedule.index_at(tick)].level * impl_->reference->voltage_pu(t_s) *
+         impl_->flickers.factor(tick);
 }
 
 std::int64_t Synthesizer::sample_rate_hz() const {

@@ -11,9 +11,13 @@ Tones::Tones(const std::vector<Tone>& tones, std::int64_t sample_rate_hz)
     : sample_rate_hz_(static_cast<double>(sample_rate_hz)) {
   spans_.reserve(tones.size());
   for (const Tone& tone : tones) {
-    spans_.push_back({tick_at(tone.at_s, sample_rate_hz),
-                      tick_at(tone.at_s + tone.duration_s, sample_rate_hz), tone.at_s,
-                      tone.frequency_hz, tone.amplitude_pct / 100.0, tone.phase_deg / 360.0});
+    const std::vector<Pulse> always = {{0.0, tone.duration_s}};
+    for (const Pulse& pulse : tone.pulses.empty() ? always : tone.pulses) {
+      const double to_s = std::min(pulse.to_s, tone.duration_s);
+      spans_.push_back({tick_at(tone.at_s + pulse.from_s, sample_rate_hz),
+                        tick_at(tone.at_s + to_s, sample_rate_hz), tone.at_s, tone.frequency_hz,
+                        tone.amplitude_pct / 100.0, tone.phase_deg / 360.0});
+    }
   }
 }
 

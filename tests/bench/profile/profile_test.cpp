@@ -74,7 +74,7 @@ TEST(Profile, HoldsTitleSourceSeedAndInlineGrid) {
 
 TEST(Profile, HoldsTones) {
   const std::vector<waveform::Tone> tones = parse(kDisturbed).stimulus.signal.tones;
-  ASSERT_THAT(tones, SizeIs(2));
+  ASSERT_THAT(tones, SizeIs(3));
   EXPECT_EQ(tones[0].at_s, 2.5);
   EXPECT_EQ(tones[0].duration_s, 0.5);
   EXPECT_EQ(tones[0].frequency_hz, 216.7);
@@ -84,6 +84,32 @@ TEST(Profile, HoldsTones) {
   EXPECT_EQ(tones[1].duration_s, std::numeric_limits<double>::infinity());
   EXPECT_EQ(tones[1].phase_deg, 0.0);
   EXPECT_THAT(parse(kMinimal).stimulus.signal.tones, IsEmpty());
+}
+
+TEST(Profile, HoldsThePulsesOfTones) {
+  const std::vector<waveform::Tone> tones = parse(kDisturbed).stimulus.signal.tones;
+  EXPECT_THAT(tones[0].pulses, IsEmpty());
+  ASSERT_THAT(tones[1].pulses, SizeIs(2));  // 1101 0
+  EXPECT_EQ(tones[1].pulses[0].from_s, 0.0);
+  EXPECT_EQ(tones[1].pulses[0].to_s, 0.2);
+  EXPECT_DOUBLE_EQ(tones[1].pulses[1].from_s, 0.3);
+  EXPECT_EQ(tones[1].pulses[1].to_s, 0.4);
+  ASSERT_THAT(tones[2].pulses, SizeIs(2));
+  EXPECT_EQ(tones[2].pulses[1].from_s, 0.75);
+  EXPECT_EQ(tones[2].pulses[1].to_s, 1.5);
+}
+
+TEST(Profile, HoldsFlicker) {
+  const std::vector<waveform::Flicker> flickers = parse(kDisturbed).stimulus.signal.flickers;
+  ASSERT_THAT(flickers, SizeIs(2));
+  EXPECT_EQ(flickers[0].at_s, 1.0);
+  EXPECT_EQ(flickers[0].duration_s, 2.5);
+  EXPECT_EQ(flickers[0].frequency_hz, 8.8);
+  EXPECT_EQ(flickers[0].depth_pct, 2.0);
+  EXPECT_TRUE(flickers[0].rectangular);
+  EXPECT_EQ(flickers[1].duration_s, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(flickers[1].frequency_hz, 8.8);
+  EXPECT_FALSE(flickers[1].rectangular);
 }
 
 TEST(Profile, HoldsTheFrequencyBeforeAndOscillations) {

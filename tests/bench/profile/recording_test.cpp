@@ -149,6 +149,7 @@ TEST_F(Recording, OfTheCommandLineReplacesTheFrequencyBeforeOscillationsAndTones
   EXPECT_EQ(plan.stimulus.initial_deviation_hz, 0.0);
   EXPECT_THAT(plan.stimulus.oscillations, IsEmpty());
   EXPECT_THAT(plan.stimulus.signal.tones, IsEmpty());
+  EXPECT_THAT(plan.stimulus.signal.flickers, IsEmpty());
   EXPECT_EQ(plan.reference()->frequency_hz(20.0), 49.5);
 }
 

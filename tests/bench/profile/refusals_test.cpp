@@ -91,7 +91,11 @@ const std::vector<Mistake> kOfLosses = {
     {"[28, 1.0, -10.0]", "[28, 1.0]",
      "44:31: an item of harmonics is an array of 2 values; it must be [order, pct, deg]"},
     {"[28, 1.0, -10.0]", "28", "44:31: an item of harmonics is 28; it must be [order, pct, deg]"},
-    {"[28,", "[2.5,", "44:32: order is 2.5; it must be a whole number from 2 to 50"},
+    {"[28,", "[33.7,",
+     "44:32: harmonic order 33.7 is at 2022.0000000000002 Hz; it must be below 2000 Hz (half of "
+     "sample_rate_hz)"},
+    {"[28,", "[1.0,", "44:32: harmonic order is 1, the fundamental; it must be another"},
+    {"[28,", "[0.0,", "44:32: order is 0; it must be at least 0.001 and at most 1000"},
     {"[28,", "[26,",
      "44:32: harmonic order 26 is given twice; give each order once, including those of "
      "harmonic_set"},
@@ -252,8 +256,42 @@ const std::vector<Mistake> kOfDisturbed = {
     {"amplitude_pct = 9.0", "amplitude_pct = 0",
      "63:17: amplitude_pct is 0; it must be above 0 and at most 100"},
     {"amplitude_pct = 9.0", "amplitude_pct = 48.0",
-     "59:1: the voltage reaches 1.51 p.u. at 2.5 s, harmonics, tones and offset included; it must "
-     "be at most 1.5 p.u."},
+     "59:1: the voltage reaches 1.535 p.u. at 2.5 s, harmonics, flicker, tones and offset "
+     "included; "
+     "it must be at most 1.5 p.u."},
+    {"depth_pct = 2.0", "depth_pct = 95.0",
+     "75:1: the voltage reaches 1.612 p.u. at 2.5 s, harmonics, flicker, tones and offset "
+     "included; "
+     "it must be at most 1.5 p.u."},
+    {"\"1101 0\"", "\"1101 2\"",
+     "68:12: telegram is \"1101 2\"; it must consist of 1, 0 and blanks"},
+    {"\"1101 0\"", "\"00\"", "68:12: telegram is \"00\"; it must have a 1"},
+    {"bit_s = 0.1", "bit_s = 3.0",
+     "68:12: the last pulse ends 12 s after at_s; it must end within 10 s, as the tone or the run "
+     "does"},
+    {"bit_s = 0.1", "",
+     "65:1: missing key \"bit_s\" in [[signal.tone]]; give the duration of each bit of the "
+     "telegram "
+     "in seconds"},
+    {"telegram = \"1101 0\"\n", "",
+     "68:9: bit_s is given without a telegram; give one, or omit bit_s"},
+    {"[0.75, 1.5]", "[0.4, 1.5]",
+     "74:26: from is 0.4; it must be at least 0.5, the end of the previous pulse"},
+    {"[0.75, 1.5]", "[0.75, 0.75]",
+     "74:32: to is 0.75; it must be above 0.75, the start of the pulse"},
+    {"[0.75, 1.5]", "[0.75, 9.5]",
+     "74:12: the last pulse ends 9.5 s after at_s; it must end within 9 s, as the tone or the run "
+     "does"},
+    {"pulses_s = [[", "telegram = \"1\"\nbit_s = 1.0\npulses_s = [[",
+     "76:12: both telegram and pulses_s are given; give only one"},
+    {"changes_per_minute = 1056.0", "changes_per_minute = 1056.0\nfrequency_hz = 8.8",
+     "80:22: both frequency_hz and changes_per_minute are given; give only one"},
+    {"changes_per_minute = 1056.0", "",
+     "75:1: missing key \"frequency_hz\" in [[signal.flicker]]; give frequency_hz or "
+     "changes_per_minute"},
+    {"changes_per_minute = 1056.0", "changes_per_minute = 480000.0",
+     "80:22: the frequency of the flicker is 4000 Hz; it must be below 4000 Hz (half of "
+     "sample_rate_hz)"},
     {"ramp_s = 3.0", "ramp_s = -1", "9:10: ramp_s is -1; it must be at least 0 and at most 3600"},
     {"ramp_s = 3.0", "ramp_s = 0.0001",
      "9:10: ramp_s is 0.0001; it must be at least 0.001, or 0 for a step"},

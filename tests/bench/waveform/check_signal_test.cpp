@@ -25,8 +25,17 @@ SignalSpec with(Field SignalSpec::*field, Field value) {
 
 TEST(CheckSignal, RefusesWithFieldAndValue) {
   const std::pair<SignalSpec, const char*> refused[] = {
-      {with(&SignalSpec::harmonics, {{1, 1, 0}}), "harmonic order is 1; it must be"},
-      {with(&SignalSpec::harmonics, {{51, 1, 0}}), "harmonic order is 51"},
+      {with(&SignalSpec::harmonics, {{1, 1, 0}}), "harmonic order is 1, the fundamental"},
+      {with(&SignalSpec::harmonics, {{0, 1, 0}}), "harmonic order is 0; it must be"},
+      {with(&SignalSpec::harmonics, {{kNan, 1, 0}}), "harmonic order is nan"},
+      {with(&SignalSpec::harmonics, {{2.5, 1, 0}, {2.5, 2, 0}}), "harmonic 2.5 is given twice"},
+      {with(&SignalSpec::flickers, {{-1, 1, 8, 5, false}}), "flicker: time in s is -1"},
+      {with(&SignalSpec::flickers, {{1, 0, 8, 5, false}}), "flicker: duration in s is 0"},
+      {with(&SignalSpec::flickers, {{1, 1, 0, 5, true}}), "flicker: frequency in Hz is 0"},
+      {with(&SignalSpec::flickers, {{1, 1, 2000, 5, true}}), "flicker: frequency in Hz is 2000"},
+      {with(&SignalSpec::flickers, {{1, 1, 8, 101, true}}), "flicker: depth in % is 101"},
+      {with(&SignalSpec::tones, {{1, 1, 300, 5, 0, {{-1, 2}}}}), "start of a pulse in s is -1"},
+      {with(&SignalSpec::tones, {{1, 1, 300, 5, 0, {{2, 2}}}}), "end of a pulse in s is 2"},
       {with(&SignalSpec::harmonics, {{3, 1, 0}, {5, 1, 0}, {3, 2, 0}}),
        "harmonic 3 is given twice"},
       {with(&SignalSpec::harmonics, {{40, 1, 0}}),

@@ -42,7 +42,7 @@ inline std::vector<Harmonic> en50160_harmonics() {
                                      {19, 1.5, 0}, {21, 0.5, 0}, {23, 1.5, 0}, {25, 1.5, 0},
                                      {2, 2.0, 0},  {4, 1.0, 0}};
   for (int order = 6; order <= 24; order += 2) {
-    harmonics.push_back({order, 0.5, 0});
+    harmonics.push_back({static_cast<double>(order), 0.5, 0});
   }
   for (Harmonic& harmonic : harmonics) {
     harmonic.phase_deg = 37.0 * harmonic.order;

@@ -22,9 +22,13 @@ constexpr double kFloat = 1.2e-7;
 SignalSpec busy_signal() {
   SignalSpec spec;
   spec.harmonics = en50160_harmonics();
+  spec.harmonics.insert(spec.harmonics.end(),
+                        {{2.5, 3.0, 70.0}, {0.37, 1.0, 0.0}, {66, 0.5, 10.0}});
   spec.amplitude_steps = {{0.05, 0.2, 70.0}, {0.1003, 0.01, 0.0}, {0.3, kForever, 110.0}};
   spec.phase_jumps = {{0.2, 20.0}, {0.41234, -60.0}};
   spec.tones = {{0.0301, 0.4, 316.7, 5.0, 40.0}, {0.3, kForever, 1175.0, 2.0, 0.0}};
+  spec.tones.push_back({0.05, kForever, 216.7, 3.0, 0.0, {{0.0, 0.1001}, {0.2, 0.3}}});
+  spec.flickers = {{0.0203, 0.5, 8.8, 4.0, false}, {0.1, kForever, 13.0, 2.0, true}};
   spec.dc_offset_pct = 1.0;
   spec.initial_phase_deg = 30.0;
   return spec;
@@ -109,6 +113,77 @@ TEST(Synthesizer, PutsEachHarmonicAtItsMultipleOfTheActualFrequency) {
       EXPECT_LT(std::abs(sine_at(samples, order * frequency_hz, 8000.0) - expected), kFloat)
           << "order " << order << " of " << frequency_hz << " Hz";
     }
+  }
+}
+
+TEST(Synthesizer, KeepsThePhaseOfAnyRealOrderInProportionAlsoWhileTheFrequencyChanges) {
+  SignalSpec plain;
+  plain.initial_phase_deg = 30.0;
+  plain.phase_jumps = {{0.2, 100.0}, {0.4, -300.0}};
+  SignalSpec spec = plain;
+  spec.harmonics = {{2.5, 3.0, 70.0}, {0.37, 2.0, 0.0}, {1.02, 1.0, -45.0}, {66, 0.5, 10.0}};
+  const auto reference = busy_reference();
+  constexpr std::int64_t kFirst = 100'000'000;  // after 3.5 hours, the phase is as exact
+  for (const std::int64_t first : {std::int64_t{0}, kFirst}) {
+    const std::vector<float> fundamental = render({reference, plain, 8000}, first, 8000);
+    const std::vector<float> samples = render({reference, spec, 8000}, first, 8000);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double t_s = static_cast<double>(first + static_cast<std::int64_t>(i)) / 8000.0;
+      const double steps_deg = (t_s >= 0.2 ? 100.0 : 0.0) - (t_s >= 0.4 ? 300.0 : 0.0);
+      const long double cycles = 50.0L * static_cast<long double>(t_s) +
+                                 reference->excess_cycles(t_s) + (30.0 + steps_deg) / 360.0;
+      const double voltage_pu = reference->voltage_pu(t_s);
+      double expected = static_cast<double>(fundamental[i]);
+      for (const Harmonic& harmonic : spec.harmonics) {
+        const auto phase = static_cast<double>(std::fmod(harmonic.order * cycles, 1.0L)) +
+                           harmonic.phase_deg / 360.0;
+        expected += voltage_pu * harmonic.amplitude_pct / 100.0 * std::sin(2.0 * M_PI * phase);
+      }
+      ASSERT_NEAR(static_cast<double>(samples[i]), expected, 2.0 * kFloat) << first << " + " << i;
+    }
+  }
+}
+
+TEST(Synthesizer, ModulatesTheAmplitudeButNotOffsetAndTones) {
+  SignalSpec spec;
+  spec.harmonics = {{5, 6.0, 180.0}, {2.5, 3.0, 0.0}};
+  const std::vector<float> plain = render({constant(50, 50), spec, 8000}, 0, 8000);
+  spec.dc_offset_pct = 5.0;
+  spec.tones = {{0.0, kForever, 316.7, 5.0, 0.0}};
+  SignalSpec others = spec;
+  others.amplitude_steps = {{0.0, kForever, 0.0}};
+  const std::vector<float> unmodulated = render({constant(50, 50), others, 8000}, 0, 8000);
+  spec.flickers = {{0.1, 0.6, 8.8, 10.0, false}, {0.25, 0.5, 10.0, 4.0, true}};
+  const Synthesizer synthesizer(constant(50, 50), spec, 8000);
+  const std::vector<float> samples = render(synthesizer, 0, 8000);
+  for (std::size_t tick = 0; tick < samples.size(); ++tick) {
+    const double t_s = static_cast<double>(tick) / 8000.0;
+    double factor = 1.0;
+    if (tick >= 800 && tick < 5600) {
+      factor *= 1.0 + 0.05 * std::sin(2.0 * M_PI * 8.8 * (t_s - 0.1));
+    }
+    if (tick >= 2000 && tick < 6000) {
+      factor *= (tick - 2000) / 400 % 2 == 0 ? 1.02 : 0.98;
+    }
+    ASSERT_NEAR(static_cast<double>(samples[tick]),
+                factor * static_cast<double>(plain[tick]) + static_cast<double>(unmodulated[tick]),
+                3.0 * kFloat)  // of signal, modulation and tone
+        << tick;
+    ASSERT_NEAR(synthesizer.amplitude_pu(static_cast<std::int64_t>(tick)), factor, 1e-9) << tick;
+  }
+}
+
+TEST(Synthesizer, KeysAToneWithoutAStepOfItsPhase) {
+  SignalSpec spec;
+  spec.tones = {{0.1, 0.5, 216.7, 9.0, 30.0}};
+  const std::vector<float> on = render({constant(50, 50), spec, 8000}, 0, 8000);
+  const std::vector<float> off = render({constant(50, 50), {}, 8000}, 0, 8000);
+  spec.tones[0].pulses = {{0.0, 0.05}, {0.1, 0.2}, {0.45, 0.6}};  // the last is cut by the tone
+  const std::vector<float> samples = render({constant(50, 50), spec, 8000}, 0, 8000);
+  for (std::size_t tick = 0; tick < samples.size(); ++tick) {
+    const bool is_on = (tick >= 800 && tick < 1200) || (tick >= 1600 && tick < 2400) ||
+                       (tick >= 4400 && tick < 4800);
+    ASSERT_EQ(samples[tick], (is_on ? on : off)[tick]) << tick;
   }
 }
 

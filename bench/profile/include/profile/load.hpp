@@ -31,8 +31,8 @@ constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 struct Overrides {
   std::optional<std::uint64_t> seed;
   // A recording to play; empty: none. It replaces the profile's frequency source (losses, points or
-  // recording), its oscillations, tones, amplitude and phase steps. Noise, harmonics and DC offset
-  // stay. The length of the run is that of the recording's played part.
+  // recording), its oscillations, tones, flicker, amplitude and phase steps. Noise, harmonics and
+  // DC offset stay. The length of the run is that of the recording's played part.
   std::string trace_path;
   recording::TraceFormat trace_format;
 };

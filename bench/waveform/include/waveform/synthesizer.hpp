@@ -13,10 +13,15 @@
 
 namespace gsbench::waveform {
 
+constexpr double kLowestOrder = 0.001;
+
+// The phase of order k is k times that of the fundamental plus phase_deg. The fundamental's phase
+// starts at the initial phase and counts all its cycles and phase steps, so that an order that is
+// not whole (an interharmonic, a subharmonic) is continuous as well.
 struct Harmonic {
-  int order;             // 2 … 50, each at most once, below half of the sample rate
+  double order;  // at least kLowestOrder, not 1, each at most once, below half of the sample rate
   double amplitude_pct;  // of the fundamental's amplitude; 0 … 100
-  double phase_deg;      // at the rising zero crossing of the fundamental
+  double phase_deg;      // of a whole order: at the rising zero crossing of the fundamental
 };
 
 // Multiplies the amplitude by `level_pct` from at_s on, for duration_s (infinity: to the end).
@@ -34,15 +39,34 @@ struct PhaseJump {
   double degrees;
 };
 
+// A stretch of time in which a tone is on: [from_s, to_s) after the tone's at_s.
+struct Pulse {
+  double from_s;  // >= 0
+  double to_s;    // > from_s
+};
+
 // Adds a sine of a frequency of its own to the voltage in [at_s, at_s + duration_s) (infinity: to
 // the end): mains signalling, an interharmonic, or with another tone the side bands of flicker.
-// Amplitude steps and phase steps do not act on it.
+// Amplitude steps, flicker and phase steps do not act on it.
 struct Tone {
   double at_s;           // >= 0
   double duration_s;     // > 0
   double frequency_hz;   // > 0, below half of the sample rate
   double amplitude_pct;  // of the nominal peak amplitude; 0 … 100
   double phase_deg;      // at at_s; 0: rising from 0
+  // Not empty: the tone is keyed, and is on in these alone. Its phase runs on between them.
+  std::vector<Pulse> pulses = {};
+};
+
+// Modulates the amplitude in [at_s, at_s + duration_s) (infinity: to the end) by the factor
+// 1 + depth/2·w(t), w a sine or a rectangle that begins with 1, both 1 at most. It acts on the
+// fundamental and its harmonics; several multiply.
+struct Flicker {
+  double at_s;          // >= 0
+  double duration_s;    // > 0
+  double frequency_hz;  // > 0, below half of the sample rate; of two changes
+  double depth_pct;     // ΔV/V from the lowest to the highest amplitude; 0 … 100
+  bool rectangular;
 };
 
 struct SignalSpec {
@@ -50,6 +74,7 @@ struct SignalSpec {
   std::vector<AmplitudeStep> amplitude_steps;
   std::vector<PhaseJump> phase_jumps;
   std::vector<Tone> tones;
+  std::vector<Flicker> flickers;
   double dc_offset_pct = 0.0;  // of the nominal peak amplitude; −100 … 100; not scaled by steps
   double initial_phase_deg = 0.0;
 };
@@ -68,7 +93,8 @@ class Synthesizer {
   // outlet. Thread-safe: const and without shared mutable state.
   void render(std::int64_t first_tick, std::size_t count, float* out) const;
 
-  // Amplitude of the fundamental, per unit of nominal: recorded voltage times amplitude steps.
+  // Amplitude of the fundamental, per unit of nominal: recorded voltage times amplitude steps
+  // and flicker.
   double amplitude_pu(std::int64_t tick) const;
 
   std::int64_t sample_rate_hz() const;

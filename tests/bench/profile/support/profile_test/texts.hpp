@@ -182,6 +182,22 @@ phase_deg = -30.0
 [[signal.tone]]
 frequency_hz = 1042.0
 amplitude_pct = 3.0
+telegram = "1101 0"
+bit_s = 0.1
+[[signal.tone]]
+at_s = 1.0
+frequency_hz = 175.0
+amplitude_pct = 1.0
+pulses_s = [[0.0, 0.5], [0.75, 1.5]]
+[[signal.flicker]]
+at_s = 1.0
+duration_s = 2.5
+shape = "rectangle"
+depth_pct = 2.0
+changes_per_minute = 1056.0
+[[signal.flicker]]
+depth_pct = 1.0
+frequency_hz = 8.8
 )";
 
 inline constexpr const char* kPoints = R"(title = "Points"
