@@ -125,6 +125,8 @@ class Centre:
             self.note("unknown kind", outlet, message)
             return False
         self.note(message.name, outlet, message)
+        if message == {"code": 8, "detail": self.session}:
+            self.say(outlet, "identify")  # the first one was lost
         return True
 
     # What tests ask.

@@ -24,6 +24,7 @@ class Outlet:
     def __init__(self, send, **identity):
         self.send = send
         self.identity = dict(IDENTITY, **identity)
+        self.first = self.last = None  # messages that were sent
         self.sample = 0
         self.stored = None  # values of the settings accepted last: in non-volatile storage
         self.start(self.identity["start_number"])
@@ -44,13 +45,17 @@ class Outlet:
         self.hellos += 1
         message = messages.uplink("hello", self.hellos - 1, self.sample, None, *fields, version, digest,
                                   session)
-        self.unsent += not self.send(message, True, True)
+        self.transmit(message, True, True)
 
     def say(self, name, *values):
         sequence = self.sent
         self.sent += 1
         message = messages.uplink(name, sequence, self.sample, self.identity["start_number"], *values)
-        self.unsent += not self.send(message, False, name != "measurement")
+        self.transmit(message, False, name != "measurement")
+
+    def transmit(self, message, *how):
+        self.first, self.last = self.first or message, message
+        self.unsent += not self.send(message, *how)
 
     def measure(self, frequency_hz=50.0, rocof_hz_s=0.0, voltage_pu=1.0, validity=1):
         self.sample += 128

@@ -16,12 +16,13 @@ class Behind(unittest.TestCase):
     """A broker, and a proxy between it and the outlet."""
 
     def setUp(self):
-        self.rig = Rig("mqtt", self.make_proxy)
+        self.rig = Rig("mqtt", through=self.make_proxy)
         self.addCleanup(self.rig.close)
         self.centre = self.rig.centre
         self.rig.mark = len(self.centre.log)
 
     def make_proxy(self, port):
+        """The last one is the outlet's."""
         self.proxy = MqttProxy(port, Odds(), 1)
         self.addCleanup(self.proxy.close)
         return self.proxy.port

@@ -57,34 +57,17 @@ class Broker:
         stop(self.process)
 
 
-class Mains:
-    """Nominal voltage for outlets with these ids."""
-
-    def __init__(self, folder, *ids):
-        self.process = subprocess.Popen([os.path.join(PROGRAMS, "mains_for_outlets"), folder, *ids],
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-        self.files = {name: self.process.stdout.readline().split() for name in ids}
-
-    def close(self):
-        self.process.stdin.close()
-        stop(self.process)
-
-
 class ProductOutlet:
-    """gs-outlet at these mains, on an MQTT broker's port or a serial line's."""
+    """gs-outlet with its simulated mains, and options that state link and signal."""
 
-    def __init__(self, mains, name, *link):
-        self.command = [os.path.join(PROGRAMS, "gs-outlet"), *link,
-                        "--terminals", mains.files[name][0], "--doorbell", mains.files[name][1]]
+    def __init__(self, name, *options):
+        self.command = [os.path.join(PROGRAMS, "gs-outlet"), "--id", name, *options]
         self.process = subprocess.Popen(self.command)
 
-    def kill(self):
-        """As a loss of power."""
+    def restart(self):
+        """After a loss of power."""
         self.process.kill()
         self.process.wait(20)
-
-    def restart(self):
-        self.kill()
         self.process = subprocess.Popen(self.command)
 
     def close(self):

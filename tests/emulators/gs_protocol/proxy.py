@@ -41,7 +41,9 @@ class Proxy(threading.Thread):
         self.later = []  # heap of (due, number, end, bytes)
         self.numbers = itertools.count()
         self.did = collections.Counter()
-        self.passed = 0
+        self.passed = 0  # messages
+        self.units = 0  # also acknowledgements and the like
+        self.next_cut = self.distance()
         self.seen = []  # the first packets of clients, for tests
         self.shut = False  # refuses new connections
         self.ending = False
@@ -58,6 +60,19 @@ class Proxy(threading.Thread):
         happens = self.random.random() < getattr(self.odds, name)
         self.did[name] += happens
         return happens
+
+    def is_cut(self):
+        """Rare, and so not left to chance: the distance to the next one is half to one and a half of
+        the mean."""
+        self.units += 1
+        if not self.odds.cut or self.units < self.next_cut:
+            return False
+        self.next_cut = self.units + self.distance()
+        self.did["cut"] += 1
+        return True
+
+    def distance(self):
+        return (0.5 + self.random.random()) / self.odds.cut if self.odds.cut else 0.0
 
     def run(self):
         while not self.ending:
@@ -108,8 +123,7 @@ class Proxy(threading.Thread):
             return
         units, pair.rest[end] = self.split(pair.rest[end] + data)
         for unit in units:
-            self.passed += 1
-            if self.chance("cut"):
+            if self.is_cut():
                 self.cut(pair)
                 return
             for delay_s, topic, out in self.disturb(pair, end, unit):
@@ -148,6 +162,7 @@ class FrameProxy(Proxy):
         return [frame for frame in frames if frame], rest
 
     def disturb(self, pair, end, frame):
+        self.passed += 1
         if self.chance("drop"):
             return []
         if self.chance("corrupt"):
@@ -169,7 +184,7 @@ class MqttProxy(Proxy):
     """Redelivers PUBLISH of QoS 1, at once and later; holds one topic while others pass; swallows
     PUBACK; cuts. An acknowledgement of a copy does not pass."""
 
-    LONGEST_HOLD_S = 0.3
+    LONGEST_HOLD_S = 0.1
 
     def split(self, data):
         packets = []
@@ -197,6 +212,7 @@ class MqttProxy(Proxy):
             return self.puback(pair, end, packet, int.from_bytes(packet[at:at + 2], "big"))
         if kind != PUBLISH:
             return [(0.0, None if kind == DISCONNECT else "control", packet)]
+        self.passed += 1
         size = int.from_bytes(packet[at:at + 2], "big")
         topic = packet[at + 2:at + 2 + size]
         hold_s = self.random.random() * self.LONGEST_HOLD_S if self.chance("hold") else 0.0

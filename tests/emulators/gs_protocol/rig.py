@@ -1,6 +1,8 @@
 """gs-outlet at one link, and a centre written from the text at the other end."""
+import os
+
 from . import mqtt, serial_line
-from .product import Broker, Folder, Mains, ProductOutlet, at_broker, at_line
+from .product import Broker, Folder, ProductOutlet, at_broker, at_line
 
 NAME = "kitchen-1"
 
@@ -8,19 +10,21 @@ NAME = "kitchen-1"
 class Rig:
     """One outlet at one link, and a centre that knows it."""
 
-    def __init__(self, link, through=lambda port: port):
-        """`through` returns the port in place of that of the broker or the line, for the outlet."""
+    def __init__(self, link, *options, through=lambda port: port):
+        """`through` returns the port in place of that of the broker or the line, for the outlet; of
+        the broker also for the first centre."""
         self.folder = Folder()
-        self.mains = Mains(self.folder.path, NAME)
         self.broker = Broker(self.folder.path) if link == "mqtt" else None
-        self.station = self.new_centre("first") if self.broker else serial_line.SerialCentre()
+        self.station = (mqtt.MqttCentre(through(self.broker.port), "first") if self.broker
+                        else serial_line.SerialCentre())
         self.more = []
         self.mark = 0  # in the centre's log
         self.centre = self.station.centre
         self.name = NAME if self.broker else self.station.name
         where = at_broker if self.broker else at_line
-        self.product = ProductOutlet(self.mains, NAME,
-                                     *where(through((self.broker or self.station.line).port)))
+        port = through((self.broker or self.station.line).port)
+        self.flash = os.path.join(self.folder.path, "flash")
+        self.product = ProductOutlet(NAME, *where(port), *(options or ("--flash", self.flash)))
         self.until(self.station_is_identified)
 
     def new_centre(self, client_id):
@@ -70,7 +74,7 @@ class Rig:
         return [entry for entry in self.centre.log[self.mark:] if entry.what in names]
 
     def close(self):
-        for what in (self.product, self.station, *self.more, self.broker, self.mains, self.folder):
+        for what in (self.product, self.station, *self.more, self.broker, self.folder):
             if what is not None:
                 what.close()
 
