@@ -56,18 +56,24 @@ std::string text_of(const MeasurementResult& result) {
   return result.judged ? text + ", " + record::to_string(result.verdict) : text;
 }
 
-// Results are in the order of the profile's limits, then of the catalogue.
+// Results are in the order of the profile's limits, then of the catalogue. A measure that was added
+// to the catalogue since is a difference, and those after it are not.
 void compare(const record::OutletRecord& recorded, const record::OutletRecord& now,
              std::vector<Difference>& differences) {
-  const std::size_t count = std::max(recorded.measurements.size(), now.measurements.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto* before = i < recorded.measurements.size() ? &recorded.measurements[i] : nullptr;
-    const auto* after = i < now.measurements.size() ? &now.measurements[i] : nullptr;
-    if (before == nullptr || after == nullptr || !is_equal(*before, *after)) {
-      differences.push_back({now.id, after != nullptr ? after->name : before->name,
-                             before != nullptr ? text_of(*before) : "none",
-                             after != nullptr ? text_of(*after) : "none"});
+  const std::vector<MeasurementResult>& before = recorded.measurements;
+  const std::vector<MeasurementResult>& after = now.measurements;
+  for (std::size_t b = 0, a = 0; b < before.size() || a < after.size();) {
+    const bool is_new =
+        b == before.size() ||
+        (a < after.size() && record::find_measurement(recorded, after[a].name) == nullptr);
+    const bool is_gone = !is_new && (a == after.size() || before[b].name != after[a].name);
+    if (is_new || is_gone || !is_equal(before[b], after[a])) {
+      differences.push_back({now.id, is_gone ? before[b].name : after[a].name,
+                             is_new ? "none" : text_of(before[b]),
+                             is_gone ? "none" : text_of(after[a])});
     }
+    b += is_new ? 0 : 1;
+    a += is_gone ? 0 : 1;
   }
   if (recorded.verdict != now.verdict) {
     differences.push_back({now.id, "verdict", to_string(recorded.verdict), to_string(now.verdict)});

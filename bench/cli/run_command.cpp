@@ -2,6 +2,7 @@
 #include "dry_run.hpp"
 #include "live_output.hpp"
 #include "progress.hpp"
+#include "record_view.hpp"
 #include "run_folder.hpp"
 #include "trace_arguments.hpp"
 #include <unistd.h>
@@ -26,12 +27,13 @@ struct RunArguments {
   std::string station = "simulated";
   station::SimulatedOptions simulated;
   bool dry_run = false;
+  bool csv = false;
   bool json = false;
 };
 
 // Prints first: a report that cannot be written must not hide the verdict.
-void report(const record::RunRecord& run, const RunFolder& folder, bool json) {
-  if (json) {
+void report(const record::RunRecord& run, const RunFolder& folder, const RunArguments& arguments) {
+  if (arguments.json) {
     std::fputs(render::json(run).c_str(), stdout);
   } else {
     const bool colour = isatty(STDOUT_FILENO) == 1;
@@ -39,7 +41,8 @@ void report(const record::RunRecord& run, const RunFolder& folder, bool json) {
   }
   std::fflush(stdout);
   try {
-    write_reports(record::read_run(folder.file(kRecordFile)), folder.path());
+    record::Reader reader(folder.file(kRecordFile));
+    write_reports(view_of(run, reader), folder.path(), arguments.csv);
   } catch (const render::WriteError& error) {
     // The exit code says that the run failed, not that its reports are missing.
     if (run.verdict != record::Verdict::kError) {
@@ -48,7 +51,7 @@ void report(const record::RunRecord& run, const RunFolder& folder, bool json) {
     print_error(error.what());
     return;
   }
-  if (!json) {
+  if (!arguments.json) {
     std::printf("\nReport: %s\n", folder.file(render::find_format("html")->file).c_str());
   }
 }
@@ -82,7 +85,7 @@ int run(const RunArguments& arguments) {
                           file.text});
     }
     folder.keep(run.run_id);
-    report(run, folder, arguments.json);
+    report(run, folder, arguments);
     return run.interrupted ? kInterrupted : exit_code_of(run.verdict);
   });
 }
@@ -104,6 +107,9 @@ void add_run(CommandLine& line) {
   command.add_flag("--dry-run", arguments.dry_run,
                    "Print what would be played, how accurately, and into which outlets; energise "
                    "nothing");
+  command.add_flag("--csv", arguments.csv,
+                   "Also keep traces.csv: what each outlet measured and estimated. Otherwise "
+                   "`gsbench report RUN --format csv` prints it");
   add_json_flag(command, arguments.json);
   command.footer(
       "With --trace, the limits of the profile also apply to the recording. Measures that need a\n"

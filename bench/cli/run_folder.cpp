@@ -71,6 +71,15 @@ std::string make_unfinished(const std::string& output_folder, std::error_code& e
   return path;
 }
 
+// Of a run that did not finish; empty if it is not known.
+std::string run_id_of(const fs::path& record) {
+  try {
+    return record::read_head(record.string()).run_id;
+  } catch (const record::StoreError&) {
+    return "";
+  }
+}
+
 bool begins_with(const fs::path& folder, const std::string& beginning) {
   return folder.filename().string().rfind(beginning, 0) == 0;
 }
@@ -126,11 +135,13 @@ void RunFolder::keep(const std::string& run_id) {
   kept_ = true;
 }
 
-void write_reports(const record::RunRecord& run, const std::string& folder) {
+void write_reports(const render::View& run, const std::string& folder, bool on_request) {
   try {
     for (const render::Format& format : render::kFormats) {
-      if (format.is_kept()) {
-        render::write_file(folder + "/" + format.file, format.render(run));
+      if (format.is_kept() || (on_request && format.on_request)) {
+        render::File file(folder + "/" + format.file);
+        format.write(run, [&](std::string_view part) { file.append(part); });
+        file.commit();
       }
     }
   } catch (const render::WriteError& error) {
@@ -175,6 +186,12 @@ std::string find_record(const std::string& run, const std::string& output_folder
   for (const std::string& record : list_records(output_folder)) {
     if (begins_with(fs::path(record).parent_path(), run)) {
       found.push_back(record);
+    }
+  }
+  for (const std::string& folder : list_unfinished(output_folder)) {
+    const fs::path record = fs::path(folder) / kRecordFile;
+    if (begins_with(folder, run) || run_id_of(record).rfind(run, 0) == 0) {
+      found.push_back(record.string());
     }
   }
   if (found.size() == 1) {

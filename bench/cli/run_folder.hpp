@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <record/run_record.hpp>
+#include <render/view.hpp>
 
 namespace gsbench::cli {
 
@@ -39,12 +39,14 @@ std::string default_runs_folder();
 
 constexpr const char* kRecordFile = "record.sqlite";
 
-// Writes all reports of a run into its folder. Throws render::WriteError if one cannot be written;
-// that report is then missing, and the record is still there.
-void write_reports(const record::RunRecord& run, const std::string& folder);
+// Writes the reports of a run into its folder, with `on_request` also those that are kept on
+// request only. Throws render::WriteError if one cannot be written; that report is then missing,
+// and the record is still there.
+void write_reports(const render::View& run, const std::string& folder, bool on_request);
 
-// Path of a record. `run` is the folder of a run, its record file, or an id (or the start of one)
-// in `output_folder`. Throws profile::ConfigurationError if no run or several runs match.
+// Path of a record. `run` is the folder of a run, its record file, or the id of a run or the name
+// of its folder in `output_folder`, or the start of one. Runs that did not finish count, too.
+// Throws profile::ConfigurationError if no run or several runs match.
 std::string find_record(const std::string& run, const std::string& output_folder);
 
 // Record files of ended runs in an output folder, in the order of their folder names. Throws

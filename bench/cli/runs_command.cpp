@@ -62,8 +62,8 @@ void print(const std::vector<record::RunRecord>& heads) {
 int runs(const RunsArguments& arguments) {
   const std::vector<record::RunRecord> heads = heads_by_age(arguments.output_folder);
   for (const std::string& folder : list_unfinished(arguments.output_folder)) {
-    print_error(folder +
-                ": this run has not ended, or was killed; `gsbench report` shows what it kept");
+    print_error(folder + ": this run has not ended, or was killed; `gsbench report " + folder +
+                "` shows what it kept");
   }
   if (arguments.json) {
     print_json(as_json(heads));

@@ -26,9 +26,13 @@ Reading relative_error(const Case& c, const record::Mark* mark, const char* reas
   return number(100.0 * (mark->value - before_mw - lost_mw) / lost_mw);
 }
 
-// The first decision after the loss; the first one at all if the profile has no loss.
+// Of the first decision after the loss; of the first one at all if the profile has no loss.
+const record::Mark* of_decision(const Case& c, const char* kind) {
+  return c.first_mark(kind, std::max<std::int64_t>(c.first_loss_tick().value_or(0), 0));
+}
+
 const record::Mark* decided_loss(const Case& c) {
-  return c.first_mark("decision.loss", std::max<std::int64_t>(c.first_loss_tick().value_or(0), 0));
+  return of_decision(c, "decision.loss");
 }
 
 Reading lse_error(const Case& c) {
@@ -63,6 +67,11 @@ Reading decision_delay(const Case& c, std::int64_t loss_tick) {
                        "the outlet reported no decision after the loss");
 }
 
+Reading decision_trust(const Case& c) {
+  const record::Mark* trust = of_decision(c, "decision.trust");
+  return trust == nullptr ? not_done(kNoDecision) : text(trust->text);
+}
+
 Reading decision_cause(const Case& c) {
   const record::Mark* opened = c.first_reported_opening();
   return text(opened == nullptr ? "none" : opened->text);
@@ -78,6 +87,7 @@ Readings estimate_readings() {
       {"ekf.error", ekf_error},
       {"ekf.t_x_error", after_loss<t_x_error>},
       {"decision.delay", after_loss<decision_delay>},
+      {"decision.trust", decision_trust},
       {"decision.cause", decision_cause},
   };
 }

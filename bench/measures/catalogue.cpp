@@ -72,6 +72,13 @@ const std::vector<Measure>& catalogue() {
       {"decision.delay", "ms",
        "Time from the first loss to the next decision, to shed or not, by the outlet's time stamp.",
        "a loss in the profile and a decision after it"},
+      {"decision.trust",
+       "",
+       "Whether the outlet trusted its estimate of the lost power at the first decision, from the "
+       "loss on if the profile has one, or why not, as reported by the outlet.",
+       "a decision",
+       {"trusted", "not yet estimated", "frequency not steady before the event",
+        "measurements do not follow the model", "estimate at a physical bound", "too uncertain"}},
       {"decision.cause",
        "",
        "Criterion that first opened the relay, as reported by the outlet.",

@@ -89,6 +89,27 @@ RunRecord read_run(const std::string& path) {
   return run;
 }
 
+RunRecord read_results(Reader& reader) {
+  RunRecord run = reader.head();
+  ContentDigest digest;
+  const bool has_digest = !run.content_sha256.empty() || run.interrupted;
+  for (std::size_t i = 0; i < reader.outlets(); ++i) {
+    run.outlets.push_back(reader.results(i));
+    if (!has_digest) {
+      // Of version 6, which has neither the digest nor this measurement.
+      OutletRecord outlet = reader.outlet(i);
+      digest.add(outlet);
+      if (find_measurement(outlet, "decision.trust") == nullptr) {
+        run.outlets.back().marks = std::move(outlet.marks);
+      }
+    }
+  }
+  if (!has_digest) {
+    run.content_sha256 = digest.of(run);
+  }
+  return run;
+}
+
 RunRecord read_head(const std::string& path) {
   return Reader(path).head();
 }

@@ -47,7 +47,9 @@ const char* validity_word(std::uint8_t validity) {
 
 // Reports and estimates are merged by tick: an estimate between two reports has a row of its own.
 void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outlet,
-                 fmt::memory_buffer& out) {
+                 const Sink& sink) {
+  constexpr std::size_t kMostBuffered = 1U << 16U;
+  fmt::memory_buffer out;
   const std::string id = quoted(outlet.id);
   const record::MeasurementTrace& trace = outlet.trace;
   const record::EstimateTrace& estimates = outlet.estimates;
@@ -82,20 +84,29 @@ void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outle
       out.append(kFourEmpty);
     }
     out.push_back('\n');
+    if (out.size() > kMostBuffered) {
+      sink({out.data(), out.size()});
+      out.clear();
+    }
   }
+  sink({out.data(), out.size()});
 }
 
 }  // namespace
 
-std::string csv(const record::RunRecord& run) {
-  fmt::memory_buffer out;
-  out.append(
-      std::string("outlet,t_s,true_frequency_hz,frequency_hz,rocof_hz_s,voltage_pu,validity,"
-                  "loss_mw,loss_sigma_mw,trusted,t_x_s\n"));
-  for (const record::OutletRecord& outlet : run.outlets) {
-    outlet_rows(run, outlet, out);
+void write_csv(const View& view, const Sink& sink) {
+  sink(
+      "outlet,t_s,true_frequency_hz,frequency_hz,rocof_hz_s,voltage_pu,validity,loss_mw,"
+      "loss_sigma_mw,trusted,t_x_s\n");
+  for (const std::size_t index : view.outlets) {
+    outlet_rows(view.run, view.with_reports(index), sink);
   }
-  return fmt::to_string(out);
+}
+
+std::string csv(const View& view) {
+  std::string text;
+  write_csv(view, [&](std::string_view part) { text += part; });
+  return text;
 }
 
 }  // namespace gsbench::render

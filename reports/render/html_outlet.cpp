@@ -1,6 +1,7 @@
 #include "format.hpp"
 #include "html_elements.hpp"
 #include "plot_data.hpp"
+#include "summary.hpp"
 
 #include <algorithm>
 
@@ -11,53 +12,70 @@ namespace {
 
 using record::Verdict;
 
+constexpr std::size_t kMostId = 200;  // bytes, as below
+constexpr std::size_t kMeasurementMarkup = 450;
+constexpr std::size_t kMarkMarkup = 230;
+constexpr std::size_t kSettingMarkup = 50;
+
 std::string shown_value(const record::MeasurementResult& result) {
-  return result.text.empty() ? typographic(valid_text(value_of(result))) : valid_text(result.text);
+  return result.text.empty() ? typographic(clipped(value_of(result))) : clipped(result.text);
 }
 
-object key_cell(const record::OutletRecord& outlet, const KeyColumn& column, std::size_t index) {
+object key_cell(const record::OutletRecord& outlet, const KeyColumn& column, std::size_t row) {
   const record::MeasurementResult* result = find_measurement(outlet, column.measure);
-  object cell{{"heading", valid_text(column.heading_in_one_line())}, {"missed", flag(false)}};
-  cell["text"] = typographic(valid_text(column.cells[index]));
+  object cell{{"heading", clipped(column.heading_in_one_line())}, {"missed", flag(false)}};
+  cell["text"] = typographic(clipped(column.cells[row]));
   cell["missed"] = flag(result != nullptr && result->judged && result->verdict != Verdict::kPass);
   return cell;
 }
 
-List measurement_rows(const record::OutletRecord& outlet) {
-  List list;
+object measurement_row(const record::MeasurementResult& result) {
+  object row{{"name", clipped(result.name)},
+             {"definition", clipped(result.definition)},
+             {"value", shown_value(result)},
+             {"limits", result.judged ? typographic(clipped(limits(result)))
+                                      : std::string("for information")},
+             {"judged", flag(result.judged)},
+             {"reason", clipped(result.reason)},
+             {"has_reason", flag(!result.reason.empty())}};
+  set_verdict(row, result.verdict);
+  return row;
+}
+
+// If there is no room for all, those that did not pass come first.
+List measurement_rows(const record::OutletRecord& outlet, std::size_t most) {
+  std::vector<const record::MeasurementResult*> results;
   for (const record::MeasurementResult& result : outlet.measurements) {
-    object row{{"name", valid_text(result.name)},
-               {"definition", valid_text(result.definition)},
-               {"value", shown_value(result)},
-               {"limits", result.judged ? typographic(valid_text(limits(result)))
-                                        : std::string("for information")},
-               {"judged", flag(result.judged)},
-               {"reason", valid_text(result.reason)},
-               {"has_reason", flag(!result.reason.empty())}};
-    set_verdict(row, result.verdict);
-    list.push_back(row);
+    results.push_back(&result);
   }
-  return list;
+  const auto make = [&](std::size_t i) { return measurement_row(*results[i]); };
+  List rows = rows_within(most, kMeasurementMarkup, results.size(), make);
+  if (rows.size() < results.size()) {
+    std::stable_partition(results.begin(), results.end(), [](const auto* result) {
+      return result->judged && result->verdict != Verdict::kPass;
+    });
+    rows = rows_within(most, kMeasurementMarkup, results.size(), make);
+  }
+  return rows;
 }
 
-List mark_rows(const record::RunRecord& run, const record::OutletRecord& outlet) {
-  List list;
-  for (std::size_t i = 0; i < std::min(outlet.marks.size(), kMostMarks); ++i) {
+List mark_rows(const record::RunRecord& run, const record::OutletRecord& outlet, std::size_t most) {
+  const std::size_t count = std::min(outlet.marks.size(), kMostMarks);
+  return rows_within(most, kMarkMarkup, count, [&](std::size_t i) {
     const record::Mark& mark = outlet.marks[i];
-    list.push_back(object{{"time", fmt::format("{:.4f} s", seconds(run, mark.tick))},
-                          {"label", valid_text(mark_label(mark))},
-                          {"value", typographic(mark_value(mark))},
-                          {"text", valid_text(mark.text)}});
-  }
-  return list;
+    return object{{"time", fmt::format("{:.4f} s", seconds(run, mark.tick))},
+                  {"label", clipped(mark_label(mark))},
+                  {"value", typographic(clipped(mark_value(mark)))},
+                  {"text", clipped(mark.text)}};
+  });
 }
 
-List setting_rows(const record::OutletRecord& outlet) {
-  List list;
-  for (const auto& [name, value] : outlet.settings) {
-    list.push_back(object{{"name", valid_text(name)}, {"value", typographic(figure(value, 7))}});
-  }
-  return list;
+List setting_rows(const record::OutletRecord& outlet, std::size_t most) {
+  auto setting = outlet.settings.begin();
+  return rows_within(most, kSettingMarkup, outlet.settings.size(), [&](std::size_t) {
+    const auto& [name, value] = *setting++;
+    return object{{"name", clipped(name)}, {"value", typographic(figure(value, 7))}};
+  });
 }
 
 std::string clock_text(const record::Clock& clock) {
@@ -73,31 +91,56 @@ std::string clock_text(const record::Clock& clock) {
 
 }  // namespace
 
-object outlet_object(const record::RunRecord& run, std::size_t index,
-                     const std::vector<KeyColumn>& columns) {
-  const record::OutletRecord& outlet = run.outlets[index];
+object overview_row(const record::OutletRecord& outlet, const std::vector<KeyColumn>& columns,
+                    std::size_t row, std::optional<std::size_t> drawn) {
   List cells;
   for (const KeyColumn& column : columns) {
-    cells.push_back(key_cell(outlet, column, index));
+    cells.push_back(key_cell(outlet, column, row));
   }
-  object view{{"id", valid_text(outlet.id)},
-              {"index", std::to_string(index)},
-              {"group", valid_text(outlet.group)},
-              {"link", valid_text(outlet.link)},
-              {"firmware", valid_text(outlet.firmware)},
-              {"settings_digest", valid_text(outlet.settings_digest)},
-              {"fault", valid_text(outlet.fault)},
-              {"has_fault", flag(!outlet.fault.empty())},
-              {"clock", clock_text(outlet.clock)},
-              {"open", flag(outlet.verdict != Verdict::kPass)},
-              {"cells", cells},
-              {"measurements", measurement_rows(outlet)},
-              {"marks", mark_rows(run, outlet)},
-              {"has_marks", flag(!outlet.marks.empty())},
-              {"more_marks", flag(outlet.marks.size() > kMostMarks)},
-              {"marks_in_all", std::to_string(outlet.marks.size())},
-              {"settings", setting_rows(outlet)},
-              {"has_settings", flag(!outlet.settings.empty())}};
+  object view{{"id", clipped(outlet.id, kMostId)}, {"cells", cells}, {"drawn", flag(!!drawn)}};
+  view["index"] = std::to_string(drawn.value_or(0));
+  set_verdict(view, outlet.verdict);
+  return view;
+}
+
+object outlet_object(const record::RunRecord& run, const record::OutletRecord& outlet,
+                     std::size_t drawn, std::size_t most) {
+  // Of ten parts six are for measurements, three for marks and one for settings.
+  const List measurements = measurement_rows(outlet, most / 10 * 6);
+  const List marks = mark_rows(run, outlet, most / 10 * 3);
+  const List settings = setting_rows(outlet, most / 10);
+  const auto or_unknown = [](const std::string& text) {
+    return text.empty() ? std::string("not known") : clipped(text, kMostId);
+  };
+  const auto number = [&](std::uint64_t of_outlet) {
+    return or_unknown(has_sent_hello(outlet) ? std::to_string(of_outlet) : "");
+  };
+  object view{
+      {"id", clipped(outlet.id, kMostId)},
+      {"index", std::to_string(drawn)},
+      {"group", clipped(outlet.group, kMostId)},
+      {"link", clipped(outlet.link, kMostId)},
+      {"board", or_unknown(outlet.board)},
+      {"instance", number(outlet.instance)},
+      {"firmware", or_unknown(outlet.firmware)},
+      {"build", or_unknown(outlet.build)},
+      {"protocol", number(outlet.protocol_version)},
+      {"settings_digest", or_unknown(outlet.settings_digest)},
+      {"fault", clipped(outlet.fault)},
+      {"has_fault", flag(!outlet.fault.empty())},
+      {"clock", clock_text(outlet.clock)},
+      {"open", flag(outlet.verdict != Verdict::kPass)},
+      {"measurements", measurements},
+      {"more_measurements", flag(measurements.size() < outlet.measurements.size())},
+      {"measurements_in_all", std::to_string(outlet.measurements.size())},
+      {"marks", marks},
+      {"has_marks", flag(!outlet.marks.empty())},
+      {"more_marks", flag(marks.size() < outlet.marks.size())},
+      {"marks_in_all", std::to_string(outlet.marks.size())},
+      {"settings", settings},
+      {"more_settings", flag(settings.size() < outlet.settings.size())},
+      {"settings_in_all", std::to_string(outlet.settings.size())},
+  };
   set_verdict(view, outlet.verdict);
   return view;
 }

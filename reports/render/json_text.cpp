@@ -8,6 +8,18 @@ std::string indented(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+std::string indented(const Json& json, std::size_t spaces) {
+  const std::string margin(spaces, ' ');
+  std::string text = margin;
+  for (const char character : json.dump(2, ' ', false, Json::error_handler_t::replace)) {
+    text += character;
+    if (character == '\n') {  // between values only: in texts it is escaped
+      text += margin;
+    }
+  }
+  return text;
+}
+
 std::string in_script(const Json& json) {
   std::string safe;
   for (const char character : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {

@@ -118,7 +118,8 @@ Verdict worst(const std::vector<Case>& cases) {
 // If the verdict of an outlet or of the run is worse than those of its measurements (the outlet was
 // lost, the run did not finish), a case is added for it, so that CI does not show the run as
 // passed.
-std::string junit_xml(const record::RunRecord& run) {
+std::string junit_xml(const View& view) {
+  const record::RunRecord& run = view.run;
   QByteArray bytes;
   QXmlStreamWriter xml(&bytes);
   xml.setAutoFormatting(true);
@@ -126,16 +127,19 @@ std::string junit_xml(const record::RunRecord& run) {
   xml.writeStartDocument();
   xml.writeStartElement("testsuites");
   xml.writeAttribute("name", text(run.profile));
-  Verdict shown = Verdict::kPass;
-  for (const record::OutletRecord& outlet : run.outlets) {
+  for (const std::size_t index : view.outlets) {
+    const record::OutletRecord& outlet = run.outlets[index];
     std::vector<Case> cases = cases_of(outlet.measurements);
     if (outlet.verdict > worst(cases)) {
       cases.push_back({"outlet", outlet.verdict, outlet_sentence(outlet)});
     }
-    shown = std::max(shown, worst(cases));
     write_suite(xml, run, outlet.id, cases);
   }
-  if (run.verdict > shown || !run.fault.empty() || run.interrupted) {
+  Verdict of_outlets = Verdict::kPass;
+  for (const record::OutletRecord& outlet : run.outlets) {
+    of_outlets = std::max(of_outlets, outlet.verdict);
+  }
+  if (run.verdict > of_outlets || !run.fault.empty() || run.interrupted) {
     write_suite(xml, run, "run", {{"run", run.verdict, verdict_sentence(run)}});
   }
   xml.writeEndDocument();

@@ -40,16 +40,21 @@ bool has_value(const record::MeasurementResult* result) {
   return result != nullptr && (!result->text.empty() || !std::isnan(result->value));
 }
 
-Results results_of(const record::RunRecord& run, const char* measure) {
+Results results_of(const Outlets& outlets, const char* measure) {
   Results results;
-  for (const record::OutletRecord& outlet : run.outlets) {
-    const record::MeasurementResult* result = find_measurement(outlet, measure);
+  for (const record::OutletRecord* outlet : outlets) {
+    const record::MeasurementResult* result = find_measurement(*outlet, measure);
     results.push_back(has_value(result) ? result : nullptr);
   }
   return results;
 }
 
+// Records of version 6 have no decision.trust among the measurements, but its mark.
 bool is_unreliable(const record::OutletRecord& outlet) {
+  const record::MeasurementResult* result = find_measurement(outlet, "decision.trust");
+  if (has_value(result)) {
+    return result->text != "trusted";
+  }
   const auto trust =
       std::find_if(outlet.marks.begin(), outlet.marks.end(),
                    [](const record::Mark& mark) { return mark.kind == "decision.trust"; });
@@ -75,7 +80,7 @@ std::vector<std::string> heading_of(const KeyMeasure& key, const std::string& un
   return {key.first_line, second + separator + unit};
 }
 
-KeyColumn column_of(const record::RunRecord& run, const KeyMeasure& key, const Results& results) {
+KeyColumn column_of(const Outlets& outlets, const KeyMeasure& key, const Results& results) {
   const auto first = std::find_if(results.begin(), results.end(), has_value);
   const std::string unit = (*first)->unit;
   KeyColumn column{key.name, heading_of(key, unit), {}};
@@ -87,7 +92,7 @@ KeyColumn column_of(const record::RunRecord& run, const KeyMeasure& key, const R
     if (result != nullptr) {
       cell = !result->text.empty() ? result->text : fixed(result->value, decimals);
       cell = with_unit(cell, result->unit == unit ? "" : result->unit);
-      cell += is_estimate && is_unreliable(run.outlets[i]) ? " ?" : "";
+      cell += is_estimate && is_unreliable(*outlets[i]) ? " ?" : "";
     }
     column.cells.push_back(cell);
   }
@@ -100,22 +105,31 @@ std::string KeyColumn::heading_in_one_line() const {
   return heading[0].empty() ? heading[1] : heading[0] + ' ' + heading[1];
 }
 
-std::vector<KeyColumn> key_columns(const record::RunRecord& run, std::size_t most) {
+Outlets outlets_of(const record::RunRecord& run, const std::vector<std::size_t>& indices) {
+  Outlets outlets;
+  for (const std::size_t index : indices) {
+    outlets.push_back(&run.outlets[index]);
+  }
+  return outlets;
+}
+
+std::vector<KeyColumn> key_columns(const Outlets& outlets, std::size_t most) {
   std::vector<KeyColumn> columns;
   for (const KeyMeasure& key : kByImportance) {
     if (columns.size() == most) {
       break;
     }
-    const Results results = results_of(run, key.name);
+    const Results results = results_of(outlets, key.name);
     if (std::any_of(results.begin(), results.end(), has_value)) {
-      columns.push_back(column_of(run, key, results));
+      columns.push_back(column_of(outlets, key, results));
     }
   }
   return columns;
 }
 
-std::string doubt_note(const record::RunRecord& run) {
-  const bool any = std::any_of(run.outlets.begin(), run.outlets.end(), is_unreliable);
+std::string doubt_note(const Outlets& outlets) {
+  const bool any = std::any_of(outlets.begin(), outlets.end(),
+                               [](const auto* outlet) { return is_unreliable(*outlet); });
   return any ? "?: an estimate that the outlet flagged as unreliable when it decided" : "";
 }
 

@@ -1,6 +1,7 @@
 #include "plot_data.hpp"
 
 #include "format.hpp"
+#include "html_elements.hpp"
 #include "json_text.hpp"
 
 #include <algorithm>
@@ -17,6 +18,10 @@ namespace {
 constexpr double kSteps_per_hz = 1e5;
 constexpr double kSteps_per_hz_s = 1e3;
 constexpr double kSteps_per_mw = 1e2;
+
+constexpr std::size_t kFewestPoints = 100;       // of one curve, if its text is too long
+constexpr std::size_t kMostLabel = 80;           // bytes
+constexpr std::size_t kMostReference = 150'000;  // bytes
 
 Json rounded(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
@@ -48,8 +53,8 @@ Json marks_json(const record::RunRecord& run, const std::vector<record::Mark>& m
     const bool detail = mark.kind.rfind("decision.", 0) == 0;
     if (!detail && list.size() < kMostMarks) {
       list.push_back({{"t", seconds(run, mark.tick)},
-                      {"kind", valid_text(mark.kind)},
-                      {"label", valid_text(mark_label(mark))}});
+                      {"kind", clipped(mark.kind, kMostLabel)},
+                      {"label", clipped(mark_label(mark), kMostLabel)}});
     }
   }
   return list;
@@ -60,14 +65,13 @@ template <class Value>
 Json frequency_json(const record::RunRecord& run, const std::vector<std::int64_t>& tick,
                     const std::vector<Value>& frequency_hz, const std::vector<Value>& rocof_hz_s,
                     const std::vector<record::Mark>& marks,
-                    const std::vector<std::uint8_t>& validity) {
+                    const std::vector<std::uint8_t>& validity, std::size_t most) {
   Json t = Json::array();
   Json f = Json::array();
   Json r = Json::array();
   const std::vector<double> frequency(frequency_hz.begin(), frequency_hz.end());
   const std::vector<double> rocof(rocof_hz_s.begin(), rocof_hz_s.end());
-  for (const std::size_t i :
-       thinned(tick, frequency, rocof, around_marks(run, marks), kMostPoints)) {
+  for (const std::size_t i : thinned(tick, frequency, rocof, around_marks(run, marks), most)) {
     const bool claimed = validity.empty() || validity[i] != 0;
     t.push_back(seconds(run, tick[i]));
     f.push_back(claimed ? rounded(frequency[i], kSteps_per_hz) : nullptr);
@@ -76,7 +80,8 @@ Json frequency_json(const record::RunRecord& run, const std::vector<std::int64_t
   return {{"t", std::move(t)}, {"f", std::move(f)}, {"r", std::move(r)}};
 }
 
-Json estimates_json(const record::RunRecord& run, const record::OutletRecord& outlet) {
+Json estimates_json(const record::RunRecord& run, const record::OutletRecord& outlet,
+                    std::size_t most) {
   Json t = Json::array();
   Json p = Json::array();
   Json trusted = Json::array();
@@ -85,7 +90,7 @@ Json estimates_json(const record::RunRecord& run, const record::OutletRecord& ou
   const std::vector<double> sigma_mw(estimates.loss_sigma_mw.begin(),
                                      estimates.loss_sigma_mw.end());
   for (const std::size_t i :
-       thinned(estimates.tick, loss_mw, sigma_mw, around_marks(run, outlet.marks), kMostPoints)) {
+       thinned(estimates.tick, loss_mw, sigma_mw, around_marks(run, outlet.marks), most)) {
     t.push_back(seconds(run, estimates.tick[i]));
     p.push_back(rounded(loss_mw[i], kSteps_per_mw));
     trusted.push_back(estimates.trusted[i]);
@@ -93,14 +98,27 @@ Json estimates_json(const record::RunRecord& run, const record::OutletRecord& ou
   return {{"t", std::move(t)}, {"p", std::move(p)}, {"trusted", std::move(trusted)}};
 }
 
-Json outlet_json(const record::RunRecord& run, const record::OutletRecord& outlet) {
+Json outlet_json(const record::RunRecord& run, const record::OutletRecord& outlet,
+                 std::size_t most) {
   const record::MeasurementTrace& trace = outlet.trace;
-  Json json = {{"id", valid_text(outlet.id)}};
+  Json json = {{"id", clipped(outlet.id, kMostLabel)}};
   json.update(frequency_json(run, trace.tick, trace.frequency_hz, trace.rocof_hz_s, outlet.marks,
-                             trace.validity));
-  json["e"] = estimates_json(run, outlet);
+                             trace.validity, most));
+  json["e"] = estimates_json(run, outlet, most);
   json["marks"] = marks_json(run, outlet.marks);
   return json;
+}
+
+// The text of make(most) with as many points as fit into `most_bytes`.
+template <class Make>
+std::string fitted(std::size_t most_bytes, const Make& make, std::size_t& most) {
+  most = kMostPoints;
+  std::string text = in_script(make(most));
+  while (text.size() > most_bytes && most > kFewestPoints) {
+    most = std::max(kFewestPoints, std::min(most * most_bytes / text.size(), most * 19 / 20));
+    text = in_script(make(most));
+  }
+  return text;
 }
 
 }  // namespace
@@ -146,29 +164,46 @@ std::string mark_value(const record::Mark& mark) {
   return with_unit(fixed(mark.value, decimals_for({mark.value})), power ? "MW" : "");
 }
 
-std::string plot_data(const record::RunRecord& run) {
-  const auto each = [&](const record::OutletRecord& outlet) { return outlet_json(run, outlet); };
-  return in_script(
-      {{"nominal_hz", run.nominal_hz},
-       {"duration_s", seconds(run, run.duration_ticks)},
-       {"reference", frequency_json(run, run.reference.tick, run.reference.frequency_hz,
-                                    run.reference.rocof_hz_s, run.stimulus, {})},
-       {"stimulus", marks_json(run, run.stimulus)},
-       {"outlets", array_of(run.outlets, each)}});
+OutletCurves curves_of(const record::RunRecord& run, const record::OutletRecord& outlet,
+                       std::size_t most_bytes) {
+  OutletCurves curves{"", outlet.trace.tick.size(), 0};
+  curves.json = fitted(
+      most_bytes, [&](std::size_t most) { return outlet_json(run, outlet, most); }, curves.drawn);
+  return curves;
 }
 
-std::string thinning_note(const record::RunRecord& run) {
-  std::size_t longest = 0;
-  for (const record::OutletRecord& outlet : run.outlets) {
-    longest = std::max(longest, outlet.trace.tick.size());
+std::string plot_data(const record::RunRecord& run, const std::vector<OutletCurves>& outlets) {
+  std::string text = in_script({{"nominal_hz", run.nominal_hz},
+                                {"duration_s", seconds(run, run.duration_ticks)},
+                                {"stimulus", marks_json(run, run.stimulus)}});
+  text.back() = ',';
+  std::size_t drawn = 0;
+  const auto reference = [&](std::size_t most) {
+    return frequency_json(run, run.reference.tick, run.reference.frequency_hz,
+                          run.reference.rocof_hz_s, run.stimulus, {}, most);
+  };
+  text += "\"reference\":" + fitted(kMostReference, reference, drawn) + ",\"outlets\":[";
+  for (const OutletCurves& outlet : outlets) {
+    text += (&outlet == &outlets.front() ? "" : ",") + outlet.json;
   }
-  if (longest <= kMostPoints) {
+  return text + "]}";
+}
+
+std::string thinning_note(const std::vector<OutletCurves>& outlets) {
+  std::size_t longest = 0;
+  std::size_t fewest = kMostPoints;
+  for (const OutletCurves& outlet : outlets) {
+    longest = std::max(longest, outlet.reports);
+    fewest = std::min(fewest, outlet.drawn);
+  }
+  if (longest <= fewest) {
     return "";
   }
   return fmt::format(
-      "At most {} of up to {} reports per outlet are drawn: all reports near marks, elsewhere the "
-      "extremes of each interval. The record and the CSV file contain all reports.",
-      kMostPoints, longest);
+      "At most {} of up to {} reports per outlet are drawn: reports near marks, elsewhere the "
+      "extremes of each interval. The record has all; `gsbench report RUN --format csv` prints "
+      "them.",
+      fewest, longest);
 }
 
 }  // namespace gsbench::render

@@ -12,8 +12,16 @@ namespace gsbench::render {
 constexpr std::size_t kMostPoints = 4000;  // of one curve
 constexpr std::size_t kMostMarks = 200;    // of one outlet
 
-// JSON for a <script> element, without "<", ">" and "&".
-std::string plot_data(const record::RunRecord& run);
+// JSON texts for a <script> element, without "<", ">" and "&".
+struct OutletCurves {
+  std::string json;
+  std::size_t reports;  // of the outlet
+  std::size_t drawn;    // at most so many of them
+};
+// Draws fewer points if the text would be longer than `most_bytes`.
+OutletCurves curves_of(const record::RunRecord& run, const record::OutletRecord& outlet,
+                       std::size_t most_bytes);
+std::string plot_data(const record::RunRecord& run, const std::vector<OutletCurves>& outlets);
 
 // Thinning selects the entries of a long series that a plot needs: the extremes of each interval.
 // The thinned curve looks like the complete one, and no spike is lost.
@@ -41,6 +49,6 @@ std::string mark_label(const record::Mark& mark);
 std::string mark_value(const record::Mark& mark);
 
 // States that not all reports are drawn; empty if all are.
-std::string thinning_note(const record::RunRecord& run);
+std::string thinning_note(const std::vector<OutletCurves>& outlets);
 
 }  // namespace gsbench::render

@@ -33,9 +33,10 @@ std::string deviations(const record::RunRecord& run) {
 
 }  // namespace
 
-std::vector<Shortfall> shortfalls(const record::RunRecord& run) {
+std::vector<Shortfall> shortfalls(const View& view) {
   std::vector<Shortfall> found;
-  for (const record::OutletRecord& outlet : run.outlets) {
+  for (const std::size_t index : view.outlets) {
+    const record::OutletRecord& outlet = view.run.outlets[index];
     for (const record::MeasurementResult& result : outlet.measurements) {
       if (result.judged && result.verdict != record::Verdict::kPass) {
         found.push_back({&outlet, &result});
@@ -64,9 +65,14 @@ std::string outlet_sentence(const record::OutletRecord& outlet) {
   return outlet.fault.empty() ? "the outlet as a whole" : "it " + valid_text(outlet.fault);
 }
 
-std::vector<const record::OutletRecord*> faulty_outlets(const record::RunRecord& run) {
+bool has_sent_hello(const record::OutletRecord& outlet) {
+  return outlet.protocol_version != 0;
+}
+
+std::vector<const record::OutletRecord*> faulty_outlets(const View& view) {
   std::vector<const record::OutletRecord*> faulty;
-  for (const record::OutletRecord& outlet : run.outlets) {
+  for (const std::size_t index : view.outlets) {
+    const record::OutletRecord& outlet = view.run.outlets[index];
     if (!outlet.fault.empty()) {
       faulty.push_back(&outlet);
     }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <record/run_record.hpp>
+#include <render/view.hpp>
 
 namespace gsbench::render {
 
@@ -14,8 +14,11 @@ std::string verdict_sentence(const record::RunRecord& run);
 // Why the verdict of an outlet is worse than those of its measurements: its fault, if known.
 std::string outlet_sentence(const record::OutletRecord& outlet);
 
-// Outlets with a fault.
-std::vector<const record::OutletRecord*> faulty_outlets(const record::RunRecord& run);
+// False if instance and protocol version are not known: 0 is the instance of a simulated outlet.
+bool has_sent_hello(const record::OutletRecord& outlet);
+
+// Outlets with a fault, of those that are shown.
+std::vector<const record::OutletRecord*> faulty_outlets(const View& view);
 
 // What played the signal, how, and how accurately: lines. Empty if it was played exactly.
 std::vector<std::string> source_lines(const record::RunRecord& run);
@@ -29,12 +32,12 @@ std::string clock_uncertainty(const record::AlignedClock& clock);  // "± 0.13 m
 // Which recording was played; empty if none was.
 std::string played_sentence(const record::RunRecord& run);
 
-// Judged measurements that did not pass, worst verdict first.
+// Judged measurements of the outlets that are shown that did not pass, worst verdict first.
 struct Shortfall {
   const record::OutletRecord* outlet;
   const record::MeasurementResult* result;
 };
-std::vector<Shortfall> shortfalls(const record::RunRecord& run);
+std::vector<Shortfall> shortfalls(const View& view);
 
 // "112.00 ± 0.13 ms, limit ≤ 100 ms: reason"
 std::string shortfall_text(const record::MeasurementResult& result);

@@ -3,6 +3,11 @@
 #include "summary.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -13,9 +18,23 @@ namespace {
 
 using record::Verdict;
 
-constexpr std::size_t kMostTerminalColumns = 7;      // of key figures
-constexpr std::size_t kMostIdColumns = 40;           // longer ids are shortened in the middle
-constexpr std::size_t kMostTerminalShortfalls = 10;  // the HTML report has more
+constexpr std::size_t kMostTerminalColumns = 7;  // of key figures
+constexpr std::size_t kMostIdColumns = 40;       // longer ids are shortened in the middle
+constexpr std::size_t kMostOutletRows = 32;      // more outlets are counted
+
+// The most lines of each kind; the HTML report has more.
+struct Most {
+  std::size_t outlets;
+  std::size_t groups;
+  std::size_t faults;
+  std::size_t shortfalls;
+  std::size_t clocks;
+  std::size_t columns;  // of a line; longer ones are shortened in the middle
+};
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+constexpr Most kMostOfFew{kAll, kAll, 10, 10, kAll, kAll};
+// 40 lines in all, with a line for each "… and n more", and five for notes and verdict.
+constexpr Most kMostOfMany{6, 5, 3, 3, 1, kLineColumns};
 
 std::string coloured(Verdict verdict) {
   const int code = verdict == Verdict::kPass           ? 32  // green
@@ -34,20 +53,19 @@ std::string one_line(const std::string& text) {
 }
 
 // Two lines of headings, then a line for each outlet, its verdict at the end.
-std::vector<std::string> table_of(const record::RunRecord& run,
-                                  const std::vector<KeyColumn>& columns) {
+std::vector<std::string> table_of(const Outlets& outlets, const std::vector<KeyColumn>& columns) {
   std::vector<std::vector<std::string>> rows = {{""}, {"outlet"}};
   for (const KeyColumn& column : columns) {
     rows[0].push_back(one_line(column.heading[0]));
     rows[1].push_back(one_line(column.heading[1]));
   }
   rows[1].emplace_back("verdict");
-  for (std::size_t i = 0; i < run.outlets.size(); ++i) {
-    rows.push_back({shortened(one_line(run.outlets[i].id), kMostIdColumns)});
+  for (std::size_t i = 0; i < outlets.size(); ++i) {
+    rows.push_back({shortened(one_line(outlets[i]->id), kMostIdColumns)});
     for (const KeyColumn& column : columns) {
       rows.back().push_back(one_line(column.cells[i]));
     }
-    rows.back().emplace_back(record::to_string(run.outlets[i].verdict));
+    rows.back().emplace_back(record::to_string(outlets[i]->verdict));
   }
   if (columns.empty()) {
     rows.erase(rows.begin());
@@ -56,49 +74,134 @@ std::vector<std::string> table_of(const record::RunRecord& run,
 }
 
 // With as many key figures as fit a line.
-std::vector<std::string> outlet_table(const record::RunRecord& run) {
-  std::vector<KeyColumn> columns = key_columns(run, kMostTerminalColumns);
-  std::vector<std::string> lines = table_of(run, columns);
+std::vector<std::string> outlet_table(const Outlets& outlets) {
+  std::vector<KeyColumn> columns = key_columns(outlets, kMostTerminalColumns);
+  std::vector<std::string> lines = table_of(outlets, columns);
   while (!fit(lines) && !columns.empty()) {
     columns.pop_back();
-    lines = table_of(run, columns);
+    lines = table_of(outlets, columns);
   }
   return lines;
+}
+
+struct Counts {
+  std::string group;
+  std::array<std::size_t, 4> of = {};  // by verdict
+
+  void add(Verdict verdict) { ++of[static_cast<std::size_t>(verdict)]; }
+  void add(const Counts& other) {
+    std::transform(of.begin(), of.end(), other.of.begin(), of.begin(), std::plus<>());
+  }
+  std::size_t all() const { return std::accumulate(of.begin(), of.end(), std::size_t{0}); }
+  std::size_t missed() const { return all() - of[0]; }
+};
+
+// Of each group, that with most outlets that did not pass first.
+std::vector<Counts> counts_of_groups(const View& view) {
+  std::vector<Counts> groups;
+  std::map<std::string, std::size_t> places;
+  for (const std::size_t index : view.outlets) {
+    const record::OutletRecord& outlet = view.run.outlets[index];
+    const auto [place, is_new] = places.insert({outlet.group, groups.size()});
+    if (is_new) {
+      groups.push_back({shortened(one_line(outlet.group), kMostIdColumns), {}});
+    }
+    groups[place->second].add(outlet.verdict);
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Counts& a, const Counts& b) { return a.missed() > b.missed(); });
+  return groups;
+}
+
+// A row for each group and one for all outlets. Verdicts that no outlet has are left out.
+std::vector<std::string> count_table(const View& view, std::size_t most_groups) {
+  std::vector<Counts> counts = counts_of_groups(view);
+  Counts all{"all", {}};
+  for (const Counts& group : counts) {
+    all.add(group);
+  }
+  if (counts.size() > most_groups) {
+    Counts others{fmt::format("… and {} more groups", counts.size() - most_groups), {}};
+    for (std::size_t i = most_groups; i < counts.size(); ++i) {
+      others.add(counts[i]);
+    }
+    counts.resize(most_groups);
+    counts.push_back(others);
+  }
+  if (counts.size() == 1) {
+    counts.clear();
+  }
+  counts.push_back(all);
+  std::vector<std::vector<std::string>> rows = {{"group", "outlets"}};
+  for (const Counts& one : counts) {
+    rows.push_back({one.group, std::to_string(one.all())});
+  }
+  for (std::size_t verdict = 0; verdict < all.of.size(); ++verdict) {
+    if (all.of[verdict] > 0) {
+      rows[0].emplace_back(record::to_string(static_cast<Verdict>(verdict)));
+      for (std::size_t i = 0; i < counts.size(); ++i) {
+        rows[i + 1].push_back(std::to_string(counts[i].of[verdict]));
+      }
+    }
+  }
+  return aligned(rows);
 }
 
 enum class Target { kPipe, kTerminal };
 
 class Text {
  public:
-  explicit Text(Target target) : target_(target) {}
+  Text(Target target, std::size_t most_columns) : target_(target), most_columns_(most_columns) {}
 
-  void add(const std::string& line) {
-    text_ += target_ == Target::kTerminal ? wrapped(line, kLineColumns, 4) : line;
-    text_ += '\n';
-  }
+  void add(const std::string& line) { add_up_to(line, most_columns_); }
 
-  void add(Verdict verdict, const std::string& rest) {
+  void add(Verdict verdict, const std::string& rest, std::size_t most_lines = 1) {
     const std::size_t at = text_.size();
-    add(record::to_string(verdict) + rest);
+    add_up_to(record::to_string(verdict) + rest,
+              most_columns_ == kAll ? kAll : most_lines * most_columns_);
     colour(verdict, at);
   }
 
+  void add(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+      text_ += line + '\n';
+    }
+  }
+
   // Lines of outlet_table().
-  void add(const record::RunRecord& run, const std::vector<std::string>& lines) {
-    const std::size_t headings = lines.size() - run.outlets.size();
+  void add(const Outlets& outlets, const std::vector<std::string>& lines) {
+    const std::size_t headings = lines.size() - outlets.size();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       text_ += lines[i];
       if (i >= headings) {
-        const Verdict verdict = run.outlets[i - headings].verdict;
+        const Verdict verdict = outlets[i - headings]->verdict;
         colour(verdict, text_.size() - std::string(record::to_string(verdict)).size());
       }
       text_ += '\n';
     }
   }
 
+  // The first `most` of `all`, each by add_one, and how many more there are.
+  template <class Item, class AddOne>
+  void add_first(const std::vector<Item>& all, std::size_t most, const char* what,
+                 const AddOne& add_one) {
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) {
+      add_one(all[i]);
+    }
+    if (all.size() > most) {
+      add(fmt::format("… and {} more{}", all.size() - most, what));
+    }
+  }
+
   const std::string& text() const { return text_; }
 
  private:
+  void add_up_to(const std::string& line, std::size_t columns) {
+    const std::string shown = columns == kAll ? line : shortened(line, columns);
+    text_ += target_ == Target::kTerminal ? wrapped(shown, kLineColumns, 4) : shown;
+    text_ += '\n';
+  }
+
   void colour(Verdict verdict, std::size_t at) {
     if (target_ == Target::kTerminal) {
       text_.replace(at, std::string(record::to_string(verdict)).size(), coloured(verdict));
@@ -106,61 +209,70 @@ class Text {
   }
 
   Target target_;
+  std::size_t most_columns_;
   std::string text_;
 };
 
-std::string text_of(const record::RunRecord& run, Target target) {
-  Text text(target);
-  text.add(
-      fmt::format("{}  seed {}  {}", one_line(run.profile), run.seed, one_line(run.profile_title)));
-  if (!run.outlets.empty()) {
-    text.add(run, outlet_table(run));
+void add_outlets(const View& view, const Most& most, Text& text) {
+  const std::vector<std::size_t> rows = worst_first(view, most.outlets);
+  const Outlets outlets = outlets_of(view.run, rows);
+  if (rows.size() < view.outlets.size()) {
+    text.add(count_table(view, most.groups));
+    text.add(
+        fmt::format("{} of the {} outlets, the worst first; `gsbench report RUN --outlet ID` "
+                    "shows others:",
+                    rows.size(), view.outlets.size()));
   }
-  const std::string doubt = doubt_note(run);
+  if (!outlets.empty()) {
+    text.add(outlets, outlet_table(outlets));
+  }
+  const std::string doubt = doubt_note(outlets);
   if (!doubt.empty()) {
     text.add(doubt);
   }
+}
+
+std::string text_of(const View& view, Target target) {
+  const record::RunRecord& run = view.run;
+  const Most& most = view.outlets.size() > kMostOutletRows ? kMostOfMany : kMostOfFew;
+  Text text(target, most.columns);
+  text.add(
+      fmt::format("{}  seed {}  {}", one_line(run.profile), run.seed, one_line(run.profile_title)));
+  add_outlets(view, most, text);
   if (run.recording.replaces_profile) {
     text.add(one_line(played_sentence(run)));
   }
-  const std::vector<const record::OutletRecord*> faulty = faulty_outlets(run);
-  for (std::size_t i = 0; i < std::min(faulty.size(), kMostTerminalShortfalls); ++i) {
-    text.add(faulty[i]->verdict, fmt::format(" {}: {}", one_line(faulty[i]->id),
-                                             one_line(outlet_sentence(*faulty[i]))));
-  }
-  if (faulty.size() > kMostTerminalShortfalls) {
-    text.add(fmt::format("… and {} more outlets", faulty.size() - kMostTerminalShortfalls));
-  }
-  const std::vector<Shortfall> missed = shortfalls(run);
-  for (std::size_t i = 0; i < std::min(missed.size(), kMostTerminalShortfalls); ++i) {
-    const auto& [outlet, result] = missed[i];
-    text.add(result->verdict, fmt::format(" {} {}: {}", one_line(outlet->id), result->name,
-                                          one_line(shortfall_text(*result))));
-  }
-  if (missed.size() > kMostTerminalShortfalls) {
-    text.add(fmt::format("… and {} more", missed.size() - kMostTerminalShortfalls));
-  }
+  text.add_first(faulty_outlets(view), most.faults, " outlets", [&](const auto* outlet) {
+    text.add(outlet->verdict,
+             fmt::format(" {}: {}", one_line(outlet->id), one_line(outlet_sentence(*outlet))));
+  });
+  text.add_first(shortfalls(view), most.shortfalls, "", [&](const Shortfall& missed) {
+    text.add(missed.result->verdict,
+             fmt::format(" {} {}: {}", one_line(missed.outlet->id), missed.result->name,
+                         one_line(shortfall_text(*missed.result))));
+  });
   for (const std::string& line : source_in_short(run)) {
     text.add(one_line(line));
   }
   if (has_clocks(run)) {
-    for (const record::AlignedClock& clock : run.clocks) {
+    text.add_first(run.clocks, most.clocks, " clocks", [&](const record::AlignedClock& clock) {
       text.add(fmt::format("Clock of {}: {}, {}", one_line(clock.what), one_line(clock.aligned_by),
                            clock_uncertainty(clock)));
-    }
+    });
   }
-  text.add(run.verdict, ": " + one_line(verdict_sentence(run)));
+  constexpr std::size_t kSentenceLines = 2;
+  text.add(run.verdict, ": " + one_line(verdict_sentence(run)), kSentenceLines);
   return text.text();
 }
 
 }  // namespace
 
-std::string terminal(const record::RunRecord& run) {
-  return text_of(run, Target::kPipe);
+std::string terminal(const View& view) {
+  return text_of(view, Target::kPipe);
 }
 
-std::string coloured_terminal(const record::RunRecord& run) {
-  return text_of(run, Target::kTerminal);
+std::string coloured_terminal(const View& view) {
+  return text_of(view, Target::kTerminal);
 }
 
 }  // namespace gsbench::render

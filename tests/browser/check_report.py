@@ -86,7 +86,27 @@ def check_measurement(found, where, shown, expected):
                      f"{where}: shows {shown['badge']}, the record has {expected['verdict']}")
 
 
-def check_figures(browser, result, found):
+VERDICTS = ["PASS", "INCONCLUSIVE", "FAIL", "ERROR"]
+MOST_DRAWN = 20
+
+
+def outlets_drawn(browser, result, found):
+    """Those of the record that the page shows in full, in its order."""
+    outlets = result["outlets"]
+    if len(outlets) <= MOST_DRAWN:
+        return outlets
+    shown = [outlet["name"] for outlet in browser.run(CELLS)]
+    drawn = [outlet for name in shown for outlet in outlets if outlet["id"] == name]
+    found.expect(len(drawn) == MOST_DRAWN, f"{len(drawn)} outlets are shown in full")
+    worst = sorted((VERDICTS.index(o["verdict"]) for o in outlets), reverse=True)[:MOST_DRAWN]
+    found.expect([VERDICTS.index(o["verdict"]) for o in drawn] == worst,
+                 "the outlets shown in full are not the worst")
+    note = browser.run("return document.getElementById('not-drawn').textContent")
+    found.expect(f"for {MOST_DRAWN} of the {len(outlets)} outlets" in note, f"the note is {note!r}")
+    return drawn
+
+
+def check_figures(browser, result, drawn, found):
     verdict = browser.run("return document.getElementById('verdict').textContent")
     found.expect(result["verdict"] in verdict, f"the verdict shown is {verdict!r}")
     found.expect(result["profile"] in browser.run("return document.title"),
@@ -95,12 +115,12 @@ def check_figures(browser, result, found):
     for key in ("run_id", "profile", "seed", "profile_sha256", "firmware_sha256"):
         found.expect(str(result[key]) in facts, f"the facts do not contain {key} {result[key]}")
     outlets = browser.run(CELLS)
-    found.expect([o["name"] for o in outlets] == [o["id"] for o in result["outlets"]],
+    found.expect([o["name"] for o in outlets] == [o["id"] for o in drawn],
                  f"outlets shown: {[o['name'] for o in outlets]}")
     rows = browser.run("return document.querySelectorAll('#overview tbody tr').length")
     found.expect(rows == len(result["outlets"]),
                  f"the overview has {rows} rows for {len(result['outlets'])} outlets")
-    for shown, expected in zip(outlets, result["outlets"]):
+    for shown, expected in zip(outlets, drawn):
         found.expect(shown["verdict"] == expected["verdict"], f"{shown['name']}: {shown['verdict']}")
         names = [m["name"] for m in expected["measurements"]]
         found.expect([m["name"] for m in shown["measurements"]] == names,
@@ -122,7 +142,7 @@ def check_layout(browser, width, found):
     found.expect(not clipped, f"at {width} pixels these elements extend beyond the page: {clipped}")
 
 
-def check_plots(browser, result, found):
+def check_plots(browser, drawn, found):
     inked = browser.run(INKED_PIXELS)
     # A single line across the plot has over 300 pixels; an empty canvas has none.
     found.expect(min(inked) > 300, f"a plot is empty; inked pixels: {inked}")
@@ -152,7 +172,7 @@ def check_plots(browser, result, found):
             const rows = gsbenchGraphs[0].file_;
             return rows.filter(r => Number.isFinite(r[1])).map(r => r[1]);""")
     curves = []
-    for index in range(len(result["outlets"])):
+    for index in range(len(drawn)):
         browser.run("""
             const choice = document.getElementById('outlet-choice');
             choice.value = String(arguments[0]);
@@ -162,7 +182,7 @@ def check_plots(browser, result, found):
     found.expect(len(set(curves)) == len(curves), "choosing another outlet shows the same curve")
 
 
-def check_print(browser, path, result, found):
+def check_print(browser, path, result, drawn, found):
     browser.print_a4(path)
     information = subprocess.run(["pdfinfo", path], capture_output=True, text=True, check=True).stdout
     size = re.search(r"Page size:\s+([\d.]+) x ([\d.]+)", information)
@@ -173,7 +193,7 @@ def check_print(browser, path, result, found):
     found.expect("End of the report on run" in text, "the printed report is not complete")
     found.expect(text.count(result["run_id"]) >= text.count("\f"),
                  "a printed page does not contain the run id")
-    for outlet in result["outlets"]:
+    for outlet in drawn:
         for measurement in outlet["measurements"]:
             found.expect(measurement["name"] in text, f"{measurement['name']} is not printed")
     # The curves are printed as images that are larger than any icon.
@@ -189,17 +209,18 @@ def check(browser, report, result, pictures=None):
     found = Findings()
     browser.set_width(WIDTHS[0])
     browser.open(report)
-    check_figures(browser, result, found)
+    drawn = outlets_drawn(browser, result, found)
+    check_figures(browser, result, drawn, found)
     for width in WIDTHS:
         check_layout(browser, width, found)
         if pictures:
             browser.screenshot(f"{pictures}-{width}.png", whole_page=True)
     browser.set_width(WIDTHS[0])
     if result["outlets"]:
-        check_plots(browser, result, found)
+        check_plots(browser, drawn, found)
     with tempfile.TemporaryDirectory() as folder:
         paper = f"{pictures}.pdf" if pictures else os.path.join(folder, "report.pdf")
-        check_print(browser, paper, result, found)
+        check_print(browser, paper, result, drawn, found)
     found.expect(browser.run("return performance.getEntriesByType('resource').length") == 0,
                  "the page loads other files")
     console = browser.console()

@@ -41,6 +41,16 @@ RunRecord long_run() {
   return run;
 }
 
+// More outlets than are shown in full; one of those at the end fails.
+RunRecord many() {
+  RunRecord run = gsbench::sample::loss_500mw(24);
+  run.outlets[22].verdict = run.verdict = Verdict::kFail;
+  auto& delay = gsbench::sample::measurement(run.outlets[22], "event.delay");
+  delay.value = 176.0;
+  delay.verdict = Verdict::kFail;
+  return run;
+}
+
 void write(const std::string& stem, const RunRecord& run) {
   gsbench::render::write_file(stem + ".html", gsbench::render::html(run));
   gsbench::render::write_file(stem + ".json", gsbench::render::json(run));
@@ -58,6 +68,7 @@ int main(int argc, char** argv) {
     write(folder + "/passing", gsbench::sample::loss_500mw());
     write(folder + "/failing", failing());
     write(folder + "/long", long_run());
+    write(folder + "/many", many());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -39,14 +39,36 @@ std::map<std::string, nlohmann::ordered_json> by_name(const nlohmann::ordered_js
 TEST(Json, HasTheDocumentedKeys) {
   const auto whole = nlohmann::ordered_json::parse(json(sample::loss_500mw(1)));
   EXPECT_THAT(keys(whole),
-              ElementsAre("run_id", "profile", "profile_sha256", "grid", "grid_sha256", "recording",
-                          "firmware_sha256", "seed", "source", "clocks", "interrupted", "fault",
-                          "verdict", "verdict_reason", "outlets"));
+              ElementsAre("format_version", "run_id", "profile", "profile_sha256", "grid",
+                          "grid_sha256", "recording", "firmware_sha256", "seed", "source", "clocks",
+                          "interrupted", "fault", "verdict", "verdict_reason", "outlets"));
   EXPECT_THAT(keys(whole["outlets"][0]),
-              ElementsAre("id", "group", "link", "verdict", "fault", "clock", "measurements"));
+              ElementsAre("id", "group", "link", "board", "instance", "firmware", "build",
+                          "protocol_version", "settings_digest", "verdict", "fault", "clock",
+                          "measurements"));
   EXPECT_THAT(keys(whole["outlets"][0]["measurements"][0]),
               ElementsAre("name", "value", "unit", "low", "high", "uncertainty", "judged",
                           "expected_word", "verdict", "reason"));
+}
+
+TEST(Json, HasTheIdentityOfAnOutletAndNullForWhatIsNotKnown) {
+  RunRecord run = sample::loss_500mw(2);
+  run.outlets[1] = {};
+  const auto whole = nlohmann::json::parse(json(run));
+  EXPECT_EQ(whole["format_version"], record::kFormatVersion);
+  const auto& known = whole["outlets"][0];
+  EXPECT_EQ(known["board"], "mps2-an386");
+  EXPECT_EQ(known["instance"], 0x12345678);
+  EXPECT_EQ(known["firmware"], "0.1.0");
+  EXPECT_EQ(known["build"], "3f2a9c41");
+  EXPECT_EQ(known["protocol_version"], 3);
+  EXPECT_EQ(known["settings_digest"], "5be1a0f2");
+  for (const char* key :
+       {"board", "instance", "firmware", "build", "protocol_version", "settings_digest"}) {
+    EXPECT_TRUE(whole["outlets"][1].at(key).is_null()) << key;
+  }
+  run.outlets[0].instance = 0;  // as of the first simulated outlet
+  EXPECT_EQ(nlohmann::json::parse(json(run))["outlets"][0]["instance"], 0);
 }
 
 TEST(Json, HasVerdictsOfJudgedMeasurementsOnlyAndReasonsOfThoseNotPassed) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <pty.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <test_support/waiting.hpp>
 #include <unistd.h>
@@ -39,8 +40,10 @@ void redirect(const fs::path& path, int descriptor) {
 
 Outcome wait_for(const Started& started) {
   int status = 0;
-  waitpid(started.pid, &status, 0);
+  rusage used{};
+  wait4(started.pid, &status, 0, &used);
   Outcome outcome;
+  outcome.peak_memory_mb = static_cast<double>(used.ru_maxrss) * 1024.0 / 1e6;
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.out = text_of(started.out);
   outcome.err = text_of(started.err);

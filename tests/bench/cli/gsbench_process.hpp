@@ -18,6 +18,7 @@ struct Outcome {
   int exit_code = -1;  // 128 + number of the signal that ended it
   std::string out;
   std::string err;
+  double peak_memory_mb = 0.0;  // the largest resident set
 };
 
 using Words = std::vector<std::string>;

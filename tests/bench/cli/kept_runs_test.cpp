@@ -4,6 +4,7 @@
 #include <test_support/temporary_folder.hpp>
 #include <unistd.h>
 
+#include <csignal>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -14,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 constexpr const char* kProfile = R"(title = "t"
 source = "made for this test"
@@ -90,6 +92,73 @@ TEST_F(KeptRuns, AreReportedOnStandardOutputForOutputDash) {
   const fs::path kept = run("runs");
   const Outcome report = run_gsbench({"report", kept.string(), "--format", "json", "-o", "-"});
   EXPECT_EQ(report.out, text_of(kept / "result.json"));
+}
+
+TEST_F(KeptRuns, HaveTracesAsCsvOnRequest) {
+  const fs::path plain = run("plain");
+  EXPECT_FALSE(fs::exists(plain / "traces.csv"));
+  const fs::path with_csv = run("with-csv", {"--csv"});
+  const Outcome printed = run_gsbench({"report", with_csv.string(), "--format", "csv"});
+  EXPECT_THAT(printed.out, StartsWith("outlet,t_s,true_frequency_hz,"));
+  EXPECT_THAT(printed.out, HasSubstr("\noutlet-1,0.192,50,"));
+  EXPECT_TRUE(printed.out == text_of(with_csv / "traces.csv"));
+}
+
+TEST_F(KeptRuns, AreReportedForNamedOutlets) {
+  std::string text = kProfile;
+  const std::string outlet = "[[outlet]]\n";
+  text.replace(text.find(outlet), outlet.size(), outlet + "id = \"lamp\"\ncount = 12\n");
+  folder_.write("my.toml", text);
+  const std::string kept = run("runs").string();
+  const json named = run_for_json({"report", kept, "--format", "json", "--outlet", "lamp-7",
+                                   "--outlet", "lamp-2", "--outlet", "lamp-7"});
+  ASSERT_EQ(named["outlets"].size(), 2U);
+  EXPECT_EQ(named["outlets"][0]["id"], "lamp-7");
+  EXPECT_EQ(named["outlets"][1]["id"], "lamp-2");
+  const Outcome page = run_gsbench({"report", kept, "--format", "html", "--outlet", "lamp-3"});
+  EXPECT_EQ(page.exit_code, 0) << page.err;
+  EXPECT_NE(page.out.find("<dt>Outlets</dt><dd>1 of 12</dd>"), std::string::npos);
+  expect_refused({"report", kept, "--outlet", "lamp-3", "--outlet", "lamp-13"},
+                 "--outlet lamp-13: the run has no outlet with this id; its outlets are lamp-1,");
+  expect_refused({"report", kept, "--outlet", "lamp"}, "--format json` lists them");
+}
+
+// As a killed bench leaves it; crash tests of the record are in tests/reports.
+TEST_F(KeptRuns, ThatDidNotFinishAreReportedAsInterrupted) {
+  const std::string profile = folder_.write(
+      "long.toml", std::string(kProfile).replace(std::string(kProfile).find("0.2"), 3, "60"));
+  const Started started =
+      start_gsbench({"run", profile, "--real-time", "--out", folder_.file("runs")});
+  const auto folder = [&] {
+    std::error_code none_yet;
+    const fs::directory_iterator entries(folder_.file("runs"), none_yet);
+    return entries == fs::directory_iterator() ? fs::path() : entries->path();
+  };
+  const auto report = [&](const std::string& run) {
+    return run_gsbench({"report", run, "--out", folder_.file("runs"), "--format", "json"});
+  };
+  ASSERT_TRUE(until([&] {
+    return !folder().empty() &&
+           report(folder().string()).out.find("were kept up to 1.") != std::string::npos;
+  }));
+  stop(started, SIGKILL);
+  const std::string name = folder().filename().string();
+  EXPECT_THAT(name, StartsWith(".unfinished-"));
+  const Outcome whole = report(folder().string());
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  const json result = json::parse(whole.out);
+  EXPECT_EQ(result["interrupted"], true);
+  EXPECT_EQ(result["verdict"], "ERROR");
+  EXPECT_THAT(result["verdict_reason"], HasSubstr("measurements were kept up to "));
+  EXPECT_THAT(result["verdict_reason"], HasSubstr(" s of 60.000 s"));
+  const std::string id = result["run_id"];
+  for (const std::string& start : {name, name.substr(0, 15), id, id.substr(0, 20)}) {
+    EXPECT_EQ(report(start).out, whole.out) << start;
+  }
+  const Outcome list = run_gsbench({"runs", "--out", folder_.file("runs")});
+  EXPECT_THAT(list.err, HasSubstr("`gsbench report " + folder().string() + "` shows"));
+  const Outcome csv = run_gsbench({"report", folder().string(), "--format", "csv"});
+  EXPECT_THAT(csv.out, HasSubstr(",1.008,50,"));
 }
 
 TEST_F(KeptRuns, InAFolderWithoutPermissionGiveThatError) {

@@ -10,6 +10,8 @@
 
 #include <grid/sfr_model.hpp>
 #include <judge/reading.hpp>
+#include <measures/catalogue.hpp>
+#include <outlet/estimator.hpp>
 
 namespace gsbench::judge::test {
 namespace {
@@ -46,6 +48,7 @@ const std::vector<Known>& loss_values() {
       {"ekf.error", 3.0, kExact, 0.0},
       {"ekf.t_x_error", 10.0, 0.0003, 0.4},
       {"decision.delay", 920.0, kExact, 0.4},
+      {"decision.trust", NAN, 0.0, 0.0, "trusted"},
       {"decision.cause", NAN, 0.0, 0.0, "loss"},
       {"relay.delay", 928.0, kExact, 0.3},
       {"relay.delay_reported", 920.0, kExact, 0.4},
@@ -104,6 +107,15 @@ TEST(KnownValues, OfEstimatesByTheGridsStateIncludeThePowerLostBefore) {
     c.set_marks("decision.loss", 515.0 + method * before_mw);
     expect_known(c, {"ekf.error", 3.0, 1e-6, 0.0});
   }
+}
+
+TEST(KnownValues, OfTheTrustAreTheTextsOfTheFirmware) {
+  std::vector<std::string> texts;
+  for (std::uint8_t trust = 0; trust <= static_cast<std::uint8_t>(gs::outlet::kLastTrust);
+       ++trust) {
+    texts.emplace_back(to_string(static_cast<gs::outlet::Trust>(trust)));
+  }
+  EXPECT_EQ(measures::find("decision.trust")->text_values, texts);
 }
 
 TEST(KnownValues, AreReadFromTheRecordWithACommand) {

@@ -97,6 +97,14 @@ const std::vector<Mutant>& mutants() {
       {"ekf.error", -4.0, 4.0, with_value("decision.loss", 479.0)},
       {"ekf.t_x_error", -40.0, 40.0, wrong_instant},
       {"decision.delay", 200.0, 960.0, moved("decision", 41)},
+      {"decision.trust",
+       {},
+       {},
+       [](SyntheticCase& c) {
+         c.remove_marks("decision.trust");
+         c.add_mark(3920, "decision.trust", 0.0, "too uncertain");
+       },
+       "trusted"},
       {"decision.cause",
        {},
        {},

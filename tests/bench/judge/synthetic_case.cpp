@@ -110,6 +110,7 @@ SyntheticCase loss_of_500_mw() {
   c.add_mark(3920, "decision", 163.0, "shed");
   c.add_mark(3920, "decision.loss", 515.0, "MW");
   c.add_mark(3920, "decision.hits", 30.0);
+  c.add_mark(3920, "decision.trust", 1.0, "trusted");
   c.add_mark(3920, "relay.reported", 0.0, "loss");
   c.add_mark(3928, "relay.sense", 0.0, "open");
   // The measures use the last estimate up to the decision, not the last one of the run.

@@ -98,6 +98,9 @@ RunRecord read_run(const std::string& path);
 RunRecord read_run(const std::string& path,
                    const std::function<bool(const OutletRecord& results)>& wanted);
 
+// The same without the reports of any outlet. Records of version 6 keep some marks.
+RunRecord read_results(Reader& reader);
+
 // The same without the outlets, which are most of the file.
 RunRecord read_head(const std::string& path);
 

@@ -1,0 +1,366 @@
+// Reports of runs with many outlets, long runs, and records with much of everything.
+#include "sample_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <render/layout.hpp>
+#include <render/render.hpp>
+
+namespace gsbench::render {
+namespace {
+
+using record::RunRecord;
+using record::Verdict;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr std::size_t kMostBytes = 5'000'000;
+const std::string kLongText(5000, '"');  // six bytes each in HTML
+
+RunRecord many_outlets(std::size_t count) {
+  RunRecord run = sample::loss_500mw(2);
+  const record::OutletRecord sheds = run.outlets[0];
+  run.outlets.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    run.outlets.push_back(sheds);
+    run.outlets[i].id = "outlet-" + std::to_string(i);
+    run.outlets[i].group = i % 2 == 0 ? "even" : "odd";
+  }
+  return run;
+}
+
+void miss_a_limit(record::OutletRecord& outlet) {
+  auto& delay = sample::measurement(outlet, "event.delay");
+  delay.verdict = outlet.verdict = Verdict::kFail;
+  delay.reason = "outside its limits";
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+bool has(const std::string& page, const std::string& part) {
+  return page.find(part) != std::string::npos;
+}
+
+nlohmann::json curves_in(const std::string& page) {
+  const std::string start = "<script type=\"application/json\" id=\"plot-data\">";
+  const std::size_t from = page.find(start) + start.size();
+  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from))["outlets"];
+}
+
+std::vector<std::string> ids_drawn(const std::string& page) {
+  std::vector<std::string> ids;
+  for (const auto& outlet : curves_in(page)) {
+    ids.push_back(outlet["id"]);
+  }
+  return ids;
+}
+
+TEST(LargeHtml, ShowsTwentyOutletsInFullFailingOnesFirst) {
+  RunRecord run = many_outlets(40);
+  miss_a_limit(run.outlets[31]);
+  run.outlets[35].verdict = Verdict::kError;
+  std::string page = html(run);
+  std::vector<std::string> ids = ids_drawn(page);
+  EXPECT_EQ(ids.size(), 20U);
+  EXPECT_EQ(ids[0], "outlet-35");
+  EXPECT_EQ(ids[1], "outlet-31");
+  EXPECT_EQ(count(page, "<details id="), 20U);
+  EXPECT_EQ(count(page, "<option value="), 20U);
+  EXPECT_EQ(count(page, "<tr role=\"row\" data-outlet="), 20U);
+  EXPECT_EQ(count(page, "</th><td role=\"cell\" data-label=\"Event after, ms\""), 40U);
+  EXPECT_TRUE(has(page,
+                  "follow for 20 of the 40 outlets, the worst first; <code>gsbench "
+                  "report 20260301T101500Z-7f3a --outlet ID --format html</code>"));
+  for (record::OutletRecord& outlet : run.outlets) {
+    miss_a_limit(outlet);
+  }
+  page = html(run);
+  EXPECT_EQ(ids_drawn(page).size(), 20U) << "all fail";
+  EXPECT_LT(page.size(), kMostBytes);
+  run.outlets.resize(20);
+  page = html(run);
+  EXPECT_EQ(ids_drawn(page).size(), 20U);
+  EXPECT_FALSE(has(page, "id=\"not-drawn\""));
+}
+
+TEST(LargeHtml, ReadsTheReportsOfTheOutletsThatItDrawsOnceEach) {
+  const RunRecord run = many_outlets(30);
+  std::multiset<std::size_t> read;
+  View view = run;
+  view.with_reports = [&](std::size_t index) {
+    read.insert(index);
+    return run.outlets[index];
+  };
+  html(view);
+  EXPECT_EQ(read.size(), 20U);
+  EXPECT_EQ(std::set<std::size_t>(read.begin(), read.end()).size(), 20U);
+  read.clear();
+  for (const char* format : {"terminal", "json", "junit"}) {
+    find_format(format)->render(view);
+  }
+  EXPECT_TRUE(read.empty());
+}
+
+TEST(LargeHtml, ShowsTheNamedOutletsInFull) {
+  RunRecord run = many_outlets(40);
+  miss_a_limit(run.outlets[1]);
+  View view = run;
+  view.outlets = {33, 7};
+  const std::string page = html(view);
+  EXPECT_THAT(ids_drawn(page), ElementsAre("outlet-33", "outlet-7"));
+  EXPECT_TRUE(has(page, "<dt>Outlets</dt><dd>2 of 40</dd>"));
+  EXPECT_FALSE(has(page, "outlet-1<"));
+}
+
+TEST(LargeHtml, HasRowsOfTheWorstThousandOutlets) {
+  RunRecord run = many_outlets(0);
+  run.outlets.resize(100'000);
+  for (std::size_t i = 0; i < run.outlets.size(); ++i) {
+    run.outlets[i].id = "outlet-" + std::to_string(i);
+    run.outlets[i].verdict = i == 77'777 ? Verdict::kFail : Verdict::kInconclusive;
+  }
+  const std::string page = html(run);
+  EXPECT_LT(page.size(), kMostBytes);
+  EXPECT_EQ(count(page, "<th scope=\"row\" role=\"rowheader\">") -
+                count(page, "<td role=\"cell\" data-label=\"This bench\">"),
+            1000U);
+  EXPECT_TRUE(has(page, "1000 of the 100000 outlets, the worst first"));
+  EXPECT_LT(page.find("outlet-77777"), page.find("outlet-0<"));
+}
+
+// Numbers with many digits, everywhere.
+record::OutletRecord much(const record::OutletRecord& results, std::size_t reports) {
+  record::OutletRecord outlet = results;
+  for (std::size_t i = 0; i < reports; ++i) {
+    const double odd = std::sin(static_cast<double>(i)) * 1e30;
+    sample::add_report(outlet.trace, static_cast<std::int64_t>(i) * 129, odd, -odd, odd, true);
+    outlet.estimates.tick.push_back(static_cast<std::int64_t>(i) * 129);
+    outlet.estimates.loss_mw.push_back(static_cast<float>(odd));
+    outlet.estimates.loss_sigma_mw.push_back(static_cast<float>(odd));
+    outlet.estimates.event_tick.push_back(0);
+    outlet.estimates.loss_after_event_s.push_back(0.0F);
+    outlet.estimates.trusted.push_back(1);
+  }
+  for (int i = 0; i < 3000; ++i) {
+    outlet.marks.push_back({i * 5000, kLongText, 1e300, kLongText});
+  }
+  return outlet;
+}
+
+RunRecord much_of_everything() {
+  RunRecord run = sample::loss_500mw(1);
+  record::OutletRecord outlet = run.outlets[0];
+  run.outlets.clear();
+  run.profile_text = run.profile_title = run.profile = std::string(1'000'000, '"');
+  run.verdict_reason = run.station = run.noise = run.grid = run.run_id = kLongText;
+  run.source = {kLongText, "", kLongText};
+  for (int i = 0; i < 2000; ++i) {
+    run.source.how += kLongText + '\n';
+  }
+  run.recording = {kLongText, kLongText, kLongText, kLongText, kLongText, 1.0, true};
+  run.clocks.resize(2000, {kLongText, kLongText, 1.0});
+  run.comparisons.resize(2000, {kLongText, kLongText, 1e300, 1e-300, kLongText});
+  run.stimulus.resize(2000, {1, kLongText, 1.0, kLongText});
+  outlet.verdict = Verdict::kError;
+  outlet.id = outlet.group = outlet.link = outlet.fault = outlet.board = kLongText;
+  outlet.firmware = outlet.build = outlet.settings_digest = kLongText;
+  record::MeasurementResult result = outlet.measurements[0];
+  result.name = result.definition = result.text = result.reason = result.unit = kLongText;
+  result.verdict = Verdict::kFail;
+  outlet.measurements.resize(100, result);
+  for (int i = 0; i < 300; ++i) {
+    outlet.settings[kLongText + std::to_string(i)] = 1e300;
+  }
+  run.outlets.resize(25, outlet);
+  outlet.measurements.resize(14);
+  outlet.settings.clear();
+  run.outlets.resize(1500, outlet);
+  return run;
+}
+
+TEST(LargeHtml, StaysBelowFiveMegabytesWithMuchOfEverything) {
+  const RunRecord run = much_of_everything();
+  View view = run;
+  view.with_reports = [&](std::size_t index) { return much(run.outlets[index], 20'000); };
+  const std::string page = html(view);
+  EXPECT_LT(page.size(), kMostBytes);
+  EXPECT_GT(page.size(), 3'000'000U) << "parts are missing";
+  EXPECT_TRUE(has(page, "</html>"));
+  EXPECT_TRUE(has(page, "The beginning of 1000000 bytes; the record has all."));
+  EXPECT_TRUE(has(page, "The first of 3003."));  // marks
+  EXPECT_TRUE(has(page, "The first of 304 settings."));
+  EXPECT_TRUE(has(page, "The first of 100; those that did not pass come first."));
+  const nlohmann::json drawn = curves_in(page);
+  ASSERT_EQ(drawn.size(), 20U);
+  for (const auto& outlet : drawn) {
+    EXPECT_GE(outlet["t"].size(), 50U);
+    EXPECT_GE(outlet["e"]["t"].size(), 50U);
+    EXPECT_GE(outlet["marks"].size(), 100U);
+  }
+}
+
+TEST(LargeHtml, ShowsFirstWhatDidNotPassIfAnOutletHasTooManyMeasurements) {
+  RunRecord run = many_outlets(1);
+  record::OutletRecord& outlet = run.outlets[0];
+  const record::MeasurementResult passed = outlet.measurements[0];
+  outlet.measurements.resize(3000, passed);
+  outlet.measurements.back().name = "the.last";
+  EXPECT_FALSE(has(html(run), "the.last"));
+  outlet.measurements.back().verdict = Verdict::kFail;
+  EXPECT_TRUE(has(html(run), "data-measurement=\"the.last\""));
+}
+
+TEST(LargeHtml, KeepsTheExtremesOfTwentyLongCurves) {
+  const RunRecord hour = sample::steady(1, 3600.0);
+  RunRecord run = hour;
+  run.outlets.clear();
+  run.outlets.resize(20);
+  View view = run;
+  view.with_reports = [&](std::size_t index) {
+    record::OutletRecord outlet = hour.outlets[0];
+    outlet.trace.frequency_hz[10'000 * (index + 1)] = 47.5F;
+    outlet.trace.rocof_hz_s[10'001 * (index + 1)] = -9.0F;
+    return outlet;
+  };
+  const std::string page = html(view);
+  EXPECT_LT(page.size(), kMostBytes);
+  const nlohmann::json drawn = curves_in(page);
+  ASSERT_EQ(drawn.size(), 20U);
+  for (const auto& outlet : drawn) {
+    EXPECT_GT(outlet["t"].size(), 1000U);
+    EXPECT_THAT(outlet["f"], Contains(47.5));
+    EXPECT_THAT(outlet["r"], Contains(-9.0));
+  }
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    all.push_back(line);
+  }
+  return all;
+}
+
+TEST(LargeTerminal, CountsMoreThan32OutletsByGroupAndVerdict) {
+  RunRecord run = many_outlets(33);
+  miss_a_limit(run.outlets[7]);
+  miss_a_limit(run.outlets[9]);
+  run.outlets[4].verdict = Verdict::kError;
+  const auto all = lines_of(terminal(run));
+  EXPECT_THAT(all, Contains("group  outlets  PASS  FAIL  ERROR"));
+  EXPECT_THAT(all, Contains("odd         16    14     2      0"));
+  EXPECT_THAT(all, Contains("even        17    16     0      1"));
+  EXPECT_THAT(all, Contains("all         33    30     2      1"));
+  EXPECT_THAT(all,
+              Contains("6 of the 33 outlets, the worst first; `gsbench report RUN --outlet ID` "
+                       "shows others:"));
+  const auto rows = std::count_if(all.begin(), all.end(),
+                                  [](const auto& line) { return line.rfind("outlet-", 0) == 0; });
+  EXPECT_EQ(rows, 6);
+  EXPECT_THAT(all, Contains(StartsWith("outlet-4 ")));
+  EXPECT_THAT(all, Contains(StartsWith("FAIL outlet-9 event.delay: ")));
+}
+
+TEST(LargeTerminal, HasARowForEachOf32Outlets) {
+  const auto all = lines_of(terminal(many_outlets(32)));
+  EXPECT_EQ(all.size(), 36U);  // the run, two lines of headings, the outlets, the verdict
+  EXPECT_THAT(all, Not(Contains(StartsWith("group "))));
+}
+
+TEST(LargeTerminal, ShowsTheNamedOutlets) {
+  RunRecord run = many_outlets(1000);
+  miss_a_limit(run.outlets[3]);
+  run.verdict = Verdict::kFail;
+  View view = run;
+  view.outlets = {500, 2};
+  const auto all = lines_of(terminal(view));
+  ASSERT_EQ(all.size(), 6U);
+  EXPECT_THAT(all[3], StartsWith("outlet-500 "));
+  EXPECT_THAT(all[4], StartsWith("outlet-2 "));
+  EXPECT_EQ(all[5], "FAIL: 1 of 10000 judged measurements on 1000 outlets did not pass.");
+}
+
+// `gsbench run` prints an empty line and the path of the report below it.
+TEST(LargeTerminal, TakesAtMost38LinesWithMuchOfEverything) {
+  RunRecord run = many_outlets(1000);
+  const std::string words = "many words of a long text ";
+  std::string text;
+  for (int i = 0; i < 100; ++i) {
+    text += words;
+  }
+  run.profile_title = run.verdict_reason = text;
+  run.source = {text, text, text};
+  run.clocks.resize(100, {text, text, 1.0});
+  run.recording = {text, text, text, text, text, 1.0, true};
+  for (std::size_t i = 0; i < run.outlets.size(); ++i) {
+    record::OutletRecord& outlet = run.outlets[i];
+    outlet.fault = text;
+    outlet.group = std::to_string(i % 50) + text;
+    outlet.id += text;
+    outlet.marks.push_back({0, "decision.trust", 0.0, ""});
+    for (record::MeasurementResult& result : outlet.measurements) {
+      result.judged = true;
+      result.verdict = Verdict::kFail;
+      result.reason = text;
+    }
+    outlet.verdict = static_cast<Verdict>(i % 4);
+  }
+  for (const std::string& shown : {terminal(run), coloured_terminal(run)}) {
+    EXPECT_LE(lines_of(shown).size(), 38U) << shown;
+    EXPECT_GE(lines_of(shown).size(), 30U) << "parts are missing";
+    EXPECT_THAT(shown, HasSubstr("… and 45 more groups"));
+    EXPECT_THAT(shown, HasSubstr("… and 997 more outlets"));
+    EXPECT_THAT(shown, HasSubstr("… and 13997 more"));
+  }
+}
+
+TEST(LargeCsv, IsWrittenInPartsOfOneOutletAtMost) {
+  const RunRecord run = many_outlets(3);
+  std::string text;
+  std::size_t largest = 0;
+  write_csv(run, [&](std::string_view part) {
+    text += part;
+    largest = std::max(largest, part.size());
+  });
+  EXPECT_TRUE(text == csv(run));
+  EXPECT_LT(largest, 70'000U);
+  View view = run;
+  view.outlets = {1};
+  EXPECT_EQ(count(csv(view), "\noutlet-1,"), run.outlets[1].trace.tick.size());
+  EXPECT_THAT(csv(view), Not(HasSubstr("outlet-0")));
+}
+
+TEST(LargeRuns, JsonAndJUnitHaveTheNamedOutletsOnly) {
+  RunRecord run = many_outlets(5);
+  miss_a_limit(run.outlets[4]);
+  run.verdict = Verdict::kFail;
+  View view = run;
+  view.outlets = {3};
+  const auto whole = nlohmann::json::parse(json(view));
+  EXPECT_EQ(whole["verdict"], "FAIL");
+  ASSERT_EQ(whole["outlets"].size(), 1U);
+  EXPECT_EQ(whole["outlets"][0]["id"], "outlet-3");
+  EXPECT_EQ(count(junit_xml(view), "<testsuite "), 1U);
+  EXPECT_THAT(junit_xml(view), Not(HasSubstr("<failure")));
+  EXPECT_EQ(count(junit_xml(run), "<failure"), 1U);
+}
+
+}  // namespace
+}  // namespace gsbench::render
