@@ -48,7 +48,7 @@ void CsvReader::skip_failed_row() {
 }
 
 bool CsvReader::at_line_end() const {
-  return at_end() || text_[at_] == '\n' || text_.substr(at_, 2) == "\r\n";
+  return at_end() || text_[at_] == '\n' || text_[at_] == '\r';
 }
 
 // A tab that separates cells is no blank.
@@ -76,12 +76,11 @@ void CsvReader::skip_blanks() {
 }
 
 void CsvReader::skip_line_end() {
-  if (!at_end() && text_[at_] == '\r') {
-    advance();
+  if (at_end()) {
+    return;
   }
-  if (!at_end()) {
-    advance();
-  }
+  at_ += text_.substr(at_, 2) == "\r\n" ? 2 : 1;
+  here_ = {here_.line + 1, 1};
 }
 
 std::string CsvReader::trimmed(std::string_view text) const {

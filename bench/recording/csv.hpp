@@ -1,5 +1,5 @@
 // Reads comma-separated values (RFC 4180) with the position of each cell for messages. Quoted cells
-// may contain delimiters, line breaks and doubled quotes. Lines end in LF or CRLF. A byte-order
+// may contain delimiters, line breaks and doubled quotes. Lines end in LF, CRLF or CR. A byte-order
 // mark and rows without any text are skipped.
 #pragma once
 

@@ -111,7 +111,7 @@ std::optional<Instant> Dialect::instant(const std::string& text) const {
     return parse_by_format(text, format_.time_format);
   }
   if (const std::optional<double> value = number(text)) {
-    return instant_of_seconds(*value * time_unit_s_);
+    return instant_of_number(*value * time_unit_s_);
   }
   return parse_date_and_time(text);
 }

@@ -19,7 +19,7 @@ std::optional<Instant> instant_of(const TimeParts& parts) {
   return exists ? std::optional<Instant>(instant) : std::nullopt;
 }
 
-std::optional<Instant> instant_of_seconds(double seconds) {
+std::optional<Instant> instant_of_number(double seconds) {
   const double whole = std::floor(seconds);
   if (std::fabs(whole) > 1e15) {
     return std::nullopt;

@@ -40,7 +40,7 @@ struct Instant {
 };
 
 // nullopt beyond ± 10¹⁵ s.
-std::optional<Instant> instant_of_seconds(double seconds);
+std::optional<Instant> instant_of_number(double seconds);
 
 // Accepts "28-Apr-2025 11:00:02" · "2025-04-28 11:00:02.5" · "2025-04-28T11:00:02Z" or with an
 // offset such as "+02:00". nullopt for other texts and for times that do not exist.

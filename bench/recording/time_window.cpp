@@ -19,7 +19,7 @@ std::optional<Instant> limit(const char* key, const std::string& text, const std
     instant = parse_by_format(text, format);
   }
   if (const std::optional<double> seconds = parse_number(text); !instant && seconds) {
-    instant = instant_of_seconds(*seconds);
+    instant = instant_of_number(*seconds);
   }
   if (!instant) {
     instant = parse_date_and_time(text);
@@ -66,7 +66,7 @@ TimeWindow::TimeWindow(const TraceFormat& format)
       until_text_(format.until),
       from_(limit(kFrom, format.from, format.time_format)),
       until_(limit(kUntil, format.until, format.time_format)) {
-  if (is_seconds(from_) && from_->whole_s == 0 && from_->fraction_s == 0.0) {
+  if (is_relative(from_) && from_->whole_s == 0 && from_->fraction_s == 0.0) {
     from_.reset();
   }
 }
@@ -89,6 +89,10 @@ void TimeWindow::start_at(const Instant& first) {
 
 bool TimeWindow::is_before(const Instant& instant) const {
   return from_s_ && instant.seconds_since(first_) < *from_s_;
+}
+
+bool TimeWindow::is_end(const Instant& instant) const {
+  return until_s_ && instant.seconds_since(first_) == *until_s_;
 }
 
 bool TimeWindow::is_after(const Instant& instant) const {

@@ -17,16 +17,17 @@ class TimeWindow {
 
   // True if rows may precede the window.
   bool has_start() const { return from_.has_value(); }
-  bool counts_from_first_row() const { return is_seconds(from_) || is_seconds(until_); }
+  bool counts_from_first_row() const { return is_relative(from_) || is_relative(until_); }
 
   // `first`: the first instant of the recording. To be called before the functions below. Throws
   // FormatError if a limit cannot be compared with it, or if `until` is not after `from`.
   void start_at(const Instant& first);
   bool is_before(const Instant& instant) const;  // before the start
   bool is_after(const Instant& instant) const;   // after the end
+  bool is_end(const Instant& instant) const;     // exactly at the end
 
  private:
-  static bool is_seconds(const std::optional<Instant>& limit) {
+  static bool is_relative(const std::optional<Instant>& limit) {
     return limit && limit->kind == Instant::Kind::kSeconds;
   }
 

@@ -85,7 +85,7 @@ Place TraceReader::voltage_place() const {
 
 // Rows outside the window may have any content.
 bool TraceReader::is_outside() const {
-  return (window_.has_start() && !last_) || left_at_;
+  return (window_.has_start() && !last_) || left_at_ || at_end_;
 }
 
 bool TraceReader::reached_duration() const {
@@ -173,6 +173,9 @@ bool TraceReader::is_played(const Instant& instant, const Row& row) {
     }
     return false;
   }
+  if (!later && at_end_ && last_->seconds_since(instant) > 0.0) {
+    return false;
+  }
   if (!later) {
     throw CsvError(row[time_].place,
                    fmt::format("time `{}` is not later than in the previous row; times must "
@@ -191,6 +194,7 @@ void TraceReader::take(const Instant& instant, const Row& row) {
   }
   last_ = instant;
   last_place_ = row[time_].place;
+  at_end_ = window_.is_end(instant);
   trace_.text += csv_.row_text();
   ++trace_.rows;
   const Cell& frequency = cell(row, frequency_);

@@ -60,6 +60,7 @@ class TraceReader {
   std::optional<Instant> start_;  // of the first point
   std::optional<Instant> last_;   // of the row that was taken last
   Place last_place_;
+  bool at_end_ = false;           // the row that was taken last is exactly at the window's end
   std::optional<Place> left_at_;  // the row that ended the window
   Trace trace_;
 };

@@ -78,6 +78,11 @@ TEST_F(ReadTrace, AcceptsQuotesCarriageReturnsByteOrderMarksBlanksAndEmptyLines)
   EXPECT_EQ(points[1].frequency_hz, 49.9);
 }
 
+TEST_F(ReadTrace, AcceptsCarriageReturnsAloneAsLineEnds) {
+  EXPECT_EQ(read("t,f\r0,50\r1,49\r", columns_).at(1).frequency_hz, 49.0);
+  expect_refused("t,f\r0,50\r1,x\r", columns_, "3:3", "`x` is not");
+}
+
 TEST_F(ReadTrace, ReadsDatesAndTimes) {
   struct Case {
     const char* first;

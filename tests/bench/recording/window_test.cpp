@@ -49,6 +49,7 @@ TEST(RecordingWindow, ProtectsFromFlawsBeforeAndAfter) {
     const std::string after =
         "t,f\n0,50\n1,50\n2,50\n3,50.1\n4,50\n" + flaw_at(flaw, 5) + "\n6,50\n";
     EXPECT_EQ(played(after, "0", "3.5", plausible).rows, 4U);
+    EXPECT_EQ(played(after, "0", "4", plausible).rows, 5U) << "it ends with a row";
     const Trace both = played(
         "t,f\n0,50\n" + flaw_at(flaw, 1) + "\n2,50\n3,50.1\n4,50\n" + flaw_at(flaw, 5) + "\n",
         "1.5", "3.5", plausible);

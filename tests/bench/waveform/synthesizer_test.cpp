@@ -130,12 +130,14 @@ TEST(Synthesizer, KeepsThePhaseOfAnyRealOrderInProportionAlsoWhileTheFrequencyCh
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double t_s = static_cast<double>(first + static_cast<std::int64_t>(i)) / 8000.0;
       const double steps_deg = (t_s >= 0.2 ? 100.0 : 0.0) - (t_s >= 0.4 ? 300.0 : 0.0);
-      const long double cycles = 50.0L * static_cast<long double>(t_s) +
-                                 reference->excess_cycles(t_s) + (30.0 + steps_deg) / 360.0;
+      const auto fraction =
+          static_cast<long double>(reference->excess_cycles(t_s) + (30.0 + steps_deg) / 360.0);
+      const long double cycles = 50.0L * static_cast<long double>(t_s) + fraction;
       const double voltage_pu = reference->voltage_pu(t_s);
       double expected = static_cast<double>(fundamental[i]);
       for (const Harmonic& harmonic : spec.harmonics) {
-        const auto phase = static_cast<double>(std::fmod(harmonic.order * cycles, 1.0L)) +
+        const auto phase = static_cast<double>(
+                               std::fmod(static_cast<long double>(harmonic.order) * cycles, 1.0L)) +
                            harmonic.phase_deg / 360.0;
         expected += voltage_pu * harmonic.amplitude_pct / 100.0 * std::sin(2.0 * M_PI * phase);
       }
