@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,7 +79,9 @@ render::View view_of(const record::RunRecord& run, record::Reader& reader,
   view.with_reports = [&run, &reader](std::size_t index) {
     record::OutletRecord outlet = run.outlets[index];
     if (index < reader.outlets()) {  // not if the disk was full before it was stored
-      static_cast<record::Reports&>(outlet) = reader.outlet(index);
+      record::OutletRecord stored = reader.outlet(index);
+      record::Reports& reports = stored;
+      static_cast<record::Reports&>(outlet) = std::move(reports);
     }
     return outlet;
   };

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <record/store.hpp>
@@ -62,8 +63,9 @@ void print(const std::vector<record::RunRecord>& heads) {
 int runs(const RunsArguments& arguments) {
   const std::vector<record::RunRecord> heads = heads_by_age(arguments.output_folder);
   for (const std::string& folder : list_unfinished(arguments.output_folder)) {
-    print_error(folder + ": this run has not ended, or was killed; `gsbench report " + folder +
-                "` shows what it kept");
+    print_error(fmt::format(
+        "{0}: this run has not ended, or was killed; `gsbench report {0}` shows what it kept",
+        folder));
   }
   if (arguments.json) {
     print_json(as_json(heads));

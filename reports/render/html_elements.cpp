@@ -74,12 +74,12 @@ List rows_within(std::size_t most, std::size_t markup, std::size_t count,
                  const std::function<object(std::size_t)>& make) {
   List rows;
   for (std::size_t i = 0, taken = 0; i < count; ++i) {
-    object row = make(i);
+    const object row = make(i);
     taken += html_bytes(row, markup);
     if (taken > most) {
       break;
     }
-    rows.push_back(std::move(row));
+    rows.push_back(row);
   }
   return rows;
 }
