@@ -15,7 +15,7 @@ from gs_protocol.rig import Rig
 MESSAGES = int(os.environ.get("GS_PROTOCOL_MESSAGES", "1500"))
 SEED = int(os.environ.get("GS_PROTOCOL_SEED", "1"))
 MQTT_ODDS = Odds(redeliver=0.05, hold=0.02, swallow=0.05, cut=0.0015)
-FRAME_ODDS = Odds(redeliver=0.02, swallow=0.01, corrupt=0.01, drop=0.01)
+FRAME_ODDS = Odds(redeliver=0.02, swallow=0.01, cut=0.002, corrupt=0.01, drop=0.01)
 
 
 class Commander:

@@ -1,7 +1,8 @@
 """gs-outlet at a broker and at a line: connection, departure, restarts, and two centres."""
 import unittest
 
-from gs_protocol import messages, settings
+from gs_protocol import messages, serial_line, settings
+from gs_protocol.product import ProductOutlet, connected, free_port, wait
 from gs_protocol.proxy import MqttProxy, Odds
 from gs_protocol.rig import NAME, Rig
 
@@ -82,6 +83,35 @@ class Behind(unittest.TestCase):
                          [(self.centre.session, False), (other.centre.session, True)])
         self.assertTrue(other.until(lambda: len(other.centre.all("echo")) >= 40))
         self.assertEqual(self.rig.since_asked("error", "lost", "late"), [])
+
+
+class Lines(unittest.TestCase):
+    """The other kinds of serial lines that gs-outlet has."""
+
+    def expect_answers(self, line):
+        station = serial_line.SerialCentre(line=line)
+        self.addCleanup(station.close)  # for a second time if nothing fails
+        self.assertTrue(station.until(station.identified))
+        station.centre.say(station.name, "ping", 5)
+        self.assertTrue(station.until(lambda: station.centre.all("echo") == [{"token": 5}]))
+        self.assertEqual((station.bad_frames, station.centre.all("lost")), (0, []))
+        station.close()
+
+    def start(self, *link):
+        product = ProductOutlet(NAME, *link)
+        self.addCleanup(product.close)
+
+    def test_it_waits_for_a_centre_at_a_tcp_port_and_for_the_next_one(self):
+        port = free_port()
+        self.start("--listen", "127.0.0.1:%d" % port)
+        for _ in range(2):
+            connection = wait(lambda: connected(port))
+            self.expect_answers(serial_line.Line(connection))
+
+    def test_it_opens_a_pseudo_terminal(self):
+        pty = serial_line.Pty()
+        self.start("--serial", pty.device)
+        self.expect_answers(serial_line.Line(pty))
 
 
 class Restarts:

@@ -18,9 +18,19 @@ def free_port():
 
 def wait(condition, timeout_s=20.0):
     end = time.monotonic() + timeout_s
-    while not condition() and time.monotonic() < end:
+    while True:
+        holds = condition()
+        if holds or time.monotonic() > end:
+            return holds
         time.sleep(0.01)
-    return condition()
+
+
+def connected(port):
+    """A connection to this port, or None."""
+    try:
+        return socket.create_connection(("127.0.0.1", port))
+    except OSError:
+        return None
 
 
 def stop(process):
@@ -47,11 +57,10 @@ class Broker:
             raise RuntimeError("the broker did not start")
 
     def answers(self):
-        try:
-            socket.create_connection(("127.0.0.1", self.port)).close()
-            return True
-        except OSError:
-            return False
+        connection = connected(self.port)
+        if connection:
+            connection.close()
+        return connection is not None
 
     def close(self):
         stop(self.process)

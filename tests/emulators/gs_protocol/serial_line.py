@@ -1,25 +1,52 @@
 """Serial lines over TCP: frames through a socket, and an outlet or a centre at one end."""
+import os
 import select
 import socket
 import time
+import tty
 
 from . import frames
 from .centre import Centre
 from .outlet import Outlet
 
 
-class Line:
-    """Listens on a free port; one peer is connected at a time, and the newest one counts."""
+class Pty:
+    """A pseudo-terminal; the other end opens `device`. For Line, it is like a connection."""
 
     def __init__(self):
-        self.listening = socket.create_server(("127.0.0.1", 0))
-        self.port = self.listening.getsockname()[1]
-        self.connection = None
+        self.descriptors = os.openpty()
+        tty.setraw(self.descriptors[1])
+        self.device = os.ttyname(self.descriptors[1])
+
+    def fileno(self):
+        return self.descriptors[0]
+
+    def recv(self, count):
+        return os.read(self.fileno(), count)
+
+    def sendall(self, data):
+        while data:
+            data = data[os.write(self.fileno(), data):]
+
+    def close(self):
+        for descriptor in self.descriptors:
+            os.close(descriptor)
+
+
+class Line:
+    """Has this connection, or listens on a free port: one peer is connected at a time, and the newest
+    one counts."""
+
+    def __init__(self, connection=None):
+        self.listening = [] if connection else [socket.create_server(("127.0.0.1", 0))]
+        self.port = self.listening[0].getsockname()[1] if self.listening else None
+        self.connection = connection
         self.splitter = frames.Splitter()
 
     def close(self):
         self.hang_up()
-        self.listening.close()
+        for listening in self.listening:
+            listening.close()
 
     def hang_up(self):
         if self.connection is not None:
@@ -42,11 +69,11 @@ class Line:
 
     def receive(self, timeout_s):
         """Messages, and None for each bad frame. Takes a new connection if there is one."""
-        sockets = [self.listening] + ([self.connection] if self.connection else [])
+        sockets = self.listening + ([self.connection] if self.connection else [])
         ready = select.select(sockets, [], [], timeout_s)[0]
-        if self.listening in ready:
+        if any(listening in ready for listening in self.listening):
             self.hang_up()
-            self.connection = self.listening.accept()[0]
+            self.connection = self.listening[0].accept()[0]
             self.connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self.splitter = frames.Splitter()
             return []
@@ -109,8 +136,8 @@ class SerialCentre(Station):
 
     REPEAT_S = 0.5
 
-    def __init__(self, session=None):
-        self.line = Line()
+    def __init__(self, session=None, line=None):
+        self.line = line or Line()
         self.centre = Centre(lambda outlet, message: self.line.send(message), serial=True, session=session)
         self.bad_frames = 0
         self.next_identify = 0.0
