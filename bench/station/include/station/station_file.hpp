@@ -30,8 +30,8 @@ struct PhysicalOutlets {
   std::string password_file_at = {};
 };
 
-// Connects to nothing. Throws keys::ConfigurationError, with the place in the station file, if no CA
-// certificate or no password can be read from its file.
+// Connects to nothing. Throws keys::ConfigurationError, with the place in the station file, if no
+// CA certificate or no password can be read from its file.
 std::unique_ptr<link::Link> make_link(PhysicalOutlets outlets);
 
 // The content of a station file.
