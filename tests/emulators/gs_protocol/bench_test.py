@@ -19,7 +19,7 @@ class Watched(AtLink):
 
     def test_it_is_refused_with_a_hello_out_of_range_or_of_another_version(self):
         for name, value in (("nominal_hz", 55), ("tracker_delay_s", math.nan), ("sample_rate_hz", 0),
-                            ("voltage_delay_s", 1.5), ("protocol_version", 4)):
+                            ("voltage_delay_s", 1.5), ("id", "$x"), ("id", ""), ("protocol_version", 4)):
             with self.subTest(name=name):
                 good = self.outlet.identity[name]
                 self.outlet.identity[name] = value
@@ -59,6 +59,9 @@ class Watched(AtLink):
         self.measure(5)
         for message in redelivered:
             self.send_again(message)
+        # A late number is late whatever its sample.
+        start = self.outlet.identity["start_number"]
+        self.outlet.send(cbor.dumps([4, 0, self.outlet.sample + 1, start, 1.0, 1.0]), False, True)
         self.measure(5)
         objects = self.end(bench)
         self.assertEqual(faults(objects), [])
@@ -162,6 +165,21 @@ class AtBroker(Watched, unittest.TestCase):
         self.measure(3)
         objects = self.end(bench)
         self.assertEqual((faults(objects), len(kinds(objects, "measurement"))), ([], 3))
+
+    def test_a_retained_hello_alone_proves_no_outlet(self):
+        bench = self.monitor("--quiet")
+        hello = next(message for message in self.sent if message[1])
+        self.station.depart()
+        self.assertTrue(self.departed(bench))
+        other = self.new_outlet(id="other", start_number=5)
+        other.publish("gs/outlet-7/hello", hello[0], 1, True)
+        listing = self.bench("devices", "--json")
+        self.assertTrue(other.until(lambda: not listing.running(), 60.0))
+        self.assertEqual(listing.exit_code(), 4)
+        found = {one["id"]: one for one in listing.json()}
+        self.assertEqual(found["other"]["fault"], "")
+        self.assertNotEqual(found["outlet-7"]["fault"], "")
+        self.assertNotIn("board", found["outlet-7"])
 
     def test_two_units_with_one_id_are_a_fault(self):
         twin = self.new_outlet(instance=9, start_number=99)

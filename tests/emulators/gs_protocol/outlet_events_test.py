@@ -45,12 +45,24 @@ class Event(unittest.TestCase):
             estimates = rig.centre.all("estimate")
             self.assertGreater(len(estimates), 5)
             for estimate in estimates:
-                self.assertLessEqual(estimate["loss_instant_s"], 0.0)
+                from_event_s = estimate["loss_instant_s"] + rig.peer.hello["tracker_delay_s"]
+                self.assertTrue(-0.5 - 1e-6 <= from_event_s <= 1e-6, from_event_s)
                 self.assertIn(estimate["trust"], (0, 1, 2, 3, 4, 5) if method == 0 else (0, 1, 5))
             self.assertEqual(len(rig.centre.all("LSE")), 1)
-            if decision["shed"]:
-                self.assertEqual(rig.next("relay")[0], {"closed": False, "cause": 1})
             self.expect_whole(rig)
+
+    def test_a_relay_that_shed_and_that_a_command_opens_keeps_its_cause_until_it_is_closed(self):
+        rig = self.rig("mqtt", {29: 1, 8: 0.0}, "--loss", "900", "--loss-at", "2")
+        self.assertTrue(rig.next("decision")[0]["shed"])
+        self.assertEqual(rig.next("relay")[0], {"closed": False, "cause": 1})
+        for close, cause in ((False, 1), (True, 0)):
+            rig.mark = len(rig.centre.log)
+            rig.centre.command(rig.name, close)
+            self.assertEqual(rig.next("command answer")[0]["closed"], close)
+            changes = [entry.detail for entry in rig.since_asked("relay")]
+            self.assertEqual(changes, [{"closed": True, "cause": 0}] if close else [])
+            status = rig.answer("ask status", "status")
+            self.assertEqual((status["relay_closed"], status["cause"]), (close, cause))
 
     def test_an_event_without_voltage_is_aborted(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -68,6 +68,21 @@ class Settings(OnOneRig):
         self.assertEqual(self.answer_to_settings(self.settings(
             **dict(wrong, restore_hz=71.0, event_drops=0)))["error"], 7)
 
+    def test_the_response_must_converge(self):
+        # tau is 0.5 s + 3 reports of 16 ms = 0.548 s: at most 43.80 1/s, and 53.28 1/s².
+        short = dict(lse_samples=2, ekf_samples=1)
+        for error, name, value in ((0, "sigma_per_s", 43.7), (2, "sigma_per_s", 43.9),
+                                   (0, "discriminant_per_s2", 53.2), (2, "discriminant_per_s2", 53.4),
+                                   (0, "discriminant_per_s2", -0.0624), (2, "discriminant_per_s2", -0.0625)):
+            answer = self.answer_to_settings(self.settings(**short, **{name: value}))
+            self.assertEqual(answer["error"], error, (name, value))
+
+    def test_versions_pass_two_to_the_32(self):
+        accepted = self.answer_to_settings(self.settings())["version"]
+        for version, error in ((accepted + 0x7FFFFFFF, 0), (accepted, 11), (0xFFFFFFFF, 0), (0xFFFFFFFE, 11),
+                               (0, 11), (0x7FFFFFFF, 11), (1, 0), (0xFFFFFFFF, 11), (2, 0)):
+            self.assertEqual(self.answer_to_settings(self.settings(version=version))["error"], error, version)
+
     def test_settings_without_a_required_key_are_refused(self):
         for key in settings.REQUIRED:
             name, _, error, _ = settings.KEYS[key]
