@@ -80,7 +80,7 @@ TEST_F(DamagedStore, TablesOfVersion7AreUnchanged) {
                          nullptr),
             SQLITE_OK);
   sqlite3_close(database);
-  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "82ae205c0a5c4459");
+  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "29e9c0b11138dbea");
 }
 
 TEST_F(DamagedStore, IsRefusedWithForeignTables) {

@@ -104,8 +104,8 @@ RunRecord read_results(Reader& reader);
 // The same without the outlets, which are most of the file.
 RunRecord read_head(const std::string& path);
 
-// SHA-256 (hexadecimal) of a record without run id and wall-clock times: equal for equal profile,
-// seed and build.
+// SHA-256 (hexadecimal) of a record without run id, wall-clock times and the software around it:
+// equal for equal profile, seed and build.
 std::string content_digest(const RunRecord& run);
 
 // The same, outlet by outlet.
