@@ -112,6 +112,10 @@ bool OutletStream::take_number(const gs::wire::Uplink& message, std::uint32_t se
 void OutletStream::look_at_session(const gs::wire::Uplink& message) {
   if (is_hello(message)) {
     id_ = message.hello.id;
+    // Over a broker, an outlet drops messages until it is connected.
+    if (delivery_ == Delivery::kByCable) {
+      others_.expect(message.hello.next_number);
+    }
     open_ = open_ || message.hello.session == session_;
     wants_identify_ = !open_;
   } else if (message.kind == UplinkKind::kError &&

@@ -6,10 +6,15 @@ using wire::Decoded;
 using wire::ErrorCode;
 
 void MessageEndpoint::put(const wire::Uplink& message) {
-  std::uint32_t& sent = message.kind == wire::UplinkKind::kHello ? hellos_sent_ : others_sent_;
-  const std::size_t size = wire::encode(message, sent, bytes_, sizeof bytes_);
+  std::size_t size = 0;
   // A message that the carrier refuses uses up a number: the other side sees the gap.
-  ++sent;
+  if (message.kind == wire::UplinkKind::kHello) {
+    wire::Uplink hello = message;
+    hello.hello.next_number = others_sent_;
+    size = wire::encode(hello, hellos_sent_++, bytes_, sizeof bytes_);
+  } else {
+    size = wire::encode(message, others_sent_++, bytes_, sizeof bytes_);
+  }
   if (!carrier_.send(bytes_, size)) {
     app_.note_unsent();
   }

@@ -128,10 +128,11 @@ FrameReader::Taken FrameReader::end_frame() {
 
 Sequence::Order Sequence::take(std::uint32_t sequence) {
   const std::uint32_t ahead = sequence - next_;
-  if (started_ && ahead >= 0x80000000u) {
+  const bool is_late = ahead >= 0x80000000u;
+  if (started_ && is_late) {
     return Order::kDuplicate;
   }
-  missed_ = started_ ? ahead : 0;
+  missed_ = (started_ || expects_) && !is_late ? ahead : 0;
   started_ = true;
   next_ = sequence + 1;
   return missed_ == 0 ? Order::kNext : Order::kGap;

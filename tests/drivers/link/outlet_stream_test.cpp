@@ -24,12 +24,13 @@ struct Coming {
   std::uint32_t sequence;
   std::uint64_t sample;
   bool taken = true;
+  std::uint32_t next_number = 0;  // of a hello
 
   Coming dropped() const { return {kind, start, sequence, sample, false}; }
 };
 
-Coming hello(std::uint32_t start, std::uint32_t sequence = 0) {
-  return {UplinkKind::kHello, start, sequence, 0};
+Coming hello(std::uint32_t start, std::uint32_t sequence = 0, std::uint32_t next_number = 0) {
+  return {UplinkKind::kHello, start, sequence, 0, true, next_number};
 }
 
 Coming measurement(std::uint32_t start, std::uint32_t sequence) {
@@ -45,6 +46,7 @@ gs::wire::Uplink message_of(const Coming& coming, const char* id = "a") {
     std::snprintf(uplink.hello.id, sizeof uplink.hello.id, "%s", id);
     uplink.hello.sample_rate_hz = 8000;
     uplink.hello.nominal_hz = 50;
+    uplink.hello.next_number = coming.next_number;
   }
   return uplink;
 }
@@ -85,13 +87,26 @@ TEST_P(EachDelivery, ReportsLostMessagesButNotLostHellos) {
 }
 
 // Before its first connection, an outlet drops messages.
-TEST_P(EachDelivery, DoesNotReportWhatWasSentBeforeTheFirstMessage) {
-  EXPECT_THAT(faults_of(GetParam(), {hello(1, 3), measurement(1, 400)}), IsEmpty());
+TEST_P(EachDelivery, DoesNotReportWhatWasSentBeforeTheNewestHello) {
+  EXPECT_THAT(faults_of(GetParam(), {hello(1), hello(1, 3, 400), measurement(1, 400)}), IsEmpty());
+}
+
+TEST(OutletStream, ByBrokerDoesNotReportWhatWasDroppedBeforeTheConnection) {
+  EXPECT_THAT(faults_of(Delivery::kByBroker, {hello(1), measurement(1, 5)}), IsEmpty());
+}
+
+TEST(OutletStream, OnACableTheFirstMessagesAfterAHelloCountAsLost) {
+  constexpr Delivery kDelivery = Delivery::kByCable;
+  EXPECT_THAT(faults_of(kDelivery, {hello(1, 3, 400), measurement(1, 402)}),
+              ElementsAre("2 of its messages were lost before its sample 51584"));
+  EXPECT_THAT(
+      faults_of(kDelivery, {hello(1), measurement(1, 0), hello(1, 1, 3), measurement(1, 3)}),
+      ElementsAre("2 of its messages were lost before its sample 512"));
 }
 
 TEST_P(EachDelivery, OtherStartNumbersAreRestartsWhateverTheNumbers) {
-  EXPECT_THAT(faults_of(GetParam(), {hello(1), measurement(1, 100), hello(2), measurement(2, 101),
-                                     hello(9, 5), measurement(9, 0)}),
+  EXPECT_THAT(faults_of(GetParam(), {hello(1, 0, 100), measurement(1, 100), hello(2, 0, 101),
+                                     measurement(2, 101), hello(9, 5), measurement(9, 0)}),
               ElementsAre("restarted after its sample 12928", "restarted after its sample 13056"));
 }
 
@@ -130,7 +145,7 @@ TEST(OutletStream, OnACableMessagesWaitForTheHelloOfTheirStart) {
   EXPECT_FALSE(takes(stream, measurement(2, 0)));
   EXPECT_TRUE(stream.take_wants_identify());
   EXPECT_THAT(stream.take_faults(), IsEmpty());
-  EXPECT_TRUE(takes(stream, hello(2, 1)));
+  EXPECT_TRUE(takes(stream, hello(2, 1, 1)));
   EXPECT_THAT(stream.take_faults(), ElementsAre(HasSubstr("restarted")));
   EXPECT_TRUE(takes(stream, measurement(2, 1)));
 }

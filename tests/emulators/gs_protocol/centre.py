@@ -107,6 +107,8 @@ class Centre:
         if not fresh:
             return
         peer.hello = hello
+        if self.serial:
+            peer.count.first = hello["next_number"]
         known, peer.instance = peer.instance, hello["instance"]
         if known not in (None, hello["instance"]):
             peer.twins = True

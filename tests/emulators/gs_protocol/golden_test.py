@@ -31,7 +31,7 @@ class Exchange(unittest.TestCase):
         self.assertEqual(
             [example.hex(" ") for example in examples()],
             [made.hex(" ") for made in (
-                messages.uplink("hello", 0, 0, None, *identity, 0, 0, 0),
+                messages.uplink("hello", 0, 0, None, *identity, 0, 0, 0, 0),
                 messages.uplink("measurement", 0, 128, START, nan, nan, 0.0, 0),
                 identify, frames.encode(identify),
                 messages.downlink("settings", 1, SESSION, settings.EXAMPLE),
@@ -67,7 +67,7 @@ class Reading(unittest.TestCase):
 
     def test_refuses_malformed_messages(self):
         ping = messages.downlink("ping", 7, 9, 5)
-        hello = messages.uplink("hello", 0, 0, None, *IDENTITY.values(), 0, 0, 0)
+        hello = messages.uplink("hello", 0, 0, None, *IDENTITY.values(), 0, 0, 0, 0)
         for wrong in (b"", ping[:-1], ping + b"\0", b"\x9f" + ping[1:] + b"\xff", b"\x83" + ping[1:-1],
                       messages.downlink("ping", 7, 9, -5), messages.downlink("ping", 7, 0, 5),
                       messages.downlink("ping", 7, 9, 5.0), cbor.dumps([6, 7, 9, True]),
@@ -79,7 +79,7 @@ class Reading(unittest.TestCase):
                             ("id", "x" * 33), ("board", "x" * 17), ("board", "\n")):
             changed = dict(IDENTITY, **{name: value})
             self.assertRaises(Malformed, messages.read_uplink,
-                              messages.uplink("hello", 0, 0, None, *changed.values(), 0, 0, 0))
+                              messages.uplink("hello", 0, 0, None, *changed.values(), 0, 0, 0, 0))
         self.assertEqual(messages.read_uplink(hello)["id"], "outlet-7")
         self.assertIsNone(messages.read_downlink(cbor.dumps([0, 7, 9])).name)
         self.assertEqual(len(cbor.dumps([6, 7, 9, 5, "x" * 552])), messages.LONGEST)

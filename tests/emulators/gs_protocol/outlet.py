@@ -44,7 +44,7 @@ class Outlet:
         fields = [self.identity[name] for name, _ in messages.UPLINK[1][1][:12]]
         self.hellos += 1
         message = messages.uplink("hello", self.hellos - 1, self.sample, None, *fields, version, digest,
-                                  session)
+                                  session, self.sent)
         self.transmit(message, True, True)
 
     def say(self, name, *values):

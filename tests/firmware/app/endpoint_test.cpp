@@ -35,6 +35,7 @@ TEST_F(EndpointTest, NumbersItsMessagesFromZero) {
   send(downlink(DownlinkKind::kIdentify), 1);
   EXPECT_EQ(listener_.last().kind, UplinkKind::kHello);
   EXPECT_EQ(listener_.numbers.back(), 2U) << "the fixture's identify was answered by number 1";
+  EXPECT_EQ(listener_.last().hello.next_number, 11U);
 }
 
 TEST_F(EndpointTest, EveryMessageHasTheStartNumber) {

@@ -107,9 +107,9 @@ std::vector<Golden> goldens() {
   const Bytes error = up(UplinkKind::kError, 66, 8100, &Uplink::error, {ErrorCode::kBadFrame, 1});
   return {
       {"hello", up(UplinkKind::kHello, 0, 0, &Uplink::hello, golden_hello()),
-       "92 01 00 00 03 68 6f 75 74 6c 65 74 2d 37 1a c0 ff ee 07 6a 6d 70 73 32 "
+       "93 01 00 00 03 68 6f 75 74 6c 65 74 2d 37 1a c0 ff ee 07 6a 6d 70 73 32 "
        "2d 61 6e 33 38 36 1a 12 34 56 78 19 03 e8 1a de ad be ef 03 19 1f 40 18 "
-       "32 fa 3d 80 00 00 fa 3d 00 00 00 00 00 00"},
+       "32 fa 3d 80 00 00 fa 3d 00 00 00 00 00 00 00"},
       {"identify", identify, "83 03 00 1a 5e 55 10 11"},
       {"identify as a frame", framed(identify), "00 03 83 03 0a 1a 5e 55 10 11 87 6e f9 c2 00"},
       {"settings", down(settings_message(golden_settings()), 1),

@@ -73,5 +73,21 @@ TEST(Sequence, AcceptsAnyNumberAfterARestart) {
   expect_orders(sequence, {{0, Order::kNext}, {1, Order::kNext}});
 }
 
+TEST(Sequence, CountsWhatIsMissingBeforeTheFirstIfItsNumberIsKnown) {
+  Sequence sequence;
+  sequence.expect(10);
+  sequence.expect(20);
+  expect_orders(sequence, {{23, Order::kGap, 3}});
+  sequence.expect(30);
+  expect_orders(sequence, {{24, Order::kNext}});
+  for (const std::uint32_t first : {7U, 20U}) {
+    sequence.restart();
+    sequence.expect(20);
+    expect_orders(sequence, {{first, Order::kNext}, {first + 1, Order::kNext}});
+  }
+  sequence.restart();
+  expect_orders(sequence, {{99, Order::kNext}});
+}
+
 }  // namespace
 }  // namespace gs::wire

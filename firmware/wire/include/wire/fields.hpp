@@ -28,7 +28,7 @@ void hello_fields(U& message, V& visit) {
   }
   visit_all(visit, message.start_number, m.board, m.instance, m.firmware_version, m.build,
             m.capabilities, m.sample_rate_hz, m.nominal_hz, m.tracker_delay_s, m.voltage_delay_s,
-            m.settings_version, m.settings_digest, m.session);
+            m.settings_version, m.settings_digest, m.session, m.next_number);
 }
 
 template <class M, class V>

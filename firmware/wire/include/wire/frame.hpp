@@ -54,11 +54,17 @@ class Sequence {
   };
 
   Order take(std::uint32_t sequence);
-  void restart() { started_ = false; }  // the next message is taken whatever its number
+  void restart() { started_ = expects_ = false; }  // the next one is taken whatever its number
+  // The number of the first message, if none is missing before it. A lower one is taken, too.
+  void expect(std::uint32_t first) {
+    expects_ = true;
+    next_ = started_ ? next_ : first;
+  }
   std::uint32_t missed() const { return missed_; }
 
  private:
   bool started_ = false;
+  bool expects_ = false;
   std::uint32_t next_ = 0;
   std::uint32_t missed_ = 0;
 };

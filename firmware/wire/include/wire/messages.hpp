@@ -61,6 +61,7 @@ struct Hello {
   std::uint32_t settings_version = 0;  // in force; 0: none
   std::uint32_t settings_digest = 0;   // outlet::digest of them
   std::uint32_t session = 0;           // of the identify that it answers; 0: sent unasked
+  std::uint32_t next_number = 0;       // of the message that follows, hellos not counted
 };
 
 // Whether all fields are within their ranges. Of another version, only the id is checked.

@@ -112,6 +112,29 @@ TEST_F(RepeatingLine, ALateMessageIsReportedAsLostAndDropped) {
   }
 }
 
+// The first message of the new start shows it; its hello is asked for.
+TEST_F(OutletsOnCables, ARestartIsReportedAlthoughItsHelloIsLost) {
+  open();
+  outlets_.play(5);
+  ASSERT_TRUE(arrives(kA, UplinkKind::kMeasurement, 5));
+  cable(kA).spoil(each_message([](const Bytes& message) -> std::vector<Bytes> {
+    gs::wire::Uplink uplink;
+    std::uint32_t sequence = 0;
+    gs::wire::decode(message.data(), message.size(), uplink, sequence);
+    const bool is_unasked =
+        uplink.kind == UplinkKind::kHello && uplink.hello.session == gs::wire::kNoSession;
+    return is_unasked ? std::vector<Bytes>{} : std::vector<Bytes>{message};
+  }));
+  outlets_.kill(kA);
+  outlets_.start(kA);
+  EXPECT_TRUE(until([&] {
+    outlets_.play(1);  // it skips what was played before it had started
+    return reported(kA, "restarted after its sample ");
+  }));
+  EXPECT_TRUE(answers(kA, 2));
+  EXPECT_EQ(faults(kA).size(), 1U);
+}
+
 TEST_F(OutletsOnCables, TruncatedSettingsAreReportedAndNotApplied) {
   open();
   // Drops the second half; the next frame's zero ends the truncated frame.
