@@ -16,6 +16,7 @@ class Peer:
         self.earlier = collections.deque(maxlen=16)
         self.hello = None
         self.instance = None  # of the unit that reported this id, until it departs
+        self.identified = False  # this start has answered with the centre's session
         self.connected = False
         self.twins = False
         self.hello_count = self.count = None
@@ -98,7 +99,7 @@ class Centre:
         if peer.start_number is not None:
             self.note("restart", outlet, message)
         peer.begin(message.start_number)
-        peer.hello = None
+        peer.hello, peer.identified = None, False
         if message.name != "hello" and not peer.twins:
             self.say(outlet, "identify")
 
@@ -109,6 +110,7 @@ class Centre:
         peer.hello = hello
         if self.serial:
             peer.count.first = hello["next_number"]
+        peer.identified = peer.identified or hello["session"] == self.session
         known, peer.instance = peer.instance, hello["instance"]
         if known not in (None, hello["instance"]):
             peer.twins = True

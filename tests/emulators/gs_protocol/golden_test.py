@@ -71,7 +71,7 @@ class Reading(unittest.TestCase):
         for wrong in (b"", ping[:-1], ping + b"\0", b"\x9f" + ping[1:] + b"\xff", b"\x83" + ping[1:-1],
                       messages.downlink("ping", 7, 9, -5), messages.downlink("ping", 7, 0, 5),
                       messages.downlink("ping", 7, 9, 5.0), cbor.dumps([6, 7, 9, True]),
-                      cbor.dumps([2, 7, 9, 0, True, 1]), cbor.dumps([256, 7, 9]),
+                      cbor.dumps([2, 7, 9, 0, True, 1]), cbor.dumps([-1, 7, 9]),
                       cbor.dumps([6, 7, 9, 5, "x" * 560])):
             self.assertRaises(Malformed, messages.read_downlink, wrong)
         for name, value in (("sample_rate_hz", 0), ("sample_rate_hz", 1000001), ("nominal_hz", 55),

@@ -110,7 +110,7 @@ def check_hello(hello):
 
 def read_uplink(data):
     """Raises Malformed. Of another version's hello only protocol_version and id are read."""
-    kind, sequence, sample = opened(data, ("u8", "u32", "u64"))[:3]
+    kind, sequence, sample = opened(data, ("u64", "u32", "u64"))[:3]
     items = cbor.loads(data)
     if kind == HELLO:
         if fields_of(items, 3, UPLINK[1][1][:1])["protocol_version"] != 3:
@@ -118,14 +118,14 @@ def read_uplink(data):
         hello = fields_of(items, 3, UPLINK[1][1])
         check_hello(hello)
         return Message(kind, "hello", sequence, hello, sample, hello["start_number"])
-    start_number = opened(data, ("u8", "u32", "u64", "u32"))[3]
+    start_number = opened(data, ("u64", "u32", "u64", "u32"))[3]
     name, fields = UPLINK.get(kind, (None, []))
     return Message(kind, name, sequence, fields_of(items, 4, fields), sample, start_number)
 
 
 def read_downlink(data):
     """Raises Malformed. Values of settings are checked in settings.py."""
-    items = opened(data, ("u8", "u32", "u32"))
+    items = opened(data, ("u64", "u32", "u32"))
     kind, sequence, session = items[:3]
     name, fields = DOWNLINK.get(kind, (None, []))
     message = Message(kind, name, sequence, fields_of(items, 3, fields), session=session)

@@ -26,6 +26,7 @@ class Rig:
         self.flash = os.path.join(self.folder.path, "flash")
         self.product = ProductOutlet(NAME, *where(port), *(options or ("--flash", self.flash)))
         self.until(self.station_is_identified)
+        self.until(lambda: len(self.centre.all("measurement")) > 1)
 
     def new_centre(self, client_id):
         return mqtt.MqttCentre(self.broker.port, client_id)
@@ -35,8 +36,7 @@ class Rig:
         return self.more[-1]
 
     def station_is_identified(self):
-        hello = self.peer.hello
-        return hello is not None and hello["session"] == self.centre.session
+        return self.peer.identified
 
     @property
     def peer(self):

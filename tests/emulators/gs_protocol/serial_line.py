@@ -150,8 +150,7 @@ class SerialCentre(Station):
         return "line"
 
     def identified(self):
-        hello = self.centre.peers[self.name].hello
-        return hello is not None and hello["session"] == self.centre.session
+        return self.centre.peers[self.name].identified
 
     def turn(self, timeout_s=0.0):
         for message in self.line.receive(timeout_s):

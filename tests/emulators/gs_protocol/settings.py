@@ -97,7 +97,7 @@ def read_map(pairs):
     values = {}
     for key, value in pairs:
         messages.typed(key, "u64")
-        if key in values:
+        if key in values and key in KEYS:
             raise Malformed("key %d twice" % key)
         if key in KEYS and KEYS[key][1] == "rows":
             if not isinstance(value, list) or isinstance(value, cbor.Pairs):
