@@ -105,7 +105,8 @@ Rejudged judged_again(const std::string& path) {
 }
 
 nlohmann::ordered_json as_json(const Rejudged& again) {
-  nlohmann::ordered_json out = {{"run_id", again.run.run_id},
+  nlohmann::ordered_json out = {{"format_version", record::kFormatVersion},
+                                {"run_id", again.run.run_id},
                                 {"gsbench_version", again.run.gsbench_version},
                                 {"recorded_verdict", to_string(again.recorded)},
                                 {"verdict", to_string(again.run.verdict)},

@@ -2,10 +2,11 @@
 #include "run_folder.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <tuple>
+#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <record/store.hpp>
@@ -19,58 +20,70 @@ struct RunsArguments {
   bool json = false;
 };
 
+struct KeptRun {
+  std::string name;  // its id; the name of its folder if no id was stored
+  record::RunRecord head;
+
+  // False if it is in progress, or its process was killed.
+  bool has_finished() const { return !head.finished_utc.empty(); }
+  const char* state() const { return has_finished() ? "finished" : "unfinished"; }
+};
+
 // In order of their start. A record that cannot be read is reported, and the others are still
 // listed.
-std::vector<record::RunRecord> heads_by_age(const std::string& output_folder) {
-  std::vector<record::RunRecord> heads;
-  for (const std::string& path : list_records(output_folder)) {
+std::vector<KeptRun> runs_by_age(const std::string& output_folder) {
+  std::vector<std::string> records = list_records(output_folder);
+  for (const std::string& folder : list_unfinished(output_folder)) {
+    records.push_back(folder + "/" + kRecordFile);
+  }
+  std::vector<KeptRun> kept;
+  for (const std::string& path : records) {
     try {
-      heads.push_back(record::read_head(path));
+      record::RunRecord head = record::read_head(path);
+      const std::string folder = std::filesystem::path(path).parent_path().filename().string();
+      kept.push_back({head.run_id.empty() ? folder : head.run_id, std::move(head)});
     } catch (const record::StoreError& error) {
       print_error(error.what());
     }
   }
-  std::sort(heads.begin(), heads.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.started_utc, a.run_id) < std::tie(b.started_utc, b.run_id);
+  std::sort(kept.begin(), kept.end(), [](const KeptRun& a, const KeptRun& b) {
+    return std::tie(a.head.started_utc, a.name) < std::tie(b.head.started_utc, b.name);
   });
-  return heads;
+  return kept;
 }
 
-nlohmann::ordered_json as_json(const std::vector<record::RunRecord>& heads) {
+nlohmann::ordered_json as_json(const std::vector<KeptRun>& kept) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const record::RunRecord& run : heads) {
-    all.push_back({{"run_id", run.run_id},
-                   {"started_utc", run.started_utc},
-                   {"profile", run.profile},
-                   {"seed", run.seed},
-                   {"verdict", record::to_string(run.verdict)}});
+  for (const KeptRun& run : kept) {
+    all.push_back({{"format_version", record::kFormatVersion},
+                   {"run_id", run.name},
+                   {"started_utc", run.head.started_utc},
+                   {"state", run.state()},
+                   {"profile", run.head.profile},
+                   {"seed", run.head.seed},
+                   {"verdict", record::to_string(run.head.verdict)}});
   }
   return all;
 }
 
-// The profile comes last, since its name may be long.
-void print(const std::vector<record::RunRecord>& heads) {
-  std::vector<std::vector<std::string>> rows = {{"run", "verdict", "seed", "profile"}};
-  for (const record::RunRecord& run : heads) {
-    rows.push_back(
-        {run.run_id, record::to_string(run.verdict), std::to_string(run.seed), run.profile});
+// An id begins with the time of the start. The profile comes last, since its name may be long.
+void print(const std::vector<KeptRun>& kept) {
+  std::vector<std::vector<std::string>> rows = {{"run", "state", "verdict", "seed", "profile"}};
+  for (const KeptRun& run : kept) {
+    rows.push_back({run.name, run.state(), record::to_string(run.head.verdict),
+                    std::to_string(run.head.seed), run.head.profile});
   }
-  for (const std::string& line : render::aligned(rows, "llrl")) {
+  for (const std::string& line : render::aligned(rows, "lllrl")) {
     print_wrapped(line, 4);
   }
 }
 
 int runs(const RunsArguments& arguments) {
-  const std::vector<record::RunRecord> heads = heads_by_age(arguments.output_folder);
-  for (const std::string& folder : list_unfinished(arguments.output_folder)) {
-    print_error(fmt::format(
-        "{0}: this run has not ended, or was killed; `gsbench report {0}` shows what it kept",
-        folder));
-  }
+  const std::vector<KeptRun> kept = runs_by_age(arguments.output_folder);
   if (arguments.json) {
-    print_json(as_json(heads));
-  } else if (!heads.empty()) {
-    print(heads);
+    print_json(as_json(kept));
+  } else if (!kept.empty()) {
+    print(kept);
   }
   return kPassed;
 }
@@ -81,7 +94,13 @@ void add_runs(CommandLine& line) {
   const auto [command, arguments] = line.command("runs", "List kept runs, oldest first", runs);
   add_runs_folder(command, arguments.output_folder)->check(CLI::ExistingDirectory);
   add_json_flag(command, arguments.json);
-  command.footer("Example:\n  gsbench runs");
+  command.footer(
+      "A run is unfinished while it is in progress, or if it was killed; `gsbench report RUN` "
+      "shows "
+      "what\n"
+      "it kept.\n"
+      "\n"
+      "Example:\n  gsbench runs");
 }
 
 }  // namespace gsbench::cli

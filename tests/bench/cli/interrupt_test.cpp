@@ -60,8 +60,8 @@ TEST(Interrupt, AKilledRunIsListedAsUnfinished) {
   EXPECT_EQ(stop_slow_run(folder, SIGKILL).exit_code, 128 + SIGKILL);
   const Outcome list = run_gsbench({"runs", "--out", folder.file("runs")});
   EXPECT_EQ(list.exit_code, 0);
-  EXPECT_EQ(list.out, "");
-  EXPECT_THAT(list.err, HasSubstr("not ended, or was killed"));
+  EXPECT_EQ(list.err, "");
+  EXPECT_THAT(list.out, HasSubstr("  unfinished  ERROR "));
   // The part that was stored can be read.
   const Outcome report = run_gsbench({"report", only_run(folder.path() / "runs").string()});
   EXPECT_EQ(report.exit_code, 0) << report.err;

@@ -9,6 +9,8 @@
 
 #include <gmock/gmock.h>
 
+#include <record/run_record.hpp>
+
 namespace gsbench::test {
 namespace {
 
@@ -52,6 +54,8 @@ TEST_F(KeptRuns, AreListedOldestFirstWhateverTheNamesOfTheirFolders) {
   fs::rename(second, folder_.file("all/a"));
   const json list = run_for_json({"runs", "--out", folder_.file("all"), "--json"});
   ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[1]["state"], "finished");
+  EXPECT_EQ(list[1]["format_version"], record::kFormatVersion);
   const auto key = [](const json& entry) {
     return std::pair<std::string, std::string>(entry["started_utc"], entry["run_id"]);
   };
@@ -155,8 +159,15 @@ TEST_F(KeptRuns, ThatDidNotFinishAreReportedAsInterrupted) {
   for (const std::string& start : {name, name.substr(0, 15), id, id.substr(0, 20)}) {
     EXPECT_EQ(report(start).out, whole.out) << start;
   }
+  const json listed = run_for_json({"runs", "--out", folder_.file("runs"), "--json"});
+  ASSERT_EQ(listed.size(), 1U);
+  EXPECT_EQ(listed[0]["run_id"], id);
+  EXPECT_EQ(listed[0]["state"], "unfinished");
+  EXPECT_EQ(listed[0]["profile"], result["profile"]);
+  EXPECT_EQ(listed[0]["started_utc"].get<std::string>().size(), 20U);
   const Outcome list = run_gsbench({"runs", "--out", folder_.file("runs")});
-  EXPECT_THAT(list.err, HasSubstr("`gsbench report " + folder().string() + "` shows"));
+  EXPECT_EQ(list.err, "");
+  EXPECT_THAT(list.out, HasSubstr(id + "  unfinished  ERROR "));
   const Outcome csv = run_gsbench({"report", folder().string(), "--format", "csv"});
   EXPECT_THAT(csv.out, HasSubstr(",1.008,50,"));
 }

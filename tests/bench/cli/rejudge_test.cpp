@@ -32,6 +32,7 @@ void expect_as_recorded(const std::string& run, const char* verdict = "PASS") {
   const Outcome outcome = run_gsbench({"rejudge", run, "--json"});
   EXPECT_EQ(outcome.exit_code, std::string(verdict) == "PASS" ? 0 : 1) << outcome.err;
   const json again = json::parse(outcome.out);
+  EXPECT_EQ(again["format_version"], record::kFormatVersion);
   EXPECT_EQ(again["verdict"], verdict);
   EXPECT_EQ(again["recorded_verdict"], verdict);
   EXPECT_EQ(again["differences"], json::array());
