@@ -33,6 +33,11 @@ def connected(port):
         return None
 
 
+def start(command, **options):
+    """A process that ends with this one, however that ends. From the main thread only."""
+    return subprocess.Popen(["setpriv", "--pdeathsig", "KILL", *command], **options)
+
+
 def stop(process):
     if process.poll() is None:
         process.terminate()
@@ -51,8 +56,8 @@ class Broker:
         with open(path, "w", encoding="ascii") as file:
             file.write("listener %d 127.0.0.1\nallow_anonymous true\nmax_inflight_messages 65535\n"
                        "max_queued_messages 0\nset_tcp_nodelay true\n" % self.port)
-        self.process = subprocess.Popen([shutil.which("mosquitto") or "/usr/sbin/mosquitto", "-c", path],
-                                        stderr=subprocess.DEVNULL)
+        self.process = start([shutil.which("mosquitto") or "/usr/sbin/mosquitto", "-c", path],
+                             stderr=subprocess.DEVNULL)
         if not wait(self.answers):
             raise RuntimeError("the broker did not start")
 
@@ -71,13 +76,13 @@ class ProductOutlet:
 
     def __init__(self, name, *options):
         self.command = [os.path.join(PROGRAMS, "gs-outlet"), "--id", name, *options]
-        self.process = subprocess.Popen(self.command)
+        self.process = start(self.command)
 
     def restart(self):
         """After a loss of power."""
         self.process.kill()
         self.process.wait(20)
-        self.process = subprocess.Popen(self.command)
+        self.process = start(self.command)
 
     def close(self):
         stop(self.process)
@@ -95,9 +100,9 @@ class Bench:
     """A gsbench command. Its lines are collected as they come."""
 
     def __init__(self, *words, **environment):
-        self.process = subprocess.Popen([os.path.join(PROGRAMS, "gsbench"), *words], stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, text=True, errors="replace",
-                                        env=dict(os.environ, **environment))
+        self.process = start([os.path.join(PROGRAMS, "gsbench"), *words], stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, text=True, errors="replace",
+                             env=dict(os.environ, **environment))
         self.out, self.err = [], []
         self.readers = [threading.Thread(target=self.collect, args=pair)
                         for pair in ((self.process.stdout, self.out), (self.process.stderr, self.err))]

@@ -10,7 +10,7 @@ import threading
 import unittest
 
 from gs_protocol import mqtt, serial_line, settings
-from gs_protocol.product import PROGRAMS, Bench, Broker, Folder, stop
+from gs_protocol.product import PROGRAMS, Bench, Broker, Folder, start, stop
 
 STATION = """title = "Outlets in Python"
 kind = "physical"
@@ -53,8 +53,8 @@ class Head:
     """The source, and what it plays: the mean square of each 2 ms."""
 
     def __init__(self):
-        self.process = subprocess.Popen([os.path.join(PROGRAMS, "emulated_head")], stdout=subprocess.PIPE,
-                                        text=True)
+        self.process = start([os.path.join(PROGRAMS, "emulated_head")], stdout=subprocess.PIPE,
+                             text=True)
         self.port = self.process.stdout.readline().strip()
         self.blocks = queue.Queue()
         self.reader = threading.Thread(target=lambda: [self.blocks.put(float(line))
