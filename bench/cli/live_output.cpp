@@ -41,6 +41,8 @@ void note_interrupt(int signal) {
 }  // namespace
 
 const std::atomic<bool>& catch_interrupts() {
+  // A file that reaches its limit is then an error like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM, SIGQUIT}) {
     std::signal(signal, note_interrupt);
   }

@@ -10,8 +10,9 @@ constexpr double kPeriod_s = 0.5;
 constexpr double kFastPeriod_s = 8.0;
 // Blocks of real time are shorter.
 constexpr double kLongestRealTimeBlock_s = 0.1;
-// After the start of the run, the dips before it have been reported.
-constexpr double kDipsReported_s = 1.0;
+// After the dips before the run, which end a second before it, these have been reported.
+constexpr double kDipsReported_s = 0.3;
+constexpr double kLastAttempt_s = 5.0;
 
 std::string changing(const record::OutletRecord& outlet) {
   return outlet.settings_digest + (outlet.clock.is_aligned() ? " aligned " : " ") + outlet.fault;
@@ -67,14 +68,18 @@ void Recorder::append() {
 }
 
 void Recorder::align_early(std::int64_t tick) {
-  const std::int64_t reported =
-      signal_.lead_ticks() + waveform::tick_at(kDipsReported_s, signal_.sample_rate_hz());
-  if (aligned_early_ || tick < reported) {
+  const std::vector<capture::Dip>& dips = signal_.markers().before.dips;
+  if (dips.empty()) {
     return;
   }
-  aligned_early_ = true;
+  const double since_dips_s =
+      static_cast<double>(tick - signal_.lead_ticks() - dips.back().to_tick) /
+      static_cast<double>(signal_.sample_rate_hz());
+  if (since_dips_s < kDipsReported_s || since_dips_s > kLastAttempt_s) {
+    return;
+  }
   for (std::size_t i = 0; i < outlets_.size(); ++i) {
-    if (has_own_clock(station_, outlets_[i])) {
+    if (has_own_clock(station_, outlets_[i]) && !outlets_[i].clock.is_aligned()) {
       align(signal_.markers(), store_.outlet(i).trace, signal_.sample_rate_hz(), outlets_[i]);
     }
   }

@@ -41,7 +41,6 @@ class Recorder {
   std::vector<record::OutletRecord>& outlets_;
   std::int64_t period_ticks_;
   std::int64_t next_tick_ = 0;
-  bool aligned_early_ = false;
   std::vector<std::string> stored_;  // what may change during the run, as it is stored
 };
 

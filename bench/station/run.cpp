@@ -67,10 +67,11 @@ class StoppableSource {
 
 // What is stored so far stays readable; nothing more can be added.
 record::RunRecord ended_by_store(const std::string& fault, const profile::Plan& plan,
-                                 record::RunRecord run) {
+                                 record::Store& store, record::RunRecord run) {
   run.fault = run.fault.empty() ? fault : fault + "; " + run.fault;
   run.finished_utc = utc_now();
   judge::judge(plan, run);
+  store.abandon(run);
   return run;
 }
 
@@ -119,7 +120,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
     note_relay_sense(station, run);
   }
   if (!store_fault.empty()) {
-    return ended_by_store(store_fault, plan, std::move(run));
+    return ended_by_store(store_fault, plan, store, std::move(run));
   }
   try {
     recorder.finish();
@@ -127,7 +128,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
     run.finished_utc = utc_now();
     store.finish(run);
   } catch (const record::StoreError& error) {
-    return ended_by_store(error.what(), plan, std::move(run));
+    return ended_by_store(error.what(), plan, store, std::move(run));
   }
   return run;
 }

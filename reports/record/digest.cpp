@@ -54,9 +54,20 @@ class Digest {
         table_name<Part> != nullptr ? table_name<Part> : StoredFields::kTraces;
     visit_fields<Part>(part, [&](const char* name, const auto& field) {
       if (stored_ == nullptr || stored_->has(table, name)) {
-        add(field);
+        add_field<table_name<Part> == nullptr>(field);
       }
     });
+  }
+
+  // An empty column of a trace is not stored and counts as none, except in version 6.
+  template <bool kOfATrace, class Field>
+  void add_field(const Field& field) {
+    if constexpr (kOfATrace) {
+      if (field.empty() && (stored_ == nullptr || !stored_->is_sealed_as_whole())) {
+        return;
+      }
+    }
+    add(field);
   }
 
   template <class Part>

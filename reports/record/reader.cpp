@@ -1,5 +1,6 @@
 #include "read_parts.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -12,8 +13,10 @@ constexpr const char* kUnfinished =
     "interrupted: the run did not finish; gsbench was ended, or is still playing it";
 
 void mark_unfinished(RunRecord& run) {
-  run.interrupted = true;
-  run.fault = kUnfinished;
+  if (run.fault.empty()) {
+    run.interrupted = true;
+    run.fault = kUnfinished;
+  }
   run.verdict = Verdict::kError;
   run.verdict_reason = run.fault;
 }
@@ -22,6 +25,11 @@ void mark_unfinished(RunRecord& run) {
 
 struct Reader::Impl {
   explicit Impl(const std::string& path) : database(path, Database::Mode::kRead) {
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) == 0 && !error) {
+      mark_unfinished(head);  // killed before it wrote anything
+      return;
+    }
     database.execute("PRAGMA cell_size_check = ON");
     stored.emplace(database);
     // One transaction: of a run that is still being written a consistent state is read.

@@ -46,10 +46,31 @@ std::string cause_of(sqlite3* handle, int code) {
 
 }  // namespace
 
+namespace {
+
+// If no other process has the database open, it is one plain file afterwards.
+void recover(const std::string& absolute) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(absolute + "-wal", ignored) &&
+      !std::filesystem::exists(absolute + "-journal", ignored)) {
+    return;
+  }
+  sqlite3* handle = nullptr;
+  if (sqlite3_open_v2(absolute.c_str(), &handle, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK) {
+    sqlite3_exec(handle, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+  }
+  sqlite3_close(handle);
+}
+
+}  // namespace
+
 Database::Database(const std::string& path, Mode mode) : path_(path) {
   const int flags = mode == Mode::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
   // SQLite never takes an absolute path for a URI or for ":memory:".
   const std::string absolute = std::filesystem::absolute(path).string();
+  if (mode == Mode::kRead) {
+    recover(absolute);
+  }
   const int code = sqlite3_open_v2(absolute.c_str(), &handle_, flags, nullptr);
   if (code != SQLITE_OK) {
     const std::string cause = cause_of(handle_, code);
@@ -77,6 +98,17 @@ Database::Database(Database&& other) noexcept
 
 Database::~Database() {
   sqlite3_close(handle_);
+}
+
+std::vector<std::uint8_t> Database::bytes() const {
+  sqlite3_int64 size = 0;
+  unsigned char* content = sqlite3_serialize(handle_, "main", &size, 0);
+  if (content == nullptr) {
+    fail_with(SQLITE_NOMEM);
+  }
+  std::vector<std::uint8_t> copy(content, content + size);
+  sqlite3_free(content);
+  return copy;
 }
 
 void Database::fail(const std::string& cause) const {

@@ -20,7 +20,9 @@ class Database {
  public:
   enum class Mode { kRead, kWrite };
 
-  // The file must exist. `path` is always a file path, never a URI or ":memory:".
+  // The file must exist. `path` is always a file path, never a URI or ":memory:". What a killed
+  // process has left beside the file (-wal, -journal) becomes part of it, if the folder can be
+  // written.
   Database(const std::string& path, Mode mode);
   static Database in_memory();
   ~Database();
@@ -33,6 +35,8 @@ class Database {
   Value first(const std::string& sql);  // first column of the first row
   // Runs `work` in one transaction. If `work` throws, the transaction is rolled back.
   void transact(const std::function<void()>& work);
+
+  std::vector<std::uint8_t> bytes() const;  // as in a file
 
   [[noreturn]] void fail(const std::string& cause) const;  // "path: cause"
   [[noreturn]] void fail_with(int code) const;

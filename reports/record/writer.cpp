@@ -13,13 +13,61 @@
 namespace gsbench::record {
 namespace {
 
+// On a full disk, its removal makes room for the reason why the run ended.
+constexpr off_t kReserve_bytes = 256 * 1024;
+
+std::string reserve_of(const std::string& path) {
+  return path + "-reserve";
+}
+
+[[noreturn]] void refuse(const std::string& path, int cause) {
+  throw StoreError(path + ": cannot be created: " + std::strerror(cause));
+}
+
 // O_EXCL: fails for an existing file, also if two runs start at the same time.
-void create_empty(const std::string& path) {
+int create(const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) {
-    throw StoreError(path + ": cannot be created: " + std::strerror(errno));
+    refuse(path, errno);
   }
+  return file;
+}
+
+std::vector<std::uint8_t> empty_record() {
+  Database database = Database::in_memory();
+  database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
+  database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
+  database.execute(schema_sql());
+  return database.bytes();
+}
+
+// A process that is killed leaves no file, an empty one, or a record.
+void create_record(const std::string& path) {
+  ::close(create(path));
+  const std::string made = path + "-new";
+  const int file = create(made);
+  const std::vector<std::uint8_t> bytes = empty_record();
+  const ssize_t written = ::write(file, bytes.data(), bytes.size());
+  int cause = written < 0 ? errno : written < static_cast<ssize_t>(bytes.size()) ? ENOSPC : 0;
   ::close(file);
+  if (cause == 0 && ::rename(made.c_str(), path.c_str()) != 0) {
+    cause = errno;
+  }
+  if (cause != 0) {
+    ::unlink(made.c_str());
+    ::unlink(path.c_str());
+    refuse(path, cause);
+  }
+}
+
+void create_reserve(const std::string& path) {
+  const int file = create(reserve_of(path));
+  const int cause = ::posix_fallocate(file, 0, kReserve_bytes);
+  ::close(file);
+  if (cause != 0) {
+    ::unlink(reserve_of(path).c_str());
+    refuse(path, cause);
+  }
 }
 
 template <class Trace>
@@ -43,19 +91,16 @@ struct Writer::Impl {
     std::string seal;  // of the last
   };
 
-  explicit Impl(const std::string& path) : database(path, Database::Mode::kWrite) {
+  explicit Impl(const std::string& path)
+      : database(path, Database::Mode::kWrite), reserve(reserve_of(path)) {
     database.execute("PRAGMA journal_mode = WAL");
     // No wait for the disk during a run, which must keep its pace. A finished transaction survives
     // the end of this process; a power cut may take those of the last seconds.
     database.execute("PRAGMA synchronous = NORMAL");
-    database.transact([&] {
-      database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
-      database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
-      database.execute(schema_sql());
-    });
   }
 
   ~Impl() {
+    ::unlink(reserve.c_str());
     try {
       // Back to one plain file, which is readable also in a folder without write permission.
       database.execute("PRAGMA journal_mode = DELETE");
@@ -142,17 +187,19 @@ struct Writer::Impl {
   }
 
   Database database;
+  std::string reserve;  // a file
   std::vector<Appended> outlets;
   bool begun = false;
   bool finished = false;
 };
 
 Writer::Writer(const std::string& path) {
-  create_empty(path);
+  create_record(path);
   try {
+    create_reserve(path);
     impl_ = std::make_unique<Impl>(path);
   } catch (...) {
-    ::unlink(path.c_str());  // it is new and empty
+    ::unlink(path.c_str());  // it is new and has nothing in it
     throw;
   }
 }
@@ -197,6 +244,17 @@ void Writer::finish(const RunRecord& head) {
   impl_->require(impl_->begun && !impl_->finished, "finish() must be called once, after begin()");
   impl_->write_head(head, true);
   impl_->finished = true;
+}
+
+void Writer::abandon(const RunRecord& head) noexcept {
+  ::unlink(impl_->reserve.c_str());
+  try {
+    if (impl_->begun && !impl_->finished) {
+      impl_->write_head(head, false);
+    }
+  } catch (const std::exception&) {
+    // The record then reads as that of a run that was killed.
+  }
 }
 
 }  // namespace gsbench::record

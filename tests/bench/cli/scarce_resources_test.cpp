@@ -55,7 +55,7 @@ TEST(FullDisk, BeforeTheRunExitsWithTwoAndLeavesNoFiles) {
 
 TEST(FullDisk, DuringTheRunEndsItWithErrorAndKeepsWhatWasStored) {
   const TemporaryFolder folder;
-  const SmallDisk disk(folder.path(), "size=700k");
+  const SmallDisk disk(folder.path(), "size=900k");
   if (!disk.mounted()) {
     GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
   }
@@ -69,20 +69,24 @@ TEST(FullDisk, DuringTheRunEndsItWithErrorAndKeepsWhatWasStored) {
       run_gsbench({"report", only_run(folder.path() / "runs").string(), "--format", "csv"});
   EXPECT_EQ(report.exit_code, 0) << report.err;
   EXPECT_THAT(report.out, HasSubstr("sheds-1,0.512,50,"));
+  // The record has the reason, too.
+  EXPECT_THAT(run_gsbench({"report", only_run(folder.path() / "runs").string()}).out,
+              HasSubstr("o space left on"));
 }
 
 TEST(FullDisk, DuringTheReportsKeepsTheFinishedRecord) {
   const TemporaryFolder profiles;
-  profiles.write("short.toml",
-                 "title = \"Short\"\nsource = \"none\"\n[grid]\nsystem = \"ieee24\"\n[signal]\n"
-                 "duration_s = 0.2\n[[outlet]]\n[[expect]]\nmeasure = \"event.count\"\nmax = 0\n");
+  profiles.write(
+      "long.toml",
+      "title = \"Long\"\nsource = \"none\"\n[grid]\nsystem = \"ieee24\"\n[signal]\n"
+      "duration_s = 60.0\n[[outlet]]\ncount = 4\n[[expect]]\nmeasure = \"event.count\"\nmax = 0\n");
   const TemporaryFolder folder;
-  const SmallDisk disk(folder.path(), "size=380k");
+  const SmallDisk disk(folder.path(), "size=1500k");
   if (!disk.mounted()) {
     GTEST_SKIP() << "no small disk here: " << std::strerror(errno);
   }
   const Outcome outcome =
-      run_gsbench({"run", profiles.file("short.toml"), "--out", folder.file("runs")});
+      run_gsbench({"run", profiles.file("long.toml"), "--csv", "--out", folder.file("runs")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("o space left on"));
   EXPECT_THAT(outcome.err, HasSubstr("the run is kept"));

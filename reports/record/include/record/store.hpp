@@ -35,6 +35,8 @@ class Store {
   virtual OutletRecord outlet(std::size_t i) = 0;
   // With verdict, time stamps, comparisons and reference; its outlets are not used.
   virtual void finish(const RunRecord& head) = 0;
+  // In place of finish(), if a call failed: notes the fault in `head` if that is possible.
+  virtual void abandon(const RunRecord& head) noexcept = 0;
 };
 
 // In memory.
@@ -46,6 +48,7 @@ class MemoryStore final : public Store {
   void update_outlet(std::size_t i, const OutletRecord& outlet) override;
   OutletRecord outlet(std::size_t i) override { return outlets_.at(i); }
   void finish(const RunRecord&) override {}
+  void abandon(const RunRecord&) noexcept override {}
 
  private:
   std::vector<OutletRecord> outlets_;
@@ -53,9 +56,9 @@ class MemoryStore final : public Store {
 
 // In one SQLite file (WAL), with traces as compressed columns. Each call is one transaction: a
 // crash of the process loses the current call only, a power cut those of the last seconds. A run
-// without finish() reads back as interrupted, with verdict ERROR. After destruction the record is
-// one plain file, without -wal or -shm files. A failure of the file throws StoreError; earlier
-// calls remain stored.
+// without finish() reads back as interrupted, with verdict ERROR. Until destruction, FILE-wal,
+// FILE-shm and FILE-reserve belong to it; after a crash, the first reader makes one plain file of
+// it again. A failure of the file throws StoreError; earlier calls remain stored.
 class Writer final : public Store {
  public:
   // Creates the file. Throws StoreError if it exists or cannot be written.
@@ -68,6 +71,7 @@ class Writer final : public Store {
   void update_outlet(std::size_t i, const OutletRecord& outlet) override;
   OutletRecord outlet(std::size_t i) override;
   void finish(const RunRecord& head) override;
+  void abandon(const RunRecord& head) noexcept override;
 
  private:
   struct Impl;
