@@ -53,14 +53,9 @@ std::vector<std::string> count_table(const View& view, std::size_t most_groups) 
     all.add(group);
   }
   if (counts.size() > most_groups) {
-    Counts others{fmt::format("… and {} more groups", counts.size() - most_groups), {}};
-    for (std::size_t i = most_groups; i < counts.size(); ++i) {
-      others.add(counts[i]);
-    }
-    counts.resize(most_groups);
-    counts.push_back(others);
+    all.group = fmt::format("all {}", counts.size());
   }
-  if (counts.size() == 1) {
+  if (counts.size() > most_groups || counts.size() == 1) {
     counts.clear();
   }
   counts.push_back(all);

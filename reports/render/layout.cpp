@@ -73,6 +73,10 @@ std::string shortened(const std::string& text, std::size_t columns) {
          text.substr(offset_of(text, all - at_end));
 }
 
+std::string beginning(const std::string& text, std::size_t columns) {
+  return columns_of(text) <= columns ? text : text.substr(0, offset_of(text, columns - 1)) + "…";
+}
+
 std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows,
                                  const std::string& sides) {
   std::vector<std::size_t> widths;

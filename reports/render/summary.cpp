@@ -3,6 +3,7 @@
 #include "format.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -34,19 +35,24 @@ std::string deviations(const record::RunRecord& run) {
 }  // namespace
 
 std::vector<Shortfall> shortfalls(const View& view) {
-  std::vector<Shortfall> found;
-  for (const std::size_t index : view.outlets) {
+  std::vector<Shortfall> first;  // of each measure
+  std::vector<Shortfall> more;
+  std::set<std::string> measures;
+  for (const std::size_t index : worst_first(view)) {
     const record::OutletRecord& outlet = view.run.outlets[index];
     for (const record::MeasurementResult& result : outlet.measurements) {
       if (result.judged && result.verdict != record::Verdict::kPass) {
-        found.push_back({&outlet, &result});
+        (measures.insert(result.name).second ? first : more).push_back({&outlet, &result});
       }
     }
   }
-  std::stable_sort(found.begin(), found.end(), [](const Shortfall& a, const Shortfall& b) {
-    return a.result->verdict > b.result->verdict;
-  });
-  return found;
+  for (std::vector<Shortfall>* part : {&first, &more}) {
+    std::stable_sort(part->begin(), part->end(), [](const Shortfall& a, const Shortfall& b) {
+      return a.result->verdict > b.result->verdict;
+    });
+  }
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
 }
 
 std::string shortfall_text(const record::MeasurementResult& result) {

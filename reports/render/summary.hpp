@@ -32,7 +32,8 @@ std::string clock_uncertainty(const record::AlignedClock& clock);  // "± 0.13 m
 // Which recording was played; empty if none was.
 std::string played_sentence(const record::RunRecord& run);
 
-// Judged measurements of the outlets that are shown that did not pass, worst verdict first.
+// Judged measurements of the outlets that are shown that did not pass: one of each measure, then
+// the others, each part by verdict and then in the order of worst_first().
 struct Shortfall {
   const record::OutletRecord* outlet;
   const record::MeasurementResult* result;

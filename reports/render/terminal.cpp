@@ -2,9 +2,9 @@
 #include "format.hpp"
 #include "key_figures.hpp"
 #include "summary.hpp"
+#include "terminal_text.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -18,27 +18,21 @@ using record::Verdict;
 constexpr std::size_t kMostTerminalColumns = 7;  // of key figures
 constexpr std::size_t kMostOutletRows = 32;      // more outlets are counted
 
-// The most lines of each kind; the HTML report has more.
+// The most lines of each kind and in all; the HTML report has more.
 struct Most {
   std::size_t outlets;
   std::size_t groups;
   std::size_t faults;
   std::size_t shortfalls;
   std::size_t clocks;
-  std::size_t columns;  // of a line; longer ones are shortened in the middle
+  std::size_t lines;
+  std::size_t columns;     // of a line; longer ones are shortened in the middle
+  std::size_t id_columns;  // likewise of an id in a line
 };
-constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-constexpr Most kMostOfFew{kAll, kAll, 10, 10, kAll, kAll};
-// 40 lines in all, with a line for each "… and n more", and five for notes and verdict.
-constexpr Most kMostOfMany{6, 5, 3, 3, 1, kLineColumns};
-
-std::string coloured(Verdict verdict) {
-  const int code = verdict == Verdict::kPass           ? 32  // green
-                   : verdict == Verdict::kInconclusive ? 33  // yellow
-                   : verdict == Verdict::kFail         ? 31  // red
-                                                       : 35;         // magenta
-  return fmt::format("\x1b[1;{}m{}\x1b[0m", code, record::to_string(verdict));
-}
+constexpr std::size_t kAll = TerminalText::kAll;
+constexpr Most kMostOfFew{kAll, kAll, 10, 10, kAll, kAll, kAll, kAll};
+// Shortfalls have the lines that the other kinds leave: those take 35 at most.
+constexpr Most kMostOfMany{6, 5, 3, kAll, 1, 38, kLineColumns, kMostIdColumns};
 
 // Two lines of headings, then a line for each outlet, its verdict at the end.
 std::vector<std::string> table_of(const Outlets& outlets, const std::vector<KeyColumn>& columns) {
@@ -72,73 +66,7 @@ std::vector<std::string> outlet_table(const Outlets& outlets) {
   return lines;
 }
 
-enum class Target { kPipe, kTerminal };
-
-class Text {
- public:
-  Text(Target target, std::size_t most_columns) : target_(target), most_columns_(most_columns) {}
-
-  void add(const std::string& line) { add_up_to(line, most_columns_); }
-
-  void add(Verdict verdict, const std::string& rest, std::size_t most_lines = 1) {
-    const std::size_t at = text_.size();
-    add_up_to(record::to_string(verdict) + rest,
-              most_columns_ == kAll ? kAll : most_lines * most_columns_);
-    colour(verdict, at);
-  }
-
-  void add(const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) {
-      text_ += line + '\n';
-    }
-  }
-
-  // Lines of outlet_table().
-  void add(const Outlets& outlets, const std::vector<std::string>& lines) {
-    const std::size_t headings = lines.size() - outlets.size();
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      text_ += lines[i];
-      if (i >= headings) {
-        const Verdict verdict = outlets[i - headings]->verdict;
-        colour(verdict, text_.size() - std::string(record::to_string(verdict)).size());
-      }
-      text_ += '\n';
-    }
-  }
-
-  // The first `most` of `all`, each by add_one, and how many more there are.
-  template <class Item, class AddOne>
-  void add_first(const std::vector<Item>& all, std::size_t most, const char* what,
-                 const AddOne& add_one) {
-    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) {
-      add_one(all[i]);
-    }
-    if (all.size() > most) {
-      add(fmt::format("… and {} more{}", all.size() - most, what));
-    }
-  }
-
-  const std::string& text() const { return text_; }
-
- private:
-  void add_up_to(const std::string& line, std::size_t columns) {
-    const std::string shown = columns == kAll ? line : shortened(line, columns);
-    text_ += target_ == Target::kTerminal ? wrapped(shown, kLineColumns, 4) : shown;
-    text_ += '\n';
-  }
-
-  void colour(Verdict verdict, std::size_t at) {
-    if (target_ == Target::kTerminal) {
-      text_.replace(at, std::string(record::to_string(verdict)).size(), coloured(verdict));
-    }
-  }
-
-  Target target_;
-  std::size_t most_columns_;
-  std::string text_;
-};
-
-void add_outlets(const View& view, const Most& most, Text& text) {
+void add_outlets(const View& view, const Most& most, TerminalText& text) {
   const std::vector<std::size_t> rows = worst_first(view, most.outlets);
   const Outlets outlets = outlets_of(view.run, rows);
   if (rows.size() < view.outlets.size()) {
@@ -157,10 +85,13 @@ void add_outlets(const View& view, const Most& most, Text& text) {
   }
 }
 
-std::string text_of(const View& view, Target target) {
+std::string id_of(const record::OutletRecord& outlet, const Most& most) {
+  return shortened(one_line(outlet.id), most.id_columns);
+}
+
+// Above the shortfalls.
+void add_head(const View& view, const Most& most, TerminalText& text) {
   const record::RunRecord& run = view.run;
-  const Most& most = view.outlets.size() > kMostOutletRows ? kMostOfMany : kMostOfFew;
-  Text text(target, most.columns);
   text.add(
       fmt::format("{}  seed {}  {}", one_line(run.profile), run.seed, one_line(run.profile_title)));
   add_outlets(view, most, text);
@@ -168,14 +99,21 @@ std::string text_of(const View& view, Target target) {
     text.add(one_line(played_sentence(run)));
   }
   text.add_first(faulty_outlets(view), most.faults, " outlets", [&](const auto* outlet) {
-    text.add(outlet->verdict,
-             fmt::format(" {}: {}", one_line(outlet->id), one_line(outlet_sentence(*outlet))));
+    text.add_named(outlet->verdict, id_of(*outlet, most), one_line(outlet_sentence(*outlet)));
   });
-  text.add_first(shortfalls(view), most.shortfalls, "", [&](const Shortfall& missed) {
-    text.add(missed.result->verdict,
-             fmt::format(" {} {}: {}", one_line(missed.outlet->id), missed.result->name,
-                         one_line(shortfall_text(*missed.result))));
+}
+
+void add_shortfalls(const std::vector<Shortfall>& all, std::size_t shown, const Most& most,
+                    TerminalText& text) {
+  text.add_first(all, shown, "", [&](const Shortfall& missed) {
+    text.add_named(missed.result->verdict,
+                   id_of(*missed.outlet, most) + " " + one_line(missed.result->name),
+                   one_line(shortfall_text(*missed.result)));
   });
+}
+
+// Below them.
+void add_tail(const record::RunRecord& run, const Most& most, TerminalText& text) {
   for (const std::string& line : source_in_short(run)) {
     text.add(one_line(line));
   }
@@ -187,7 +125,19 @@ std::string text_of(const View& view, Target target) {
   }
   constexpr std::size_t kSentenceLines = 2;
   text.add(run.verdict, ": " + one_line(verdict_sentence(run)), kSentenceLines);
-  return text.text();
+}
+
+std::string text_of(const View& view, Target target) {
+  const Most& most = view.outlets.size() > kMostOutletRows ? kMostOfMany : kMostOfFew;
+  TerminalText text(target, most.columns);
+  TerminalText tail(target, most.columns);
+  add_head(view, most, text);
+  add_tail(view.run, most, tail);
+  const std::vector<Shortfall> missed = shortfalls(view);
+  const std::size_t free = most.lines - text.lines() - tail.lines();
+  const bool all_fit = missed.size() <= std::min(most.shortfalls, free);
+  add_shortfalls(missed, all_fit ? missed.size() : std::min(most.shortfalls, free - 1), most, text);
+  return text.text() + tail.text();
 }
 
 }  // namespace

@@ -27,6 +27,12 @@ std::vector<std::size_t> worst_first(const View& view, std::size_t most) {
   if (view.outlets.size() <= most) {
     return view.outlets;
   }
+  std::vector<std::size_t> worst = worst_first(view);
+  worst.resize(most);
+  return worst;
+}
+
+std::vector<std::size_t> worst_first(const View& view) {
   struct Rank {
     record::Verdict verdict;
     std::ptrdiff_t missed;
@@ -49,8 +55,9 @@ std::vector<std::size_t> worst_first(const View& view, std::size_t most) {
            std::tie(a.verdict, a.missed, b.turn, b.index);
   });
   std::vector<std::size_t> worst;
-  for (std::size_t i = 0; i < most; ++i) {
-    worst.push_back(ranks[i].index);
+  worst.reserve(ranks.size());
+  for (const Rank& rank : ranks) {
+    worst.push_back(rank.index);
   }
   return worst;
 }

@@ -33,6 +33,12 @@ TEST(Wrapped, DoesNotBreakAWordThatIsLongerThanALine) {
   EXPECT_EQ(wrapped("in /a/long/path now", 8), "in\n/a/long/path\nnow");
 }
 
+TEST(Beginning, ReplacesTheEndByAnEllipsis) {
+  EXPECT_EQ(beginning("kitchen-1", 9), "kitchen-1");
+  EXPECT_EQ(beginning("kitchen-1", 8), "kitchen…");
+  EXPECT_EQ(beginning("ΔΔΔΔΔΔ", 4), "ΔΔΔ…");
+}
+
 TEST(Shortened, ReplacesTheMiddleByAnEllipsis) {
   EXPECT_EQ(shortened("kitchen-1", 9), "kitchen-1");
   EXPECT_EQ(shortened("kitchen-1", 8), "kitc…n-1");

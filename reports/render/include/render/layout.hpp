@@ -23,6 +23,8 @@ bool fit(const std::vector<std::string>& lines);
 
 // `text` in at most `columns` (at least 1): what does not fit is replaced by "…" in the middle.
 std::string shortened(const std::string& text, std::size_t columns);
+// The same with "…" at the end.
+std::string beginning(const std::string& text, std::size_t columns);
 
 // One line per row, two spaces between columns, no spaces at the end of a line. `sides` has 'l'
 // (left) or 'r' (right) for each column; its last letter holds for all further columns. Rows may

@@ -26,6 +26,9 @@ struct View {
 // by verdict, then by the number of measurements that did not pass, then one of each group in turn.
 std::vector<std::size_t> worst_first(const View& view, std::size_t most);
 
+// All outlets that are shown, in that order.
+std::vector<std::size_t> worst_first(const View& view);
+
 // Takes the parts of a text in order.
 using Sink = std::function<void(std::string_view part)>;
 
