@@ -67,7 +67,9 @@ void compare(const record::OutletRecord& recorded, const record::OutletRecord& n
         b == before.size() ||
         (a < after.size() && record::find_measurement(recorded, after[a].name) == nullptr);
     const bool is_gone = !is_new && (a == after.size() || before[b].name != after[a].name);
-    if (is_new || is_gone || !is_equal(before[b], after[a])) {
+    // A measure that is new in the catalogue, and has no limit, was not recorded.
+    const bool differs = is_new ? after[a].judged : is_gone || !is_equal(before[b], after[a]);
+    if (differs) {
       differences.push_back({now.id, is_gone ? before[b].name : after[a].name,
                              is_new ? "none" : text_of(before[b]),
                              is_gone ? "none" : text_of(after[a])});
@@ -139,10 +141,13 @@ void print(const Rejudged& again) {
   if (again.differences.size() > kMostPrinted) {
     std::printf("… and %zu more\n", again.differences.size() - kMostPrinted);
   }
-  const std::string how = again.differences.empty()
-                              ? "as recorded: the verdicts and values of all outlets are the same"
-                              : fmt::format("{} differences; the record is of gsbench {}",
-                                            again.differences.size(), again.run.gsbench_version);
+  const std::size_t count = again.differences.size();
+  const std::string how = count > 0
+                              ? fmt::format("{} difference{}; the record is of gsbench {}", count,
+                                            count == 1 ? "" : "s", again.run.gsbench_version)
+                          : !again.run.fault.empty() || again.run.interrupted
+                              ? "as recorded; not judged: " + again.run.verdict_reason
+                              : "as recorded: the verdicts and values of all outlets are the same";
   print_wrapped(fmt::format("{}, {}", to_string(again.run.verdict), how), 4);
 }
 

@@ -31,15 +31,18 @@ struct RunArguments {
   bool json = false;
 };
 
-// Prints first: a report that cannot be written must not hide the verdict.
-void report(const record::RunRecord& run, const RunFolder& folder, const RunArguments& arguments) {
-  if (arguments.json) {
+void print(const record::RunRecord& run, bool as_json) {
+  if (as_json) {
     std::fputs(render::json(run).c_str(), stdout);
   } else {
     const bool colour = isatty(STDOUT_FILENO) == 1;
     std::fputs((colour ? render::coloured_terminal(run) : render::terminal(run)).c_str(), stdout);
   }
   std::fflush(stdout);
+}
+
+void keep_reports(const record::RunRecord& run, const RunFolder& folder,
+                  const RunArguments& arguments) {
   try {
     record::Reader reader(folder.file(kRecordFile));
     write_reports(view_of(run, reader), folder.path(), arguments.csv);
@@ -84,8 +87,10 @@ int run(const RunArguments& arguments) {
                           },
                           file.text});
     }
+    // First: a report that cannot be written must not hide the verdict.
+    print(run, arguments.json);
     folder.keep(run.run_id);
-    report(run, folder, arguments);
+    keep_reports(run, folder, arguments);
     return run.interrupted ? kInterrupted : exit_code_of(run.verdict);
   });
 }

@@ -5,8 +5,8 @@ namespace gsbench::judge {
 namespace {
 
 [[noreturn]] void refuse(const record::RunRecord& head, const char* what) {
-  throw profile::ConfigurationError("run " + head.run_id + ": the record has no copy of its " +
-                                    what + ": it was written by gsbench " + head.gsbench_version);
+  throw profile::ConfigurationError("run " + head.run_id + " cannot be judged again: its record, " +
+                                    "from before version 7, has no copy of its " + what);
 }
 
 }  // namespace
@@ -15,10 +15,7 @@ profile::Plan plan_of(const record::RunRecord& head) {
   profile::Overrides overrides;
   profile::Copies copies;
   overrides.seed = head.seed;
-  if (!head.grid_sha256.empty()) {
-    if (head.grid_text.empty()) {
-      refuse(head, "grid");
-    }
+  if (!head.grid_text.empty()) {
     copies.grid = head.grid_text;
   }
   const record::Recording& recording = head.recording;
@@ -32,7 +29,12 @@ profile::Plan plan_of(const record::RunRecord& head) {
       overrides.trace_format = profile::trace_format(recording.options);
     }
   }
-  return profile::parse_profile(head.profile_text, head.profile + ".toml", overrides, copies);
+  profile::Plan plan =
+      profile::parse_profile(head.profile_text, head.profile + ".toml", overrides, copies);
+  if (plan.grid.sha256 != head.grid_sha256) {
+    refuse(head, "grid, which has changed since");
+  }
+  return plan;
 }
 
 }  // namespace gsbench::judge

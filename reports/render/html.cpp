@@ -55,6 +55,7 @@ List facts(const View& shown) {
   add("Started", run.started_utc);
   add("Finished", run.finished_utc);
   add("gsbench", run.gsbench_version);
+  add("Software", run.software);
   add("Run", run.run_id, true);
   add("Firmware SHA-256", run.firmware_sha256, true);
   add("Profile SHA-256", run.profile_sha256, true);

@@ -87,6 +87,8 @@ std::string json(const View& view) {
                                {"grid_sha256", text_or_null(run.grid_sha256)},
                                {"recording", recording(run.recording)},
                                {"firmware_sha256", run.firmware_sha256},
+                               {"gsbench_version", run.gsbench_version},
+                               {"software", text_or_null(run.software)},
                                {"seed", run.seed},
                                {"source", source(run)},
                                {"clocks", array_of(run.clocks, clock)},

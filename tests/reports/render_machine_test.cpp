@@ -38,10 +38,11 @@ std::map<std::string, nlohmann::ordered_json> by_name(const nlohmann::ordered_js
 
 TEST(Json, HasTheDocumentedKeys) {
   const auto whole = nlohmann::ordered_json::parse(json(sample::loss_500mw(1)));
-  EXPECT_THAT(keys(whole),
-              ElementsAre("format_version", "run_id", "profile", "profile_sha256", "grid",
-                          "grid_sha256", "recording", "firmware_sha256", "seed", "source", "clocks",
-                          "interrupted", "fault", "verdict", "verdict_reason", "outlets"));
+  EXPECT_THAT(
+      keys(whole),
+      ElementsAre("format_version", "run_id", "profile", "profile_sha256", "grid", "grid_sha256",
+                  "recording", "firmware_sha256", "gsbench_version", "software", "seed", "source",
+                  "clocks", "interrupted", "fault", "verdict", "verdict_reason", "outlets"));
   EXPECT_THAT(keys(whole["outlets"][0]),
               ElementsAre("id", "group", "link", "board", "instance", "firmware", "build",
                           "protocol_version", "settings_digest", "verdict", "fault", "clock",

@@ -118,9 +118,21 @@ TEST_F(Rejudge, ShowsWhatIsNotAsRecorded) {
   EXPECT_THAT(run_gsbench({"rejudge", other}).out, HasSubstr("600 mHz, FAIL"));
 }
 
-TEST_F(Rejudge, SaysIfTheRecordIsTooOldToHaveACopyOfItsGrid) {
-  expect_refused({"rejudge", GSBENCH_TEST_RECORDS "/version-6.sqlite"},
-                 "the record has no copy of its grid");
+// It has no copy of its grid, but the grid of that name is still the same.
+TEST_F(Rejudge, TakesARecordOfVersion6) {
+  expect_as_recorded(GSBENCH_TEST_RECORDS "/version-6.sqlite", "FAIL");
+}
+
+TEST_F(Rejudge, RefusesAGridThatHasChangedSinceVersion6) {
+  record::RunRecord run = record::read_run(GSBENCH_TEST_RECORDS "/version-6.sqlite");
+  run.grid_sha256.front() = run.grid_sha256.front() == '0' ? '1' : '0';
+  const std::string other = inputs_.file("other.sqlite");
+  {
+    record::Writer writer(other);
+    writer.begin(run);
+    writer.finish(run);
+  }
+  expect_refused({"rejudge", other}, "no copy of its grid, which has changed since");
 }
 
 TEST_F(Rejudge, OfAnEmulatedStationIsAsRecorded) {

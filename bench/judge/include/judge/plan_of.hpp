@@ -7,9 +7,9 @@
 namespace gsbench::judge {
 
 // Made from the texts of profile, grid and recording in the record; no file is read. The number of
-// its outlets is the profile's, not the station's. Throws profile::ConfigurationError if this
-// version of gsbench does not take the profile, or if the record has no text of its grid or
-// recording, as those of version 6 do not.
+// its outlets is the profile's, not the station's. Records of version 6 have no such texts: the grid
+// of the same name is then used if it is the same, and recordings are refused. Throws
+// profile::ConfigurationError, also if this version of gsbench does not take the profile.
 profile::Plan plan_of(const record::RunRecord& head);
 
 }  // namespace gsbench::judge
