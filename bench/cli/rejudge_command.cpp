@@ -57,7 +57,7 @@ std::string text_of(const MeasurementResult& result) {
 }
 
 // Results are in the order of the profile's limits, then of the catalogue. A measure that was added
-// to the catalogue since is a difference, and those after it are not.
+// to the catalogue since is a difference only with a limit, and does not move those after it.
 void compare(const record::OutletRecord& recorded, const record::OutletRecord& now,
              std::vector<Difference>& differences) {
   const std::vector<MeasurementResult>& before = recorded.measurements;

@@ -107,7 +107,9 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
 // Runs before the sequence number is checked, because that of another outlet has no meaning here.
 // False if the outlet is faulty.
 bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Hello& hello) {
-  if (outlet.joined && (hello.id != outlet.id || hello.instance != outlet.hello.instance)) {
+  // Another unit may take the place of one that has left.
+  const bool is_twin = outlet.here && hello.instance != outlet.hello.instance;
+  if (outlet.joined && (hello.id != outlet.id || is_twin)) {
     outlet.faulty = true;
     happenings_.left.push_back({outlet.id, hello.id != outlet.id
                                                ? reports_id(hello)

@@ -2,6 +2,8 @@
 #include "outlets_on_a_broker.hpp"
 
 #include <csignal>
+#include <optional>
+#include <utility>
 
 namespace gsbench::test {
 namespace {
@@ -99,6 +101,17 @@ TEST_F(Broker, ALaterOutletWithTheSameIdIsAFault) {
   MqttOutlet two(broker_, "a", 2);
   EXPECT_TRUE(
       is_reported(kA, "has the same id as another outlet: instances 0x00000001 and 0x00000002"));
+}
+
+TEST_F(Broker, AnOutletMayTakeThePlaceOfOneThatHasLeft) {
+  std::optional<MqttOutlet> one(std::in_place, broker_, "a", 1U);
+  open({"a"});
+  one.reset();
+  ASSERT_TRUE(is_reported(kA, "left the broker"));
+  MqttOutlet two(broker_, "a", 2);
+  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
+  EXPECT_EQ(joined_.back().hello.instance, 2U);
+  EXPECT_EQ(joined_.back().fault, "");
 }
 
 TEST_F(Broker, AnOutletCannotSendUnderAnotherId) {
