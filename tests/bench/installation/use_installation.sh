@@ -26,7 +26,7 @@ gsbench() { env -i HOME="$home" PATH="$prefix/opt/bin:/usr/sbin:/usr/bin:/bin" g
 expect "$(gsbench --version)" '^gsbench [0-9.]+'
 expect "$(gsbench run paper/loss-500mw)" "^Report: $home/.local/share/gsbench/runs/.*/report.html$"
 expect "$(gsbench run paper/loss-500mw --station emulated)" '^PASS'
-expect "$(gsbench runs)" '^[0-9TZa-f-]+ +PASS +1 +paper/loss-500mw'
+expect "$(gsbench runs)" '^[0-9TZa-f-]+ +finished +PASS +1 +paper/loss-500mw'
 
 # The user's own profile has a name of its own; one with a shipped name is refused, the others are not.
 sed 's/^title = .*/title = "My loss"/' "$prefix/opt/share/gsbench/profiles/paper/loss-500mw.toml" \
