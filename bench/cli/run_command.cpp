@@ -9,6 +9,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <string>
 
 #include <profile/load.hpp>
 #include <record/store.hpp>
@@ -31,14 +32,24 @@ struct RunArguments {
   bool json = false;
 };
 
-void print(const record::RunRecord& run, bool as_json) {
-  if (as_json) {
-    std::fputs(render::json(run).c_str(), stdout);
-  } else {
-    const bool colour = isatty(STDOUT_FILENO) == 1;
-    std::fputs((colour ? render::coloured_terminal(run) : render::terminal(run)).c_str(), stdout);
-  }
+void print(const render::View& view, bool as_json) {
+  const bool colour = !as_json && isatty(STDOUT_FILENO) == 1;
+  const std::string text = as_json  ? render::json(view)
+                           : colour ? render::coloured_terminal(view)
+                                    : render::terminal(view);
+  std::fputs(text.c_str(), stdout);
   std::fflush(stdout);
+}
+
+// Of an interrupted run, what is printed has parts of the record. If that cannot be read, the run
+// is still kept.
+void print_interrupted(const record::RunRecord& run, const RunFolder& folder, bool as_json) {
+  try {
+    record::Reader reader(folder.file(kRecordFile));
+    print(view_of(run, reader), as_json);
+  } catch (const record::StoreError& error) {
+    print_error(error.what());
+  }
 }
 
 void keep_reports(const record::RunRecord& run, const RunFolder& folder,
@@ -88,7 +99,11 @@ int run(const RunArguments& arguments) {
                           file.text});
     }
     // First: a report that cannot be written must not hide the verdict.
-    print(run, arguments.json);
+    if (run.interrupted) {
+      print_interrupted(run, folder, arguments.json);
+    } else {
+      print(run, arguments.json);
+    }
     folder.keep(run.run_id);
     keep_reports(run, folder, arguments);
     return run.interrupted ? kInterrupted : exit_code_of(run.verdict);

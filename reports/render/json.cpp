@@ -1,4 +1,6 @@
+#include "format.hpp"
 #include "json_text.hpp"
+#include "kept.hpp"
 #include "summary.hpp"
 
 #include <render/render.hpp>
@@ -74,6 +76,18 @@ Json recording(const record::Recording& recording) {
           {"replaces_profile", recording.replaces_profile}};
 }
 
+Json kept(const record::RunRecord& run, const record::OutletRecord& outlet) {
+  const std::vector<std::int64_t>& ticks = outlet.trace.tick;
+  return {{"measurements", ticks.size()},
+          {"until_s", ticks.empty() ? Json(nullptr) : Json(seconds(run, ticks.back()))},
+          {"marks", array_of(kept_marks(outlet), [&](const record::Mark& mark) {
+             return Json{{"t_s", seconds(run, mark.tick)},
+                         {"kind", mark.kind},
+                         {"value", mark.value},
+                         {"text", mark.text}};
+           })}};
+}
+
 }  // namespace
 
 // Outlet by outlet: the values of all outlets would take more memory than their text.
@@ -100,7 +114,9 @@ std::string json(const View& view) {
   text += ",\n  \"outlets\": [";
   const char* before = "\n";
   for (const std::size_t index : view.outlets) {
-    text += before + indented(outlet(run.outlets[index]), 4);
+    Json entry = outlet(run.outlets[index]);
+    entry["kept"] = run.interrupted ? kept(run, view.with_reports(index)) : Json(nullptr);
+    text += before + indented(entry, 4);
     before = ",\n";
   }
   return text + (view.outlets.empty() ? "]\n}\n" : "\n  ]\n}\n");

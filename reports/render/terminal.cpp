@@ -1,5 +1,6 @@
 #include "counts.hpp"
 #include "format.hpp"
+#include "kept.hpp"
 #include "key_figures.hpp"
 #include "summary.hpp"
 #include "terminal_text.hpp"
@@ -66,6 +67,10 @@ std::vector<std::string> outlet_table(const Outlets& outlets) {
   return lines;
 }
 
+std::string id_of(const record::OutletRecord& outlet, const Most& most) {
+  return shortened(one_line(outlet.id), most.id_columns);
+}
+
 void add_outlets(const View& view, const Most& most, TerminalText& text) {
   const std::vector<std::size_t> rows = worst_first(view, most.outlets);
   const Outlets outlets = outlets_of(view.run, rows);
@@ -79,14 +84,16 @@ void add_outlets(const View& view, const Most& most, TerminalText& text) {
   if (!outlets.empty()) {
     text.add(outlets, outlet_table(outlets));
   }
+  if (view.run.interrupted) {
+    for (const std::size_t index : rows) {
+      text.add_named("Kept of " + id_of(view.run.outlets[index], most),
+                     kept_sentence(view.run, view.with_reports(index)));
+    }
+  }
   const std::string doubt = doubt_note(outlets);
   if (!doubt.empty()) {
     text.add(doubt);
   }
-}
-
-std::string id_of(const record::OutletRecord& outlet, const Most& most) {
-  return shortened(one_line(outlet.id), most.id_columns);
 }
 
 // Above the shortfalls.

@@ -83,6 +83,7 @@ TEST(LargeTerminal, Takes38LinesWithMuchOfEverything) {
     text += words;
   }
   run.profile_title = run.verdict_reason = text;
+  run.interrupted = true;
   run.source = {text, text, text};
   run.clocks.resize(100, {text, text, 1.0});
   run.recording = {text, text, text, text, text, 1.0, true};
@@ -101,6 +102,7 @@ TEST(LargeTerminal, Takes38LinesWithMuchOfEverything) {
   }
   for (const std::string& shown : {terminal(run), coloured_terminal(run)}) {
     EXPECT_EQ(lines_of(shown).size(), 38U) << shown;
+    EXPECT_EQ(count(shown, "Kept of outlet-"), 6U);
     EXPECT_THAT(shown, HasSubstr("… and 997 more outlets"));
     EXPECT_THAT(lines_of(shown), Contains(MatchesRegex("… and 139[89][0-9] more")));
   }

@@ -46,7 +46,7 @@ TEST(Json, HasTheDocumentedKeys) {
   EXPECT_THAT(keys(whole["outlets"][0]),
               ElementsAre("id", "group", "link", "board", "instance", "firmware", "build",
                           "protocol_version", "settings_digest", "verdict", "fault", "clock",
-                          "measurements"));
+                          "measurements", "kept"));
   EXPECT_THAT(keys(whole["outlets"][0]["measurements"][0]),
               ElementsAre("name", "value", "unit", "low", "high", "uncertainty", "judged",
                           "expected_word", "verdict", "reason"));

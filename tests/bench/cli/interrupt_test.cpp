@@ -41,9 +41,15 @@ TEST(Interrupt, EndsTheRunAndKeepsItAsInterrupted) {
     const TemporaryFolder folder;
     const Outcome outcome = stop_slow_run(folder, signal);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-    EXPECT_EQ(json::parse(outcome.out)["verdict"], "ERROR");
-    const Outcome report = run_gsbench({"report", only_run(folder.path() / "runs").string()});
+    const json result = json::parse(outcome.out);
+    EXPECT_EQ(result["verdict"], "ERROR");
+    const json& kept = result["outlets"][0]["kept"]["measurements"];
+    EXPECT_GT(kept, 0);
+    const std::string run = only_run(folder.path() / "runs").string();
+    EXPECT_EQ(run_gsbench({"report", run, "--format", "json"}).out, outcome.out);
+    const Outcome report = run_gsbench({"report", run});
     EXPECT_THAT(report.out, HasSubstr("interrupted"));
+    EXPECT_THAT(report.out, HasSubstr("Kept of sheds-1: " + kept.dump() + " measurement"));
   }
 }
 

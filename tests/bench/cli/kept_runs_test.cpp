@@ -155,6 +155,11 @@ TEST_F(KeptRuns, ThatDidNotFinishAreReportedAsInterrupted) {
   EXPECT_EQ(result["verdict"], "ERROR");
   EXPECT_THAT(result["verdict_reason"], HasSubstr("measurements were kept up to "));
   EXPECT_THAT(result["verdict_reason"], HasSubstr(" s of 60.000 s"));
+  EXPECT_GT(result["outlets"][0]["kept"]["measurements"], 60);
+  EXPECT_GT(result["outlets"][0]["kept"]["until_s"], 1.0);
+  EXPECT_THAT(run_gsbench({"report", folder().string()}).out,
+              HasSubstr("Kept of outlet-1: " + result["outlets"][0]["kept"]["measurements"].dump() +
+                        " measurements, up"));
   const std::string id = result["run_id"];
   for (const std::string& start : {name, name.substr(0, 15), id, id.substr(0, 20)}) {
     EXPECT_EQ(report(start).out, whole.out) << start;
