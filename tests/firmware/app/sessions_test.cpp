@@ -74,6 +74,27 @@ TEST_F(EndpointTest, AFifthSessionReplacesTheOneUsedLongestAgo) {
   EXPECT_EQ(listener_.last().echo.token, 3U);
 }
 
+TEST_F(EndpointTest, ACommandOfASessionThatWasReplacedIsNotObeyedAgain) {
+  const auto identify = [this](std::uint32_t session) {
+    wire::Downlink message = wire::identify();
+    message.session = session;
+    send(message, 0);
+  };
+  send(wire::test::command(false, 1), 0);
+  send(wire::test::command(true, 2), 1);
+  for (const std::uint32_t session : {101U, 102U, 103U, 104U}) {
+    identify(session);
+  }
+  send(wire::test::command(false, 1), 2);
+  ASSERT_EQ(listener_.last().error.code, ErrorCode::kUnknownSession);
+  identify(wire::test::kSession);
+  send(wire::test::command(false, 1), 1);
+  EXPECT_TRUE(app_.relay_closed());
+  EXPECT_EQ(listener_.last().command_answer.request, 1U);
+  send(wire::test::command(false, 3), 2);
+  EXPECT_FALSE(app_.relay_closed());
+}
+
 TEST_F(EndpointTest, AMessageOfAnUnknownKindUsesUpItsNumber) {
   const Bytes unknown = {0x83, 0x18, 0x63, 0x00, 0x18, wire::test::kSession};
   send(unknown);

@@ -16,6 +16,7 @@ struct Session {
 };
 
 constexpr std::size_t kSessions = 4;
+constexpr std::size_t kPastSessions = 16;
 
 class Sessions {
  public:
@@ -27,7 +28,18 @@ class Sessions {
   Session& use(Session& session);
 
  private:
+  // So that a command of a session that was replaced is not carried out again if it is repeated.
+  struct Past {
+    std::uint32_t number = wire::kNoSession;
+    std::uint32_t newest_request = 0;
+  };
+
+  void keep_request(const Session& replaced);
+  std::uint32_t kept_request(std::uint32_t number) const;
+
   Session sessions_[kSessions];  // used last first
+  Past past_[kPastSessions];     // a ring; only those with a request
+  std::size_t next_past_ = 0;
 };
 
 }  // namespace gs::app
