@@ -30,7 +30,9 @@ void add_trace(CLI::App& command, profile::Overrides& overrides) {
               "--trace", overrides.trace_path,
               "Play this CSV recording; --trace-time and --trace-frequency name its columns. It "
               "replaces the profile's frequency (losses, points or recording), its oscillations, "
-              "tones, flicker, amplitude and phase steps; noise, harmonics and DC offset stay")
+              "tones, flicker, amplitude and phase steps; noise, harmonics and DC offset stay. It "
+              "is "
+              "played to its end, or to --trace-until, not for the profile's duration_s")
           ->type_name("FILE");
   const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
     return command.add_option(name, value, text)->type_name(type)->needs(trace);

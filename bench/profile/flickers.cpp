@@ -50,7 +50,9 @@ std::vector<waveform::Flicker> read_flickers(const Table& signal, double duratio
     if (!frequency_hz && !changes) {
       table.refuse_missing("frequency_hz", "frequency_hz or changes_per_minute");
     }
-    const waveform::Flicker flicker = {at_s, read_duration_s(table, at_s, duration_s, "flicker"),
+    const waveform::Flicker flicker = {at_s,
+                                       read_duration_s(table, at_s, duration_s, "flicker",
+                                                       1.0 / static_cast<double>(sample_rate_hz)),
                                        frequency_hz ? *frequency_hz : *changes / kChangesPerMinute,
                                        table.number("depth_pct"),
                                        table.text("shape") == "rectangle"};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -137,9 +138,6 @@ keys::Position cause_of(const Table& signal, const Stimulus& stimulus, const Pea
         .at(static_cast<std::size_t>(highest - steps.begin()))
         .at();
   }
-  if (peak.recorded_pu > 1.0 && signal.has("trace")) {
-    return signal.at("trace");
-  }
   double harmonics_pct = 0.0;
   for (const waveform::Harmonic& harmonic : stimulus.signal.harmonics) {
     harmonics_pct += harmonic.amplitude_pct;
@@ -166,6 +164,19 @@ keys::Position cause_of(const Table& signal, const Stimulus& stimulus, const Pea
   return signal.at(signal.has("harmonics") ? "harmonics" : "harmonic_set");
 }
 
+// Place in the recording of the voltage that causes the peak.
+recording::Place place_of(const Stimulus& stimulus, const Peak& peak) {
+  const std::vector<recording::TracePoint>& points = stimulus.points;
+  const auto after = std::upper_bound(
+      points.begin(), points.end(), peak.t_s,
+      [](double t_s, const recording::TracePoint& point) { return t_s < point.t_s; });
+  auto cause = after == points.begin() ? after : std::prev(after);
+  if (after != points.end() && after->voltage_pu > cause->voltage_pu && cause->t_s < peak.t_s) {
+    cause = after;
+  }
+  return stimulus.recording.voltage_at.at(static_cast<std::size_t>(cause - points.begin()));
+}
+
 }  // namespace
 
 void check_full_scale(const Table& signal, const Stimulus& stimulus,
@@ -182,8 +193,10 @@ void check_full_scale(const Table& signal, const Stimulus& stimulus,
       : peak.tones_pct > 0.0 ? "harmonics, tones and offset"
                              : "harmonics and offset",
       kFullScale_pu);
-  if (stimulus.recording.replaces_profile && peak.recorded_pu * peak.level > 1.0) {
-    throw keys::ConfigurationError(fmt::format("{}: {}", stimulus.recording.path, message));
+  if (!stimulus.recording.voltage_at.empty() && peak.recorded_pu > 1.0 && peak.level <= 1.0) {
+    const recording::Place at = place_of(stimulus, peak);
+    throw keys::ConfigurationError(
+        fmt::format("{}:{}:{}: {}", stimulus.recording.path, at.line, at.column, message));
   }
   signal.refuse(cause_of(signal, stimulus, peak), message);
 }

@@ -1,6 +1,8 @@
 #include "sections.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -19,7 +21,8 @@ Key harmonics_key() {
           {keys::number("order", "", keys::between(waveform::kLowestOrder, kHighestOrder), ""),
            keys::number("pct", "%", keys::between(0.0, 100.0), ""),
            keys::number("deg", "degrees", keys::between(-360.0, 360.0), "")}),
-      "order 0.001 … 1000, not 1, below half the sample rate; a whole number, or for "
+      "order 0.001 … 1000, not 1, below half the sample rate at every frequency of the run; a "
+      "whole number, or for "
       "an interharmonic any other, such as 2.5; amplitude in % of the fundamental, "
       "0 … 100; phase ± 360: at a rising zero crossing of the fundamental, for an "
       "interharmonic at the first one (with `initial_phase_deg` 0, at the start)");
@@ -65,6 +68,62 @@ std::vector<waveform::Harmonic> read_harmonics(const Table& signal, double nomin
     add({row.values[0], row.values[1], row.values[2]}, row.at[0]);
   }
   return harmonics;
+}
+
+namespace {
+
+struct Highest {
+  double t_s;
+  double frequency_hz;
+};
+
+// Between points the frequency is monotone, so that the highest is at one of them. A response to
+// losses and an oscillation of at most 5 Hz are searched: a step misses less than 2 · 10⁻³ of the
+// amplitude of an oscillation.
+Highest highest_frequency(const Stimulus& stimulus, const waveform::ReferenceSignal& reference) {
+  Highest highest = {0.0, reference.frequency_hz(0.0)};
+  const auto take = [&](double t_s) {
+    const double frequency_hz = reference.frequency_hz(t_s);
+    if (frequency_hz > highest.frequency_hz) {
+      highest = {t_s, frequency_hz};
+    }
+  };
+  for (const double t_s : reference.corners_s()) {
+    take(std::clamp(t_s, 0.0, stimulus.duration_s));
+  }
+  const double step_s = stimulus.oscillations.empty() ? 0.01 : 0.004;
+  if (!stimulus.losses.empty() || !stimulus.oscillations.empty()) {
+    const auto steps = static_cast<std::int64_t>(stimulus.duration_s / step_s);
+    for (std::int64_t i = 0; i <= steps; ++i) {
+      take(static_cast<double>(i) * step_s);
+    }
+  }
+  return highest;
+}
+
+}  // namespace
+
+void check_harmonics(const Table& signal, const Stimulus& stimulus,
+                     const waveform::ReferenceSignal& reference) {
+  const std::vector<waveform::Harmonic>& harmonics = stimulus.signal.harmonics;
+  if (harmonics.empty()) {
+    return;
+  }
+  const Highest highest = highest_frequency(stimulus, reference);
+  const double limit_hz = 0.5 * static_cast<double>(stimulus.sample_rate_hz);
+  // As read_harmonics(): those of the set come first.
+  const std::size_t of_set = signal.has("harmonic_set") ? en50160_harmonics().size() : 0;
+  for (std::size_t i = 0; i < harmonics.size(); ++i) {
+    const double frequency_hz = harmonics[i].order * highest.frequency_hz;
+    if (frequency_hz >= limit_hz) {
+      signal.refuse(
+          i < of_set ? signal.at("harmonic_set") : signal.rows("harmonics").at(i - of_set).at[0],
+          fmt::format("harmonic order {} is at {:.6g} Hz at {:.6g} s, where the frequency "
+                      "is {:.6g} Hz; it must be below {} Hz (half of sample_rate_hz)",
+                      harmonics[i].order, frequency_hz, highest.t_s, highest.frequency_hz,
+                      limit_hz));
+    }
+  }
 }
 
 }  // namespace gsbench::profile

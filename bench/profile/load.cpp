@@ -32,12 +32,25 @@ keys::Range within_run(double duration_s) {
   return {0.0, duration_s, false, true, "the run's duration"};
 }
 
-double read_duration_s(const keys::Table& table, double at_s, double run_s, const char* what) {
+void check_at_least_a_sample(const keys::Table& table, keys::Position at, const std::string& name,
+                             double value_s, double sample_s) {
+  constexpr double kRounding_s = 1e-9;
+  if (value_s < sample_s - kRounding_s) {
+    table.refuse(at, fmt::format("{} is {:.9g} s; it must be at least {:.9g} s, one sample", name,
+                                 value_s, sample_s));
+  }
+}
+
+double read_duration_s(const keys::Table& table, double at_s, double run_s, const char* what,
+                       double least_s) {
   const std::optional<double> duration_s = table.find_number("duration_s");
   if (duration_s && at_s + *duration_s > run_s) {
     table.refuse("duration_s", fmt::format("the {} ends at {} s, after the end of the run at {} s; "
                                            "omit duration_s for one that lasts to the end",
                                            what, at_s + *duration_s, run_s));
+  }
+  if (duration_s) {
+    check_at_least_a_sample(table, table.at("duration_s"), "duration_s", *duration_s, least_s);
   }
   return duration_s.value_or(std::numeric_limits<double>::infinity());
 }
@@ -83,6 +96,7 @@ Plan parse_profile(const std::string& text, const std::string& path, const Overr
   plan.commands = read_commands(top, plan.outlets, plan.stimulus.duration_s);
   plan.expectations = read_expectations(top, plan.outlets);
   check_playable(plan);
+  check_harmonics(signal, plan.stimulus, *plan.reference());
   check_full_scale(signal, plan.stimulus, *plan.reference());
   return plan;
 }

@@ -26,8 +26,13 @@ keys::Key time_in_run(const char* meaning);
 keys::Range within_run(double duration_s);
 
 // Value of the key duration_s of something that starts at at_s; infinity without the key. Refuses
-// an end after the end of the run. `what` names it in the message.
-double read_duration_s(const keys::Table& table, double at_s, double run_s, const char* what);
+// an end after the end of the run, and less than `least_s`. `what` names it in the message.
+double read_duration_s(const keys::Table& table, double at_s, double run_s, const char* what,
+                       double least_s = 0.0);
+// What is shorter than a sample might fall between two and not be played. Refuses `value_s`, given
+// at a position, below the sample period.
+void check_at_least_a_sample(const keys::Table& table, keys::Position at, const std::string& name,
+                             double value_s, double sample_s);
 
 // [grid]: from a file, or inline.
 keys::Key grid_section_keys();
@@ -59,6 +64,9 @@ keys::Key harmonics_key();
 keys::Key harmonic_set_key();
 std::vector<waveform::Harmonic> read_harmonics(const keys::Table& signal, double nominal_hz,
                                                double rate_hz);
+// Refuses a harmonic that reaches half of the sample rate when the frequency is high.
+void check_harmonics(const keys::Table& signal, const Stimulus& stimulus,
+                     const waveform::ReferenceSignal& reference);
 
 // [[signal.flicker]], in the order of the profile.
 keys::Key flicker_keys();

@@ -97,12 +97,13 @@ std::vector<recording::TracePoint> read_points(const Table& signal, double nomin
   return points;
 }
 
-std::vector<waveform::AmplitudeStep> read_amplitude_steps(const Table& signal, double duration_s) {
+std::vector<waveform::AmplitudeStep> read_amplitude_steps(const Table& signal, double duration_s,
+                                                          double sample_s) {
   std::vector<waveform::AmplitudeStep> steps;
   for (const Table& table : signal.tables("amplitude_step")) {
     const double at_s = table.number("at_s", within_run(duration_s));
-    steps.push_back(
-        {at_s, read_duration_s(table, at_s, duration_s, "step"), table.number("level_pct")});
+    steps.push_back({at_s, read_duration_s(table, at_s, duration_s, "step", sample_s),
+                     table.number("level_pct")});
   }
   return steps;
 }
@@ -138,7 +139,7 @@ Key signal_keys() {
   return keys::table(
              "signal", kSignalMeaning,
              {keys::number("duration_s", "s", keys::between(kShortestRun_s, kLongestRun_s),
-                           "length of the run")
+                           "length of the run; `--trace` plays its recording instead, however long")
                   .or_else("required; with a recording: its length"),
               keys::whole("sample_rate_hz", "Hz", kRateStep_hz, kHighestRate_hz,
                           "sampling rate of the signal")
@@ -196,7 +197,8 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
   stimulus.oscillations = read_oscillations(signal, stimulus.duration_s);
   stimulus.signal.harmonics =
       read_harmonics(signal, grid.nominal_hz, static_cast<double>(stimulus.sample_rate_hz));
-  stimulus.signal.amplitude_steps = read_amplitude_steps(signal, stimulus.duration_s);
+  stimulus.signal.amplitude_steps = read_amplitude_steps(
+      signal, stimulus.duration_s, 1.0 / static_cast<double>(stimulus.sample_rate_hz));
   stimulus.signal.phase_jumps = read_phase_jumps(signal, stimulus.duration_s);
   stimulus.signal.flickers = read_flickers(signal, stimulus.duration_s, stimulus.sample_rate_hz);
   stimulus.signal.tones = read_tones(signal, stimulus.duration_s, stimulus.sample_rate_hz);

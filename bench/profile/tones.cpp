@@ -34,23 +34,26 @@ keys::Key tone_keys() {
            .by_default(0.0),
        keys::text("telegram", "pulses of ripple control: `1` is on, `0` is off; blanks are ignored")
            .permits("`1`, `0` and blanks"),
-       keys::number("bit_s", "s", keys::above(0.0), "duration of each `1` and `0` of the telegram")
+       keys::number("bit_s", "s", keys::above(0.0),
+                    "duration of each `1` and `0` of the telegram, at least one sample")
            .or_else("required with `telegram`"),
        keys::array("pulses_s",
                    keys::row({keys::number("from", "s", keys::at_least(0.0), ""),
                               keys::number("to", "s", keys::above(0.0), "")}),
                    "pulses in ascending order: times after `at_s` at which the tone is switched on "
-                   "and off; not with `telegram`")});
+                   "and off; pulses and gaps of at least one sample; not with `telegram`")});
 }
 
 namespace {
 
 // Runs of ones.
-std::vector<waveform::Pulse> telegram_pulses(const Table& table, const std::string& telegram) {
+std::vector<waveform::Pulse> telegram_pulses(const Table& table, const std::string& telegram,
+                                             double sample_s) {
   if (!table.has("bit_s")) {
     table.refuse_missing("bit_s", "the duration of each bit of the telegram in seconds");
   }
   const double bit_s = table.number("bit_s");
+  check_at_least_a_sample(table, table.at("bit_s"), "bit_s", bit_s, sample_s);
   std::vector<waveform::Pulse> pulses;
   double bits = 0.0;
   for (const char c : telegram) {
@@ -74,7 +77,7 @@ std::vector<waveform::Pulse> telegram_pulses(const Table& table, const std::stri
   return pulses;
 }
 
-std::vector<waveform::Pulse> listed_pulses(const Table& table) {
+std::vector<waveform::Pulse> listed_pulses(const Table& table, double sample_s) {
   std::vector<waveform::Pulse> pulses;
   double last_s = 0.0;
   for (const keys::Row& row : table.rows("pulses_s")) {
@@ -88,6 +91,11 @@ std::vector<waveform::Pulse> listed_pulses(const Table& table) {
       table.refuse(row.at[1], fmt::format("to is {}; it must be above {}, the start of the pulse",
                                           pulse.to_s, pulse.from_s));
     }
+    if (!pulses.empty() && pulse.from_s > last_s) {
+      check_at_least_a_sample(table, row.at[0], "the gap before the pulse", pulse.from_s - last_s,
+                              sample_s);
+    }
+    check_at_least_a_sample(table, row.at[1], "the pulse", pulse.to_s - pulse.from_s, sample_s);
     last_s = pulse.to_s;
     pulses.push_back(pulse);
   }
@@ -95,7 +103,7 @@ std::vector<waveform::Pulse> listed_pulses(const Table& table) {
 }
 
 // `limit_s`: end of the tone, after its start.
-std::vector<waveform::Pulse> read_pulses(const Table& table, double limit_s) {
+std::vector<waveform::Pulse> read_pulses(const Table& table, double limit_s, double sample_s) {
   const auto telegram = table.find_text("telegram");
   if (telegram && table.has("pulses_s")) {
     table.refuse("pulses_s", "both telegram and pulses_s are given; give only one");
@@ -104,7 +112,7 @@ std::vector<waveform::Pulse> read_pulses(const Table& table, double limit_s) {
     table.refuse("bit_s", "bit_s is given without a telegram; give one, or omit bit_s");
   }
   std::vector<waveform::Pulse> pulses =
-      telegram ? telegram_pulses(table, *telegram) : listed_pulses(table);
+      telegram ? telegram_pulses(table, *telegram, sample_s) : listed_pulses(table, sample_s);
   constexpr double kRounding_s = 1e-9;
   if (!pulses.empty() && pulses.back().to_s > limit_s + kRounding_s) {
     table.refuse(telegram ? "telegram" : "pulses_s",
@@ -120,13 +128,14 @@ std::vector<waveform::Pulse> read_pulses(const Table& table, double limit_s) {
 std::vector<waveform::Tone> read_tones(const Table& signal, double duration_s,
                                        std::int64_t sample_rate_hz) {
   const double limit_hz = 0.5 * static_cast<double>(sample_rate_hz);
+  const double sample_s = 1.0 / static_cast<double>(sample_rate_hz);
   std::vector<waveform::Tone> tones;
   for (const Table& table : signal.tables("tone")) {
     const double at_s = table.number("at_s", within_run(duration_s));
-    const double tone_s = read_duration_s(table, at_s, duration_s, "tone");
+    const double tone_s = read_duration_s(table, at_s, duration_s, "tone", sample_s);
     waveform::Tone tone = {at_s, tone_s, table.number("frequency_hz"),
                            table.number("amplitude_pct"), table.number("phase_deg")};
-    tone.pulses = read_pulses(table, std::min(tone_s, duration_s - at_s));
+    tone.pulses = read_pulses(table, std::min(tone_s, duration_s - at_s), sample_s);
     if (tone.frequency_hz >= limit_hz) {
       table.refuse("frequency_hz",
                    fmt::format("frequency_hz is {}; it must be below {} (half of sample_rate_hz)",

@@ -1,7 +1,9 @@
 #include "sections.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -94,6 +96,9 @@ struct ReadField {
   void operator()(const char* key, double& value) const {
     value = table.find_number(key).value_or(value);
   }
+  void operator()(const char* key, std::optional<double>& value) const {
+    value = table.find_number(key);
+  }
   void operator()(const char* key, std::vector<std::string>& value) const {
     for (const keys::PlacedText& item : table.texts(key)) {
       value.push_back(item.text);
@@ -110,6 +115,9 @@ struct WriteField {
   void operator()(const char* key, double value) const {
     lines.push_back(fmt::format("{} = {}\n", key, value));
   }
+  void operator()(const char* key, const std::optional<double>& value) const {
+    lines.push_back(value ? fmt::format("{} = {}\n", key, *value) : "");
+  }
   void operator()(const char* key, const std::vector<std::string>& value) const {
     std::string items;
     for (const std::string& item : value) {
@@ -118,6 +126,54 @@ struct WriteField {
     lines.push_back(fmt::format("{} = [{}]\n", key, items));
   }
 };
+
+// The first line of options with texts that are not UTF-8, which TOML cannot hold: each of their
+// bytes is the character of this number.
+constexpr const char* kBytesAsCharacters = "# ISO 8859-1\n";
+
+template <class Change>
+void change_texts(recording::TraceFormat& format, Change change) {
+  struct Visitor {
+    const Change& change;
+    void operator()(const char*, std::string& value) const { value = change(value); }
+    void operator()(const char*, std::vector<std::string>& values) const {
+      std::transform(values.begin(), values.end(), values.begin(), change);
+    }
+    void operator()(const char*, double&) const {}
+    void operator()(const char*, std::optional<double>&) const {}
+  };
+  recording::visit_fields(format, Visitor{change});
+}
+
+std::string characters_of(const std::string& bytes) {
+  std::string text;
+  for (const char byte : bytes) {
+    const auto code = static_cast<unsigned char>(byte);
+    if (code < 0x80U) {
+      text += byte;
+    } else {
+      text += static_cast<char>(0xc0U | (code >> 6U));
+      text += static_cast<char>(0x80U | (code & 0x3fU));
+    }
+  }
+  return text;
+}
+
+// The inverse of characters_of().
+std::string bytes_of(const std::string& text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto first = static_cast<unsigned char>(text[i]);
+    if (first >= 0x80U && i + 1 < text.size()) {
+      ++i;
+      const auto second = static_cast<unsigned char>(text[i]);
+      bytes += static_cast<char>(((first & 0x03U) << 6U) | (second & 0x3fU));
+    } else {
+      bytes += text[i];
+    }
+  }
+  return bytes;
+}
 
 std::vector<std::string> lines_of(const recording::TraceFormat& format) {
   std::vector<std::string> lines;
@@ -143,7 +199,8 @@ Key trace_keys() {
       "option for each of these keys (`--trace-from` for `from_s`), plays another recording, in "
       "place of the profile's losses, frequency points or recording, oscillations, tones, flicker, "
       "amplitude "
-      "steps and phase steps; noise, harmonics and DC offset stay.",
+      "steps and phase steps; noise, harmonics and DC offset stay. It is played to its end, or to "
+      "`--trace-until`, also if this is beyond the profile's `duration_s`.",
       std::move(all));
 }
 
@@ -154,9 +211,19 @@ recording::TraceFormat read_trace_format(const Table& table) {
 }
 
 std::string trace_options(const recording::TraceFormat& format) {
-  const std::vector<std::string> defaults = lines_of({});
-  const std::vector<std::string> lines = lines_of(format);
+  recording::TraceFormat written = format;
   std::string text;
+  bool is_utf8 = true;
+  change_texts(written, [&](const std::string& value) {
+    is_utf8 = is_utf8 && recording::is_utf8(value);
+    return value;
+  });
+  if (!is_utf8) {
+    text = kBytesAsCharacters;
+    change_texts(written, characters_of);
+  }
+  const std::vector<std::string> defaults = lines_of({});
+  const std::vector<std::string> lines = lines_of(written);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     text += lines[i] == defaults[i] ? "" : lines[i];
   }
@@ -166,7 +233,11 @@ std::string trace_options(const recording::TraceFormat& format) {
 recording::TraceFormat trace_format(const std::string& options) {
   static const Key keys = keys::table("the options of a recording", "", format_keys());
   const keys::Document document = keys::parse_toml(options, "options");
-  return read_trace_format(Table(document, keys));
+  recording::TraceFormat format = read_trace_format(Table(document, keys));
+  if (options.rfind(kBytesAsCharacters, 0) == 0) {
+    change_texts(format, bytes_of);
+  }
+  return format;
 }
 
 }  // namespace gsbench::profile

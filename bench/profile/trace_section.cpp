@@ -25,6 +25,7 @@ void use(Recording recording, double duration_s, double nominal_hz, const Copies
     recording::Trace trace = recording::read_trace(text, recording.path, recording.format, limits);
     recording.sha256 = copies.recording ? "" : sha256(text);
     recording.played_text = std::move(trace.text);
+    recording.voltage_at = std::move(trace.voltage_at);
     recording.rows = trace.rows;
     recording.gaps = trace.gaps;
     stimulus.duration_s = trace.points.back().t_s;

@@ -9,12 +9,9 @@
 #include <string_view>
 #include <vector>
 
-namespace gsbench::recording {
+#include <recording/trace.hpp>
 
-struct Place {
-  std::size_t line = 1;    // from 1
-  std::size_t column = 1;  // in bytes, from 1
-};
+namespace gsbench::recording {
 
 struct Cell {
   std::string text;  // without quotes and surrounding blanks

@@ -87,7 +87,13 @@ Dialect::Dialect(const TraceFormat& format, double nominal_hz)
     throw FormatError("time_format", fmt::format("time_format has `{}`; it may have {}",
                                                  shown(unknown), kTimeDirectives));
   }
-  if (format.voltage.empty() && format.nominal_voltage != 0.0) {
+  if (format.nominal_voltage &&
+      !(std::isfinite(*format.nominal_voltage) && *format.nominal_voltage > 0.0)) {
+    throw FormatError("nominal_voltage",
+                      fmt::format("nominal_voltage is {}; it must be finite and above 0",
+                                  *format.nominal_voltage));
+  }
+  if (format.voltage.empty() && format.nominal_voltage) {
     throw FormatError("nominal_voltage",
                       "nominal_voltage is given without a voltage column; give the column too, or "
                       "omit nominal_voltage");

@@ -35,7 +35,7 @@ Trace trace_in(const std::string& text, const TraceFormat& format, const TraceLi
     return trace;
   }
   const double nominal =
-      format.nominal_voltage == 0.0 ? median_voltage(trace.points) : format.nominal_voltage;
+      format.nominal_voltage ? *format.nominal_voltage : median_voltage(trace.points);
   if (!std::isfinite(nominal) || nominal <= 0.0) {
     throw CsvError(reader.voltage_place(),
                    fmt::format("the nominal voltage of `{}` is {}; it must be finite and above 0 "

@@ -129,7 +129,7 @@ const Cell& TraceReader::cell(const Row& row, std::size_t column) const {
           header_.empty() ? "" : fmt::format(", up to column `{}`", shown(header_[column].text))));
 }
 
-// nullopt: a row outside the window without a time.
+// nullopt: a row without a time, which is outside the window or a gap.
 std::optional<Instant> TraceReader::instant_of(const Row& row) {
   if (is_outside() && time_ >= row.size()) {
     return std::nullopt;
@@ -139,12 +139,18 @@ std::optional<Instant> TraceReader::instant_of(const Row& row) {
   if (instant && !first_) {
     first_ = instant;
     first_row_ = csv_.row_text();
+    first_time_ = time;
     window_.start_at(*first_);
   }
   if (instant && instant->kind == first_->kind) {
+    read_time_ = time;
     return instant;
   }
   if (is_outside()) {
+    return std::nullopt;
+  }
+  if (dialect_.is_gap(time.text)) {
+    take_gap();
     return std::nullopt;
   }
   throw CsvError(
@@ -188,6 +194,12 @@ bool TraceReader::is_played(const Instant& instant, const Row& row) {
   return inside;
 }
 
+void TraceReader::take_gap() {
+  trace_.text += csv_.row_text();
+  ++trace_.rows;
+  ++trace_.gaps;
+}
+
 void TraceReader::take(const Instant& instant, const Row& row) {
   if (!last_ && window_.counts_from_first_row() && first_row_.data() != csv_.row_text().data()) {
     trace_.text += first_row_;
@@ -208,6 +220,9 @@ void TraceReader::take(const Instant& instant, const Row& row) {
   }
   trace_.points.push_back({instant.seconds_since(*start_), frequency_in(frequency),
                            voltage != nullptr ? voltage_in(*voltage) : 1.0});
+  if (voltage != nullptr) {
+    trace_.voltage_at.push_back(voltage->place);
+  }
 }
 
 double TraceReader::number_in(const Cell& cell) const {
@@ -249,7 +264,13 @@ double TraceReader::voltage_in(const Cell& cell) const {
 void TraceReader::refuse_too_few() const {
   if (!format_.from.empty() || !format_.until.empty()) {
     throw FormatError(format_.from.empty() ? "until_s" : "from_s",
-                      "from_s and until_s leave fewer than two rows to play");
+                      first_ ? fmt::format("from_s and until_s leave fewer than two rows to play; "
+                                           "the times of the file are `{}` (line {}, column {}) … "
+                                           "`{}` (line {}, column {})",
+                                           shown(first_time_.text), first_time_.place.line,
+                                           first_time_.place.column, shown(read_time_.text),
+                                           read_time_.place.line, read_time_.place.column)
+                             : "from_s and until_s leave no row to play; the file has no times");
   }
   throw CsvError(csv_.row_end(),
                  trace_.rows == 0 ? "no data below the column names; at least two rows are needed"

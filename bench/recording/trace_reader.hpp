@@ -38,6 +38,7 @@ class TraceReader {
   bool is_after_the_window(const Row& row);
   const Cell& cell(const Row& row, std::size_t column) const;
   std::optional<Instant> instant_of(const Row& row);
+  void take_gap();
   bool is_played(const Instant& instant, const Row& row);
   void take(const Instant& instant, const Row& row);
   double number_in(const Cell& cell) const;
@@ -57,6 +58,8 @@ class TraceReader {
   std::optional<std::size_t> voltage_;
   std::optional<Instant> first_;  // of the recording
   std::string_view first_row_;
+  Cell first_time_;  // the first time of the recording, and the last one that was read
+  Cell read_time_;
   std::optional<Instant> start_;  // of the first point
   std::optional<Instant> last_;   // of the row that was taken last
   Place last_place_;

@@ -143,7 +143,7 @@ record::Recording kept(const profile::Recording& recording) {
   kept.time = recording.format.time;
   kept.frequency = recording.format.frequency;
   kept.voltage = recording.format.voltage;
-  kept.nominal_voltage = recording.format.nominal_voltage;
+  kept.nominal_voltage = recording.format.nominal_voltage.value_or(0.0);
   kept.replaces_profile = recording.replaces_profile;
   if (!recording.file.empty()) {
     kept.options = profile::trace_options(recording.format);

@@ -80,6 +80,19 @@ TEST_F(Rejudge, NeedsNoRecordingThatReplacedTheProfilesSignal) {
                       "--trace-frequency", "f", "--trace-from", "1", "--seed", "7"}));
 }
 
+// PMU exporters write the names of columns in ISO 8859-1.
+TEST_F(Rejudge, NeedsNoRecordingWithNamesThatAreNotUtf8) {
+  inputs_.write("trace.csv",
+                "t,f\xe4,u\n,50,230\n0,50,230\n1,\xe4\",230\n2,49.9,230\n3,50,k\xc3\xa4\n");
+  inputs_.write("profile.toml",
+                std::string("title = \"t\"\nsource = \"s\"\n[grid]\nsystem = \"ieee24\"\n[signal]\n"
+                            "duration_s = 1.0\n") +
+                    kLimit);
+  expect_as_recorded(run_and_remove({"--trace", inputs_.file("trace.csv"), "--trace-time", "t",
+                                     "--trace-frequency", "f\xe4", "--trace-voltage", "u",
+                                     "--trace-gaps", "\xe4\",k\xc3\xa4"}));
+}
+
 TEST_F(Rejudge, HasTheVerdictsOfARunThatFails) {
   inputs_.write(
       "profile.toml",

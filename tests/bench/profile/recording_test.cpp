@@ -43,7 +43,7 @@ class Recording : public testing::Test {
   Overrides replay(const std::string& name) const {
     Overrides overrides;
     overrides.trace_path = path(name);
-    overrides.trace_format = {"t", "f", "", 0.0};
+    overrides.trace_format = {"t", "f", "", {}};
     return overrides;
   }
 
@@ -109,6 +109,18 @@ TEST_F(Recording, HasOptionsThatArePrintedAndReadAgain) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), fields);
 }
 
+TEST_F(Recording, HasOptionsOfAnyBytes) {
+  recording::TraceFormat format = {"t\xe4\xc3\xa4", "f\x80\xff", "\\u\"\xe4", {}};
+  format.gaps = {"\xe4,\"", "k\xc3\xa4"};
+  const recording::TraceFormat again = trace_format(trace_options(format));
+  EXPECT_EQ(again.time, format.time);
+  EXPECT_EQ(again.frequency, format.frequency);
+  EXPECT_EQ(again.voltage, format.voltage);
+  EXPECT_EQ(again.gaps, format.gaps);
+  EXPECT_EQ(trace_format(trace_options({"t\xc3\xa4", "f", "", {}})).time, "t\xc3\xa4");
+  EXPECT_THAT(trace_options({"t\xc3\xa4", "f", "", {}}), HasSubstr("t\\u00E4"));
+}
+
 TEST_F(Recording, IsPlayedToItsEndWithoutADuration) {
   EXPECT_EQ(parse_here(replaced(kRecording, "duration_s = 2.0", "")).stimulus.duration_s, 3.0);
 }
@@ -121,8 +133,10 @@ TEST_F(Recording, IsRefusedAtThePositionInTheProfile) {
   EXPECT_EQ(refusal_of_one_with("voltage = \"u\"", ""),
             "12:19: nominal_voltage is given without a voltage column; give the column "
             "too, or omit nominal_voltage");
-  EXPECT_EQ(refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
-            "13:10: from_s and until_s leave fewer than two rows to play");
+  EXPECT_EQ(
+      refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
+      "13:10: from_s and until_s leave fewer than two rows to play; the times of the file are `0` "
+      "(line 2, column 1) … `5` (line 7, column 1)");
   EXPECT_EQ(refusal_of_one_with("until_s = 4.0", "until_s = 0.5"),
             "14:11: until_s is 0.5; it must be above 1, the start");
 }
@@ -153,6 +167,23 @@ TEST_F(Recording, OfTheCommandLineReplacesTheFrequencyBeforeOscillationsAndTones
   EXPECT_EQ(plan.reference()->frequency_hz(20.0), 49.5);
 }
 
+TEST_F(Recording, OfTheCommandLineIsPlayedBeyondTheDurationOfTheProfile) {
+  folder_.write("long.csv", "t,f\n0,50\n14,49.9\n");
+  EXPECT_EQ(parse_here(kMinimal).stimulus.duration_s, 6.0);
+  EXPECT_EQ(parse_here(kMinimal, replay("long.csv")).stimulus.duration_s, 14.0);
+}
+
+TEST_F(Recording, IsRefusedIfItsFrequencyTakesAHarmonicToHalfTheSampleRate) {
+  folder_.write("rise.csv", "t,f\n0,50\n1,60\n2,50\n");
+  const std::string text =
+      replaced(kMinimal, "[signal]", "[signal]\nharmonics = [[5, 1, 0], [66.7, 1.0, 0.0]]");
+  EXPECT_EQ(refusal_here(text), "");
+  EXPECT_THAT(refusal_here(text, replay("rise.csv")),
+              HasSubstr("harmonic order 66.7 is at 4002 Hz at 1 s, where the frequency is 60 Hz; "
+                        "it must be below 4000 Hz"));
+  EXPECT_EQ(refusal_here(replaced(text, "66.7", "66.6"), replay("rise.csv")), "");
+}
+
 TEST_F(Recording, OfTheCommandLineReplacesAMissingOne) {
   const Plan plan =
       parse_here(replaced(kRecording, "recording.csv", "none.csv"), replay("recording.csv"));
@@ -161,13 +192,22 @@ TEST_F(Recording, OfTheCommandLineReplacesAMissingOne) {
 }
 
 TEST_F(Recording, IsRefusedWithAVoltageBeyondFullScale) {
-  EXPECT_EQ(refusal_of_one_with("nominal_voltage = 230.0", "nominal_voltage = 150.0"),
-            "7:1: the voltage reaches 1.533 p.u. at 0 s, harmonics and offset included; it must be "
-            "at most 1.5 p.u.");
-  Overrides overrides = replay("recording.csv");
-  overrides.trace_format = {"t", "f", "u", 150.0};
+  EXPECT_EQ(
+      refusal_here(replaced(kRecording, "nominal_voltage = 230.0", "nominal_voltage = 150.0")),
+      path("recording.csv") +
+          ":3:8: the voltage reaches 1.533 p.u. at 0 s, harmonics and offset included; it must be "
+          "at most 1.5 p.u.");
+  folder_.write("peak.csv", "u,t,f\n230,0,50\n230,1,50\nNA,2,50\n 500,3,50\n230,4,50\n");
+  Overrides overrides = replay("peak.csv");
+  overrides.trace_format.voltage = "u";
   EXPECT_THAT(refusal_here(kMinimal, overrides),
-              StartsWith(path("recording.csv") + ": the voltage reaches 1.533 p.u. at 0 s"));
+              StartsWith(path("peak.csv") + ":5:2: the voltage reaches 2.174 p.u. at 3 s"));
+  // The greatest voltage is between two points, at the end of a dip.
+  folder_.write("recording.csv", "t,f,u\n1,50,230\n2,50,115\n4,50,690\n");
+  EXPECT_THAT(refusal_here(replaced(kRecording, "[signal.trace]",
+                                    "[[signal.amplitude_step]]\nat_s = 0.0\nduration_s = "
+                                    "1.5\nlevel_pct = 50.0\n[signal.trace]")),
+              StartsWith(path("recording.csv") + ":4:6: the voltage reaches "));
 }
 
 TEST_F(Recording, OfTheCommandLineIsNamedInItsRefusal) {

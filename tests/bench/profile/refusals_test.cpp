@@ -251,6 +251,8 @@ const std::vector<Mistake> kOfDisturbed = {
     {"duration_s = 0.5", "duration_s = 7.6",
      "61:14: the tone ends at 10.1 s, after the end of the run at 10 s; omit duration_s for one "
      "that lasts to the end"},
+    {"duration_s = 0.5", "duration_s = 1e-5",
+     "61:14: duration_s is 1e-05 s; it must be at least 0.000125 s, one sample"},
     {"frequency_hz = 216.7", "frequency_hz = 4000",
      "62:16: frequency_hz is 4000; it must be below 4000 (half of sample_rate_hz)"},
     {"amplitude_pct = 9.0", "amplitude_pct = 0",
@@ -269,6 +271,8 @@ const std::vector<Mistake> kOfDisturbed = {
     {"bit_s = 0.1", "bit_s = 3.0",
      "68:12: the last pulse ends 12 s after at_s; it must end within 10 s, as the tone or the run "
      "does"},
+    {"bit_s = 0.1", "bit_s = 0.00012",
+     "69:9: bit_s is 0.00012 s; it must be at least 0.000125 s, one sample"},
     {"bit_s = 0.1", "",
      "65:1: missing key \"bit_s\" in [[signal.tone]]; give the duration of each bit of the "
      "telegram "
@@ -279,6 +283,10 @@ const std::vector<Mistake> kOfDisturbed = {
      "74:26: from is 0.4; it must be at least 0.5, the end of the previous pulse"},
     {"[0.75, 1.5]", "[0.75, 0.75]",
      "74:32: to is 0.75; it must be above 0.75, the start of the pulse"},
+    {"[0.75, 1.5]", "[0.75, 0.75001]",
+     "74:32: the pulse is 1e-05 s; it must be at least 0.000125 s, one sample"},
+    {"[0.75, 1.5]", "[0.5001, 1.5]",
+     "74:26: the gap before the pulse is 0.0001 s; it must be at least 0.000125 s, one sample"},
     {"[0.75, 1.5]", "[0.75, 9.5]",
      "74:12: the last pulse ends 9.5 s after at_s; it must end within 9 s, as the tone or the run "
      "does"},

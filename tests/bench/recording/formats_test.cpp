@@ -18,7 +18,7 @@ using testing::StartsWith;
 using testing::ThrowsMessage;
 
 TraceFormat format_of(const std::string& time = "t", const std::string& frequency = "f") {
-  return {time, frequency, "", 0.0};
+  return {time, frequency, "", {}};
 }
 
 std::vector<double> frequencies_hz(const std::string& text, const TraceFormat& format) {
@@ -189,6 +189,29 @@ TEST(RecordingTimes, AreReadByAFormat) {
   expect_refused("t,f\n13:00 PM,50\n", format, "r.csv:2:1: ", "is not a time");
   format.time_format = "%Q";
   expect_refused("t,f\n0,50\n", format, "time_format has `%Q`", "%Y");
+}
+
+TEST(RecordingTimes, ThatAreMissingMakeAGap) {
+  TraceFormat format = format_of();
+  format.gaps = {"bad", "1"};
+  const std::string text = "t,f\n,50\n0,50\n,49.9\nNA,\nbad,49.8\n1,49.7\n2,50\n,bad\n";
+  const Trace trace = read_trace(text, "r.csv", format);
+  EXPECT_EQ(trace.rows, 8U);
+  EXPECT_EQ(trace.gaps, 5U);
+  EXPECT_EQ(trace.text, text);
+  EXPECT_THAT(times_s(text, format), ElementsAre(0, 1, 2)) << "1 is a time, although a gap word";
+  expect_refused("t,f\n0,50\nnoon,50\n", format, "r.csv:3:1: ", "`noon` is not a time");
+  format.time_format = "%H:%M";
+  EXPECT_THAT(times_s("t,f\n09:00,50\n1,50\n09:01,50\n", format), ElementsAre(0, 60));
+}
+
+TEST(RecordingText, IsUtf8OrNot) {
+  for (const char* text : {"", "f", "f\xc3\xa4", "\xe2\x82\xac", "\xf0\x9f\x98\x80"}) {
+    EXPECT_TRUE(is_utf8(text)) << text;
+  }
+  for (const char* text : {"f\xe4", "\xe4\"", "\xc0\xaf", "\xc3", "\xed\xa0\x80", "\x80"}) {
+    EXPECT_FALSE(is_utf8(text));
+  }
 }
 
 TEST(RecordingMessages, EscapeWhatIsNotPrintable) {

@@ -10,13 +10,14 @@ namespace gsbench::recording {
 namespace {
 
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 using testing::ThrowsMessage;
 
 Trace played(const std::string& text, const std::string& from, const std::string& until,
              const TraceLimits& limits = {}) {
-  return read_trace(text, "r.csv", {"t", "f", "", 0.0, from, until}, limits);
+  return read_trace(text, "r.csv", {"t", "f", "", {}, from, until}, limits);
 }
 
 std::string refusal(const std::string& text, const std::string& from, const std::string& until) {
@@ -85,7 +86,7 @@ TEST(RecordingWindow, IsGivenByDatesOfTheRecording) {
   EXPECT_EQ(played(zoned, "2025-10-26T00:00:01Z", "").rows, 2U);
   EXPECT_THAT(refusal("t,f\n0,50\n1,50\n", "2025-10-26 02:00:01", ""),
               HasSubstr("the recording's times are seconds"));
-  TraceFormat format = {"t", "f", "", 0.0, "26.10.2025 02:01", "60.5"};
+  TraceFormat format = {"t", "f", "", {}, "26.10.2025 02:01", "60.5"};
   format.time_format = "%d.%m.%Y %H:%M";
   EXPECT_THAT(
       [&] { (void)read_trace("t,f\n26.10.2025 02:00,50\n26.10.2025 02:01,50\n", "r.csv", format); },
@@ -97,7 +98,10 @@ TEST(RecordingWindow, IsRefusedWithTheKey) {
   EXPECT_THAT(refusal(text, "2", "1"), StartsWith("until_s is 1; it must be above 2, the start"));
   EXPECT_THAT(refusal(text, "noon", ""), StartsWith("from_s is `noon`"));
   EXPECT_THAT(refusal(text, "-1", ""), StartsWith("from_s is -1"));
-  EXPECT_THAT(refusal(text, "1.5", ""), HasSubstr("fewer than two rows to play"));
+  EXPECT_THAT(refusal("t,f\n\n100,50\n101,50\nx,50\n103,50\n", "90", ""),
+              EndsWith("fewer than two rows to play; the times of the file are `100` (line 3, "
+                       "column 1) … `103` (line 6, column 1)"));
+  EXPECT_THAT(refusal("t,f\nx,50\n", "1", ""), EndsWith("no row to play; the file has no times"));
 }
 
 TEST(RecordingWindow, EndsWithTheDuration) {

@@ -28,8 +28,9 @@ struct Recording {
   bool replaces_profile = false;  // given on the command line (Overrides)
   // The played part, from which Copies make the same plan. Bytes of the file: not always UTF-8.
   std::string played_text;
-  std::size_t rows = 0;  // of the played part, with gaps
-  std::size_t gaps = 0;  // rows without a value
+  std::vector<recording::Place> voltage_at;  // Trace::voltage_at
+  std::size_t rows = 0;                      // of the played part, with gaps
+  std::size_t gaps = 0;                      // rows without a value
 };
 
 // Largest accepted deviations of the played voltage from the signal. A source that cannot keep them

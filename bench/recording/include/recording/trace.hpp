@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,8 +23,9 @@ struct TraceFormat {
   // Columns: the name in the header, or the number from 1. A name has precedence; "#2" is a number.
   std::string time;
   std::string frequency;
-  std::string voltage;           // empty: none
-  double nominal_voltage = 0.0;  // in the column's unit (RMS); 0: median of the played part
+  std::string voltage;  // empty: none
+  // In the column's unit (RMS), above 0; nullopt: median of the played part.
+  std::optional<double> nominal_voltage = std::nullopt;
 
   // The window: seconds after the first row that has a time, or date and time as in the recording.
   std::string from = {};   // empty: from the first row
@@ -76,11 +79,17 @@ struct TraceLimits {
   double duration_s = std::numeric_limits<double>::infinity();
 };
 
+struct Place {
+  std::size_t line = 1;    // from 1
+  std::size_t column = 1;  // in bytes, from 1
+};
+
 // The played part of a recording.
 struct Trace {
   std::vector<TracePoint> points;  // at least two, ascending; the first is at 0
+  std::vector<Place> voltage_at;   // of the voltage of each point; empty without a voltage column
   std::size_t rows = 0;            // with gaps
-  std::size_t gaps = 0;            // rows without a frequency or voltage
+  std::size_t gaps = 0;            // rows without a time, frequency or voltage
   // A CSV with the lines above the data, the rows of the played part, and the row from which `from`
   // and `until` count. Read with the same format and limits, it gives the same points, bit for bit.
   std::string text;
@@ -96,13 +105,17 @@ struct FormatError : std::runtime_error {
 
 // Reads a CSV recording. Without a time_format, times are numbers, or date and time of day such as
 // `28-Apr-2025 11:00:02`, `2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`. A row with an empty
-// frequency or voltage, or `NaN`, `NA`, `N/A` or `null` in any case, is a gap and gives no point.
+// time, frequency or voltage, or `NaN`, `NA`, `N/A` or `null` in any case, is a gap and gives no
+// point. A time that is valid is none of the words of `gaps`.
 //
 // Rows outside the window and after the duration may have any content. Throws FormatError, or
 // std::runtime_error with `path:line:column: …` if a column, or a row, value or time of the played
 // part, is not valid.
 Trace read_trace(const std::string& text, const std::string& path, const TraceFormat& format,
                  const TraceLimits& limits = {});
+
+// True if the bytes are valid UTF-8.
+bool is_utf8(std::string_view bytes);
 
 // The bytes of a file. Throws std::runtime_error with `path:1:1: …` if it cannot be read.
 std::string read_trace_file(const std::string& path);
