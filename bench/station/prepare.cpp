@@ -148,6 +148,8 @@ record::Recording kept(const profile::Recording& recording) {
   if (!recording.file.empty()) {
     kept.options = profile::trace_options(recording.format);
     kept.text = recording.played_text;
+    kept.rows = recording.rows;
+    kept.gaps = recording.gaps;
   }
   return kept;
 }

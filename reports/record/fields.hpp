@@ -55,6 +55,8 @@ inline constexpr auto visit_content = [](auto& run, auto&& visitor) {
   visitor("recording_sha256", run.recording.sha256);
   visitor("recording_options", run.recording.options);
   visitor("recording_text", run.recording.text);
+  visitor("recording_rows", run.recording.rows);
+  visitor("recording_gaps", run.recording.gaps);
   visitor("recording_time", run.recording.time);
   visitor("recording_frequency", run.recording.frequency);
   visitor("recording_voltage", run.recording.voltage);

@@ -195,7 +195,8 @@ object page(const View& shown) {
   const record::RunRecord& run = shown.run;
   const std::vector<Shortfall> missed = shortfalls(shown);
   const std::vector<const record::OutletRecord*> faulty = faulty_outlets(shown);
-  const std::string played = played_sentence(run);
+  const std::string part = played_part(run);
+  const std::string played = played_sentence(run) + (part.empty() ? "" : ' ' + part);
   const std::string profile = clipped(run.profile_text, kMostProfile);
   object view{
       {"title", clipped(run.profile_title.empty() ? run.profile : run.profile_title)},

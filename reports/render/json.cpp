@@ -62,18 +62,39 @@ Json source(const record::RunRecord& run) {
           {"time_ms", run.bench_uncertainty.time_ms}};
 }
 
-Json recording(const record::Recording& recording) {
+Json column(const std::string& column) {
+  const std::optional<std::uint64_t> number = column_number(column);
+  return number ? Json(*number) : text_or_null(column);
+}
+
+// Texts, numbers and arrays are the same in TOML and JSON.
+Json options_of(const record::Recording& recording) {
+  Json options = Json::object();
+  for (const auto& [key, value] : recording_options(recording)) {
+    const Json read = Json::parse(value, nullptr, false);
+    options[key] = read.is_discarded() ? Json(value) : read;
+  }
+  return options;
+}
+
+Json recording(const record::RunRecord& run) {
+  const record::Recording& recording = run.recording;
   if (recording.file.empty()) {
     return nullptr;
   }
   return {{"file", recording.file},
           {"sha256", recording.sha256},
-          {"time", recording.time},
-          {"frequency", recording.frequency},
-          {"voltage", text_or_null(recording.voltage)},
+          {"time", column(recording.time)},
+          {"frequency", column(recording.frequency)},
+          {"voltage", column(recording.voltage)},
           {"nominal_voltage",
            recording.nominal_voltage > 0.0 ? Json(recording.nominal_voltage) : Json(nullptr)},
-          {"replaces_profile", recording.replaces_profile}};
+          {"replaces_profile", recording.replaces_profile},
+          {"options", options_of(recording)},
+          {"rows", recording.rows > 0 ? Json(recording.rows) : Json(nullptr)},
+          {"gaps", recording.rows > 0 ? Json(recording.gaps) : Json(nullptr)},
+          {"played_s",
+           static_cast<double>(run.duration_ticks) / static_cast<double>(run.sample_rate_hz)}};
 }
 
 Json kept(const record::RunRecord& run, const record::OutletRecord& outlet) {
@@ -99,7 +120,7 @@ std::string json(const View& view) {
                                {"profile_sha256", run.profile_sha256},
                                {"grid", run.grid},
                                {"grid_sha256", text_or_null(run.grid_sha256)},
-                               {"recording", recording(run.recording)},
+                               {"recording", recording(run)},
                                {"firmware_sha256", run.firmware_sha256},
                                {"gsbench_version", run.gsbench_version},
                                {"software", text_or_null(run.software)},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,11 @@ std::string deviations(const record::RunRecord& run) {
   return fmt::format("{}, {}, {}", with_unit(figure(played.frequency_mhz, 2), "mHz"),
                      with_unit(figure(played.voltage_pct, 2), "%"),
                      with_unit(figure(played.time_ms, 2), "ms"));
+}
+
+std::string column_of(const std::string& column) {
+  const std::optional<std::uint64_t> number = column_number(column);
+  return number ? std::to_string(*number) : column;
 }
 
 }  // namespace
@@ -91,17 +97,60 @@ std::string played_sentence(const record::RunRecord& run) {
   if (recording.file.empty()) {
     return "";
   }
-  std::string columns = "columns " + recording.time + ", " + recording.frequency;
+  std::string columns = fmt::format("time: column {}, frequency: column {}",
+                                    column_of(recording.time), column_of(recording.frequency));
   if (!recording.voltage.empty()) {
-    columns += ", " + recording.voltage;
+    columns += ", voltage: column " + column_of(recording.voltage);
   }
   const std::string what =
       fmt::format("The recording {} ({}; SHA-256 {})", recording.file, columns, recording.sha256);
   return valid_text(recording.replaces_profile
                         ? what +
                               " was played in place of the losses, frequency points or recording, "
-                              "amplitude steps and phase steps of this profile."
+                              "oscillations, tones, flicker, amplitude steps and phase steps of "
+                              "this profile."
                         : what + " is its [signal.trace].");
+}
+
+std::string played_part(const record::RunRecord& run) {
+  const record::Recording& recording = run.recording;
+  if (recording.file.empty() || recording.rows == 0) {
+    return "";
+  }
+  std::string text = fmt::format(
+      "Played: {} rows, {} of them gaps, {:.6g} s.", recording.rows, recording.gaps,
+      static_cast<double>(run.duration_ticks) / static_cast<double>(run.sample_rate_hz));
+  std::string options;
+  for (const auto& [key, value] : recording_options(recording)) {
+    options += fmt::format("{}{} = {}", options.empty() ? "" : ", ", key, value);
+  }
+  if (!options.empty()) {
+    text += " Read with " + options + '.';
+  }
+  return valid_text(text);
+}
+
+std::vector<std::pair<std::string, std::string>> recording_options(
+    const record::Recording& recording) {
+  std::vector<std::pair<std::string, std::string>> options;
+  std::istringstream lines(recording.options);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t sign = line.find(" = ");
+    const std::string key = line.substr(0, std::min(sign, line.size()));
+    if (sign != std::string::npos && key != "time" && key != "frequency" && key != "voltage") {
+      options.emplace_back(key, line.substr(sign + 3));
+    }
+  }
+  return options;
+}
+
+std::optional<std::uint64_t> column_number(const std::string& column) {
+  constexpr std::size_t kMostDigits = 7;
+  if (column.size() < 2 || column.size() > kMostDigits || column[0] != '#' ||
+      column.find_first_not_of("0123456789", 1) != std::string::npos) {
+    return std::nullopt;
+  }
+  return std::stoull(column.substr(1));
 }
 
 std::vector<std::string> source_lines(const record::RunRecord& run) {

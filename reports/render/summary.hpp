@@ -1,7 +1,10 @@
 // Sentences on the verdict of a run.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <render/view.hpp>
@@ -31,6 +34,13 @@ std::string clock_uncertainty(const record::AlignedClock& clock);  // "± 0.13 m
 
 // Which recording was played; empty if none was.
 std::string played_sentence(const record::RunRecord& run);
+// How much of it was played, and how it was read; empty if none was, or for older records.
+std::string played_part(const record::RunRecord& run);
+// Key and TOML value of each option of a recording but its columns.
+std::vector<std::pair<std::string, std::string>> recording_options(
+    const record::Recording& recording);
+// A profile gives a column by name or by number, which a record has as "#3"; nullopt: by name.
+std::optional<std::uint64_t> column_number(const std::string& column);
 
 // Judged measurements of the outlets that are shown that did not pass: one of each measure, then
 // the others, each part by verdict and then in the order of worst_first().

@@ -78,7 +78,7 @@ TEST_F(DamagedStore, TablesOfVersion7AreUnchanged) {
                          nullptr),
             SQLITE_OK);
   sqlite3_close(database);
-  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "29e9c0b11138dbea");
+  EXPECT_EQ(hash.result().toHex().left(16).toStdString(), "303305f8b5217ed5");
 }
 
 TEST_F(DamagedStore, IsRefusedWithForeignTables) {

@@ -61,13 +61,24 @@ TEST(Html, StatesThatARecordingWasPlayedInPlaceOfTheProfile) {
   EXPECT_THAT(html(run), HasSubstr("The profile</h2>"));
   EXPECT_THAT(html(run), Not(HasSubstr("id=\"played\"")));
   run.grid_sha256 = "ab12";
-  run.recording = {"grid.csv", "cd34", "t", "f", "u", 230.0, true};
+  run.recording = {"grid.csv", "cd34", "#1", "f", "#3", 230.0, true};
   const std::string page = html(run);
   EXPECT_THAT(page, Not(HasSubstr("The profile</h2>")));
   const std::string played = between(page, "id=\"played\">", "</p>");
-  for (const char* part : {"The recording grid.csv", "columns t, f, u", "cd34", "in place of"}) {
+  for (const char* part :
+       {"The recording grid.csv", "time: column 1, frequency: column f, voltage: column 3", "cd34",
+        "in place of"}) {
     EXPECT_THAT(played, HasSubstr(part));
   }
+  EXPECT_THAT(played, Not(HasSubstr("Played:"))) << "an older record";
+  run.recording.options =
+      "time = \"#1\"\nfrequency = \"f\"\nvoltage = \"#3\"\nfrom_s = \"2\"\nskip_rows = 1\n";
+  run.recording.rows = 5;
+  run.recording.gaps = 2;
+  run.duration_ticks = 28000;
+  EXPECT_THAT(between(html(run), "id=\"played\">", "</p>"),
+              HasSubstr("Played: 5 rows, 2 of them gaps, 3.5 s. Read with from_s = &quot;2&quot;, "
+                        "skip_rows = 1."));
   EXPECT_THAT(page, HasSubstr("<code>ab12</code>"));
   run.recording.replaces_profile = false;
   EXPECT_THAT(html(run), HasSubstr("The profile</h2>"));

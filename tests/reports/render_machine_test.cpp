@@ -106,16 +106,30 @@ TEST(Json, HasTheDigestsOfThePlayedRecordingAndOfTheGrid) {
   RunRecord run = sample::loss_500mw(1);
   EXPECT_TRUE(nlohmann::json::parse(json(run))["recording"].is_null());
   run.grid_sha256 = "ab12";
-  run.recording = {"grid.csv", "cd34", "t", "f", "u", 230.0, true};
+  run.recording = {"grid.csv", "cd34", "#1", "f", "u", 230.0, true};
+  run.recording.options =
+      "frequency = \"f\"\nfrom_s = \"2\"\nskip_rows = 1\nfrequency_offset_hz = 49.5\n"
+      "gaps = [\"-999\", \"b\\\"d\"]\n";
+  run.recording.rows = 5;
+  run.recording.gaps = 2;
+  run.duration_ticks = 28000;
   const auto whole = nlohmann::json::parse(json(run));
   EXPECT_EQ(whole["grid_sha256"], "ab12");
   EXPECT_EQ(whole["recording"], (nlohmann::json{{"file", "grid.csv"},
                                                 {"sha256", "cd34"},
-                                                {"time", "t"},
+                                                {"time", 1},
                                                 {"frequency", "f"},
                                                 {"voltage", "u"},
                                                 {"nominal_voltage", 230.0},
-                                                {"replaces_profile", true}}));
+                                                {"replaces_profile", true},
+                                                {"options",
+                                                 {{"from_s", "2"},
+                                                  {"skip_rows", 1},
+                                                  {"frequency_offset_hz", 49.5},
+                                                  {"gaps", {"-999", "b\"d"}}}},
+                                                {"rows", 5},
+                                                {"gaps", 2},
+                                                {"played_s", 3.5}}));
 }
 
 TEST(Json, HasAllDigitsOfNumbersNullForNaNAndTexts) {

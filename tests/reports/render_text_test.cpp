@@ -195,9 +195,9 @@ TEST(Terminal, MarksAnEstimateThatTheOutletFlaggedAsUnreliable) {
 TEST(Terminal, NamesTheRecordingPlayedInPlaceOfTheProfile) {
   RunRecord run = sample::loss_500mw(1);
   run.recording = {"grid.csv", "cd34", "t", "f", "", 0.0, true};
-  EXPECT_THAT(
-      lines(terminal(run)),
-      Contains(StartsWith("The recording grid.csv (columns t, f; SHA-256 cd34) was played")));
+  EXPECT_THAT(lines(terminal(run)),
+              Contains(StartsWith("The recording grid.csv (time: column t, frequency: column f; "
+                                  "SHA-256 cd34) was played")));
 }
 
 TEST(Terminal, ShowsTheMeasuresThatTheRunHas) {

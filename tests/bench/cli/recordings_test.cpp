@@ -55,13 +55,29 @@ TEST_F(PlayedRecording, IsReadWithEachOptionAndReported) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("grid.csv: rows: 3, 1 of them a gap; 2 s are played"));
   EXPECT_THAT(outcome.err, Not(HasSubstr("warning")));
-  EXPECT_EQ(json::parse(outcome.out)["recording"]["time"], "1");
+  const json recording = json::parse(outcome.out)["recording"];
+  EXPECT_EQ(recording["time"], "1");
+  EXPECT_EQ(recording["rows"], 3);
+  EXPECT_EQ(recording["gaps"], 1);
+  EXPECT_EQ(recording["played_s"], 2.0);
+  EXPECT_EQ(recording["options"], (json{{"from_s", "1"},
+                                        {"until_s", "26.10.2025 02:00:03"},
+                                        {"decimal", ","},
+                                        {"skip_rows", 1},
+                                        {"time_format", "%d.%m.%Y %H:%M:%S"},
+                                        {"frequency_unit", "mHz"},
+                                        {"frequency_offset_hz", 50},
+                                        {"gaps", {"-999", "k.A."}}}));
 }
 
 TEST_F(PlayedRecording, IsRefusedByTheNameOfTheOption) {
   Words options = kGermanOptions;
   options.back() = "1";
   expect_refused(with(kGerman, options), "--trace-until is 1; it must be above 1, the start");
+  expect_refused(
+      with("t,f,v\n0,50,230\n1,50,230\n", {"--trace-time", "t", "--trace-frequency", "f",
+                                           "--trace-voltage", "v", "--trace-nominal-voltage", "0"}),
+      "--trace-nominal-voltage is 0; it must be finite and above 0");
 }
 
 TEST_F(PlayedRecording, OfAnotherNominalFrequencyGivesAWarning) {

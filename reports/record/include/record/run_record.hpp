@@ -152,6 +152,8 @@ struct Recording {
   bool replaces_profile = false;  // given by --trace, in place of the profile's own signal
   std::string options = {};       // how it was read: the keys of [signal.trace] but `file`
   std::string text = {};          // the part of the file that was played, in bytes of the file
+  std::uint64_t rows = 0;         // of that part, with gaps; 0 in older records
+  std::uint64_t gaps = 0;         // rows without a value
 };
 
 // Uncertainty of the bench, expanded (k = 2), without that of the outlets' clocks.
