@@ -263,14 +263,14 @@ double TraceReader::voltage_in(const Cell& cell) const {
 
 void TraceReader::refuse_too_few() const {
   if (!format_.from.empty() || !format_.until.empty()) {
-    throw FormatError(format_.from.empty() ? "until_s" : "from_s",
-                      first_ ? fmt::format("from_s and until_s leave fewer than two rows to play; "
-                                           "the times of the file are `{}` (line {}, column {}) … "
-                                           "`{}` (line {}, column {})",
-                                           shown(first_time_.text), first_time_.place.line,
-                                           first_time_.place.column, shown(read_time_.text),
-                                           read_time_.place.line, read_time_.place.column)
-                             : "from_s and until_s leave no row to play; the file has no times");
+    const char* key = format_.from.empty() ? "until_s" : "from_s";
+    throw FormatError(
+        key, first_ ? fmt::format("{} leaves fewer than two rows to play; the times of the file "
+                                  "are `{}` (line {}, column {}) … `{}` (line {}, column {})",
+                                  key, shown(first_time_.text), first_time_.place.line,
+                                  first_time_.place.column, shown(read_time_.text),
+                                  read_time_.place.line, read_time_.place.column)
+                    : fmt::format("{} leaves no row to play; the file has no times", key));
   }
   throw CsvError(csv_.row_end(),
                  trace_.rows == 0 ? "no data below the column names; at least two rows are needed"

@@ -133,10 +133,9 @@ TEST_F(Recording, IsRefusedAtThePositionInTheProfile) {
   EXPECT_EQ(refusal_of_one_with("voltage = \"u\"", ""),
             "12:19: nominal_voltage is given without a voltage column; give the column "
             "too, or omit nominal_voltage");
-  EXPECT_EQ(
-      refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
-      "13:10: from_s and until_s leave fewer than two rows to play; the times of the file are `0` "
-      "(line 2, column 1) … `5` (line 7, column 1)");
+  EXPECT_EQ(refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
+            "13:10: from_s leaves fewer than two rows to play; the times of the file are `0` "
+            "(line 2, column 1) … `5` (line 7, column 1)");
   EXPECT_EQ(refusal_of_one_with("until_s = 4.0", "until_s = 0.5"),
             "14:11: until_s is 0.5; it must be above 1, the start");
 }
