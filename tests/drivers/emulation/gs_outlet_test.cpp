@@ -116,9 +116,11 @@ TEST_F(GsOutlet, RefusesUnsupportedSampleRates) {
 TEST_F(GsOutlet, RefusesWhatDoesNotFitWithoutTheBench) {
   const std::string alone = "--listen 127.0.0.1:1 ";
   expect_refused(alone, "--id is required without --terminals");
-  for (const std::string wrong : {"'$x'", "''", "a/b", std::string(33, 'x').c_str()}) {
-    const Output output = run(alone + "--id " + wrong);
-    EXPECT_EQ(output.exit_code, 2) << wrong;
+  const std::string too_long(33, 'x');
+  for (const char* wrong : {"'$x'", "''", "a/b", too_long.c_str()}) {
+    std::string arguments = alone;
+    arguments.append("--id ").append(wrong);
+    EXPECT_EQ(run(arguments).exit_code, 2) << wrong;
   }
   const std::string named = alone + "--id a ";
   expect_refused(named + "--doorbell bell", "--doorbell needs --terminals");
