@@ -16,7 +16,7 @@ namespace {
 std::vector<recording::TracePoint> read(const std::string& path) {
   return recording::read_trace(
              recording::read_trace_file(path), path,
-             {test::kCollapseTime, test::kCollapseFrequency, test::kCollapseVoltage, 0.0})
+             {test::kCollapseTime, test::kCollapseFrequency, test::kCollapseVoltage})
       .points;
 }
 

@@ -5,6 +5,7 @@ from . import messages, numbering, settings
 from .messages import Malformed
 
 SESSIONS = 4
+PAST_SESSIONS = 16  # of which the last request is remembered
 IDENTITY = {"protocol_version": 3, "id": "outlet-7", "start_number": 0xC0FFEE07, "board": "python",
             "instance": 0x12345678, "firmware_version": 1000, "build": 0xDEADBEEF, "capabilities": 1,
             "sample_rate_hz": 8000, "nominal_hz": 50, "tracker_delay_s": 0.0625,
@@ -33,6 +34,7 @@ class Outlet:
         self.identity["start_number"] = start_number
         self.hellos = self.sent = 0
         self.sessions = collections.OrderedDict()  # the one accepted from longest ago comes first
+        self.past = {}  # session that was replaced -> its last request; the oldest comes first
         self.closed, self.cause = True, 0
         self.commanded = False
         self.reports = self.bad = self.unsent = self.dropped = 0
@@ -97,11 +99,19 @@ class Outlet:
             return self.fail(3)
         return getattr(self, "on_" + message.name.replace(" ", "_"))(session, message)
 
+    def remember(self, number, session):
+        if session.request == 0:
+            return
+        if number not in self.past and len(self.past) == PAST_SESSIONS:
+            self.past.pop(next(iter(self.past)))
+        self.past[number] = session.request
+
     def session_of(self, message):
         if message.session not in self.sessions and message.name == "identify":
             if len(self.sessions) == SESSIONS:
-                self.sessions.popitem(last=False)
+                self.remember(*self.sessions.popitem(last=False))
             self.sessions[message.session] = Session()
+            self.sessions[message.session].request = self.past.get(message.session, 0)
         return self.sessions.get(message.session)
 
     def on_identify(self, _, message):
