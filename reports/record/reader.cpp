@@ -78,19 +78,12 @@ OutletRecord Reader::outlet(std::size_t i) {
   return outlet;
 }
 
-RunRecord read_run(const std::string& path,
-                   const std::function<bool(const OutletRecord& results)>& wanted) {
+RunRecord read_run(const std::string& path) {
   Reader reader(path);
   RunRecord run = reader.head();
   for (std::size_t i = 0; i < reader.outlets(); ++i) {
-    OutletRecord results = reader.results(i);
-    run.outlets.push_back(wanted(results) ? reader.outlet(i) : std::move(results));
+    run.outlets.push_back(reader.outlet(i));
   }
-  return run;
-}
-
-RunRecord read_run(const std::string& path) {
-  RunRecord run = read_run(path, [](const OutletRecord&) { return true; });
   if (run.content_sha256.empty() && !run.interrupted) {
     run.content_sha256 = content_digest(run);
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -58,7 +57,8 @@ class MemoryStore final : public Store {
 // crash of the process loses the current call only, a power cut those of the last seconds. A run
 // without finish() reads back as interrupted, with verdict ERROR. Until destruction, FILE-wal,
 // FILE-shm and FILE-reserve belong to it; after a crash, the first reader makes one plain file of
-// it again. A failure of the file throws StoreError; earlier calls remain stored.
+// the first three, and FILE-reserve, which has no content, stays. A failure of the file throws
+// StoreError; earlier calls remain stored.
 class Writer final : public Store {
  public:
   // Creates the file. Throws StoreError if it exists or cannot be written.
@@ -96,11 +96,8 @@ class Reader {
   std::unique_ptr<Impl> impl_;
 };
 
-// The whole record; with `wanted`, with the reports of those outlets only for whose results it
-// returns true.
+// The whole record.
 RunRecord read_run(const std::string& path);
-RunRecord read_run(const std::string& path,
-                   const std::function<bool(const OutletRecord& results)>& wanted);
 
 // The same without the reports of any outlet. Records of version 6 keep some marks.
 RunRecord read_results(Reader& reader);
