@@ -272,6 +272,31 @@ TEST(WriteFile, CreatesOrReplacesTheFile) {
   EXPECT_EQ(folder.read(name), "new");
 }
 
+// Names are bytes: of another encoding, or as long as the file system permits.
+TEST(WriteFile, TakesAnyNameThatTheFileSystemTakes) {
+  constexpr std::size_t kLongest = 255;
+  for (const std::string& name : {std::string("r\xefport"), std::string(kLongest, 'x')}) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "o\xefut");
+    const std::string path = folder.file("o\xefut/" + name);
+    write_file(path, "text");
+    EXPECT_EQ(folder.read("o\xefut/" + name), "text");
+    EXPECT_EQ(folder.entries().size(), 2U) << "a temporary file is left";
+  }
+}
+
+TEST(WriteFile, KeepsThePermissionsAndTheLinkOfAFileThatItReplaces) {
+  const test::TemporaryFolder folder;
+  folder.write("there.html", "old");
+  const auto permissions = std::filesystem::perms(0604);
+  std::filesystem::permissions(folder.file("there.html"), permissions);
+  std::filesystem::create_symlink("there.html", folder.file("link.html"));
+  write_file(folder.file("link.html"), "new");
+  EXPECT_EQ(folder.read("there.html"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link.html")));
+  EXPECT_EQ(std::filesystem::status(folder.file("there.html")).permissions(), permissions);
+}
+
 TEST(WriteFile, NamesPathAndCause) {
   const test::TemporaryFolder folder;
   const std::string missing = folder.file("no/report.html");

@@ -92,6 +92,17 @@ TEST_F(KeptRuns, StateWhichRecordingWasPlayedInPlaceOfTheProfile) {
   EXPECT_THAT(page, HasSubstr(recording["sha256"].get<std::string>()));
 }
 
+TEST_F(KeptRuns, MayBeInFoldersWhoseNameIsNotUtf8) {
+  const fs::path kept = run("r\xefuns");
+  EXPECT_NE(text_of(kept / "report.html"), "");
+  const fs::path copy = kept / "r\xefsult.json";
+  const Outcome report =
+      run_gsbench({"report", kept.string(), "--format", "json", "-o", copy.string()});
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_EQ(text_of(copy), text_of(kept / "result.json"));
+  EXPECT_EQ(run_for_json({"runs", "--out", kept.parent_path().string(), "--json"}).size(), 1U);
+}
+
 TEST_F(KeptRuns, AreReportedOnStandardOutputForOutputDash) {
   const fs::path kept = run("runs");
   const Outcome report = run_gsbench({"report", kept.string(), "--format", "json", "-o", "-"});
