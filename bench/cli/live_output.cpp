@@ -41,8 +41,6 @@ void note_interrupt(int signal) {
 }  // namespace
 
 const std::atomic<bool>& catch_interrupts() {
-  // A file that reaches its limit is then an error like a full disk.
-  std::signal(SIGXFSZ, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM, SIGQUIT}) {
     std::signal(signal, note_interrupt);
   }
@@ -65,7 +63,6 @@ LiveOutput::LiveOutput(const station::StationFile& file, const std::string& stat
   said_if_killed = &if_killed_;
   first_ends = first == FirstSignal::kEnd;
   std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 LiveOutput::~LiveOutput() {
@@ -73,7 +70,6 @@ LiveOutput::~LiveOutput() {
     first_ends = false;
     said_if_killed = nullptr;
     std::signal(SIGPIPE, SIG_DFL);
-    std::signal(SIGXFSZ, SIG_DFL);
   }
 }
 

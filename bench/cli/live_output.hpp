@@ -20,8 +20,7 @@ const std::atomic<bool>& catch_interrupts();
 // source ends with the bench. One at a time.
 //
 // - A signal that ends the process says first that the state of the output is unknown.
-// - SIGPIPE and SIGXFSZ are ignored: a reader that is gone, or a file that is too large, fails the
-//   write, and does not end the bench.
+// - SIGPIPE is ignored: a reader that is gone fails the write, and does not end the bench.
 class LiveOutput {
  public:
   // kEnd: the first of SIGINT, SIGTERM and SIGQUIT ends the process at once, with kInterrupted.

@@ -2,6 +2,7 @@
 #include "completion.hpp"
 #include "manual_page.hpp"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -81,6 +82,8 @@ bool answer_installation(const CLI::App& app, const std::vector<std::string>& wo
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that reaches the limit for its size is then an error like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   cli::CommandLine line{CLI::App(kAbout, "gsbench")};
   line.app.formatter(cli::help_formatter());
   line.app.set_help_flag("-h,--help", "Print this help");

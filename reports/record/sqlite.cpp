@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -22,6 +23,7 @@ std::string with_system_cause(const char* what, int system_errno) {
 }
 
 std::string cause_of(sqlite3* handle, int code) {
+  const int last_errno = errno;
   const int system_errno = handle != nullptr ? sqlite3_system_errno(handle) : 0;
   switch (code & 0xff) {
     case SQLITE_FULL:
@@ -31,7 +33,8 @@ std::string cause_of(sqlite3* handle, int code) {
     case SQLITE_CANTOPEN:
       return with_system_cause("cannot be opened", system_errno);
     case SQLITE_IOERR:
-      return with_system_cause("input/output error", system_errno);
+      // SQLite keeps no cause if a COMMIT cannot be written.
+      return with_system_cause("input/output error", system_errno != 0 ? system_errno : last_errno);
     case SQLITE_NOTADB:
       return "not a gsbench record";
     case SQLITE_CORRUPT:
@@ -50,19 +53,27 @@ namespace {
 
 // If no other process has the database open, it is one plain file afterwards.
 void recover(const std::string& absolute) {
-  std::error_code ignored;
+  std::error_code ignored;  // a folder that cannot be written
   if (!std::filesystem::exists(absolute + "-wal", ignored) &&
       !std::filesystem::exists(absolute + "-journal", ignored)) {
     return;
   }
   sqlite3* handle = nullptr;
   if (sqlite3_open_v2(absolute.c_str(), &handle, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK) {
-    sqlite3_exec(handle, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+    // Fails while the process that writes the record has it open.
+    if (sqlite3_exec(handle, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr) ==
+        SQLITE_OK) {
+      std::filesystem::remove(reserve_of(absolute), ignored);
+    }
   }
   sqlite3_close(handle);
 }
 
 }  // namespace
+
+std::string reserve_of(const std::string& path) {
+  return path + "-reserve";
+}
 
 Database::Database(const std::string& path, Mode mode) : path_(path) {
   const int flags = mode == Mode::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
@@ -119,6 +130,7 @@ void Database::fail_with(int code) const {
 }
 
 void Database::execute(const std::string& sql) {
+  errno = 0;
   const int code = sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) {
     fail_with(code);
@@ -162,6 +174,7 @@ void Statement::check(int code) const {
 }
 
 bool Statement::step() {
+  errno = 0;
   const int code = sqlite3_step(handle_);
   if (code == SQLITE_ROW) {
     return true;

@@ -16,13 +16,16 @@ namespace gsbench::record {
 
 class Statement;
 
+// A file beside a record that is written: its removal makes room on a full disk.
+std::string reserve_of(const std::string& path);
+
 class Database {
  public:
   enum class Mode { kRead, kWrite };
 
   // The file must exist. `path` is always a file path, never a URI or ":memory:". What a killed
-  // process has left beside the file (-wal, -journal) becomes part of it, if the folder can be
-  // written.
+  // process has left beside the file (-wal, -journal) becomes part of it, and its -reserve is
+  // removed, if the folder can be written.
   Database(const std::string& path, Mode mode);
   static Database in_memory();
   ~Database();
@@ -38,6 +41,8 @@ class Database {
 
   std::vector<std::uint8_t> bytes() const;  // as in a file
 
+  // The name of the file in messages from now on, in place of its path.
+  void show_as(const std::string& name) { path_ = name; }
   [[noreturn]] void fail(const std::string& cause) const;  // "path: cause"
   [[noreturn]] void fail_with(int code) const;
 

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <optional>
 
 #include <record/store.hpp>
@@ -15,10 +16,6 @@ namespace {
 
 // On a full disk, its removal makes room for the reason why the run ended.
 constexpr off_t kReserve_bytes = 256 * 1024;
-
-std::string reserve_of(const std::string& path) {
-  return path + "-reserve";
-}
 
 [[noreturn]] void refuse(const std::string& path, int cause) {
   throw StoreError(path + ": cannot be created: " + std::strerror(cause));
@@ -91,8 +88,8 @@ struct Writer::Impl {
     std::string seal;  // of the last
   };
 
-  explicit Impl(const std::string& path)
-      : database(path, Database::Mode::kWrite), reserve(reserve_of(path)) {
+  explicit Impl(const std::string& the_path)
+      : database(the_path, Database::Mode::kWrite), path(the_path) {
     database.execute("PRAGMA journal_mode = WAL");
     // No wait for the disk during a run, which must keep its pace. A finished transaction survives
     // the end of this process; a power cut may take those of the last seconds.
@@ -100,7 +97,7 @@ struct Writer::Impl {
   }
 
   ~Impl() {
-    ::unlink(reserve.c_str());
+    ::unlink(reserve_of(path).c_str());
     try {
       // Back to one plain file, which is readable also in a folder without write permission.
       database.execute("PRAGMA journal_mode = DELETE");
@@ -187,7 +184,7 @@ struct Writer::Impl {
   }
 
   Database database;
-  std::string reserve;  // a file
+  std::string path;
   std::vector<Appended> outlets;
   bool begun = false;
   bool finished = false;
@@ -210,6 +207,8 @@ void Writer::begin(const RunRecord& head) {
   impl_->require(!impl_->begun, "begin() was called twice");
   impl_->write_head(head, false);
   impl_->begun = true;
+  // Later messages are kept as the run's fault, and its folder gets another name.
+  impl_->database.show_as(std::filesystem::path(impl_->path).filename().string());
 }
 
 void Writer::add_outlet(const OutletRecord& outlet) {
@@ -247,13 +246,20 @@ void Writer::finish(const RunRecord& head) {
 }
 
 void Writer::abandon(const RunRecord& head) noexcept {
-  ::unlink(impl_->reserve.c_str());
+  ::unlink(reserve_of(impl_->path).c_str());
+  if (!impl_->begun || impl_->finished) {
+    return;
+  }
   try {
-    if (impl_->begun && !impl_->finished) {
-      impl_->write_head(head, false);
-    }
+    impl_->write_head(head, false);
   } catch (const std::exception&) {
-    // The record then reads as that of a run that was killed.
+    try {
+      // The -wal file may be at a limit for the size of files.
+      impl_->database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+      impl_->write_head(head, false);
+    } catch (const std::exception&) {
+      // The record then reads as that of a run that was killed.
+    }
   }
 }
 

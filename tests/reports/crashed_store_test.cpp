@@ -70,6 +70,7 @@ TEST_P(CrashedStore, KeepsEveryFinishedCall) {
     outlet.verdict = Verdict::kError;
   }
   EXPECT_EQ(content_digest(read), content_digest(expected));
+  EXPECT_EQ(folder.entries(), std::vector<std::string>{"run.sqlite"});
 }
 
 INSTANTIATE_TEST_SUITE_P(OutletsWritten, CrashedStore, ::testing::Values(0, 1, 4));

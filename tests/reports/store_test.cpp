@@ -203,6 +203,13 @@ TEST_F(StoredRun, RefusesCallsOutOfOrder) {
   EXPECT_THROW(writer.finish(run), std::logic_error);
 }
 
+TEST_F(StoredRun, KeepsItsReserveForAFullDiskWhileItIsReadAndWritten) {
+  Writer writer(path_);
+  writer.begin(sample::loss_500mw(0));
+  EXPECT_EQ(read_head(path_).seed, sample::loss_500mw(0).seed);
+  EXPECT_TRUE(std::filesystem::exists(path_ + "-reserve"));
+}
+
 TEST_F(StoredRun, ReportsAFullDiskAndKeepsEarlierOutlets) {
   const test::SmallDisk disk(folder_.path(), "size=1m");
   if (!disk.mounted()) {
@@ -215,7 +222,7 @@ TEST_F(StoredRun, ReportsAFullDiskAndKeepsEarlierOutlets) {
     writer.begin(small);
     writer.add_outlet(small.outlets[0]);
     EXPECT_THAT(refusal_of<StoreError>([&] { writer.add_outlet(large.outlets[0]); }),
-                AllOf(StartsWith(path_), HasSubstr("o space left on")));
+                AllOf(StartsWith("run.sqlite: "), HasSubstr("o space left on")));
   }
   const RunRecord read = read_run(path_);
   ASSERT_EQ(read.outlets.size(), 1U);

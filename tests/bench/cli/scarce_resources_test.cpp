@@ -74,6 +74,32 @@ TEST(FullDisk, DuringTheRunEndsItWithErrorAndKeepsWhatWasStored) {
               HasSubstr("o space left on"));
 }
 
+TEST(FileSizeLimit, IsAnErrorLikeAFullDisk) {
+  const TemporaryFolder folder;
+  const auto limited_to = [](rlim_t bytes) {
+    return [bytes] {
+      const rlimit limit{bytes, bytes};
+      if (setrlimit(RLIMIT_FSIZE, &limit) != 0) {
+        _exit(127);
+      }
+    };
+  };
+  constexpr rlim_t kRecord = 300'000;
+  constexpr rlim_t kReport = 1'000;
+  const Outcome outcome =
+      run_gsbench({"run", "paper/loss-500mw", "--real-time", "--out", folder.file("runs")},
+                  limited_to(kRecord));
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("File too large"));
+  const std::string kept = only_run(folder.path() / "runs").string();
+  const Outcome report = run_gsbench(
+      {"report", kept, "--format", "html", "-o", folder.file("report.html")}, limited_to(kReport));
+  EXPECT_EQ(report.exit_code, 2);
+  EXPECT_THAT(report.err, HasSubstr("report.html: cannot be written: File too large"));
+  EXPECT_EQ(folder.entries().front(), "runs") << "a part of a report is left";
+  EXPECT_THAT(run_gsbench({"report", kept}).out, HasSubstr("File too large"));
+}
+
 TEST(FullDisk, DuringTheReportsKeepsTheFinishedRecord) {
   const TemporaryFolder profiles;
   profiles.write(

@@ -56,9 +56,9 @@ class MemoryStore final : public Store {
 // In one SQLite file (WAL), with traces as compressed columns. Each call is one transaction: a
 // crash of the process loses the current call only, a power cut those of the last seconds. A run
 // without finish() reads back as interrupted, with verdict ERROR. Until destruction, FILE-wal,
-// FILE-shm and FILE-reserve belong to it; after a crash, the first reader makes one plain file of
-// the first three, and FILE-reserve, which has no content, stays. A failure of the file throws
-// StoreError; earlier calls remain stored.
+// FILE-shm and FILE-reserve, which has no content, belong to it; after a crash, the first reader
+// that can write the folder makes one plain file of them. A failure of the file throws StoreError;
+// earlier calls remain stored. After begin(), its message has the file's name without the folder.
 class Writer final : public Store {
  public:
   // Creates the file. Throws StoreError if it exists or cannot be written.
