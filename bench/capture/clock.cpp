@@ -157,9 +157,15 @@ class Fit {
   }
 
  private:
+  // Of readings, also if some were lost or are not near an edge: the median.
   double spacing() const {
-    return static_cast<double>(trace_.sample.back() - trace_.sample.front()) /
-           static_cast<double>(trace_.sample.size() - 1);
+    std::vector<std::int64_t> spacings;
+    for (std::size_t i = 1; i < trace_.sample.size(); ++i) {
+      spacings.push_back(trace_.sample[i] - trace_.sample[i - 1]);
+    }
+    const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+    std::nth_element(spacings.begin(), middle, spacings.end());
+    return static_cast<double>(*middle);
   }
 
   template <class Visit>

@@ -14,10 +14,9 @@ struct FoundDip {
   double length_samples = 0.0;
 };
 
-// Intervals in which V² is below the mean of the marker's V² and nominal. The RMS² of a window
-// crosses this threshold half a window after the voltage.
+// Intervals in which V² is below edge_square().
 std::vector<FoundDip> find_dips(const VoltageTrace& trace, double level) {
-  const double threshold = 0.5 * (1.0 + level * level);
+  const double threshold = edge_square(level);
   const auto square = [&](std::size_t i) {
     const auto volts = static_cast<double>(trace.voltage_pu[i]);
     return volts * volts;
@@ -75,6 +74,10 @@ void add(const std::vector<FoundDip>& seen, std::size_t at, const std::vector<Di
 }
 
 }  // namespace
+
+double edge_square(double level) {
+  return 0.5 * (1.0 + level * level);
+}
 
 FoundMarkers find_markers(const VoltageTrace& trace, const Markers& markers,
                           double sample_rate_hz) {

@@ -20,6 +20,10 @@ struct FoundMarkers {
   bool after = false;                // true: includes the markers after the run
 };
 
+// The square of the voltage that is half way between nominal and a dip's level, by V², p.u.². The
+// RMS² of a window crosses it half a window after the voltage.
+double edge_square(double level);
+
 FoundMarkers find_markers(const VoltageTrace& trace, const Markers& markers, double sample_rate_hz);
 
 }  // namespace gsbench::capture

@@ -79,9 +79,7 @@ render::View view_of(const record::RunRecord& run, record::Reader& reader,
   view.with_reports = [&run, &reader](std::size_t index) {
     record::OutletRecord outlet = run.outlets[index];
     if (index < reader.outlets()) {  // not if the disk was full before it was stored
-      record::OutletRecord stored = reader.outlet(index);
-      record::Reports& reports = stored;
-      static_cast<record::Reports&>(outlet) = std::move(reports);
+      outlet.reports() = reader.outlet(index).reports();
     }
     return outlet;
   };

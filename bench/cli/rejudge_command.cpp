@@ -90,11 +90,13 @@ Rejudged judged_again(const std::string& path) {
   const profile::Plan plan = judge::plan_of(again.run);
   const judge::Judge judge(plan, again.run);
   for (std::size_t i = 0; i < reader.outlets(); ++i) {
-    record::OutletRecord outlet = reader.outlet(i);
-    const record::OutletRecord recorded = reader.results(i);
-    judge.judge(outlet);
+    record::OutletRecord outlet = reader.marked(i);
+    const record::OutletRecord recorded = outlet;
+    judge::Case c = judge.begin(outlet);
+    reader.read_reports(i, [&](const record::Reports& piece) { c.add(piece); });
+    judge.finish(c, outlet);
     compare(recorded, outlet, again.differences);
-    static_cast<record::Reports&>(outlet) = {};
+    outlet.reports() = {};
     outlet.measurements.clear();
     again.run.outlets.push_back(std::move(outlet));
   }

@@ -47,19 +47,14 @@ Reading ekf_error(const Case& c) {
 }
 
 Reading t_x_error(const Case& c, std::int64_t loss_tick) {
-  const record::Mark* decision = c.first_mark("decision");
-  if (decision == nullptr) {
+  if (c.first_mark("decision") == nullptr) {
     return not_done(kNoDecision);
   }
-  const record::EstimateTrace& estimates = c.outlet.estimates;
-  for (std::size_t i = estimates.tick.size(); i-- > 0;) {
-    if (estimates.tick[i] <= decision->tick) {
-      const auto rate_hz = static_cast<double>(c.plan.stimulus.sample_rate_hz);
-      const double error_s = record::loss_instant_s(estimates, i, rate_hz) - c.seconds(loss_tick);
-      return number(1e3 * error_s, c.outlet.clock.uncertainty_ms);
-    }
+  if (!c.traces.loss_instant_s) {
+    return not_done("the outlet reported no EKF estimate before its decision");
   }
-  return not_done("the outlet reported no EKF estimate before its decision");
+  const double error_s = *c.traces.loss_instant_s - c.seconds(loss_tick);
+  return number(1e3 * error_s, c.outlet.clock.uncertainty_ms);
 }
 
 Reading decision_delay(const Case& c, std::int64_t loss_tick) {

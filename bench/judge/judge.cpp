@@ -29,18 +29,25 @@ std::string reason_of(const RunRecord& run) {
 }  // namespace
 
 Judge::Judge(const profile::Plan& plan, const RunRecord& head)
-    : plan_(plan),
-      reference_(plan.reference()),
-      uncertainty_(head.bench_uncertainty),
-      failed_(!head.fault.empty() || head.interrupted) {}
+    : plan_(plan), reference_(plan.reference()), head_(head) {}
 
-void Judge::judge(OutletRecord& outlet) const {
-  if (failed_) {
+Case Judge::begin(const OutletRecord& outlet) const {
+  return {plan_, *reference_, outlet, head_.bench_uncertainty};
+}
+
+void Judge::finish(const Case& c, OutletRecord& outlet) const {
+  if (!head_.fault.empty() || head_.interrupted) {
     outlet.measurements.clear();
     outlet.verdict = Verdict::kError;
   } else {
-    judge_outlet(plan_, *reference_, uncertainty_, outlet);
+    judge_outlet(c, outlet);
   }
+}
+
+void Judge::judge(OutletRecord& outlet) const {
+  Case c = begin(outlet);
+  c.add(outlet);
+  finish(c, outlet);
 }
 
 void conclude(RunRecord& run) {

@@ -84,14 +84,13 @@ std::vector<MeasurementResult> measure(const Case& c) {
   return results;
 }
 
-void judge_outlet(const profile::Plan& plan, const waveform::ReferenceSignal& reference,
-                  const record::BenchUncertainty& uncertainty, record::OutletRecord& outlet) {
+void judge_outlet(const Case& c, record::OutletRecord& outlet) {
   outlet.measurements.clear();
   outlet.verdict = outlet.fault.empty() && outlet.took_part ? Verdict::kPass : Verdict::kError;
   if (!outlet.took_part) {
     return;
   }
-  outlet.measurements = measure(Case{plan, reference, outlet, uncertainty});
+  outlet.measurements = measure(c);
   bool any_judged = false;
   for (const MeasurementResult& result : outlet.measurements) {
     any_judged = any_judged || result.judged;

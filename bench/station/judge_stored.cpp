@@ -8,20 +8,14 @@
 namespace gsbench::station {
 namespace {
 
-void align_stored(const Station& station, const PlayedSignal& signal, const record::RunRecord& run,
-                  record::OutletRecord& outlet) {
-  if (!has_own_clock(station, outlet)) {
-    return;
-  }
-  if (!align(signal.markers(), outlet.trace, run.sample_rate_hz, outlet)) {
-    if (!run.interrupted) {
-      note(outlet,
-           "did not report the marker dips played before the run: its time stamps cannot be "
-           "aligned");
-    }
-  } else if (outlet.clock.is_aligned()) {
-    // The dips are as early or late as all that the source plays.
-    outlet.clock.uncertainty_ms += run.bench_uncertainty.time_ms;
+void align_stored(const Station& station, const PlayedSignal& signal, record::Store& store,
+                  std::size_t i, record::RunRecord& run) {
+  record::OutletRecord& outlet = run.outlets[i];
+  if (has_own_clock(station, outlet) && !align(signal.markers(), store, i, run) &&
+      !run.interrupted) {
+    note(outlet,
+         "did not report the marker dips played before the run: its time stamps cannot be "
+         "aligned");
   }
 }
 
@@ -32,15 +26,29 @@ void judge_stored(const profile::Plan& plan, const Station& station, const Playe
   const judge::Judge judge(plan, run);
   record::ContentDigest digest;
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
+    align_stored(station, signal, store, i, run);
     record::OutletRecord& outlet = run.outlets[i];
-    record::OutletRecord stored = store.outlet(i);
-    static_cast<record::Reports&>(outlet) = std::move(static_cast<record::Reports&>(stored));
-    align_stored(station, signal, run, outlet);
-    record::place_on_run_time(outlet, run.duration_ticks);
-    judge.judge(outlet);
-    if (!keeps_reports) {
-      digest.add(outlet);
-      static_cast<record::Reports&>(outlet) = {};
+    outlet.reports() = store.outlet(i).reports();
+    record::place_on_run_time(outlet, outlet.clock, run.duration_ticks);
+    judge::Case c = judge.begin(outlet);
+    record::Reports traces;
+    store.read_reports(i, [&](record::Reports piece) {
+      piece.marks.clear();
+      piece.sent.clear();
+      record::place_on_run_time(piece, outlet.clock, run.duration_ticks);
+      c.add(piece);
+      if (keeps_reports) {
+        traces.append(piece);
+      } else {
+        digest.add_traces(piece);
+      }
+    });
+    judge.finish(c, outlet);
+    if (keeps_reports) {
+      outlet.append(traces);
+    } else {
+      digest.add_outlet(outlet);
+      outlet.reports() = {};
     }
     store.update_outlet(i, outlet);
   }

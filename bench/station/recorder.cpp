@@ -21,24 +21,24 @@ std::string changing(const record::OutletRecord& outlet) {
 }  // namespace
 
 Recorder::Recorder(record::Store& store, const Station& station, const PlayedSignal& signal,
-                   capture::Capture& capture, std::vector<record::OutletRecord>& outlets)
+                   capture::Capture& capture, record::RunRecord& run)
     : store_(store),
       station_(station),
       signal_(signal),
       capture_(capture),
-      outlets_(outlets),
+      run_(run),
       period_ticks_(
           waveform::tick_at(station.block_s() > kLongestRealTimeBlock_s ? kFastPeriod_s : kPeriod_s,
                             signal.sample_rate_hz())),
       next_tick_(period_ticks_) {}
 
 void Recorder::add_outlets() {
-  for (record::OutletRecord& outlet : outlets_) {
+  for (record::OutletRecord& outlet : run_.outlets) {
     if (has_own_clock(station_, outlet)) {
       outlet.clock.samples_per_tick = 0.0;  // not aligned yet
     }
     store_.add_outlet(outlet);
-    static_cast<record::Reports&>(outlet) = {};
+    outlet.reports() = {};
     stored_.push_back(changing(outlet));
   }
 }
@@ -60,7 +60,7 @@ void Recorder::finish() {
 
 void Recorder::append() {
   std::vector<record::Reports> reports;
-  for (record::OutletRecord& outlet : outlets_) {
+  for (record::OutletRecord& outlet : run_.outlets) {
     reports.push_back(capture_.take(outlet.id));
     outlet.settings_digest = capture_.settings_digest(outlet.id);
   }
@@ -78,18 +78,18 @@ void Recorder::align_early(std::int64_t tick) {
   if (since_dips_s < kDipsReported_s || since_dips_s > kLastAttempt_s) {
     return;
   }
-  for (std::size_t i = 0; i < outlets_.size(); ++i) {
-    if (has_own_clock(station_, outlets_[i]) && !outlets_[i].clock.is_aligned()) {
-      align(signal_.markers(), store_.outlet(i).trace, signal_.sample_rate_hz(), outlets_[i]);
+  for (std::size_t i = 0; i < run_.outlets.size(); ++i) {
+    if (has_own_clock(station_, run_.outlets[i]) && !run_.outlets[i].clock.is_aligned()) {
+      align(signal_.markers(), store_, i, run_);
     }
   }
 }
 
 void Recorder::update_changed() {
-  for (std::size_t i = 0; i < outlets_.size(); ++i) {
-    const std::string now = changing(outlets_[i]);
+  for (std::size_t i = 0; i < run_.outlets.size(); ++i) {
+    const std::string now = changing(run_.outlets[i]);
     if (now != stored_[i]) {
-      store_.update_outlet(i, outlets_[i]);
+      store_.update_outlet(i, run_.outlets[i]);
       stored_[i] = now;
     }
   }

@@ -16,9 +16,9 @@ namespace gsbench::station {
 // All members throw record::StoreError.
 class Recorder {
  public:
-  // `outlets` are those of the run; all arguments outlive the recorder.
+  // All arguments outlive the recorder.
   Recorder(record::Store& store, const Station& station, const PlayedSignal& signal,
-           capture::Capture& capture, std::vector<record::OutletRecord>& outlets);
+           capture::Capture& capture, record::RunRecord& run);
 
   // The outlets have been claimed.
   void add_outlets();
@@ -38,7 +38,7 @@ class Recorder {
   const Station& station_;
   const PlayedSignal& signal_;
   capture::Capture& capture_;
-  std::vector<record::OutletRecord>& outlets_;
+  record::RunRecord& run_;
   std::int64_t period_ticks_;
   std::int64_t next_tick_ = 0;
   std::vector<std::string> stored_;  // what may change during the run, as it is stored

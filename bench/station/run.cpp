@@ -93,7 +93,7 @@ record::RunRecord run(const profile::Plan& plan, Station& station, const RunOpti
       options.writer != nullptr ? *options.writer : static_cast<record::Store&>(memory);
   capture::Capture capture;
   std::string store_fault;
-  Recorder recorder(store, station, signal, capture, run.outlets);
+  Recorder recorder(store, station, signal, capture, run);
   {
     const StoppableSource stoppable(station.source(), options.stop);
     const SafeState safe_state(station.source(), station.link(), run.fault, options.output_unknown);

@@ -65,10 +65,11 @@ bool play(const profile::Plan& plan, const std::vector<Slot>& slots, const Playe
 // The outlet counts its own samples, not the ticks of the source.
 bool has_own_clock(const Station& station, const record::OutletRecord& outlet);
 
-// Measures the outlet's clock by the marker dips in its reports. Returns false, and leaves the
-// clock as it is, if they are not found. An outlet that was sent no settings is not measured.
-bool align(const capture::Markers& markers, const record::MeasurementTrace& reports,
-           std::int64_t sample_rate_hz, record::OutletRecord& outlet);
+// Measures the clock of outlet i of the run by the marker dips in its stored reports. Returns
+// false, and leaves the clock as it is, if they are not found. An outlet that was sent no settings
+// is not measured. Throws record::StoreError.
+bool align(const capture::Markers& markers, record::Store& store, std::size_t i,
+           record::RunRecord& run);
 
 // Aligns and judges each outlet as the store has it. Without `keeps_reports`, the outlets of `run`
 // keep their results only, the reports stay in the store, and the digest of the content is noted.

@@ -36,15 +36,20 @@ class Digest {
       add_bytes(&whole, sizeof whole);
     } else {  // a text or a column
       add(field.size());
-      if constexpr (std::is_floating_point_v<typename Field::value_type>) {
-        Field plain = field;
-        for (auto& value : plain) {
-          value = canonical(value);
-        }
-        add_bytes(plain.data(), plain.size() * sizeof plain[0]);
-      } else {
-        add_bytes(field.data(), field.size() * sizeof field[0]);
+      add_values(field);
+    }
+  }
+
+  template <class Values>
+  void add_values(const Values& values) {
+    if constexpr (std::is_floating_point_v<typename Values::value_type>) {
+      Values plain = values;
+      for (auto& value : plain) {
+        value = canonical(value);
       }
+      add_bytes(plain.data(), plain.size() * sizeof plain[0]);
+    } else {
+      add_bytes(values.data(), values.size() * sizeof values[0]);
     }
   }
 
@@ -162,26 +167,43 @@ std::string seal_of_whole(const OutletRecord& outlet, const StoredFields& stored
   return digest.hexadecimal();
 }
 
-struct ContentDigest::Impl : Digest {};
+struct ContentDigest::Impl {
+  Digest digest;
+  std::map<std::string, Digest> columns;  // of the outlet's traces, whose length is not known yet
+};
 
 ContentDigest::ContentDigest() : impl_(std::make_unique<Impl>()) {}
 ContentDigest::~ContentDigest() = default;
 
-void ContentDigest::add(const OutletRecord& outlet) {
-  impl_->add_results(outlet);
-  impl_->add_reports(outlet);
-  impl_->add_parts(outlet.sent);
+void ContentDigest::add_traces(const Reports& piece) {
+  const auto add = [this](const char* name, const auto& column) {
+    impl_->columns[name].add_values(column);
+  };
+  visit_fields<MeasurementTrace>(piece.trace, add);
+  visit_fields<EstimateTrace>(piece.estimates, add);
+}
+
+void ContentDigest::add_outlet(const OutletRecord& outlet) {
+  impl_->digest.add_results(outlet);
+  impl_->digest.add_parts(outlet.marks);
+  impl_->digest.add_parts(outlet.sent);
+  add_traces({});  // an outlet without any piece has the same digest as one with empty traces
+  for (const auto& [name, column] : impl_->columns) {
+    impl_->digest.add(column.hexadecimal());
+  }
+  impl_->columns.clear();
 }
 
 std::string ContentDigest::of(const RunRecord& head) {
-  impl_->add_content(head);
-  return impl_->hexadecimal();
+  impl_->digest.add_content(head);
+  return impl_->digest.hexadecimal();
 }
 
 std::string content_digest(const RunRecord& run) {
   ContentDigest digest;
   for (const OutletRecord& outlet : run.outlets) {
-    digest.add(outlet);
+    digest.add_traces(outlet);
+    digest.add_outlet(outlet);
   }
   return digest.of(run);
 }

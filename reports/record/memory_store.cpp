@@ -9,9 +9,16 @@ void MemoryStore::append(const std::vector<Reports>& reports) {
 }
 
 void MemoryStore::update_outlet(std::size_t i, const OutletRecord& outlet) {
-  Reports reports = std::move(static_cast<Reports&>(outlets_.at(i)));
+  Reports reports = std::move(outlets_.at(i).reports());
   outlets_[i] = outlet;
-  static_cast<Reports&>(outlets_[i]) = std::move(reports);
+  outlets_[i].reports() = std::move(reports);
+}
+
+OutletRecord MemoryStore::outlet(std::size_t i) {
+  OutletRecord outlet = outlets_.at(i);
+  outlet.trace = {};
+  outlet.estimates = {};
+  return outlet;
 }
 
 }  // namespace gsbench::record

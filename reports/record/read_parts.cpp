@@ -86,7 +86,7 @@ void require_seal(Database& database, const std::string& stored, const std::stri
 
 OutletRecord read_whole(Database& database, const StoredFields& stored, std::int64_t owner) {
   OutletRecord outlet = read_unsealed_results(database, stored, owner);
-  static_cast<Reports&>(outlet) = read_append(database, stored, owner, 0);
+  outlet.reports() = read_append(database, stored, owner, 0);
   require_seal(database, select_one<Seal>(database, stored, owner).sha256,
                seal_of_whole(outlet, stored), "an outlet");
   return outlet;
@@ -126,7 +126,7 @@ OutletRecord read_results(Database& database, const StoredFields& stored, std::s
   const auto owner = static_cast<std::int64_t>(number);
   if (stored.is_sealed_as_whole()) {
     OutletRecord outlet = read_whole(database, stored, owner);
-    static_cast<Reports&>(outlet) = {};
+    outlet.reports() = {};
     return outlet;
   }
   OutletRecord outlet = read_unsealed_results(database, stored, owner);
@@ -135,12 +135,21 @@ OutletRecord read_results(Database& database, const StoredFields& stored, std::s
   return outlet;
 }
 
-OutletRecord read_outlet(Database& database, const StoredFields& stored, std::size_t number) {
+OutletRecord read_marked(Database& database, const StoredFields& stored, std::size_t number) {
+  OutletRecord outlet = read_results(database, stored, number);
+  const auto owner = static_cast<std::int64_t>(number);
+  outlet.marks = select<Mark>(database, stored, owner, kAllAppends);
+  outlet.sent = select<Sent>(database, stored, owner, kAllAppends);
+  return outlet;
+}
+
+void read_reports(Database& database, const StoredFields& stored, std::size_t number,
+                  const TakeReports& take) {
   const auto owner = static_cast<std::int64_t>(number);
   if (stored.is_sealed_as_whole()) {
-    return read_whole(database, stored, owner);
+    take(read_whole(database, stored, owner));
+    return;
   }
-  OutletRecord outlet = read_results(database, stored, number);
   const auto appends = database.first<std::int64_t>("SELECT count(*) - 1 FROM seal WHERE owner = " +
                                                     std::to_string(owner));
   std::string seal;
@@ -149,9 +158,8 @@ OutletRecord read_outlet(Database& database, const StoredFields& stored, std::si
     seal = seal_of_reports(seal, reports, &stored);
     require_seal(database, select_one<Seal>(database, stored, owner, append + 1).sha256, seal,
                  "reports");
-    outlet.append(reports);
+    take(reports);
   }
-  return outlet;
 }
 
 }  // namespace gsbench::record

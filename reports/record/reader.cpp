@@ -72,10 +72,27 @@ OutletRecord Reader::results(std::size_t i) {
   return impl_->judged(read_results(impl_->database, *impl_->stored, i + 1));
 }
 
-OutletRecord Reader::outlet(std::size_t i) {
-  OutletRecord outlet = impl_->judged(read_outlet(impl_->database, *impl_->stored, i + 1));
-  place_on_run_time(outlet, impl_->head.duration_ticks);
+OutletRecord Reader::marked(std::size_t i) {
+  OutletRecord outlet = impl_->judged(read_marked(impl_->database, *impl_->stored, i + 1));
+  place_on_run_time(outlet, outlet.clock, impl_->head.duration_ticks);
   return outlet;
+}
+
+OutletRecord Reader::outlet(std::size_t i) {
+  OutletRecord outlet = results(i);
+  record::read_reports(impl_->database, *impl_->stored, i + 1,
+                       [&](const Reports& piece) { outlet.append(piece); });
+  place_on_run_time(outlet, outlet.clock, impl_->head.duration_ticks);
+  return outlet;
+}
+
+void Reader::read_reports(std::size_t i, const TakeReports& take) {
+  const Clock clock = results(i).clock;
+  record::read_reports(impl_->database, *impl_->stored, i + 1, [&](const Reports& piece) {
+    Reports placed = piece;
+    place_on_run_time(placed, clock, impl_->head.duration_ticks);
+    take(placed);
+  });
 }
 
 RunRecord read_run(const std::string& path) {
@@ -99,7 +116,8 @@ RunRecord read_results(Reader& reader) {
     if (!has_digest) {
       // Of version 6, which has neither the digest nor this measurement.
       OutletRecord outlet = reader.outlet(i);
-      digest.add(outlet);
+      digest.add_traces(outlet);
+      digest.add_outlet(outlet);
       if (find_measurement(outlet, "decision.trust") == nullptr) {
         run.outlets.back().marks = std::move(outlet.marks);
       }

@@ -92,18 +92,17 @@ void Reports::append(const Reports& later) {
   add_columns(estimates, later.estimates);
 }
 
-void place_on_run_time(OutletRecord& outlet, std::int64_t last_tick) {
-  const Clock& clock = outlet.clock;
+void place_on_run_time(Reports& reports, const Clock& clock, std::int64_t last_tick) {
   if (!clock.counts_ticks()) {
-    for (std::int64_t& tick : outlet.estimates.event_tick) {
+    for (std::int64_t& tick : reports.estimates.event_tick) {
       tick = clock.is_aligned() ? clock.tick_of(tick) : 0;
     }
-    place(outlet.trace, clock, last_tick);
-    place(outlet.estimates, clock, last_tick);
-    place(outlet.marks, clock, last_tick);
+    place(reports.trace, clock, last_tick);
+    place(reports.estimates, clock, last_tick);
+    place(reports.marks, clock, last_tick);
   }
   // Marks of one tick keep their order, those of the outlet before those of the bench.
-  std::stable_sort(outlet.marks.begin(), outlet.marks.end(), [](const Mark& a, const Mark& b) {
+  std::stable_sort(reports.marks.begin(), reports.marks.end(), [](const Mark& a, const Mark& b) {
     return std::make_tuple(a.tick, !a.by_outlet) < std::make_tuple(b.tick, !b.by_outlet);
   });
 }

@@ -8,6 +8,7 @@
 #include "sqlite.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -77,7 +78,9 @@ void insert(Database& database, std::int64_t owner, const std::vector<Part>& par
   }
 }
 
-// The parts of one append.
+constexpr std::int64_t kAllAppends = -1;
+
+// The parts of one append, or of all.
 template <class Part>
 std::vector<Part> select(Database& database, const StoredFields& stored, std::int64_t owner,
                          std::int64_t append = 0) {
@@ -94,8 +97,10 @@ std::vector<Part> select(Database& database, const StoredFields& stored, std::in
       database.prepare("SELECT " + names + " FROM \"" + table +
                        "\" WHERE owner = ? AND position >= ? AND position < ? ORDER BY position");
   statement.bind(1, owner);
-  statement.bind(2, append * kAppendPositions);
-  statement.bind(3, (append + 1) * kAppendPositions);
+  const bool all = append == kAllAppends;
+  statement.bind(2, all ? 0 : append * kAppendPositions);
+  statement.bind(3,
+                 all ? std::numeric_limits<std::int64_t>::max() : (append + 1) * kAppendPositions);
   while (statement.step()) {
     Part part;
     int column = 0;

@@ -236,7 +236,11 @@ void Writer::update_outlet(std::size_t i, const OutletRecord& outlet) {
 }
 
 OutletRecord Writer::outlet(std::size_t i) {
-  return read_outlet(impl_->database, StoredFields(impl_->database), i + 1);
+  return read_marked(impl_->database, StoredFields(impl_->database), i + 1);
+}
+
+void Writer::read_reports(std::size_t i, const TakeReports& take) {
+  record::read_reports(impl_->database, StoredFields(impl_->database), i + 1, take);
 }
 
 void Writer::finish(const RunRecord& head) {

@@ -48,8 +48,8 @@ link::Received estimate(std::int64_t tick, float loss_instant_s, Trust trust) {
 
 record::OutletRecord taken(Capture& capture, const std::string& outlet) {
   record::OutletRecord record;
-  static_cast<record::Reports&>(record) = capture.take(outlet);
-  record::place_on_run_time(record, 1 << 30);
+  record.reports() = capture.take(outlet);
+  record::place_on_run_time(record, record.clock, 1 << 30);
   return record;
 }
 

@@ -112,6 +112,30 @@ TEST(OutletClock, IsWithinItsUncertaintyForAnyStartAndDrift) {
   }
 }
 
+// Pieces of any length; the fit is the same to the last bit.
+TEST(OutletClock, IsFoundFromTheReadingsNearTheEdgesOfDips) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 20; ++i) {
+    const Played played = play(plan_of(20.0), random_crystal(random));
+    EdgeReadings edges(played.markers.level, played.trace.window_samples);
+    const std::vector<std::int64_t>& samples = played.trace.sample;
+    for (std::size_t from = 0, to = 0; from < samples.size(); from = to) {
+      to = std::min(from + random() % 40, samples.size());
+      const auto begin = static_cast<std::ptrdiff_t>(from);
+      const auto end = static_cast<std::ptrdiff_t>(to);
+      edges.add({samples.begin() + begin, samples.begin() + end},
+                {played.trace.voltage_pu.begin() + begin, played.trace.voltage_pu.begin() + end});
+    }
+    EXPECT_LT(edges.trace().sample.size(), samples.size() / 4);
+    const auto whole = align(played.trace, played.markers, kTickRate_hz);
+    const auto found = align(edges.trace(), played.markers, kTickRate_hz);
+    ASSERT_TRUE(whole && found);
+    EXPECT_EQ(found->sample_at_zero, whole->sample_at_zero);
+    EXPECT_EQ(found->samples_per_tick, whole->samples_per_tick);
+    EXPECT_EQ(found->uncertainty_ms, whole->uncertainty_ms);
+  }
+}
+
 TEST(OutletClock, IsMoreAccurateForALongerRun) {
   const Totals brief = random_cases(20, 1.5, "ieee24");
   const Totals lengthy = random_cases(20, 30.0, "ieee24");

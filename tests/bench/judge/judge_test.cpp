@@ -43,7 +43,7 @@ TEST(Judge, NeverPassesALimitInAnIncompatibleUnit) {
 TEST(Judge, KeepsALimitOnAnUnknownMeasure) {
   SyntheticCase c = loss_of_500_mw();
   c.plan.expectations = {limits("event.count", {}, 1.0), limits("event.taste", {}, 1.0)};
-  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
+  judge_outlet(c.view(), c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kInconclusive);
   EXPECT_EQ(c.outlet.measurements[1].name, "event.taste");
   EXPECT_EQ(c.outlet.measurements[1].reason, "unknown measure");
@@ -66,11 +66,47 @@ TEST(Judge, ListsJudgedMeasuresFirstThenAllOthersOnce) {
   }
 }
 
+// Reports [from, to) of the outlet, and its estimates with the first of them.
+record::Reports piece_of(const record::OutletRecord& outlet, std::size_t from, std::size_t to) {
+  record::Reports piece;
+  const record::MeasurementTrace& trace = outlet.trace;
+  for (std::size_t i = from; i < std::min(to, trace.tick.size()); ++i) {
+    piece.trace.tick.push_back(trace.tick[i]);
+    piece.trace.frequency_hz.push_back(trace.frequency_hz[i]);
+    piece.trace.rocof_hz_s.push_back(trace.rocof_hz_s[i]);
+    piece.trace.voltage_pu.push_back(trace.voltage_pu[i]);
+    piece.trace.validity.push_back(trace.validity[i]);
+  }
+  if (from == 0) {
+    piece.estimates = outlet.estimates;
+  }
+  return piece;
+}
+
+TEST(Judge, MeasuresTracesInPiecesAsItDoesAtOnce) {
+  const SyntheticCase synthetic = loss_of_500_mw();
+  const std::vector<MeasurementResult> at_once = measure(synthetic.view());
+  for (const std::size_t length : {1U, 7U, 100U}) {
+    Case c{synthetic.plan, *synthetic.reference, synthetic.outlet, synthetic.uncertainty};
+    for (std::size_t from = 0; from < synthetic.outlet.trace.tick.size(); from += length) {
+      c.add(piece_of(synthetic.outlet, from, from + length));
+    }
+    const std::vector<MeasurementResult> results = measure(c);
+    ASSERT_EQ(results.size(), at_once.size());
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      EXPECT_TRUE(results[i].value == at_once[i].value ||
+                  (std::isnan(results[i].value) && std::isnan(at_once[i].value)))
+          << results[i].name << " in pieces of " << length;
+      EXPECT_EQ(results[i].reason, at_once[i].reason) << results[i].name;
+    }
+  }
+}
+
 TEST(Judge, GivesNoVerdictOnMeasuresWithoutLimits) {
   SyntheticCase c = loss_of_500_mw();
   c.remove_marks("lse");
   c.plan.expectations = {limits("event.count", {}, 1.0)};
-  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
+  judge_outlet(c.view(), c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kPass);
   const auto lse = std::find_if(c.outlet.measurements.begin(), c.outlet.measurements.end(),
                                 [](const MeasurementResult& r) { return r.name == "lse.loss"; });
@@ -83,13 +119,13 @@ TEST(Judge, AppliesALimitOnlyToItsGroups) {
   of_others.groups = {"others", "more"};
   SyntheticCase c = loss_of_500_mw();
   c.plan.expectations = {limits("event.count", {}, 1.0), of_others};
-  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
+  judge_outlet(c.view(), c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kPass);
 
   c = loss_of_500_mw();
   c.outlet.group = "more";
   c.plan.expectations = {limits("event.count", {}, 1.0), of_others};
-  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
+  judge_outlet(c.view(), c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
 }
 
@@ -104,7 +140,7 @@ TEST(Judge, OutletGetsTheWorstVerdictOfItsMeasurements) {
   // Inconclusive (120 ms ± 0.4), failed, passed.
   c.plan.expectations = {limits("event.delay", {}, 120.0), limits("event.count", {}, 0.0),
                          limits("relay.edges", {}, 1.0)};
-  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
+  judge_outlet(c.view(), c.outlet);
   EXPECT_EQ(c.outlet.verdict, Verdict::kFail);
   EXPECT_EQ(c.outlet.measurements[0].verdict, Verdict::kInconclusive);
   EXPECT_EQ(c.outlet.measurements[1].verdict, Verdict::kFail);

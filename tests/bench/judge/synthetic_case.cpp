@@ -54,6 +54,12 @@ SyntheticCase quiet(double falls_from_s) {
 
 }  // namespace
 
+Case SyntheticCase::view() const {
+  Case c{plan, *reference, outlet, uncertainty};
+  c.add(outlet);
+  return c;
+}
+
 double FallingReference::frequency_hz(double t_s) const {
   return 50.0 - 0.4 * std::clamp(t_s - from_s_, 0.0, 1.0);
 }
@@ -144,7 +150,7 @@ profile::Expectation limits(const std::string& measure, std::optional<double> mi
 
 record::Verdict verdict(SyntheticCase c, const profile::Expectation& expectation) {
   c.plan.expectations = {expectation};
-  judge_outlet(c.plan, *c.reference, c.uncertainty, c.outlet);
+  judge_outlet(c.view(), c.outlet);
   return c.outlet.verdict;
 }
 

@@ -33,7 +33,7 @@ struct SyntheticCase {
   record::OutletRecord outlet;
   record::BenchUncertainty uncertainty;
 
-  Case view() const { return {plan, *reference, outlet, uncertainty}; }
+  Case view() const;  // with all traces
   Reading read(const std::string& measure) const { return reading_of(measure)(view()); }
 
   void add_mark(std::int64_t tick, const std::string& kind, double value,

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,6 +38,33 @@ struct VoltageTrace {
   std::vector<std::int64_t> sample;  // ascending
   std::vector<float> voltage_pu;
   double window_samples = 0.0;  // length of the RMS window that ends at the stamp
+};
+
+// Keeps what align() uses of the voltage that an outlet reports: the last reading, and those near
+// an edge of a dip. So the memory grows with the number of dips, not with the length of the run.
+class EdgeReadings {
+ public:
+  // `level` of the markers, `window_samples` of the outlet.
+  EdgeReadings(double level, double window_samples);
+
+  // The next readings, ascending; columns of equal length.
+  void add(const std::vector<std::int64_t>& sample, const std::vector<float>& voltage_pu);
+  VoltageTrace trace() const;
+
+ private:
+  struct Reading {
+    std::int64_t sample;
+    float voltage_pu;
+  };
+  void add(const Reading& reading);
+  void keep(const Reading& reading);
+
+  double threshold_;
+  std::int64_t near_samples_;
+  VoltageTrace kept_;
+  std::deque<Reading> recent_;  // not kept, but near an edge that may follow
+  std::optional<bool> was_below_;
+  std::int64_t keeps_until_ = std::numeric_limits<std::int64_t>::min();
 };
 
 // Least-squares fit of offset and rate, so that the outlet's voltage in the edges of the dips

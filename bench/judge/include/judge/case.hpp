@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <judge/trace_sums.hpp>
 #include <profile/plan.hpp>
 #include <record/run_record.hpp>
 #include <waveform/reference_signal.hpp>
@@ -15,8 +16,12 @@ namespace gsbench::judge {
 struct Case {
   const profile::Plan& plan;
   const waveform::ReferenceSignal& reference;
-  const record::OutletRecord& outlet;
+  const record::OutletRecord& outlet;  // with its marks; its traces are not used
   const record::BenchUncertainty& uncertainty;
+  TraceSums traces = {};
+
+  // The traces of the next piece of the outlet's reports, placed on the run's time.
+  void add(const record::Reports& piece);
 
   double seconds(std::int64_t tick) const;
   double milliseconds_between(std::int64_t from_tick, std::int64_t to_tick) const;

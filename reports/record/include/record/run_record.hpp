@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -87,8 +88,9 @@ struct Clock {
   std::int64_t tick_of(std::int64_t sample) const;
 };
 
-// What an outlet reported and was sent, and what the bench saw of it, in the order of time. The
-// columns and the marks that the outlet stamped have its own sample counts until place_on_run_time.
+// What an outlet reported and was sent, and what the bench saw of it, in the order of time: all of
+// a run, or what came within half a second of it. The columns and the marks that the outlet stamped
+// have its own sample counts until place_on_run_time.
 struct Reports {
   std::vector<Mark> marks;
   std::vector<Sent> sent;
@@ -99,7 +101,12 @@ struct Reports {
   void append(const Reports& later);
 };
 
+// Takes the reports of one outlet piece by piece, in the order in which they came.
+using TakeReports = std::function<void(const Reports& piece)>;
+
 struct OutletRecord : Reports {
+  Reports& reports() { return *this; }
+
   std::string id;
   bool took_part = false;  // false: it was not part of the run, and there is nothing to judge
   std::string group;
@@ -120,10 +127,11 @@ struct OutletRecord : Reports {
   std::vector<MeasurementResult> measurements;
 };
 
-// Converts the outlet's sample counts to ticks of the run by its clock, drops what is outside of
-// tick 0 … last_tick, and sorts the marks by time. Without an aligned clock, only what the bench
-// stamped is left. Nothing changes for an outlet that counts the source's ticks.
-void place_on_run_time(OutletRecord& outlet, std::int64_t last_tick);
+// Converts the sample counts of an outlet with this clock to ticks of the run, drops what is
+// outside of tick 0 … last_tick, and sorts the marks by time. Without an aligned clock, only what
+// the bench stamped is left. Of an outlet that counts the source's ticks, only the marks are
+// sorted.
+void place_on_run_time(Reports& reports, const Clock& clock, std::int64_t last_tick);
 
 // The reference frequency, thinned: linear interpolation between entries is within 0.05 mHz.
 struct ReferenceTrace {

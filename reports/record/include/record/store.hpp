@@ -30,8 +30,10 @@ class Store {
   virtual void append(const std::vector<Reports>& reports) = 0;
   // Replaces all but the settings and the reports.
   virtual void update_outlet(std::size_t i, const OutletRecord& outlet) = 0;
-  // All of the i-th outlet, not yet placed on the run's time.
+  // The i-th outlet without its traces, which may be too long for the memory. read_reports() gives
+  // them, in pieces. Neither is placed on the run's time.
   virtual OutletRecord outlet(std::size_t i) = 0;
+  virtual void read_reports(std::size_t i, const TakeReports& take) = 0;
   // With verdict, time stamps, comparisons and reference; its outlets are not used.
   virtual void finish(const RunRecord& head) = 0;
   // In place of finish(), if a call failed: notes the fault in `head` if that is possible.
@@ -45,7 +47,8 @@ class MemoryStore final : public Store {
   void add_outlet(const OutletRecord& outlet) override { outlets_.push_back(outlet); }
   void append(const std::vector<Reports>& reports) override;
   void update_outlet(std::size_t i, const OutletRecord& outlet) override;
-  OutletRecord outlet(std::size_t i) override { return outlets_.at(i); }
+  OutletRecord outlet(std::size_t i) override;
+  void read_reports(std::size_t i, const TakeReports& take) override { take(outlets_.at(i)); }
   void finish(const RunRecord&) override {}
   void abandon(const RunRecord&) noexcept override {}
 
@@ -70,6 +73,7 @@ class Writer final : public Store {
   void append(const std::vector<Reports>& reports) override;
   void update_outlet(std::size_t i, const OutletRecord& outlet) override;
   OutletRecord outlet(std::size_t i) override;
+  void read_reports(std::size_t i, const TakeReports& take) override;
   void finish(const RunRecord& head) override;
   void abandon(const RunRecord& head) noexcept override;
 
@@ -88,8 +92,13 @@ class Reader {
 
   const RunRecord& head() const;  // without outlets
   std::size_t outlets() const;
-  OutletRecord results(std::size_t i);  // of the i-th outlet, without its reports
-  OutletRecord outlet(std::size_t i);   // the same with its reports, placed on the run's time
+  // The i-th outlet without its reports; with its marks and what it was sent; with all. Reports are
+  // placed on the run's time.
+  OutletRecord results(std::size_t i);
+  OutletRecord marked(std::size_t i);
+  OutletRecord outlet(std::size_t i);
+  // The reports of the i-th outlet in pieces, so that a run of any length can be read.
+  void read_reports(std::size_t i, const TakeReports& take);
 
  private:
   struct Impl;
@@ -109,14 +118,15 @@ RunRecord read_head(const std::string& path);
 // equal for equal profile, seed and build.
 std::string content_digest(const RunRecord& run);
 
-// The same, outlet by outlet.
+// The same, outlet by outlet: all pieces of its reports, then its results.
 class ContentDigest {
  public:
   ContentDigest();
   ~ContentDigest();
 
-  void add(const OutletRecord& outlet);   // each, in order
-  std::string of(const RunRecord& head);  // then once
+  void add_traces(const Reports& piece);        // only its traces
+  void add_outlet(const OutletRecord& outlet);  // without its traces
+  std::string of(const RunRecord& head);        // then once
 
  private:
   struct Impl;
