@@ -61,16 +61,15 @@ const std::vector<Table>& tables() {
   return all;
 }
 
-std::int64_t checked_version(Database& database) {
+std::int64_t checked_version(Database& database, std::int64_t newest) {
   if (database.first<std::int64_t>("PRAGMA application_id") != kApplicationId) {
     database.fail("not a gsbench record");
   }
   const auto version = database.first<std::int64_t>("PRAGMA user_version");
-  if (version < kOldestVersion || version > kSchemaVersion) {
+  if (version < kOldestVersion || version > newest) {
     database.fail("record of version " + std::to_string(version) +
                   "; this gsbench reads versions " + std::to_string(kOldestVersion) + " to " +
-                  std::to_string(kSchemaVersion) +
-                  (version > kSchemaVersion ? ": use a newer gsbench" : ""));
+                  std::to_string(newest) + (version > newest ? ": use a newer gsbench" : ""));
   }
   return version;
 }
@@ -106,7 +105,8 @@ std::string schema_sql() {
   return sql + kIndex + ";\n";
 }
 
-StoredFields::StoredFields(Database& database) : version_(checked_version(database)) {
+StoredFields::StoredFields(Database& database, std::int64_t newest)
+    : version_(checked_version(database, newest)) {
   Names known = {kIndex};
   for (const Table& table : tables()) {
     const Names stored = names_in(database, "SELECT name FROM pragma_table_info(?)", table.name);
@@ -120,7 +120,7 @@ StoredFields::StoredFields(Database& database) : version_(checked_version(databa
     database.fail("the record is damaged: its tables are not those of a record");
   }
   Names& traces = fields_[kTraces];
-  if (version_ == kSchemaVersion) {
+  if (version_ == newest) {
     add_columns<ReferenceTrace>(traces);
     add_columns<MeasurementTrace>(traces);
     add_columns<EstimateTrace>(traces);

@@ -34,8 +34,9 @@ class StoredFields {
   static constexpr const char* kTraces = "series";
 
   // Throws StoreError unless the file is a record of a known version. It may have the expected
-  // tables and columns only, because a foreign view or trigger could run any SQL.
-  explicit StoredFields(Database& database);
+  // tables and columns only, because a foreign view or trigger could run any SQL. Files of versions
+  // before `newest` have the columns of traces that they contain.
+  explicit StoredFields(Database& database, std::int64_t newest = kSchemaVersion);
 
   bool has(const std::string& table, const std::string& field) const;
   bool has_table(const std::string& table) const { return fields_.count(table) != 0; }

@@ -1,4 +1,5 @@
 // Records of earlier versions stay readable. A record of each version is kept in records/.
+#include "read_parts.hpp"
 #include <test_support/temporary_folder.hpp>
 
 #include <filesystem>
@@ -12,8 +13,23 @@ namespace {
 
 using ::testing::StartsWith;
 
+std::string kept_record(const char* name) {
+  return (std::filesystem::path(GSBENCH_TEST_RECORDS) / name).string();
+}
+
 std::string record_of_version_6() {
-  return (std::filesystem::path(GSBENCH_TEST_RECORDS) / "version-6.sqlite").string();
+  return kept_record("version-6.sqlite");
+}
+
+// As a gsbench reads it for which `newest` is the version of its own records.
+RunRecord read_by(std::int64_t newest, const std::string& path) {
+  Database database(path, Database::Mode::kRead);
+  const StoredFields stored(database, newest);
+  bool complete = false;
+  RunRecord run = read_head(database, stored, complete);
+  run.interrupted = !complete;
+  run.outlets.push_back(read_outlet(database, stored, 1));
+  return run;
 }
 
 double value_of(const OutletRecord& outlet, const char* measure) {
@@ -63,6 +79,48 @@ TEST(RecordOfVersion6, IsRefusedIfItWasChanged) {
   bytes.replace(at, 3, "900");
   folder.write("changed.sqlite", bytes);
   EXPECT_THROW(read_run(changed), StoreError);
+}
+
+class RecordOfVersion7 : public ::testing::TestWithParam<std::int64_t> {};
+
+// Without an event, the columns of estimates are empty.
+TEST_P(RecordOfVersion7, OfAQuietRunHasItsVerdictAndTraces) {
+  const RunRecord run = read_by(GetParam(), kept_record("version-7-quiet.sqlite"));
+  EXPECT_EQ(run.run_id, "20261130T213818Z-f24b16d3");
+  EXPECT_FALSE(run.interrupted);
+  EXPECT_EQ(run.verdict, Verdict::kPass);
+  const OutletRecord& outlet = run.outlets.at(0);
+  EXPECT_EQ(value_of(outlet, "event.count"), 0.0);
+  EXPECT_EQ(outlet.settings.size(), 58U);
+  ASSERT_EQ(outlet.trace.tick.size(), 31U);
+  EXPECT_EQ(outlet.trace.tick.back(), 3968);
+  EXPECT_NEAR(outlet.trace.frequency_hz.back(), 50.0, 0.001);
+  EXPECT_TRUE(outlet.estimates.tick.empty());
+}
+
+// Five appends, of which only some have an event or an estimate.
+TEST_P(RecordOfVersion7, OfAKilledRunHasWhatWasKept) {
+  const RunRecord run = read_by(GetParam(), kept_record("version-7-killed.sqlite"));
+  EXPECT_EQ(run.run_id, "20261130T213808Z-e09093be");
+  EXPECT_TRUE(run.interrupted);
+  const OutletRecord& outlet = run.outlets.at(0);
+  EXPECT_TRUE(outlet.measurements.empty());
+  EXPECT_EQ(outlet.trace.tick.size(), 160U);
+  EXPECT_EQ(outlet.trace.tick.back(), 20480);
+  ASSERT_EQ(outlet.marks.size(), 11U);
+  EXPECT_EQ(outlet.marks.front().tick, 5888);
+  EXPECT_EQ(outlet.marks.back().kind, "relay.sense");
+  EXPECT_FALSE(outlet.estimates.tick.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(ReadNowAndByTheNextVersion, RecordOfVersion7,
+                         ::testing::Values(kSchemaVersion, kSchemaVersion + 1));
+
+TEST(KilledRunOfVersion7, IsInterrupted) {
+  const RunRecord run = read_run(kept_record("version-7-killed.sqlite"));
+  EXPECT_TRUE(run.interrupted);
+  EXPECT_EQ(run.verdict, Verdict::kError);
+  EXPECT_THAT(run.verdict_reason, StartsWith("interrupted"));
 }
 
 }  // namespace
