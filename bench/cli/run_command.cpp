@@ -41,14 +41,15 @@ void print(const render::View& view, bool as_json) {
   std::fflush(stdout);
 }
 
-// Of an interrupted run, what is printed has parts of the record. If that cannot be read, the run
-// is still kept.
-void print_interrupted(const record::RunRecord& run, const RunFolder& folder, bool as_json) {
+// Of a run that did not reach its end, what is printed has parts of the record. If that cannot be
+// read, the run is still kept.
+void print_kept(const record::RunRecord& run, const RunFolder& folder, bool as_json) {
   try {
     record::Reader reader(folder.file(kRecordFile));
     print(view_of(run, reader), as_json);
   } catch (const record::StoreError& error) {
     print_error(error.what());
+    print_error(record::to_string(run.verdict) + (": " + run.verdict_reason));
   }
 }
 
@@ -99,8 +100,8 @@ int run(const RunArguments& arguments) {
                           file.text});
     }
     // First: a report that cannot be written must not hide the verdict.
-    if (run.interrupted) {
-      print_interrupted(run, folder, arguments.json);
+    if (run.interrupted || !run.fault.empty()) {
+      print_kept(run, folder, arguments.json);
     } else {
       print(run, arguments.json);
     }

@@ -66,7 +66,7 @@ List mark_rows(const record::RunRecord& run, const record::OutletRecord& outlet,
     return object{{"time", fmt::format("{:.4f} s", seconds(run, mark.tick))},
                   {"label", clipped(mark_label(mark))},
                   {"value", typographic(clipped(mark_value(mark)))},
-                  {"text", clipped(mark.text)}};
+                  {"text", clipped(mark_note(mark))}};
   });
 }
 
@@ -131,6 +131,7 @@ object outlet_object(const record::RunRecord& run, const record::OutletRecord& o
       {"clock", clock_text(outlet.clock)},
       {"open", flag(outlet.verdict != Verdict::kPass)},
       {"measurements", measurements},
+      {"has_measurements", flag(!outlet.measurements.empty())},
       {"more_measurements", flag(measurements.size() < outlet.measurements.size())},
       {"measurements_in_all", std::to_string(outlet.measurements.size())},
       {"marks", marks},

@@ -136,7 +136,7 @@ std::string json(const View& view) {
   const char* before = "\n";
   for (const std::size_t index : view.outlets) {
     Json entry = outlet(run.outlets[index]);
-    entry["kept"] = run.interrupted ? kept(run, view.with_reports(index)) : Json(nullptr);
+    entry["kept"] = was_judged(run) ? Json(nullptr) : kept(run, view.with_reports(index));
     text += before + indented(entry, 4);
     before = ",\n";
   }

@@ -1,4 +1,5 @@
 #include "format.hpp"
+#include "kept.hpp"
 #include "summary.hpp"
 
 #include <QByteArray>
@@ -28,6 +29,7 @@ struct Case {
   Verdict verdict = Verdict::kPass;
   std::string message;
   bool judged = true;
+  std::string output = {};
 };
 
 Case case_of(const record::MeasurementResult& result) {
@@ -98,9 +100,25 @@ void write_suite(QXmlStreamWriter& xml, const record::RunRecord& run, const std:
       xml.writeAttribute("message", text(one.message));
       xml.writeEndElement();
     }
+    if (!one.output.empty()) {
+      xml.writeTextElement("system-out", text(one.output));
+    }
     xml.writeEndElement();
   }
   xml.writeEndElement();
+}
+
+// Of an outlet whose verdict is worse than those of its measurements.
+Case case_of(const View& view, std::size_t index) {
+  const record::OutletRecord& outlet = view.run.outlets[index];
+  Case one{"outlet", outlet.verdict, outlet_sentence(outlet)};
+  if (!was_judged(view.run)) {
+    const record::OutletRecord with_reports = view.with_reports(index);
+    const std::string fault = outlet.fault.empty() ? "" : one.message + "; ";
+    one.message = fault + "not judged; kept: " + kept_sentence(view.run, with_reports);
+    one.output = kept_list(view.run, with_reports);
+  }
+  return one;
 }
 
 Verdict worst(const std::vector<Case>& cases) {
@@ -131,7 +149,7 @@ std::string junit_xml(const View& view) {
     const record::OutletRecord& outlet = run.outlets[index];
     std::vector<Case> cases = cases_of(outlet.measurements);
     if (outlet.verdict > worst(cases)) {
-      cases.push_back({"outlet", outlet.verdict, outlet_sentence(outlet)});
+      cases.push_back(case_of(view, index));
     }
     write_suite(xml, run, outlet.id, cases);
   }

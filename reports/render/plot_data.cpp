@@ -149,7 +149,7 @@ std::string mark_label(const record::Mark& mark) {
 
 std::string mark_value(const record::Mark& mark) {
   if (mark.kind == "event") {
-    return "";
+    return with_unit(fixed(mark.value, 3), "Hz");
   }
   if (mark.kind == "relay.reported" || mark.kind == "relay.sense") {
     return mark.value != 0.0 ? "closed" : "open";
@@ -162,6 +162,14 @@ std::string mark_value(const record::Mark& mark) {
     return with_unit(fixed(mark.value, 3), "Hz");
   }
   return with_unit(fixed(mark.value, decimals_for({mark.value})), power ? "MW" : "");
+}
+
+std::string mark_note(const record::Mark& mark) {
+  if (mark.kind == "event") {
+    return "frequency before it";
+  }
+  const bool is_in_value = mark.text == "MW" || mark.text == "Hz" || mark.text == mark_value(mark);
+  return is_in_value ? "" : mark.text;
 }
 
 OutletCurves curves_of(const record::RunRecord& run, const record::OutletRecord& outlet,

@@ -48,6 +48,9 @@ std::string mark_label(const record::Mark& mark);
 // "310.4 MW", "open"; empty if the kind has no value.
 std::string mark_value(const record::Mark& mark);
 
+// What the value does not say: "frequency before it".
+std::string mark_note(const record::Mark& mark);
+
 // States that not all reports are drawn; empty if all are.
 std::string thinning_note(const std::vector<OutletCurves>& outlets);
 

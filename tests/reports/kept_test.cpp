@@ -26,9 +26,11 @@ TEST(Kept, IsALineOfEachOutletOnATerminal) {
   run.outlets[1].marks.clear();
   run.outlets[1].trace.tick.clear();
   const std::string text = terminal(run);
-  EXPECT_THAT(text, HasSubstr("Kept of sheds-1: 3 measurements, up to 2.000 s; event 1.100 s; "
-                              "decision 1.700 s; relay reported open 1.700 s; relay sensed open "
-                              "1.706 s; relay sensed closed 2.500 s\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("Kept of sheds-1: 3 measurements, up to 2.000 s of 6.000 s; "
+                "event 1.100 s; decision 1.700 s; relay reported open 1.700 s; relay sensed open "
+                "1.706 s; relay sensed closed 2.500 s\n"));
   EXPECT_THAT(text, HasSubstr("Kept of stays-2: no measurement\n"));
 }
 
@@ -39,6 +41,57 @@ TEST(Kept, NamesTheFirstTenMarks) {
   EXPECT_THAT(terminal(run), HasSubstr("; event 1.000 s; … and 2 more\n"));
   run.outlets[0].marks.resize(10);
   EXPECT_THAT(terminal(run), HasSubstr("; event 1.000 s\n"));
+}
+
+TEST(Kept, IsPartOfEachOutletInJUnitXml) {
+  RunRecord run = sample::loss_500mw(2);
+  EXPECT_THAT(junit_xml(run), Not(HasSubstr("system-out")));
+  run.interrupted = true;
+  run.verdict = record::Verdict::kError;
+  run.verdict_reason = "interrupted: gsbench was ended";
+  for (record::OutletRecord& outlet : run.outlets) {
+    outlet.measurements.clear();
+    outlet.verdict = record::Verdict::kError;
+  }
+  run.outlets[0].marks = {{8800, "event", 49.9, "frequency before it, Hz"},
+                          {9600, "lse", 500.0, "MW"},
+                          {13600, "decision", 100.0, "the nadir would be too low"},
+                          {13651, "relay.sense", 0.0, "open"}};
+  run.outlets[0].trace.tick = {0, 128, 16000};
+  run.outlets[1].marks.clear();
+  run.outlets[1].trace.tick.clear();
+  run.outlets[1].fault = "fell silent";
+  const std::string xml = junit_xml(run);
+  EXPECT_THAT(xml,
+              HasSubstr("message=\"not judged; kept: 3 measurements, up to 2.000 s of 6.000 s; "
+                        "event 1.100 s; decision 1.700 s; relay sensed open 1.706 s\"/>"));
+  EXPECT_THAT(xml, HasSubstr("<system-out>1.100 s  Event: 49.900 Hz, frequency before it\n"
+                             "1.200 s  LSE: 500 MW\n"
+                             "1.700 s  Decision: 100 MW, the nadir would be too low\n"
+                             "1.706 s  Relay, sensed: open\n</system-out>"));
+  EXPECT_THAT(xml, HasSubstr("message=\"it fell silent; not judged; kept: no measurement\"/>"));
+  EXPECT_THAT(xml, HasSubstr("message=\"interrupted: gsbench was ended\"/>"));
+}
+
+TEST(Kept, IsShownAfterAFaultOfTheBenchToo) {
+  RunRecord run = sample::loss_500mw(1);
+  run.fault = "the source stopped";
+  EXPECT_THAT(terminal(run), HasSubstr("Kept of stays-1: "));
+  EXPECT_FALSE(nlohmann::json::parse(json(run))["outlets"][0]["kept"].is_null());
+}
+
+TEST(Kept, HasNoEmptyTableOfMeasurementsInHtml) {
+  RunRecord run = sample::loss_500mw(1);
+  EXPECT_THAT(html(run), HasSubstr("All measurements of stays-1"));
+  run.interrupted = true;
+  run.outlets[0].measurements.clear();
+  run.outlets[0].marks = {{8800, "event", 49.9, "frequency before it, Hz"},
+                          {9600, "lse", 500.0, "MW"}};
+  const std::string page = html(run);
+  EXPECT_THAT(page, Not(HasSubstr("All measurements of stays-1")));
+  EXPECT_THAT(page, HasSubstr("Nothing was judged."));
+  EXPECT_THAT(page, HasSubstr("class=\"text\">frequency before it</td>"));
+  EXPECT_THAT(page, Not(HasSubstr("class=\"text\">MW</td>")));
 }
 
 TEST(Kept, IsPartOfEachOutletInJson) {

@@ -50,6 +50,8 @@ TEST(Interrupt, EndsTheRunAndKeepsItAsInterrupted) {
     const Outcome report = run_gsbench({"report", run});
     EXPECT_THAT(report.out, HasSubstr("interrupted"));
     EXPECT_THAT(report.out, HasSubstr("Kept of sheds-1: " + kept.dump() + " measurement"));
+    EXPECT_THAT(run_gsbench({"report", run, "--format", "junit"}).out,
+                HasSubstr("not judged; kept: " + kept.dump() + " measurement"));
   }
 }
 
