@@ -28,7 +28,9 @@ RunRecord read_by(std::int64_t newest, const std::string& path) {
   bool complete = false;
   RunRecord run = read_head(database, stored, complete);
   run.interrupted = !complete;
-  run.outlets.push_back(read_outlet(database, stored, 1));
+  run.outlets.push_back(read_results(database, stored, 1));
+  read_reports(database, stored, 1,
+               [&](const Reports& piece) { run.outlets.back().append(piece); });
   return run;
 }
 
