@@ -46,11 +46,11 @@ keys::Key command_keys() {
 }
 
 std::vector<Command> read_commands(const Table& top, const std::vector<Outlet>& outlets,
-                                   double duration_s) {
+                                   const RunTime& run) {
   std::vector<Command> commands;
   for (const Table& table : top.tables("command")) {
     Command command;
-    command.at_s = table.number("at_s", within_run(duration_s));
+    command.at_s = table.number("at_s", run.starts());
     command.outlets = named_outlets(table, outlets);
     command.switch_on = table.text("switch") == "on";
     commands.push_back(std::move(command));

@@ -11,12 +11,7 @@ keys::Key flicker_keys() {
       "flicker",
       "Modulation of the amplitude, as in the test signals of IEC 61000-4-15. It acts on the "
       "fundamental and its harmonics. Several multiply.",
-      {keys::number("at_s", "s", keys::at_least(0.0), "start")
-           .permits("0 … before the end of the run")
-           .by_default(0.0),
-       keys::number("duration_s", "s", keys::above(0.0), "duration")
-           .permits("above 0, ending within the run")
-           .or_else("to the end"),
+      {start_key(), duration_key(),
        keys::choice("shape", {"sine", "rectangle"},
                     "`sine` starts at the mean amplitude and rises; `rectangle` starts with the "
                     "higher amplitude")
@@ -34,13 +29,12 @@ keys::Key flicker_keys() {
            .or_else("required, or `frequency_hz`")});
 }
 
-std::vector<waveform::Flicker> read_flickers(const Table& signal, double duration_s,
-                                             std::int64_t sample_rate_hz) {
+std::vector<waveform::Flicker> read_flickers(const Table& signal, const RunTime& run) {
   constexpr double kChangesPerMinute = 120.0;  // at 1 Hz
-  const double limit_hz = 0.5 * static_cast<double>(sample_rate_hz);
+  const double limit_hz = 0.5 * static_cast<double>(run.sample_rate_hz);
   std::vector<waveform::Flicker> flickers;
   for (const Table& table : signal.tables("flicker")) {
-    const double at_s = table.number("at_s", within_run(duration_s));
+    const Span span = read_span(table, run, "flicker");
     const auto frequency_hz = table.find_number("frequency_hz");
     const auto changes = table.find_number("changes_per_minute");
     if (frequency_hz && changes) {
@@ -50,12 +44,9 @@ std::vector<waveform::Flicker> read_flickers(const Table& signal, double duratio
     if (!frequency_hz && !changes) {
       table.refuse_missing("frequency_hz", "frequency_hz or changes_per_minute");
     }
-    const waveform::Flicker flicker = {at_s,
-                                       read_duration_s(table, at_s, duration_s, "flicker",
-                                                       1.0 / static_cast<double>(sample_rate_hz)),
-                                       frequency_hz ? *frequency_hz : *changes / kChangesPerMinute,
-                                       table.number("depth_pct"),
-                                       table.text("shape") == "rectangle"};
+    const waveform::Flicker flicker = {
+        span.at_s, span.duration_s, frequency_hz ? *frequency_hz : *changes / kChangesPerMinute,
+        table.number("depth_pct"), table.text("shape") == "rectangle"};
     if (flicker.frequency_hz >= limit_hz) {
       table.refuse(
           frequency_hz ? "frequency_hz" : "changes_per_minute",

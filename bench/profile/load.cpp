@@ -1,5 +1,7 @@
 #include "sections.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -24,12 +26,31 @@ void check_playable(const Plan& plan) {
 
 keys::Key time_in_run(const char* meaning) {
   return keys::number("at_s", "s", keys::at_least(0.0), meaning)
-      .permits("0 … before the end of the run")
+      .permits("0 … the last sample of the run")
       .require();
 }
 
-keys::Range within_run(double duration_s) {
-  return {0.0, duration_s, false, true, "the run's duration"};
+keys::Key start_key() {
+  return keys::number("at_s", "s", keys::at_least(0.0), "start")
+      .permits("0 … the last sample of the run")
+      .by_default(0.0);
+}
+
+keys::Key duration_key() {
+  return keys::number("duration_s", "s", keys::above(0.0), "duration")
+      .permits("at least one sample, ending within the run")
+      .or_else("to the end");
+}
+
+double RunTime::end_s() const {
+  const auto rate_hz = static_cast<double>(sample_rate_hz);
+  return std::min(duration_s, std::round(duration_s * rate_hz) / rate_hz);
+}
+
+keys::Range RunTime::starts() const {
+  const auto rate_hz = static_cast<double>(sample_rate_hz);
+  return {0.0, (std::round(duration_s * rate_hz) - 1.0) / rate_hz, false, false,
+          "the last sample of the run"};
 }
 
 void check_at_least_a_sample(const keys::Table& table, keys::Position at, const std::string& name,
@@ -41,18 +62,19 @@ void check_at_least_a_sample(const keys::Table& table, keys::Position at, const 
   }
 }
 
-double read_duration_s(const keys::Table& table, double at_s, double run_s, const char* what,
-                       double least_s) {
+Span read_span(const keys::Table& table, const RunTime& run, const char* what) {
+  const double at_s = table.number("at_s", run.starts());
   const std::optional<double> duration_s = table.find_number("duration_s");
-  if (duration_s && at_s + *duration_s > run_s) {
+  if (!duration_s) {
+    return {at_s, std::numeric_limits<double>::infinity()};
+  }
+  if (at_s + *duration_s > run.duration_s) {
     table.refuse("duration_s", fmt::format("the {} ends at {} s, after the end of the run at {} s; "
                                            "omit duration_s for one that lasts to the end",
-                                           what, at_s + *duration_s, run_s));
+                                           what, at_s + *duration_s, run.duration_s));
   }
-  if (duration_s) {
-    check_at_least_a_sample(table, table.at("duration_s"), "duration_s", *duration_s, least_s);
-  }
-  return duration_s.value_or(std::numeric_limits<double>::infinity());
+  check_at_least_a_sample(table, table.at("duration_s"), "duration_s", *duration_s, run.sample_s());
+  return {at_s, *duration_s};
 }
 
 const keys::Key& profile_keys() {
@@ -93,7 +115,8 @@ Plan parse_profile(const std::string& text, const std::string& path, const Overr
   plan.seed = overrides.seed.value_or(plan.seed);
   plan.outlets = read_outlets(top, plan.grid);
   plan.settings = read_settings_updates(top, plan.grid, plan.outlets, plan.stimulus.duration_s);
-  plan.commands = read_commands(top, plan.outlets, plan.stimulus.duration_s);
+  plan.commands =
+      read_commands(top, plan.outlets, {plan.stimulus.duration_s, plan.stimulus.sample_rate_hz});
   plan.expectations = read_expectations(top, plan.outlets);
   check_playable(plan);
   check_harmonics(signal, plan.stimulus, *plan.reference());

@@ -17,9 +17,9 @@ using keys::Table;
 constexpr double kShortestRamp_s = 0.001;
 constexpr double kLongestRamp_s = 3600.0;
 
-grid::PowerChange read_loss(const Table& table, const grid::Grid& grid, double duration_s) {
+grid::PowerChange read_loss(const Table& table, const grid::Grid& grid, const RunTime& run) {
   grid::PowerChange loss;
-  loss.at_s = table.number("at_s", within_run(duration_s));
+  loss.at_s = table.number("at_s", run.starts());
   loss.power_mw =
       table.number("power_mw", {-grid.load_mw, grid.load_mw, false, false, "the grid's load"});
   loss.ramp_s = table.number("ramp_s");
@@ -119,10 +119,10 @@ double read_initial_deviation_hz(const Table& grid_section, const grid::Grid& gr
 }
 
 std::vector<grid::PowerChange> read_losses(const Table& grid_section, const grid::Grid& grid,
-                                           double duration_s) {
+                                           const RunTime& run) {
   std::vector<grid::PowerChange> losses;
   for (const Table& table : grid_section.tables("loss")) {
-    losses.push_back(read_loss(table, grid, duration_s));
+    losses.push_back(read_loss(table, grid, run));
   }
   std::stable_sort(
       losses.begin(), losses.end(),

@@ -9,12 +9,7 @@ keys::Key oscillation_keys() {
       "oscillation",
       "Inter-area oscillations: sines laid over the frequency that the outlets see. The grid's own "
       "frequency, for example its nadir, is that without them.",
-      {keys::number("at_s", "s", keys::at_least(0.0), "start")
-           .permits("0 … before the end of the run")
-           .by_default(0.0),
-       keys::number("duration_s", "s", keys::above(0.0), "duration")
-           .permits("above 0, ending within the run")
-           .or_else("to the end"),
+      {start_key(), duration_key(),
        keys::number(
            "frequency_hz", "Hz",
            keys::between(waveform::kSlowestOscillation_hz, waveform::kFastestOscillation_hz),
@@ -29,12 +24,13 @@ keys::Key oscillation_keys() {
            .by_default(0.0)});
 }
 
-std::vector<waveform::Oscillation> read_oscillations(const Table& signal, double duration_s) {
+std::vector<waveform::Oscillation> read_oscillations(const Table& signal, const RunTime& run) {
   std::vector<waveform::Oscillation> oscillations;
   for (const Table& table : signal.tables("oscillation")) {
+    const Span span = read_span(table, run, "oscillation");
     waveform::Oscillation oscillation;
-    oscillation.at_s = table.number("at_s", within_run(duration_s));
-    oscillation.duration_s = read_duration_s(table, oscillation.at_s, duration_s, "oscillation");
+    oscillation.at_s = span.at_s;
+    oscillation.duration_s = span.duration_s;
     oscillation.frequency_hz = table.number("frequency_hz");
     oscillation.amplitude_hz = 1e-3 * table.number("amplitude_mhz");
     oscillation.phase_deg = table.number("phase_deg");

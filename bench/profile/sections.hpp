@@ -21,14 +21,31 @@ constexpr double kLongestRun_s = 1.0e5;
 // An outlet must acknowledge its settings within 96 ms; a run must last longer than that.
 constexpr double kShortestRun_s = 0.1;
 
-// The key at_s: a time before the end of the run.
-keys::Key time_in_run(const char* meaning);
-keys::Range within_run(double duration_s);
+// The time in which a profile places what it plays.
+struct RunTime {
+  double duration_s;
+  std::int64_t sample_rate_hz;
 
-// Value of the key duration_s of something that starts at at_s; infinity without the key. Refuses
-// an end after the end of the run, and less than `least_s`. `what` names it in the message.
-double read_duration_s(const keys::Table& table, double at_s, double run_s, const char* what,
-                       double least_s = 0.0);
+  double sample_s() const { return 1.0 / static_cast<double>(sample_rate_hz); }
+  double end_s() const;        // of the last whole sample
+  keys::Range starts() const;  // what starts in it is played for at least one sample
+};
+
+// The key at_s: a time within the run.
+keys::Key time_in_run(const char* meaning);
+
+// The keys at_s, by default 0, and duration_s, by default to the end of the run.
+keys::Key start_key();
+keys::Key duration_key();
+
+struct Span {
+  double at_s;
+  double duration_s;  // infinity: to the end of the run
+};
+// The values of both. Refuses less than a sample, and an end after the end of the run. `what` names
+// it in the message.
+Span read_span(const keys::Table& table, const RunTime& run, const char* what);
+
 // What is shorter than a sample might fall between two and not be played. Refuses `value_s`, given
 // at a position, below the sample period.
 void check_at_least_a_sample(const keys::Table& table, keys::Position at, const std::string& name,
@@ -49,7 +66,7 @@ void check_conditions(const keys::Table& section, const grid::Grid& grid);
 // [[grid.loss]]: changes of the power balance, ascending in time.
 keys::Key loss_keys();
 std::vector<grid::PowerChange> read_losses(const keys::Table& grid_section, const grid::Grid& grid,
-                                           double duration_s);
+                                           const RunTime& run);
 
 // [grid] frequency_before_hz. read_initial_deviation returns it less nominal, in Hz; 0 without it.
 keys::Key frequency_before_key();
@@ -57,7 +74,7 @@ double read_initial_deviation_hz(const keys::Table& grid_section, const grid::Gr
 
 // [[signal.oscillation]], in the order of the profile.
 keys::Key oscillation_keys();
-std::vector<waveform::Oscillation> read_oscillations(const keys::Table& signal, double duration_s);
+std::vector<waveform::Oscillation> read_oscillations(const keys::Table& signal, const RunTime& run);
 
 // [signal] harmonics and harmonic_set. Refuses an order that is given twice, or 1.
 keys::Key harmonics_key();
@@ -70,13 +87,11 @@ void check_harmonics(const keys::Table& signal, const Stimulus& stimulus,
 
 // [[signal.flicker]], in the order of the profile.
 keys::Key flicker_keys();
-std::vector<waveform::Flicker> read_flickers(const keys::Table& signal, double duration_s,
-                                             std::int64_t sample_rate_hz);
+std::vector<waveform::Flicker> read_flickers(const keys::Table& signal, const RunTime& run);
 
 // [[signal.tone]], in the order of the profile.
 keys::Key tone_keys();
-std::vector<waveform::Tone> read_tones(const keys::Table& signal, double duration_s,
-                                       std::int64_t sample_rate_hz);
+std::vector<waveform::Tone> read_tones(const keys::Table& signal, const RunTime& run);
 
 // [signal] and the disturbances of [grid]. `skip_recording`: the file of [signal.trace] is not read
 // and need not exist, because another recording replaces it. `copies`: of its recording.
@@ -125,7 +140,7 @@ std::vector<SettingsUpdate> read_settings_updates(const keys::Table& top, const 
 // [[command]]: commands of the control centre during the run.
 keys::Key command_keys();
 std::vector<Command> read_commands(const keys::Table& top, const std::vector<Outlet>& outlets,
-                                   double duration_s);
+                                   const RunTime& run);
 
 // [[expect]]: the limits of the run.
 keys::Key expect_keys();

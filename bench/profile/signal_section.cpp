@@ -20,8 +20,7 @@ const char* const kSignalMeaning =
     "The voltage that the source plays. Its frequency comes from one of `[[grid.loss]]`, "
     "`frequency` and `[signal.trace]`. The voltage must stay within ± 1.5 p.u. of the nominal peak "
     "amplitude, including amplitude steps, flicker, recorded voltage, harmonics, tones and offset. "
-    "Noise is "
-    "not counted, because an outlet's input clips it.";
+    "Noise is not counted, because an outlet's input clips it.";
 
 Key frequency_key() {
   return keys::array(
@@ -36,9 +35,7 @@ Key amplitude_step_keys() {
   return keys::tables(
       "amplitude_step", "Dips, swells and interruptions. Overlapping steps multiply.",
       {time_in_run("start; takes effect from the first sample at or after this time"),
-       keys::number("duration_s", "s", keys::above(0.0), "duration of the step")
-           .permits("above 0, ending within the run")
-           .or_else("to the end"),
+       duration_key(),
        keys::number("level_pct", "%", keys::between(0.0, kLevelMax_pct),
                     "remaining amplitude; 0 is an interruption")
            .require()});
@@ -97,21 +94,19 @@ std::vector<recording::TracePoint> read_points(const Table& signal, double nomin
   return points;
 }
 
-std::vector<waveform::AmplitudeStep> read_amplitude_steps(const Table& signal, double duration_s,
-                                                          double sample_s) {
+std::vector<waveform::AmplitudeStep> read_amplitude_steps(const Table& signal, const RunTime& run) {
   std::vector<waveform::AmplitudeStep> steps;
   for (const Table& table : signal.tables("amplitude_step")) {
-    const double at_s = table.number("at_s", within_run(duration_s));
-    steps.push_back({at_s, read_duration_s(table, at_s, duration_s, "step", sample_s),
-                     table.number("level_pct")});
+    const Span span = read_span(table, run, "step");
+    steps.push_back({span.at_s, span.duration_s, table.number("level_pct")});
   }
   return steps;
 }
 
-std::vector<waveform::PhaseJump> read_phase_jumps(const Table& signal, double duration_s) {
+std::vector<waveform::PhaseJump> read_phase_jumps(const Table& signal, const RunTime& run) {
   std::vector<waveform::PhaseJump> jumps;
   for (const Table& table : signal.tables("phase_jump")) {
-    jumps.push_back({table.number("at_s", within_run(duration_s)), table.number("degrees")});
+    jumps.push_back({table.number("at_s", run.starts()), table.number("degrees")});
   }
   return jumps;
 }
@@ -193,15 +188,15 @@ Stimulus read_stimulus(const Table& signal, const Table& grid_section, const gri
     stimulus.points = read_points(signal, grid.nominal_hz, stimulus.duration_s);
   }
   stimulus.initial_deviation_hz = read_initial_deviation_hz(grid_section, grid);
-  stimulus.losses = read_losses(grid_section, grid, stimulus.duration_s);
-  stimulus.oscillations = read_oscillations(signal, stimulus.duration_s);
+  const RunTime run = {stimulus.duration_s, stimulus.sample_rate_hz};
+  stimulus.losses = read_losses(grid_section, grid, run);
+  stimulus.oscillations = read_oscillations(signal, run);
   stimulus.signal.harmonics =
       read_harmonics(signal, grid.nominal_hz, static_cast<double>(stimulus.sample_rate_hz));
-  stimulus.signal.amplitude_steps = read_amplitude_steps(
-      signal, stimulus.duration_s, 1.0 / static_cast<double>(stimulus.sample_rate_hz));
-  stimulus.signal.phase_jumps = read_phase_jumps(signal, stimulus.duration_s);
-  stimulus.signal.flickers = read_flickers(signal, stimulus.duration_s, stimulus.sample_rate_hz);
-  stimulus.signal.tones = read_tones(signal, stimulus.duration_s, stimulus.sample_rate_hz);
+  stimulus.signal.amplitude_steps = read_amplitude_steps(signal, run);
+  stimulus.signal.phase_jumps = read_phase_jumps(signal, run);
+  stimulus.signal.flickers = read_flickers(signal, run);
+  stimulus.signal.tones = read_tones(signal, run);
   stimulus.signal.dc_offset_pct = signal.number("dc_offset_pct");
   stimulus.signal.initial_phase_deg = signal.number("initial_phase_deg");
   stimulus.tolerances = {signal.number("frequency_tolerance_mhz"),

@@ -17,12 +17,7 @@ keys::Key tone_keys() {
       "a fixed frequency, harmonics that are switched on. A tone that is keyed by `telegram` or "
       "`pulses_s` is on in its pulses alone; its phase runs on between them. Amplitude steps, "
       "flicker and phase steps do not act on tones.",
-      {keys::number("at_s", "s", keys::at_least(0.0), "start")
-           .permits("0 … before the end of the run")
-           .by_default(0.0),
-       keys::number("duration_s", "s", keys::above(0.0), "duration")
-           .permits("above 0, ending within the run")
-           .or_else("to the end"),
+      {start_key(), duration_key(),
        keys::number("frequency_hz", "Hz", keys::above(0.0), "frequency of the tone")
            .permits("above 0, below half the sample rate")
            .require(),
@@ -125,17 +120,15 @@ std::vector<waveform::Pulse> read_pulses(const Table& table, double limit_s, dou
 
 }  // namespace
 
-std::vector<waveform::Tone> read_tones(const Table& signal, double duration_s,
-                                       std::int64_t sample_rate_hz) {
-  const double limit_hz = 0.5 * static_cast<double>(sample_rate_hz);
-  const double sample_s = 1.0 / static_cast<double>(sample_rate_hz);
+std::vector<waveform::Tone> read_tones(const Table& signal, const RunTime& run) {
+  const double limit_hz = 0.5 * static_cast<double>(run.sample_rate_hz);
   std::vector<waveform::Tone> tones;
   for (const Table& table : signal.tables("tone")) {
-    const double at_s = table.number("at_s", within_run(duration_s));
-    const double tone_s = read_duration_s(table, at_s, duration_s, "tone", sample_s);
-    waveform::Tone tone = {at_s, tone_s, table.number("frequency_hz"),
+    const Span span = read_span(table, run, "tone");
+    waveform::Tone tone = {span.at_s, span.duration_s, table.number("frequency_hz"),
                            table.number("amplitude_pct"), table.number("phase_deg")};
-    tone.pulses = read_pulses(table, std::min(tone_s, duration_s - at_s), sample_s);
+    tone.pulses =
+        read_pulses(table, std::min(span.duration_s, run.end_s() - span.at_s), run.sample_s());
     if (tone.frequency_hz >= limit_hz) {
       table.refuse("frequency_hz",
                    fmt::format("frequency_hz is {}; it must be below {} (half of sample_rate_hz)",

@@ -223,7 +223,7 @@ TEST_F(Recording, IsRefusedIfItEndsBeforeACommand) {
   const std::string text = std::string(kMinimal) + "[[command]]\nat_s = 5.5\nswitch = \"off\"\n";
   EXPECT_EQ(refusal_here(text), "");
   EXPECT_THAT(refusal_here(text, replay("recording.csv")),
-              HasSubstr(":12:8: at_s is 5.5; it must be at least 0 and below 5"));
+              HasSubstr(":12:8: at_s is 5.5; it must be at least 0 and at most 4.999875"));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ const std::vector<Mistake> kOfLosses = {
      "46:17: the voltage reaches 1.951 p.u. at 0 s, harmonics and offset included; it must be at "
      "most 1.5 p.u."},
     {"at_s = 8.0", "at_s = 10.0",
-     "53:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
+     "53:8: at_s is 10; it must be at least 0 and at most 9.99975 (the last sample of the run)"},
     {"duration_s = 1.5", "duration_s = 5.5",
      "50:14: the step ends at 10.5 s, after the end of the run at 10 s; omit duration_s for one "
      "that lasts to the end"},
@@ -131,9 +131,9 @@ const std::vector<Mistake> kOfLosses = {
      "48:1: missing key \"level_pct\" in [[signal.amplitude_step]]; give a number, at least 0 and "
      "at most 150"},
     {"at_s = 3.0", "at_s = 12.0",
-     "56:8: at_s is 12; it must be at least 0 and below 10 (the run's duration)"},
+     "56:8: at_s is 12; it must be at least 0 and at most 9.99975 (the last sample of the run)"},
     {"at_s = 4.0", "at_s = 40.0",
-     "35:8: at_s is 40; it must be at least 0 and below 10 (the run's duration)"},
+     "35:8: at_s is 40; it must be at least 0 and at most 9.99975 (the last sample of the run)"},
     {"power_mw = 100.0", "power_mw = 0",
      "39:12: power_mw is 0; it must be above 0 (lost generation) or below 0 (shed load)"},
     {"power_mw = 100.0", "power_mw = 900",
@@ -190,7 +190,7 @@ const std::vector<Mistake> kOfLosses = {
     {"switch_off_hz = 58.5", "switch_off_hz = 47.9",
      "65:17: switch_off_hz is 47.9; it must be at least 48 and at most 60 (the grid's nominal_hz)"},
     {"[[command]]\nat_s = 7.0", "[[command]]\nat_s = 10.5",
-     "76:8: at_s is 10.5; it must be at least 0 and below 10 (the run's duration)"},
+     "76:8: at_s is 10.5; it must be at least 0 and at most 9.99975 (the last sample of the run)"},
     {"\"alone\", \"early\"", "\"alone\", \"shed-4\"",
      "77:21: unknown outlet or group \"shed-4\"; did you mean \"shed-1\"?"},
     {"[\"alone\", \"early\"]", "[]",
@@ -240,7 +240,7 @@ const std::vector<Mistake> kOfDisturbed = {
      "5:23: frequency_before_hz is only valid if the frequency follows from the grid; omit it, or "
      "frequency and [signal.trace]"},
     {"at_s = 1.0", "at_s = 10.0",
-     "16:8: at_s is 10; it must be at least 0 and below 10 (the run's duration)"},
+     "16:8: at_s is 10; it must be at least 0 and at most 9.999875 (the last sample of the run)"},
     {"duration_s = 8.0", "duration_s = 9.5",
      "17:14: the oscillation ends at 10.5 s, after the end of the run at 10 s; omit duration_s for "
      "one that lasts to the end"},
@@ -331,6 +331,50 @@ TEST(Refusal, GivesThePositionAndTheCorrection) {
   expect_refused(kLossesInPlace, kOfLosses);
   expect_refused(kDisturbed, kOfDisturbed);
   expect_refused(kPoints, kOfPoints);
+}
+
+// The last sample of a run of 6 s, at 8000/s, is at 5.999875 s.
+TEST(Refusal, OfWhatWouldStartAfterTheLastSample) {
+  for (const std::string key : {
+           "[[signal.amplitude_step]]\nlevel_pct = 50.0\nat_s = ",
+           "[[signal.phase_jump]]\ndegrees = 20.0\nat_s = ",
+           "[[signal.oscillation]]\nfrequency_hz = 0.5\namplitude_mhz = 30.0\nat_s = ",
+           "[[signal.flicker]]\nfrequency_hz = 8.8\ndepth_pct = 2.0\nat_s = ",
+           "[[signal.tone]]\nfrequency_hz = 175.0\namplitude_pct = 5.0\nat_s = ",
+           "[[grid.loss]]\npower_mw = 100.0\nat_s = ",
+           "[[command]]\nswitch = \"off\"\nat_s = ",
+       }) {
+    const auto refusal_of = [&](const char* at_s) {
+      return refusal(replaced(kMinimal, "[[outlet]]", key + at_s + "\n[[outlet]]"));
+    };
+    EXPECT_EQ(refusal_of("5.999875"), "") << key;
+    EXPECT_THAT(refusal_of("5.9999"),
+                testing::HasSubstr(":8: at_s is 5.9999; it must be at least 0 and at most 5.999875 "
+                                   "(the last sample of the run)"))
+        << key;
+  }
+  // A run that ends within a sample plays whole ones.
+  const std::string longer = replaced(kMinimal, "6.0", "6.00006");
+  const auto with_tone = [&](const std::string& pulse) {
+    return refusal(replaced(longer, "[[outlet]]",
+                            "[[signal.tone]]\nfrequency_hz = 175.0\namplitude_pct = 5.0\n"
+                            "pulses_s = [[0.0, 1.0], [" +
+                                pulse + "]]\n[[outlet]]"));
+  };
+  EXPECT_EQ(with_tone("5.999875, 6.0"), "");
+  EXPECT_THAT(with_tone("5.99993, 6.00006"), testing::HasSubstr("it must end within 6 s"));
+}
+
+TEST(Refusal, OfAnOscillationShorterThanASample) {
+  const auto lasting = [](const char* duration_s) {
+    return refusal(replaced(kMinimal, "[[outlet]]",
+                            std::string("[[signal.oscillation]]\nfrequency_hz = 0.5\n"
+                                        "amplitude_mhz = 30.0\nduration_s = ") +
+                                duration_s + "\n[[outlet]]"));
+  };
+  EXPECT_EQ(lasting("0.000125"), "");
+  EXPECT_THAT(lasting("0.0001"), testing::HasSubstr(":14: duration_s is 0.0001 s; it must be at "
+                                                    "least 0.000125 s, one sample"));
 }
 
 TEST(Refusal, OfAGridWithoutPlantsIsAtTheGrid) {
