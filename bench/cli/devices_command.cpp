@@ -22,8 +22,9 @@ struct DevicesArguments {
   bool json = false;
 };
 
-constexpr auto kPatience = std::chrono::seconds(3);      // for the named outlets
-constexpr auto kForSearching = std::chrono::seconds(1);  // for all outlets on a broker
+constexpr auto kPatience = std::chrono::seconds(3);  // for the named outlets
+// For all outlets on a broker, and for two that end each other's connection.
+constexpr auto kForSearching = std::chrono::seconds(1);
 
 struct Device {
   link::OutletPresence outlet;
@@ -34,23 +35,29 @@ struct Device {
 std::vector<Device> devices_of(ReachableOutlets& reached) {
   std::vector<std::string> named = reached.ports;
   named.insert(named.end(), reached.ids.begin(), reached.ids.end());
-  const bool any_on_broker = !reached.broker.empty() && reached.ids.empty();
-  auto found = link::wait_for_outlets(*reached.link, named, kPatience,
-                                      any_on_broker ? kForSearching : std::chrono::seconds(0));
+  auto found =
+      link::wait_for_outlets(*reached.link, named, kPatience,
+                             reached.broker.empty() ? std::chrono::seconds(0) : kForSearching);
   if (!found.ok()) {
     throw std::runtime_error(found.error());
   }
+  const std::vector<link::Fault> not_joined = reached.not_joined();
   std::vector<Device> devices;
   for (link::OutletPresence& outlet : found.take()) {
     const bool answers = !outlet.where.empty();
     if (answers) {
-      outlet.id = outlet.hello.id;  // without the place that one of two with the same id has
+      // Without the place that one of two with the same id has.
+      if (outlet.id == std::string(outlet.hello.id) + " on " + outlet.where) {
+        outlet.id = outlet.hello.id;
+      }
     } else {
       const bool is_port =
           std::find(reached.ports.begin(), reached.ports.end(), outlet.id) != reached.ports.end();
       outlet.where = is_port ? outlet.id : reached.broker;  // where it was expected
     }
-    if (answers || !reached.is_search) {
+    const bool is_heard = std::any_of(not_joined.begin(), not_joined.end(),
+                                      [&](const auto& fault) { return fault.id == outlet.id; });
+    if (answers || is_heard || !reached.is_search) {
       devices.push_back({std::move(outlet), answers});
     }
   }
@@ -140,10 +147,14 @@ void add_devices(CommandLine& line) {
   add_link_options(command, arguments.link);
   add_json_flag(command, arguments.json);
   command.footer(
-      "Exit code 4 if an outlet does not answer, has the same id as another outlet, or uses "
-      "another\n"
-      "version of the protocol, or if a port that was given cannot be opened, or another bench "
-      "uses it.\n"
+      "Exit code 4 if an outlet does not answer, sends a hello that cannot be read, has the same "
+      "id "
+      "as\n"
+      "another outlet, or uses another version of the protocol, or if a port that was given cannot "
+      "be\n"
+      "opened, or another bench uses it. A search that finds none, of all serial ports or on a "
+      "broker\n"
+      "without named outlets, is no fault: exit code 0.\n"
       "--json: of an outlet that does not answer, only its place (or id) and its fault are given.\n"
       "\n"
       "Examples:\n"

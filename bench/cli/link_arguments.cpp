@@ -111,6 +111,21 @@ std::string ReachableOutlets::places() const {
   return text;
 }
 
+std::vector<link::Fault> ReachableOutlets::not_joined() const {
+  std::vector<link::Fault> faults = link->missing();
+  if (is_search) {
+    const std::vector<link::Fault> closed = link->unreachable();
+    faults.erase(std::remove_if(faults.begin(), faults.end(),
+                                [&](const link::Fault& fault) {
+                                  return std::any_of(
+                                      closed.begin(), closed.end(),
+                                      [&](const link::Fault& one) { return one.id == fault.id; });
+                                }),
+                 faults.end());
+  }
+  return faults;
+}
+
 ReachableOutlets reach_outlets(const LinkArguments& arguments, const std::string& command) {
   station::PhysicalOutlets there = outlets_of(arguments);
   ReachableOutlets reached;

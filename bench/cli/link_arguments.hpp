@@ -33,6 +33,9 @@ struct ReachableOutlets {
 
   // "/dev/ttyUSB0 and the broker mqtts://lab:8883"
   std::string places() const;
+  // Of the open link: outlets that have not joined, with the reason, by port or by id. Of a search,
+  // without the ports that cannot be opened.
+  std::vector<link::Fault> not_joined() const;
 };
 
 // The outlets of the station, or on the given ports, or on all serial ports. Locks the ports: to

@@ -62,6 +62,8 @@ Json hello_fields(const gs::wire::Hello& hello) {
                  {"build", hex(hello.build)},
                  {"sample_rate_hz", hello.sample_rate_hz},
                  {"nominal_hz", hello.nominal_hz},
+                 {"tracker_delay_s", number(hello.tracker_delay_s)},
+                 {"voltage_delay_s", number(hello.voltage_delay_s)},
                  {"settings_version", hello.settings_version},
                  {"settings_digest", hex(hello.settings_digest)},
                  {"keeps_settings", (hello.capabilities & gs::wire::kKeepsSettings) != 0},

@@ -12,8 +12,10 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,7 +28,7 @@ using std::chrono::duration;
 using std::chrono::steady_clock;
 
 constexpr auto kPollInterval = std::chrono::milliseconds(20);
-constexpr double kUntilMissing_s = 3.0;  // then an outlet counts as missing
+constexpr double kUntilMissing_s = 3.0;  // then an outlet counts as missing; between looks, too
 constexpr auto kForTheReader = std::chrono::seconds(1);
 constexpr const char* kSilent = "does not answer";
 constexpr double kLongest_s = 1e6;
@@ -39,6 +41,10 @@ struct MonitorArguments {
   bool quiet = false;
   bool json = false;
 };
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 std::string awaited(const MonitorArguments& arguments) {
   return arguments.outlet.empty() ? "an outlet" : "outlet " + arguments.outlet;
@@ -95,9 +101,9 @@ class Monitor {
   // The exit code once the wait for the first answer has taken too long.
   std::optional<int> waited_in_vain() {
     const double passed_s = duration<double>(steady_clock::now() - started_).count();
-    if (!missing_shown_ && passed_s >= std::min(kUntilMissing_s, arguments_.wait_s)) {
-      missing_shown_ = true;
+    if (passed_s >= next_look_s_) {
       show_missing();
+      next_look_s_ = passed_s + kUntilMissing_s;
     }
     if (output_.has_answered() || passed_s < arguments_.wait_s) {
       return std::nullopt;
@@ -110,38 +116,48 @@ class Monitor {
     return kErrored;
   }
 
-  // Outlets that are named may still join; so may others.
-  void show_missing() {
+  // Outlets that are expected or were heard, and have never joined, with the reason.
+  std::map<std::string, std::string> missing() const {
     std::map<std::string, std::string> reasons;
-    for (const link::Fault& fault : reached_.link->missing()) {
+    for (const link::Fault& fault : reached_.not_joined()) {
       reasons[fault.id] = fault.what;
     }
-    for (const std::string& port : reached_.ports) {
-      const auto reason = reasons.find(port);
-      if (!reached_.is_search && !output_.knows(port)) {
-        output_.show_fault("", port, reason != reasons.end() ? reason->second : kSilent);
-      }
-      reasons.erase(port);
-    }
-    for (const std::string& id : reached_.ids) {
-      if (!output_.knows(id)) {
-        reasons.emplace(id, kSilent);
+    for (const auto& names :
+         {reached_.is_search ? std::vector<std::string>() : reached_.ports, reached_.ids}) {
+      for (const std::string& name : names) {
+        reasons.emplace(name, kSilent);
       }
     }
-    for (const auto& [id, reason] : reasons) {
-      output_.show_fault(id, reached_.broker, reason);
+    for (auto it = reasons.begin(); it != reasons.end();) {
+      it = output_.knows(it->first) ? reasons.erase(it) : std::next(it);
     }
-    if (!output_.has_answered() && arguments_.wait_s > kUntilMissing_s) {
+    return reasons;
+  }
+
+  // Each reason once. Outlets that are named may still join, and others may come: at a later look,
+  // one that was not there at the look before gets more time.
+  void show_missing() {
+    std::map<std::string, std::string> now = missing();
+    for (const auto& [name, reason] : now) {
+      const bool is_port = contains(reached_.ports, name);
+      const bool is_late = !looked_ || seen_.count(name) > 0;
+      if (is_late && shown_.insert({name, reason}).second) {
+        output_.show_fault(is_port ? "" : name, is_port ? name : reached_.broker, reason);
+      }
+    }
+    seen_ = std::move(now);
+    if (!looked_ && !output_.has_answered() && arguments_.wait_s > kUntilMissing_s) {
       output_.flush();
       print_error(fmt::format("waiting for {} on {}, {:.3g} s at most; Ctrl-C ends",
                               awaited(arguments_), reached_.places(), arguments_.wait_s));
     }
+    looked_ = true;
   }
 
   int exit_code() const {
     // A reader that ends, such as `head`, is a usual way to stop, as Ctrl-C is.
     if (output_.error() == 0 || output_.error() == EPIPE) {
-      return kPassed;
+      return output_.has_fault() ? kErrored : kPassed;
     }
     print_error(
         fmt::format("standard output cannot be written: {}", std::strerror(output_.error())));
@@ -154,7 +170,10 @@ class Monitor {
   link::Happenings happenings_;
   const steady_clock::time_point started_ = steady_clock::now();
   std::optional<steady_clock::time_point> answered_;
-  bool missing_shown_ = false;
+  double next_look_s_ = std::min(kUntilMissing_s, arguments_.wait_s);
+  bool looked_ = false;
+  std::map<std::string, std::string> seen_;              // at the last look
+  std::set<std::pair<std::string, std::string>> shown_;  // names with reasons
 };
 
 // For check().
@@ -207,12 +226,23 @@ void add_monitor(CommandLine& line) {
       "Outlets that join later are shown, too. If the reader of a pipe or a terminal stops, up to\n"
       "1 MiB waits for it; what is left out then is counted, and the count is shown.\n"
       "\n"
-      "--json: each object has an \"event\": \"joined\" and \"message\" with the fields, \"left\" "
-      "and\n"
-      "\"fault\" with the reason, \"left out\" with the number of objects left out.\n"
+      "--json: each object has an \"event\".\n"
+      "  \"joined\": id, where, fault (empty: none), protocol, and the fields of the hello; "
+      "arrival_s,\n"
+      "    start_number, sample\n"
+      "  \"message\": id, arrival_s, start_number, sequence, sample, kind, and the fields of this "
+      "kind\n"
+      "  \"left\": id, where, fault: the reason; it may join again\n"
+      "  \"fault\": id, where (each if it is known), fault\n"
+      "  \"left out\": count of objects left out\n"
+      "arrival_s counts from the start of the command. \"sequence\" is counted apart for hellos.\n"
       "\n"
-      "Exit code 4 if no outlet answers in time. A serial or TCP port is read by one bench at a\n"
-      "time: exit code 4 if another bench uses it.\n"
+      "Exit code 4 if no outlet answers in time, or if at the end an outlet that is shown has one "
+      "of\n"
+      "the faults for which gsbench devices exits with 4; one that has left is no fault. A serial "
+      "or "
+      "TCP\n"
+      "port is read by one bench at a time: exit code 4 if another bench uses it.\n"
       "\n"
       "Examples:\n"
       "  gsbench monitor --port /dev/ttyUSB0\n"

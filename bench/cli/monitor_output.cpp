@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <link/wait_for_outlets.hpp>
 #include <render/layout.hpp>
 
 namespace gsbench::cli {
@@ -41,24 +40,33 @@ void MonitorOutput::show(const link::Happenings& happenings) {
     }
   }
   for (const link::Fault& left : happenings.left) {
-    known_.erase(std::remove_if(known_.begin(), known_.end(),
-                                [&](const Known& one) { return one.id == left.id; }),
-                 known_.end());
-    show_reason("left", left.id, "", left.what);
+    show_left(left);
   }
   for (const link::Fault& fault : happenings.faults) {
-    show_reason("fault", fault.id, "", fault.what);
+    if (wanted(fault.id)) {
+      show_reason("fault", fault, false);
+    }
+  }
+}
+
+void MonitorOutput::show_left(const link::Fault& left) {
+  if (left.excluded) {
+    return show_fault(left.id, left.where, left.what);
+  }
+  known_.erase(std::remove_if(known_.begin(), known_.end(),
+                              [&](const Known& one) { return one.id == left.id; }),
+               known_.end());
+  if (wanted(left.id)) {
+    show_reason("left", left, false);
   }
 }
 
 void MonitorOutput::show_fault(const std::string& id, const std::string& where,
                                const std::string& fault) {
-  show_reason("fault", id, where, fault);
-}
-
-bool MonitorOutput::knows(const std::string& name) const {
-  return std::any_of(known_.begin(), known_.end(),
-                     [&](const Known& one) { return one.id == name || one.where == name; });
+  if (id.empty() || wanted(id)) {
+    at_fault_.insert(id.empty() ? where : id);
+    show_reason("fault", {id, fault, where}, true);
+  }
 }
 
 bool MonitorOutput::is_twin(const std::string& id) const {
@@ -74,6 +82,9 @@ void MonitorOutput::join(const link::OutletPresence& outlet) {
   if (again == known_.end()) {
     known_.push_back({outlet.id, outlet.where, false});
   }
+  names_.insert({outlet.id, outlet.where});
+  at_fault_.erase(outlet.where);
+  at_fault_.erase(outlet.id);
   const auto twin = std::find_if(known_.begin(), known_.end(), [&](const Known& one) {
     return same_id(one) && one.where != outlet.where;
   });
@@ -93,19 +104,26 @@ void MonitorOutput::join(const link::OutletPresence& outlet) {
 }
 
 void MonitorOutput::show_joined(const link::OutletPresence& outlet) {
-  has_answered_ = has_answered_ || (outlet.fault.empty() && wanted(outlet.id));
-  if (!outlet.fault.empty() && !json_) {
-    return show_fault(outlet.id, outlet.where, outlet.fault);
-  }
-  if (!wanted(outlet.id) && outlet.fault.empty()) {
+  if (!wanted(outlet.id)) {
     return;
   }
+  if (!outlet.fault.empty()) {
+    at_fault_.insert(outlet.id);
+  }
+  has_answered_ = has_answered_ || outlet.fault.empty();
   if (json_) {
     Json object = {{"event", "joined"}};
     object.update(as_json(outlet, true));
+    put_arrival(object, outlet.arrival_ns);
+    object["start_number"] = outlet.start_number;
+    object["sample"] = outlet.sample;
     return put_json(object);
   }
+  if (!outlet.fault.empty()) {
+    return show_fault(outlet.id, outlet.where, outlet.fault);
+  }
   gs::wire::Uplink hello;
+  hello.sample = outlet.sample;
   hello.hello = outlet.hello;
   show_message({outlet.id, hello});
 }
@@ -119,32 +137,38 @@ void MonitorOutput::show_message(const link::Received& received) {
                     kMessageIndent);
   }
   Json object = {{"event", "message"}, {"id", received.id}};
-  if (received.arrival_ns > 0) {
-    const auto arrival =
-        std::chrono::steady_clock::time_point(std::chrono::nanoseconds(received.arrival_ns));
-    object["arrival_s"] =
-        std::round(1e6 * std::chrono::duration<double>(arrival - started_).count()) / 1e6;
-  }
+  put_arrival(object, received.arrival_ns);
   object["start_number"] = message.start_number;
+  object["sequence"] = received.sequence;
   object["sample"] = message.sample;
   object["kind"] = gs::wire::to_string(message.kind);
   object.update(fields_of(message));
   put_json(object);
 }
 
-void MonitorOutput::show_reason(const char* event, const std::string& id, const std::string& where,
-                                const std::string& reason) {
+void MonitorOutput::put_arrival(Json& object, std::int64_t arrival_ns) const {
+  if (arrival_ns > 0) {
+    const auto arrival =
+        std::chrono::steady_clock::time_point(std::chrono::nanoseconds(arrival_ns));
+    object["arrival_s"] =
+        std::round(1e6 * std::chrono::duration<double>(arrival - started_).count()) / 1e6;
+  }
+}
+
+// JSON has the place always.
+void MonitorOutput::show_reason(const char* event, const link::Fault& fault, bool with_place) {
   if (!json_) {
-    return put_text(id.empty() || where.empty() ? id + where : id + " at " + where, "! " + reason,
-                    kFaultIndent);
+    const bool both = with_place && !fault.id.empty() && !fault.where.empty();
+    const std::string& name = fault.id.empty() ? fault.where : fault.id;
+    return put_text(both ? fault.id + " at " + fault.where : name, "! " + fault.what, kFaultIndent);
   }
   Json object = {{"event", event}};
-  for (const auto& [key, value] : {std::pair("id", id), std::pair("where", where)}) {
+  for (const auto& [key, value] : {std::pair("id", fault.id), std::pair("where", fault.where)}) {
     if (!value.empty()) {
       object[key] = value;
     }
   }
-  object["fault"] = reason;
+  object["fault"] = fault.what;
   put_json(object);
 }
 

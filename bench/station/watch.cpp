@@ -62,7 +62,7 @@ void Watch::process(link::Happenings& happenings, std::int64_t now) {
   for (const link::OutletPresence& outlet : happenings.joined) {
     const auto found = sessions_.find(outlet.id);
     if (found != sessions_.end() && found->second.outlet->link != outlet.where) {
-      note(*found->second.outlet, "has the same id as the outlet on " + outlet.where);
+      note(*found->second.outlet, link::same_id_fault(outlet.where));
       found->second.ended = true;
     }
   }

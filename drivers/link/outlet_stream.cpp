@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <link/outlet_stream.hpp>
+#include <link/unreadable.hpp>
 
 namespace gsbench::link {
 
@@ -35,10 +36,15 @@ std::optional<gs::wire::Uplink> OutletStream::take(const std::uint8_t* bytes, st
   std::uint32_t sequence = 0;
   const Decoded decoded = gs::wire::decode(bytes, size, message, sequence);
   if (decoded == Decoded::kMalformed) {
-    note("sent a message that cannot be read");
+    unreadable_ = unreadable_fault(bytes, size);
+    note(unreadable_);
     return std::nullopt;
   }
+  sequence_ = sequence;
   const bool known = decoded == Decoded::kOk;
+  if (known && is_hello(message)) {
+    unreadable_.clear();
+  }
   // Of another version, the start number is unknown.
   if (known && is_hello(message) && message.hello.protocol_version != gs::wire::kProtocolVersion) {
     return message;

@@ -27,13 +27,16 @@ class RollCall {
     }
     for (const Fault& left : happenings.left) {
       for (OutletPresence& outlet : joined_) {
-        if (outlet.id == left.id && outlet.fault.empty()) {
+        if (outlet.id == left.id && (outlet.fault.empty() || left.excluded)) {
           outlet.fault = left.what;
         }
       }
     }
+    someone_left_ = someone_left_ || !happenings.left.empty();
     faults_.insert(faults_.end(), happenings.faults.begin(), happenings.faults.end());
   }
+
+  bool someone_left() const { return someone_left_; }
 
   std::size_t joined() const {
     return static_cast<std::size_t>(
@@ -99,6 +102,7 @@ class RollCall {
   const std::vector<std::string>& named_;
   std::vector<OutletPresence> joined_;
   std::vector<Fault> faults_;  // of outlets that may not have joined
+  bool someone_left_ = false;
 };
 
 }  // namespace
@@ -136,6 +140,9 @@ drivers::Result<std::vector<OutletPresence>> wait_on_open_link(
     if (!was_complete && joined == named.size()) {
       was_complete = true;
       end = std::min(end, Clock::now() + kTimeForATwin);
+    }
+    if (roll_call.someone_left()) {
+      end = begin + patience;
     }
     if (Clock::now() >= std::max(end, begin + others_for)) {
       return roll_call.result(link.missing(), others_for.count() > 0);

@@ -4,10 +4,6 @@
 namespace gs::wire {
 namespace {
 
-constexpr std::int32_t kLeastSampleRate_hz = 1000;
-constexpr std::int32_t kMostSampleRate_hz = 1000000;
-constexpr float kLongestDelay_s = 1.0f;
-
 bool is_id(const char* id) {
   const char* at = id;
   for (; *at != '\0'; ++at) {

@@ -55,7 +55,7 @@ struct FramedLink::Impl {
   void open_ports();
   void ask();
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
-  void join(Line& line, const gs::wire::Hello& hello);
+  void join(Line& line, const gs::wire::Uplink& message, std::int64_t arrival_ns);
   void leave(Line& line, const std::string& how);
   Line* find(const std::string& id);
   bool send(Line& line, const gs::wire::Downlink& message);
@@ -107,7 +107,8 @@ Line* FramedLink::Impl::find(const std::string& id) {
   return nullptr;
 }
 
-void FramedLink::Impl::join(Line& line, const gs::wire::Hello& hello) {
+void FramedLink::Impl::join(Line& line, const gs::wire::Uplink& message, std::int64_t arrival_ns) {
+  const gs::wire::Hello& hello = message.hello;
   if (!line.hello) {
     line.stream.take_faults();  // drops faults from before the outlet was known
   }
@@ -123,12 +124,13 @@ void FramedLink::Impl::join(Line& line, const gs::wire::Hello& hello) {
   }
   line.hello = hello;
   known.insert(hello.id);
-  happenings.joined.push_back({hello.id, line.port->port(), hello, fault});
+  happenings.joined.push_back({hello.id, line.port->port(), hello, fault, message.start_number,
+                               message.sample, arrival_ns});
 }
 
 void FramedLink::Impl::leave(Line& line, const std::string& how) {
   if (line.hello && !line.faulty && !line.left) {
-    happenings.left.push_back({line.hello->id, how});
+    happenings.left.push_back({line.hello->id, how, line.port->port()});
   }
   line.left = true;
 }
@@ -156,9 +158,9 @@ void FramedLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
                       " is there now");
     }
     if (is_hello && (!line.hello || line.left)) {
-      join(line, message->hello);
+      join(line, *message, arrival_ns);
     } else if (line.hello && !line.faulty) {
-      happenings.messages.push_back({line.hello->id, *message, arrival_ns});
+      happenings.messages.push_back({line.hello->id, *message, arrival_ns, line.stream.sequence()});
     }
   }
 }
@@ -281,11 +283,22 @@ Status FramedLink::poll(Happenings& happenings) {
   for (const auto& line : impl_->lines) {
     for (std::string& fault : line->stream.take_faults()) {
       if (line->hello && !line->faulty) {
-        happenings.faults.push_back({line->hello->id, std::move(fault)});
+        happenings.faults.push_back({line->hello->id, std::move(fault), line->port->port()});
       }
     }
   }
   return Done{};
+}
+
+std::vector<Fault> FramedLink::missing() {
+  std::vector<Fault> faults = unreachable();
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  for (const auto& line : impl_->lines) {
+    if (!line->hello && line->cannot_open.empty() && !line->stream.unreadable().empty()) {
+      faults.push_back({line->port->port(), line->stream.unreadable(), line->port->port()});
+    }
+  }
+  return faults;
 }
 
 std::vector<Fault> FramedLink::unreachable() {
@@ -295,8 +308,7 @@ std::vector<Fault> FramedLink::unreachable() {
     if (!line->cannot_open.empty()) {
       const std::string& port = line->port->port();
       // The error begins with the port, as the fault does.
-      faults.push_back({port, "cannot be reached: " +
-                                  line->cannot_open.substr(port.size() + std::strlen(": "))});
+      faults.push_back({port, line->cannot_open.substr(port.size() + std::strlen(": ")), port});
     }
   }
   return faults;

@@ -46,7 +46,7 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
     take_hello(found->second.outlet, message, size, retained);
   } else if (Outlet& outlet = outlets_[found->second.outlet]; outlet.joined && size > 0) {
     if (const auto read = outlet.stream.take(message, size)) {
-      happenings_.messages.push_back({outlet.id, *read, now_ns()});
+      happenings_.messages.push_back({outlet.id, *read, now_ns(), outlet.stream.sequence()});
     }
     ask_if_wanted(found->second.outlet);
   }
@@ -83,39 +83,49 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
     outlet.here = false;
     return;
   }
+  gs::wire::Uplink read;
+  std::uint32_t sequence = 0;
+  const gs::wire::Decoded decoded = gs::wire::decode(message, size, read, sequence);
   // A retained hello does not prove that the outlet answers, but that one that had left is back.
   if (retained && (!outlet.joined || outlet.here)) {
     outlet.here = true;
     newcomers_.push_back(place);
+    if (decoded == gs::wire::Decoded::kMalformed) {
+      outlet.stream.take(message, size);  // which keeps the reason
+    }
     return;
   }
-  gs::wire::Uplink read;
-  std::uint32_t sequence = 0;
-  const bool is_hello = gs::wire::decode(message, size, read, sequence) == gs::wire::Decoded::kOk &&
-                        read.kind == gs::wire::UplinkKind::kHello;
+  const bool is_hello =
+      decoded == gs::wire::Decoded::kOk && read.kind == gs::wire::UplinkKind::kHello;
   const bool joins = is_hello && !(outlet.joined && outlet.here);
-  if (is_hello && !take_identity(outlet, read.hello)) {
+  if (is_hello && !take_identity(outlet, read, sequence)) {
     return;
   }
   outlet.here = outlet.here || is_hello;
   if (const auto taken = outlet.stream.take(message, size); taken && !joins) {
-    happenings_.messages.push_back({outlet.id, *taken, now_ns()});
+    happenings_.messages.push_back({outlet.id, *taken, now_ns(), outlet.stream.sequence()});
   }
   ask_if_wanted(place);
 }
 
 // Runs before the sequence number is checked, because that of another outlet has no meaning here.
 // False if the outlet is faulty.
-bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Hello& hello) {
+bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Uplink& message,
+                             std::uint32_t sequence) {
+  const gs::wire::Hello& hello = message.hello;
+  if (outlet.joined && hello.id != outlet.id) {
+    exclude(outlet, reports_id(hello));
+    return false;
+  }
   // Another unit may take the place of one that has left.
-  const bool is_twin = outlet.here && hello.instance != outlet.hello.instance;
-  if (outlet.joined && (hello.id != outlet.id || is_twin)) {
-    outlet.faulty = true;
-    happenings_.left.push_back({outlet.id, hello.id != outlet.id
-                                               ? reports_id(hello)
-                                               : "has the same id as another outlet: instances " +
-                                                     instance_text(outlet.hello.instance) +
-                                                     " and " + instance_text(hello.instance)});
+  if (outlet.joined && outlet.here && hello.instance != outlet.hello.instance) {
+    exclude(outlet, kSameId + ("instances " + instance_text(outlet.hello.instance)) + " and " +
+                        instance_text(hello.instance));
+    return false;
+  }
+  if (take_turns(outlet, message, sequence)) {
+    exclude(outlet, kSameId + ("both have instance " + instance_text(hello.instance)) +
+                        ", and each ends the other's connection to the broker");
     return false;
   }
   if (!outlet.joined) {
@@ -126,9 +136,43 @@ bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Hello& hello) {
     outlet.joined = true;
     outlet.hello = hello;
     outlet.faulty = !fault.empty();
-    happenings_.joined.push_back({outlet.id, "", hello, fault});
+    happenings_.joined.push_back(
+        {outlet.id, "", hello, fault, message.start_number, message.sample, now_ns()});
   }
   return !outlet.faulty;
+}
+
+void Arrivals::exclude(Outlet& outlet, const std::string& fault) {
+  outlet.faulty = true;
+  happenings_.left.push_back({outlet.id, fault, "", true});
+}
+
+// True if two units with the same client id take turns at the broker: a unit that has restarted
+// never sends a new hello of an earlier start.
+bool Arrivals::take_turns(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence) {
+  constexpr int kReturnsOfTwins = 2;
+  constexpr std::size_t kMostStarts = 16;
+  if (message.hello.protocol_version != gs::wire::kProtocolVersion) {
+    return false;  // its start number is unknown
+  }
+  std::vector<Start>& starts = outlet.starts;
+  const auto known = std::find_if(starts.begin(), starts.end(), [&](const Start& start) {
+    return start.number == message.start_number;
+  });
+  if (known == starts.end()) {
+    starts.push_back({message.start_number, sequence});
+    starts.erase(starts.begin(),
+                 starts.end() - static_cast<std::ptrdiff_t>(std::min(starts.size(), kMostStarts)));
+    outlet.returns = 0;
+    return false;
+  }
+  const bool is_new = sequence - known->newest_hello - 1 < (1U << 31U);
+  if (is_new) {
+    known->newest_hello = sequence;
+    outlet.returns += known + 1 == starts.end() ? 0 : 1;
+    std::rotate(known, known + 1, starts.end());
+  }
+  return outlet.returns >= kReturnsOfTwins;
 }
 
 std::vector<std::size_t> Arrivals::take_newcomers() {
@@ -184,7 +228,7 @@ void Arrivals::hand_over(Happenings& happenings) {
   happenings_.clear();
   for (Outlet& outlet : outlets_) {
     for (std::string& fault : outlet.stream.take_faults()) {
-      if (!outlet.faulty) {
+      if (outlet.joined && !outlet.faulty) {
         happenings.faults.push_back({outlet.id, std::move(fault)});
       }
     }
@@ -202,7 +246,8 @@ std::vector<Fault> Arrivals::missing(const std::vector<std::string>& wanted) {
   }
   for (const Outlet& outlet : outlets_) {
     if (outlet.here && !outlet.joined) {
-      all.push_back({outlet.id, "does not answer"});
+      const std::string& unreadable = outlet.stream.unreadable();
+      all.push_back({outlet.id, unreadable.empty() ? "does not answer" : unreadable});
     }
   }
   return all;

@@ -42,13 +42,17 @@ class Arrivals {
   // has left the broker; this is noted as a fault.
   std::vector<std::uint8_t> encode(std::size_t outlet, const gs::wire::Downlink& message);
   void note(std::size_t outlet, const std::string& fault);
-  // Appends what happened since the last call. OutletPresence::where is left empty.
+  // Appends what happened since the last call. The places are left empty.
   void hand_over(Happenings& happenings);
   // Outlets of `wanted` that are not on the broker, and all outlets on the broker that do not
   // answer.
   std::vector<Fault> missing(const std::vector<std::string>& wanted);
 
  private:
+  struct Start {
+    std::uint32_t number = 0;
+    std::uint32_t newest_hello = 0;  // its sequence number
+  };
   struct Outlet {
     std::string id;
     std::string hello_topic;
@@ -56,8 +60,10 @@ class Arrivals {
     OutletStream stream{Delivery::kByBroker};
     bool here = true;  // connected to the broker, according to its newest hello
     bool joined = false;
-    gs::wire::Hello hello;  // with which it joined
-    bool faulty = false;    // excluded from the run
+    gs::wire::Hello hello;      // with which it joined
+    bool faulty = false;        // excluded from the run
+    std::vector<Start> starts;  // the newest last
+    int returns = 0;            // to an earlier start, since the newest one began
   };
   struct Place {
     std::size_t outlet = 0;
@@ -67,7 +73,9 @@ class Arrivals {
   void add(std::string_view hello_topic);
   void take_hello(std::size_t place, const std::uint8_t* message, std::size_t size, bool retained);
   void ask_if_wanted(std::size_t place);
-  bool take_identity(Outlet& outlet, const gs::wire::Hello& hello);
+  bool take_identity(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence);
+  static bool take_turns(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence);
+  void exclude(Outlet& outlet, const std::string& fault);
 
   std::mutex mutex_;
   std::deque<Outlet> outlets_;  // own the topics that are the keys of places_

@@ -135,10 +135,13 @@ Status BrokerConnection::connect() {
     }
     return Error{why_not_connected("does not answer")};
   } catch (const mqtt::exception& error) {
-    return Error{refused_login(error)
-                     ? "the broker " + options_.url + " refuses the user name \"" + options_.user +
-                           "\" or the password"
-                     : why_not_connected("cannot be reached: " + error.to_string())};
+    if (!refused_login(error)) {
+      return Error{why_not_connected("cannot be reached: " + error.to_string())};
+    }
+    return Error{"the broker " + options_.url + " refuses " +
+                 (options_.user.empty()
+                      ? "a login without a user name"
+                      : "the user name \"" + options_.user + "\" or the password")};
   }
 }
 
@@ -259,11 +262,14 @@ void BrokerConnection::message_arrived(mqtt::const_message_ptr message) {
 
 void BrokerConnection::on_failure(const mqtt::token& token) {
   const int reason = token.get_reason_code();
+  std::string why = "MQTT reason code " + std::to_string(reason);
+  if (reason == mqtt::ReasonCode::SUCCESS) {
+    why = "the connection to the broker broke before the broker confirmed it";
+  } else if (reason == mqtt::ReasonCode::NOT_AUTHORIZED) {
+    why = "the broker does not allow the user \"" + options_.user + "\" to publish it";
+  }
   arrivals_.note(reinterpret_cast<std::uintptr_t>(token.get_user_context()),
-                 reason == mqtt::ReasonCode::NOT_AUTHORIZED
-                     ? "was not sent a message: the broker does not allow the user \"" +
-                           options_.user + "\" to publish it"
-                     : "was not sent a message: MQTT reason code " + std::to_string(reason));
+                 "was not sent a message: " + why);
 }
 
 }  // namespace gsbench::link

@@ -64,11 +64,19 @@ Status MqttLink::poll(Happenings& happenings) {
   if (!opened_) {
     return Error{"the link to the broker " + options_.url + " is not open"};
   }
-  const std::size_t known = happenings.joined.size();
-  opened_->arrivals.hand_over(happenings);
-  for (std::size_t i = known; i < happenings.joined.size(); ++i) {
-    happenings.joined[i].where = options_.url;
+  Happenings arrived;
+  arrived.messages.swap(happenings.messages);
+  opened_->arrivals.hand_over(arrived);
+  for (OutletPresence& outlet : arrived.joined) {
+    outlet.where = options_.url;
   }
+  for (std::vector<Fault>* const faults : {&arrived.left, &arrived.faults}) {
+    for (Fault& fault : *faults) {
+      fault.where = options_.url;
+    }
+  }
+  arrived.messages.swap(happenings.messages);
+  happenings.append(arrived);
   // `identify` goes out before the caller sees these outlets and can send to them.
   for (const std::size_t outlet : opened_->arrivals.take_newcomers()) {
     send(outlet, gs::wire::identify());

@@ -175,8 +175,10 @@ TEST_F(TwoOnSerialLines, OutletsWithTheSameIdAreReportedAlikeByBothCommands) {
   const Outcome found = run_gsbench(to_it("devices"));
   EXPECT_EQ(found.exit_code, 4) << found.err;
   EXPECT_EQ(lines_of(found.out),
-            (Words{"! kitchen-1 at " + where_ + ": has the same id as the outlet on " + other,
-                   "! kitchen-1 at " + other + ": has the same id as the outlet on " + where_}));
+            (Words{"! kitchen-1 at " + where_ + ": has the same id as another outlet: the one on " +
+                       other,
+                   "! kitchen-1 at " + other + ": has the same id as another outlet: the one on " +
+                       where_}));
   for (const json& listed : json::parse(run_gsbench(to_it("devices", {"--json"})).out)) {
     EXPECT_EQ(listed["id"], "kitchen-1");
     EXPECT_EQ(listed["board"], "host");
@@ -184,8 +186,9 @@ TEST_F(TwoOnSerialLines, OutletsWithTheSameIdAreReportedAlikeByBothCommands) {
   const Outcome shown = run_gsbench(to_it("monitor", {"--seconds", "1", "--wait", "5"}));
   for (const auto& [one, two] : {std::pair(where_, other), {other, where_}}) {
     EXPECT_THAT(lines_of(shown.out),
-                testing::Contains(AllOf(testing::StartsWith("kitchen-1 at " + one + " ! "),
-                                        HasSubstr("has the same id as the outlet on " + two))));
+                testing::Contains(
+                    AllOf(testing::StartsWith("kitchen-1 at " + one + " ! "),
+                          HasSubstr("has the same id as another outlet: the one on " + two))));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <test_support/demand.hpp>
 #include <test_support/mains.hpp>
 #include <test_support/temporary_folder.hpp>
+#include <test_support/waiting.hpp>
 
 #include <atomic>
 #include <filesystem>
@@ -95,6 +96,13 @@ class LiveOutlets : public testing::Test {
   std::atomic<bool> over_{false};
   std::thread mains_;
 };
+
+inline bool shows(const Started& started, const std::string& text) {
+  return until([&] { return text_of(started.out).find(text) != std::string::npos; });
+}
+inline bool says(const Started& started, const std::string& text) {
+  return until([&] { return text_of(started.err).find(text) != std::string::npos; });
+}
 
 inline Words lines_of(const std::string& text) {
   std::istringstream stream(text);

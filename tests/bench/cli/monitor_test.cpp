@@ -1,10 +1,10 @@
 // gsbench monitor with emulated outlets, on a serial line or behind a broker.
 #include "live_outlets.hpp"
-#include "mqtt_outlet.hpp"
 #include <link_test/bench_options.hpp>
 #include <test_support/output_of.hpp>
 #include <test_support/waiting.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 
@@ -40,11 +40,13 @@ struct AnyOutlet : LiveOutlets, testing::WithParamInterface<Connection> {
 INSTANTIATE_TEST_SUITE_P(SerialAndMqtt, AnyOutlet,
                          testing::Values(Connection::kSerial, Connection::kMqtt));
 
-bool shows(const Started& started, const std::string& text) {
-  return until([&] { return text_of(started.out).find(text) != std::string::npos; });
-}
-bool says(const Started& started, const std::string& text) {
-  return until([&] { return text_of(started.err).find(text) != std::string::npos; });
+Words keys_of(const std::string& line) {
+  Words keys;
+  const auto object = nlohmann::ordered_json::parse(line);
+  for (const auto& [key, value] : object.items()) {
+    keys.push_back(key);
+  }
+  return keys;
 }
 
 TEST_P(AnyOutlet, IsMonitoredForTheGivenTime) {
@@ -104,10 +106,37 @@ TEST_P(AnyOutlet, IsMonitoredAsOneJsonObjectOnEachLine) {
   EXPECT_EQ(joined["id"], "kitchen-1");
   EXPECT_EQ(joined["where"], where_);
   EXPECT_EQ(joined["sample_rate_hz"], 8000);
+  EXPECT_EQ(keys_of(lines.front()), (Words{"event",           "id",
+                                           "where",           "fault",
+                                           "protocol",        "board",
+                                           "instance",        "firmware",
+                                           "build",           "sample_rate_hz",
+                                           "nominal_hz",      "tracker_delay_s",
+                                           "voltage_delay_s", "settings_version",
+                                           "settings_digest", "keeps_settings",
+                                           "has_watchdog",    "arrival_s",
+                                           "start_number",    "sample"}));
+  EXPECT_GT(joined["tracker_delay_s"].get<double>(), 0.0);
+  EXPECT_GT(joined["voltage_delay_s"].get<double>(), 0.0);
+  const std::string measurement = *std::find_if(lines.begin(), lines.end(), [](const auto& line) {
+    return line.find("measurement") != std::string::npos;
+  });
+  const json first = json::parse(measurement);
+  EXPECT_EQ(keys_of(measurement),
+            (Words{"event", "id", "arrival_s", "start_number", "sequence", "sample", "kind",
+                   "frequency_hz", "rocof_hz_s", "voltage_pu", "validity"}));
+  // The hello is of the same start and clock, and arrived before.
+  EXPECT_EQ(joined["start_number"], first["start_number"]);
+  EXPECT_NEAR(joined["sample"].get<double>(), first["sample"].get<double>(), 80000.0);
+  EXPECT_LE(joined["arrival_s"].get<double>(), first["arrival_s"].get<double>());
+  std::uint32_t sequence = first["sequence"].get<std::uint32_t>();
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const json message = json::parse(lines[i]);
     EXPECT_EQ(message["event"], "message") << lines[i];
     EXPECT_EQ(message["id"], "kitchen-1");
+    if (message["kind"] != "hello") {
+      EXPECT_EQ(message["sequence"], sequence++);
+    }
     if (message["kind"] == "measurement" && message["validity"] == "valid") {
       EXPECT_NEAR(message["frequency_hz"].get<double>(), 50.0, 0.01);
       EXPECT_NEAR(message["voltage_pu"].get<double>(), 1.0, 0.01);
@@ -140,67 +169,6 @@ TEST_F(OnSerialLine, IsShownOnceItAnswers) {
   EXPECT_TRUE(shows(started, "8000 Hz samples of 50 Hz mains"));
   EXPECT_TRUE(shows(started, "measurement"));
   EXPECT_EQ(stop(started, SIGINT).exit_code, 0);
-}
-
-// The outlet logs in with a name of its own, on a broker that has only heard of it.
-class OutletsThatCome : public testing::Test {
- protected:
-  OutletsThatCome() {
-    folder_.write("bench.password", broker_.bench().password + "\n");
-    station_ = folder_.write(
-        "station.toml", "title = \"Radio\"\nkind = \"physical\"\n[mqtt]\nurl = \"" + broker_.url() +
-                            "\"\nca_file = \"" + broker_.ca_file() + "\"\nuser = \"" +
-                            broker_.bench().user + "\"\npassword_file = \"bench.password\"\n");
-  }
-
-  const TemporaryFolder folder_;
-  emulation::PrivateBroker broker_ =
-      demand(emulation::PrivateBroker::start({folder_.file("broker"), {"early", "late"}}));
-  std::string station_;
-};
-
-TEST_F(OutletsThatCome, OneThatJoinsLaterIsIdentifiedAndShown) {
-  const MqttOutlet early(broker_, "early");
-  const Started started = start_gsbench({"monitor", "--station", station_});
-  EXPECT_TRUE(shows(started, "early "));
-  {
-    MqttOutlet late(broker_, "late");
-    EXPECT_TRUE(shows(started, "late "));
-    late.take_samples(1280);
-    EXPECT_TRUE(until([&] {
-      return text_of(started.out).find("measurement", text_of(started.out).find("late ")) !=
-             std::string::npos;
-    }));
-  }
-  EXPECT_TRUE(shows(started, "! left the broker"));
-  EXPECT_EQ(stop(started, SIGINT).exit_code, 0);
-}
-
-TEST_F(OutletsThatCome, ANamedOneIsWaitedFor) {
-  const MqttOutlet early(broker_, "early");
-  const Started started =
-      start_gsbench({"monitor", "late", "--station", station_, "--wait", "600"});
-  EXPECT_TRUE(says(started, "waiting for outlet late on the broker " + broker_.url()));
-  const MqttOutlet late(broker_, "late");
-  EXPECT_TRUE(shows(started, "board test"));
-  const Outcome outcome = stop(started, SIGINT);
-  EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out.find("early"), std::string::npos);
-}
-
-TEST_F(OutletsThatCome, TwoWithTheSameIdAreReportedAlikeByBothCommands) {
-  const MqttOutlet one(broker_, "early", 0x1111);
-  const Started started = start_gsbench({"monitor", "--station", station_});
-  EXPECT_TRUE(shows(started, "board test"));
-  const MqttOutlet two(broker_, "early", 0x2222);
-  const std::string fault =
-      "has the same id as another outlet: instances 0x00001111 and 0x00002222";
-  EXPECT_TRUE(shows(started, "! " + fault));
-  EXPECT_EQ(stop(started, SIGINT).exit_code, 0);
-  const Outcome found = run_gsbench({"devices", "--station", station_});
-  EXPECT_EQ(found.exit_code, 4);
-  EXPECT_THAT(found.out, AllOf(HasSubstr("! early at "),
-                               HasSubstr("has the same id as another outlet: instances 0x0000")));
 }
 
 TEST_F(BehindABroker, LeavesNothingAtTheBrokerHoweverItIsEnded) {

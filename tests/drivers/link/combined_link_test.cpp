@@ -105,8 +105,10 @@ TEST_F(TwoLinks, AreCombinedByTheIdsOfTheirOutlets) {
 TEST_F(TwoLinks, ReportTheSameIdOnBothLinksAsAFaultOfBothOutlets) {
   wait({{"a", "port 1", {}}, {"twin", "port 2", {}}}, {{"twin", "broker", {}}, {"c", "broker", {}}},
        {"port 1", "port 2", "twin", "c"});
-  EXPECT_THAT(found(), ElementsAre("a", "twin on port 2: has the same id as the outlet on broker",
-                                   "twin on broker: has the same id as the outlet on port 2", "c"));
+  EXPECT_THAT(
+      found(),
+      ElementsAre("a", "twin on port 2: has the same id as another outlet: the one on broker",
+                  "twin on broker: has the same id as another outlet: the one on port 2", "c"));
 }
 
 TEST_F(TwoLinks, AreWaitedForWhileSomethingElseIsKeptGoing) {
@@ -139,6 +141,37 @@ TEST_F(TwoLinks, AreWaitedForUntilTheTimeLimit) {
   wait({{"a", "port 1", {}}}, {}, {"a", "b", "absent"}, 100ms);
   EXPECT_GE(std::chrono::steady_clock::now() - begin, 100ms);
   EXPECT_THAT(found(), ElementsAre("a", "b: does not answer", "absent: is not on scripted"));
+}
+
+// Joins at the first poll, leaves at the second, and is excluded half a second later, which is
+// after the usual wait.
+class Leaving final : public Link {
+ public:
+  drivers::Status open() override { return drivers::Done{}; }
+  drivers::Status send(const std::string&, const Downlink&) override { return drivers::Done{}; }
+  drivers::Status poll(Happenings& happenings) override {
+    ++polls_;
+    if (polls_ == 1) {
+      happenings.joined.push_back({"a", "broker", {}});
+    } else if (polls_ == 2) {
+      happenings.left.push_back({"a", "left the broker"});
+    } else if (polls_ == 250) {
+      happenings.left.push_back({"a", "is one of two", "broker", true});
+    }
+    return drivers::Done{};
+  }
+  void close() noexcept override {}
+
+ private:
+  int polls_ = 0;
+};
+
+TEST(WaitForOutlets, OneThatLeavesMeanwhileIsWatchedUntilTheTimeLimit) {
+  Leaving link;
+  const auto present = wait_for_outlets(link, {"a"}, 2s);
+  ASSERT_TRUE(present.ok());
+  ASSERT_EQ(present.value().size(), 1U);
+  EXPECT_EQ(present.value()[0].fault, "is one of two");
 }
 
 TEST_F(TwoLinks, ReturnAllOutletsIfOthersAreWanted) {

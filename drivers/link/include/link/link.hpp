@@ -20,18 +20,34 @@ struct OutletPresence {
   std::string where;  // "simulated", "/dev/ttyUSB0", "mqtts://127.0.0.1:8883"
   gs::wire::Hello hello;
   std::string fault = {};  // as in Fault; empty: none
+  // Of the message with the hello. Of another protocol version, the start number is 0.
+  std::uint32_t start_number = 0;
+  std::uint64_t sample = 0;
+  std::int64_t arrival_ns = 0;  // as in Received
 };
 
 // A fault of one outlet; it does not affect the others.
 struct Fault {
   std::string id;
-  std::string what;  // one sentence, for people
+  std::string what;        // one sentence, for people
+  std::string where = {};  // as in OutletPresence; empty: not known
+  // In Happenings::left: the outlet is still there, but from now on the link ignores it.
+  bool excluded = false;
 };
+
+// How the fault of two outlets with the same id begins, on any link. What distinguishes them
+// follows.
+constexpr const char* kSameId = "has the same id as another outlet: ";
+// In two places; `where`: the place of the other one.
+inline std::string same_id_fault(const std::string& where) {
+  return kSameId + ("the one on " + where);
+}
 
 struct Received {
   std::string id;
   gs::wire::Uplink message;
   std::int64_t arrival_ns = 0;  // std::chrono::steady_clock; 0: none, as in simulation
+  std::uint32_t sequence = 0;
 };
 
 // Each event appears once. In each list, the events of one outlet are in the order of time.

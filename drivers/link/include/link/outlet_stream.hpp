@@ -31,6 +31,10 @@ class OutletStream {
   // message; the last is noted as a fault. A message of another start than the last one is a
   // restart, whatever its kind.
   std::optional<gs::wire::Uplink> take(const std::uint8_t* message, std::size_t size);
+  // Of the message that take() returned last.
+  std::uint32_t sequence() const { return sequence_; }
+  // Why the newest message could not be read, of those since the newest hello; empty: all could.
+  const std::string& unreadable() const { return unreadable_; }
 
   // True once after each message that must be answered by `identify`: the outlet has restarted, or
   // does not know this session.
@@ -62,6 +66,8 @@ class OutletStream {
   bool wants_identify_ = false;
   bool open_ = false;
   std::uint64_t last_sample_ = 0;
+  std::uint32_t sequence_ = 0;
+  std::string unreadable_;
   std::vector<std::string> faults_;
 };
 

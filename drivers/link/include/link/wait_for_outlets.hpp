@@ -15,15 +15,11 @@ namespace gsbench::link {
 // error ends the wait with this error.
 using Meanwhile = std::function<drivers::Status(std::size_t joined)>;
 
-// The fault of two outlets with the same id; `where`: the place of the other one.
-inline std::string same_id_fault(const std::string& where) {
-  return "has the same id as the outlet on " + where;
-}
-
 // Opens the link. `named` lists outlets by id, or by place (OutletPresence::where) if the id is not
 // known. The call blocks until all of them have joined, then 200 ms more to find a second outlet
-// with the same id. It blocks for `patience` at most. With `others_for` > 0, it blocks for at least
-// `others_for`.
+// with the same id. If one leaves meanwhile, it blocks for `patience`: the outlet may come back, or
+// be one of two that take each other's place. It blocks for `patience` at most. With `others_for`
+// > 0, it blocks for at least `others_for`.
 //
 // The result has one entry for each name, in the order of `named`. The entry of an outlet that did
 // not join has a fault, the name as id, and an empty place. With `others_for` > 0, the entries of

@@ -44,6 +44,11 @@ enum Capability : std::uint32_t {
   kHasWatchdog = 2,
 };
 
+// Limits of a hello's fields.
+constexpr std::int32_t kLeastSampleRate_hz = 1000;
+constexpr std::int32_t kMostSampleRate_hz = 1000000;
+constexpr float kLongestDelay_s = 1.0f;
+
 // Every protocol version's hello begins with protocol_version and id. If the version is another
 // one, the receiver reads only these two fields.
 struct Hello {

@@ -147,8 +147,9 @@ TEST_F(OutletFault, TwoSerialOutletsWithTheSameIdAreBothExcluded) {
   hardware().cable(kHost).spoil(
       change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "m4"); }));
   play();
-  expect_faults({{kM4, "has the same id as the outlet on " + hardware().serial_ports()[kHost]},
-                 {kHost, "has the same id as the outlet on " + hardware().serial_ports()[kM4]}});
+  expect_faults(
+      {{kM4, "has the same id as another outlet: the one on " + hardware().serial_ports()[kHost]},
+       {kHost, "has the same id as another outlet: the one on " + hardware().serial_ports()[kM4]}});
   for (const Place twin : {kM4, kHost}) {
     EXPECT_EQ(record_.outlets[twin].id, "m4 on " + hardware().serial_ports()[twin]);
     EXPECT_TRUE(record_.outlets[twin].settings.empty()) << "it was sent settings";
@@ -159,8 +160,8 @@ TEST_F(OutletFault, SerialOutletWithTheIdOfOneBehindTheBrokerIsReported) {
   hardware().cable(kHost).spoil(
       change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, "radio-a"); }));
   play();
-  expect_faults(
-      {{kHost, "has the same id as the outlet"}, {kRadioA, "has the same id as the outlet"}});
+  expect_faults({{kHost, "has the same id as another outlet: the one on "},
+                 {kRadioA, "has the same id as another outlet: the one on "}});
 }
 
 // Another device with the same id may join a broker at any time.

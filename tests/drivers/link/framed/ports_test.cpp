@@ -26,7 +26,7 @@ TEST_F(Ports, OutletsWithTheSameIdAreFaultyAndExcluded) {
   ASSERT_THAT(present_, SizeIs(2));
   for (const auto& [one, other] : {std::pair(port(kA), port(kB)), {port(kB), port(kA)}}) {
     EXPECT_EQ(present(one).id, "a on " + one);
-    EXPECT_EQ(present(one).fault, "has the same id as the outlet on " + other);
+    EXPECT_EQ(present(one).fault, "has the same id as another outlet: the one on " + other);
   }
   send(kA, ping(1));
   outlets_.play(10);
@@ -57,11 +57,10 @@ TEST_F(Ports, APortThatCannotBeOpenedIsFaultyAndTheOthersAreNotAffected) {
                     {unconnected_->bench_end(), "/dev/no-such-port", "/dev/null"});
   open(some);
   ASSERT_THAT(present_, SizeIs(5));
-  EXPECT_EQ(present("/dev/null").fault,
-            "cannot be reached: cannot be opened: is not a serial port");
+  EXPECT_EQ(present("/dev/null").fault, "cannot be opened: is not a serial port");
   EXPECT_EQ(present(unconnected_->bench_end()).fault, "does not answer");
   EXPECT_EQ(present("/dev/no-such-port").where, "");
-  EXPECT_THAT(present("/dev/no-such-port").fault, HasSubstr("cannot be reached: cannot be found"));
+  EXPECT_THAT(present("/dev/no-such-port").fault, testing::StartsWith("cannot be found: "));
   EXPECT_EQ(present(kA).fault, "");
   EXPECT_TRUE(answers(kA));
 }

@@ -1,7 +1,6 @@
 // Opening an MQTT link: the outlets found, and refused connections.
 #include "outlets_on_a_broker.hpp"
-
-#include <wire/codec.hpp>
+#include "parrot.hpp"
 
 namespace gsbench::test {
 namespace {
@@ -57,41 +56,6 @@ TEST_F(FindingOutlets, OutletsWithTheSameIdAreFaultyAndOthersAnswer) {
   EXPECT_TRUE(answers(kB));
 }
 
-// Sends a given hello once, and again for each message that it receives.
-class Parrot {
- public:
-  Parrot(const emulation::PrivateBroker& broker, const std::string& id,
-         const gs::wire::Uplink& hello) {
-    std::string why;
-    EXPECT_TRUE(carrier_.start(options_of(broker, id, 1), why)) << why;
-    size_ = gs::wire::encode(hello, 0, bytes_, sizeof bytes_);
-    carrier_.send(bytes_, size_);
-    thread_ = std::thread([this] { run(); });
-  }
-  ~Parrot() {
-    ending_ = true;
-    thread_.join();
-  }
-
- private:
-  void run() {
-    std::vector<std::uint8_t> message;
-    while (!ending_) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      carrier_.serve();
-      while (carrier_.take(message)) {
-        carrier_.send(bytes_, size_);
-      }
-    }
-  }
-
-  gs::host::MqttCarrier carrier_;
-  std::uint8_t bytes_[gs::wire::kLongestMessage] = {};
-  std::size_t size_ = 0;
-  std::atomic<bool> ending_{false};
-  std::thread thread_;
-};
-
 TEST_F(FindingOutlets, AnOutletOfAnotherProtocolVersionIsFaulty) {
   gs::wire::Uplink hello;
   hello.hello.protocol_version = 77;
@@ -107,6 +71,19 @@ TEST_F(FindingOutlets, RefusesAnOutletOnTheTopicOfAnother) {
   hello.hello.nominal_hz = 50;
   const Parrot a(broker_, "a", hello);
   EXPECT_EQ(fault_of_a(), "reports another id there: \"b\"");
+  EXPECT_EQ(present_.front().id, "a");
+}
+
+TEST_F(FindingOutlets, AHelloThatCannotBeReadIsReportedWithTheReason) {
+  gs::wire::Uplink hello;
+  gs::app::set_text(hello.hello.id, "a");
+  hello.hello.sample_rate_hz = 8000;
+  hello.hello.nominal_hz = 55;
+  const std::string fault = "its hello cannot be read: nominal_hz is 55, not 50 or 60";
+  Parrot a(broker_, "a", hello);
+  EXPECT_EQ(fault_of_a(), fault);
+  a.stop_answering();  // the broker still has the hello
+  EXPECT_EQ(fault_of_a(), fault);
 }
 
 TEST_F(FindingOutlets, ReportsThatTheBrokerRefusesThePassword) {

@@ -103,6 +103,42 @@ TEST_F(Broker, ALaterOutletWithTheSameIdIsAFault) {
       is_reported(kA, "has the same id as another outlet: instances 0x00000001 and 0x00000002"));
 }
 
+// They have the same client id: the broker lets only one of them be connected.
+TEST_F(Broker, TwoOutletsThatEndEachOthersConnectionAreAFaultAndExcluded) {
+  MqttOutlet one(broker_, "a", 1);
+  open({"a"});
+  MqttOutlet two(broker_, "a", 1);
+  EXPECT_TRUE(
+      is_reported(kA,
+                  "has the same id as another outlet: both have instance 0x00000001, and each "
+                  "ends the other's connection to the broker"));
+  const std::size_t reports = faults(kA).size();
+  EXPECT_LE(reports, 10U) << testing::PrintToString(faults(kA));
+  MqttOutlet b(broker_, "b");
+  std::this_thread::sleep_for(std::chrono::seconds(2));  // they go on
+  poll();
+  EXPECT_EQ(faults(kA).size(), reports) << testing::PrintToString(faults(kA));
+}
+
+TEST_F(Broker, AnOutletThatRestartsAndConnectsAgainOftenIsNoTwin) {
+  for (int i = 0; i < 6; ++i) {
+    std::optional<MqttOutlet> a(std::in_place, broker_, "a", 1U);
+    if (i == 0) {
+      open({"a"});
+    }
+    ASSERT_TRUE(until([&] { return joined_.size() >= static_cast<std::size_t>(i); }));
+    a->restart();
+    a->report_status();
+    ASSERT_TRUE(arrives(kA, UplinkKind::kStatus, static_cast<std::size_t>(i) + 1));
+    a.reset();
+    ASSERT_TRUE(until([&] {
+      const std::vector<std::string> all = faults(kA);
+      return std::count(all.begin(), all.end(), "left the broker") == i + 1;
+    }));
+  }
+  EXPECT_FALSE(reported(kA, "has the same id"));
+}
+
 TEST_F(Broker, AnOutletMayTakeThePlaceOfOneThatHasLeft) {
   std::optional<MqttOutlet> one(std::in_place, broker_, "a", 1U);
   open({"a"});

@@ -18,6 +18,8 @@ gs::host::MqttOptions options_of(const emulation::PrivateBroker& broker, const s
 
 MqttOutlet::MqttOutlet(const emulation::PrivateBroker& broker, const std::string& id,
                        std::uint32_t instance) {
+  static std::atomic<std::uint32_t> made{0};
+  identity_.start_number = 1000 * ++made;
   endpoint_.emplace(app_, carrier_);
   gs::app::set_text(identity_.id, id.c_str());
   gs::app::set_text(identity_.board, "test");

@@ -30,7 +30,8 @@ class FramedLink final : public Link {
   [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;
   [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
-  std::vector<Fault> missing() override { return unreachable(); }
+  // Ports that cannot be opened, and those whose outlet sends only what cannot be read.
+  std::vector<Fault> missing() override;
   std::vector<Fault> unreachable() override;
   void close() noexcept override;
 
