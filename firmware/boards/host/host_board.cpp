@@ -4,7 +4,6 @@
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -73,36 +72,6 @@ shared_memory_io::SharedMemory* map_terminals(const std::string& path, std::stri
   if (terminals == nullptr || terminals->magic != shared_memory_io::kMagic) {
     why = path + ": not a terminals file";
     return nullptr;
-  }
-  return terminals;
-}
-
-shared_memory_io::SharedMemory* own_terminals(const std::string& path, std::string& why) {
-  constexpr std::size_t kSize = sizeof(shared_memory_io::SharedMemory);
-  const int file =
-      path.empty() ? -1 : ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  const off_t size = file < 0 ? 0 : lseek(file, 0, SEEK_END);
-  if (!path.empty() && (file < 0 || (size == 0 && ftruncate(file, kSize) != 0))) {
-    why = path + ": " + std::strerror(errno);
-    return nullptr;
-  }
-  const bool is_new = size == 0;
-  void* const mapped = is_new || size == static_cast<off_t>(kSize)
-                           ? mmap(nullptr, kSize, PROT_READ | PROT_WRITE,
-                                  path.empty() ? MAP_PRIVATE | MAP_ANONYMOUS : MAP_SHARED, file, 0)
-                           : MAP_FAILED;
-  if (file >= 0) {
-    ::close(file);
-  }
-  auto* terminals =
-      mapped == MAP_FAILED ? nullptr : static_cast<shared_memory_io::SharedMemory*>(mapped);
-  if (terminals == nullptr || (!is_new && terminals->magic != shared_memory_io::kMagic)) {
-    why = path + ": not the flash of an outlet";
-    return nullptr;
-  }
-  if (is_new) {
-    terminals->magic = shared_memory_io::kMagic;
-    std::memset(terminals->flash, 0xFF, sizeof terminals->flash);
   }
   return terminals;
 }

@@ -50,9 +50,4 @@ class HostBoard final : public superloop::Board {
 // reason in `why`.
 shared_memory_io::SharedMemory* map_terminals(const std::string& path, std::string& why);
 
-// Terminals of an outlet without a bench, with its hardware still to be set. With a path, the flash
-// is that of the file, which is made if it does not exist; otherwise it is erased. Null with the
-// reason in `why`.
-shared_memory_io::SharedMemory* own_terminals(const std::string& path, std::string& why);
-
 }  // namespace gs::host

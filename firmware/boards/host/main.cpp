@@ -1,6 +1,7 @@
 // gs-outlet: an outlet as a process, on a serial line, on a line over TCP, or behind a broker; with
 // the bench, or alone with mains of its own.
 #include "arguments.hpp"
+#include "file_flash.hpp"
 #include "host_board.hpp"
 #include "mains.hpp"
 #include "mqtt_line.hpp"
@@ -82,15 +83,13 @@ shared_memory_io::SharedMemory* make_terminals(const host::Arguments& arguments,
   if (!arguments.alone()) {
     return host::map_terminals(arguments.terminals, why);
   }
-  shared_memory_io::SharedMemory* const terminals = host::own_terminals(arguments.flash, why);
-  if (terminals != nullptr) {
-    terminals->sample_rate_hz = arguments.sample_rate_hz;
-    terminals->nominal_hz = arguments.nominal_hz;
-    terminals->counts_per_pu = 32767.0F / 1.5F;  // full scale: 1.5 times the nominal amplitude
-    terminals->instance = arguments.instance;
-    app::set_text(terminals->id, arguments.id.c_str());
-  }
-  return terminals;
+  static shared_memory_io::SharedMemory own{};  // its flash is not used
+  own.sample_rate_hz = arguments.sample_rate_hz;
+  own.nominal_hz = arguments.nominal_hz;
+  own.counts_per_pu = 32767.0F / 1.5F;  // full scale: 1.5 times the nominal amplitude
+  own.instance = arguments.instance;
+  app::set_text(own.id, arguments.id.c_str());
+  return &own;
 }
 
 // No value: the reason is in `why`.
@@ -121,11 +120,15 @@ int main(int argc, char** argv) {
   std::optional<host::Curve> curve = make_curve(arguments, why);
   shared_memory_io::SharedMemory* const terminals =
       curve ? make_terminals(arguments, why) : nullptr;
-  if (terminals == nullptr) {
+  host::FileFlash file_flash;
+  if (terminals == nullptr ||
+      (!arguments.flash.empty() && !file_flash.open(arguments.flash, why))) {
     return refuse(why);
   }
-  // A broken connection shows as an error of a write.
-  std::signal(SIGPIPE, SIG_IGN);
+  // A broken connection and a limit on the size of files show as errors of a write.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) {
+    std::signal(signal, SIG_IGN);
+  }
   const std::unique_ptr<host::Line> line = make_line(arguments, *terminals, why);
   if (line == nullptr) {
     return refuse(why);
@@ -139,7 +142,9 @@ int main(int argc, char** argv) {
   } else if (!board.start(arguments.doorbell, why)) {
     return refuse(why);
   }
-  shared_memory_io::SharedFlash flash(*terminals);
+  shared_memory_io::SharedFlash shared_flash(*terminals);
+  settings_storage::Flash& flash =
+      arguments.alone() ? static_cast<settings_storage::Flash&>(file_flash) : shared_flash;
   settings_storage::FlashSettingsStorage storage(flash);
   superloop::Loop loop(board, storage);
   const bool keeps_settings = !arguments.alone() || !arguments.flash.empty();
