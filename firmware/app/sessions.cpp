@@ -13,10 +13,11 @@ Session* Sessions::find(std::uint32_t number) {
 
 Session& Sessions::begin(std::uint32_t number) {
   Session& oldest = sessions_[kSessions - 1];
-  keep_request(oldest);
+  const std::uint32_t newest_request = kept_request(number);
+  keep_request(oldest);  // in place of another one, perhaps of this session's
   oldest = Session{};
   oldest.number = number;
-  oldest.newest_request = kept_request(number);
+  oldest.newest_request = newest_request;
   return oldest;
 }
 
@@ -24,15 +25,14 @@ void Sessions::keep_request(const Session& replaced) {
   if (replaced.newest_request == 0) {
     return;
   }
-  for (Past& past : past_) {
-    if (past.number == replaced.number) {
-      past.newest_request = replaced.newest_request;
-      return;
-    }
+  std::size_t place = 0;  // its own, or that of the oldest
+  while (place + 1 < kPastSessions && past_[place].number != replaced.number) {
+    ++place;
   }
-  past_[next_past_].number = replaced.number;
-  past_[next_past_].newest_request = replaced.newest_request;
-  next_past_ = (next_past_ + 1) % kPastSessions;
+  for (; place > 0; --place) {
+    past_[place] = past_[place - 1];
+  }
+  past_[0] = {replaced.number, replaced.newest_request};
 }
 
 std::uint32_t Sessions::kept_request(std::uint32_t number) const {

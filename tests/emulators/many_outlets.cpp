@@ -52,6 +52,9 @@ class Outlet {
 
   void serve() {
     carrier_.serve();
+    if (carrier_.take_reconnected()) {
+      app_.receive(gs::wire::identify(), endpoint_);
+    }
     while (carrier_.take(message_)) {
       gs::wire::Downlink read;
       std::uint32_t sequence = 0;

@@ -167,12 +167,14 @@ void MqttCarrier::note_trouble(int error) {
 }
 
 bool MqttCarrier::send(const std::uint8_t* message, std::size_t size) {
-  if (connected() && waiting_.empty()) {
+  // A hello comes before what is kept: it has numbers of its own.
+  const wire::UplinkKind kind = kind_of(message, size);
+  if (connected() && (waiting_.empty() || kind == wire::UplinkKind::kHello)) {
     return publish(message, size);
   }
   // Queued here and not in the library, which would send new messages as soon as it has a socket,
   // and repeat the older ones only after the broker has answered.
-  if (kind_of(message, size) == wire::UplinkKind::kMeasurement || waiting_.size() >= kMostWaiting) {
+  if (kind == wire::UplinkKind::kMeasurement || waiting_.size() >= kMostWaiting) {
     return false;
   }
   waiting_.emplace_back(message, message + size);
@@ -200,7 +202,7 @@ void MqttCarrier::serve() {
     return;
   }
   check(mosquitto_loop_read(client_, 1));
-  while (connected() && !waiting_.empty()) {
+  while (connected() && !reconnected_ && !waiting_.empty()) {
     unsent_ += publish(waiting_.front().data(), waiting_.front().size()) ? 0 : 1;
     waiting_.pop_front();
   }

@@ -64,7 +64,7 @@ class MqttCarrier final : public app::Carrier {
   // messages.
   bool take(std::vector<std::uint8_t>& message);
   // True once after each reconnection. The outlet must then send its hello again, because the
-  // broker may no longer have it.
+  // broker may no longer have it. Queued messages wait for this call, so that the hello is first.
   bool take_reconnected();
 
   bool connected() const { return connected_ && descriptor() >= 0; }

@@ -95,6 +95,30 @@ TEST_F(EndpointTest, ACommandOfASessionThatWasReplacedIsNotObeyedAgain) {
   EXPECT_FALSE(app_.relay_closed());
 }
 
+TEST_F(EndpointTest, TheRequestsOf16SessionsThatWereReplacedLastAreRemembered) {
+  // Opens and closes, as requests 1 and 2 of this session.
+  const auto move_relay = [this](std::uint32_t session, std::uint32_t first_number) {
+    wire::Downlink message = wire::identify();
+    message.session = session;
+    send(message, first_number);
+    const std::size_t before = listener_.received.size();
+    for (const std::uint32_t request : {1U, 2U}) {
+      message = wire::test::command(request == 2, request);
+      message.session = session;
+      send(message, first_number + request);
+    }
+    return listener_.received.size() - before - 2;  // relay messages
+  };
+  constexpr std::uint32_t kFirst = 1000;
+  constexpr std::uint32_t kLast = kFirst + kSessions + kPastSessions;  // the first one is forgotten
+  for (std::uint32_t session = kFirst; session <= kLast; ++session) {
+    EXPECT_EQ(move_relay(session, 0), 2U) << session;
+  }
+  EXPECT_EQ(move_relay(kFirst + 1, 5), 0U);
+  EXPECT_EQ(move_relay(kFirst + 3, 5), 0U);
+  EXPECT_EQ(move_relay(kFirst, 5), 2U);
+}
+
 TEST_F(EndpointTest, AMessageOfAnUnknownKindUsesUpItsNumber) {
   const Bytes unknown = {0x83, 0x18, 0x63, 0x00, 0x18, wire::test::kSession};
   send(unknown);

@@ -38,8 +38,7 @@ class Sessions {
   std::uint32_t kept_request(std::uint32_t number) const;
 
   Session sessions_[kSessions];  // used last first
-  Past past_[kPastSessions];     // a ring; only those with a request
-  std::size_t next_past_ = 0;
+  Past past_[kPastSessions];     // replaced last first; only those with a request
 };
 
 }  // namespace gs::app
