@@ -9,7 +9,7 @@ install(
   FILES firmware/wire/README.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR}
   RENAME protocol.md)
-install(FILES firmware/wire/exchange.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES firmware/wire/exchange.md firmware/wire/mqtt.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(
   FILES LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR}

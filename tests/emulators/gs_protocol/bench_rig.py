@@ -12,8 +12,8 @@ class AtLink:
 
     LINK = None
 
-    def through(self, port, end):
-        """`end` is "outlet" or "bench"."""
+    def through(self, port, client):
+        """`client` is "outlet" or "centre"."""
         return port
 
     def setUp(self):
@@ -22,7 +22,7 @@ class AtLink:
         if self.LINK == "mqtt":
             self.broker = Broker(self.folder.path)
             self.addCleanup(self.broker.close)
-            station = self.folder.write("station.toml", STATION % self.through(self.broker.port, "bench"))
+            station = self.folder.write("station.toml", STATION % self.through(self.broker.port, "centre"))
             self.where = ("--station", station)
         self.station = self.new_outlet()
         self.outlet = self.station.outlet
@@ -34,7 +34,7 @@ class AtLink:
             station = mqtt.MqttOutlet(self.through(self.broker.port, "outlet"), **identity)
         else:
             station = serial_line.SerialOutlet(**identity)
-            self.where = ("--port", "tcp://127.0.0.1:%d" % self.through(station.line.port, "bench"))
+            self.where = ("--port", "tcp://127.0.0.1:%d" % self.through(station.line.port, "centre"))
         self.addCleanup(station.close)
         return station
 

@@ -2,7 +2,7 @@
 import math
 import unittest
 
-from gs_protocol import cbor
+from gs_protocol import cbor, messages
 from gs_protocol.bench_rig import AtLink, faults, kinds
 
 
@@ -100,6 +100,27 @@ class Watched(AtLink):
         self.measure(5)
         objects = self.end(bench)
         self.assertEqual(len(faults(objects)), 3, faults(objects))
+
+    def test_identify_is_sent_again_until_a_hello_answers_it_and_any_hello_describes_the_outlet(self):
+        received = []
+        receive, self.outlet.receive = self.outlet.receive, received.append
+        bench = self.bench("monitor", "--json")
+        for session in (0, 77, 0):  # unasked, and answers to another centre
+            count = len(received)
+            self.outlet.say_hello(session)
+            self.assertTrue(self.station.until(lambda: len(received) > count + (self.LINK == "serial")))
+        self.assertTrue(self.station.until(lambda: bench.out))
+        read = [messages.read_downlink(data) for data in received]
+        self.assertEqual({message.name for message in read}, {"identify"})
+        self.assertEqual(len({message.session for message in read}), 1)
+        self.assertEqual([message.sequence for message in read], list(range(len(read))))
+        self.outlet.receive = receive
+        self.outlet.say_hello()
+        self.assertTrue(self.station.until(lambda: self.outlet.sessions))
+        self.measure(5)
+        objects = self.end(bench)
+        self.assertEqual((faults(objects), len(kinds(objects, "measurement"))), ([], 5))
+        self.assertEqual(next(one for one in objects if one["event"] == "joined")["board"], "python")
 
     def test_lost_messages_are_counted(self):
         bench = self.monitor()

@@ -3,8 +3,12 @@ floats, and indefinite lengths."""
 import io
 import math
 import struct
+import sys
 
 import cbor2
+
+
+sys.setrecursionlimit(3000)  # 560 bytes nest 560 deep, and each level takes up to three calls
 
 
 class Malformed(ValueError):
@@ -70,9 +74,8 @@ class Reader:
             raise Malformed("indefinite length or reserved")
         return major, info, int.from_bytes(self.take(1 << (info - 24)), "big")
 
-    def item(self, depth=0):
-        if depth > 200:
-            raise Malformed("nested too deeply")
+    def item(self):
+        """Recursion is as deep as 560 bytes allow."""
         major, info, value = self.head()
         if major == 0:
             return value
@@ -84,11 +87,11 @@ class Reader:
         if major == 3:
             return self.take(value).decode("latin-1")
         if major == 4:
-            return [self.item(depth + 1) for _ in range(self.counted(value))]
+            return [self.item() for _ in range(self.counted(value))]
         if major == 5:
-            return Pairs((self.item(depth + 1), self.item(depth + 1)) for _ in range(self.counted(value)))
+            return Pairs((self.item(), self.item()) for _ in range(self.counted(value)))
         if major == 6:
-            self.item(depth + 1)
+            self.item()
             return Other()
         if info == 24 and value < 32:
             raise Malformed("simple value in the long form")

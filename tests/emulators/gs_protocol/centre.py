@@ -115,8 +115,8 @@ class Centre:
         if known not in (None, hello["instance"]):
             peer.twins = True
             self.note("twins", outlet)
-        elif begins or retained:
-            self.say(outlet, "identify")
+        elif retained or begins or not (self.serial or peer.identified):
+            self.say(outlet, "identify")  # on a serial line, it is repeated all the time
 
     def take(self, outlet, count, message):
         gap = count.accept(message.sequence)

@@ -40,7 +40,7 @@ class Client(Station):
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def connect(self, **values):
-        self.client.connect("127.0.0.1", self.port, keepalive=30, clean_start=self.CLEAN_START,
+        self.client.connect("127.0.0.1", self.port, keepalive=self.KEEP_ALIVE_S, clean_start=self.CLEAN_START,
                             properties=properties(PacketTypes.CONNECT, **values))
         self.client.loop_start()
         return self
@@ -71,7 +71,7 @@ class Client(Station):
 
 
 class MqttOutlet(Client):
-    CLEAN_START = True
+    CLEAN_START, KEEP_ALIVE_S = True, 10
 
     def __init__(self, port, **identity):
         self.outlet = Outlet(self.send, **identity)
@@ -109,7 +109,7 @@ class MqttOutlet(Client):
 
 
 class MqttCentre(Client):
-    CLEAN_START = False
+    CLEAN_START, KEEP_ALIVE_S = False, 30
 
     def __init__(self, port, client_id, session=None, expiry_s=60):
         self.centre = Centre(self.send, session=session)

@@ -102,16 +102,18 @@ class Outlet:
     def remember(self, number, session):
         if session.request == 0:
             return
-        if number not in self.past and len(self.past) == PAST_SESSIONS:
+        self.past.pop(number, None)
+        if len(self.past) == PAST_SESSIONS:
             self.past.pop(next(iter(self.past)))
         self.past[number] = session.request
 
     def session_of(self, message):
         if message.session not in self.sessions and message.name == "identify":
+            begun = Session()
+            begun.request = self.past.get(message.session, 0)
             if len(self.sessions) == SESSIONS:
                 self.remember(*self.sessions.popitem(last=False))
-            self.sessions[message.session] = Session()
-            self.sessions[message.session].request = self.past.get(message.session, 0)
+            self.sessions[message.session] = begun
         return self.sessions.get(message.session)
 
     def on_identify(self, _, message):

@@ -1,9 +1,11 @@
 """gs-outlet at a broker and at a line: connection, departure, restarts, and two centres."""
+import os
+import signal
 import unittest
 
 from gs_protocol import messages, serial_line, settings
 from gs_protocol.product import ProductOutlet, connected, free_port, wait
-from gs_protocol.proxy import MqttProxy, Odds
+from gs_protocol.proxy import MqttProxy
 from gs_protocol.rig import NAME, Rig
 
 CONNECT, SUBSCRIBE = 1, 8
@@ -22,9 +24,9 @@ class Behind(unittest.TestCase):
         self.centre = self.rig.centre
         self.rig.mark = len(self.centre.log)
 
-    def make_proxy(self, port):
+    def make_proxy(self, port, client):
         """The last one is the outlet's."""
-        self.proxy = MqttProxy(port, Odds(), 1)
+        self.proxy = MqttProxy(port, client, {}, 1)
         self.addCleanup(self.proxy.close)
         return self.proxy.port
 
@@ -33,6 +35,7 @@ class Behind(unittest.TestCase):
         self.assertIn(b"\0\x04MQTT\x05", connect)
         flags = connect[connect.index(b"MQTT\x05") + 5]
         self.assertEqual(flags & 0x3E, 0x20 | 0x04 | 0x08 | 0x02, "will retained, QoS 1; clean start")
+        self.assertEqual(connect[connect.index(b"MQTT\x05") + 6:][:2], b"\0\x0a", "keep alive")
         self.assertIn(b"\0\x12kitchen-1-00000001", connect)
         self.assertIn(b"\0\x12gs/kitchen-1/hello\0\0", connect)
         subscribe = packets(self.proxy, SUBSCRIBE)[0]
@@ -53,6 +56,35 @@ class Behind(unittest.TestCase):
         # The request was not carried out. Repeated, it is.
         self.centre.repeat_command(NAME, False)
         self.assertFalse(self.rig.next("relay")[0]["closed"])
+
+    def test_after_a_new_connection_its_hello_comes_before_what_it_kept(self):
+        rig = Rig("mqtt", "--loss", "900", "--loss-at", "4", through=self.make_proxy)
+        self.addCleanup(rig.close)
+        self.assertEqual(rig.answer("settings", "settings answer", settings.EXAMPLE | {8: 0.0})["error"], 0)
+        rig.mark = len(rig.centre.log)
+        self.proxy.shut = True
+        self.proxy.cut_all()
+        rig.next("departed")
+        self.assertEqual(rig.centre.all("event", rig.mark), [])
+        rig.station.run_for(6.0)  # the loss passes meanwhile
+        self.proxy.shut = False
+        rig.next("relay")
+        seen = [entry.what for entry in rig.centre.log[rig.mark:]]
+        seen = [what for what in seen[seen.index("departed") + 1:] if what != "late"]  # MQTT repeats
+        self.assertEqual(seen[0], "hello", seen)
+        kept = [what for what in seen if what in ("event", "LSE", "decision", "relay")]
+        self.assertEqual(kept[:4], ["event", "LSE", "decision", "relay"])
+
+    def test_it_departs_if_it_is_silent_and_comes_back(self):
+        start = self.rig.peer.start_number
+        os.kill(self.rig.product.process.pid, signal.SIGSTOP)
+        try:
+            self.assertTrue(self.rig.station.until(lambda: self.centre.all("departed", self.rig.mark), 60.0))
+        finally:
+            os.kill(self.rig.product.process.pid, signal.SIGCONT)
+        self.rig.next("hello")
+        self.assertTrue(self.rig.peer.connected)
+        self.assertEqual((self.rig.peer.start_number, self.centre.all("restart")), (start, []))
 
     def test_it_departs_when_it_is_ended(self):
         self.rig.product.close()

@@ -78,6 +78,35 @@ class Messages(OnOneRig):
         self.assertEqual(error, {"code": 9, "detail": peer.request})
         self.assertEqual(self.rig.since_asked("relay", "command answer"), [])
         self.assertEqual(self.status()["messages_dropped"] - dropped, 1)
+        # The request was not recorded: for this start it is a new one.
+        self.rig.answer("command", "command answer", peer.request, False, peer.start_number)
+        self.assertFalse(self.rig.next("relay")[0]["closed"])
+        self.centre.command(self.rig.name, True)
+        self.rig.next("relay", 2)
+
+    def relays_after(self, session, number, *requests):
+        """Of commands to open and to close in turn, after identify with this number."""
+        self.rig.mark = len(self.centre.log)
+        self.rig.send(messages.downlink("identify", number, session))
+        for place, request in enumerate(requests):
+            self.rig.send(messages.downlink("command", number + 1 + place, session, request, place % 2 == 1,
+                                            self.rig.peer.start_number))
+        changes = [entry.detail["closed"] for entry in self.rig.since_asked("relay")]
+        answers = [answer["request"] for answer in self.centre.all("command answer", self.rig.mark)]
+        self.assertEqual(answers, list(requests))
+        return changes
+
+    def test_requests_end_at_4294967295_and_go_on_in_another_session(self):
+        self.assertEqual(self.relays_after(0x77, 0, 0xFFFFFFFE, 0xFFFFFFFF, 1, 2), [False, True])
+        self.assertEqual(self.relays_after(0x78, 0, 1, 2), [False, True])
+
+    def test_the_last_requests_of_16_replaced_sessions_are_remembered(self):
+        self.assertEqual(self.relays_after(0x5000, 0, 5, 6), [False, True])
+        for session in range(0x5001, 0x5014):  # three are known, and 17 were replaced
+            self.assertEqual(self.relays_after(session, 0, 1, 2), [False, True], session)
+        self.assertEqual(self.relays_after(0x5001, 9, 1, 2), [])
+        self.assertEqual(self.relays_after(0x5002, 9, 2, 1, 3), [False])
+        self.assertEqual(self.relays_after(0x5002, 12, 3, 4), [True])
 
     # Bad input.
 
@@ -102,7 +131,7 @@ class Messages(OnOneRig):
         return sum(one["code"] == error["code"] for one in self.centre.all("error"))
 
     def test_unknown_kinds_are_errors_and_use_up_a_number(self):
-        for kind in (0, 7, 255):
+        for kind in (0, 7, 255, 256, 1 << 40):
             number = self.rig.peer.sent
             self.rig.peer.sent += 1
             data = cbor.dumps([kind, number, self.centre.session, {1: [1.0]}])
@@ -121,6 +150,24 @@ class Messages(OnOneRig):
                 + bytes.fromhex("f93c00 a1016178 c1fb0000000000000000"))
         self.assertEqual(self.rig.answer_to(data, "echo")["token"], 255)
 
+    def test_further_items_may_be_nested_to_any_depth_and_need_a_definite_length(self):
+        number, session = self.rig.peer.sent, self.centre.session
+        room = messages.LONGEST - len(messages.downlink("ping", number, session, 7))
+        for further, right in ((b"\x81" * (room - 1) + b"\xf6", True), (b"\xa1\x00" * (room // 2 - 1) + b"\x01", True),
+                               (b"\xc1" * (room - 1) + b"\xf7", True), (b"\x42\xff\xff", True), (b"\xf8\xff", True),
+                               (b"\x62\xff\xff", True), (b"\x3b" + b"\xff" * 8, True), (b"\xf8\x18", False),
+                               (b"\x81" * 9, False), (b"\x9f\xff", False), (b"\xbf\xff", False),
+                               (b"\x5f\x41x\xff", False), (b"\x7f\x61x\xff", False), (b"\x81\x9f\xff", False)):
+            data = b"\x85" + messages.downlink("ping", self.rig.peer.sent, session, 7)[1:] + further
+            self.assertLessEqual(len(data), messages.LONGEST)
+            self.rig.peer.sent += right
+            answer = self.rig.answer_to(data, "echo" if right else "error")
+            self.assertEqual(answer, {"token": 7} if right else {"code": 2, "detail": self.errors_like(answer)}, further)
+            if right:
+                self.assertEqual(messages.read_downlink(data)["token"], 7)
+            else:
+                self.assertRaises(cbor.Malformed, messages.read_downlink, data)
+
     def test_messages_have_at_most_560_bytes(self):
         for length, name in ((560, "echo"), (561, "error")):
             number = self.rig.peer.sent
@@ -128,7 +175,9 @@ class Messages(OnOneRig):
             data = cbor.dumps([6, number, self.centre.session, 5, "x" * padding])
             self.assertEqual(len(data), length)
             self.rig.peer.sent += name == "echo"
-            self.rig.answer_to(data, name)
+            answer = self.rig.answer_to(data, name)
+            if name == "error":
+                self.assertEqual(answer["code"], 1 if self.LINK == "serial" else 2)
 
     def test_messages_of_unknown_sessions_are_dropped_with_error_8(self):
         dropped = self.status()["messages_dropped"]

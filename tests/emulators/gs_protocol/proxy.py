@@ -1,4 +1,7 @@
-"""A TCP proxy that disturbs what passes, at random but from a seed: of MQTT packets and of frames."""
+"""A TCP proxy that disturbs what passes, at random but from a seed: of MQTT packets and of frames.
+
+What travels to the outlet is "down", the rest "up". `did` counts disturbances by (direction, name).
+An acknowledgement counts in the direction of the message that it acknowledges."""
 import collections
 import heapq
 import itertools
@@ -9,6 +12,7 @@ import threading
 import time
 
 Odds = collections.namedtuple("Odds", "redeliver hold swallow cut corrupt drop", defaults=(0.0,) * 6)
+UP, DOWN = "up", "down"
 
 
 class Pair:
@@ -20,6 +24,7 @@ class Pair:
             end.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.rest = {client: b"", server: b""}
         self.due = collections.defaultdict(float)  # by direction and topic: order is kept in each
+        self.pending = {client: {}, server: {}}  # by the end that it came from: number -> topic
         self.state = {}
 
     def other(self, end):
@@ -28,11 +33,13 @@ class Pair:
 
 class Proxy(threading.Thread):
     """Subclasses have split(data) -> (units, rest) and disturb(pair, end, unit) -> [(delay_s, topic,
-    bytes)] for the units that came in at `end`; topic None waits for all that came before."""
+    bytes)] for the units that came in at `end`; topic None waits for all that came before.
+    `client` is "outlet" or "centre"; `odds` has one for each direction, or is empty."""
 
-    def __init__(self, target_port, odds, seed):
+    def __init__(self, target_port, client, odds, seed):
         super().__init__(daemon=True)
-        self.target_port, self.odds = target_port, odds
+        self.target_port, self.client = target_port, client
+        self.odds = {direction: odds.get(direction, Odds()) for direction in (UP, DOWN)}
         self.random = random.Random(seed)
         self.listening = socket.create_server(("127.0.0.1", 0))
         self.port = self.listening.getsockname()[1]
@@ -42,8 +49,7 @@ class Proxy(threading.Thread):
         self.numbers = itertools.count()
         self.did = collections.Counter()
         self.passed = 0  # messages
-        self.units = 0  # also acknowledgements and the like
-        self.next_cut = self.distance()
+        self.to_go = {}  # units until the next disturbance, by direction and name
         self.seen = []  # the first packets of clients, for tests
         self.shut = False  # refuses new connections
         self.ending = False
@@ -56,23 +62,26 @@ class Proxy(threading.Thread):
             self.cut(pair)
         self.listening.close()
 
-    def chance(self, name):
-        happens = self.random.random() < getattr(self.odds, name)
-        self.did[name] += happens
-        return happens
+    def direction(self, pair, end):
+        """Of what came in at this end."""
+        return UP if (end is pair.client) == (self.client == "outlet") else DOWN
 
-    def is_cut(self):
-        """Rare, and so not left to chance: the distance to the next one is half to one and a half of
+    def chance(self, direction, name):
+        """Not left to chance altogether: the distance to the next one is half to one and a half of
         the mean."""
-        self.units += 1
-        if not self.odds.cut or self.units < self.next_cut:
+        odds = getattr(self.odds[direction], name)
+        if not odds:
             return False
-        self.next_cut = self.units + self.distance()
-        self.did["cut"] += 1
+        key = direction, name
+        self.to_go[key] = self.to_go.get(key, self.distance(odds)) - 1.0
+        if self.to_go[key] > 0.0:
+            return False
+        self.to_go[key] += self.distance(odds)
+        self.did[key] += 1
         return True
 
-    def distance(self):
-        return (0.5 + self.random.random()) / self.odds.cut if self.odds.cut else 0.0
+    def distance(self, odds):
+        return (0.5 + self.random.random()) / odds
 
     def run(self):
         while not self.ending:
@@ -123,7 +132,7 @@ class Proxy(threading.Thread):
             return
         units, pair.rest[end] = self.split(pair.rest[end] + data)
         for unit in units:
-            if self.is_cut():
+            if self.chance(self.direction(pair, end), "cut"):
                 self.cut(pair)
                 return
             for delay_s, topic, out in self.disturb(pair, end, unit):
@@ -137,14 +146,18 @@ class Proxy(threading.Thread):
         if out is None:
             pair.rest[end] = b""
             self.pairs.pop(end, None)
-        heapq.heappush(self.later, (due, next(self.numbers), pair.other(end), out))
+        number = next(self.numbers)
+        if isinstance(topic, bytes):
+            pair.pending[end][number] = topic
+        heapq.heappush(self.later, (due, number, pair.other(end), out))
 
     def send_what_is_due(self):
         while self.later and self.later[0][0] <= time.monotonic():
-            _, _, end, out = heapq.heappop(self.later)
+            _, number, end, out = heapq.heappop(self.later)
             pair = self.pairs.get(end)
             if pair is None:
                 continue
+            self.note_order(pair, pair.other(end), number)
             if out is None:
                 self.cut(pair)
                 continue
@@ -152,6 +165,13 @@ class Proxy(threading.Thread):
                 end.sendall(out)
             except OSError:
                 self.cut(pair)
+
+
+    def note_order(self, pair, end, number):
+        pending = pair.pending[end]
+        topic = pending.pop(number, None)
+        if any(earlier < number and other != topic for earlier, other in pending.items()):
+            self.did[self.direction(pair, end), "overtake"] += topic is not None
 
 
 class FrameProxy(Proxy):
@@ -163,16 +183,17 @@ class FrameProxy(Proxy):
 
     def disturb(self, pair, end, frame):
         self.passed += 1
-        if self.chance("drop"):
+        direction = self.direction(pair, end)
+        if self.chance(direction, "drop"):
             return []
-        if self.chance("corrupt"):
+        if self.chance(direction, "corrupt"):
             at = self.random.randrange(len(frame))
             frame = frame[:at] + bytes([frame[at] ^ self.random.randrange(1, 256)]) + frame[at + 1:]
         whole = b"\0" + frame + b"\0"
-        if self.chance("swallow"):
+        if self.chance(direction, "swallow"):
             whole = whole[:self.random.randrange(len(whole))]  # interrupted
         out = [(0.0, "", whole)]
-        if self.chance("redeliver"):
+        if self.chance(direction, "redeliver"):
             out.append((0.0, "", whole))
         return out
 
@@ -181,8 +202,9 @@ PUBLISH, PUBACK, DISCONNECT = 3, 4, 14
 
 
 class MqttProxy(Proxy):
-    """Redelivers PUBLISH of QoS 1, at once and later; holds one topic while others pass; swallows
-    PUBACK; cuts. An acknowledgement of a copy does not pass."""
+    """Redelivers PUBLISH of QoS 1, at once and later; holds one topic while others pass, and counts
+    what overtakes another topic so; swallows PUBACK; cuts. An acknowledgement of a copy does not
+    pass. An outlet reads one topic: nothing can overtake on the way to it."""
 
     LONGEST_HOLD_S = 0.1
 
@@ -215,9 +237,10 @@ class MqttProxy(Proxy):
         self.passed += 1
         size = int.from_bytes(packet[at:at + 2], "big")
         topic = packet[at + 2:at + 2 + size]
-        hold_s = self.random.random() * self.LONGEST_HOLD_S if self.chance("hold") else 0.0
+        direction = self.direction(pair, end)
+        hold_s = self.random.random() * self.LONGEST_HOLD_S if self.chance(direction, "hold") else 0.0
         out = [(hold_s, topic, packet)]
-        if packet[0] & 6 == 2 and self.chance("redeliver"):
+        if packet[0] & 6 == 2 and self.chance(direction, "redeliver"):
             number = packet[at + 2 + size:at + 4 + size]
             pair.state[end, int.from_bytes(number, "big")] = True
             later_s = hold_s + self.random.random() * self.LONGEST_HOLD_S
@@ -228,4 +251,5 @@ class MqttProxy(Proxy):
         # The first of a repeated message is for its copy: both have been received by the second.
         if pair.state.pop((pair.other(end), number), False):
             return []
-        return [] if self.chance("swallow") else [(0.0, "control", packet)]
+        acknowledged = self.direction(pair, pair.other(end))
+        return [] if self.chance(acknowledged, "swallow") else [(0.0, "control", packet)]

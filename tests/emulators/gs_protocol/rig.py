@@ -10,19 +10,19 @@ NAME = "kitchen-1"
 class Rig:
     """One outlet at one link, and a centre that knows it."""
 
-    def __init__(self, link, *options, through=lambda port: port):
-        """`through` returns the port in place of that of the broker or the line, for the outlet; of
-        the broker also for the first centre."""
+    def __init__(self, link, *options, through=lambda port, client: port):
+        """`through` returns the port in place of that of the broker or the line, for the client
+        "outlet"; of the broker also for the first "centre"."""
         self.folder = Folder()
         self.broker = Broker(self.folder.path) if link == "mqtt" else None
-        self.station = (mqtt.MqttCentre(through(self.broker.port), "first") if self.broker
+        self.station = (mqtt.MqttCentre(through(self.broker.port, "centre"), "first") if self.broker
                         else serial_line.SerialCentre())
         self.more = []
         self.mark = 0  # in the centre's log
         self.centre = self.station.centre
         self.name = NAME if self.broker else self.station.name
         where = at_broker if self.broker else at_line
-        port = through((self.broker or self.station.line).port)
+        port = through((self.broker or self.station.line).port, "outlet")
         self.flash = os.path.join(self.folder.path, "flash")
         self.product = ProductOutlet(NAME, *where(port), *(options or ("--flash", self.flash)))
         self.until(self.station_is_identified)

@@ -16,7 +16,7 @@ namespace gs::wire {
 // Lengths in bytes. A link must carry kLongestMessage, the limit for messages of any version; a
 // longer message is malformed. The longest message of this version is settings with all their rows.
 constexpr std::size_t kLongestMessage = 560;
-constexpr std::size_t kLongestOfThisVersion = 537;
+constexpr std::size_t kLongestOfThisVersion = 537;  // of any values; 535 of those in range
 static_assert(kLongestOfThisVersion <= kLongestMessage, "");
 
 enum class Decoded : std::uint8_t {

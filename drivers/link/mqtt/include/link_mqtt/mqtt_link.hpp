@@ -3,7 +3,7 @@
 //
 // The broker must allow MQTT's largest number of in-flight messages to the bench (Mosquitto:
 // max_inflight_messages 65535). With a lower limit, the broker may hold back QoS 1 messages while
-// later measurements pass. The messages held back then count as lost. wire/README.md lists the
+// later measurements pass. The messages held back then count as lost. wire/mqtt.md lists the
 // broker's other settings.
 #pragma once
 
