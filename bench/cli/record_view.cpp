@@ -17,10 +17,11 @@ constexpr std::size_t kMostAsked = 20;
 std::string kept_until(const record::RunRecord& run, record::Reader& reader) {
   std::int64_t last_tick = -1;
   for (std::size_t i = 0; i < std::min(run.outlets.size(), kMostAsked); ++i) {
-    const record::OutletRecord outlet = reader.outlet(i);
-    if (!outlet.trace.tick.empty()) {
-      last_tick = std::max(last_tick, outlet.trace.tick.back());
-    }
+    reader.read_reports(i, [&](const record::Reports& piece) {
+      if (!piece.trace.tick.empty()) {
+        last_tick = std::max(last_tick, piece.trace.tick.back());
+      }
+    });
   }
   return last_tick < 0 || run.sample_rate_hz == 0
              ? "; no measurement was kept"
@@ -76,12 +77,18 @@ record::RunRecord results_of(record::Reader& reader) {
 render::View view_of(const record::RunRecord& run, record::Reader& reader,
                      const std::vector<std::string>& ids) {
   render::View view = run;
-  view.with_reports = [&run, &reader](std::size_t index) {
+  // An outlet has no reports if the disk was full before it was stored.
+  view.marked = [&run, &reader](std::size_t index) {
     record::OutletRecord outlet = run.outlets[index];
-    if (index < reader.outlets()) {  // not if the disk was full before it was stored
-      outlet.reports() = reader.outlet(index).reports();
+    if (index < reader.outlets()) {
+      outlet.reports() = reader.marked(index).reports();
     }
     return outlet;
+  };
+  view.read_reports = [&reader](std::size_t index, const record::TakeReports& take) {
+    if (index < reader.outlets()) {
+      reader.read_reports(index, take);
+    }
   };
   if (!ids.empty()) {
     view.outlets = indices_of(run, ids);

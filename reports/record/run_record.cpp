@@ -23,6 +23,23 @@ std::int64_t Clock::tick_of(std::int64_t sample) const {
              : std::llround((static_cast<double>(sample) - sample_at_zero) / samples_per_tick);
 }
 
+void append(const MeasurementTrace& from, std::size_t i, MeasurementTrace& to) {
+  to.tick.push_back(from.tick[i]);
+  to.frequency_hz.push_back(from.frequency_hz[i]);
+  to.rocof_hz_s.push_back(from.rocof_hz_s[i]);
+  to.voltage_pu.push_back(from.voltage_pu[i]);
+  to.validity.push_back(from.validity[i]);
+}
+
+void append(const EstimateTrace& from, std::size_t i, EstimateTrace& to) {
+  to.tick.push_back(from.tick[i]);
+  to.loss_mw.push_back(from.loss_mw[i]);
+  to.loss_sigma_mw.push_back(from.loss_sigma_mw[i]);
+  to.event_tick.push_back(from.event_tick[i]);
+  to.loss_after_event_s.push_back(from.loss_after_event_s[i]);
+  to.trusted.push_back(from.trusted[i]);
+}
+
 double loss_instant_s(const EstimateTrace& estimates, std::size_t i, double sample_rate_hz) {
   return static_cast<double>(estimates.event_tick[i]) / sample_rate_hz +
          static_cast<double>(estimates.loss_after_event_s[i]);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -45,52 +46,98 @@ const char* validity_word(std::uint8_t validity) {
   return validity < kWords.size() ? kWords[validity] : "unknown";
 }
 
-// Reports and estimates are merged by tick: an estimate between two reports has a row of its own.
-void outlet_rows(const record::RunRecord& run, const record::OutletRecord& outlet,
-                 const Sink& sink) {
-  constexpr std::size_t kMostBuffered = 1U << 16U;
-  fmt::memory_buffer out;
-  const std::string id = quoted(outlet.id);
-  const record::MeasurementTrace& trace = outlet.trace;
-  const record::EstimateTrace& estimates = outlet.estimates;
-  constexpr auto kNone = std::numeric_limits<std::int64_t>::max();
-  std::size_t report = 0;
-  std::size_t estimate = 0;
-  while (report < trace.tick.size() || estimate < estimates.tick.size()) {
-    const std::int64_t report_tick = report < trace.tick.size() ? trace.tick[report] : kNone;
-    const std::int64_t estimate_tick =
-        estimate < estimates.tick.size() ? estimates.tick[estimate] : kNone;
-    const std::int64_t tick = std::min(report_tick, estimate_tick);
-    out.append(id);
-    add_cell(out, seconds(run, tick));
-    add_cell(out, record::frequency_hz(run.reference, tick));
-    if (report < trace.tick.size() && report_tick == tick) {
-      add_cell(out, trace.frequency_hz[report]);
-      add_cell(out, trace.rocof_hz_s[report]);
-      add_cell(out, trace.voltage_pu[report]);
-      fmt::format_to(std::back_inserter(out), ",{}", validity_word(trace.validity[report]));
-      ++report;
-    } else {
-      out.append(kFourEmpty);
-    }
-    if (estimate < estimates.tick.size() && estimate_tick == tick) {
-      add_cell(out, estimates.loss_mw[estimate]);
-      add_cell(out, estimates.loss_sigma_mw[estimate]);
-      add_cell(out, estimates.trusted[estimate] != 0 ? 1 : 0);
-      add_cell(out, static_cast<float>(record::loss_instant_s(
-                        estimates, estimate, static_cast<double>(run.sample_rate_hz))));
-      ++estimate;
-    } else {
-      out.append(kFourEmpty);
-    }
-    out.push_back('\n');
-    if (out.size() > kMostBuffered) {
-      sink({out.data(), out.size()});
-      out.clear();
-    }
+// The rows of one outlet. Reports and estimates are merged by tick: an estimate between two reports
+// has a row of its own.
+class OutletRows {
+ public:
+  OutletRows(const record::RunRecord& run, const std::string& id, const Sink& sink)
+      : run_(run), id_(quoted(id)), sink_(sink) {}
+
+  // Each piece waits for the next, in which estimates for its reports may come.
+  void add(const record::Reports& piece) {
+    const std::int64_t last_tick = waiting_.trace.tick.empty() ? -1 : waiting_.trace.tick.back();
+    waiting_.append(piece);
+    write_until(last_tick);
   }
-  sink({out.data(), out.size()});
-}
+  void finish() { write_until(kNone - 1); }
+
+ private:
+  static constexpr auto kNone = std::numeric_limits<std::int64_t>::max();
+  static constexpr std::size_t kMostBuffered = 1U << 16U;
+
+  static std::int64_t tick_at(const std::vector<std::int64_t>& ticks, std::size_t i) {
+    return i < ticks.size() ? ticks[i] : kNone;
+  }
+
+  void write_until(std::int64_t last_tick) {
+    const record::MeasurementTrace& trace = waiting_.trace;
+    const record::EstimateTrace& estimates = waiting_.estimates;
+    std::size_t report = 0;
+    std::size_t estimate = 0;
+    for (;;) {
+      const std::int64_t report_tick = tick_at(trace.tick, report);
+      const std::int64_t estimate_tick = tick_at(estimates.tick, estimate);
+      const std::int64_t tick = std::min(report_tick, estimate_tick);
+      if (tick > last_tick) {
+        break;
+      }
+      out_.append(id_);
+      add_cell(out_, seconds(run_, tick));
+      add_cell(out_, record::frequency_hz(run_.reference, tick));
+      if (report_tick == tick) {
+        write_report(report++);
+      } else {
+        out_.append(kFourEmpty);
+      }
+      if (estimate_tick == tick) {
+        write_estimate(estimate++);
+      } else {
+        out_.append(kFourEmpty);
+      }
+      out_.push_back('\n');
+      if (out_.size() > kMostBuffered) {
+        flush();
+      }
+    }
+    flush();
+    record::Reports rest;
+    for (; report < trace.tick.size(); ++report) {
+      record::append(trace, report, rest.trace);
+    }
+    for (; estimate < estimates.tick.size(); ++estimate) {
+      record::append(estimates, estimate, rest.estimates);
+    }
+    waiting_ = std::move(rest);
+  }
+
+  void write_report(std::size_t i) {
+    const record::MeasurementTrace& trace = waiting_.trace;
+    add_cell(out_, trace.frequency_hz[i]);
+    add_cell(out_, trace.rocof_hz_s[i]);
+    add_cell(out_, trace.voltage_pu[i]);
+    fmt::format_to(std::back_inserter(out_), ",{}", validity_word(trace.validity[i]));
+  }
+
+  void write_estimate(std::size_t i) {
+    const record::EstimateTrace& estimates = waiting_.estimates;
+    add_cell(out_, estimates.loss_mw[i]);
+    add_cell(out_, estimates.loss_sigma_mw[i]);
+    add_cell(out_, estimates.trusted[i] != 0 ? 1 : 0);
+    add_cell(out_, static_cast<float>(record::loss_instant_s(
+                       estimates, i, static_cast<double>(run_.sample_rate_hz))));
+  }
+
+  void flush() {
+    sink_({out_.data(), out_.size()});
+    out_.clear();
+  }
+
+  const record::RunRecord& run_;
+  std::string id_;
+  const Sink& sink_;
+  record::Reports waiting_;  // only its traces
+  fmt::memory_buffer out_;
+};
 
 }  // namespace
 
@@ -99,7 +146,9 @@ void write_csv(const View& view, const Sink& sink) {
       "outlet,t_s,true_frequency_hz,frequency_hz,rocof_hz_s,voltage_pu,validity,loss_mw,"
       "loss_sigma_mw,trusted,t_x_s\n");
   for (const std::size_t index : view.outlets) {
-    outlet_rows(view.run, view.with_reports(index), sink);
+    OutletRows rows(view.run, view.run.outlets[index].id, sink);
+    view.read_reports(index, [&](const record::Reports& piece) { rows.add(piece); });
+    rows.finish();
   }
 }
 

@@ -152,9 +152,9 @@ void add_outlets(const View& shown, object& page) {
   std::vector<OutletCurves> curves;
   std::size_t first = 0;  // shown first: the first of those with the worst verdict
   for (std::size_t place = 0; place < drawn.size(); ++place) {
-    const record::OutletRecord outlet = shown.with_reports(drawn[place]);
+    const record::OutletRecord outlet = shown.marked(drawn[place]);
     outlets.push_back(outlet_object(run, outlet, place, kMostDetails / drawn.size()));
-    curves.push_back(curves_of(run, outlet, kMostCurves / drawn.size()));
+    curves.push_back(curves_of(shown, drawn[place], outlet, kMostCurves / drawn.size()));
     places[drawn[place]] = place;
     if (outlet.verdict > run.outlets[drawn[first]].verdict) {
       first = place;

@@ -97,11 +97,10 @@ Json recording(const record::RunRecord& run) {
            static_cast<double>(run.duration_ticks) / static_cast<double>(run.sample_rate_hz)}};
 }
 
-Json kept(const record::RunRecord& run, const record::OutletRecord& outlet) {
-  const std::vector<std::int64_t>& ticks = outlet.trace.tick;
-  return {{"measurements", ticks.size()},
-          {"until_s", ticks.empty() ? Json(nullptr) : Json(seconds(run, ticks.back()))},
-          {"marks", array_of(kept_marks(outlet), [&](const record::Mark& mark) {
+Json kept_json(const record::RunRecord& run, const Kept& kept) {
+  return {{"measurements", kept.measurements},
+          {"until_s", kept.measurements == 0 ? Json(nullptr) : Json(seconds(run, kept.last_tick))},
+          {"marks", array_of(kept.marks, [&](const record::Mark& mark) {
              return Json{{"t_s", seconds(run, mark.tick)},
                          {"kind", mark.kind},
                          {"value", mark.value},
@@ -136,7 +135,7 @@ std::string json(const View& view) {
   const char* before = "\n";
   for (const std::size_t index : view.outlets) {
     Json entry = outlet(run.outlets[index]);
-    entry["kept"] = was_judged(run) ? Json(nullptr) : kept(run, view.with_reports(index));
+    entry["kept"] = was_judged(run) ? Json(nullptr) : kept_json(run, kept_of(view, index));
     text += before + indented(entry, 4);
     before = ",\n";
   }

@@ -113,10 +113,9 @@ Case case_of(const View& view, std::size_t index) {
   const record::OutletRecord& outlet = view.run.outlets[index];
   Case one{"outlet", outlet.verdict, outlet_sentence(outlet)};
   if (!was_judged(view.run)) {
-    const record::OutletRecord with_reports = view.with_reports(index);
     const std::string fault = outlet.fault.empty() ? "" : one.message + "; ";
-    one.message = fault + "not judged; kept: " + kept_sentence(view.run, with_reports);
-    one.output = kept_list(view.run, with_reports);
+    one.message = fault + "not judged; kept: " + kept_sentence(view.run, kept_of(view, index));
+    one.output = kept_list(view.run, view.marked(index));
   }
   return one;
 }

@@ -28,24 +28,30 @@ bool was_judged(const record::RunRecord& run) {
   return run.fault.empty() && !run.interrupted;
 }
 
-std::vector<record::Mark> kept_marks(const record::OutletRecord& outlet) {
-  std::vector<record::Mark> marks;
-  std::copy_if(outlet.marks.begin(), outlet.marks.end(), std::back_inserter(marks),
+Kept kept_of(const View& view, std::size_t index) {
+  Kept kept;
+  view.read_reports(index, [&](const record::Reports& piece) {
+    const std::vector<std::int64_t>& ticks = piece.trace.tick;
+    kept.measurements += ticks.size();
+    kept.last_tick = ticks.empty() ? kept.last_tick : ticks.back();
+  });
+  const std::vector<record::Mark> marks = view.marked(index).marks;
+  std::copy_if(marks.begin(), marks.end(), std::back_inserter(kept.marks),
                [](const record::Mark& mark) {
                  return mark.kind == "event" || mark.kind == "decision" ||
                         mark.kind == "relay.sense" || mark.kind == "relay.reported";
                });
-  return marks;
+  return kept;
 }
 
-std::string kept_sentence(const record::RunRecord& run, const record::OutletRecord& outlet) {
-  const std::vector<std::int64_t>& ticks = outlet.trace.tick;
-  std::string text = ticks.empty()
-                         ? "no measurement"
-                         : fmt::format("{} measurement{}, up to {:.3f} s of {:.3f} s", ticks.size(),
-                                       ticks.size() == 1 ? "" : "s", seconds(run, ticks.back()),
-                                       seconds(run, run.duration_ticks));
-  const std::vector<record::Mark> marks = kept_marks(outlet);
+std::string kept_sentence(const record::RunRecord& run, const Kept& kept) {
+  std::string text =
+      kept.measurements == 0
+          ? "no measurement"
+          : fmt::format("{} measurement{}, up to {:.3f} s of {:.3f} s", kept.measurements,
+                        kept.measurements == 1 ? "" : "s", seconds(run, kept.last_tick),
+                        seconds(run, run.duration_ticks));
+  const std::vector<record::Mark>& marks = kept.marks;
   for (std::size_t i = 0; i < std::min(marks.size(), kMostKeptMarks); ++i) {
     text += fmt::format("; {} {:.3f} s", what(marks[i]), seconds(run, marks[i].tick));
   }

@@ -3,6 +3,7 @@
 #include "format.hpp"
 #include "html_elements.hpp"
 #include "json_text.hpp"
+#include "thinning.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,17 +81,16 @@ Json frequency_json(const record::RunRecord& run, const std::vector<std::int64_t
   return {{"t", std::move(t)}, {"f", std::move(f)}, {"r", std::move(r)}};
 }
 
-Json estimates_json(const record::RunRecord& run, const record::OutletRecord& outlet,
-                    std::size_t most) {
+Json estimates_json(const record::RunRecord& run, const record::EstimateTrace& estimates,
+                    const std::vector<record::Mark>& marks, std::size_t most) {
   Json t = Json::array();
   Json p = Json::array();
   Json trusted = Json::array();
-  const record::EstimateTrace& estimates = outlet.estimates;
   const std::vector<double> loss_mw(estimates.loss_mw.begin(), estimates.loss_mw.end());
   const std::vector<double> sigma_mw(estimates.loss_sigma_mw.begin(),
                                      estimates.loss_sigma_mw.end());
   for (const std::size_t i :
-       thinned(estimates.tick, loss_mw, sigma_mw, around_marks(run, outlet.marks), most)) {
+       thinned(estimates.tick, loss_mw, sigma_mw, around_marks(run, marks), most)) {
     t.push_back(seconds(run, estimates.tick[i]));
     p.push_back(rounded(loss_mw[i], kSteps_per_mw));
     trusted.push_back(estimates.trusted[i]);
@@ -99,12 +99,12 @@ Json estimates_json(const record::RunRecord& run, const record::OutletRecord& ou
 }
 
 Json outlet_json(const record::RunRecord& run, const record::OutletRecord& outlet,
-                 std::size_t most) {
-  const record::MeasurementTrace& trace = outlet.trace;
+                 const record::Reports& kept, std::size_t most) {
+  const record::MeasurementTrace& trace = kept.trace;
   Json json = {{"id", clipped(outlet.id, kMostLabel)}};
   json.update(frequency_json(run, trace.tick, trace.frequency_hz, trace.rocof_hz_s, outlet.marks,
                              trace.validity, most));
-  json["e"] = estimates_json(run, outlet, most);
+  json["e"] = estimates_json(run, kept.estimates, outlet.marks, most);
   json["marks"] = marks_json(run, outlet.marks);
   return json;
 }
@@ -172,11 +172,27 @@ std::string mark_note(const record::Mark& mark) {
   return is_in_value ? "" : mark.text;
 }
 
-OutletCurves curves_of(const record::RunRecord& run, const record::OutletRecord& outlet,
+OutletCurves curves_of(const View& view, std::size_t index, const record::OutletRecord& outlet,
                        std::size_t most_bytes) {
-  OutletCurves curves{"", outlet.trace.tick.size(), 0};
+  const record::RunRecord& run = view.run;
+  const std::vector<Stretch> whole = around_marks(run, outlet.marks);
+  using record::EstimateTrace;
+  using record::MeasurementTrace;
+  TraceThinning<MeasurementTrace> trace(run.duration_ticks, whole, &MeasurementTrace::frequency_hz,
+                                        &MeasurementTrace::rocof_hz_s);
+  TraceThinning<EstimateTrace> estimates(run.duration_ticks, whole, &EstimateTrace::loss_mw,
+                                         &EstimateTrace::loss_sigma_mw);
+  view.read_reports(index, [&](const record::Reports& piece) {
+    trace.add(piece.trace);
+    estimates.add(piece.estimates);
+  });
+  record::Reports kept;
+  kept.trace = trace.take();
+  kept.estimates = estimates.take();
+  OutletCurves curves{"", trace.entries(), 0};
   curves.json = fitted(
-      most_bytes, [&](std::size_t most) { return outlet_json(run, outlet, most); }, curves.drawn);
+      most_bytes, [&](std::size_t most) { return outlet_json(run, outlet, kept, most); },
+      curves.drawn);
   return curves;
 }
 

@@ -87,7 +87,7 @@ void add_outlets(const View& view, const Most& most, TerminalText& text) {
   if (!was_judged(view.run)) {
     for (const std::size_t index : rows) {
       text.add_named("Kept of " + id_of(view.run.outlets[index], most),
-                     kept_sentence(view.run, view.with_reports(index)));
+                     kept_sentence(view.run, kept_of(view, index)));
     }
   }
   const std::string doubt = doubt_note(outlets);

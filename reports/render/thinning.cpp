@@ -1,4 +1,4 @@
-#include "plot_data.hpp"
+#include "thinning.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -19,7 +19,10 @@ void Format::write(const View& view, const Sink& sink) const {
 View::View(const record::RunRecord& shown)
     : run(shown),
       outlets(shown.outlets.size()),
-      with_reports([&shown](std::size_t index) { return shown.outlets[index]; }) {
+      marked([&shown](std::size_t index) { return shown.outlets[index]; }),
+      read_reports([&shown](std::size_t index, const record::TakeReports& take) {
+        take(shown.outlets[index]);
+      }) {
   std::iota(outlets.begin(), outlets.end(), std::size_t{0});
 }
 

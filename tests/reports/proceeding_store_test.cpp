@@ -21,11 +21,7 @@ std::vector<Reports> in_pieces(const OutletRecord& outlet, std::size_t count) {
     const std::size_t to = std::min(from + count, trace.tick.size());
     Reports& piece = pieces.emplace_back();
     for (std::size_t i = from; i < to; ++i) {
-      piece.trace.tick.push_back(trace.tick[i]);
-      piece.trace.frequency_hz.push_back(trace.frequency_hz[i]);
-      piece.trace.rocof_hz_s.push_back(trace.rocof_hz_s[i]);
-      piece.trace.voltage_pu.push_back(trace.voltage_pu[i]);
-      piece.trace.validity.push_back(trace.validity[i]);
+      append(trace, i, piece.trace);
     }
     pieces.emplace_back();  // an append in which nothing has come
   }

@@ -1,8 +1,8 @@
 // Values with their uncertainty, the terminal's table, thinning, and files that are written
 // completely or not at all.
 #include "format.hpp"
-#include "plot_data.hpp"
 #include "sample_run.hpp"
+#include "thinning.hpp"
 #include <test_support/refusal.hpp>
 #include <test_support/small_disk.hpp>
 #include <test_support/temporary_folder.hpp>

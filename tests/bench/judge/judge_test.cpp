@@ -71,11 +71,7 @@ record::Reports piece_of(const record::OutletRecord& outlet, std::size_t from, s
   record::Reports piece;
   const record::MeasurementTrace& trace = outlet.trace;
   for (std::size_t i = from; i < std::min(to, trace.tick.size()); ++i) {
-    piece.trace.tick.push_back(trace.tick[i]);
-    piece.trace.frequency_hz.push_back(trace.frequency_hz[i]);
-    piece.trace.rocof_hz_s.push_back(trace.rocof_hz_s[i]);
-    piece.trace.voltage_pu.push_back(trace.voltage_pu[i]);
-    piece.trace.validity.push_back(trace.validity[i]);
+    record::append(trace, i, piece.trace);
   }
   if (from == 0) {
     piece.estimates = outlet.estimates;

@@ -70,6 +70,10 @@ struct EstimateTrace {
   std::vector<std::uint8_t> trusted;  // 1 trusted, 0 not
 };
 
+// Appends entry i of `from`.
+void append(const MeasurementTrace& from, std::size_t i, MeasurementTrace& to);
+void append(const EstimateTrace& from, std::size_t i, EstimateTrace& to);
+
 // Time of the loss by estimate i, on the run's time base, s.
 double loss_instant_s(const EstimateTrace& estimates, std::size_t i, double sample_rate_hz);
 

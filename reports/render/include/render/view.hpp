@@ -1,5 +1,5 @@
-// What a report shows of a run. Reports of outlets are read one outlet at a time: a run may have
-// more of them than fit into memory.
+// What a report shows of a run. Reports of outlets are read one outlet at a time and in pieces: a
+// run may have more of them than fit into memory.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,10 @@ struct View {
 
   const record::RunRecord& run;      // has the results of all outlets; reports are not used
   std::vector<std::size_t> outlets;  // that are shown: indices in run.outlets
-  // The outlet with this index, with its reports. May throw what the reader of a record throws.
-  std::function<record::OutletRecord(std::size_t index)> with_reports;
+  // The outlet with this index, with its marks and what it was sent, and all of its reports in
+  // pieces. Both may throw what the reader of a record throws.
+  std::function<record::OutletRecord(std::size_t index)> marked;
+  std::function<void(std::size_t index, const record::TakeReports& take)> read_reports;
 };
 
 // At most `most` of the outlets that are shown. If that is not all of them, the worst come first:
