@@ -5,21 +5,31 @@
 #include <algorithm>
 #include <cerrno>
 
+#include <wire/frame.hpp>
+
 namespace gs::host {
 
 bool DescriptorLine::open(std::string& why) {
   constexpr auto kBetweenConnections = std::chrono::milliseconds(250);
   close();
   next_attempt_ = std::chrono::steady_clock::now() + kBetweenConnections;
-  descriptor_ = connect(why);
-  return descriptor_ >= 0;
+  std::string far_end;
+  descriptor_ = connect(far_end, why);
+  if (descriptor_ < 0) {
+    return false;
+  }
+  report((far_end == far_end_ ? "connected again to " : "connected to ") + far_end);
+  far_end_ = far_end;
+  return true;
 }
 
 void DescriptorLine::close() {
   if (descriptor_ >= 0) {
     ::close(descriptor_);
     descriptor_ = -1;
+    report("no longer connected to " + far_end_);
   }
+  partial_.clear();  // its end was lost with the connection
   // Each frame begins and ends with a zero; of the first one, some bytes may have been sent.
   const auto zeros = std::count(to_send_.begin(), to_send_.end(), std::uint8_t{0});
   unsent_ += static_cast<std::uint32_t>((zeros + 1) / 2);
@@ -52,7 +62,7 @@ void DescriptorLine::receive() {
   while (descriptor_ >= 0) {
     const ssize_t got = ::read(descriptor_, bytes, sizeof bytes);
     if (got > 0) {
-      received_.insert(received_.end(), bytes, bytes + got);
+      take(bytes, static_cast<std::size_t>(got));
       continue;
     }
     // 0: the other side closed the connection. EAGAIN: no bytes are available.
@@ -60,6 +70,18 @@ void DescriptorLine::receive() {
       close();
     }
     return;
+  }
+}
+
+// Only whole frames are handed on, so that half of one is not reported to the centre that connects
+// next.
+void DescriptorLine::take(const std::uint8_t* bytes, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    partial_.push_back(bytes[i]);
+    if (bytes[i] == 0 || partial_.size() > wire::kLongestFrame) {
+      received_.insert(received_.end(), partial_.begin(), partial_.end());
+      partial_.clear();
+    }
   }
 }
 

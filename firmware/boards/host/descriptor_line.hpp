@@ -29,15 +29,19 @@ class DescriptorLine : public Line {
   std::uint32_t take_unsent() override { return std::exchange(unsent_, 0); }
 
  protected:
-  // A descriptor that does not block; -1: none, with the reason in `why`.
-  virtual int connect(std::string& why) = 0;
+  // A descriptor that does not block; -1: none, with the reason in `why`. Sets `far_end`, for
+  // people: "/dev/ttyUSB0".
+  virtual int connect(std::string& far_end, std::string& why) = 0;
 
  private:
   void close();
   void receive();
+  void take(const std::uint8_t* bytes, std::size_t count);
   void transmit();
 
   int descriptor_ = -1;
+  std::string far_end_;                // of the newest connection
+  std::vector<std::uint8_t> partial_;  // the beginning of a frame, which waits for its end
   std::vector<std::uint8_t> to_send_;
   std::uint32_t unsent_ = 0;
   std::chrono::steady_clock::time_point next_attempt_;

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <app/endpoint.hpp>
 
@@ -26,11 +29,18 @@ class Line : public app::Carrier {
   virtual bool wants_to_write() const = 0;
   // True once after a reconnection: the outlet must then send its hello again.
   virtual bool take_reconnected() { return false; }
+  // What people should know, since the last call: connections that begin or end.
+  std::vector<std::string> take_news() { return std::exchange(news_, {}); }
   // Messages lost since the last call although send() had accepted them.
   virtual std::uint32_t take_unsent() { return 0; }
 
  protected:
+  void report(std::string news) { news_.push_back(std::move(news)); }
+
   std::deque<std::uint8_t> received_;  // bytes of frames, added by serve()
+
+ private:
+  std::vector<std::string> news_;
 };
 
 }  // namespace gs::host

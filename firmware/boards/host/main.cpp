@@ -5,10 +5,12 @@
 #include "host_board.hpp"
 #include "mains.hpp"
 #include "mqtt_line.hpp"
+#include "password_file.hpp"
 #include "serial_line.hpp"
 #include "tcp_line.hpp"
 #include <shared_memory_io/shared_flash.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -108,7 +110,9 @@ std::optional<host::Curve> make_curve(const host::Arguments& arguments, std::str
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::string(argv[1]) == "--help") {
+  if (std::any_of(argv + 1, argv + argc, [](const std::string& argument) {
+        return argument == "--help" || argument == "-h";
+      })) {
     std::fputs(host::kHelp, stdout);
     return 0;
   }
@@ -158,7 +162,14 @@ int main(int argc, char** argv) {
   if (arguments.alone()) {
     mains.emplace(*terminals, *std::move(curve));
   }
+  const auto print_news = [&line] {
+    for (const std::string& news : line->take_news()) {
+      std::fprintf(stderr, "gs-outlet: %s\n", news.c_str());
+    }
+  };
+  print_news();
   while (ended == 0 && board.wait()) {
+    print_news();
     if (mains) {
       mains->write_due();
     }

@@ -3,12 +3,9 @@
 #include <mosquitto.h>
 #include <mqtt_protocol.h>
 
-#include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <utility>
 
 #include <wire/cbor.hpp>
@@ -25,6 +22,7 @@ constexpr auto kBetweenAttempts = std::chrono::milliseconds(500);
 constexpr auto kBetweenUpkeep = std::chrono::milliseconds(100);
 constexpr std::size_t kMostWaiting = 1000;  // messages of up to wire::kLongestMessage
 constexpr int kMostInFlight = 65535;
+constexpr std::size_t kMostReceived = 100;
 
 struct Library {
   Library() { mosquitto_lib_init(); }
@@ -41,56 +39,7 @@ wire::UplinkKind kind_of(const std::uint8_t* message, std::size_t size) {
   return static_cast<wire::UplinkKind>(kind);
 }
 
-bool port_in(const std::string& text, int& port) {
-  const char* const end = text.data() + text.size();
-  const auto number = std::from_chars(text.data(), end, port);
-  return number.ec == std::errc() && number.ptr == end && port > 0 && port <= 65535;
-}
-
-// The scheme may be in upper case, an IPv6 address is in brackets, and a slash may follow the port.
-bool parse(const std::string& url, std::string& host, int& port, bool& tls) {
-  const std::size_t scheme_end = url.find("://");
-  const std::size_t colon = url.rfind(':');
-  if (scheme_end == std::string::npos || colon <= scheme_end + 3) {
-    return false;
-  }
-  std::string scheme = url.substr(0, scheme_end);
-  for (char& letter : scheme) {
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
-  host = url.substr(scheme_end + 3, colon - scheme_end - 3);
-  if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
-    host = host.substr(1, host.size() - 2);
-  } else if (host.find_first_of(":[]/@ ") != std::string::npos) {
-    return false;
-  }
-  const std::size_t end = url.back() == '/' ? url.size() - 1 : url.size();
-  tls = scheme == "mqtts";
-  return (tls || scheme == "mqtt") && port_in(url.substr(colon + 1, end - colon - 1), port);
-}
-
 }  // namespace
-
-bool read_password(const std::string& file, std::string& password, std::string& why) {
-  const std::string mark = "\xEF\xBB\xBF";
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!std::getline(stream, password) && errno != 0) {
-    why = file + ": cannot be read: " + std::strerror(errno);
-    return false;
-  }
-  if (password.compare(0, mark.size(), mark) == 0) {
-    password.erase(0, mark.size());
-  }
-  if (!password.empty() && password.back() == '\r') {
-    password.pop_back();
-  }
-  if (password.empty() || password.find('\0') != std::string::npos) {
-    why = file + ": its first line must be the password, as UTF-8 text";
-    return false;
-  }
-  return true;
-}
 
 MqttCarrier::~MqttCarrier() {
   if (client_ == nullptr) {
@@ -102,11 +51,13 @@ MqttCarrier::~MqttCarrier() {
 
 bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
   static const Library library;
-  bool tls = false;
-  if (!parse(options.url, host_, port_, tls)) {
+  const bool is_address = read_address(options.url, address_);
+  is_tls_ = address_.scheme == "mqtts";
+  if (!is_address || !(is_tls_ || address_.scheme == "mqtt")) {
     why = '"' + options.url + "\" is not mqtts://host:port or mqtt://host:port";
     return false;
   }
+  user_ = options.user;
   hello_topic_ = "gs/" + options.id + "/hello";
   up_topic_ = "gs/" + options.id + "/up";
   down_topic_ = "gs/" + options.id + "/down";
@@ -128,14 +79,17 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
   then(mosquitto_int_option(client_, MOSQ_OPT_SEND_MAXIMUM, kMostInFlight));
   then(mosquitto_username_pw_set(client_, options.user.c_str(), options.password.c_str()));
   then(mosquitto_will_set_v5(client_, hello_topic_.c_str(), 0, nullptr, 1, true, nullptr));
-  if (tls) {
-    const int given =
-        mosquitto_tls_set(client_, options.ca_file.c_str(), nullptr, nullptr, nullptr, nullptr);
-    if (given != MOSQ_ERR_SUCCESS) {
-      why = "the CA file \"" + options.ca_file + "\" cannot be read (--ca)" +
-            (given == MOSQ_ERR_INVAL ? ": " + std::string(std::strerror(errno)) : "");
+  if (is_tls_) {
+    if (options.ca_file.empty()) {
+      why = "mqtts:// needs --ca FILE, the CA certificate that signs the broker's certificate";
       return false;
     }
+    if (!tls_.start(options.ca_file, address_.host, why)) {
+      why = "the CA file \"" + options.ca_file + "\" cannot be read (--ca): " + why;
+      return false;
+    }
+    then(mosquitto_int_option(client_, MOSQ_OPT_SSL_CTX_WITH_DEFAULTS, 0));
+    then(mosquitto_void_option(client_, MOSQ_OPT_SSL_CTX, tls_.context()));
   }
   if (error != MOSQ_ERR_SUCCESS) {
     why = mosquitto_strerror(error);
@@ -148,21 +102,17 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
 void MqttCarrier::connect() {
   next_attempt_ = steady_clock::now() + kBetweenAttempts;
   connected_ = false;
+  is_answered_ = false;
   logged_.clear();
-  check(mosquitto_connect_bind_v5(client_, host_.c_str(), port_, kKeepAlive_s, nullptr, nullptr));
+  tls_.forget_refusal();
+  errno = 0;
+  check(mosquitto_connect_bind_v5(client_, address_.host.c_str(), address_.port, kKeepAlive_s,
+                                  nullptr, nullptr));
 }
 
 void MqttCarrier::check(int error) {
   if (error != MOSQ_ERR_SUCCESS && trouble_.empty()) {
-    note_trouble(error);
-  }
-}
-
-// Of TLS, the library's code says only that it failed; its log says why.
-void MqttCarrier::note_trouble(int error) {
-  trouble_ = mosquitto_strerror(error);
-  if (error == MOSQ_ERR_TLS) {
-    trouble_ += logged_;
+    trouble_ = trouble_of(error, errno);
   }
 }
 
@@ -201,7 +151,10 @@ void MqttCarrier::serve() {
     }
     return;
   }
-  check(mosquitto_loop_read(client_, 1));
+  // If the outlet does not take its messages, they wait in the socket, and then at the broker.
+  if (received_.size() < kMostReceived) {
+    check(mosquitto_loop_read(client_, 1));
+  }
   while (connected() && !reconnected_ && !waiting_.empty()) {
     unsent_ += publish(waiting_.front().data(), waiting_.front().size()) ? 0 : 1;
     waiting_.pop_front();
@@ -239,8 +192,13 @@ bool MqttCarrier::take_reconnected() {
 void MqttCarrier::on_connect(mosquitto* client, void* self, int reason, int,
                              const mosquitto_property*) {
   auto& carrier = *static_cast<MqttCarrier*>(self);
+  carrier.is_answered_ = true;
   if (reason != MQTT_RC_SUCCESS) {
-    carrier.trouble_ = mosquitto_reason_string(reason);
+    const bool is_login =
+        reason == MQTT_RC_BAD_USERNAME_OR_PASSWORD || reason == MQTT_RC_NOT_AUTHORIZED;
+    carrier.trouble_ =
+        is_login ? "refuses the user name \"" + carrier.user_ + "\" or the password"
+                 : std::string("refuses the connection: ") + mosquitto_reason_string(reason);
     return;
   }
   // Subscribes before the hello is sent, so that an answer to it is received.
@@ -257,7 +215,7 @@ void MqttCarrier::on_disconnect(mosquitto*, void* self, int reason, const mosqui
   carrier.connected_ = false;
   carrier.next_attempt_ = steady_clock::now() + kBetweenAttempts;
   if (carrier.trouble_.empty()) {
-    carrier.note_trouble(reason);
+    carrier.trouble_ = carrier.trouble_of(reason, errno);
   }
 }
 
@@ -269,7 +227,7 @@ void MqttCarrier::on_publish(mosquitto*, void* self, int, int reason, const mosq
 
 void MqttCarrier::on_log(mosquitto*, void* self, int level, const char* text) {
   if (level == MOSQ_LOG_ERR) {
-    static_cast<MqttCarrier*>(self)->logged_ += std::string(" ") + text;
+    static_cast<MqttCarrier*>(self)->logged_ = text;
   }
 }
 

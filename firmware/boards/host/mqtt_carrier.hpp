@@ -10,6 +10,9 @@
 // and calls serve().
 #pragma once
 
+#include "address.hpp"
+#include "tls.hpp"
+
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -34,10 +37,6 @@ struct MqttOptions {
   std::uint32_t instance = 0;  // part of the client id: two outlets with one id can both connect
 };
 
-// The first line of a file, without a byte order mark at its beginning and a carriage return at its
-// end. Returns false with the reason in `why` if the file cannot be read or the line is empty.
-bool read_password(const std::string& file, std::string& password, std::string& why);
-
 class MqttCarrier final : public app::Carrier {
  public:
   MqttCarrier() = default;
@@ -45,8 +44,8 @@ class MqttCarrier final : public app::Carrier {
   MqttCarrier(const MqttCarrier&) = delete;
   MqttCarrier& operator=(const MqttCarrier&) = delete;
 
-  // Returns false with the reason in `why` if the options are invalid. If the broker cannot be
-  // reached, serve() keeps trying.
+  // Returns false with the reason in `why` if the options are invalid, or the CA file cannot be
+  // read. If the broker cannot be reached, serve() keeps trying.
   bool start(const MqttOptions& options, std::string& why);
 
   // Returns false for a measurement while there is no connection, and for any message if the queue
@@ -63,12 +62,15 @@ class MqttCarrier final : public app::Carrier {
   // Takes the next message to the outlet. Returns false if there is none. Empty payloads are no
   // messages.
   bool take(std::vector<std::uint8_t>& message);
+  std::size_t waiting() const { return received_.size(); }  // messages that it could take now
   // True once after each reconnection. The outlet must then send its hello again, because the
   // broker may no longer have it. Queued messages wait for this call, so that the hello is first.
   bool take_reconnected();
 
   bool connected() const { return connected_ && descriptor() >= 0; }
-  const std::string& trouble() const { return trouble_; }  // why the last connection failed
+  // Why the last connection failed or ended, as the end of a sentence about the broker: "cannot be
+  // found: …". Empty: it did not.
+  const std::string& trouble() const { return trouble_; }
   // Messages since the last call that send() accepted, and that the broker rejected or that could
   // not be sent after all.
   std::uint32_t take_unsent() { return std::exchange(unsent_, 0); }
@@ -83,11 +85,13 @@ class MqttCarrier final : public app::Carrier {
   void connect();
   bool publish(const std::uint8_t* message, std::size_t size);
   void check(int error);
-  void note_trouble(int error);
+  std::string trouble_of(int error, int number) const;  // `number`: errno
 
+  Tls tls_;
   mosquitto* client_ = nullptr;
-  std::string host_;
-  int port_ = 0;
+  Address address_;
+  bool is_tls_ = false;
+  std::string user_;
   std::string hello_topic_;
   std::string up_topic_;
   std::string down_topic_;
@@ -97,7 +101,8 @@ class MqttCarrier final : public app::Carrier {
   std::deque<std::vector<std::uint8_t>> waiting_;  // queued while there is no connection
   std::uint32_t unsent_ = 0;
   std::string trouble_;
-  std::string logged_;  // error messages of the library during this attempt to connect
+  std::string logged_;        // the library's last error message during this attempt to connect
+  bool is_answered_ = false;  // this attempt, by the broker
   bool connected_ = false;
   bool was_connected_ = false;
   bool reconnected_ = false;

@@ -1,7 +1,5 @@
 #include "mqtt_line.hpp"
 
-#include <cstdio>
-
 namespace gs::host {
 
 bool MqttLine::send(const std::uint8_t* bytes, std::size_t count) {
@@ -19,9 +17,14 @@ void MqttLine::serve() {
   if (carrier_.trouble() != trouble_) {
     trouble_ = carrier_.trouble();
     if (!trouble_.empty()) {
-      std::fprintf(stderr, "gs-outlet: not connected to the broker: %s\n", trouble_.c_str());
+      report("not connected: the broker " + url_ + ' ' + trouble_);
     }
   }
+  if (carrier_.connected() && !connected_) {
+    report((was_connected_ ? "connected again to the broker " : "connected to the broker ") + url_);
+    was_connected_ = true;
+  }
+  connected_ = carrier_.connected();
   std::vector<std::uint8_t> message;
   if (received_.empty() && carrier_.take(message)) {  // one at a time: the carrier bounds its queue
     std::uint8_t framed[wire::kLongestFrame];

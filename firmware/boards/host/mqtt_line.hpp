@@ -13,10 +13,13 @@ namespace gs::host {
 
 class MqttLine final : public Line {
  public:
-  bool start(const MqttOptions& options, std::string& why) { return carrier_.start(options, why); }
+  bool start(const MqttOptions& options, std::string& why) {
+    url_ = options.url;
+    return carrier_.start(options, why);
+  }
 
   bool send(const std::uint8_t* bytes, std::size_t count) override;
-  // Prints once why there is no connection.
+  // Reports each connection, and once why there is none.
   void serve() override;
   int descriptor() const override { return carrier_.descriptor(); }
   bool wants_to_write() const override { return carrier_.wants_to_write(); }
@@ -26,7 +29,10 @@ class MqttLine final : public Line {
  private:
   MqttCarrier carrier_;
   wire::FrameReader reader_;
-  std::string trouble_;  // printed last
+  std::string url_;
+  std::string trouble_;  // reported last
+  bool connected_ = false;
+  bool was_connected_ = false;
 };
 
 }  // namespace gs::host

@@ -9,7 +9,8 @@
 
 namespace gs::host {
 
-int SerialLine::connect(std::string& why) {
+int SerialLine::connect(std::string& far_end, std::string& why) {
+  far_end = device_;
   const int port = ::open(device_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   termios raw{};
   if (port >= 0 && tcgetattr(port, &raw) == 0) {

@@ -13,7 +13,7 @@ class SerialLine final : public DescriptorLine {
   explicit SerialLine(std::string device) : device_(std::move(device)) {}  // "/dev/ttyUSB0"
 
  private:
-  int connect(std::string& why) override;
+  int connect(std::string& far_end, std::string& why) override;
 
   std::string device_;
 };

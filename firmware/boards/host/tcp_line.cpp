@@ -1,34 +1,48 @@
 #include "tcp_line.hpp"
 
-#include <arpa/inet.h>
+#include "address.hpp"
 #include <fcntl.h>
+#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
+#include <memory>
 
 namespace gs::host {
 namespace {
 
-bool parse(const std::string& address, sockaddr_in& to, std::string& why) {
-  to = {};
-  to.sin_family = AF_INET;
-  const std::size_t colon = address.find(':');
-  std::uint16_t port = 0;
-  const char* const end = address.data() + address.size();
-  const char* const digits = colon == std::string::npos ? end : address.data() + colon + 1;
-  const auto read = std::from_chars(digits, end, port);
-  if (read.ec != std::errc() || read.ptr != end || port == 0 ||
-      inet_pton(AF_INET, address.substr(0, colon).c_str(), &to.sin_addr) != 1) {
-    why = "\"" + address + "\" is not ADDRESS:PORT, for instance 127.0.0.1:5000";
-    return false;
+using Found = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
+
+// The addresses of a host, at least one; null: none, with the reason in `why`.
+Found look_up(const std::string& text, int flags, std::string& why) {
+  Found found(nullptr, freeaddrinfo);
+  Address address;
+  if (!read_address(text, address) || (!address.scheme.empty() && address.scheme != "tcp")) {
+    why = "\"" + text + "\" is not ADDRESS:PORT, for instance 127.0.0.1:5000 or [::1]:5000";
+    return found;
   }
-  to.sin_port = htons(port);
-  return true;
+  addrinfo wanted{};
+  wanted.ai_socktype = SOCK_STREAM;
+  wanted.ai_flags = flags;
+  addrinfo* first = nullptr;
+  if (const int error = getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(),
+                                    &wanted, &first)) {
+    why = text + ": cannot be found: " + gai_strerror(error);
+    return found;
+  }
+  found.reset(first);
+  return found;
+}
+
+std::string name_of(const sockaddr* address, socklen_t size) {
+  char host[NI_MAXHOST] = "";
+  char port[NI_MAXSERV] = "";
+  getnameinfo(address, size, host, sizeof host, port, sizeof port, NI_NUMERICHOST | NI_NUMERICSERV);
+  return text_of(host, port);
 }
 
 bool send_at_once(int socket) {
@@ -45,49 +59,68 @@ int failed(int socket, const std::string& address, std::string& why) {
   return -1;
 }
 
-}  // namespace
-
-int TcpLine::connect(std::string& why) {
-  sockaddr_in to{};
-  if (!parse(address_, to, why)) {
-    return -1;
-  }
-  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (socket < 0 || ::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0 ||
-      !send_at_once(socket)) {
-    return failed(socket, address_, why);
+int listener_at(const addrinfo& at, std::string& why) {
+  const int yes = 1;
+  const int socket =
+      ::socket(at.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, at.ai_protocol);
+  // "localhost" has an address of each family: the one of IPv6 does not take the other's place.
+  const bool is_set = socket >= 0 &&
+                      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
+                      (at.ai_family != AF_INET6 ||
+                       setsockopt(socket, IPPROTO_IPV6, IPV6_V6ONLY, &yes, sizeof yes) == 0);
+  if (!is_set || bind(socket, at.ai_addr, at.ai_addrlen) != 0 || ::listen(socket, 1) != 0) {
+    return failed(socket, name_of(at.ai_addr, at.ai_addrlen), why);
   }
   return socket;
 }
 
+}  // namespace
+
+int TcpLine::connect(std::string& far_end, std::string& why) {
+  far_end = address_;
+  const Found found = look_up(address_, 0, why);
+  for (const addrinfo* to = found.get(); to != nullptr; to = to->ai_next) {
+    const int socket = ::socket(to->ai_family, SOCK_STREAM | SOCK_CLOEXEC, to->ai_protocol);
+    if (socket >= 0 && ::connect(socket, to->ai_addr, to->ai_addrlen) == 0 &&
+        send_at_once(socket)) {
+      return socket;
+    }
+    failed(socket, address_, why);
+  }
+  return -1;
+}
+
 ListeningLine::~ListeningLine() {
-  if (listener_ >= 0) {
-    ::close(listener_);
+  for (const int listener : listeners_) {
+    ::close(listener);
   }
 }
 
 bool ListeningLine::listen(std::string& why) {
-  sockaddr_in at{};
-  if (!parse(address_, at, why)) {
-    return false;
+  const Found found = look_up(address_, AI_PASSIVE, why);
+  for (const addrinfo* at = found.get(); at != nullptr; at = at->ai_next) {
+    const int listener = listener_at(*at, why);
+    if (listener >= 0) {
+      listeners_.push_back(listener);
+      report("listens at " + name_of(at->ai_addr, at->ai_addrlen));
+    }
   }
-  const int yes = 1;
-  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (socket < 0 || setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
-      bind(socket, reinterpret_cast<const sockaddr*>(&at), sizeof at) != 0 ||
-      ::listen(socket, 1) != 0) {
-    return failed(socket, address_, why) >= 0;
-  }
-  listener_ = socket;
-  return true;
+  return !listeners_.empty();
 }
 
-int ListeningLine::connect(std::string& why) {
-  const int socket = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-  if (socket < 0 || !send_at_once(socket)) {
-    return failed(socket, address_, why);
+int ListeningLine::connect(std::string& far_end, std::string& why) {
+  for (const int listener : listeners_) {
+    sockaddr_storage centre{};
+    auto* const address = reinterpret_cast<sockaddr*>(&centre);
+    socklen_t size = sizeof centre;
+    const int socket = ::accept4(listener, address, &size, SOCK_CLOEXEC);
+    if (socket >= 0 && send_at_once(socket)) {
+      far_end = "the centre at " + name_of(address, size);
+      return socket;
+    }
+    failed(socket, address_, why);
   }
-  return socket;
+  return -1;
 }
 
 }  // namespace gs::host

@@ -5,16 +5,18 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace gs::host {
 
 // Connects to an address.
 class TcpLine final : public DescriptorLine {
  public:
-  explicit TcpLine(std::string address) : address_(std::move(address)) {}  // "127.0.0.1:5000"
+  // "127.0.0.1:5000", "[::1]:5000" or "localhost:5000"; a name is looked up at each attempt.
+  explicit TcpLine(std::string address) : address_(std::move(address)) {}
 
  private:
-  int connect(std::string& why) override;
+  int connect(std::string& far_end, std::string& why) override;
 
   std::string address_;
 };
@@ -25,14 +27,15 @@ class ListeningLine final : public DescriptorLine {
   explicit ListeningLine(std::string address) : address_(std::move(address)) {}
   ~ListeningLine() override;
 
-  // Listens. If that fails, returns false with the reason in `why`.
+  // Listens, at each address of a name. If that fails for all, returns false with the reason in
+  // `why`.
   bool listen(std::string& why);
 
  private:
-  int connect(std::string& why) override;
+  int connect(std::string& far_end, std::string& why) override;
 
   std::string address_;
-  int listener_ = -1;
+  std::vector<int> listeners_;  // one for each address of a name
 };
 
 }  // namespace gs::host

@@ -59,6 +59,16 @@ TEST_F(GsOutlet, PrintsHelp) {
   }
 }
 
+TEST_F(GsOutlet, PrintsHelpWhereverItIsAskedFor) {
+  const std::string help = run("--help").text;
+  for (const char* arguments :
+       {"-h", "--id a --help", "--listen 127.0.0.1:1 -h", "--wrong --help"}) {
+    const Output output = run(arguments);
+    EXPECT_EQ(output.exit_code, 0) << arguments;
+    EXPECT_EQ(output.text, help) << arguments;
+  }
+}
+
 TEST_F(GsOutlet, RefusesUnknownArguments) {
   for (const std::string wrong : {"--nonsense", "--tcp", "--mqtt mqtt://a:1 something"}) {
     const Output output = run(wrong);
@@ -77,12 +87,17 @@ TEST_F(GsOutlet, RequiresExactlyOneConnection) {
 TEST_F(GsOutlet, RefusesInvalidConnections) {
   cable_->unplug();
   expect_refused(line() + at_terminals(), line_address() + ": Connection refused");
-  for (const std::string wrong : {"127.0.0.1", "127.0.0.1:", "127.0.0.1:70000", "localhost:5000"}) {
+  for (const std::string wrong : {"127.0.0.1", "127.0.0.1:", "127.0.0.1:70000", "::1:5000"}) {
     expect_refused("--tcp " + wrong + at_terminals(), "\"" + wrong + "\" is not ADDRESS:PORT");
   }
   expect_refused("--mqtt 127.0.0.1" + at_terminals(), "\"127.0.0.1\" is not mqtts://host:port");
   expect_refused("--mqtt mqtts://127.0.0.1:1 --ca /nowhere/ca" + at_terminals(),
                  "the CA file \"/nowhere/ca\" cannot be read");
+  expect_refused("--mqtt mqtts://127.0.0.1:1 --ca / --id a",
+                 "the CA file \"/\" cannot be read (--ca): Is a directory");
+  expect_refused("--mqtt mqtts://127.0.0.1:1 --id a", "mqtts:// needs --ca FILE");
+  expect_refused("--tcp no-such-host.invalid:1 --id a",
+                 "no-such-host.invalid:1: cannot be found: ");
   expect_refused("--mqtt mqtt://127.0.0.1:1 --password-file /nowhere/password" + at_terminals(),
                  "/nowhere/password: cannot be read");
 }

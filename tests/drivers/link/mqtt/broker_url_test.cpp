@@ -1,4 +1,5 @@
-// The forms of a broker's address.
+// The forms of a broker's address, which bench and outlets read alike.
+#include <address.hpp>
 #include <link_mqtt/broker_url.hpp>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,15 @@ namespace {
 
 std::string in_one_form(const std::string& text) {
   const auto url = link::read_broker_url(text);
+  gs::host::Address outlets;
+  const bool is_broker = gs::host::read_address(text, outlets) &&
+                         (outlets.scheme == "mqtt" || outlets.scheme == "mqtts");
+  EXPECT_EQ(is_broker, url.has_value()) << text;
+  if (url && is_broker) {
+    EXPECT_EQ(outlets.scheme == "mqtts", url->tls) << text;
+    EXPECT_EQ(outlets.host, url->host) << text;
+    EXPECT_EQ(outlets.port, url->port) << text;
+  }
   return url ? link::text_of(*url) : "refused";
 }
 

@@ -1,14 +1,21 @@
 // The outlet's end of MQTT: the addresses that it accepts, and why it cannot connect.
 #include "certified_broker.hpp"
 #include <mqtt_carrier.hpp>
+#include <password_file.hpp>
+#include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
+
+#include <cstdlib>
+#include <vector>
 
 #include <gmock/gmock.h>
 
 namespace gsbench::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 // "" once it is connected, otherwise why it is not.
 std::string trouble_of_outlet(const std::string& url, const std::string& ca_file) {
@@ -35,15 +42,108 @@ TEST(OutletConnection, AcceptsTheFormsOfAnAddressThatTheBenchAccepts) {
   }
 }
 
-TEST(OutletConnection, StatesWhyTlsFails) {
+TEST(OutletConnection, StatesWhyACertificateIsRefusedAsTheBenchDoes) {
+  const std::string refused = "has a certificate that is refused: ";
   const CertifiedBroker broker{Certificate()};
   const CertifiedBroker other{Certificate()};
   EXPECT_THAT(trouble_of_outlet(broker.url(), other.ca_file()),
-              HasSubstr("certificate verify failed"));
+              AllOf(StartsWith(refused), HasSubstr("; the CA file is \"" + other.ca_file() + '"')));
+  const CertifiedBroker expired({"IP:127.0.0.1", -1});
+  EXPECT_EQ(trouble_of_outlet(expired.url(), expired.ca_file()),
+            refused + "certificate has expired");
   const CertifiedBroker elsewhere({"DNS:broker.example"});
-  EXPECT_THAT(trouble_of_outlet(elsewhere.url(), elsewhere.ca_file()), HasSubstr("host name"));
-  EXPECT_EQ(trouble_of_outlet(broker.url(), "/nowhere/ca.pem"),
-            "the CA file \"/nowhere/ca.pem\" cannot be read (--ca): No such file or directory");
+  EXPECT_EQ(trouble_of_outlet(elsewhere.url(), elsewhere.ca_file()),
+            refused + "IP address mismatch");
+  EXPECT_EQ(trouble_of_outlet("mqtts://localhost:" + elsewhere.port(), elsewhere.ca_file()),
+            refused + "hostname mismatch");
+}
+
+TEST(OutletConnection, StatesWhyThereIsNone) {
+  const CertifiedBroker plain;
+  const CertifiedBroker tls{Certificate()};
+  EXPECT_EQ(trouble_of_outlet(plain.url("mqtt"), ""), "");
+  EXPECT_THAT(trouble_of_outlet(plain.url(), tls.ca_file()),
+              AllOf(StartsWith("fails the TLS handshake: "),
+                    HasSubstr("there may be no TLS on this port")));
+  EXPECT_EQ(trouble_of_outlet(tls.url("mqtt"), ""),
+            "ended the connection without an answer; it may speak TLS on this port: mqtts://");
+  EXPECT_THAT(trouble_of_outlet("mqtt://no-such-host.invalid:1883", ""),
+              StartsWith("cannot be found: "));
+  const auto free = emulation::LoopbackPort::reserve().take();
+  EXPECT_EQ(trouble_of_outlet("mqtt://127.0.0.1:" + std::to_string(free.number()), ""),
+            "cannot be connected to: Connection refused");
+  const CertifiedBroker strict({"IP:127.0.0.1", 14, true});
+  EXPECT_NE(trouble_of_outlet(strict.url(), strict.ca_file()), "");
+}
+
+TEST(OutletConnection, RefusesACaFileThatIsNone) {
+  const CertifiedBroker broker{Certificate()};
+  const TemporaryFolder folder;
+  const auto expect = [&](const std::string& file, const std::string& why) {
+    EXPECT_EQ(trouble_of_outlet(broker.url(), file),
+              "the CA file \"" + file + "\" cannot be read (--ca): " + why);
+  };
+  expect("/nowhere/ca.pem", "No such file or directory");
+  expect(folder.path().string(), "Is a directory");
+  expect(folder.write("empty", ""), "it is empty");
+  expect(folder.write("text", "no certificate\n"), "no certificate or crl found");
+  EXPECT_EQ(trouble_of_outlet(broker.url(), ""),
+            "mqtts:// needs --ca FILE, the CA certificate that signs the broker's certificate");
+}
+
+TEST(OutletConnection, StatesThatAnotherOutletTookItsPlace) {
+  const CertifiedBroker broker;
+  gs::host::MqttCarrier one;
+  gs::host::MqttCarrier two;
+  std::string why;
+  ASSERT_TRUE(one.start({broker.url("mqtt"), "", "a", "", "a", 1}, why)) << why;
+  ASSERT_TRUE(until([&] {
+    one.serve();
+    return one.connected();
+  }));
+  ASSERT_TRUE(two.start({broker.url("mqtt"), "", "a", "", "a", 1}, why)) << why;
+  ASSERT_TRUE(until([&] {
+    one.serve();
+    two.serve();
+    return !one.trouble().empty();
+  }));
+  EXPECT_THAT(one.trouble(), AllOf(StartsWith("ended the connection"),
+                                   HasSubstr("another outlet with the same id and instance")));
+}
+
+// What it does not take waits at the broker, and nothing is lost.
+TEST(OutletConnection, KeepsABoundedNumberOfMessagesThatTheOutletDoesNotTake) {
+  constexpr int kSent = 900;  // the broker stores 1000
+  const CertifiedBroker broker;
+  gs::host::MqttCarrier slow;
+  std::string why;
+  ASSERT_TRUE(slow.start({broker.url("mqtt"), "", "a", "", "a", 1}, why)) << why;
+  ASSERT_TRUE(until([&] {
+    slow.serve();
+    return slow.connected();
+  }));
+  slow.serve();  // sends its subscription
+  for (int i = 0; i < kSent; ++i) {
+    slow.serve();
+  }
+  const std::string publish = "for i in $(seq 1 " + std::to_string(kSent) +
+                              "); do echo message $i; done | mosquitto_pub -h "
+                              "127.0.0.1 -p " +
+                              broker.port() + " -q 1 -t gs/a/down -l";
+  ASSERT_EQ(std::system(publish.c_str()), 0);
+  for (int i = 0; i < kSent; ++i) {
+    slow.serve();
+  }
+  EXPECT_LE(slow.waiting(), 200U);
+  int taken = 0;
+  std::vector<std::uint8_t> message;
+  EXPECT_TRUE(until([&] {
+    slow.serve();
+    while (slow.take(message)) {
+      EXPECT_EQ(std::string(message.begin(), message.end()), "message " + std::to_string(++taken));
+    }
+    return taken == kSent;
+  }));
 }
 
 TEST(OutletConnection, PasswordFilesOfOtherEditorsAreRead) {
