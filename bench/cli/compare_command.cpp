@@ -85,8 +85,7 @@ void print_table(const Comparison& comparison) {
   std::puts("");
   for (const char* line :
        {"f, V: reported frequency and voltage, less those of the profile. The drift of the "
-        "outlet's "
-        "clock against the source's is taken off the frequency.",
+        "outlet's clock against the source's is taken off the frequency.",
         "f1: reported frequency, less that of the first outlet in the table.",
         "plan: largest deviations that the source stated before the run, without noise."}) {
     print_wrapped(line, 4);

@@ -12,9 +12,8 @@ constexpr const char* kIntroduction =
     "Outlets send a frequency report every 16 ms. Tracker: the outlet's measurement of frequency "
     "and ROCOF. Declared delay: the measuring delay that the outlet reports about itself. Relay "
     "sense: the bench's own input that sees the relay contact. \"Without link: yes\" marks "
-    "measures "
-    "that can also be limited for devices without a link, which are tested by their contact "
-    "alone.\n";
+    "measures that can also be limited for devices without a link, which are tested by their "
+    "contact alone.\n";
 
 std::string unit_or_words(const measures::Measure& measure) {
   if (!measure.is_text()) {

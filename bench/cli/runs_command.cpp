@@ -96,9 +96,8 @@ void add_runs(CommandLine& line) {
   add_json_flag(command, arguments.json);
   command.footer(
       "A run is unfinished while it is in progress, or if it was killed; `gsbench report RUN` "
-      "shows "
-      "what\n"
-      "it kept.\n"
+      "shows\n"
+      "what it kept.\n"
       "\n"
       "Example:\n  gsbench runs");
 }

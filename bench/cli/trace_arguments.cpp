@@ -31,23 +31,23 @@ void add_trace(CLI::App& command, profile::Overrides& overrides) {
               "Play this CSV recording; --trace-time and --trace-frequency name its columns. It "
               "replaces the profile's frequency (losses, points or recording), its oscillations, "
               "tones, flicker, amplitude and phase steps; noise, harmonics and DC offset stay. It "
-              "is "
-              "played to its end, or to --trace-until, not for the profile's duration_s")
+              "is played to its end, or to --trace-until, not for the profile's duration_s")
           ->type_name("FILE");
   const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
     return command.add_option(name, value, text)->type_name(type)->needs(trace);
   };
-  add("--trace-time", format.time, "COLUMN", "Column of the times: its name, or number from 1");
+  add("--trace-time", format.time, "COLUMN",
+      "Column of the times: its name, or number from 1; #2 is always a number");
   add("--trace-frequency", format.frequency, "COLUMN", "Column of the frequencies");
   add("--trace-voltage", format.voltage, "COLUMN",
       "Column of the RMS voltages; without it the voltage is nominal");
   add("--trace-nominal-voltage", format.nominal_voltage, "V",
       "Nominal voltage, in the unit of that column; without it the median of the played part");
   add("--trace-from", format.from, "TIME",
-      "Start of the part to play: seconds after the first row, or date and time");
+      "Start of the part to play: seconds after the first row, or date (and time)");
   add("--trace-until", format.until, "TIME", "End of the part to play, likewise");
   add("--trace-delimiter", format.delimiter, "CHARACTER",
-      "Between cells; also tab or space (default: , and ; with a decimal comma)");
+      "Between cells; also tab, \\t or space (default: , and ; with a decimal comma)");
   add("--trace-decimal", format.decimal, "SIGN", "Decimal sign, . or ,");
   add("--trace-skip-rows", format.skip_rows, "N", "Lines above the header to skip");
   add("--trace-header-rows", format.header_rows, "N",

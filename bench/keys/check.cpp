@@ -1,5 +1,6 @@
 // Checks of a document that need the declarations only.
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -136,8 +137,8 @@ void Table::check_number(const Key& key, const Value& value) const {
     if (key.range.holds(number)) {
       return;
     }
-    refuse(value.at,
-           fmt::format("{} is {}; it must be {}", key.name, number, key.range.describe()));
+    refuse(value.at, fmt::format("{} is {}; it must be {}{}", key.name, number,
+                                 std::isfinite(number) ? "" : "finite, ", key.range.describe()));
   } else if (std::holds_alternative<std::string>(value.data)) {
     refuse(value.at, fmt::format("{} is {}; it must be a number, without quotes and unit", key.name,
                                  describe(value)));

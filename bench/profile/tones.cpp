@@ -13,8 +13,7 @@ keys::Key tone_keys() {
   return keys::tables(
       "tone",
       "Sines of a frequency of their own, added to the voltage: mains signalling, interharmonics "
-      "of "
-      "a fixed frequency, harmonics that are switched on. A tone that is keyed by `telegram` or "
+      "of a fixed frequency, harmonics that are switched on. A tone that is keyed by `telegram` or "
       "`pulses_s` is on in its pulses alone; its phase runs on between them. Amplitude steps, "
       "flicker and phase steps do not act on tones.",
       {start_key(), duration_key(),

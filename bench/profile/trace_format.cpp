@@ -48,13 +48,15 @@ std::vector<Key> format_keys() {
           .or_else("median of the played part"),
       keys::instant("from_s", keys::at_least(0.0),
                     "start of the part to play: seconds after the first row, or date and "
-                    "time as in the recording; the first row in it becomes time 0")
+                    "time as in the recording, also without seconds, or a date, of which it is "
+                    "midnight; the first row in it becomes time 0")
           .by_default(0.0),
       keys::instant("until_s", keys::above(0.0), "end of the part to play, as `from_s`")
           .permits("after `from_s`, or date and time")
           .or_else("to the end"),
-      keys::text("delimiter", "character between cells; `tab`; `space`: any number of blanks")
-          .permits("one character, `tab` or `space`")
+      keys::text("delimiter",
+                 "character between cells; `tab` or `\\t`; `space`: any number of blanks")
+          .permits("one character that is no letter, digit, point, sign or quote; `tab`, `space`")
           .or_else("`,`; `;` if `decimal` is `,`"),
       keys::choice("decimal", {".", ","}, "decimal sign").by_default("."),
       keys::whole("skip_rows", "", 0, kMostRows, "lines above the header to skip").by_default(0.0),
@@ -193,14 +195,15 @@ Key trace_keys() {
       "trace",
       "A recording as CSV. The played part must be 0.1 … 10⁵ s long and stay within 0.5 … 1.5 of "
       "nominal. Rows outside `from_s` … `until_s`, and after `duration_s`, may have any content. A "
-      "row in which a used column is empty, `NaN`, `NA`, `N/A` or `null`, or has a word of `gaps`, "
-      "is a gap, and the curve is interpolated across it. Run records and reports contain the file "
-      "name, the columns and the SHA-256 of the content. `--trace` on the command line, with an "
+      "row in which a used column is empty, `NaN`, `-NaN`, `NA`, `N/A` or `null`, or has a word of "
+      "`gaps`, is a gap, and the curve is interpolated across it. Columns are given by name, or by "
+      "number from 1; with `--trace`, a name has precedence, and `#2` is always a number. Run "
+      "records and reports contain the file name, how it was read and the SHA-256 of the content; "
+      "records also the played part. `--trace` on the command line, with an "
       "option for each of these keys (`--trace-from` for `from_s`), plays another recording, in "
       "place of the profile's losses, frequency points or recording, oscillations, tones, flicker, "
-      "amplitude "
-      "steps and phase steps; noise, harmonics and DC offset stay. It is played to its end, or to "
-      "`--trace-until`, also if this is beyond the profile's `duration_s`.",
+      "amplitude steps and phase steps; noise, harmonics and DC offset stay. It is played to its "
+      "end, or to `--trace-until`, also if this is beyond the profile's `duration_s`.",
       std::move(all));
 }
 

@@ -1,7 +1,7 @@
 #include "sections.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -13,12 +13,14 @@ namespace {
 using keys::ConfigurationError;
 using keys::Table;
 
-// Sets the points, the recording and the duration. `duration_s`: time to play. Throws FormatError.
-void use(Recording recording, double duration_s, double nominal_hz, const Copies& copies,
+// The same limits as for the frequency points and the duration of a profile.
+recording::TraceLimits limits_of(double nominal_hz) {
+  return {nominal_hz, 0.5 * nominal_hz, 1.5 * nominal_hz, kShortestRun_s, kLongestRun_s};
+}
+
+// Sets the points, the recording and the duration. Throws FormatError.
+void use(Recording recording, const recording::TraceLimits& limits, const Copies& copies,
          Stimulus& stimulus) {
-  // The same limits as for the frequency points and the duration of a profile.
-  const recording::TraceLimits limits = {nominal_hz,     0.5 * nominal_hz, 1.5 * nominal_hz,
-                                         kShortestRun_s, kLongestRun_s,    duration_s};
   try {
     const std::string text =
         copies.recording ? *copies.recording : recording::read_trace_file(recording.path);
@@ -39,7 +41,8 @@ void use(Recording recording, double duration_s, double nominal_hz, const Copies
 }
 
 // The option of the command line for a key: "from_s" is --trace-from.
-std::string option_name(std::string key) {
+std::string option_name(const std::string& of_key) {
+  std::string key = of_key;
   constexpr const char* kUnits[] = {"_s", "_hz"};
   for (const std::string unit : kUnits) {
     if (key.size() > unit.size() && key.compare(key.size() - unit.size(), unit.size(), unit) == 0) {
@@ -48,6 +51,14 @@ std::string option_name(std::string key) {
   }
   std::replace(key.begin(), key.end(), '_', '-');
   return "--trace-" + key;
+}
+
+// Why it is not read: a pipe might never end.
+const char* not_a_file(const std::string& path) {
+  std::error_code ignored;  // then there is no such file for this user
+  return std::filesystem::exists(path, ignored)
+             ? "is a folder, device or pipe; save the recording as an ordinary file"
+             : "does not exist";
 }
 
 }  // namespace
@@ -61,12 +72,13 @@ void read_trace_section(const Table& signal, double nominal_hz, const Copies& co
   recording.path = resolve(file, table.document().path);
   recording.format = read_trace_format(table);
   if (!copies.recording && !is_regular_file(recording.path)) {
-    table.refuse("file", fmt::format("file is \"{}\"; there is no file {}", file, recording.path));
+    table.refuse("file", fmt::format("file is \"{}\"; {} {}", file, recording.path,
+                                     not_a_file(recording.path)));
   }
   try {
-    use(std::move(recording),
-        signal.find_number("duration_s").value_or(std::numeric_limits<double>::infinity()),
-        nominal_hz, copies, stimulus);
+    recording::TraceLimits limits = limits_of(nominal_hz);
+    limits.duration_s = signal.find_number("duration_s").value_or(limits.duration_s);
+    use(std::move(recording), limits, copies, stimulus);
   } catch (const recording::FormatError& error) {
     table.refuse(table.has(error.key) ? error.key : "file", error.what());
   }
@@ -81,10 +93,11 @@ void replace_by_recording(const Overrides& overrides, double nominal_hz, const C
   recording.replaces_profile = true;
   if (recording.format.time.empty() || recording.format.frequency.empty()) {
     throw ConfigurationError(
-        "--trace requires --trace-time and --trace-frequency, the names of the columns");
+        "--trace requires --trace-time and --trace-frequency, the names of the columns, or their "
+        "numbers from 1");
   }
   if (!copies.recording && !is_regular_file(recording.path)) {
-    throw ConfigurationError(fmt::format("{}: is not an existing file", recording.path));
+    throw ConfigurationError(recording.path + ": " + not_a_file(recording.path));
   }
   stimulus.losses.clear();
   stimulus.initial_deviation_hz = 0.0;
@@ -94,8 +107,9 @@ void replace_by_recording(const Overrides& overrides, double nominal_hz, const C
   stimulus.signal.tones.clear();
   stimulus.signal.flickers.clear();
   try {
-    use(std::move(recording), std::numeric_limits<double>::infinity(), nominal_hz, copies,
-        stimulus);
+    recording::TraceLimits limits = limits_of(nominal_hz);
+    limits.option_name = option_name;
+    use(std::move(recording), limits, copies, stimulus);
   } catch (const recording::FormatError& error) {
     // The message starts with the key if it is about its value.
     const std::string what = error.what();

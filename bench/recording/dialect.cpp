@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -26,11 +27,13 @@ char delimiter_of(const TraceFormat& format) {
     return ' ';
   }
   const auto c = static_cast<unsigned char>(text.front());
-  if (text.size() > 1 || std::isalnum(c) != 0 || c == '"' || c == '\n' || c == '\r' || c == '\0' ||
-      c >= 0x80) {
+  // What numbers consist of, or quotes and lines.
+  constexpr std::string_view kOthers = ".+-\"\n\r";
+  if (text.size() > 1 || std::isalnum(c) != 0 || c == '\0' || c >= 0x80 ||
+      kOthers.find(text.front()) != std::string_view::npos) {
     throw FormatError("delimiter",
                       fmt::format("delimiter is `{}`; it must be one character that is no letter, "
-                                  "digit or quote, or `tab` or `space`",
+                                  "digit, point, sign or quote, or `tab` or `space`",
                                   shown(text)));
   }
   return text.front();
@@ -130,72 +133,14 @@ double Dialect::frequency_hz(double value) const {
 // -999 is also -999.0.
 bool Dialect::is_gap(const std::string& text) const {
   const std::string word = lower(text);
-  if (word.empty() || word == "nan" || word == "na" || word == "n/a" || word == "null") {
+  constexpr std::string_view kUsual[] = {"", "nan", "-nan", "na", "n/a", "null"};
+  if (std::find(std::begin(kUsual), std::end(kUsual), word) != std::end(kUsual)) {
     return true;
   }
   const std::optional<double> value = number(text);
   return std::any_of(format_.gaps.begin(), format_.gaps.end(), [&](const std::string& gap) {
     return lower(gap) == word || (value && parse_number(gap) == value);
   });
-}
-
-namespace {
-
-std::string column_list(const std::vector<Cell>& header) {
-  std::string list;
-  for (const Cell& cell : header) {
-    list += (list.empty() ? "`" : ", `") + shown(cell.text) + '`';
-  }
-  return list;
-}
-
-// "3" and "#3" as 3.
-std::optional<std::size_t> column_number(const std::string& column) {
-  const std::size_t first = column.rfind('#', 0) == 0 ? 1 : 0;
-  const std::string digits = column.substr(first);
-  constexpr std::size_t kMostDigits = 6;
-  if (digits.empty() || digits.size() > kMostDigits ||
-      digits.find_first_not_of("0123456789") != std::string::npos) {
-    return std::nullopt;
-  }
-  return std::stoul(digits);
-}
-
-}  // namespace
-
-std::size_t column_of(const char* key, const std::string& column, const std::vector<Cell>& header) {
-  const auto is_it = [&](const Cell& cell) { return cell.text == column; };
-  const auto found = std::find_if(header.begin(), header.end(), is_it);
-  if (found != header.end()) {
-    const auto again = std::find_if(found + 1, header.end(), is_it);
-    if (again != header.end()) {
-      throw CsvError(again->place, fmt::format("a second column `{}`; the name must be unique, or "
-                                               "give the column's number",
-                                               shown(column)));
-    }
-    return static_cast<std::size_t>(found - header.begin());
-  }
-  const std::optional<std::size_t> number = column_number(column);
-  if (header.empty()) {
-    if (!number || *number == 0) {
-      throw FormatError(key, fmt::format("{} is `{}`; without a header it must be the number of a "
-                                         "column, from 1",
-                                         key, shown(column)));
-    }
-    return *number - 1;
-  }
-  if (!number || *number == 0 || *number > header.size()) {
-    const std::string& first = header.front().text;
-    const std::size_t other = first.find_first_of(";\t|");
-    const bool other_delimiter = header.size() == 1 && other != std::string::npos;
-    throw CsvError(
-        header.front().place,
-        fmt::format("no column `{}`; the columns are {}{}", shown(column), column_list(header),
-                    other_delimiter
-                        ? fmt::format(" (is the delimiter `{}`?)", shown(first.substr(other, 1)))
-                        : ""));
-  }
-  return *number - 1;
 }
 
 }  // namespace gsbench::recording

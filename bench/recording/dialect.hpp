@@ -36,8 +36,4 @@ class Dialect {
   double frequency_unit_hz_ = 1.0;
 };
 
-// Position of a column, from 0. Throws CsvError if it is not in the header, or FormatError if it is
-// no number although there is no header. `header`: empty without one.
-std::size_t column_of(const char* key, const std::string& column, const std::vector<Cell>& header);
-
 }  // namespace gsbench::recording

@@ -27,7 +27,7 @@ std::optional<Instant> instant_of_number(double seconds) {
   return Instant{Instant::Kind::kSeconds, static_cast<std::int64_t>(whole), seconds - whole};
 }
 
-std::optional<Instant> parse_date_and_time(std::string_view text) {
+std::optional<Instant> parse_date_and_time(std::string_view text, Lacking lacking) {
   TimeScanner scanner(text);
   TimeParts parts;
   const bool day_first = text.size() > 2 && text[2] == '-';
@@ -44,15 +44,21 @@ std::optional<Instant> parse_date_and_time(std::string_view text) {
     scanner.expect('-');
     parts.time.tm_mday = scanner.digits(2);
   }
+  if (lacking == Lacking::kSecondsOrTime && scanner.good_and_done()) {
+    return instant_of(parts);
+  }
   if (!scanner.accept('T')) {
     scanner.expect(' ');
   }
   parts.time.tm_hour = scanner.digits(2);
   scanner.expect(':');
   parts.time.tm_min = scanner.digits(2);
-  scanner.expect(':');
-  parts.time.tm_sec = scanner.digits(2);
-  parts.fraction_s = scanner.fraction();
+  if (scanner.accept(':')) {
+    parts.time.tm_sec = scanner.digits(2);
+    parts.fraction_s = scanner.fraction();
+  } else if (lacking == Lacking::kNothing) {
+    scanner.fail();
+  }
   parts.offset_s = scanner.offset_s();
   return scanner.good_and_done() ? instant_of(parts) : std::nullopt;
 }

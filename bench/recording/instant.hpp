@@ -42,9 +42,14 @@ struct Instant {
 // nullopt beyond ± 10¹⁵ s.
 std::optional<Instant> instant_of_number(double seconds);
 
+// Digits that a time of the kind below may lack.
+enum class Lacking { kNothing, kSecondsOrTime };
+
 // Accepts "28-Apr-2025 11:00:02" · "2025-04-28 11:00:02.5" · "2025-04-28T11:00:02Z" or with an
-// offset such as "+02:00". nullopt for other texts and for times that do not exist.
-std::optional<Instant> parse_date_and_time(std::string_view text);
+// offset such as "+02:00"; if permitted, also "2025-04-28 11:00", and "2025-04-28" as its midnight.
+// nullopt for other texts and for times that do not exist.
+std::optional<Instant> parse_date_and_time(std::string_view text,
+                                           Lacking lacking = Lacking::kNothing);
 
 // A time by a format with kTimeDirectives. A date or time of day that the format lacks is 1 January
 // 1970 or midnight.

@@ -22,12 +22,13 @@ std::optional<Instant> limit(const char* key, const std::string& text, const std
     instant = instant_of_number(*seconds);
   }
   if (!instant) {
-    instant = parse_date_and_time(text);
+    instant = parse_date_and_time(text, Lacking::kSecondsOrTime);
   }
   if (!instant) {
     throw FormatError(key,
                       fmt::format("{} is `{}`; it must be seconds after the first row, or date "
-                                  "and time such as `2025-04-28 11:00:02.5`",
+                                  "and time such as `2025-04-28 11:00:02.5`, `2025-04-28 11:00` or "
+                                  "`2025-04-28`",
                                   key, shown(text)));
   }
   if (instant->kind == Instant::Kind::kSeconds && instant->whole_s < 0) {

@@ -1,5 +1,6 @@
 #include "trace_reader.hpp"
 
+#include "columns.hpp"
 #include "shown.hpp"
 #include "text_check.hpp"
 
@@ -36,7 +37,7 @@ void TraceReader::read_header() {
   Row row;
   for (std::size_t i = 0; i < dialect_.header_rows(); ++i) {
     if (!csv_.next(row)) {
-      throw CsvError(csv_.row_end(), "the file is empty; it must start with a row of column names");
+      refuse_header(i);
     }
     if (i == 0) {
       header_ = row;
@@ -52,6 +53,23 @@ void TraceReader::read_header() {
   }
 }
 
+// The file ends before header row `row`, from 0.
+void TraceReader::refuse_header(std::size_t row) const {
+  const std::size_t skipped = dialect_.skip_rows();
+  throw CsvError(csv_.row_end(),
+                 row > 0 ? fmt::format("the file ends within the {} rows above the data ({})",
+                                       dialect_.header_rows(), option("header_rows"))
+                 : skipped > 0
+                     ? fmt::format("no row follows the {} line{} that {} skips; a row of column "
+                                   "names must",
+                                   skipped, skipped == 1 ? "" : "s", option("skip_rows"))
+                     : "the file is empty; it must start with a row of column names");
+}
+
+std::string TraceReader::option(const char* key) const {
+  return limits_.option_name != nullptr ? limits_.option_name(key) : key;
+}
+
 // Without this, a file without a header would lose its first row.
 void TraceReader::check_is_header() const {
   const std::string& time = header_.at(time_).text;
@@ -59,8 +77,9 @@ void TraceReader::check_is_header() const {
       dialect_.number(header_.at(frequency_).text) &&
       header_.at(frequency_).text != format_.frequency) {
     throw CsvError(header_[time_].place,
-                   "this row has values, but the names of the columns are expected; give "
-                   "header_rows = 0 for a file without them");
+                   fmt::format("this row has values, but the names of the columns are expected; "
+                               "for a file without them, {} must be 0",
+                               option("header_rows")));
   }
 }
 
@@ -125,7 +144,8 @@ const Cell& TraceReader::cell(const Row& row, std::size_t column) const {
   throw CsvError(
       csv_.row_end(),
       fmt::format(
-          "the row has {} cells; it must have at least {}{}", row.size(), column + 1,
+          "the row has {} cell{}; it must have at least {}{}", row.size(),
+          row.size() == 1 ? "" : "s", column + 1,
           header_.empty() ? "" : fmt::format(", up to column `{}`", shown(header_[column].text))));
 }
 
@@ -153,16 +173,33 @@ std::optional<Instant> TraceReader::instant_of(const Row& row) {
     take_gap();
     return std::nullopt;
   }
+  if (instant) {
+    throw CsvError(
+        time.place,
+        fmt::format("time `{}` has another format than the first; all must have the same",
+                    shown(time.text)));
+  }
+  refuse_time(time);
+}
+
+void TraceReader::refuse_time(const Cell& time) const {
+  const std::string what = '`' + shown(time.text) + '`';
+  if (!format_.time_format.empty()) {
+    throw CsvError(time.place, fmt::format("{} is not a time{}; it must be as {}, `{}`", what,
+                                           zeros_in(time.text), option("time_format"),
+                                           shown(format_.time_format)));
+  }
+  if (dialect_.number(time.text)) {
+    throw CsvError(time.place, fmt::format("{} is beyond 10¹⁵ s; {} gives another unit, such as ns",
+                                           what, option("time_unit")));
+  }
   throw CsvError(
       time.place,
-      instant ? fmt::format("time `{}` has another format than the first; all must have the same",
-                            shown(time.text))
-              : fmt::format("`{}` is not a time{}; it must be {}", shown(time.text),
-                            zeros_in(time.text),
-                            format_.time_format.empty()
-                                ? "a number, `28-Apr-2025 11:00:02`, `2025-04-28 11:00:02.5` or "
-                                  "`2025-04-28T11:00:02Z`; time_format gives another format"
-                                : "as time_format, `" + shown(format_.time_format) + '`'));
+      fmt::format("{} is not a time{}; it must be a number, `28-Apr-2025 11:00:02`, "
+                  "`2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`{}; {} gives another format",
+                  what, zeros_in(time.text),
+                  time.text.find(":60") != std::string::npos ? " (leap seconds are not read)" : "",
+                  option("time_format")));
 }
 
 bool TraceReader::is_played(const Instant& instant, const Row& row) {
@@ -230,8 +267,8 @@ double TraceReader::number_in(const Cell& cell) const {
   if (!number) {
     throw CsvError(cell.place,
                    fmt::format("`{}` is not a finite number{}; it must be one, or empty or `NaN` "
-                               "for a gap",
-                               shown(cell.text), zeros_in(cell.text)));
+                               "for a gap; {} gives further words",
+                               shown(cell.text), zeros_in(cell.text), option("gaps")));
   }
   return *number;
 }
@@ -246,10 +283,11 @@ double TraceReader::frequency_in(const Cell& cell) const {
       std::isfinite(limits_.highest_hz)
           ? fmt::format("{} … {} Hz (0.5 … 1.5 of nominal)", limits_.lowest_hz, limits_.highest_hz)
           : "above 0";
-  throw CsvError(cell.place,
-                 fmt::format("the frequency is {} Hz; it must be {}; frequency_unit and "
-                             "frequency_offset_hz give another unit and deviations",
-                             frequency_hz, wanted));
+  throw CsvError(
+      cell.place,
+      fmt::format("the frequency is {} Hz; it must be {}; {} and {} give another unit and "
+                  "deviations",
+                  frequency_hz, wanted, option("frequency_unit"), option("frequency_offset_hz")));
 }
 
 double TraceReader::voltage_in(const Cell& cell) const {
@@ -273,8 +311,10 @@ void TraceReader::refuse_too_few() const {
                     : fmt::format("{} leaves no row to play; the file has no times", key));
   }
   throw CsvError(csv_.row_end(),
-                 trace_.rows == 0 ? "no data below the column names; at least two rows are needed"
-                                  : "fewer than two rows have values; at least two are needed");
+                 trace_.rows > 0 ? "fewer than two rows have values; at least two are needed"
+                 : header_.empty()
+                     ? "no data; at least two rows are needed"
+                     : "no data below the column names; at least two rows are needed");
 }
 
 void TraceReader::check_length() const {

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,13 +32,16 @@ class TraceReader {
   using Row = std::vector<Cell>;
 
   void read_header();
+  [[noreturn]] void refuse_header(std::size_t row) const;
   void check_is_header() const;
+  std::string option(const char* key) const;  // its name, in advice
   bool is_outside() const;
   bool reached_duration() const;
   bool next(Row& row);
   bool is_after_the_window(const Row& row);
   const Cell& cell(const Row& row, std::size_t column) const;
   std::optional<Instant> instant_of(const Row& row);
+  [[noreturn]] void refuse_time(const Cell& time) const;
   void take_gap();
   bool is_played(const Instant& instant, const Row& row);
   void take(const Instant& instant, const Row& row);

@@ -20,7 +20,7 @@ Json measurement(const record::MeasurementResult& result) {
           {"high", result.high},
           {"uncertainty", result.uncertainty},
           {"judged", result.judged},
-          {"expected_word", text_or_null(result.expected_text)},
+          {"expected_text", text_or_null(result.expected_text)},
           {"verdict", result.judged ? Json(record::to_string(result.verdict)) : Json(nullptr)},
           {"reason", result.reason}};
 }

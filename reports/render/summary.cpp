@@ -211,8 +211,11 @@ std::string verdict_sentence(const record::RunRecord& run) {
   if (judged == 0) {
     return "Nothing was judged.";
   }
-  return fmt::format("All {} judged measurement{} on {} outlet{} {} within limits.", judged,
-                     plural(judged), outlets, plural(outlets), judged == 1 ? "is" : "are");
+  if (judged == 1) {
+    return "The only judged measurement is within limits.";
+  }
+  return fmt::format("All {} judged measurements on {} outlet{} are within limits.", judged,
+                     outlets, plural(outlets));
 }
 
 }  // namespace gsbench::render

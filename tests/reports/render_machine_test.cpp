@@ -50,7 +50,7 @@ TEST(Json, HasTheDocumentedKeys) {
                           "measurements", "kept"));
   EXPECT_THAT(keys(whole["outlets"][0]["measurements"][0]),
               ElementsAre("name", "value", "unit", "low", "high", "uncertainty", "judged",
-                          "expected_word", "verdict", "reason"));
+                          "expected_text", "verdict", "reason"));
 }
 
 TEST(Json, HasTheIdentityOfAnOutletAndNullForWhatIsNotKnown) {
@@ -87,8 +87,8 @@ TEST(Json, HasVerdictsOfJudgedMeasurementsOnlyAndReasonsOfThoseNotPassed) {
   EXPECT_EQ(results["event.delay"]["judged"], true);
   EXPECT_EQ(results["event.delay"]["verdict"], "FAIL");
   EXPECT_EQ(results["event.delay"]["reason"], "outside its limits");
-  EXPECT_TRUE(results["event.delay"]["expected_word"].is_null());
-  EXPECT_EQ(results["decision.cause"]["expected_word"], results["decision.cause"]["value"]);
+  EXPECT_TRUE(results["event.delay"]["expected_text"].is_null());
+  EXPECT_EQ(results["decision.cause"]["expected_text"], results["decision.cause"]["value"]);
 }
 
 TEST(Json, HasFaultAndClockOfAnOutlet) {

@@ -179,6 +179,16 @@ TEST(Terminal, ListsUpToTenMeasurementsThatDidNotPass) {
   EXPECT_EQ(all.back(), "FAIL: 38 of 38 judged measurements on 4 outlets did not pass.");
 }
 
+TEST(Terminal, SaysThatTheOnlyJudgedMeasurementPassed) {
+  RunRecord run = sample::loss_500mw(1);
+  auto& results = run.outlets[0].measurements;
+  results.erase(std::remove_if(results.begin(), results.end(),
+                               [](const auto& result) { return result.name != "event.delay"; }),
+                results.end());
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(lines(terminal(run)).back(), "PASS: The only judged measurement is within limits.");
+}
+
 TEST(Terminal, MarksAnEstimateThatTheOutletFlaggedAsUnreliable) {
   RunRecord run = sample::loss_500mw(2);
   const auto doubts = [&] {

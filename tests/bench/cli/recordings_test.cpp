@@ -80,6 +80,16 @@ TEST_F(PlayedRecording, IsRefusedByTheNameOfTheOption) {
       "--trace-nominal-voltage is 0; it must be finite and above 0");
 }
 
+TEST_F(PlayedRecording, IsRefusedWithAdviceOnOptions) {
+  const Words columns = {"--trace-time", "t", "--trace-frequency", "f"};
+  expect_refused(with("t,f\n0,x\n", columns), "grid.csv:2:3: `x` is not a finite number");
+  expect_refused(with("t,f\n0,x\n", columns), "--trace-gaps gives further words");
+  expect_refused(with("t,f\n0,314\n1,314\n", columns),
+                 "--trace-frequency-unit and --trace-frequency-offset give another unit");
+  expect_refused(with("t,f\n0,50\n1,50\n", {"--trace-time", "", "--trace-frequency", "f"}),
+                 "the names of the columns, or their numbers from 1");
+}
+
 TEST_F(PlayedRecording, OfAnotherNominalFrequencyGivesAWarning) {
   const Words columns = {"--trace-time", "t", "--trace-frequency", "f"};
   EXPECT_THAT(

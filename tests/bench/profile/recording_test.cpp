@@ -129,7 +129,11 @@ TEST_F(Recording, IsRefusedAtThePositionInTheProfile) {
   EXPECT_EQ(refusal_of_one_with("duration_s = 2.0", "duration_s = 3.5"),
             "6:14: duration_s is 3.5; it must be at most 3 (the recording's length)");
   EXPECT_EQ(refusal_of_one_with("recording.csv", "none.csv"),
-            "8:8: file is \"none.csv\"; there is no file " + path("none.csv"));
+            "8:8: file is \"none.csv\"; " + path("none.csv") + " does not exist");
+  std::filesystem::create_directory(path("folder.csv"));
+  EXPECT_EQ(refusal_of_one_with("recording.csv", "folder.csv"),
+            "8:8: file is \"folder.csv\"; " + path("folder.csv") +
+                " is a folder, device or pipe; save the recording as an ordinary file");
   EXPECT_EQ(refusal_of_one_with("voltage = \"u\"", ""),
             "12:19: nominal_voltage is given without a voltage column; give the column "
             "too, or omit nominal_voltage");
@@ -213,8 +217,9 @@ TEST_F(Recording, OfTheCommandLineIsNamedInItsRefusal) {
   folder_.write("short.csv", "t,f\n0,50\n0.09,50\n");
   EXPECT_EQ(refusal_here(kMinimal, replay("short.csv")),
             path("short.csv") + ":3:1: the recording is 0.09 s long; it must be at least 0.1 s");
-  EXPECT_EQ(refusal_here(kMinimal, replay("none.csv")),
-            path("none.csv") + ": is not an existing file");
+  EXPECT_EQ(refusal_here(kMinimal, replay("none.csv")), path("none.csv") + ": does not exist");
+  EXPECT_EQ(refusal_here(kMinimal, replay("/dev/null")),
+            "/dev/null: is a folder, device or pipe; save the recording as an ordinary file");
   folder_.write("bad.csv", "t,f\n0,50\n1,fifty\n");
   EXPECT_THAT(refusal_here(kMinimal, replay("bad.csv")), StartsWith(path("bad.csv") + ":3:"));
 }

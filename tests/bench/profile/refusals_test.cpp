@@ -210,14 +210,13 @@ const std::vector<Mistake> kOfLosses = {
     {"droop_pu = 0.04", "",
      "20:1: missing key \"droop_pu\" in [[grid.plant]]; give droop_pu or inverse_droop_pu"},
     {"[-0.5, 0.0]", "[-0.5, inf]",
-     "32:31: an item of condition_rocof_hz_s is inf; it must be at least -1000 and at most 0"},
+     "32:31: an item of condition_rocof_hz_s is inf; it must be finite, at least -1000 and at most 0"},
 };
 
 const std::vector<Mistake> kOfDisturbed = {
     {"at_s = 6.0", "at_s = 9.95",
      "31:8: at_s is 9.95; it must be at least 0 and at most 9.9 (0.1 s before the end of the run, "
-     "so "
-     "that they can be acknowledged)"},
+     "so that they can be acknowledged)"},
     {"\"shed-1\"", "\"shed-3\"",
      "32:12: unknown outlet or group \"shed-3\"; did you mean \"shed-1\"?"},
     {"accumulated_mw = 120.0", "accumulated_mw = 3000.0",
@@ -232,8 +231,7 @@ const std::vector<Mistake> kOfDisturbed = {
      "36:17: switch_off_hz is 50.1; it must be at least 40 and at most 50 (the grid's nominal_hz)"},
     {"= 49.85", "= 47.0",
      "5:23: frequency_before_hz is 47; it must be at least 47.852 and at most 52.148 (as far as "
-     "the "
-     "grid's load moves it)"},
+     "the grid's load moves it)"},
     {"[[grid.loss]]\nat_s = 2.0\npower_mw = 500.0\nramp_s = 3.0\n"
      "[[grid.loss]]\nat_s = 4.5\npower_mw = -200.0\n[signal]\n",
      "[signal]\nfrequency = [[0.0, 50.0]]\n",
@@ -253,18 +251,18 @@ const std::vector<Mistake> kOfDisturbed = {
      "that lasts to the end"},
     {"duration_s = 0.5", "duration_s = 1e-5",
      "61:14: duration_s is 1e-05 s; it must be at least 0.000125 s, one sample"},
+    {"frequency_hz = 216.7", "frequency_hz = inf",
+     "62:16: frequency_hz is inf; it must be finite, above 0"},
     {"frequency_hz = 216.7", "frequency_hz = 4000",
      "62:16: frequency_hz is 4000; it must be below 4000 (half of sample_rate_hz)"},
     {"amplitude_pct = 9.0", "amplitude_pct = 0",
      "63:17: amplitude_pct is 0; it must be above 0 and at most 100"},
     {"amplitude_pct = 9.0", "amplitude_pct = 48.0",
      "59:1: the voltage reaches 1.535 p.u. at 2.5 s, harmonics, flicker, tones and offset "
-     "included; "
-     "it must be at most 1.5 p.u."},
+     "included; it must be at most 1.5 p.u."},
     {"depth_pct = 2.0", "depth_pct = 95.0",
      "75:1: the voltage reaches 1.612 p.u. at 2.5 s, harmonics, flicker, tones and offset "
-     "included; "
-     "it must be at most 1.5 p.u."},
+     "included; it must be at most 1.5 p.u."},
     {"\"1101 0\"", "\"1101 2\"",
      "68:12: telegram is \"1101 2\"; it must consist of 1, 0 and blanks"},
     {"\"1101 0\"", "\"00\"", "68:12: telegram is \"00\"; it must have a 1"},
@@ -275,8 +273,7 @@ const std::vector<Mistake> kOfDisturbed = {
      "69:9: bit_s is 0.00012 s; it must be at least 0.000125 s, one sample"},
     {"bit_s = 0.1", "",
      "65:1: missing key \"bit_s\" in [[signal.tone]]; give the duration of each bit of the "
-     "telegram "
-     "in seconds"},
+     "telegram in seconds"},
     {"telegram = \"1101 0\"\n", "",
      "68:9: bit_s is given without a telegram; give one, or omit bit_s"},
     {"[0.75, 1.5]", "[0.4, 1.5]",

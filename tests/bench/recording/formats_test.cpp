@@ -45,8 +45,8 @@ void expect_refused(const std::string& text, const TraceFormat& format, const st
 }
 
 TEST(RecordingGaps, AreEmptyCellsAndTheUsualWords) {
-  const Trace trace = read_trace("t,f\n0,50\n1,\n2,NaN\n3,na\n4,N/A\n5,NULL\n6,nan\n7,\"\"\n8,49\n",
-                                 "r.csv", format_of());
+  const Trace trace = read_trace(
+      "t,f\n0,50\n1,\n2,NaN\n3,na\n4,N/A\n5,NULL\n6,-nan\n7,\"\"\n8,49\n", "r.csv", format_of());
   EXPECT_EQ(trace.rows, 9U);
   EXPECT_EQ(trace.gaps, 7U);
   EXPECT_EQ(trace.points.size(), 2U);
@@ -74,11 +74,11 @@ TEST(RecordingColumns, AreNamesOrNumbers) {
 
 TEST(RecordingHeader, MayBeMissingOrHaveMoreRows) {
   TraceFormat format = format_of("1", "2");
-  expect_refused("0,50\n1,49\n2,49\n", format, "r.csv:1:1: ", "header_rows = 0");
+  expect_refused("0,50\n1,49\n2,49\n", format,
+                 "r.csv:1:1: ", "for a file without them, header_rows must be 0");
   format.header_rows = 0;
   EXPECT_THAT(frequencies_hz("0,50\n1,49\n", format), ElementsAre(50, 49));
-  expect_refused("0,50\n1\n", format,
-                 "r.csv:2:2: ", "the row has 1 cells; it must have at least 2");
+  expect_refused("0,50\n1\n", format, "r.csv:2:2: ", "the row has 1 cell; it must have at least 2");
   expect_refused(
       "0,50\n1,49\n",
       [] {
@@ -87,10 +87,26 @@ TEST(RecordingHeader, MayBeMissingOrHaveMoreRows) {
         return named;
       }(),
       "time is `t`", "without a header it must be the number of a column");
+  expect_refused("\n", format_of(), "r.csv:", "the file is empty");
+  format.skip_rows = 3;
+  format.header_rows = 1;
+  expect_refused("0,50\n1,49\n", format,
+                 "r.csv:", "no row follows the 3 lines that skip_rows skips");
+  format.skip_rows = 0;
+  format.header_rows = 3;
+  expect_refused("t,f\n1,49\n", format, "r.csv:", "the file ends within the 3 rows above the data");
+  format.header_rows = 0;
+  expect_refused("\n", format, "r.csv:", "no data; at least two rows are needed");
   TraceFormat units = format_of();
   units.header_rows = 2;
   units.skip_rows = 2;
   EXPECT_THAT(frequencies_hz("\"made by\nx\nt,f\ns,Hz\n0,50\n1,49\n", units), ElementsAre(50, 49));
+}
+
+TEST(RecordingColumns, AreListedUpToTen) {
+  const std::string ten = "a,b,c,d,e,f,g,h,i,j";
+  expect_refused(ten + "\n", format_of(), "r.csv:1:1: ", "`i`, `j`");
+  expect_refused(ten + ",k\n", format_of(), "r.csv:1:1: ", "`i`, `j`, … (11 in all)");
 }
 
 TEST(RecordingDelimiter, IsGiven) {
@@ -100,11 +116,12 @@ TEST(RecordingDelimiter, IsGiven) {
   format.delimiter = "tab";
   const std::string with_tabs = "t\tx\tf\n0\t\t50\n1\t\t49\n";
   EXPECT_THAT(frequencies_hz(with_tabs, format), ElementsAre(50, 49));
+  expect_refused(with_tabs, format_of(), "r.csv:1:1: ", "(is the delimiter `tab`?)");
   format.delimiter = "\t";
   EXPECT_THAT(frequencies_hz(with_tabs, format), ElementsAre(50, 49));
   format.delimiter = "space";
   EXPECT_THAT(frequencies_hz("  t   f \n 0 50\n1\t 49  \n", format), ElementsAre(50, 49));
-  for (const char* wrong : {"a", "\"", "::", "", "\n"}) {
+  for (const char* wrong : {"a", "\"", "::", "", "\n", ".", "+", "-"}) {
     format.delimiter = wrong;
     if (format.delimiter.empty()) {
       EXPECT_THAT(frequencies_hz("t,f\n0,50\n1,49\n", format), ElementsAre(50, 49));
@@ -191,6 +208,32 @@ TEST(RecordingTimes, AreReadByAFormat) {
   expect_refused("t,f\n0,50\n", format, "time_format has `%Q`", "%Y");
 }
 
+TEST(RecordingTimes, BeyondTheRangeOrOfALeapSecondAreNamed) {
+  expect_refused("t,f\n1745838000000000000,50\n", format_of(),
+                 "r.csv:2:1: ", "is beyond 10¹⁵ s; time_unit gives another unit, such as ns");
+  expect_refused("t,f\n2016-12-31T23:59:59Z,50\n2016-12-31T23:59:60Z,50\n", format_of(),
+                 "r.csv:3:1: ", "(leap seconds are not read)");
+}
+
+TEST(RecordingMessages, NameOptionsByTheGivenFunction) {
+  TraceLimits limits;
+  limits.highest_hz = 75.0;
+  limits.option_name = [](const std::string& name) { return "--" + name; };
+  const auto refusal = [&](const std::string& text) {
+    try {
+      (void)read_trace(text, "r.csv", format_of(), limits);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal("t,f\n0,x\n"), EndsWith("; --gaps gives further words"));
+  EXPECT_THAT(refusal("t,f\n0,314\n"),
+              EndsWith("; --frequency_unit and --frequency_offset_hz give another unit and "
+                       "deviations"));
+  EXPECT_THAT(refusal("t,f\nnoon,50\n"), EndsWith("; --time_format gives another format"));
+}
+
 TEST(RecordingTimes, ThatAreMissingMakeAGap) {
   TraceFormat format = format_of();
   format.gaps = {"bad", "1"};
@@ -220,7 +263,8 @@ TEST(RecordingMessages, EscapeWhatIsNotPrintable) {
   expect_refused("t\0,f\n0,50\n"s, format_of(), "r.csv:1:1: ", "the columns are `t\\x00`, `f`");
   EXPECT_THAT(
       [] { (void)read_trace("t,f\n0," + std::string(5000, 'x') + "\n", "r.csv", format_of()); },
-      ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("xxx…` is not"), EndsWith("for a gap"))));
+      ThrowsMessage<std::runtime_error>(
+          AllOf(HasSubstr("xxx…` is not"), EndsWith("gaps gives further words"))));
 }
 
 TEST(RecordingFiles, ThatAreNoTextAreNamed) {

@@ -113,8 +113,7 @@ TEST_F(ReadTrace, RefusesInvalidTimes) {
   for (const char* time :
        {"noon", "28-Apr-2025", "2025-13-01 00:00:00", "2025-02-29 00:00:00", "29-Feb-2025 00:00:00",
         "2025-04-28 24:00:00", "2025-04-28 11:60:00", "2025-04-28 11:00:60", "2025-04-28 11:00:02.",
-        "2025-04-28 11:00:02x", "2025-04-28T11:00:02+2", "28-Abr-2025 11:00:00", "inf", "1e300",
-        "12 s"}) {
+        "2025-04-28 11:00:02x", "2025-04-28T11:00:02+2", "28-Abr-2025 11:00:00", "inf", "12 s"}) {
     expect_refused("f,t\n50," + std::string(time) + "\n", columns_, "2:4", "is not a time");
   }
 }
@@ -131,7 +130,7 @@ TEST_F(ReadTrace, RefusesTimesOfDifferentFormats) {
 }
 
 TEST_F(ReadTrace, RefusesValuesThatAreNotNumbers) {
-  for (const char* value : {"fifty", "50,1", "50 Hz", "inf", "-nan", "0x32", "1e999"}) {
+  for (const char* value : {"fifty", "50,1", "50 Hz", "inf", "-inf", "0x32", "1e999"}) {
     expect_refused("t,f\n0,\"" + std::string(value) + "\"\n", columns_, "2:3",
                    "`" + std::string(value) + "` is not a finite number");
   }

@@ -93,6 +93,29 @@ TEST(RecordingWindow, IsGivenByDatesOfTheRecording) {
       ThrowsMessage<FormatError>(HasSubstr("fewer than two rows")));
 }
 
+TEST(RecordingWindow, IsGivenByDatesWithoutSecondsOrTime) {
+  const std::string text =
+      "t,f\n2025-10-25 23:59:30,50\n2025-10-26 00:00:00,50\n2025-10-26 00:00:30,50\n"
+      "2025-10-26 00:01:00,50\n2025-10-26 00:01:30,50\n";
+  EXPECT_EQ(played(text, "2025-10-26", "").rows, 4U);
+  EXPECT_EQ(played(text, "", "26-Oct-2025").rows, 2U);
+  EXPECT_EQ(played(text, "2025-10-26", "2025-10-26T00:01").rows, 3U);
+  const std::string zoned =
+      "t,f\n2025-10-26T02:00:00Z,50\n2025-10-26T02:01:00Z,50\n"
+      "2025-10-26T02:02:00Z,50\n";
+  EXPECT_EQ(played(zoned, "2025-10-26 03:01+01:00", "").rows, 2U);
+  EXPECT_EQ(played(zoned, "2025-10-26 02:01Z", "").rows, 2U);
+  for (const char* wrong : {"2025-10-26 02", "2025-10-26 02:", "2025-10-26 ", "2025-10",
+                            "2025-10-26 02:00:", "2025-10-26 25:00", "2025-02-30"}) {
+    EXPECT_THAT(refusal(text, wrong, ""),
+                EndsWith("or date and time such as `2025-04-28 11:00:02.5`, `2025-04-28 11:00` or "
+                         "`2025-04-28`"))
+        << wrong;
+  }
+  // In rows they might be times that lost their end.
+  EXPECT_THAT(refusal("t,f\n2025-10-26 00:00,50\n", "", ""), HasSubstr("is not a time"));
+}
+
 TEST(RecordingWindow, IsRefusedWithTheKey) {
   const std::string text = "t,f\n0,50\n1,50\n2,50\n";
   EXPECT_THAT(refusal(text, "2", "1"), StartsWith("until_s is 1; it must be above 2, the start"));

@@ -77,6 +77,8 @@ struct TraceLimits {
   double longest_s = std::numeric_limits<double>::infinity();
   // Time to play. Rows after the first point at or beyond it are not read.
   double duration_s = std::numeric_limits<double>::infinity();
+  // How messages name an option that they advise, by its name in visit_fields(); nullptr: so.
+  std::string (*option_name)(const std::string& name) = nullptr;
 };
 
 struct Place {
@@ -105,8 +107,8 @@ struct FormatError : std::runtime_error {
 
 // Reads a CSV recording. Without a time_format, times are numbers, or date and time of day such as
 // `28-Apr-2025 11:00:02`, `2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`. A row with an empty
-// time, frequency or voltage, or `NaN`, `NA`, `N/A` or `null` in any case, is a gap and gives no
-// point. A time that is valid is none of the words of `gaps`.
+// time, frequency or voltage, or `NaN`, `-NaN`, `NA`, `N/A` or `null` in any case, is a gap and
+// gives no point. A time that is valid is none of the words of `gaps`.
 //
 // Rows outside the window and after the duration may have any content. Throws FormatError, or
 // std::runtime_error with `path:line:column: …` if a column, or a row, value or time of the played
