@@ -147,8 +147,9 @@ void Arrivals::exclude(Outlet& outlet, const std::string& fault) {
   happenings_.left.push_back({outlet.id, fault, "", true});
 }
 
-// True if two units with the same client id take turns at the broker: a unit that has restarted
-// never sends a new hello of an earlier start.
+// True if two units with the same client id take turns at the broker: each leaves when the other
+// comes, with a new hello of an earlier start. Without leaving, such a hello is late: a client may
+// repeat it after newer ones when its connection has broken.
 bool Arrivals::take_turns(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence) {
   constexpr int kReturnsOfTwins = 2;
   constexpr std::size_t kMostStarts = 16;
@@ -169,8 +170,10 @@ bool Arrivals::take_turns(Outlet& outlet, const gs::wire::Uplink& message, std::
   const bool is_new = sequence - known->newest_hello - 1 < (1U << 31U);
   if (is_new) {
     known->newest_hello = sequence;
-    outlet.returns += known + 1 == starts.end() ? 0 : 1;
-    std::rotate(known, known + 1, starts.end());
+    if (!outlet.here) {
+      outlet.returns += known + 1 == starts.end() ? 0 : 1;
+      std::rotate(known, known + 1, starts.end());
+    }
   }
   return outlet.returns >= kReturnsOfTwins;
 }

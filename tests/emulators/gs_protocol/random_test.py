@@ -1,5 +1,6 @@
 """gs-outlet and the outlet that is written from the text receive the same messages, right and wrong
 ones at random, and answer alike. GS_PROTOCOL_SEED is the seed, GS_PROTOCOL_RANDOM the number."""
+import collections
 import os
 import random
 import unittest
@@ -93,7 +94,7 @@ class Random(unittest.TestCase):
         outlet.receive(messages.downlink("ask status", rig.peer.sent - 1, rig.centre.session))
         self.assertEqual(before["messages_dropped"] + before["messages_bad"], 0)
         made = Messages(SEED, outlet)
-        names = set()
+        names = collections.Counter()
         for number in range(NUMBER):
             data = made.one()
             del answers[:]
@@ -105,7 +106,8 @@ class Random(unittest.TestCase):
             names.update(answer.name for answer in answers)
             self.assertEqual(*map(comparable, (got, answers)),
                              "message %d: %s" % (number, data.hex(" ")))
-        self.assertEqual(names, {"hello", "settings answer", "relay", "command answer", "status", "self test",
+        print("\n%d messages; answers: %s" % (NUMBER, dict(names)))
+        self.assertEqual(set(names), {"hello", "settings answer", "relay", "command answer", "status", "self test",
                                  "echo", "error"})
 
 

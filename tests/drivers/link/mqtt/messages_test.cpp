@@ -139,6 +139,33 @@ TEST_F(Broker, AnOutletThatRestartsAndConnectsAgainOftenIsNoTwin) {
   EXPECT_FALSE(reported(kA, "has the same id"));
 }
 
+TEST_F(Broker, AnOutletWhoseHellosOvertakeThoseOfTheStartBeforeIsNoTwin) {
+  MqttOutlet a(broker_, "a", 1);
+  open({"a"});
+  gs::host::MqttCarrier carrier;  // of the same unit, after its restarts
+  std::string why;
+  ASSERT_TRUE(carrier.start(options_of(broker_, "a", 9), why)) << why;
+  gs::wire::Uplink hello;
+  hello.kind = UplinkKind::kHello;
+  hello.hello = present(kA).hello;
+  const auto say = [&](std::uint32_t start, std::uint32_t sequence) {
+    hello.start_number = start;
+    std::uint8_t bytes[gs::wire::kLongestMessage];
+    EXPECT_TRUE(carrier.send(bytes, gs::wire::encode(hello, sequence, bytes, sizeof bytes)));
+  };
+  for (const std::uint32_t sequence : {0U, 1U, 2U, 3U}) {
+    say(77, sequence);
+    say(78, sequence);
+  }
+  say(79, 0);
+  EXPECT_TRUE(until([&] {
+    carrier.serve();
+    const auto hellos = messages(kA, UplinkKind::kHello);
+    return !hellos.empty() && hellos.back().message.start_number == 79;
+  }));
+  EXPECT_FALSE(reported(kA, "has the same id"));
+}
+
 TEST_F(Broker, AnOutletMayTakeThePlaceOfOneThatHasLeft) {
   std::optional<MqttOutlet> one(std::in_place, broker_, "a", 1U);
   open({"a"});
