@@ -35,9 +35,16 @@ struct Device {
 std::vector<Device> devices_of(ReachableOutlets& reached) {
   std::vector<std::string> named = reached.ports;
   named.insert(named.end(), reached.ids.begin(), reached.ids.end());
+  if (const drivers::Status opened = reached.link->open(); !opened.ok()) {
+    throw std::runtime_error(opened.error());
+  }
+  const std::vector<link::Fault> closed = reached.link->unreachable();
+  for (const link::Fault& port : closed) {  // they are not waited for
+    named.erase(std::remove(named.begin(), named.end(), port.id), named.end());
+  }
   auto found =
-      link::wait_for_outlets(*reached.link, named, kPatience,
-                             reached.broker.empty() ? std::chrono::seconds(0) : kForSearching);
+      link::wait_on_open_link(*reached.link, named, kPatience,
+                              reached.broker.empty() ? std::chrono::seconds(0) : kForSearching);
   if (!found.ok()) {
     throw std::runtime_error(found.error());
   }
@@ -59,6 +66,14 @@ std::vector<Device> devices_of(ReachableOutlets& reached) {
                                       [&](const auto& fault) { return fault.id == outlet.id; });
     if (answers || is_heard || !reached.is_search) {
       devices.push_back({std::move(outlet), answers});
+    }
+  }
+  for (const link::Fault& port : closed) {
+    const bool has_opened = std::any_of(devices.begin(), devices.end(), [&](const Device& device) {
+      return device.outlet.where == port.id;
+    });
+    if (!reached.is_search && !has_opened) {
+      devices.push_back({{port.id, port.id, {}, port.what}, false});
     }
   }
   for (const link::OutletPresence& port : reached.in_use) {

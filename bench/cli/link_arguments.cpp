@@ -22,7 +22,7 @@ std::string port_of(const std::string& given) {
   if (const drivers::Status form = transport::check_form(port); !form.ok()) {
     throw profile::ConfigurationError(form.error());
   }
-  return port;
+  return transport::in_one_form(port);
 }
 
 // Of several names of one port, the first remains.

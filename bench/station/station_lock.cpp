@@ -58,7 +58,8 @@ std::string user_name() {
 }
 
 // The same text for all names of one port.
-std::vector<std::string> identities_of(const std::string& port) {
+std::vector<std::string> identities_of(const std::string& given) {
+  const std::string port = transport::in_one_form(given);
   const std::size_t scheme_end = port.find("://");
   if (scheme_end == std::string::npos) {
     return {device_of(port)};

@@ -8,7 +8,6 @@ namespace gsbench::transport {
 
 std::unique_ptr<Transport> make_serial(const std::string& port, int baud);
 
-bool is_tcp(const std::string& port);
 // An error if `port` is not of the form tcp://host:port.
 drivers::Status check_address(const std::string& port);
 std::unique_ptr<Transport> make_tcp(const std::string& port);

@@ -6,11 +6,13 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <memory>
 
 #include <drivers/descriptor.hpp>
+#include <transport/address.hpp>
 
 namespace gsbench::transport {
 
@@ -26,24 +28,11 @@ constexpr const char* kScheme = "tcp://";
 constexpr int kConnect_ms = 500;
 constexpr int kSendBuffer_bytes = 65536;
 
-struct Address {
-  std::string host;
-  std::string service;
-};
-
 // The resolver takes an IPv6 address without the brackets that a URL puts around it.
 std::string without_brackets(const std::string& host) {
   return host.size() > 2 && host.front() == '[' && host.back() == ']'
              ? host.substr(1, host.size() - 2)
              : host;
-}
-
-Address address_of(const std::string& port) {
-  const std::string rest = port.substr(std::strlen(kScheme));
-  const std::size_t colon = rest.rfind(':');
-  return colon == std::string::npos
-             ? Address{rest, ""}
-             : Address{without_brackets(rest.substr(0, colon)), rest.substr(colon + 1)};
 }
 
 // Returns 0 or an errno value.
@@ -66,20 +55,22 @@ int connect_within(int socket, const addrinfo& to) {
 }  // namespace
 
 bool is_tcp(const std::string& port) {
-  return port.rfind(kScheme, 0) == 0;
+  std::string scheme = port.substr(0, std::strlen(kScheme));
+  std::transform(scheme.begin(), scheme.end(), scheme.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return scheme == kScheme;
+}
+
+std::string in_one_form(const std::string& port) {
+  const auto address = is_tcp(port) ? read_address(port) : std::nullopt;
+  return address ? text_of(*address) : port;
 }
 
 Status check_address(const std::string& port) {
-  const Address address = address_of(port);
-  const bool number = !address.service.empty() && address.service.size() <= 5 &&
-                      std::all_of(address.service.begin(), address.service.end(),
-                                  [](char c) { return c >= '0' && c <= '9'; }) &&
-                      std::stoul(address.service) >= 1 && std::stoul(address.service) <= 65535;
-  if (address.host.find_first_of(" \t/[]") != std::string::npos || address.host.empty() ||
-      !number) {
-    return Error{port + ": is not of the form tcp://host:port, with a port from 1 to 65535"};
+  if (read_address(port)) {
+    return Done{};
   }
-  return Done{};
+  return Error{port + ": is not of the form tcp://host:port, with a port from 1 to 65535"};
 }
 
 namespace {
@@ -90,15 +81,15 @@ class Tcp final : public Transport {
 
   Status open() override {
     close();
-    if (Status checked = check_address(port()); !checked.ok()) {
-      return checked;
+    const auto address = read_address(port());
+    if (!address) {
+      return check_address(port());
     }
-    const Address address = address_of(port());
     addrinfo wanted{};
     wanted.ai_socktype = SOCK_STREAM;
     addrinfo* found = nullptr;
-    if (const int error =
-            getaddrinfo(address.host.c_str(), address.service.c_str(), &wanted, &found)) {
+    if (const int error = getaddrinfo(address->host.c_str(), std::to_string(address->port).c_str(),
+                                      &wanted, &found)) {
       return failure("cannot be found", gai_strerror(error));
     }
     const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);

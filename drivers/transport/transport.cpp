@@ -60,7 +60,8 @@ Status check_form(const std::string& port) {
     return check_address(port);
   }
   if (port.size() < 2 || port.front() != '/' || port.back() == '/') {
-    return Error{port + ": is neither of the form tcp://host:port nor the path of a device"};
+    return Error{(port.empty() ? "an empty text" : port + ':') +
+                 " is neither of the form tcp://host:port nor the path of a device"};
   }
   return Done{};
 }

@@ -13,6 +13,7 @@
 #include <memory>
 
 #include <drivers/descriptor.hpp>
+#include <transport/address.hpp>
 #include <transport/transport.hpp>
 
 namespace gsbench::link {
@@ -100,8 +101,8 @@ std::string trouble_with_tls(SSL* session, int descriptor, const std::string& ca
 }  // namespace
 
 std::string trouble_with(const BrokerUrl& broker, const std::string& ca_file) {
-  const BrokerUrl tcp_only{false, broker.host, broker.port};
-  const auto port = transport::make_transport("tcp" + text_of(tcp_only).substr(4));
+  const auto port =
+      transport::make_transport(transport::text_of({"tcp", broker.host, broker.port}));
   if (const Status opened = port->open(); !opened.ok()) {
     return opened.error().substr(port->port().size() + 2);
   }

@@ -30,10 +30,6 @@ constexpr double kBaudsOfAByte = 10.0;
 constexpr double kSilence_s = 0.1;
 constexpr int kMostPauses = 10;
 
-bool is_tcp(const std::string& port) {
-  return port.rfind("tcp://", 0) == 0;
-}
-
 Clock::duration time_span(double time_s) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
 }
@@ -45,7 +41,7 @@ Connection::Connection(const Instrument& instrument, const std::string& port, in
     : instrument_(instrument),
       interrupt_(interrupt),
       transport_(transport::make_transport(port, baud)),
-      upload_bytes_s_(is_tcp(port)
+      upload_bytes_s_(transport::is_tcp(port)
                           ? instrument.timing.upload_bytes_s
                           : std::min(instrument.timing.upload_bytes_s, baud / kBaudsOfAByte)) {}
 
@@ -71,7 +67,7 @@ Status Connection::open() {
   if (Status opened = transport_->open(); !opened.ok()) {
     return opened;
   }
-  if (!is_tcp(transport_->port())) {
+  if (!transport::is_tcp(transport_->port())) {
     if (Status silent = discard_answers_to_others(); !silent.ok()) {
       close();
       return silent;

@@ -163,7 +163,9 @@ TEST_F(TwoOnSerialLines, APortInUseIsAtFaultAndTheOtherIsListed) {
 
 TEST_F(TwoOnSerialLines, TwoNamesOfOnePortAreOnePort) {
   const std::string other = "tcp://localhost" + where_.substr(where_.rfind(':'));
-  const json found = run_for_json({"devices", "--port", where_, "--port", other, "--json"});
+  const std::string third = "TCP" + where_.substr(3) + '/';
+  const json found =
+      run_for_json({"devices", "--port", where_, "--port", other, "--port", third, "--json"});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0]["where"], where_);
 }
@@ -203,6 +205,8 @@ TEST(Devices, AMissingPortIsAFaultAndATextThatIsNoPortIsRefused) {
     Words none = words;
     none.insert(none.end(), {"--port", "COM7"});
     expect_refused(none, "COM7: is neither of the form tcp://host:port nor the path of a device");
+    none.back() = "";
+    expect_refused(none, "an empty text is neither of the form tcp://host:port nor the path");
   }
 }
 

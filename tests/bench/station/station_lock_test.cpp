@@ -145,6 +145,7 @@ TEST_F(Lock, TwoNamesOfAHostHaveOneLock) {
 
 TEST_F(Lock, TwoFormsOfAnIpv6AddressHaveOneLock) {
   EXPECT_EQ(lock_files("tcp://[::1]:7"), lock_files("tcp://[0:0::1]:7"));
+  EXPECT_EQ(lock_files("tcp://[::1]:7"), lock_files("TCP://[::1]:7/"));
   EXPECT_NE(lock_files("tcp://[::1]:7"), lock_files("tcp://[::2]:7"));
   EXPECT_EQ(lock_files("mqtts://[::1]:8883/a"), lock_files("mqtt://[0:0::1]:1883/a"));
 }

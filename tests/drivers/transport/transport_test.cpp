@@ -225,10 +225,29 @@ TEST(Tcp, AcceptsAnIpv6AddressInBrackets) {
   EXPECT_EQ(refusal("tcp://[::1]:1"), "tcp://[::1]:1: cannot be connected to: Connection refused");
 }
 
+TEST(Tcp, SchemeMayBeInUpperCaseAndASlashMayFollow) {
+  LoopbackPort listening = LoopbackPort::reserve().take();
+  ASSERT_TRUE(listening.listen().ok());
+  const std::string end = "://127.0.0.1:" + std::to_string(listening.number());
+  for (const std::string& port : {"tcp" + end, "TCP" + end, "Tcp" + end + '/'}) {
+    EXPECT_TRUE(check_form(port).ok()) << port;
+    EXPECT_EQ(refusal(port), "it opened") << port;
+    EXPECT_EQ(in_one_form(port), "tcp" + end) << port;
+  }
+  EXPECT_EQ(in_one_form("tcp://[::1]:05000/"), "tcp://[::1]:5000");
+  EXPECT_EQ(in_one_form("/dev/ttyUSB0"), "/dev/ttyUSB0");
+}
+
+TEST(Transport, ATextThatIsNoPortIsRefusedByItsForm) {
+  const std::string is_none = " is neither of the form tcp://host:port nor the path of a device";
+  EXPECT_EQ(check_form("").error(), "an empty text" + is_none);
+  EXPECT_EQ(check_form("COM7").error(), "COM7:" + is_none);
+}
+
 TEST(Tcp, RefusesInvalidAddresses) {
   for (const std::string wrong :
        {"tcp://", "tcp://host", "tcp://host:", "tcp://:5000", "tcp://host:65536", "tcp://[::1:5000",
-        "tcp://host:http", "tcp://host:123456"}) {
+        "tcp://host:http", "tcp://host:123456", "tcp://::1:5000", "TCP://host:5000//"}) {
     EXPECT_EQ(check_port(wrong).error(),
               wrong + ": is not of the form tcp://host:port, with a port from 1 to 65535");
     EXPECT_EQ(refusal(wrong),

@@ -57,8 +57,15 @@ class Transport {
   std::string port_;
 };
 
-// `port`: "tcp://127.0.0.1:5000", "tcp://[::1]:5000", or a serial port: "/dev/ttyUSB0".
+// `port`: "tcp://127.0.0.1:5000" and other forms of transport::read_address(), or a serial port:
+// "/dev/ttyUSB0".
 std::unique_ptr<Transport> make_transport(const std::string& port, int baud = kBaud);
+
+// Whether `port` begins with tcp://, in upper or lower case.
+bool is_tcp(const std::string& port);
+
+// The same text for all forms of a TCP address: "tcp://host:5000". Other ports as they are.
+std::string in_one_form(const std::string& port);
 
 // An error if `port` is neither of the form tcp://host:port nor the absolute path of a device.
 // Looks at nothing but the text.

@@ -13,8 +13,7 @@ struct BrokerUrl {
   std::uint16_t port = 0;
 };
 
-// The scheme may be in upper case, and a slash may follow the port. An IPv6 address is in brackets:
-// "mqtts://[::1]:8883". nullopt: `text` has another form. Looks at nothing but the text.
+// As transport::read_address() takes it: "mqtts://[::1]:8883". nullopt: `text` has another form.
 std::optional<BrokerUrl> read_broker_url(const std::string& text);
 
 // The same text for all forms of an address: "mqtts://[::1]:8883".
