@@ -23,10 +23,13 @@ struct RunsArguments {
 struct KeptRun {
   std::string name;  // its id; the name of its folder if no id was stored
   record::RunRecord head;
+  bool in_progress;
 
-  // False if it is in progress, or its process was killed.
-  bool has_finished() const { return !head.finished_utc.empty(); }
-  const char* state() const { return has_finished() ? "finished" : "unfinished"; }
+  const char* state() const {
+    return in_progress                  ? "in progress"
+           : !head.finished_utc.empty() ? "finished"
+                                        : "unfinished";  // its process was killed
+  }
 };
 
 // In order of their start. A record that cannot be read is reported, and the others are still
@@ -39,9 +42,10 @@ std::vector<KeptRun> runs_by_age(const std::string& output_folder) {
   std::vector<KeptRun> kept;
   for (const std::string& path : records) {
     try {
+      const bool in_progress = record::is_in_progress(path);
       record::RunRecord head = record::read_head(path);
       const std::string folder = std::filesystem::path(path).parent_path().filename().string();
-      kept.push_back({head.run_id.empty() ? folder : head.run_id, std::move(head)});
+      kept.push_back({head.run_id.empty() ? folder : head.run_id, std::move(head), in_progress});
     } catch (const record::StoreError& error) {
       print_error(error.what());
     }
@@ -95,9 +99,7 @@ void add_runs(CommandLine& line) {
   add_runs_folder(command, arguments.output_folder)->check(CLI::ExistingDirectory);
   add_json_flag(command, arguments.json);
   command.footer(
-      "A run is unfinished while it is in progress, or if it was killed; `gsbench report RUN` "
-      "shows\n"
-      "what it kept.\n"
+      "A run is unfinished if it was killed; `gsbench report RUN` shows what it kept.\n"
       "\n"
       "Example:\n  gsbench runs");
 }

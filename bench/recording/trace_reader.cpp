@@ -24,7 +24,8 @@ TraceReader::TraceReader(std::string_view text, const TraceFormat& format,
       limits_(limits),
       dialect_(format, limits.nominal_hz),
       csv_(text, dialect_.delimiter()),
-      window_(format) {
+      window_(format),
+      where_(window_.has_start() ? Where::kBefore : Where::kInside) {
   check_is_text(text);
   read_header();
   trace_.text = csv_.text_so_far();
@@ -102,11 +103,6 @@ Place TraceReader::voltage_place() const {
   return header_.empty() ? Place{} : header_[*voltage_].place;
 }
 
-// Rows outside the window may have any content.
-bool TraceReader::is_outside() const {
-  return (window_.has_start() && !last_) || left_at_ || at_end_;
-}
-
 bool TraceReader::reached_duration() const {
   return !trace_.points.empty() && trace_.points.back().t_s >= limits_.duration_s;
 }
@@ -116,7 +112,8 @@ bool TraceReader::next(Row& row) {
     try {
       return csv_.next(row);
     } catch (const CsvError&) {
-      if (!is_outside() && !is_after_the_window(row)) {
+      // Rows outside the window may have any content.
+      if (!is_outside() && !leaves_the_window(row)) {
         throw;
       }
       csv_.skip_failed_row();
@@ -125,7 +122,7 @@ bool TraceReader::next(Row& row) {
 }
 
 // For a row of which only the cells before a mistake are known.
-bool TraceReader::is_after_the_window(const Row& row) {
+bool TraceReader::leaves_the_window(const Row& row) {
   if (!last_ || time_ >= row.size()) {
     return false;
   }
@@ -133,6 +130,7 @@ bool TraceReader::is_after_the_window(const Row& row) {
   if (!instant || instant->kind != first_->kind || !window_.is_after(*instant)) {
     return false;
   }
+  where_ = Where::kAfter;
   left_at_ = row[time_].place;
   return true;
 }
@@ -208,15 +206,15 @@ bool TraceReader::is_played(const Instant& instant, const Row& row) {
     return inside;
   }
   const bool later = instant.seconds_since(*last_) > 0.0;
-  if (left_at_) {
+  if (where_ == Where::kAfter) {
     if (inside && later) {
-      throw CsvError(*left_at_, fmt::format("this time is after the end of the played part, but "
-                                            "line {} is within it; times must increase",
-                                            row[time_].place.line));
+      throw CsvError(left_at_, fmt::format("this time is after the end of the played part, but "
+                                           "line {} is within it; times must increase",
+                                           row[time_].place.line));
     }
     return false;
   }
-  if (!later && at_end_ && last_->seconds_since(instant) > 0.0) {
+  if (!later && where_ == Where::kAtTheEnd && last_->seconds_since(instant) > 0.0) {
     return false;
   }
   if (!later) {
@@ -226,6 +224,7 @@ bool TraceReader::is_played(const Instant& instant, const Row& row) {
                                shown(row[time_].text)));
   }
   if (!inside) {
+    where_ = Where::kAfter;
     left_at_ = row[time_].place;
   }
   return inside;
@@ -243,7 +242,7 @@ void TraceReader::take(const Instant& instant, const Row& row) {
   }
   last_ = instant;
   last_place_ = row[time_].place;
-  at_end_ = window_.is_end(instant);
+  where_ = window_.is_end(instant) ? Where::kAtTheEnd : Where::kInside;
   trace_.text += csv_.row_text();
   ++trace_.rows;
   const Cell& frequency = cell(row, frequency_);

@@ -30,15 +30,17 @@ class TraceReader {
 
  private:
   using Row = std::vector<Cell>;
+  // Of the row that was read last, in the window. At its end: exactly, so that it may end there.
+  enum class Where { kBefore, kInside, kAtTheEnd, kAfter };
 
   void read_header();
   [[noreturn]] void refuse_header(std::size_t row) const;
   void check_is_header() const;
   std::string option(const char* key) const;  // its name, in advice
-  bool is_outside() const;
+  bool is_outside() const { return where_ != Where::kInside; }
   bool reached_duration() const;
   bool next(Row& row);
-  bool is_after_the_window(const Row& row);
+  bool leaves_the_window(const Row& row);
   const Cell& cell(const Row& row, std::size_t column) const;
   std::optional<Instant> instant_of(const Row& row);
   [[noreturn]] void refuse_time(const Cell& time) const;
@@ -67,8 +69,8 @@ class TraceReader {
   std::optional<Instant> start_;  // of the first point
   std::optional<Instant> last_;   // of the row that was taken last
   Place last_place_;
-  bool at_end_ = false;           // the row that was taken last is exactly at the window's end
-  std::optional<Place> left_at_;  // the row that ended the window
+  Where where_;
+  Place left_at_;  // if after: the row that ended the window
   Trace trace_;
 };
 

@@ -55,13 +55,20 @@ class Digest {
 
   template <class Part>
   void add_fields(const Part& part) {
-    const std::string table =
-        table_name<Part> != nullptr ? table_name<Part> : StoredFields::kTraces;
     visit_fields<Part>(part, [&](const char* name, const auto& field) {
-      if (stored_ == nullptr || stored_->has(table, name)) {
+      if (stored_ == nullptr || is_stored<Part>(name)) {
         add_field<table_name<Part> == nullptr>(field);
       }
     });
+  }
+
+  template <class Part>
+  bool is_stored(const char* name) const {
+    if constexpr (table_name<Part> == nullptr) {
+      return stored_->has_column(name);
+    } else {
+      return stored_->has(table_name<Part>, name);
+    }
   }
 
   // An empty column of a trace is not stored and counts as none, except in version 6.

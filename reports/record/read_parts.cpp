@@ -32,7 +32,7 @@ void unpack_trace(Database& database, const SeriesByName& series, const StoredFi
       if (const auto found = series.find(name); found != series.end()) {
         columns::unpack(found->second.data, found->second.entries, column);
       }
-      if (!stored.has(StoredFields::kTraces, name)) {
+      if (!stored.has_column(name)) {
         column.resize(trace.tick.size());
       }
       if (column.size() != trace.tick.size()) {

@@ -119,13 +119,12 @@ StoredFields::StoredFields(Database& database, std::int64_t newest)
   if (names_in(database, "SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL") != known) {
     database.fail("the record is damaged: its tables are not those of a record");
   }
-  Names& traces = fields_[kTraces];
   if (version_ == newest) {
-    add_columns<ReferenceTrace>(traces);
-    add_columns<MeasurementTrace>(traces);
-    add_columns<EstimateTrace>(traces);
+    add_columns<ReferenceTrace>(columns_);
+    add_columns<MeasurementTrace>(columns_);
+    add_columns<EstimateTrace>(columns_);
   } else {
-    traces.merge(names_in(database, "SELECT DISTINCT name FROM series"));
+    columns_.merge(names_in(database, "SELECT DISTINCT name FROM series"));
   }
 }
 

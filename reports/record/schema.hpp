@@ -28,23 +28,23 @@ constexpr std::int64_t kAppendPositions = std::int64_t{1} << 32;
 
 std::string schema_sql();
 
-// The fields that a file has. Columns of traces are those of kTraces.
+// The fields that a file has.
 class StoredFields {
  public:
-  static constexpr const char* kTraces = "series";
-
   // Throws StoreError unless the file is a record of a known version. It may have the expected
   // tables and columns only, because a foreign view or trigger could run any SQL. Files of versions
   // before `newest` have the columns of traces that they contain.
   explicit StoredFields(Database& database, std::int64_t newest = kSchemaVersion);
 
   bool has(const std::string& table, const std::string& field) const;
+  bool has_column(const std::string& name) const { return columns_.count(name) != 0; }  // of traces
   bool has_table(const std::string& table) const { return fields_.count(table) != 0; }
   bool is_sealed_as_whole() const { return version_ == kOldestVersion; }
 
  private:
   std::int64_t version_ = 0;
-  std::map<std::string, std::set<std::string>> fields_;
+  std::map<std::string, std::set<std::string>> fields_;  // by table
+  std::set<std::string> columns_;
 };
 
 template <class Part>

@@ -1,5 +1,6 @@
 #include "sqlite.hpp"
 
+#include "new_record.hpp"
 #include <sqlite3.h>
 
 #include <cerrno>
@@ -70,10 +71,6 @@ void recover(const std::string& absolute) {
 }
 
 }  // namespace
-
-std::string reserve_of(const std::string& path) {
-  return path + "-reserve";
-}
 
 Database::Database(const std::string& path, Mode mode) : path_(path) {
   const int flags = mode == Mode::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;

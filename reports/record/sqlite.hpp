@@ -16,9 +16,6 @@ namespace gsbench::record {
 
 class Statement;
 
-// A file beside a record that is written: its removal makes room on a full disk.
-std::string reserve_of(const std::string& path);
-
 class Database {
  public:
   enum class Mode { kRead, kWrite };

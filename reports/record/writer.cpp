@@ -1,71 +1,17 @@
 #include "columns.hpp"
+#include "new_record.hpp"
 #include "read_parts.hpp"
 #include "seals.hpp"
-#include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include <record/store.hpp>
 
 namespace gsbench::record {
 namespace {
-
-// On a full disk, its removal makes room for the reason why the run ended.
-constexpr off_t kReserve_bytes = 256 * 1024;
-
-[[noreturn]] void refuse(const std::string& path, int cause) {
-  throw StoreError(path + ": cannot be created: " + std::strerror(cause));
-}
-
-// O_EXCL: fails for an existing file, also if two runs start at the same time.
-int create(const std::string& path) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) {
-    refuse(path, errno);
-  }
-  return file;
-}
-
-std::vector<std::uint8_t> empty_record() {
-  Database database = Database::in_memory();
-  database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
-  database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
-  database.execute(schema_sql());
-  return database.bytes();
-}
-
-// A process that is killed leaves no file, an empty one, or a record.
-void create_record(const std::string& path) {
-  ::close(create(path));
-  const std::string made = path + "-new";
-  const int file = create(made);
-  const std::vector<std::uint8_t> bytes = empty_record();
-  const ssize_t written = ::write(file, bytes.data(), bytes.size());
-  int cause = written < 0 ? errno : written < static_cast<ssize_t>(bytes.size()) ? ENOSPC : 0;
-  ::close(file);
-  if (cause == 0 && ::rename(made.c_str(), path.c_str()) != 0) {
-    cause = errno;
-  }
-  if (cause != 0) {
-    ::unlink(made.c_str());
-    ::unlink(path.c_str());
-    refuse(path, cause);
-  }
-}
-
-void create_reserve(const std::string& path) {
-  const int file = create(reserve_of(path));
-  const int cause = ::posix_fallocate(file, 0, kReserve_bytes);
-  ::close(file);
-  if (cause != 0) {
-    ::unlink(reserve_of(path).c_str());
-    refuse(path, cause);
-  }
-}
 
 template <class Trace>
 void pack_trace(std::vector<Series>& all, const Trace& trace) {
@@ -89,7 +35,7 @@ struct Writer::Impl {
   };
 
   explicit Impl(const std::string& the_path)
-      : database(the_path, Database::Mode::kWrite), path(the_path) {
+      : path(the_path), reserve(the_path), database(the_path, Database::Mode::kWrite) {
     database.execute("PRAGMA journal_mode = WAL");
     // No wait for the disk during a run, which must keep its pace. A finished transaction survives
     // the end of this process; a power cut may take those of the last seconds.
@@ -97,7 +43,7 @@ struct Writer::Impl {
   }
 
   ~Impl() {
-    ::unlink(reserve_of(path).c_str());
+    reserve.free();
     try {
       // Back to one plain file, which is readable also in a folder without write permission.
       database.execute("PRAGMA journal_mode = DELETE");
@@ -183,8 +129,9 @@ struct Writer::Impl {
     require(begun && !finished, "outlets are written between begin() and finish()");
   }
 
-  Database database;
   std::string path;
+  Reserve reserve;
+  Database database;
   std::vector<Appended> outlets;
   bool begun = false;
   bool finished = false;
@@ -193,7 +140,6 @@ struct Writer::Impl {
 Writer::Writer(const std::string& path) {
   create_record(path);
   try {
-    create_reserve(path);
     impl_ = std::make_unique<Impl>(path);
   } catch (...) {
     ::unlink(path.c_str());  // it is new and has nothing in it
@@ -250,7 +196,7 @@ void Writer::finish(const RunRecord& head) {
 }
 
 void Writer::abandon(const RunRecord& head) noexcept {
-  ::unlink(reserve_of(impl_->path).c_str());
+  impl_->reserve.free();
   if (!impl_->begun || impl_->finished) {
     return;
   }

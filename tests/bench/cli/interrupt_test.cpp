@@ -65,7 +65,10 @@ TEST(Interrupt, AHangUpThatTheParentIgnoresDoesNotEndIt) {
 
 TEST(Interrupt, AKilledRunIsListedAsUnfinished) {
   const TemporaryFolder folder;
-  EXPECT_EQ(stop_slow_run(folder, SIGKILL).exit_code, 128 + SIGKILL);
+  const Started started = start_slow_run(folder);
+  EXPECT_EQ(run_for_json({"runs", "--out", folder.file("runs"), "--json"})[0]["state"],
+            "in progress");
+  EXPECT_EQ(stop(started, SIGKILL).exit_code, 128 + SIGKILL);
   const Outcome list = run_gsbench({"runs", "--out", folder.file("runs")});
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_EQ(list.err, "");

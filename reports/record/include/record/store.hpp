@@ -82,6 +82,9 @@ class Writer final : public Store {
   std::unique_ptr<Impl> impl_;
 };
 
+// True while a Writer of any process has the record open. Call it before the record is read.
+bool is_in_progress(const std::string& path);
+
 // Reads a record outlet by outlet. Of a run that is still written, it sees the state at its
 // construction. All calls throw StoreError if the file is not a record, is of an unknown version,
 // or was changed: a stored digest of every part detects changes.
