@@ -39,7 +39,9 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
     add(topic);
   }
   const auto found = places_.find(topic);
-  if (found == places_.end() || outlets_[found->second.outlet].faulty) {
+  if (found == places_.end() ||
+      (outlets_[found->second.outlet].faulty &&
+       !(found->second.hello && is_replaced(outlets_[found->second.outlet], size, retained)))) {
     return;
   }
   if (found->second.hello) {
@@ -50,6 +52,17 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
     }
     ask_if_wanted(found->second.outlet);
   }
+}
+
+// Whether this message on the hello topic of an excluded outlet is to be taken: its outlet has
+// left, and another, or the same one with other firmware, is there now.
+bool Arrivals::is_replaced(Outlet& outlet, std::size_t size, bool retained) {
+  if (size == 0) {
+    outlet.here = false;
+  } else if (!outlet.here && !outlet.takes_turns && !retained) {
+    outlet.faulty = false;
+  }
+  return !outlet.faulty;
 }
 
 void Arrivals::ask_if_wanted(std::size_t place) {
@@ -123,7 +136,10 @@ bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Uplink& message,
                         instance_text(hello.instance));
     return false;
   }
-  if (take_turns(outlet, message, sequence)) {
+  // Of another protocol version, the start number is unknown.
+  outlet.takes_turns = hello.protocol_version == gs::wire::kProtocolVersion &&
+                       outlet.turns.take(message.start_number, sequence, !outlet.here);
+  if (outlet.takes_turns) {
     exclude(outlet, kSameId + ("both have instance " + instance_text(hello.instance)) +
                         ", and each ends the other's connection to the broker");
     return false;
@@ -145,37 +161,6 @@ bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Uplink& message,
 void Arrivals::exclude(Outlet& outlet, const std::string& fault) {
   outlet.faulty = true;
   happenings_.left.push_back({outlet.id, fault, "", true});
-}
-
-// True if two units with the same client id take turns at the broker: each leaves when the other
-// comes, with a new hello of an earlier start. Without leaving, such a hello is late: a client may
-// repeat it after newer ones when its connection has broken.
-bool Arrivals::take_turns(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence) {
-  constexpr int kReturnsOfTwins = 2;
-  constexpr std::size_t kMostStarts = 16;
-  if (message.hello.protocol_version != gs::wire::kProtocolVersion) {
-    return false;  // its start number is unknown
-  }
-  std::vector<Start>& starts = outlet.starts;
-  const auto known = std::find_if(starts.begin(), starts.end(), [&](const Start& start) {
-    return start.number == message.start_number;
-  });
-  if (known == starts.end()) {
-    starts.push_back({message.start_number, sequence});
-    starts.erase(starts.begin(),
-                 starts.end() - static_cast<std::ptrdiff_t>(std::min(starts.size(), kMostStarts)));
-    outlet.returns = 0;
-    return false;
-  }
-  const bool is_new = sequence - known->newest_hello - 1 < (1U << 31U);
-  if (is_new) {
-    known->newest_hello = sequence;
-    if (!outlet.here) {
-      outlet.returns += known + 1 == starts.end() ? 0 : 1;
-      std::rotate(known, known + 1, starts.end());
-    }
-  }
-  return outlet.returns >= kReturnsOfTwins;
 }
 
 std::vector<std::size_t> Arrivals::take_newcomers() {

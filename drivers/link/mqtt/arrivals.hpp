@@ -2,6 +2,8 @@
 // thread; every call takes a lock.
 #pragma once
 
+#include "turns.hpp"
+
 #include <cstdint>
 #include <deque>
 #include <mutex>
@@ -49,10 +51,6 @@ class Arrivals {
   std::vector<Fault> missing(const std::vector<std::string>& wanted);
 
  private:
-  struct Start {
-    std::uint32_t number = 0;
-    std::uint32_t newest_hello = 0;  // its sequence number
-  };
   struct Outlet {
     std::string id;
     std::string hello_topic;
@@ -60,10 +58,11 @@ class Arrivals {
     OutletStream stream{Delivery::kByBroker};
     bool here = true;  // connected to the broker, according to its newest hello
     bool joined = false;
-    gs::wire::Hello hello;      // with which it joined
-    bool faulty = false;        // excluded from the run
-    std::vector<Start> starts;  // the newest last
-    int returns = 0;            // to an earlier start, since the newest one began
+    gs::wire::Hello hello;  // with which it joined
+    bool faulty = false;    // excluded from the run
+    // Two units take turns, each with the client id of the other: faulty until the link is closed.
+    bool takes_turns = false;
+    Turns turns;
   };
   struct Place {
     std::size_t outlet = 0;
@@ -72,9 +71,9 @@ class Arrivals {
 
   void add(std::string_view hello_topic);
   void take_hello(std::size_t place, const std::uint8_t* message, std::size_t size, bool retained);
+  static bool is_replaced(Outlet& outlet, std::size_t size, bool retained);
   void ask_if_wanted(std::size_t place);
   bool take_identity(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence);
-  static bool take_turns(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence);
   void exclude(Outlet& outlet, const std::string& fault);
 
   std::mutex mutex_;

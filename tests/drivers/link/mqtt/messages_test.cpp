@@ -103,6 +103,20 @@ TEST_F(Broker, ALaterOutletWithTheSameIdIsAFault) {
       is_reported(kA, "has the same id as another outlet: instances 0x00000001 and 0x00000002"));
 }
 
+TEST_F(Broker, AnOutletMayTakeThePlaceOfTwoWithTheSameIdOnceTheyHaveLeft) {
+  {
+    MqttOutlet one(broker_, "a", 1);
+    open({"a"});
+    MqttOutlet two(broker_, "a", 2);
+    ASSERT_TRUE(is_reported(kA, "instances 0x00000001 and 0x00000002"));
+  }
+  MqttOutlet three(broker_, "a", 3);
+  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
+  EXPECT_EQ(joined_.back().hello.instance, 3U);
+  EXPECT_EQ(joined_.back().fault, "");
+  EXPECT_TRUE(answers(kA));
+}
+
 // They have the same client id: the broker lets only one of them be connected.
 TEST_F(Broker, TwoOutletsThatEndEachOthersConnectionAreAFaultAndExcluded) {
   MqttOutlet one(broker_, "a", 1);
