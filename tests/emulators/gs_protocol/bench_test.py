@@ -202,6 +202,12 @@ class AtBroker(Watched, unittest.TestCase):
         self.assertNotEqual(found["outlet-7"]["fault"], "")
         self.assertNotIn("board", found["outlet-7"])
 
+    def test_an_id_that_is_not_that_of_its_topic_is_a_fault(self):
+        self.outlet.identity["id"] = "other"
+        code, found = self.devices()
+        self.assertEqual((code, [one["id"] for one in found]), (4, ["outlet-7"]))
+        self.assertIn("other", found[0]["fault"])
+
     def test_two_units_with_one_id_are_a_fault(self):
         twin = self.new_outlet(instance=9, start_number=99)
         bench = self.bench("devices", "--json")

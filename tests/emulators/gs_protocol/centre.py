@@ -18,7 +18,7 @@ class Peer:
         self.instance = None  # of the unit that reported this id, until it departs
         self.identified = False  # this start has answered with the centre's session
         self.connected = False
-        self.twins = False
+        self.excluded = False
         self.hello_count = self.count = None
         self.sent = 0
         self.request = 0
@@ -48,8 +48,8 @@ class Centre:
 
     def say(self, outlet, name, *values):
         peer = self.peers[outlet]
-        if peer.twins:
-            raise ValueError("two units are named " + outlet)
+        if peer.excluded:
+            raise ValueError("excluded: " + outlet)
         sequence = peer.sent
         peer.sent = (peer.sent + 1) % numbering.MODULUS
         message = messages.downlink(name, sequence, self.session, *values)
@@ -100,7 +100,7 @@ class Centre:
             self.note("restart", outlet, message)
         peer.begin(message.start_number)
         peer.hello, peer.identified = None, False
-        if message.name != "hello" and not peer.twins:
+        if message.name != "hello" and not peer.excluded:
             self.say(outlet, "identify")
 
     def take_hello(self, outlet, peer, hello, begins, retained):
@@ -113,7 +113,7 @@ class Centre:
         peer.identified = peer.identified or hello["session"] == self.session
         known, peer.instance = peer.instance, hello["instance"]
         if known not in (None, hello["instance"]):
-            peer.twins = True
+            peer.excluded = True
             self.note("twins", outlet)
         elif retained or begins or not (self.serial or peer.identified):
             self.say(outlet, "identify")  # on a serial line, it is repeated all the time

@@ -73,7 +73,7 @@ class Outlet(Disturbed):
         commands = commander.check(self, centre.log)
         lost = sum(centre.all("lost"))
         self.assertGreaterEqual(commands.changes + lost + starts, commands.sent)
-        self.assertGreater(commands.sent, MESSAGES // 200)
+        self.assertGreater(commands.sent, MESSAGES // 400)
         print("\n%s: %d messages, %s, %d restarts, %d lost" % (self.LINK, self.passed(), commands, starts - 1, lost))
         did = self.check_disturbances()
         # The copies arrived, and were found to be late.

@@ -4,7 +4,7 @@ import signal
 import unittest
 
 from gs_protocol import messages, serial_line, settings
-from gs_protocol.product import ProductOutlet, connected, free_port, wait
+from gs_protocol.product import ProductOutlet, at_broker, connected, free_port, wait
 from gs_protocol.proxy import MqttProxy
 from gs_protocol.rig import NAME, Rig
 
@@ -98,6 +98,21 @@ class Behind(unittest.TestCase):
         later = self.rig.another()
         self.assertTrue(later.until(lambda: len(later.centre.all("hello")) == 2))
         self.assertEqual([hello["session"] for hello in later.centre.all("hello")][1], later.centre.session)
+
+    def test_units_of_one_id_are_twins_unless_one_takes_the_place_of_the_other(self):
+        def add(instance):
+            product = ProductOutlet(NAME, *at_broker(self.rig.broker.port), "--instance", instance)
+            self.addCleanup(product.close)
+
+        self.rig.product.close()
+        self.rig.next("departed")
+        add("2")
+        self.rig.until(lambda: self.rig.peer.instance == 2)
+        self.rig.answer("ping", "echo", 1)
+        self.assertEqual(self.centre.all("twins"), [])
+        add("3")
+        self.rig.next("twins")
+        self.assertRaises(ValueError, self.rig.ask, "ping", 1)
 
     def test_two_centres_do_not_disturb_each_other(self):
         other = self.rig.another()
