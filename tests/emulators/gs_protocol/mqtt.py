@@ -34,6 +34,7 @@ class Client(Station):
         self.client.on_message = lambda client, data, message: self.arrived.put(message)
         self.client.on_connect = self.on_connect
         self.client.on_subscribe = self.on_subscribe
+        self.client.on_disconnect = lambda *_: self.on_disconnect()
 
     @staticmethod
     def without_delay(client, data, connection):
@@ -51,6 +52,9 @@ class Client(Station):
     def on_subscribe(self, *_):
         self.subscribed += 1
         self.arrived.put(None)
+
+    def on_disconnect(self):
+        """In Paho's thread."""
 
     def publish(self, topic, payload, qos, retain=False):
         info = self.client.publish(topic, payload, qos, retain)
@@ -71,9 +75,13 @@ class Client(Station):
 
 
 class MqttOutlet(Client):
+    """Paho would send new messages before it repeats those of a broken connection: they are kept."""
+
     CLEAN_START, KEEP_ALIVE_S = True, 10
 
     def __init__(self, port, **identity):
+        self.ready = False  # the hello of this connection has been sent
+        self.kept = []
         self.outlet = Outlet(self.send, **identity)
         self.id = self.outlet.identity["id"]
         self.hello_topic = "gs/%s/hello" % self.id
@@ -85,12 +93,23 @@ class MqttOutlet(Client):
         return [("gs/%s/down" % self.id, SubscribeOptions(qos=1, retainHandling=2))]
 
     def send(self, message, on_hello, sure):
-        topic = self.hello_topic if on_hello else "gs/%s/up" % self.id
-        return self.publish(topic, message, int(sure), on_hello)
+        if on_hello:
+            return self.ready and self.publish(self.hello_topic, message, 1, True)
+        if not self.ready:
+            self.kept += [message] if sure else []
+            return sure
+        return self.publish("gs/%s/up" % self.id, message, int(sure))
+
+    def on_disconnect(self):
+        self.ready = False
 
     def take(self, message):
         if message is None:
+            self.ready = True
             self.outlet.say_hello()
+            kept, self.kept = self.kept, []
+            for one in kept:
+                self.send(one, False, True)
         else:
             self.outlet.receive(message.payload)
 
