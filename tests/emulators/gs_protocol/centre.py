@@ -82,8 +82,10 @@ class Centre:
             return self.note("malformed", outlet, str(error))
         if message.start_number is None:
             return self.note("other version", outlet, message)
-        if on_hello_topic and message.name == "hello":
-            peer.connected = True
+        if message.name == "hello":
+            if self.is_twin(outlet, peer, message, retained):
+                return
+            peer.connected = peer.connected or on_hello_topic
         begins = message.start_number != peer.start_number
         if message.start_number in peer.earlier:
             return self.note("late", outlet, message)
@@ -94,6 +96,15 @@ class Centre:
         if self.serial and peer.hello is None:
             return self.note("before hello", outlet, message)
         return self.take(outlet, peer.count, message)
+
+    def is_twin(self, outlet, peer, hello, retained):
+        known, peer.instance = peer.instance, hello["instance"]
+        if known not in (None, hello["instance"]):
+            peer.excluded = True
+            self.note("twins", outlet)
+        elif known is None and not retained:
+            peer.excluded = False
+        return peer.excluded
 
     def begin(self, outlet, peer, message):
         if peer.start_number is not None:
@@ -111,11 +122,7 @@ class Centre:
         if self.serial:
             peer.count.first = hello["next_number"]
         peer.identified = peer.identified or hello["session"] == self.session
-        known, peer.instance = peer.instance, hello["instance"]
-        if known not in (None, hello["instance"]):
-            peer.excluded = True
-            self.note("twins", outlet)
-        elif retained or begins or not (self.serial or peer.identified):
+        if retained or begins or not (self.serial or peer.identified):
             self.say(outlet, "identify")  # on a serial line, it is repeated all the time
 
     def take(self, outlet, count, message):

@@ -103,16 +103,26 @@ class Behind(unittest.TestCase):
         def add(instance):
             product = ProductOutlet(NAME, *at_broker(self.rig.broker.port), "--instance", instance)
             self.addCleanup(product.close)
+            return product
 
-        self.rig.product.close()
-        self.rig.next("departed")
-        add("2")
+        def remove(product):
+            self.rig.mark = len(self.centre.log)
+            product.close()
+            self.rig.next("departed")
+
+        remove(self.rig.product)
+        two = add("2")
         self.rig.until(lambda: self.rig.peer.instance == 2)
         self.rig.answer("ping", "echo", 1)
         self.assertEqual(self.centre.all("twins"), [])
-        add("3")
+        three = add("3")
         self.rig.next("twins")
         self.assertRaises(ValueError, self.rig.ask, "ping", 1)
+        remove(three)
+        remove(two)
+        add("4")
+        self.rig.until(lambda: self.rig.peer.instance == 4 and self.rig.peer.identified)
+        self.rig.answer("ping", "echo", 1)
 
     def test_two_centres_do_not_disturb_each_other(self):
         other = self.rig.another()
