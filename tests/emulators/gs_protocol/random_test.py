@@ -11,7 +11,7 @@ from gs_protocol.rig import Rig
 
 SEED = int(os.environ.get("GS_PROTOCOL_SEED", "1"))
 NUMBER = int(os.environ.get("GS_PROTOCOL_RANDOM", "4000"))
-SESSIONS = (11, 12, 13, 14, 15, 16)
+SESSIONS = (11, 12, 13, 14, 15)  # one more than outlets keep
 FLOATS = (0.0, -1.0, 1.0, 49.0, 50.0, 1e-5, 0.01, 0.1, 3e9, float("inf"), float("nan"), 40.0, 71.0)
 ITEMS = (0, -1, 1.5, "text", b"bytes", True, None, [], [1], {}, {1: 2}, 1 << 40)
 UNCOMPARED = {"hello": ("id", "board", "instance", "firmware_version", "build", "tracker_delay_s",
@@ -25,18 +25,20 @@ class Messages:
     def __init__(self, seed, outlet):
         self.random, self.outlet = random.Random(seed), outlet
         self.next = dict.fromkeys(SESSIONS, 0)
+        self.request = 0
 
     def one(self):
         pick = self.random.choice
         session = pick(SESSIONS)
         kind = pick((1, 1, 1, 2, 2, 3, 3, 4, 5, 6, self.random.randrange(300)))
-        number = pick((0, 0, 0, 0, 0, -1, 3, 1 << 31, (1 << 31) - 1)) if self.next[session] else 0
-        number = (self.next[session] + number) % (1 << 32)
+        ahead = pick((0, 0, 0, 0, 0, -1, 3, 1 << 31, (1 << 31) - 1)) if self.next[session] else 0
+        number = (self.next[session] + ahead) % (1 << 32)
         items = [kind, number, session, *self.fields(kind)]
         if pick((False, False, False, True)):
             items.insert(self.random.randrange(len(items) + 1), pick(ITEMS))
         data = self.damaged(cbor.dumps(items)) if pick((False, True)) else cbor.dumps(items)
-        self.next[session] = (number + 1) % (1 << 32)
+        if 0 <= ahead < 1 << 31:  # else late
+            self.next[session] = (number + 1) % (1 << 32)
         return data
 
     def fields(self, kind):
@@ -45,7 +47,9 @@ class Messages:
             return [self.settings()]
         if kind == 2:
             start = self.outlet.identity["start_number"]
-            return [self.random.randrange(9), pick((False, True)), pick((start, start, start, 0))]
+            self.request += 1  # newer than all before, of all sessions; or an old one, or none
+            request = pick((self.request, self.request, self.random.randrange(self.request), 0))
+            return [request, pick((False, True)), pick((start, start, start, 0))]
         return [self.random.randrange(1 << 32)] if kind == 6 else []
 
     def settings(self):
