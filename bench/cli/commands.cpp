@@ -62,6 +62,15 @@ void print_json(const nlohmann::ordered_json& value) {
   std::fputs((value.dump(2, ' ', false, kReplace) + '\n').c_str(), stdout);
 }
 
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (std::find(values.begin(), values.end(), "") != values.end()) {
+      throw CLI::ValidationError(option->get_name(), "the value is empty");
+    }
+  }
+}
+
 CLI::Validator number_between(double low, double high) {
   return CLI::Validator(
       [low, high](std::string& text) {

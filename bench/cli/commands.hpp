@@ -52,6 +52,10 @@ void print_line(const std::string& line, std::size_t indent = 0);
 std::string error_line(const std::string& text);
 void print_error(const std::string& text);
 
+// Throws CLI::ValidationError if an option or argument was given as an empty text. In a script,
+// that is a variable without a value, which must not pass for an option that was not given.
+void refuse_empty_values(const CLI::App& command);
+
 struct CommandLine {
   // Adds a command. `run` is called with the parsed arguments and returns the exit code.
   template <class Arguments>
@@ -61,7 +65,10 @@ struct CommandLine {
     CLI::App* command = app.add_subcommand(name, description)->group("Commands");
     command->formatter(help_formatter());
     command->set_help_flag("-h,--help", "Print this help");
-    command->callback([this, arguments, run] { exit_code = run(*arguments); });
+    command->callback([this, command, arguments, run] {
+      refuse_empty_values(*command);
+      exit_code = run(*arguments);
+    });
     return {*command, *arguments};
   }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <installation/installation.hpp>
 #include <judge/judge.hpp>
 #include <judge/plan_of.hpp>
 #include <record/store.hpp>
@@ -112,6 +113,8 @@ nlohmann::ordered_json as_json(const Rejudged& again) {
   nlohmann::ordered_json out = {{"format_version", record::kFormatVersion},
                                 {"run_id", again.run.run_id},
                                 {"gsbench_version", again.run.gsbench_version},
+                                {"judged_by_version", installation::version()},
+                                {"judged", is_judged(again.run)},
                                 {"recorded_verdict", to_string(again.recorded)},
                                 {"verdict", to_string(again.run.verdict)},
                                 {"differences", nlohmann::ordered_json::array()}};
@@ -144,11 +147,10 @@ void print(const Rejudged& again) {
     std::printf("… and %zu more\n", again.differences.size() - kMostPrinted);
   }
   const std::size_t count = again.differences.size();
-  const std::string how = count > 0
-                              ? fmt::format("{} difference{}; the record is of gsbench {}", count,
-                                            count == 1 ? "" : "s", again.run.gsbench_version)
-                          : !again.run.fault.empty() || again.run.interrupted
-                              ? "as recorded; not judged: " + again.run.verdict_reason
+  const std::string how =
+      count > 0               ? fmt::format("{} difference{}; the record is of gsbench {}", count,
+                              count == 1 ? "" : "s", again.run.gsbench_version)
+      : !is_judged(again.run) ? "as recorded; not judged: " + again.run.verdict_reason
                               : "as recorded: the verdicts and values of all outlets are the same";
   print_wrapped(fmt::format("{}, {}", to_string(again.run.verdict), how), 4);
 }

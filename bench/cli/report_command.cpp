@@ -26,6 +26,7 @@ struct ReportArguments {
 int report(const ReportArguments& arguments) {
   const std::string record_path = find_record(arguments.run, arguments.output_folder);
   record::Reader reader(record_path);
+  reader.check();
   const record::RunRecord run = results_of(reader);
   const render::View view = view_of(run, reader, arguments.outlets);
   OutputFile file(arguments.output, {record_path});

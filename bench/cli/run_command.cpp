@@ -100,7 +100,7 @@ int run(const RunArguments& arguments) {
                           file.text});
     }
     // First: a report that cannot be written must not hide the verdict.
-    if (run.interrupted || !run.fault.empty()) {
+    if (!is_judged(run)) {
       print_kept(run, folder, arguments.json);
     } else {
       print(run, arguments.json);

@@ -44,7 +44,7 @@ void add_trace(CLI::App& command, profile::Overrides& overrides) {
   add("--trace-nominal-voltage", format.nominal_voltage, "V",
       "Nominal voltage, in the unit of that column; without it the median of the played part");
   add("--trace-from", format.from, "TIME",
-      "Start of the part to play: seconds after the first row, or date (and time)");
+      "Start of the part to play: seconds after the first time, or date (and time)");
   add("--trace-until", format.until, "TIME", "End of the part to play, likewise");
   add("--trace-delimiter", format.delimiter, "CHARACTER",
       "Between cells; also tab, \\t or space (default: , and ; with a decimal comma)");

@@ -36,11 +36,11 @@ Case Judge::begin(const OutletRecord& outlet) const {
 }
 
 void Judge::finish(const Case& c, OutletRecord& outlet) const {
-  if (!head_.fault.empty() || head_.interrupted) {
+  if (is_judged(head_)) {
+    judge_outlet(c, outlet);
+  } else {
     outlet.measurements.clear();
     outlet.verdict = Verdict::kError;
-  } else {
-    judge_outlet(c, outlet);
   }
 }
 
@@ -51,8 +51,7 @@ void Judge::judge(OutletRecord& outlet) const {
 }
 
 void conclude(RunRecord& run) {
-  const bool failed = !run.fault.empty() || run.interrupted || run.outlets.empty();
-  run.verdict = failed ? Verdict::kError : Verdict::kPass;
+  run.verdict = is_judged(run) && !run.outlets.empty() ? Verdict::kPass : Verdict::kError;
   for (const OutletRecord& outlet : run.outlets) {
     run.verdict = std::max(run.verdict, outlet.verdict);
   }

@@ -13,7 +13,8 @@ const std::vector<Measure>& catalogue() {
   static const std::vector<Measure> all = {
       {"tracker.delay", "ms",
        "Time shift at which the reported frequency fits the reference best (least RMS error). "
-       "Only reports during which the reference moves faster than 0.05 Hz/s count.",
+       "Of the reports during which the reference moves faster than 0.05 Hz/s, the first 2000 "
+       "count.",
        "10 valid reports while the reference moves faster than 0.05 Hz/s"},
       {"tracker.error.max", "mHz",
        "Largest absolute error of the valid reported frequencies. "

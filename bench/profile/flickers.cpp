@@ -21,11 +21,11 @@ keys::Key flicker_keys() {
                     "which is the amplitude without flicker")
            .require(),
        keys::number("frequency_hz", "Hz", keys::above(0.0), "frequency of the modulation")
-           .permits("above 0, below half the sample rate")
+           .permits("above 0; with the highest harmonic, below half the sample rate")
            .or_else("required, or `changes_per_minute`"),
        keys::number("changes_per_minute", "1/min", keys::above(0.0),
                     "changes of the voltage, two in each period of the modulation")
-           .permits("above 0, below 60 times the sample rate")
+           .permits("above 0; likewise")
            .or_else("required, or `frequency_hz`")});
 }
 

@@ -103,10 +103,11 @@ Highest highest_frequency(const Stimulus& stimulus, const waveform::ReferenceSig
 
 }  // namespace
 
-void check_harmonics(const Table& signal, const Stimulus& stimulus,
-                     const waveform::ReferenceSignal& reference) {
+void check_spectrum(const Table& signal, const Stimulus& stimulus,
+                    const waveform::ReferenceSignal& reference) {
   const std::vector<waveform::Harmonic>& harmonics = stimulus.signal.harmonics;
-  if (harmonics.empty()) {
+  const std::vector<waveform::Flicker>& flickers = stimulus.signal.flickers;
+  if (harmonics.empty() && flickers.empty()) {
     return;
   }
   const Highest highest = highest_frequency(stimulus, reference);
@@ -122,6 +123,25 @@ void check_harmonics(const Table& signal, const Stimulus& stimulus,
                       "is {:.6g} Hz; it must be below {} Hz (half of sample_rate_hz)",
                       harmonics[i].order, frequency_hz, highest.t_s, highest.frequency_hz,
                       limit_hz));
+    }
+  }
+  // Flicker has side bands on both sides of the fundamental and of each harmonic.
+  double order = 1.0;
+  for (const waveform::Harmonic& harmonic : harmonics) {
+    order = std::max(order, harmonic.order);
+  }
+  double side_band_hz = order * highest.frequency_hz;
+  for (std::size_t i = 0; i < flickers.size(); ++i) {
+    side_band_hz += flickers[i].frequency_hz;
+    if (side_band_hz >= limit_hz) {
+      const Table table = signal.tables("flicker").at(i);
+      table.refuse(
+          table.has("frequency_hz") ? "frequency_hz" : "changes_per_minute",
+          fmt::format(
+              "{} has a side band at {:.6g} Hz at {:.6g} s by the flicker; it must be below "
+              "{} Hz (half of sample_rate_hz)",
+              order > 1.0 ? fmt::format("harmonic order {}", order) : "the fundamental",
+              side_band_hz, highest.t_s, limit_hz));
     }
   }
 }

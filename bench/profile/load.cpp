@@ -119,7 +119,7 @@ Plan parse_profile(const std::string& text, const std::string& path, const Overr
       read_commands(top, plan.outlets, {plan.stimulus.duration_s, plan.stimulus.sample_rate_hz});
   plan.expectations = read_expectations(top, plan.outlets);
   check_playable(plan);
-  check_harmonics(signal, plan.stimulus, *plan.reference());
+  check_spectrum(signal, plan.stimulus, *plan.reference());
   check_full_scale(signal, plan.stimulus, *plan.reference());
   return plan;
 }

@@ -81,9 +81,10 @@ keys::Key harmonics_key();
 keys::Key harmonic_set_key();
 std::vector<waveform::Harmonic> read_harmonics(const keys::Table& signal, double nominal_hz,
                                                double rate_hz);
-// Refuses a harmonic that reaches half of the sample rate when the frequency is high.
-void check_harmonics(const keys::Table& signal, const Stimulus& stimulus,
-                     const waveform::ReferenceSignal& reference);
+// Refuses a harmonic that reaches half of the sample rate when the frequency is high, and flicker
+// whose side bands do.
+void check_spectrum(const keys::Table& signal, const Stimulus& stimulus,
+                    const waveform::ReferenceSignal& reference);
 
 // [[signal.flicker]], in the order of the profile.
 keys::Key flicker_keys();

@@ -47,7 +47,7 @@ std::vector<Key> format_keys() {
       keys::number("nominal_voltage", "as the column", keys::above(0.0), "voltage of 1 p.u.")
           .or_else("median of the played part"),
       keys::instant("from_s", keys::at_least(0.0),
-                    "start of the part to play: seconds after the first row, or date and "
+                    "start of the part to play: seconds after the first time, or date and "
                     "time as in the recording, also without seconds, or a date, of which it is "
                     "midnight; the first row in it becomes time 0")
           .by_default(0.0),

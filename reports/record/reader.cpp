@@ -86,6 +86,12 @@ OutletRecord Reader::outlet(std::size_t i) {
   return outlet;
 }
 
+void Reader::check() {
+  for (std::size_t i = 0; i < impl_->outlets; ++i) {
+    record::read_reports(impl_->database, *impl_->stored, i + 1, [](const Reports&) {});
+  }
+}
+
 void Reader::read_reports(std::size_t i, const TakeReports& take) {
   const Clock clock = results(i).clock;
   record::read_reports(impl_->database, *impl_->stored, i + 1, [&](const Reports& piece) {

@@ -124,6 +124,10 @@ void place_on_run_time(Reports& reports, const Clock& clock, std::int64_t last_t
   });
 }
 
+bool is_judged(const RunRecord& run) {
+  return run.fault.empty() && !run.interrupted;
+}
+
 const MeasurementResult* find_measurement(const OutletRecord& outlet, const std::string& name) {
   for (const MeasurementResult& result : outlet.measurements) {
     if (result.name == name) {

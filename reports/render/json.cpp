@@ -135,7 +135,7 @@ std::string json(const View& view) {
   const char* before = "\n";
   for (const std::size_t index : view.outlets) {
     Json entry = outlet(run.outlets[index]);
-    entry["kept"] = was_judged(run) ? Json(nullptr) : kept_json(run, kept_of(view, index));
+    entry["kept"] = is_judged(run) ? Json(nullptr) : kept_json(run, kept_of(view, index));
     text += before + indented(entry, 4);
     before = ",\n";
   }

@@ -112,7 +112,7 @@ void write_suite(QXmlStreamWriter& xml, const record::RunRecord& run, const std:
 Case case_of(const View& view, std::size_t index) {
   const record::OutletRecord& outlet = view.run.outlets[index];
   Case one{"outlet", outlet.verdict, outlet_sentence(outlet)};
-  if (!was_judged(view.run)) {
+  if (!is_judged(view.run)) {
     const std::string fault = outlet.fault.empty() ? "" : one.message + "; ";
     one.message = fault + "not judged; kept: " + kept_sentence(view.run, kept_of(view, index));
     one.output = kept_list(view.run, view.marked(index));
@@ -156,7 +156,7 @@ std::string junit_xml(const View& view) {
   for (const record::OutletRecord& outlet : run.outlets) {
     of_outlets = std::max(of_outlets, outlet.verdict);
   }
-  if (run.verdict > of_outlets || !run.fault.empty() || run.interrupted) {
+  if (run.verdict > of_outlets || !is_judged(run)) {
     write_suite(xml, run, "run", {{"run", run.verdict, verdict_sentence(run)}});
   }
   xml.writeEndDocument();

@@ -24,10 +24,6 @@ const char* what(const record::Mark& mark) {
 
 }  // namespace
 
-bool was_judged(const record::RunRecord& run) {
-  return run.fault.empty() && !run.interrupted;
-}
-
 Kept kept_of(const View& view, std::size_t index) {
   Kept kept;
   view.read_reports(index, [&](const record::Reports& piece) {

@@ -11,8 +11,6 @@
 
 namespace gsbench::render {
 
-bool was_judged(const record::RunRecord& run);
-
 struct Kept {
   std::size_t measurements = 0;
   std::int64_t last_tick = 0;       // of the last measurement, if there is one

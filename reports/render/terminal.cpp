@@ -84,7 +84,7 @@ void add_outlets(const View& view, const Most& most, TerminalText& text) {
   if (!outlets.empty()) {
     text.add(outlets, outlet_table(outlets));
   }
-  if (!was_judged(view.run)) {
+  if (!is_judged(view.run)) {
     for (const std::size_t index : rows) {
       text.add_named("Kept of " + id_of(view.run.outlets[index], most),
                      kept_sentence(view.run, kept_of(view, index)));

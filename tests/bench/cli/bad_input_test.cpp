@@ -128,6 +128,17 @@ TEST(BadInput, UsageErrorsExitWithTwo) {
   }
 }
 
+// As by a script whose variable is not set.
+TEST(BadInput, AnEmptyValueIsRefusedAndNotTakenAsNone) {
+  for (const auto& [option, words] : std::vector<std::pair<const char*, Words>>{
+           {"--trace", {"run", "paper/loss-500mw", "--trace", ""}},
+           {"--trace-from", {"run", "paper/loss-500mw", "--trace", "x", "--trace-from", ""}},
+           {"--outlet", {"report", "20260101T000000Z-00000000", "--outlet", ""}},
+           {"RUN", {"report", ""}}}) {
+    expect_refused(words, std::string(option) + ": the value is empty");
+  }
+}
+
 TEST(BadInput, AnUnknownCommandIsNamed) {
   expect_refused({"frobnicate", "ieee24"}, "unknown command 'frobnicate'");
 }

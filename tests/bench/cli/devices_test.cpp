@@ -206,7 +206,7 @@ TEST(Devices, AMissingPortIsAFaultAndATextThatIsNoPortIsRefused) {
     none.insert(none.end(), {"--port", "COM7"});
     expect_refused(none, "COM7: is neither of the form tcp://host:port nor the path of a device");
     none.back() = "";
-    expect_refused(none, "an empty text is neither of the form tcp://host:port nor the path");
+    expect_refused(none, "--port: the value is empty");
   }
 }
 

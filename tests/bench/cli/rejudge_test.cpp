@@ -1,5 +1,6 @@
 // A run is judged again from its record alone.
 #include "gsbench_process.hpp"
+#include <sqlite3.h>
 #include <test_support/temporary_folder.hpp>
 
 #include <filesystem>
@@ -36,6 +37,16 @@ void expect_as_recorded(const std::string& run, const char* verdict = "PASS") {
   EXPECT_EQ(again["verdict"], verdict);
   EXPECT_EQ(again["recorded_verdict"], verdict);
   EXPECT_EQ(again["differences"], json::array());
+  EXPECT_EQ(again["judged"], true);
+  EXPECT_FALSE(again["judged_by_version"].get<std::string>().empty());
+}
+
+void execute(const std::string& record, const char* sql) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(record.c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK);
+  EXPECT_GT(sqlite3_changes(database), 0) << sql;
+  sqlite3_close(database);
 }
 
 class Rejudge : public testing::Test {
@@ -100,6 +111,29 @@ TEST_F(Rejudge, HasTheVerdictsOfARunThatFails) {
       "power_mw = 500.0\n[signal]\nduration_s = 2.0\n[[outlet]]\naccumulated_mw = 100.0\n"
       "[[expect]]\nmeasure = \"relay.end\"\nequals = \"closed\"\n");
   expect_as_recorded(run_and_remove({}, 1), "FAIL");
+}
+
+// Also what the report does not show.
+TEST_F(Rejudge, AndReportRefuseARecordThatWasChanged) {
+  inputs_.write("profile.toml",
+                std::string("title = \"t\"\nsource = \"s\"\n[grid]\nsystem = \"ieee24\"\n"
+                            "[[grid.loss]]\nat_s = 1.0\npower_mw = 500.0\n[signal]\n"
+                            "duration_s = 3.0\n") +
+                    kLimit);
+  const std::string record = run_and_remove({}) + "/record.sqlite";
+  for (const char* change :
+       {"UPDATE mark SET tick = tick + 100 WHERE owner = 1", "DELETE FROM sent",
+        "DELETE FROM series WHERE owner = 1 AND name = 'trace.voltage_pu'"}) {
+    const std::string changed = inputs_.file("changed.sqlite");
+    std::filesystem::copy_file(record, changed, std::filesystem::copy_options::overwrite_existing);
+    execute(changed, change);
+    for (const char* command : {"report", "rejudge"}) {
+      const Outcome outcome = run_gsbench({command, changed});
+      EXPECT_EQ(outcome.exit_code, 2) << change;
+      EXPECT_THAT(outcome.err, HasSubstr("the record is damaged: ")) << change;
+    }
+  }
+  EXPECT_EQ(run_gsbench({"report", record}).exit_code, 0);
 }
 
 // The comparison can fail: a record whose figures are not what the judge makes of its reports.

@@ -210,7 +210,8 @@ const std::vector<Mistake> kOfLosses = {
     {"droop_pu = 0.04", "",
      "20:1: missing key \"droop_pu\" in [[grid.plant]]; give droop_pu or inverse_droop_pu"},
     {"[-0.5, 0.0]", "[-0.5, inf]",
-     "32:31: an item of condition_rocof_hz_s is inf; it must be finite, at least -1000 and at most 0"},
+     "32:31: an item of condition_rocof_hz_s is inf; it must be finite, at least -1000 and at most "
+     "0"},
 };
 
 const std::vector<Mistake> kOfDisturbed = {
@@ -297,6 +298,9 @@ const std::vector<Mistake> kOfDisturbed = {
     {"changes_per_minute = 1056.0", "changes_per_minute = 480000.0",
      "80:22: the frequency of the flicker is 4000 Hz; it must be below 4000 Hz (half of "
      "sample_rate_hz)"},
+    {"changes_per_minute = 1056.0", "changes_per_minute = 474000.0",
+     "83:16: the fundamental has a side band at 4008.7 Hz at 1 s by the flicker; it must be below "
+     "4000 Hz (half of sample_rate_hz)"},
     {"ramp_s = 3.0", "ramp_s = -1", "9:10: ramp_s is -1; it must be at least 0 and at most 3600"},
     {"ramp_s = 3.0", "ramp_s = 0.0001",
      "9:10: ramp_s is 0.0001; it must be at least 0.001, or 0 for a step"},

@@ -229,6 +229,9 @@ struct RunRecord {
   std::vector<OutletRecord> outlets;
 };
 
+// False if the run was interrupted or ended by a fault of the bench: no outlet is judged then.
+bool is_judged(const RunRecord& run);
+
 // nullptr if the outlet has no such measurement.
 const MeasurementResult* find_measurement(const OutletRecord& outlet, const std::string& name);
 

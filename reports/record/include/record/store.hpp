@@ -87,7 +87,8 @@ bool is_in_progress(const std::string& path);
 
 // Reads a record outlet by outlet. Of a run that is still written, it sees the state at its
 // construction. All calls throw StoreError if the file is not a record, is of an unknown version,
-// or was changed: a stored digest of every part detects changes.
+// or if what they read was changed: a stored digest of every part detects changes. marked() alone
+// does not compare those of marks; read_reports() does.
 class Reader {
  public:
   explicit Reader(const std::string& path);
@@ -100,6 +101,8 @@ class Reader {
   OutletRecord results(std::size_t i);
   OutletRecord marked(std::size_t i);
   OutletRecord outlet(std::size_t i);
+  // Reads all reports, and so finds changes also in those that are not asked for.
+  void check();
   // The reports of the i-th outlet in pieces, so that a run of any length can be read.
   void read_reports(std::size_t i, const TakeReports& take);
 
