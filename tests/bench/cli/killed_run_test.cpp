@@ -31,13 +31,14 @@ constexpr double kDuration_s = 4.0;
 constexpr std::int64_t kRate_hz = 8000;
 constexpr std::int64_t kReportTicks = 128;
 
-profile::Plan plan() {
-  return profile::parse_profile(
-      "title = \"A run that is killed\"\nsource = \"none\"\n[grid]\nsystem = \"ieee24\"\n"
-      "[[grid.loss]]\nat_s = 1.0\npower_mw = 500.0\n[signal]\nduration_s = 4.0\nnoise_pct = 1.0\n"
-      "[[outlet]]\ncount = 2\naccumulated_mw = 100.0\n"
-      "[[expect]]\nmeasure = \"event.count\"\nmax = 1\n",
-      "killed.toml");
+std::string profile_of(const char* duration_s) {
+  return std::string(
+             "title = \"A run that is killed\"\nsource = \"none\"\n[grid]\nsystem = \"ieee24\"\n"
+             "[[grid.loss]]\nat_s = 1.0\npower_mw = 500.0\n[signal]\nnoise_pct = 1.0\n"
+             "duration_s = ") +
+         duration_s +
+         "\n[[outlet]]\ncount = 2\naccumulated_mw = 100.0\n"
+         "[[expect]]\nmeasure = \"event.count\"\nmax = 1\n";
 }
 
 struct Bench {
@@ -52,7 +53,7 @@ Bench start(const std::string& record) {
   EXPECT_EQ(::pipe(ends), 0);
   const pid_t pid = ::fork();
   if (pid == 0) {
-    const profile::Plan played = plan();
+    const profile::Plan played = profile::parse_profile(profile_of("4.0"), "killed.toml");
     station::SimulatedOptions simulated;
     simulated.real_time = true;
     const auto station = station::simulated_station(played, simulated);
@@ -114,6 +115,22 @@ void expect_kept(const Bench& bench, double played_s) {
   EXPECT_THAT(report.out, HasSubstr("interrupted"));
 }
 
+// Of the first outlet of the only run in this folder; 0 if there is none yet.
+double kept_until_s(const std::string& output_folder) {
+  if (!std::filesystem::exists(output_folder) || std::filesystem::is_empty(output_folder)) {
+    return 0.0;
+  }
+  const std::string run = std::filesystem::directory_iterator(output_folder)->path();
+  const Outcome outcome = run_gsbench({"report", run, "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report["interrupted"], true);
+  EXPECT_EQ(report["verdict"], "ERROR");
+  return report["outlets"].empty() || report["outlets"][0]["kept"]["until_s"].is_null()
+             ? 0.0
+             : report["outlets"][0]["kept"]["until_s"].get<double>();
+}
+
 TEST(KilledRun, KeepsEveryReportUpToASecondBefore) {
   const TemporaryFolder folder;
   std::mt19937 random(20261130);
@@ -142,6 +159,41 @@ TEST(KilledRun, KeepsEveryReportUpToASecondBefore) {
     }
   }
   EXPECT_GT(with_reports, kKills / 2);
+}
+
+// What `gsbench report` reads while the run is played it also reads once the run is killed.
+TEST(KilledRun, OfTheProgramKeepsWhatCouldBeReadBefore) {
+  constexpr std::size_t kPrograms = 6;
+  constexpr double kLongest_s = 9.0;
+  const TemporaryFolder folder;
+  const std::string profile = folder.write("killed.toml", profile_of("30.0"));
+  std::mt19937 random(4);
+  int kept = 0;
+  for (const Words& station : {Words{"--real-time"}, Words{"--station", "emulated"}}) {
+    std::vector<Started> started;
+    std::vector<std::pair<double, std::size_t>> deadlines;
+    const auto out = [&](std::size_t i) { return folder.file(station.back() + std::to_string(i)); };
+    for (std::size_t i = 0; i < kPrograms; ++i) {
+      Words words = {"run", profile, "--out", out(i)};
+      words.insert(words.end(), station.begin(), station.end());
+      started.push_back(start_gsbench(words));
+      deadlines.emplace_back(0.1 + kLongest_s * static_cast<double>(random()) / 4294967296.0, i);
+    }
+    std::sort(deadlines.begin(), deadlines.end());
+    const auto begin = std::chrono::steady_clock::now();
+    for (const auto& [at_s, i] : deadlines) {
+      SCOPED_TRACE(station.back() + ", killed after " + std::to_string(at_s) + " s");
+      std::this_thread::sleep_until(begin + std::chrono::duration<double>(at_s));
+      const double before_s = kept_until_s(out(i));
+      EXPECT_EQ(stop(started[i], SIGKILL).exit_code, 128 + SIGKILL);
+      const std::chrono::duration<double> run = std::chrono::steady_clock::now() - begin;
+      const double after_s = kept_until_s(out(i));
+      EXPECT_GE(after_s, before_s);
+      EXPECT_LT(after_s, run.count());
+      kept += after_s > 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(kept, static_cast<int>(kPrograms) / 2);
 }
 
 }  // namespace
