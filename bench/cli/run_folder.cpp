@@ -129,7 +129,7 @@ void RunFolder::keep(const std::string& run_id) {
   std::error_code error;
   fs::rename(path_, named, error);
   if (error) {
-    throw record::StoreError(named + ": " + error.message());
+    throw record::StoreError(path_ + ": cannot be renamed to " + run_id + ": " + error.message());
   }
   path_ = named;
   kept_ = true;
