@@ -49,7 +49,8 @@ bool DescriptorLine::send(const std::uint8_t* bytes, std::size_t count) {
 void DescriptorLine::serve() {
   if (descriptor_ < 0) {
     std::string why;
-    if (std::chrono::steady_clock::now() < next_attempt_ || !open(why)) {
+    const bool is_due = is_connecting() || std::chrono::steady_clock::now() >= next_attempt_;
+    if (!is_due || !open(why)) {
       return;
     }
   }

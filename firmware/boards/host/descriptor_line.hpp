@@ -29,7 +29,8 @@ class DescriptorLine : public Line {
   std::uint32_t take_unsent() override { return std::exchange(unsent_, 0); }
 
  protected:
-  // A descriptor that does not block; -1: none, with the reason in `why`. Sets `far_end`, for
+  // A descriptor that does not block; -1: none, with the reason in `why`, or none yet: while
+  // is_connecting(), it is called again at each serve(). Sets `far_end`, for
   // people: "/dev/ttyUSB0".
   virtual int connect(std::string& far_end, std::string& why) = 0;
 

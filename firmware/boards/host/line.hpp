@@ -27,6 +27,8 @@ class Line : public app::Carrier {
   virtual void serve() = 0;
   virtual int descriptor() const = 0;  // -1: no socket now
   virtual bool wants_to_write() const = 0;
+  // A thread of the line tries to connect. The destructor waits for it.
+  virtual bool is_connecting() const { return false; }
   // True once after a reconnection: the outlet must then send its hello again.
   virtual bool take_reconnected() { return false; }
   // What people should know, since the last call: connections that begin or end.

@@ -11,8 +11,10 @@
 #include <shared_memory_io/shared_flash.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <random>
@@ -29,7 +31,8 @@ namespace settings_storage = gs::settings_storage;
 namespace shared_memory_io = gs::shared_memory_io;
 namespace wire = gs::wire;
 
-volatile std::sig_atomic_t ended = 0;
+std::atomic<bool> ended{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // for the signal handler
 
 int refuse(const std::string& why) {
   std::fprintf(stderr, "gs-outlet: %s; see `gs-outlet --help`\n", why.c_str());
@@ -138,7 +141,10 @@ int main(int argc, char** argv) {
     return refuse(why);
   }
   for (const int signal : {SIGTERM, SIGINT}) {
-    std::signal(signal, [](int) { ended = 1; });
+    // Without SA_RESTART, so that no call of the system goes on waiting.
+    struct sigaction end {};
+    end.sa_handler = [](int) { ended = true; };
+    sigaction(signal, &end, nullptr);
   }
   host::HostBoard board(*terminals, *line);
   if (arguments.alone()) {
@@ -168,7 +174,7 @@ int main(int argc, char** argv) {
     }
   };
   print_news();
-  while (ended == 0 && board.wait()) {
+  while (!ended && board.wait()) {
     print_news();
     if (mains) {
       mains->write_due();
@@ -179,6 +185,10 @@ int main(int argc, char** argv) {
     loop.note_unsent(line->take_unsent());
     while (loop.turn()) {
     }
+  }
+  if (line->is_connecting()) {
+    // No connection has to be ended, and a name server or a broker may not answer for minutes.
+    std::_Exit(0);
   }
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include <wire/cbor.hpp>
@@ -19,6 +20,8 @@ namespace {
 
 constexpr int kKeepAlive_s = 10;
 constexpr auto kBetweenAttempts = std::chrono::milliseconds(500);
+constexpr auto kLongestAttempt = std::chrono::seconds(8);
+constexpr auto kBetweenInterrupts = std::chrono::milliseconds(100);
 constexpr auto kBetweenUpkeep = std::chrono::milliseconds(100);
 constexpr std::size_t kMostWaiting = 1000;  // messages of up to wire::kLongestMessage
 constexpr int kMostInFlight = 65535;
@@ -42,6 +45,7 @@ wire::UplinkKind kind_of(const std::uint8_t* message, std::size_t size) {
 }  // namespace
 
 MqttCarrier::~MqttCarrier() {
+  attempt_.finish();
   if (client_ == nullptr) {
     return;
   }
@@ -95,19 +99,21 @@ bool MqttCarrier::start(const MqttOptions& options, std::string& why) {
     why = mosquitto_strerror(error);
     return false;
   }
-  connect();
   return true;
 }
 
 void MqttCarrier::connect() {
-  next_attempt_ = steady_clock::now() + kBetweenAttempts;
   connected_ = false;
   is_answered_ = false;
   logged_.clear();
   tls_.forget_refusal();
-  errno = 0;
-  check(mosquitto_connect_bind_v5(client_, address_.host.c_str(), address_.port, kKeepAlive_s,
-                                  nullptr, nullptr));
+  interrupt_ = steady_clock::now() + kLongestAttempt;
+  attempt_.start([client = client_, address = address_] {
+    errno = 0;
+    const int error = mosquitto_connect_bind_v5(client, address.host.c_str(), address.port,
+                                                kKeepAlive_s, nullptr, nullptr);
+    return Outcome{error, errno == EINTR ? ETIMEDOUT : errno};
+  });
 }
 
 void MqttCarrier::check(int error) {
@@ -121,6 +127,9 @@ bool MqttCarrier::send(const std::uint8_t* message, std::size_t size) {
   const wire::UplinkKind kind = kind_of(message, size);
   if (connected() && (waiting_.empty() || kind == wire::UplinkKind::kHello)) {
     return publish(message, size);
+  }
+  if (kind == wire::UplinkKind::kHello && was_connected_) {
+    return true;  // the next connection begins with a newer one
   }
   // Queued here and not in the library, which would send new messages as soon as it has a socket,
   // and repeat the older ones only after the broker has answered.
@@ -145,6 +154,19 @@ bool MqttCarrier::publish(const std::uint8_t* message, std::size_t size) {
 
 void MqttCarrier::serve() {
   const auto now = steady_clock::now();
+  if (attempt_.running()) {
+    if (now >= interrupt_) {
+      interrupt_ = now + kBetweenInterrupts;
+      attempt_.interrupt();
+    }
+    const std::optional<Outcome> outcome = attempt_.take();
+    if (!outcome) {
+      return;
+    }
+    next_attempt_ = now + kBetweenAttempts;
+    errno = outcome->number;
+    check(outcome->error);
+  }
   if (descriptor() < 0) {
     if (now >= next_attempt_) {
       connect();
@@ -169,11 +191,11 @@ void MqttCarrier::serve() {
 }
 
 int MqttCarrier::descriptor() const {
-  return client_ == nullptr ? -1 : mosquitto_socket(client_);
+  return client_ == nullptr || is_connecting() ? -1 : mosquitto_socket(client_);
 }
 
 bool MqttCarrier::wants_to_write() const {
-  return mosquitto_want_write(client_);
+  return descriptor() >= 0 && mosquitto_want_write(client_);
 }
 
 bool MqttCarrier::take(std::vector<std::uint8_t>& message) {

@@ -6,11 +6,12 @@
 // Measurements have QoS 0, everything else QoS 1. A session ends with its connection, so that an
 // outlet does not execute old commands after it reconnects.
 //
-// No call blocks, and there is no thread: the outlet's loop waits on descriptor(), among others,
-// and calls serve().
+// No call blocks: the outlet's loop waits on descriptor(), among others, and calls serve(). An
+// attempt to connect has a thread of its own, and there is no descriptor meanwhile.
 #pragma once
 
 #include "address.hpp"
+#include "attempt.hpp"
 #include "tls.hpp"
 
 #include <chrono>
@@ -40,16 +41,19 @@ struct MqttOptions {
 class MqttCarrier final : public app::Carrier {
  public:
   MqttCarrier() = default;
-  ~MqttCarrier();  // disconnects; the broker then publishes the last will
+  // Disconnects; the broker then publishes the last will. Waits for the end of an attempt to
+  // connect, and may so wait for a name server.
+  ~MqttCarrier();
   MqttCarrier(const MqttCarrier&) = delete;
   MqttCarrier& operator=(const MqttCarrier&) = delete;
 
   // Returns false with the reason in `why` if the options are invalid, or the CA file cannot be
-  // read. If the broker cannot be reached, serve() keeps trying.
+  // read. serve() connects, and keeps trying.
   bool start(const MqttOptions& options, std::string& why);
 
   // Returns false for a measurement while there is no connection, and for any message if the queue
-  // is full. A message of which the broker says later that it does not take it is counted instead.
+  // is full. Once there was a connection, a hello is not queued: the next one has its own. A
+  // message of which the broker says later that it does not take it is counted instead.
   bool send(const std::uint8_t* message, std::size_t size) override;
 
   // Receives messages, sends queued messages, keeps the connection alive, and reconnects after a
@@ -67,6 +71,7 @@ class MqttCarrier final : public app::Carrier {
   // broker may no longer have it. Queued messages wait for this call, so that the hello is first.
   bool take_reconnected();
 
+  bool is_connecting() const { return attempt_.running(); }
   bool connected() const { return connected_ && descriptor() >= 0; }
   // Why the last connection failed or ended, as the end of a sentence about the broker: "cannot be
   // found: …". Empty: it did not.
@@ -76,6 +81,11 @@ class MqttCarrier final : public app::Carrier {
   std::uint32_t take_unsent() { return std::exchange(unsent_, 0); }
 
  private:
+  struct Outcome {
+    int error = 0;
+    int number = 0;  // errno
+  };
+
   static void on_connect(mosquitto*, void* self, int reason, int, const mqtt5__property*);
   static void on_disconnect(mosquitto*, void* self, int reason, const mqtt5__property*);
   static void on_publish(mosquitto*, void* self, int, int reason, const mqtt5__property*);
@@ -106,6 +116,8 @@ class MqttCarrier final : public app::Carrier {
   bool connected_ = false;
   bool was_connected_ = false;
   bool reconnected_ = false;
+  std::chrono::steady_clock::time_point interrupt_;
+  Attempt<Outcome> attempt_;  // has client_, tls_ and logged_ while it runs
 };
 
 }  // namespace gs::host

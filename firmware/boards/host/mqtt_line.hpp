@@ -23,6 +23,7 @@ class MqttLine final : public Line {
   void serve() override;
   int descriptor() const override { return carrier_.descriptor(); }
   bool wants_to_write() const override { return carrier_.wants_to_write(); }
+  bool is_connecting() const override { return carrier_.is_connecting(); }
   bool take_reconnected() override { return carrier_.take_reconnected(); }
   std::uint32_t take_unsent() override { return carrier_.take_unsent(); }
 

@@ -4,6 +4,7 @@
 #include <mqtt_protocol.h>
 #include <netdb.h>
 
+#include <cerrno>
 #include <cstring>
 
 namespace gs::host {
@@ -22,6 +23,16 @@ std::string MqttCarrier::trouble_of(int error, int number) const {
   if (!tls_.refusal().empty()) {
     return "has a certificate that is refused: " + tls_.refusal();
   }
+  const bool is_end =
+      error == MOSQ_ERR_CONN_LOST ||
+      (error == MOSQ_ERR_ERRNO && (number == EPROTO || number == ECONNRESET || number == EPIPE));
+  if (is_tls_ && !is_answered_ && is_end) {
+    // An alert of TLS is lost if the connection is reset before it is read.
+    return logged_.find("alert") != std::string::npos
+               ? "ends the TLS connection: " + reason_in(logged_)
+               : "ended the TLS connection without an answer; it may require a certificate of its "
+                 "clients, which gs-outlet does not have";
+  }
   switch (error) {
     case MOSQ_ERR_EAI:
       return std::string("cannot be found: ") + gai_strerror(number);
@@ -37,11 +48,10 @@ std::string MqttCarrier::trouble_of(int error, int number) const {
              : is_tls_    ? "does not answer; there may be no TLS on this port"
                           : "does not answer";
     case MOSQ_ERR_CONN_LOST:
-      return is_answered_ ? "ended the connection, as it does if another outlet with the same id "
-                            "and instance connects"
-             : is_tls_    ? "ended the connection without an answer"
-                       : "ended the connection without an answer; it may speak TLS on this port: "
-                         "mqtts://";
+      return is_answered_ ? "ended the connection: it has stopped, or another outlet with the same "
+                            "id and instance has connected"
+                          : "ended the connection without an answer; it may speak TLS on this "
+                            "port: mqtts://";
     case MQTT_RC_SESSION_TAKEN_OVER:
       return "ended the connection: another outlet with the same id and instance has connected";
     default:

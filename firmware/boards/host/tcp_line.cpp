@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 namespace gs::host {
 namespace {
@@ -76,18 +77,39 @@ int listener_at(const addrinfo& at, std::string& why) {
 
 }  // namespace
 
-int TcpLine::connect(std::string& far_end, std::string& why) {
-  far_end = address_;
-  const Found found = look_up(address_, 0, why);
+// Each address of a name has 5 s to answer.
+TcpLine::Outcome TcpLine::connect_to(const std::string& address) {
+  const timeval longest{5, 0};
+  Outcome outcome;
+  const Found found = look_up(address, 0, outcome.why);
   for (const addrinfo* to = found.get(); to != nullptr; to = to->ai_next) {
     const int socket = ::socket(to->ai_family, SOCK_STREAM | SOCK_CLOEXEC, to->ai_protocol);
-    if (socket >= 0 && ::connect(socket, to->ai_addr, to->ai_addrlen) == 0 &&
-        send_at_once(socket)) {
-      return socket;
+    if (socket >= 0 && setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &longest, sizeof longest) == 0 &&
+        ::connect(socket, to->ai_addr, to->ai_addrlen) == 0 && send_at_once(socket)) {
+      outcome.descriptor = socket;
+      return outcome;
     }
-    failed(socket, address_, why);
+    errno = errno == EINPROGRESS ? ETIMEDOUT : errno;
+    failed(socket, address, outcome.why);
   }
-  return -1;
+  return outcome;
+}
+
+int TcpLine::connect(std::string& far_end, std::string& why) {
+  far_end = address_;
+  if (!attempt_.running()) {
+    attempt_.start([address = address_] { return connect_to(address); });
+  }
+  if (!was_connected_) {
+    attempt_.wait();
+  }
+  const std::optional<Outcome> outcome = attempt_.take();
+  if (!outcome) {
+    return -1;
+  }
+  why = outcome->why;
+  was_connected_ = was_connected_ || outcome->descriptor >= 0;
+  return outcome->descriptor;
 }
 
 ListeningLine::~ListeningLine() {

@@ -52,6 +52,7 @@ class Proxy(threading.Thread):
         self.to_go = {}  # units until the next disturbance, by direction and name
         self.seen = []  # the first packets of clients, for tests
         self.shut = False  # refuses new connections
+        self.deaf = False  # accepts none, so that they wait
         self.ending = False
         self.start()
 
@@ -87,7 +88,8 @@ class Proxy(threading.Thread):
         while not self.ending:
             now = time.monotonic()
             wait_s = min(max(self.later[0][0] - now, 0.0), 0.05) if self.later else 0.05
-            for end in select.select([self.listening, *self.pairs], [], [], wait_s)[0]:
+            heard = [*self.pairs] if self.deaf else [self.listening, *self.pairs]
+            for end in select.select(heard, [], [], wait_s)[0]:
                 if end is self.listening:
                     self.accept()
                 elif end in self.pairs:

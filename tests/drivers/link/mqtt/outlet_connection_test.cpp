@@ -2,18 +2,24 @@
 #include "certified_broker.hpp"
 #include <mqtt_carrier.hpp>
 #include <password_file.hpp>
+#include <sys/socket.h>
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
 
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include <gmock/gmock.h>
+
+#include <transport/transport.hpp>
+#include <wire/messages.hpp>
 
 namespace gsbench::test {
 namespace {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -73,7 +79,62 @@ TEST(OutletConnection, StatesWhyThereIsNone) {
   EXPECT_EQ(trouble_of_outlet("mqtt://127.0.0.1:" + std::to_string(free.number()), ""),
             "cannot be connected to: Connection refused");
   const CertifiedBroker strict({"IP:127.0.0.1", 14, true});
-  EXPECT_NE(trouble_of_outlet(strict.url(), strict.ca_file()), "");
+  // Its alert is lost if the connection is reset before it is read.
+  EXPECT_THAT(trouble_of_outlet(strict.url(), strict.ca_file()),
+              AnyOf("ends the TLS connection: tlsv13 alert certificate required",
+                    StartsWith("ended the TLS connection without an answer; it may require a "
+                               "certificate of its clients")));
+}
+
+// As behind a firewall that drops packets.
+TEST(OutletConnection, DoesNotBlockWithoutAnAnswerAndEndsTheAttempt) {
+  auto port = emulation::LoopbackPort::reserve().take();
+  ASSERT_TRUE(port.listen().ok());
+  ASSERT_EQ(listen(port.descriptor(), 0), 0);
+  const std::string address = "tcp://127.0.0.1:" + std::to_string(port.number());
+  const auto filling = transport::make_transport(address);
+  ASSERT_TRUE(filling->open().ok());
+  gs::host::MqttCarrier carrier;
+  std::string why;
+  ASSERT_TRUE(carrier.start({"mqtt" + address.substr(3), "", "a", "", "a", 1}, why)) << why;
+  int served = 0;
+  EXPECT_TRUE(until([&] {
+    carrier.serve();
+    served += carrier.is_connecting() ? 1 : 0;
+    return !carrier.trouble().empty();
+  }));
+  EXPECT_GT(served, 10);
+  EXPECT_EQ(carrier.trouble(), "cannot be connected to: Connection timed out");
+}
+
+TEST(OutletConnection, KeepsNoHelloForTheNextConnection) {
+  std::optional<CertifiedBroker> broker;
+  broker.emplace();
+  gs::host::MqttCarrier carrier;
+  std::string why;
+  ASSERT_TRUE(carrier.start({broker->url("mqtt"), "", "a", "", "a", 1}, why)) << why;
+  const auto serve_until = [&](bool connected) {
+    return until([&] {
+      carrier.serve();
+      return carrier.connected() == connected;
+    });
+  };
+  ASSERT_TRUE(serve_until(true));
+  broker.reset();
+  ASSERT_TRUE(serve_until(false));
+  EXPECT_THAT(carrier.trouble(), StartsWith("ended the connection: it has stopped, or another"));
+  const auto send = [&](gs::wire::UplinkKind kind) {
+    const std::uint8_t message[] = {0x81, static_cast<std::uint8_t>(kind)};
+    return carrier.send(message, sizeof message);
+  };
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_TRUE(send(gs::wire::UplinkKind::kHello));
+  }
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_TRUE(send(gs::wire::UplinkKind::kEvent)) << "there is room for this many";
+  }
+  EXPECT_FALSE(send(gs::wire::UplinkKind::kEvent));
+  EXPECT_TRUE(send(gs::wire::UplinkKind::kHello));
 }
 
 TEST(OutletConnection, RefusesACaFileThatIsNone) {
