@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,7 +21,9 @@ const char* const kHelp =
     "       gs-outlet LINK --terminals FILE --doorbell SOCKET    as the bench starts it\n"
     "\n"
     "Link, one of these:\n"
-    "  --serial DEVICE       serial port or pseudo-terminal: /dev/ttyUSB0; 921600 Bd\n"
+    "  --serial DEVICE       serial port or pseudo-terminal: /dev/ttyUSB0; 921600 Bd. gsbench "
+    "itself\n"
+    "                        opens no pseudo-terminals; use --listen with it\n"
     "  --listen ADDRESS:PORT wait for the centre at this TCP address: 127.0.0.1:5000, [::1]:5000 "
     "or\n"
     "                        localhost:5000. The bytes are those of a serial line\n"
@@ -46,15 +50,15 @@ const char* const kHelp =
     "  --signal FILE         mains to play: a CSV file whose header names the columns t_s, and\n"
     "                        frequency_hz or voltage_pu (instantaneous, of the nominal "
     "amplitude),\n"
-    "                        as `gsbench waveform PROFILE -o FILE` writes it. Between rows the\n"
-    "                        values are interpolated. After the end the frequency stays as it is;\n"
-    "                        a voltage is 0\n"
+    "                        as `gsbench waveform PROFILE -o FILE` writes it. With both, the\n"
+    "                        voltage is played. Between rows the values are interpolated. After\n"
+    "                        the end the frequency stays as it is; a voltage is 0\n"
     "  --loss MW             simulated mains of a power system of 3000 MW that loses this power;\n"
     "                        default without --signal: steady nominal frequency\n"
     "  --loss-at S           time of the loss; default: 10\n"
-    "  --flash FILE          keep settings in this file; it is made if it does not exist. "
-    "Default:\n"
-    "                        settings are lost at the end, and the outlet says so\n"
+    "  --flash FILE          keep settings in this file; it is made if it does not exist, and is\n"
+    "                        for one process at a time. Default: settings are lost at the end,\n"
+    "                        and the outlet says so\n"
     "\n"
     "The relay's state does not change the mains.\n"
     "\n"
@@ -83,6 +87,18 @@ struct Texts {
   std::string instance, nominal_hz, sample_rate_hz, loss_mw, loss_at_s;
 };
 
+using Given = std::vector<std::string_view>;  // names of options, in their order
+
+bool has(const Given& given, std::string_view name) {
+  return std::find(given.begin(), given.end(), name) != given.end();
+}
+
+std::string plain(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", number);
+  return text;
+}
+
 template <class T>
 bool read(const char* option, const std::string& text, T least, T most, T& value,
           std::string& why) {
@@ -93,8 +109,8 @@ bool read(const char* option, const std::string& text, T least, T most, T& value
   T number{};
   const auto taken = std::from_chars(text.data(), end, number);
   if (taken.ec != std::errc() || taken.ptr != end || !(number >= least && number <= most)) {
-    why = std::string(option) + " is \"" + text + "\"; it must be a number from " +
-          std::to_string(least) + " to " + std::to_string(most);
+    why = std::string(option) + " is \"" + text + "\"; it must be a number from " + plain(least) +
+          " to " + plain(most);
     return false;
   }
   value = number;
@@ -112,12 +128,40 @@ bool read_numbers(const Texts& texts, Arguments& a, std::string& why) {
          read("--loss-at", texts.loss_at_s, 0.0, kLatestLoss_s, a.loss_at_s, why);
 }
 
-bool check_link(const Arguments& a, std::string& why) {
-  const std::string* const links[] = {&a.tcp, &a.listen, &a.serial, &a.mqtt.url};
-  const auto given = std::count_if(std::begin(links), std::end(links),
-                                   [](const std::string* link) { return !link->empty(); });
-  why = given == 1 ? "" : "exactly one of --serial, --listen, --tcp and --mqtt is required";
-  return given == 1;
+bool check_link(const Given& given, std::string& why) {
+  const std::string_view links[] = {"tcp", "listen", "serial", "mqtt"};
+  const auto count = std::count_if(std::begin(links), std::end(links),
+                                   [&](std::string_view link) { return has(given, link); });
+  why = count == 1 ? "" : "exactly one of --serial, --listen, --tcp and --mqtt is required";
+  return count == 1;
+}
+
+// No option is ignored.
+bool check_effects(const Given& given, const Arguments& a, std::string& why) {
+  const Given of_the_bench = {"id",     "instance", "nominal", "sample-rate",
+                              "signal", "loss",     "loss-at", "flash"};
+  Address broker;
+  for (const std::string_view name : given) {
+    const bool is_login = name == "user" || name == "password-file" || name == "ca";
+    const std::string option = "--" + std::string(name);
+    if (std::count(given.begin(), given.end(), name) > 1) {
+      why = option + " is given twice";
+    } else if (is_login && a.mqtt.url.empty()) {
+      why = option + " has no effect without --mqtt";
+    } else if (name == "ca" && read_address(a.mqtt.url, broker) && broker.scheme == "mqtt") {
+      why = option + " has no effect with mqtt://; for TLS use mqtts://";
+    } else if (!a.alone() && has(of_the_bench, name)) {
+      why = option + " has no effect with --terminals, which has the outlet's id, mains and flash";
+    } else if (name == "doorbell" && a.alone()) {
+      why = "--doorbell needs --terminals";
+    } else if (name == "loss-at" && !has(given, "loss")) {
+      why = "--loss-at needs --loss";
+    }
+    if (!why.empty()) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool check_mains(const Arguments& a, const Texts& texts, std::string& why) {
@@ -126,19 +170,13 @@ bool check_mains(const Arguments& a, const Texts& texts, std::string& why) {
   const bool fits = a.id.size() <= wire::kLongestId;
   a.id.copy(hello.id, wire::kLongestId);
   if (!a.alone()) {
-    why = a.id.empty() && a.signal.empty() && a.flash.empty() && texts.loss_mw.empty()
-              ? ""
-              : "--terminals has the outlet's id, mains and flash; give none of them with it";
-  } else if (!a.doorbell.empty()) {
-    why = "--doorbell needs --terminals";
+    why = a.doorbell.empty() ? "--terminals needs --doorbell" : "";
   } else if (a.id.empty()) {
     why = "--id is required without --terminals";
   } else if (!fits || !wire::is_valid(hello)) {
     why = "the id \"" + a.id + "\" must be 1 to 32 letters, digits, '-', '_' and '.'";
   } else if (!a.signal.empty() && !texts.loss_mw.empty()) {
     why = "give --signal or --loss, not both";
-  } else if (!texts.loss_at_s.empty() && texts.loss_mw.empty()) {
-    why = "--loss-at needs --loss";
   } else if (a.nominal_hz != 50 && a.nominal_hz != 60) {
     why = "--nominal must be 50 or 60";
   } else if (a.sample_rate_hz % 1000 != 0) {
@@ -174,20 +212,27 @@ bool parse(int argc, char** argv, Arguments& arguments, std::string& why) {
     options.push_back({name, required_argument, nullptr, 0});
   }
   options.push_back({});
+  Given names;
   int at = 0;
   for (int given = 0; (given = getopt_long(argc, argv, "", options.data(), &at)) != -1;) {
     if (given == '?') {
       why = "invalid arguments";
       return false;
     }
-    *places[at].second = optarg;
+    const auto& [name, place] = places[at];
+    if (*optarg == '\0') {
+      why = "--" + std::string(name) + " is empty";
+      return false;
+    }
+    names.push_back(name);
+    *place = optarg;
   }
   if (optind != argc) {
     why = "invalid arguments";
     return false;
   }
-  return check_link(arguments, why) && read_numbers(texts, arguments, why) &&
-         check_mains(arguments, texts, why);
+  return check_link(names, why) && check_effects(names, arguments, why) &&
+         read_numbers(texts, arguments, why) && check_mains(arguments, texts, why);
 }
 
 }  // namespace gs::host

@@ -1,8 +1,11 @@
 #include "mains.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <optional>
 #include <string_view>
@@ -54,16 +57,23 @@ std::string quoted(std::string_view text) {
   return quote + '"';
 }
 
+std::string plain_figure(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", number);
+  return text;
+}
+
 class CurveReader {
  public:
   CurveReader(std::string path, std::int32_t nominal_hz, Curve& curve, std::string& why)
       : path_(std::move(path)), nominal_hz_(nominal_hz), curve_(curve), why_(why) {}
 
   bool read() {
+    errno = 0;
     std::ifstream file(path_, std::ios::binary);
     std::string line;
-    if (!file) {
-      why_ = path_ + ": cannot be read";
+    if (file.peek() == std::ifstream::traits_type::eof() && errno != 0) {  // a folder opens
+      why_ = path_ + ": cannot be read: " + std::strerror(errno);
       return false;
     }
     while (std::getline(file, line)) {
@@ -130,9 +140,9 @@ class CurveReader {
     const double least = curve_.is_voltage ? -kFullScale_pu : 0.5 * nominal_hz_;
     const double most = curve_.is_voltage ? kFullScale_pu : 1.5 * nominal_hz_;
     if (*value < least || *value > most) {
-      return refuse(cells[*value_].column,
-                    quoted(cells[*value_].text) + " is outside of " + std::to_string(least) +
-                        " … " + std::to_string(most) + (curve_.is_voltage ? " p.u." : " Hz"));
+      return refuse(cells[*value_].column, quoted(cells[*value_].text) + " is outside of " +
+                                               plain_figure(least) + " … " + plain_figure(most) +
+                                               (curve_.is_voltage ? " p.u." : " Hz"));
     }
     curve_.t_s.push_back(*t_s - first_s_);
     curve_.value.push_back(*value);

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <shared_memory_io/shared_memory.hpp>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,6 +42,11 @@ bool FileFlash::open(const std::string& path, std::string& why) {
   struct stat state {};
   if (file_ < 0 || fstat(file_, &state) != 0) {
     why = path + ": " + std::strerror(errno);
+    return false;
+  }
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    why =
+        path + ": " + (errno == EWOULDBLOCK ? "is used by another process" : std::strerror(errno));
     return false;
   }
   std::uint32_t magic = 0;

@@ -15,9 +15,9 @@ class FileFlash final : public settings_storage::Flash {
   FileFlash(const FileFlash&) = delete;
   FileFlash& operator=(const FileFlash&) = delete;
 
-  // Makes the file if it does not exist. Returns false with the reason in `why` if it cannot be
-  // opened for reading and writing, or is of another kind. Without open(), all is erased and
-  // nothing can be written.
+  // Makes the file if it does not exist, and locks it. Returns false with the reason in `why` if it
+  // cannot be opened for reading and writing, is of another kind, or is used by another process.
+  // Without open(), all is erased and nothing can be written.
   bool open(const std::string& path, std::string& why);
 
   // False if the file takes nothing more, for instance because the disk is full, or if it has been

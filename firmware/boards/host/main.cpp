@@ -127,9 +127,7 @@ int main(int argc, char** argv) {
   std::optional<host::Curve> curve = make_curve(arguments, why);
   shared_memory_io::SharedMemory* const terminals =
       curve ? make_terminals(arguments, why) : nullptr;
-  host::FileFlash file_flash;
-  if (terminals == nullptr ||
-      (!arguments.flash.empty() && !file_flash.open(arguments.flash, why))) {
+  if (terminals == nullptr) {
     return refuse(why);
   }
   // A broken connection and a limit on the size of files show as errors of a write.
@@ -137,7 +135,9 @@ int main(int argc, char** argv) {
     std::signal(signal, SIG_IGN);
   }
   const std::unique_ptr<host::Line> line = make_line(arguments, *terminals, why);
-  if (line == nullptr) {
+  // After all that may fail: a command that is refused makes no file.
+  host::FileFlash file_flash;
+  if (line == nullptr || (!arguments.flash.empty() && !file_flash.open(arguments.flash, why))) {
     return refuse(why);
   }
   for (const int signal : {SIGTERM, SIGINT}) {

@@ -19,7 +19,6 @@ using std::chrono::steady_clock;
 namespace {
 
 constexpr int kKeepAlive_s = 10;
-constexpr auto kBetweenAttempts = std::chrono::milliseconds(500);
 constexpr auto kLongestAttempt = std::chrono::seconds(8);
 constexpr auto kBetweenInterrupts = std::chrono::milliseconds(100);
 constexpr auto kBetweenUpkeep = std::chrono::milliseconds(100);
@@ -114,12 +113,6 @@ void MqttCarrier::connect() {
                                                 kKeepAlive_s, nullptr, nullptr);
     return Outcome{error, errno == EINTR ? ETIMEDOUT : errno};
   });
-}
-
-void MqttCarrier::check(int error) {
-  if (error != MOSQ_ERR_SUCCESS && trouble_.empty()) {
-    trouble_ = trouble_of(error, errno);
-  }
 }
 
 bool MqttCarrier::send(const std::uint8_t* message, std::size_t size) {
@@ -232,24 +225,9 @@ void MqttCarrier::on_connect(mosquitto* client, void* self, int reason, int,
   carrier.was_connected_ = true;
 }
 
-void MqttCarrier::on_disconnect(mosquitto*, void* self, int reason, const mosquitto_property*) {
-  auto& carrier = *static_cast<MqttCarrier*>(self);
-  carrier.connected_ = false;
-  carrier.next_attempt_ = steady_clock::now() + kBetweenAttempts;
-  if (carrier.trouble_.empty()) {
-    carrier.trouble_ = carrier.trouble_of(reason, errno);
-  }
-}
-
 void MqttCarrier::on_publish(mosquitto*, void* self, int, int reason, const mosquitto_property*) {
   if (reason >= MQTT_RC_UNSPECIFIED) {
     ++static_cast<MqttCarrier*>(self)->unsent_;
-  }
-}
-
-void MqttCarrier::on_log(mosquitto*, void* self, int level, const char* text) {
-  if (level == MOSQ_LOG_ERR) {
-    static_cast<MqttCarrier*>(self)->logged_ = text;
   }
 }
 

@@ -81,6 +81,8 @@ class MqttCarrier final : public app::Carrier {
   std::uint32_t take_unsent() { return std::exchange(unsent_, 0); }
 
  private:
+  static constexpr auto kBetweenAttempts = std::chrono::milliseconds(500);
+
   struct Outcome {
     int error = 0;
     int number = 0;  // errno

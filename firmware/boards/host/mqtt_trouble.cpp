@@ -61,4 +61,25 @@ std::string MqttCarrier::trouble_of(int error, int number) const {
   }
 }
 
+void MqttCarrier::check(int error) {
+  if (error != MOSQ_ERR_SUCCESS && trouble_.empty()) {
+    trouble_ = trouble_of(error, errno);
+  }
+}
+
+void MqttCarrier::on_disconnect(mosquitto*, void* self, int reason, const mosquitto_property*) {
+  auto& carrier = *static_cast<MqttCarrier*>(self);
+  carrier.connected_ = false;
+  carrier.next_attempt_ = std::chrono::steady_clock::now() + kBetweenAttempts;
+  if (carrier.trouble_.empty()) {
+    carrier.trouble_ = carrier.trouble_of(reason, errno);
+  }
+}
+
+void MqttCarrier::on_log(mosquitto*, void* self, int level, const char* text) {
+  if (level == MOSQ_LOG_ERR) {
+    static_cast<MqttCarrier*>(self)->logged_ = text;
+  }
+}
+
 }  // namespace gs::host

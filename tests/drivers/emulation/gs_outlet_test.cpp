@@ -5,6 +5,7 @@
 #include <test_support/temporary_folder.hpp>
 #include <test_support/waiting.hpp>
 
+#include <filesystem>
 #include <optional>
 
 #include <gmock/gmock.h>
@@ -142,14 +143,49 @@ TEST_F(GsOutlet, RefusesWhatDoesNotFitWithoutTheBench) {
   expect_refused(named + "--nominal 55", "--nominal must be 50 or 60");
   expect_refused(named + "--nominal 49", "--nominal is \"49\"; it must be a number from 50 to 60");
   expect_refused(named + "--sample-rate 8500", "--sample-rate must be a multiple of 1000");
-  expect_refused(named + "--loss lots", "--loss is \"lots\"; it must be a number");
+  expect_refused(named + "--loss lots",
+                 "--loss is \"lots\"; it must be a number from -2000 to 2000; see");
   expect_refused(named + "--loss-at 3", "--loss-at needs --loss");
   expect_refused(named + "--loss 3 --signal f", "give --signal or --loss, not both");
-  expect_refused(line() + at_terminals() + " --id a", "--terminals has the outlet's id");
   const std::string other = folder_.write("other", "something else");
-  expect_refused(named + "--flash " + other, other + ": not the flash of an outlet");
+  expect_refused(line() + " --id a --flash " + other, other + ": not the flash of an outlet");
   expect_refused("--serial /nowhere/tty --id a", "/nowhere/tty: No such file or directory");
   expect_refused("--serial " + other + " --id a", other + ": Inappropriate ioctl for device");
+}
+
+TEST_F(GsOutlet, RefusesOptionsThatHaveNoEffect) {
+  const auto expect = [](const std::string& arguments, const std::string& option,
+                         const std::string& value, const std::string& why) {
+    expect_refused(arguments + " --" + option + ' ' + value, "--" + option + why);
+  };
+  for (const char* const option : {"ca", "user", "password-file"}) {
+    expect("--listen 127.0.0.1:1 --id a", option, "x", " has no effect without --mqtt");
+  }
+  expect("--mqtt MQTT://127.0.0.1:1 --id a", "ca", "x", " has no effect with mqtt://");
+  for (const char* const option :
+       {"id", "instance", "nominal", "sample-rate", "signal", "loss", "loss-at", "flash"}) {
+    expect(line() + at_terminals(), option, "50", " has no effect with --terminals, which has ");
+  }
+  for (const char* const option : {"tcp", "mqtt", "id", "loss", "flash", "ca", "terminals"}) {
+    expect("--listen 127.0.0.1:1", option, "''", " is empty");
+  }
+  expect("--listen 127.0.0.1:1 --id a", "id", "b", " is given twice");
+  expect_refused(line() + " --terminals " + file_->path(), "--terminals needs --doorbell");
+}
+
+TEST_F(GsOutlet, HasItsFlashFileAlone) {
+  const std::string flash = folder_.file("flash");
+  cable_->unplug();
+  expect_refused(line() + " --id a --flash " + flash, line_address() + ": Connection refused");
+  EXPECT_FALSE(std::filesystem::exists(flash)) << "a refused command makes no file";
+  ASSERT_TRUE(cable_->plug_in().ok());
+  Child first = demand(Child::start(
+      {{GS_OUTLET_PROGRAM, "--mqtt", "mqtt://127.0.0.1:1", "--id", "a", "--flash", flash}, ""}));
+  ASSERT_TRUE(until([&] { return std::filesystem::exists(flash); }));
+  const std::string second = line() + " --id b --flash " + flash;
+  expect_refused(second, flash + ": is used by another process");
+  first.stop();
+  EXPECT_EQ(run(second + " & pid=$!; sleep 0.3; kill $pid; wait $pid").exit_code, 0);
 }
 
 TEST_F(GsOutlet, RefusesASignalFileWithThePlace) {
@@ -166,9 +202,11 @@ TEST_F(GsOutlet, RefusesASignalFileWithThePlace) {
   expect("t_s,frequency_hz\n0,50\n1\n", "3:1: the row has too few cells");
   expect("t_s,frequency_hz\n0,nan\n", "2:3: \"nan\" is not a number");
   expect("t_s,frequency_hz\n0,50\n0,50\n", "3:1: the time must be later than in the row before");
-  expect("t_s,frequency_hz\n0,4\n", "2:3: \"4\" is outside of 25.000000 … 75.000000 Hz");
-  expect("t_s,voltage_pu\n0,325\n", "2:3: \"325\" is outside of -1.500000 … 1.500000 p.u.");
-  expect_refused("--listen 127.0.0.1:1 --id a --signal /nowhere/s", "/nowhere/s: cannot be read");
+  expect("t_s,frequency_hz\n0,4\n", "2:3: \"4\" is outside of 25 … 75 Hz");
+  expect("t_s,voltage_pu\n0,325\n", "2:3: \"325\" is outside of -1.5 … 1.5 p.u.");
+  expect_refused("--listen 127.0.0.1:1 --id a --signal /nowhere/s",
+                 "/nowhere/s: cannot be read: No such file or directory");
+  expect_refused("--listen 127.0.0.1:1 --id a --signal /", "/: cannot be read: Is a directory");
 }
 
 TEST_F(GsOutlet, EndsOnSigterm) {
