@@ -41,10 +41,15 @@ class Disturbed:
         did = sum((proxy.did for proxy in self.proxies), collections.Counter())
         for direction, odds in self.ODDS.items():
             names = [name for name, chance in odds._asdict().items() if chance]
-            names += ["overtake"] if (direction, self.LINK) == (UP, "mqtt") else []
             for name in names:
-                least = max(1, MESSAGES // (2000 if name == "cut" else 300))
+                could = sum(proxy.could[direction, name] for proxy in self.proxies)
+                # The greatest distance between two is one and a half of the mean, for each proxy.
+                least = could * getattr(odds, name) / 1.5 - len(self.proxies)
+                self.assertGreater(could, 0, (direction, name))
                 self.assertGreaterEqual(did[direction, name], least, (direction, name))
+            if (direction, self.LINK) == (UP, "mqtt"):
+                names.append("overtake")
+                self.assertGreaterEqual(did[direction, "overtake"], MESSAGES // 300)
             print("  %s: %s" % (direction, ", ".join("%d %s" % (did[direction, name], name) for name in names)))
         return did
 

@@ -48,6 +48,7 @@ class Proxy(threading.Thread):
         self.later = []  # heap of (due, number, end, bytes)
         self.numbers = itertools.count()
         self.did = collections.Counter()
+        self.could = collections.Counter()  # units that could have been disturbed, likewise
         self.passed = 0  # messages
         self.to_go = {}  # units until the next disturbance, by direction and name
         self.seen = []  # the first packets of clients, for tests
@@ -74,6 +75,7 @@ class Proxy(threading.Thread):
         if not odds:
             return False
         key = direction, name
+        self.could[key] += 1
         self.to_go[key] = self.to_go.get(key, self.distance(odds)) - 1.0
         if self.to_go[key] > 0.0:
             return False
