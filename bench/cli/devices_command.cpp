@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -140,7 +141,9 @@ int devices(const DevicesArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Device& device : present) {
-      all.push_back(as_json(device.outlet, device.answers));
+      nlohmann::ordered_json object = {{"format_version", kLiveFormatVersion}};
+      object.update(as_json(device.outlet, device.answers));
+      all.push_back(std::move(object));
     }
     print_json(all);
   } else if (present.empty()) {
@@ -170,7 +173,8 @@ void add_devices(CommandLine& line) {
       "opened, or another bench uses it. A search that finds none, of all serial ports or on a "
       "broker\n"
       "without named outlets, is no fault: exit code 0.\n"
-      "--json: of an outlet that does not answer, only its place (or id) and its fault are given.\n"
+      "--json: a list with one object for each outlet, each with the \"format_version\", 1. Of an\n"
+      "outlet that does not answer, only its place (or id) and its fault are given.\n"
       "\n"
       "Examples:\n"
       "  gsbench devices                          on every serial port of this machine\n"

@@ -30,6 +30,7 @@ using std::chrono::steady_clock;
 constexpr auto kPollInterval = std::chrono::milliseconds(20);
 constexpr double kUntilMissing_s = 3.0;  // then an outlet counts as missing; between looks, too
 constexpr auto kForTheReader = std::chrono::seconds(1);
+constexpr double kToAnswer_s = 1.0;  // an outlet answers within 0.5 s (wire/README.md, hello)
 constexpr const char* kSilent = "does not answer";
 constexpr double kLongest_s = 1e6;
 
@@ -77,6 +78,9 @@ class Monitor {
       }
       std::this_thread::sleep_for(kPollInterval);
     }
+    if (output_.error() == 0) {
+      show_missing(true);
+    }
     reached_.link->close();
     output_.finish(kForTheReader);
     return exit_code();
@@ -98,21 +102,24 @@ class Monitor {
            duration<double>(steady_clock::now() - *answered_).count() >= arguments_.seconds;
   }
 
+  double seconds_passed() const { return duration<double>(steady_clock::now() - started_).count(); }
+
   // The exit code once the wait for the first answer has taken too long.
   std::optional<int> waited_in_vain() {
-    const double passed_s = duration<double>(steady_clock::now() - started_).count();
+    const double passed_s = seconds_passed();
     if (passed_s >= next_look_s_) {
-      show_missing();
+      show_missing(false);
       next_look_s_ = passed_s + kUntilMissing_s;
     }
     if (output_.has_answered() || passed_s < arguments_.wait_s) {
       return std::nullopt;
     }
+    show_missing(true);
     output_.finish(kForTheReader);
-    print_error(
-        fmt::format("{} answered within {:.3g} s",
-                    arguments_.outlet.empty() ? "no outlet" : "no outlet " + arguments_.outlet,
-                    arguments_.wait_s));
+    print_error(arguments_.outlet.empty()
+                    ? fmt::format("no outlet answered within {:.3g} s", arguments_.wait_s)
+                    : fmt::format("outlet \"{}\" did not answer within {:.3g} s", arguments_.outlet,
+                                  arguments_.wait_s));
     return kErrored;
   }
 
@@ -135,18 +142,21 @@ class Monitor {
   }
 
   // Each reason once. Outlets that are named may still join, and others may come: at a later look,
-  // one that was not there at the look before gets more time.
-  void show_missing() {
+  // one that was not there at the look before gets more time. The last look gives time only to
+  // those that may still answer.
+  void show_missing(bool last) {
     std::map<std::string, std::string> now = missing();
     for (const auto& [name, reason] : now) {
       const bool is_port = contains(reached_.ports, name);
-      const bool is_late = !looked_ || seen_.count(name) > 0;
+      const bool has_had_time =
+          looked_ ? seen_.count(name) > 0 : !last || seconds_passed() >= kToAnswer_s;
+      const bool is_late = has_had_time || (last && reason != kSilent);
       if (is_late && shown_.insert({name, reason}).second) {
         output_.show_fault(is_port ? "" : name, is_port ? name : reached_.broker, reason);
       }
     }
     seen_ = std::move(now);
-    if (!looked_ && !output_.has_answered() && arguments_.wait_s > kUntilMissing_s) {
+    if (!last && !looked_ && !output_.has_answered() && arguments_.wait_s > kUntilMissing_s) {
       output_.flush();
       print_error(fmt::format("waiting for {} on {}, {:.3g} s at most; Ctrl-C ends",
                               awaited(arguments_), reached_.places(), arguments_.wait_s));
@@ -226,7 +236,7 @@ void add_monitor(CommandLine& line) {
       "Outlets that join later are shown, too. If the reader of a pipe or a terminal stops, up to\n"
       "1 MiB waits for it; what is left out then is counted, and the count is shown.\n"
       "\n"
-      "--json: each object has an \"event\".\n"
+      "--json: each object has an \"event\". The first one has the \"format_version\", 1, too.\n"
       "  \"joined\": id, where, fault (empty: none), protocol, and the fields of the hello; "
       "arrival_s,\n"
       "    start_number, sample\n"

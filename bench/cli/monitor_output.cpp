@@ -30,18 +30,19 @@ MonitorOutput::MonitorOutput(int descriptor, bool json, bool quiet, std::string 
       id_columns_(kFewestIdColumns) {}
 
 void MonitorOutput::show(const link::Happenings& happenings) {
-  for (const link::OutletPresence& outlet : happenings.joined) {
-    join(outlet);
-  }
+  // The messages may be of an outlet that then left, or of one that had joined before.
+  const auto& changes = happenings.changes;
+  const auto after_joins = std::find_if(changes.rbegin(), changes.rend(), [](const auto& change) {
+                             return std::holds_alternative<link::OutletPresence>(change);
+                           }).base();
+  std::for_each(changes.begin(), after_joins, [&](const auto& change) { show_change(change); });
   for (const link::Received& received : happenings.messages) {
     const bool measurement = received.message.kind == gs::wire::UplinkKind::kMeasurement;
     if (wanted(received.id) && !is_twin(received.id) && !(quiet_ && measurement)) {
       show_message(received);
     }
   }
-  for (const link::Fault& left : happenings.left) {
-    show_left(left);
-  }
+  std::for_each(after_joins, changes.end(), [&](const auto& change) { show_change(change); });
   for (const link::Fault& fault : happenings.faults) {
     if (wanted(fault.id)) {
       show_reason("fault", fault, false);
@@ -49,13 +50,31 @@ void MonitorOutput::show(const link::Happenings& happenings) {
   }
 }
 
-void MonitorOutput::show_left(const link::Fault& left) {
-  if (left.excluded) {
-    return show_fault(left.id, left.where, left.what);
+void MonitorOutput::show_change(const link::Change& change) {
+  if (const auto* const joined = std::get_if<link::OutletPresence>(&change)) {
+    return join(*joined);
   }
-  known_.erase(std::remove_if(known_.begin(), known_.end(),
-                              [&](const Known& one) { return one.id == left.id; }),
+  const auto& left = std::get<link::Fault>(change);
+  return left.excluded ? show_fault(left.id, left.where, left.what) : show_left(left);
+}
+
+void MonitorOutput::show_left(const link::Fault& left) {
+  known_.erase(std::remove_if(
+                   known_.begin(), known_.end(),
+                   [&](const Known& one) { return one.id == left.id && one.where == left.where; }),
                known_.end());
+  std::vector<Known*> others;
+  for (Known& one : known_) {
+    if (one.id == left.id) {
+      others.push_back(&one);
+    }
+  }
+  if (others.size() < 2) {  // more of them are twins still
+    at_fault_.erase(left.id);
+  }
+  if (others.size() == 1) {
+    others[0]->is_twin = false;
+  }
   if (wanted(left.id)) {
     show_reason("left", left, false);
   }
@@ -184,6 +203,11 @@ void MonitorOutput::put_text(const std::string& id, const std::string& text, std
 }
 
 void MonitorOutput::put_json(const Json& object) {
+  if (!std::exchange(has_version_, true)) {
+    Json first = object;
+    first["format_version"] = kLiveFormatVersion;
+    return put_json(first);
+  }
   output_.put(object.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

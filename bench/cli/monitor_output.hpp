@@ -21,7 +21,7 @@ class MonitorOutput {
   MonitorOutput(int descriptor, bool json, bool quiet, std::string only);
 
   // Two outlets with the same id have the fault that gsbench devices reports, and are not shown
-  // from then on. Does not block.
+  // until one of them has left. Does not block.
   void show(const link::Happenings& happenings);
   // Of an outlet, or of a place (a port) whose outlet is not known: it cannot be monitored. Empty:
   // not known.
@@ -51,6 +51,7 @@ class MonitorOutput {
   void join(const link::OutletPresence& outlet);
   void show_joined(const link::OutletPresence& outlet);
   void show_message(const link::Received& received);
+  void show_change(const link::Change& change);
   void show_left(const link::Fault& left);
   void show_reason(const char* event, const link::Fault& fault, bool with_place);
   void put_arrival(nlohmann::ordered_json& object, std::int64_t arrival_ns) const;
@@ -67,6 +68,7 @@ class MonitorOutput {
   std::set<std::string> at_fault_;  // ids; places, where the id is not known
   std::size_t id_columns_;
   bool has_answered_ = false;
+  bool has_version_ = false;  // the JSON, in its first object
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 

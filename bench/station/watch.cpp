@@ -59,12 +59,8 @@ Watch::Watch(std::vector<record::OutletRecord>& outlets, std::int64_t sample_rat
 }
 
 void Watch::process(link::Happenings& happenings, std::int64_t now) {
-  for (const link::OutletPresence& outlet : happenings.joined) {
-    const auto found = sessions_.find(outlet.id);
-    if (found != sessions_.end() && found->second.outlet->link != outlet.where) {
-      note(*found->second.outlet, link::same_id_fault(outlet.where));
-      found->second.ended = true;
-    }
+  for (const link::Change& change : happenings.changes) {
+    process(change);
   }
   const auto is_discarded = [&](const link::Received& received) {
     const auto found = sessions_.find(received.id);
@@ -85,12 +81,28 @@ void Watch::process(link::Happenings& happenings, std::int64_t now) {
   };
   std::vector<link::Received>& messages = happenings.messages;
   messages.erase(std::remove_if(messages.begin(), messages.end(), is_discarded), messages.end());
-  for (const auto* faults : {&happenings.left, &happenings.faults}) {
-    for (const link::Fault& fault : *faults) {
-      if (const auto found = sessions_.find(fault.id); found != sessions_.end()) {
-        note(*found->second.outlet, fault.what);
-      }
+  for (const link::Fault& fault : happenings.faults) {
+    if (const auto found = sessions_.find(fault.id); found != sessions_.end()) {
+      note(*found->second.outlet, fault.what);
     }
+  }
+}
+
+void Watch::process(const link::Change& change) {
+  const auto* const joined = std::get_if<link::OutletPresence>(&change);
+  const auto* const left = std::get_if<link::Fault>(&change);
+  const auto found = sessions_.find(joined != nullptr ? joined->id : left->id);
+  if (found == sessions_.end()) {
+    return;
+  }
+  if (left != nullptr) {
+    note(*found->second.outlet, left->what);
+  } else if (found->second.outlet->link != joined->where) {
+    note(*found->second.outlet, link::same_id_fault(joined->where));
+    found->second.ended = true;
+  } else if (!joined->fault.empty()) {
+    note(*found->second.outlet, joined->fault);
+    found->second.ended = true;
   }
 }
 

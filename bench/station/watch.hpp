@@ -38,6 +38,8 @@ class Watch {
     std::int64_t due;
   };
 
+  void process(const link::Change& change);
+
   // The time from one start-up of an outlet to the next.
   struct Session {
     record::OutletRecord* outlet;

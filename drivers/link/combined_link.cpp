@@ -25,13 +25,15 @@ Status CombinedLink::send(const std::string& id, const gs::wire::Downlink& messa
 
 Status CombinedLink::poll(Happenings& happenings) {
   for (const auto& link : links_) {
-    const std::size_t joined = happenings.joined.size();
+    const std::size_t before = happenings.changes.size();
     if (Status polled = link->poll(happenings); !polled.ok()) {
       return polled;
     }
     // A later outlet with the same id on another link does not replace the first.
-    for (std::size_t i = joined; i < happenings.joined.size(); ++i) {
-      link_of_.emplace(happenings.joined[i].id, link.get());
+    for (std::size_t i = before; i < happenings.changes.size(); ++i) {
+      if (const auto* const joined = std::get_if<OutletPresence>(&happenings.changes[i])) {
+        link_of_.emplace(joined->id, link.get());
+      }
     }
   }
   return Done{};

@@ -67,8 +67,9 @@ bool OutletStream::take_start(const gs::wire::Uplink& message) {
   if (start_ == number) {
     return true;
   }
-  // Another outlet on the same cable has other starts.
-  const bool is_other = is_hello(message) && !id_.empty() && id_ != message.hello.id;
+  // Another unit has other starts: its first is no restart.
+  const bool is_other = is_hello(message) && !id_.empty() &&
+                        (id_ != message.hello.id || instance_ != message.hello.instance);
   if (is_other) {
     earlier_starts_.clear();
     start_.reset();
@@ -118,6 +119,7 @@ bool OutletStream::take_number(const gs::wire::Uplink& message, std::uint32_t se
 void OutletStream::look_at_session(const gs::wire::Uplink& message) {
   if (is_hello(message)) {
     id_ = message.hello.id;
+    instance_ = message.hello.instance;
     // Over a broker, an outlet drops messages until it is connected.
     if (delivery_ == Delivery::kByCable) {
       others_.expect(message.hello.next_number);

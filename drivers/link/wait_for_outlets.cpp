@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <set>
 #include <thread>
+#include <utility>
 
 #include <link/wait_for_outlets.hpp>
 
@@ -15,24 +17,13 @@ class RollCall {
   explicit RollCall(const std::vector<std::string>& named) : named_(named) {}
 
   void take(const Happenings& happenings) {
-    for (const OutletPresence& outlet : happenings.joined) {
-      const auto again = std::find_if(joined_.begin(), joined_.end(), [&](const auto& other) {
-        return other.id == outlet.id && other.where == outlet.where;
-      });
-      if (again != joined_.end()) {
-        *again = outlet;
+    for (const Change& change : happenings.changes) {
+      if (const auto* const joined = std::get_if<OutletPresence>(&change)) {
+        join(*joined);
       } else {
-        joined_.push_back(outlet);
+        leave(std::get<Fault>(change));
       }
     }
-    for (const Fault& left : happenings.left) {
-      for (OutletPresence& outlet : joined_) {
-        if (outlet.id == left.id && (outlet.fault.empty() || left.excluded)) {
-          outlet.fault = left.what;
-        }
-      }
-    }
-    someone_left_ = someone_left_ || !happenings.left.empty();
     faults_.insert(faults_.end(), happenings.faults.begin(), happenings.faults.end());
   }
 
@@ -69,6 +60,35 @@ class RollCall {
   }
 
  private:
+  static bool is_same(const OutletPresence& outlet, const std::string& id,
+                      const std::string& where) {
+    return outlet.id == id && outlet.where == where;
+  }
+
+  void join(const OutletPresence& outlet) {
+    left_.erase({outlet.id, outlet.where});
+    const auto again = std::find_if(joined_.begin(), joined_.end(), [&](const auto& other) {
+      return is_same(other, outlet.id, outlet.where);
+    });
+    if (again != joined_.end()) {
+      *again = outlet;
+    } else {
+      joined_.push_back(outlet);
+    }
+  }
+
+  void leave(const Fault& left) {
+    someone_left_ = true;
+    if (!left.excluded) {
+      left_.insert({left.id, left.where});
+    }
+    for (OutletPresence& outlet : joined_) {
+      if (is_same(outlet, left.id, left.where) && (outlet.fault.empty() || left.excluded)) {
+        outlet.fault = left.what;
+      }
+    }
+  }
+
   static bool is_called(const OutletPresence& outlet, const std::string& name) {
     return outlet.where == name || outlet.id == name;
   }
@@ -86,11 +106,16 @@ class RollCall {
     return {name, "", {}, fault != faults_.end() ? fault->what : "does not answer"};
   }
 
-  static void mark_twins(std::vector<OutletPresence>& outlets,
-                         const std::vector<OutletPresence>& everyone) {
+  // One that has left is no twin.
+  void mark_twins(std::vector<OutletPresence>& outlets,
+                  const std::vector<OutletPresence>& everyone) const {
+    const auto is_there = [&](const OutletPresence& outlet) {
+      return !outlet.where.empty() && left_.count({outlet.id, outlet.where}) == 0;
+    };
     for (OutletPresence& outlet : outlets) {
       const auto twin = std::find_if(everyone.begin(), everyone.end(), [&](const auto& other) {
-        return !outlet.where.empty() && other.id == outlet.id && other.where != outlet.where;
+        return is_there(outlet) && is_there(other) && other.id == outlet.id &&
+               other.where != outlet.where;
       });
       if (twin != everyone.end()) {
         outlet.fault = same_id_fault(twin->where);
@@ -101,7 +126,8 @@ class RollCall {
 
   const std::vector<std::string>& named_;
   std::vector<OutletPresence> joined_;
-  std::vector<Fault> faults_;  // of outlets that may not have joined
+  std::set<std::pair<std::string, std::string>> left_;  // ids and places
+  std::vector<Fault> faults_;                           // of outlets that may not have joined
   bool someone_left_ = false;
 };
 

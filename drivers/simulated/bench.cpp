@@ -116,7 +116,7 @@ class SimulatedLink final : public link::Link {
       shared_->outlets[i].take_messages(inbox_);
       for (const gs::wire::Uplink& message : inbox_) {
         if (message.kind == gs::wire::UplinkKind::kHello) {
-          happenings.joined.push_back({id, "simulated", message.hello});
+          happenings.changes.emplace_back(link::OutletPresence{id, "simulated", message.hello});
         } else {
           happenings.messages.push_back({id, message});
         }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <drivers/descriptor.hpp>
 #include <link/outlet_stream.hpp>
@@ -26,6 +27,10 @@ namespace {
 constexpr auto kReopenEvery = std::chrono::milliseconds(250);
 constexpr auto kAskEvery = std::chrono::milliseconds(500);
 
+bool same_id(const gs::wire::Hello& one, const gs::wire::Hello& other) {
+  return std::strcmp(one.id, other.id) == 0;
+}
+
 std::vector<std::uint8_t> framed(const std::vector<std::uint8_t>& message) {
   std::vector<std::uint8_t> bytes(gs::wire::kLongestFrame);
   bytes.resize(gs::wire::frame(message.data(), message.size(), bytes.data(), bytes.size()));
@@ -42,8 +47,10 @@ struct Line {
   std::optional<gs::wire::Hello> hello;  // of the outlet that joined on it
   std::string cannot_open;               // why; empty: it is open, or was
   bool unplugged = false;
-  bool left = false;    // its next hello lets it join again
-  bool faulty = false;  // excluded from the run
+  bool left = false;
+  bool joins_again = false;  // with its next hello
+  bool faulty = false;       // excluded from the run
+  bool is_twin = false;      // which is why it is excluded
 };
 
 }  // namespace
@@ -55,8 +62,11 @@ struct FramedLink::Impl {
   void open_ports();
   void ask();
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
+  void take(Line& line, const gs::wire::Uplink& message, std::int64_t arrival_ns);
   void join(Line& line, const gs::wire::Uplink& message, std::int64_t arrival_ns);
+  void mark_twins(Line& line);
   void leave(Line& line, const std::string& how);
+  void end_twins(const std::string& id);
   Line* find(const std::string& id);
   bool send(Line& line, const gs::wire::Downlink& message);
   void lose(Line& line);
@@ -91,7 +101,8 @@ void FramedLink::Impl::open_ports() {
 // Called repeatedly: an emulator or an adapter may drop bytes while it starts.
 void FramedLink::Impl::ask() {
   for (const auto& line : lines) {
-    const bool answered = line->hello && (line->faulty || line->stream.is_open());
+    const bool answered =
+        line->hello && !line->joins_again && (line->faulty || line->stream.is_open());
     if (!answered && !line->unplugged) {
       send(*line, gs::wire::identify());
     }
@@ -114,25 +125,49 @@ void FramedLink::Impl::join(Line& line, const gs::wire::Uplink& message, std::in
   }
   const std::string fault = protocol_fault(hello);
   line.faulty = !fault.empty();
-  line.left = false;
-  line.hello.reset();
-  if (Line* const twin = find(hello.id); twin != nullptr && twin->left) {
-    twin->hello.reset();  // the outlet was plugged into another port
-  } else if (twin != nullptr) {
-    line.faulty = true;
-    twin->faulty = true;
-  }
+  line.left = line.joins_again = line.is_twin = false;
   line.hello = hello;
+  mark_twins(line);
   known.insert(hello.id);
-  happenings.joined.push_back({hello.id, line.port->port(), hello, fault, message.start_number,
-                               message.sample, arrival_ns});
+  happenings.changes.emplace_back(OutletPresence{hello.id, line.port->port(), hello, fault,
+                                                 message.start_number, message.sample, arrival_ns});
+}
+
+void FramedLink::Impl::mark_twins(Line& line) {
+  for (const auto& other : lines) {
+    if (other.get() == &line || !other->hello || !same_id(*other->hello, *line.hello)) {
+      continue;
+    }
+    if (other->left) {
+      other->hello.reset();  // the outlet was plugged into another port
+    } else {
+      line.faulty = line.is_twin = other->faulty = other->is_twin = true;
+    }
+  }
 }
 
 void FramedLink::Impl::leave(Line& line, const std::string& how) {
-  if (line.hello && !line.faulty && !line.left) {
-    happenings.left.push_back({line.hello->id, how, line.port->port()});
+  if (line.hello && !line.left) {
+    happenings.changes.emplace_back(Fault{line.hello->id, how, line.port->port()});
   }
-  line.left = true;
+  line.left = line.joins_again = true;
+  if (std::exchange(line.is_twin, false)) {
+    end_twins(line.hello->id);
+  }
+}
+
+// Of two, one has left: the other is asked for its hello, and joins again.
+void FramedLink::Impl::end_twins(const std::string& id) {
+  std::vector<Line*> twins;
+  for (const auto& line : lines) {
+    if (line->is_twin && line->hello->id == id) {
+      twins.push_back(line.get());
+    }
+  }
+  if (twins.size() == 1) {
+    twins[0]->is_twin = false;
+    twins[0]->joins_again = true;
+  }
 }
 
 void FramedLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
@@ -145,23 +180,28 @@ void FramedLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
     if (taken != gs::wire::FrameReader::Taken::kMessage) {
       continue;
     }
-    const auto message = line.stream.take(line.reader.message(), line.reader.size());
+    if (const auto message = line.stream.take(line.reader.message(), line.reader.size())) {
+      take(line, *message, arrival_ns);
+    }
     if (line.stream.take_wants_identify() && !line.faulty) {
       send(line, gs::wire::identify());
     }
-    if (!message) {
-      continue;
-    }
-    const bool is_hello = message->kind == gs::wire::UplinkKind::kHello;
-    if (is_hello && line.hello && std::string(line.hello->id) != message->hello.id) {
-      leave(line, "is no longer on " + line.port->port() + ": outlet " + message->hello.id +
-                      " is there now");
-    }
-    if (is_hello && (!line.hello || line.left)) {
-      join(line, *message, arrival_ns);
-    } else if (line.hello && !line.faulty) {
-      happenings.messages.push_back({line.hello->id, *message, arrival_ns, line.stream.sequence()});
-    }
+  }
+}
+
+void FramedLink::Impl::take(Line& line, const gs::wire::Uplink& message, std::int64_t arrival_ns) {
+  const bool is_hello = message.kind == gs::wire::UplinkKind::kHello;
+  if (is_hello && line.hello && !same_id(*line.hello, message.hello)) {
+    leave(line, "is no longer on " + line.port->port() + ": outlet " + message.hello.id +
+                    " is there now");
+  }
+  // With another version of the protocol: other firmware.
+  const bool is_updated = is_hello && line.hello && !line.is_twin &&
+                          message.hello.protocol_version != line.hello->protocol_version;
+  if (is_hello && (!line.hello || line.joins_again || is_updated)) {
+    join(line, message, arrival_ns);
+  } else if (line.hello && !line.faulty) {
+    happenings.messages.push_back({line.hello->id, message, arrival_ns, line.stream.sequence()});
   }
 }
 
@@ -190,7 +230,6 @@ void FramedLink::Impl::reopen_ports(std::unique_lock<std::mutex>& lock) {
       line->port = std::move(port);
       line->unplugged = false;
       line->cannot_open.clear();
-      line->stream.note("is back on " + line->port->port());
       send(*line, gs::wire::identify());
       eventfd_write(wake.get(), 1);  // the listener's wait does not include the new port
     }

@@ -41,7 +41,8 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
   const auto found = places_.find(topic);
   if (found == places_.end() ||
       (outlets_[found->second.outlet].faulty &&
-       !(found->second.hello && is_replaced(outlets_[found->second.outlet], size, retained)))) {
+       !(found->second.hello &&
+         is_looked_at_again(outlets_[found->second.outlet], message, size, retained)))) {
     return;
   }
   if (found->second.hello) {
@@ -54,15 +55,43 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
   }
 }
 
-// Whether this message on the hello topic of an excluded outlet is to be taken: its outlet has
-// left, and another, or the same one with other firmware, is there now.
-bool Arrivals::is_replaced(Outlet& outlet, std::size_t size, bool retained) {
+// Whether this message on the hello topic of an excluded outlet is to be taken: the outlet has
+// left, and another, or the same one, is there now; or after a hello with a fault, the outlet has
+// started again, perhaps with other firmware.
+bool Arrivals::is_looked_at_again(Outlet& outlet, const std::uint8_t* message, std::size_t size,
+                                  bool retained) {
   if (size == 0) {
-    outlet.here = false;
-  } else if (!outlet.here && !outlet.takes_turns && !retained) {
-    outlet.faulty = false;
+    leave(outlet);
+    return false;
   }
-  return !outlet.faulty;
+  if (retained || outlet.takes_turns) {
+    return false;
+  }
+  if (outlet.here) {
+    gs::wire::Uplink read;
+    std::uint32_t sequence = 0;
+    if (!outlet.faulty_hello ||
+        gs::wire::decode(message, size, read, sequence) != gs::wire::Decoded::kOk ||
+        read.kind != gs::wire::UplinkKind::kHello) {
+      return false;
+    }
+    const bool other_version = read.hello.protocol_version != outlet.hello.protocol_version;
+    const bool other_start =
+        read.start_number != outlet.start_number && !outlet.turns.knows(read.start_number);
+    if (!other_version && !other_start) {
+      return false;
+    }
+    outlet.here = false;
+  }
+  outlet.faulty = false;
+  return true;
+}
+
+void Arrivals::leave(Outlet& outlet) {
+  if (outlet.joined && outlet.here && !outlet.takes_turns) {
+    happenings_.changes.emplace_back(Fault{outlet.id, "left the broker"});
+  }
+  outlet.here = false;
 }
 
 void Arrivals::ask_if_wanted(std::size_t place) {
@@ -90,10 +119,7 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
                           bool retained) {
   Outlet& outlet = outlets_[place];
   if (size == 0) {
-    if (outlet.joined && outlet.here) {
-      happenings_.left.push_back({outlet.id, "left the broker"});
-    }
-    outlet.here = false;
+    leave(outlet);
     return;
   }
   gs::wire::Uplink read;
@@ -128,17 +154,20 @@ bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Uplink& message,
   const gs::wire::Hello& hello = message.hello;
   if (outlet.joined && hello.id != outlet.id) {
     exclude(outlet, reports_id(hello));
+    set_hello(outlet, message, true);
     return false;
   }
+  // Of another protocol version, neither the start number nor the instance is known.
+  const std::string other_version = protocol_fault(hello);
+  outlet.here = outlet.here && other_version.empty();
   // Another unit may take the place of one that has left.
   if (outlet.joined && outlet.here && hello.instance != outlet.hello.instance) {
     exclude(outlet, kSameId + ("instances " + instance_text(outlet.hello.instance)) + " and " +
                         instance_text(hello.instance));
     return false;
   }
-  // Of another protocol version, the start number is unknown.
-  outlet.takes_turns = hello.protocol_version == gs::wire::kProtocolVersion &&
-                       outlet.turns.take(message.start_number, sequence, !outlet.here);
+  outlet.takes_turns =
+      other_version.empty() && outlet.turns.take(message.start_number, sequence, !outlet.here);
   if (outlet.takes_turns) {
     exclude(outlet, kSameId + ("both have instance " + instance_text(hello.instance)) +
                         ", and each ends the other's connection to the broker");
@@ -148,19 +177,27 @@ bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Uplink& message,
     outlet.stream.take_faults();  // drops faults from before the outlet was known
   }
   if (!outlet.joined || !outlet.here) {
-    const std::string fault = hello.id != outlet.id ? reports_id(hello) : protocol_fault(hello);
+    const std::string fault = hello.id != outlet.id ? reports_id(hello) : other_version;
     outlet.joined = true;
-    outlet.hello = hello;
-    outlet.faulty = !fault.empty();
-    happenings_.joined.push_back(
-        {outlet.id, "", hello, fault, message.start_number, message.sample, now_ns()});
+    set_hello(outlet, message, !fault.empty());
+    happenings_.changes.emplace_back(OutletPresence{
+        outlet.id, "", hello, fault, message.start_number, message.sample, now_ns()});
   }
   return !outlet.faulty;
 }
 
+void Arrivals::set_hello(Outlet& outlet, const gs::wire::Uplink& message, bool faulty) {
+  outlet.here = true;
+  outlet.hello = message.hello;
+  outlet.start_number = message.start_number;
+  outlet.faulty = faulty;
+  outlet.faulty_hello = faulty;
+}
+
 void Arrivals::exclude(Outlet& outlet, const std::string& fault) {
   outlet.faulty = true;
-  happenings_.left.push_back({outlet.id, fault, "", true});
+  outlet.faulty_hello = false;
+  happenings_.changes.emplace_back(Fault{outlet.id, fault, "", true});
 }
 
 std::vector<std::size_t> Arrivals::take_newcomers() {

@@ -58,8 +58,10 @@ class Arrivals {
     OutletStream stream{Delivery::kByBroker};
     bool here = true;  // connected to the broker, according to its newest hello
     bool joined = false;
-    gs::wire::Hello hello;  // with which it joined
-    bool faulty = false;    // excluded from the run
+    gs::wire::Hello hello;           // with which it joined, or for which it was excluded
+    std::uint32_t start_number = 0;  // of this hello
+    bool faulty = false;             // excluded from the run
+    bool faulty_hello = false;       // excluded for this hello, and not because there are two units
     // Two units take turns, each with the client id of the other: faulty until the link is closed.
     bool takes_turns = false;
     Turns turns;
@@ -71,9 +73,12 @@ class Arrivals {
 
   void add(std::string_view hello_topic);
   void take_hello(std::size_t place, const std::uint8_t* message, std::size_t size, bool retained);
-  static bool is_replaced(Outlet& outlet, std::size_t size, bool retained);
+  bool is_looked_at_again(Outlet& outlet, const std::uint8_t* message, std::size_t size,
+                          bool retained);
+  void leave(Outlet& outlet);
   void ask_if_wanted(std::size_t place);
   bool take_identity(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence);
+  static void set_hello(Outlet& outlet, const gs::wire::Uplink& message, bool faulty);
   void exclude(Outlet& outlet, const std::string& fault);
 
   std::mutex mutex_;

@@ -67,13 +67,11 @@ Status MqttLink::poll(Happenings& happenings) {
   Happenings arrived;
   arrived.messages.swap(happenings.messages);
   opened_->arrivals.hand_over(arrived);
-  for (OutletPresence& outlet : arrived.joined) {
-    outlet.where = options_.url;
+  for (Change& change : arrived.changes) {
+    std::visit([&](auto& one) { one.where = options_.url; }, change);
   }
-  for (std::vector<Fault>* const faults : {&arrived.left, &arrived.faults}) {
-    for (Fault& fault : *faults) {
-      fault.where = options_.url;
-    }
+  for (Fault& fault : arrived.faults) {
+    fault.where = options_.url;
   }
   arrived.messages.swap(happenings.messages);
   happenings.append(arrived);

@@ -29,4 +29,9 @@ bool Turns::take(std::uint32_t start_number, std::uint32_t sequence, bool had_le
   return returns_ >= kReturnsOfTwo;
 }
 
+bool Turns::knows(std::uint32_t start_number) const {
+  return std::any_of(starts_.begin(), starts_.end(),
+                     [&](const Start& start) { return start.number == start_number; });
+}
+
 }  // namespace gsbench::link

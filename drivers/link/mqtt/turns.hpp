@@ -14,6 +14,7 @@ class Turns {
   // client may repeat it after newer ones when its connection has broken. True once two units have
   // taken turns: after two returns to an earlier start.
   bool take(std::uint32_t start_number, std::uint32_t sequence, bool had_left);
+  bool knows(std::uint32_t start_number) const;  // among the newest
 
  private:
   struct Start {

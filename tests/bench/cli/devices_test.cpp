@@ -35,6 +35,7 @@ INSTANTIATE_TEST_SUITE_P(SerialAndMqtt, AnyStation,
 TEST_P(AnyStation, IsListedWithTheDataThatItsOutletReports) {
   const json found = run_for_json(to_it("devices", {"--json"}));
   ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0]["format_version"], 1);
   EXPECT_EQ(found[0]["id"], "kitchen-1");
   EXPECT_EQ(found[0]["where"], where_);
   EXPECT_EQ(found[0]["fault"], "");
@@ -146,7 +147,7 @@ TEST_F(TwoOnSerialLines, APortThatCannotBeOpenedIsAtFaultAndTheOthersAreListed) 
   EXPECT_EQ(listed[1]["id"], ids_[1]);
   EXPECT_EQ(listed[1]["sample_rate_hz"], 8000);
   for (std::size_t i = 2; i < 5; ++i) {
-    EXPECT_EQ(listed[i].size(), 2U) << listed[i];
+    EXPECT_EQ(listed[i].size(), 3U) << listed[i];
     EXPECT_EQ(listed[i]["where"], more[2 * i - 3]);
     EXPECT_NE(listed[i]["fault"], "");
   }

@@ -115,7 +115,9 @@ TEST_P(AnyOutlet, IsMonitoredAsOneJsonObjectOnEachLine) {
                                            "voltage_delay_s", "settings_version",
                                            "settings_digest", "keeps_settings",
                                            "has_watchdog",    "arrival_s",
-                                           "start_number",    "sample"}));
+                                           "start_number",    "sample",
+                                           "format_version"}));
+  EXPECT_EQ(joined["format_version"], 1);
   EXPECT_GT(joined["tracker_delay_s"].get<double>(), 0.0);
   EXPECT_GT(joined["voltage_delay_s"].get<double>(), 0.0);
   const std::string measurement = *std::find_if(lines.begin(), lines.end(), [](const auto& line) {
@@ -157,7 +159,7 @@ TEST_F(OnSerialLine, IsMonitoredByItsIdAndOthersAreNot) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_THAT(outcome.err,
               AllOf(HasSubstr("waiting for outlet cellar on " + where_ + ", 4 s at most"),
-                    HasSubstr("no outlet cellar answered within 4 s")));
+                    HasSubstr("outlet \"cellar\" did not answer within 4 s")));
 }
 
 TEST_F(OnSerialLine, IsShownOnceItAnswers) {

@@ -162,6 +162,40 @@ TEST_F(OutletsThatCome, NoneOnABrokerIsNoFault) {
   EXPECT_THAT(found.err, HasSubstr("no outlet answers"));
 }
 
+// The monitor ends before its first look for outlets that are missing.
+TEST_F(OutletsThatCome, AHelloThatCannotBeReadIsReportedHoweverShortTheTime) {
+  const MqttOutlet late(broker_, "late");
+  gs::wire::Uplink hello;
+  gs::app::set_text(hello.hello.id, "early");
+  hello.hello.sample_rate_hz = 8000;
+  hello.hello.nominal_hz = 55;
+  const Parrot early(broker_, "early", hello);
+  const Outcome shown = run_gsbench({"monitor", "--station", station_, "--seconds", "0.5"});
+  EXPECT_EQ(shown.exit_code, 4);
+  EXPECT_THAT(lines_of(shown.out).back(),
+              HasSubstr("early at " + broker_.url() + " ! its hello cannot be read: nominal_hz"));
+}
+
+struct TwoWithTheSameId : LiveOutlets {
+  TwoWithTheSameId() : LiveOutlets(Connection::kSerial, {"kitchen-1", "cellar"}) {}
+};
+
+TEST_F(TwoWithTheSameId, AreShownAgainOnceOneIsGone) {
+  hardware_->cable(1).spoil(
+      change_hello([](gs::wire::Hello& hello) { gs::app::set_text(hello.id, "kitchen-1"); }));
+  const std::string other = hardware_->serial_ports()[1];
+  const Started started = start_gsbench(to_it("monitor"));
+  EXPECT_TRUE(shows(started, "the one on " + other));
+  EXPECT_TRUE(shows(started, "the one on " + where_));
+  hardware_->cable(1).unplug();
+  EXPECT_TRUE(shows(started, " ! was unplugged from " + other));
+  EXPECT_TRUE(until([&] {
+    const std::string text = text_of(started.out);
+    return text.find("measurement", text.find("was unplugged")) != std::string::npos;
+  }));
+  EXPECT_EQ(stop(started, SIGINT).exit_code, 0);
+}
+
 struct OneWithABadHello : LiveOutlets {
   OneWithABadHello() : LiveOutlets(Connection::kSerial) {}
 };
@@ -175,8 +209,8 @@ TEST_F(OneWithABadHello, IsReportedWithTheReasonByBothCommands) {
   EXPECT_EQ(lines_of(found.out), Words{"! " + where_ + ": " + fault});
   const Outcome shown = run_gsbench(to_it("monitor", {"--wait", "4", "--json"}));
   EXPECT_EQ(shown.exit_code, 4);
-  EXPECT_EQ(lines_of(shown.out),
-            Words{R"({"event":"fault","where":")" + where_ + R"(","fault":")" + fault + "\"}"});
+  EXPECT_EQ(lines_of(shown.out), Words{R"({"event":"fault","where":")" + where_ + R"(","fault":")" +
+                                       fault + R"(","format_version":1})"});
 }
 
 }  // namespace

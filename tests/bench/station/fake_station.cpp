@@ -115,7 +115,7 @@ Status FakeStation::open() {
   return Done{};
 }
 
-void FakeStation::join(std::vector<link::OutletPresence>& joined) const {
+void FakeStation::join(std::vector<link::Change>& changes) const {
   for (std::size_t i = 0; i < script_.outlets; ++i) {
     if (!is_linked(i) || !is_reachable(i) || (is_last(i) && !script_.joins)) {
       continue;
@@ -129,7 +129,7 @@ void FakeStation::join(std::vector<link::OutletPresence>& joined) const {
       outlet.hello.protocol_version = script_.protocol_version;
     }
     outlet.fault = link::protocol_fault(outlet.hello);
-    joined.push_back(outlet);
+    changes.emplace_back(outlet);
   }
 }
 
@@ -167,7 +167,7 @@ void FakeStation::answer_settings(std::size_t outlet, std::size_t number,
 Status FakeStation::poll(link::Happenings& happenings) {
   if (!joined_) {
     joined_ = true;
-    join(happenings.joined);
+    join(happenings.changes);
     return Done{};
   }
   if (script_.link_poll_fails_at == link_polls_++) {

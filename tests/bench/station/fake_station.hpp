@@ -141,7 +141,7 @@ class FakeStation final : public Station, private source::Source, private link::
   bool is_reachable(std::size_t outlet) const {
     return outlet + script_.unreachable < script_.outlets;
   }
-  void join(std::vector<link::OutletPresence>& joined) const;
+  void join(std::vector<link::Change>& changes) const;
   // To the settings with this number, from 0.
   void answer_settings(std::size_t outlet, std::size_t number,
                        std::vector<link::Received>& messages) const;

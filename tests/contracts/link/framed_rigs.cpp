@@ -28,8 +28,7 @@ class FramedRig : public ProcessRig {
   void plug_in() override { EXPECT_TRUE(outlets.hardware().cable(0).plug_in().ok()); }
   FaultTexts fault_texts() const override {
     const std::string port = ports().front();
-    return {"does not answer", "was unplugged from " + port, "does not accept messages on " + port,
-            "is back on " + port};
+    return {"does not answer", "was unplugged from " + port, "does not accept messages on " + port};
   }
 
  protected:

@@ -38,7 +38,6 @@ class ProcessRig : public LinkRig {
     std::string absent;         // … is absent when the link is opened
     std::string lost;           // … is lost while the link is open
     std::string undeliverable;  // … is sent a message while lost
-    std::string back;           // … is found again
   };
   virtual FaultTexts fault_texts() const = 0;
 

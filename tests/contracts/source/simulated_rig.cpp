@@ -15,8 +15,8 @@ class SimulatedRig final : public SourceRig {
   std::vector<Reading> readings() override {
     link::Happenings happenings;
     EXPECT_TRUE(bench_.link().poll(happenings).ok());
-    for (const link::OutletPresence& outlet : happenings.joined) {
-      measurements_.take_hello(outlet.hello);
+    for (const link::Change& change : happenings.changes) {
+      measurements_.take_hello(std::get<link::OutletPresence>(change).hello);
     }
     for (const link::Received& received : happenings.messages) {
       measurements_.put(received.message);

@@ -33,7 +33,7 @@ class Scripted final : public Link {
   drivers::Status poll(Happenings& happenings) override {
     for (const OutletPresence& outlet : outlets_) {
       if (!joined_) {
-        happenings.joined.push_back(outlet);
+        happenings.changes.emplace_back(outlet);
       } else {
         happenings.messages.push_back({outlet.id, {}, 0});
         happenings.faults.push_back({outlet.id, "of " + outlet.id});
@@ -152,11 +152,11 @@ class Leaving final : public Link {
   drivers::Status poll(Happenings& happenings) override {
     ++polls_;
     if (polls_ == 1) {
-      happenings.joined.push_back({"a", "broker", {}});
+      happenings.changes.emplace_back(OutletPresence{"a", "broker", {}});
     } else if (polls_ == 2) {
-      happenings.left.push_back({"a", "left the broker"});
+      happenings.changes.emplace_back(Fault{"a", "left the broker", "broker"});
     } else if (polls_ == 250) {
-      happenings.left.push_back({"a", "is one of two", "broker", true});
+      happenings.changes.emplace_back(Fault{"a", "is one of two", "broker", true});
     }
     return drivers::Done{};
   }
@@ -172,6 +172,65 @@ TEST(WaitForOutlets, OneThatLeavesMeanwhileIsWatchedUntilTheTimeLimit) {
   ASSERT_TRUE(present.ok());
   ASSERT_EQ(present.value().size(), 1U);
   EXPECT_EQ(present.value()[0].fault, "is one of two");
+}
+
+// As a broker says when another connection of the same client takes the place of the first.
+class LeavingAndReturning final : public Link {
+ public:
+  drivers::Status open() override { return drivers::Done{}; }
+  drivers::Status send(const std::string&, const Downlink&) override { return drivers::Done{}; }
+  drivers::Status poll(Happenings& happenings) override {
+    const OutletPresence here{"a", "broker", {}};
+    const Fault left{"a", "left the broker", "broker"};
+    ++polls_;
+    if (polls_ == 1) {
+      happenings.changes = {here};
+    } else if (polls_ == 2) {
+      happenings.changes = {left, here};
+    }
+    return drivers::Done{};
+  }
+  void close() noexcept override {}
+
+ private:
+  int polls_ = 0;
+};
+
+TEST(WaitForOutlets, OneThatLeavesAndReturnsAtOnceIsThere) {
+  LeavingAndReturning link;
+  const auto present = wait_for_outlets(link, {"a"}, 300ms);
+  ASSERT_TRUE(present.ok());
+  ASSERT_EQ(present.value().size(), 1U);
+  EXPECT_EQ(present.value()[0].fault, "");
+}
+
+// It was plugged into another port meanwhile.
+class Moving final : public Link {
+ public:
+  drivers::Status open() override { return drivers::Done{}; }
+  drivers::Status send(const std::string&, const Downlink&) override { return drivers::Done{}; }
+  drivers::Status poll(Happenings& happenings) override {
+    if (!moved_) {
+      happenings.changes = {OutletPresence{"a", "port 1", {}},
+                            Fault{"a", "was unplugged from port 1", "port 1"},
+                            OutletPresence{"a", "port 2", {}}};
+    }
+    moved_ = true;
+    return drivers::Done{};
+  }
+  void close() noexcept override {}
+
+ private:
+  bool moved_ = false;
+};
+
+TEST(WaitForOutlets, OneThatHasLeftIsNoTwin) {
+  Moving link;
+  const auto present = wait_for_outlets(link, {"port 1", "port 2"}, 300ms);
+  ASSERT_TRUE(present.ok());
+  ASSERT_EQ(present.value().size(), 2U);
+  EXPECT_EQ(present.value()[0].fault, "was unplugged from port 1");
+  EXPECT_EQ(present.value()[1].fault, "");
 }
 
 TEST_F(TwoLinks, ReturnAllOutletsIfOthersAreWanted) {

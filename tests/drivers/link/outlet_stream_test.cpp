@@ -158,6 +158,20 @@ TEST(OutletStream, AnotherOutletOnTheCableHasNotRestarted) {
   EXPECT_THAT(stream.take_faults(), IsEmpty());
 }
 
+TEST_P(EachDelivery, AUnitThatTakesThePlaceOfAnotherHasNotRestarted) {
+  OutletStream stream(GetParam(), kSession);
+  EXPECT_TRUE(takes(stream, hello(1)));
+  EXPECT_TRUE(takes(stream, measurement(1, 0)));
+  gs::wire::Uplink other = message_of(hello(2));
+  other.hello.instance = 77;
+  EXPECT_TRUE(takes(stream, gs::wire::test::encoded(other, 0)));
+  EXPECT_THAT(stream.take_faults(), IsEmpty());
+  EXPECT_TRUE(takes(stream, hello(1, 1))) << "the first is back";
+  EXPECT_THAT(stream.take_faults(), IsEmpty());
+  EXPECT_TRUE(takes(stream, hello(3)));
+  EXPECT_THAT(stream.take_faults(), ElementsAre(HasSubstr("restarted")));
+}
+
 TEST(OutletStream, ReportsUnreadableMessages) {
   OutletStream stream(Delivery::kByBroker, kSession);
   EXPECT_FALSE(takes(stream, {0xFF, 0x00}));

@@ -11,12 +11,12 @@ TEST(SimulatedLink, OutletsJoinWhenTheSourceIsEnergised) {
   link::Happenings happenings;
   ASSERT_TRUE(bench.link().open().ok());
   ASSERT_TRUE(bench.link().poll(happenings).ok());
-  EXPECT_TRUE(happenings.joined.empty());
+  EXPECT_TRUE(happenings.changes.empty());
   const gsbench::test::Mains mains;
   ASSERT_TRUE(bench.source().prepare(mains).ok());
   ASSERT_TRUE(bench.source().energise().ok());
   ASSERT_TRUE(bench.link().poll(happenings).ok());
-  EXPECT_EQ(happenings.joined.size(), 3U);
+  EXPECT_EQ(happenings.changes.size(), 3U);
 }
 
 TEST(SimulatedLink, AMessageReachesOnlyItsOutletAfterTheDownlinkDelay) {

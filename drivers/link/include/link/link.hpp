@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <drivers/result.hpp>
@@ -13,8 +14,9 @@
 namespace gsbench::link {
 
 // An outlet that has sent its hello. If the outlet has another protocol version, or a wrong or
-// duplicate id, the link sends nothing to it and ignores its messages. After any other fault, the
-// link continues to exchange messages with the outlet.
+// duplicate id, the link sends nothing to it and ignores its messages, until it may join again
+// (wire/README.md, hello). After any other fault, the link continues to exchange messages with the
+// outlet.
 struct OutletPresence {
   std::string id;
   std::string where;  // "simulated", "/dev/ttyUSB0", "mqtts://127.0.0.1:8883"
@@ -31,7 +33,7 @@ struct Fault {
   std::string id;
   std::string what;        // one sentence, for people
   std::string where = {};  // as in OutletPresence; empty: not known
-  // In Happenings::left: the outlet is still there, but from now on the link ignores it.
+  // In Happenings::changes: the outlet is still there, but from now on the link ignores it.
   bool excluded = false;
 };
 
@@ -50,23 +52,24 @@ struct Received {
   std::uint32_t sequence = 0;
 };
 
+// An outlet has joined, or it has left, with the reason: it can no longer be reached. One that has
+// joined may join again without having left: its new hello replaces the one before.
+using Change = std::variant<OutletPresence, Fault>;
+
 // Each event appears once. In each list, the events of one outlet are in the order of time.
 struct Happenings {
-  std::vector<OutletPresence> joined;
-  std::vector<Fault> left;  // with the reason; these outlets can no longer be reached
+  std::vector<Change> changes;
   std::vector<Received> messages;
   std::vector<Fault> faults;
 
   void append(const Happenings& more) {
-    joined.insert(joined.end(), more.joined.begin(), more.joined.end());
-    left.insert(left.end(), more.left.begin(), more.left.end());
+    changes.insert(changes.end(), more.changes.begin(), more.changes.end());
     messages.insert(messages.end(), more.messages.begin(), more.messages.end());
     faults.insert(faults.end(), more.faults.begin(), more.faults.end());
   }
   // Keeps the allocated memory for the next poll.
   void clear() {
-    joined.clear();
-    left.clear();
+    changes.clear();
     messages.clear();
     faults.clear();
   }

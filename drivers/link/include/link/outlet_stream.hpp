@@ -65,6 +65,7 @@ class OutletStream {
   std::uint32_t sent_ = 0;
   bool wants_identify_ = false;
   bool open_ = false;
+  std::uint64_t instance_ = 0;
   std::uint64_t last_sample_ = 0;
   std::uint32_t sequence_ = 0;
   std::string unreadable_;

@@ -2,6 +2,7 @@
 #include "outlets_on_cables.hpp"
 #include "spoilers.hpp"
 
+#include <atomic>
 #include <cstring>
 #include <utility>
 
@@ -30,11 +31,78 @@ TEST_F(Ports, OutletsWithTheSameIdAreFaultyAndExcluded) {
   }
   send(kA, ping(1));
   outlets_.play(10);
-  cable(kB).unplug();
   std::this_thread::sleep_for(std::chrono::milliseconds(400));
   poll();
   EXPECT_THAT(messages_, IsEmpty());
+  EXPECT_THAT(changes_, IsEmpty());
   EXPECT_THAT(faults_, IsEmpty());
+}
+
+TEST_F(Ports, OfTwoOutletsWithTheSameIdOneJoinsAgainWhenTheOtherHasLeft) {
+  cable(kB).spoil(change_hello([](gs::wire::Hello& hello) { std::strcpy(hello.id, kA); }));
+  open();
+  cable(kB).unplug();
+  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
+  EXPECT_EQ(joined_[0].where, port(kA));
+  EXPECT_EQ(joined_[0].fault, "");
+  EXPECT_THAT(faults(kA), testing::ElementsAre("was unplugged from " + port(kB)));
+  EXPECT_TRUE(answers(kA));
+  ASSERT_TRUE(cable(kB).plug_in().ok());
+  ASSERT_TRUE(until([&] { return joined_.size() == 2; }));
+  EXPECT_EQ(joined_[1].where, port(kB));
+  messages_.clear();
+  send(kA, ping(2));
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  poll();
+  EXPECT_THAT(messages_, IsEmpty()) << "they are two again";
+}
+
+TEST_F(Ports, AnOutletWithAnotherProtocolVersionJoinsAgainWithOtherFirmware) {
+  std::atomic<int> hellos{0};
+  cable(kA).spoil(change_hello([&](gs::wire::Hello& hello) {
+    hello.protocol_version = 2;
+    ++hellos;
+  }));
+  open();
+  EXPECT_EQ(present(kA).fault, "uses protocol version 2, not 3");
+  const auto restart = [&] {
+    outlets_.kill(kA);
+    outlets_.start(kA);
+  };
+  const int before = hellos;
+  outlets_.play(1);
+  restart();
+  ASSERT_TRUE(until([&] {
+    outlets_.play(1);  // it starts with what is played
+    return hellos > before;
+  }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  poll();
+  EXPECT_THAT(joined_, IsEmpty()) << "its firmware is as it was";
+  cable(kA).spoil({});
+  restart();
+  ASSERT_TRUE(until([&] {
+    outlets_.play(1);
+    return !joined_.empty();
+  }));
+  EXPECT_EQ(joined_[0].fault, "");
+  EXPECT_TRUE(answers(kA));
+}
+
+TEST_F(Ports, AnOutletThatIsStartedElsewhereLeavesAndJoinsAndHasRestarted) {
+  open();
+  outlets_.play(5);
+  ASSERT_TRUE(arrives(kA, gs::wire::UplinkKind::kMeasurement, 5));
+  cable(kA).unplug();
+  ASSERT_TRUE(is_reported(kA, "was unplugged"));
+  outlets_.kill(kA);
+  ASSERT_TRUE(cable(kA).plug_in().ok());
+  outlets_.start(kA);
+  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
+  EXPECT_TRUE(answers(kA));
+  EXPECT_THAT(joined_, SizeIs(1));
+  EXPECT_THAT(faults(kA), testing::ElementsAre("was unplugged from " + port(kA),
+                                               HasSubstr("restarted after its sample ")));
 }
 
 TEST_F(Ports, ASilentPortIsFaultyUntilItsOutletAnswers) {

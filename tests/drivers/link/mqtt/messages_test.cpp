@@ -189,6 +189,85 @@ TEST_F(Broker, AnOutletMayTakeThePlaceOfOneThatHasLeft) {
   ASSERT_TRUE(until([&] { return !joined_.empty(); }));
   EXPECT_EQ(joined_.back().hello.instance, 2U);
   EXPECT_EQ(joined_.back().fault, "");
+  EXPECT_TRUE(answers(kA));
+  EXPECT_THAT(faults(kA), ElementsAre("left the broker")) << "no restart";
+}
+
+TEST_F(Broker, AnOutletThatLeavesAndReturnsAtOnceJoinsLast) {
+  std::optional<MqttOutlet> one(std::in_place, broker_, "a", 1U);
+  open({"a"});
+  one.reset();
+  MqttOutlet two(broker_, "a", 1);
+  // Both are on the broker's way before the bench looks.
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  ASSERT_TRUE(until([&] { return changes_.size() == 2; }));
+  EXPECT_TRUE(std::holds_alternative<link::Fault>(changes_[0]));
+  EXPECT_TRUE(std::holds_alternative<link::OutletPresence>(changes_[1]));
+}
+
+// One unit that says hellos of its own making.
+class ExcludedForItsHello : public Broker {
+ protected:
+  void SetUp() override {
+    std::string why;
+    ASSERT_TRUE(carrier_.start(options_of(broker_, "a", 9), why)) << why;
+    gs::app::set_text(hello_.hello.id, "a");
+    hello_.kind = UplinkKind::kHello;
+    hello_.hello.instance = 9;
+    hello_.hello.sample_rate_hz = 8000;
+    hello_.hello.nominal_hz = 50;
+    ASSERT_TRUE(test::until([&] {
+      carrier_.serve();
+      return carrier_.connected();
+    }));
+    LinkFixture::open(std::make_shared<link::MqttLink>(options({"a"})), {},
+                      std::chrono::milliseconds(0));
+  }
+
+  void say(std::uint16_t version, std::uint32_t start, std::uint32_t sequence) {
+    hello_.hello.protocol_version = version;
+    hello_.start_number = start;
+    std::uint8_t bytes[gs::wire::kLongestMessage];
+    EXPECT_TRUE(carrier_.send(bytes, gs::wire::encode(hello_, sequence, bytes, sizeof bytes)));
+  }
+  bool changes(std::size_t count) {
+    return until([&] {
+      carrier_.serve();
+      return changes_.size() >= count;
+    });
+  }
+
+  gs::host::MqttCarrier carrier_;
+  gs::wire::Uplink hello_;
+};
+
+TEST_F(ExcludedForItsHello, ItJoinsAgainWithTheRightVersion) {
+  say(2, 5, 0);
+  say(2, 5, 1);
+  say(2, 6, 0);
+  say(3, 7, 0);
+  say(2, 8, 0);
+  say(2, 8, 1);
+  ASSERT_TRUE(changes(3));
+  ASSERT_EQ(joined_.size(), 3U) << "once with each version";
+  EXPECT_EQ(joined_[0].fault, "uses protocol version 2, not 3");
+  EXPECT_EQ(joined_[1].fault, "");
+  EXPECT_EQ(joined_[2].fault, "uses protocol version 2, not 3");
+  EXPECT_THAT(faults_, IsEmpty());
+}
+
+TEST_F(ExcludedForItsHello, ItJoinsAgainWithTheRightId) {
+  gs::app::set_text(hello_.hello.id, "b");
+  say(3, 5, 0);
+  say(3, 5, 1);
+  gs::app::set_text(hello_.hello.id, "a");
+  say(3, 5, 2);
+  say(3, 6, 0);
+  ASSERT_TRUE(changes(2));
+  ASSERT_EQ(joined_.size(), 2U) << "not with a hello of the same start";
+  EXPECT_EQ(joined_[0].fault, "reports another id there: \"b\"");
+  EXPECT_EQ(joined_[1].fault, "");
+  EXPECT_EQ(joined_[1].start_number, 6U);
 }
 
 TEST_F(Broker, AnOutletCannotSendUnderAnotherId) {

@@ -68,11 +68,16 @@ class LinkFixture : public testing::Test {
     link::Happenings happenings;
     const auto polled = link_->poll(happenings);
     ASSERT_TRUE(polled.ok()) << polled.error();
-    joined_.insert(joined_.end(), happenings.joined.begin(), happenings.joined.end());
-    messages_.insert(messages_.end(), happenings.messages.begin(), happenings.messages.end());
-    for (const auto& reports : {happenings.left, happenings.faults}) {
-      faults_.insert(faults_.end(), reports.begin(), reports.end());
+    for (const link::Change& change : happenings.changes) {
+      if (const auto* const joined = std::get_if<link::OutletPresence>(&change)) {
+        joined_.push_back(*joined);
+      } else {
+        faults_.push_back(std::get<link::Fault>(change));
+      }
     }
+    changes_.insert(changes_.end(), happenings.changes.begin(), happenings.changes.end());
+    messages_.insert(messages_.end(), happenings.messages.begin(), happenings.messages.end());
+    faults_.insert(faults_.end(), happenings.faults.begin(), happenings.faults.end());
   }
 
   // Polls until the condition holds; false after 1 min.
@@ -130,7 +135,8 @@ class LinkFixture : public testing::Test {
   std::shared_ptr<link::Link> link_;
   std::vector<link::OutletPresence> present_;
   std::vector<link::Received> messages_;
-  std::vector<link::OutletPresence> joined_;  // after open()
+  std::vector<link::Change> changes_;         // after open()
+  std::vector<link::OutletPresence> joined_;  // of these
   std::vector<link::Fault> faults_;           // including those of outlets that left
 };
 
