@@ -193,12 +193,11 @@ void TraceReader::refuse_time(const Cell& time) const {
   }
   throw CsvError(
       time.place,
-      fmt::format(
-          "{} is not a time{}; it must be a number, `28-Apr-2025 11:00:02`, "
-          "`2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`{}; {} gives another format",
-          what, zeros_in(time.text),
-          time.text.find(":59:60") != std::string::npos ? " (leap seconds are not read)" : "",
-          option("time_format")));
+      fmt::format("{} is not a time{}; it must be a number, `28-Apr-2025 11:00:02`, "
+                  "`2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`{}; {} gives another format",
+                  what, zeros_in(time.text),
+                  time.text.find(":59:60") != std::string::npos ? " (a second 60 is not read)" : "",
+                  option("time_format")));
 }
 
 bool TraceReader::is_played(const Instant& instant, const Row& row) {

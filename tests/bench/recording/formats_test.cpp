@@ -208,11 +208,11 @@ TEST(RecordingTimes, AreReadByAFormat) {
   expect_refused("t,f\n0,50\n", format, "time_format has `%Q`", "%Y");
 }
 
-TEST(RecordingTimes, BeyondTheRangeOrOfALeapSecondAreNamed) {
+TEST(RecordingTimes, BeyondTheRangeOrWithASecond60AreNamed) {
   expect_refused("t,f\n1745838000000000000,50\n", format_of(),
                  "r.csv:2:1: ", "is beyond 10¹⁵ s; time_unit gives another unit, such as ns");
   expect_refused("t,f\n2016-12-31T23:59:59Z,50\n2016-12-31T23:59:60Z,50\n", format_of(),
-                 "r.csv:3:1: ", "(leap seconds are not read)");
+                 "r.csv:3:1: ", "(a second 60 is not read)");
 }
 
 TEST(RecordingMessages, NameOptionsByTheGivenFunction) {
