@@ -1,7 +1,6 @@
 // A broker that is killed and restarted.
 #include "outlets_on_a_broker.hpp"
 
-#include <csignal>
 #include <filesystem>
 
 namespace gsbench::test {
@@ -87,20 +86,6 @@ TEST_F(BrokerOutage, OutletsObeyCommandsAfterwards) {
   send(kA, command(false));
   EXPECT_TRUE(until([&] { return !messages(kA, UplinkKind::kCommandAnswer).empty(); }));
   EXPECT_FALSE(a.relay_closed());
-}
-
-// A bench that keeps no session sends nothing again.
-TEST_F(BrokerOutage, AMessageThatTheBrokerDidNotConfirmIsAFaultWithTheReason) {
-  const MqttOutlet a(broker_, "a");
-  link::MqttOptions forgetful = options({"a"});
-  forgetful.keeps_session = false;
-  LinkFixture::open(std::make_shared<MqttLink>(forgetful), {"a"});
-  ASSERT_EQ(::kill(broker_.pid(), SIGSTOP), 0);
-  send(kA, ping(1));
-  broker_.kill();
-  EXPECT_TRUE(is_reported(kA,
-                          "was not sent a message: the connection to the broker broke before "
-                          "the broker confirmed it"));
 }
 
 // The outlet expects the previous bench's sequence numbers until the next bench sends `identify`.
