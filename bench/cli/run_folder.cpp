@@ -103,8 +103,7 @@ RunFolder::RunFolder(const std::string& output_folder) : output_folder_(output_f
   }
   if (error) {
     remove_made();
-    throw record::StoreError((output_folder.empty() ? "--out" : output_folder) +
-                             ": runs cannot be stored here: " + error.message() +
+    throw record::StoreError(output_folder + ": runs cannot be stored here: " + error.message() +
                              "; name another folder with --out");
   }
 }
