@@ -1,7 +1,12 @@
 // A broker that is killed and restarted.
 #include "outlets_on_a_broker.hpp"
 
+#include <csignal>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 namespace gsbench::test {
 namespace {
@@ -18,6 +23,28 @@ class BrokerOutage : public OutletsOnABroker {
       std::error_code missing;
       return std::filesystem::last_write_time(broker_.memory_file(), missing) > opened;
     });
+  }
+
+  // The most bytes of one connection that the broker has received and not read.
+  std::uint32_t most_unread() const {
+    std::ostringstream port;
+    port << std::hex << std::uppercase << ':' << broker_.port();
+    std::ifstream connections("/proc/net/tcp");
+    std::uint32_t most = 0;
+    for (std::string line; std::getline(connections, line);) {
+      std::istringstream row(line);
+      std::string number;
+      std::string local;
+      std::string remote;
+      std::string state;
+      std::string queues;  // to send and received, hexadecimal
+      row >> number >> local >> remote >> state >> queues;
+      if (local.size() > 8 && local.substr(8) == port.str() && state == "01") {
+        most = std::max(most, static_cast<std::uint32_t>(
+                                  std::stoul(queues.substr(queues.find(':') + 1), nullptr, 16)));
+      }
+    }
+    return most;
   }
 
   static std::ptrdiff_t times(const std::vector<std::string>& faults, const std::string& words) {
@@ -86,6 +113,24 @@ TEST_F(BrokerOutage, OutletsObeyCommandsAfterwards) {
   send(kA, command(false));
   EXPECT_TRUE(until([&] { return !messages(kA, UplinkKind::kCommandAnswer).empty(); }));
   EXPECT_FALSE(a.relay_closed());
+}
+
+// A bench that keeps no session sends nothing again. A message that has not left waits for the next
+// connection, so the broker is killed when it has received some of them.
+TEST_F(BrokerOutage, AMessageThatTheBrokerDidNotConfirmIsAFaultWithTheReason) {
+  const MqttOutlet a(broker_, "a");
+  link::MqttOptions forgetful = options({"a"});
+  forgetful.keeps_session = false;
+  LinkFixture::open(std::make_shared<MqttLink>(forgetful), {"a"});
+  ASSERT_EQ(::kill(broker_.pid(), SIGSTOP), 0);
+  for (std::uint32_t token = 1; token <= 50; ++token) {
+    send(kA, ping(token));
+  }
+  ASSERT_TRUE(test::until([&] { return most_unread() > 1000; }));  // more than acknowledgements
+  broker_.kill();
+  EXPECT_TRUE(is_reported(kA,
+                          "was not sent a message: the connection to the broker broke before "
+                          "the broker confirmed it"));
 }
 
 // The outlet expects the previous bench's sequence numbers until the next bench sends `identify`.
