@@ -250,6 +250,17 @@ void note_estimate(const Settings& settings, const State& state, const Followed&
 
 }  // namespace
 
+Baseline baseline(const State& state) {
+  const History& history = state.history;
+  if (covers_baseline(history)) {
+    return baseline(history);
+  }
+  if (state.before_gap.frequency_hz > 0.0f) {
+    return state.before_gap;
+  }
+  return {at(history, history.filled - 1), 0.0f};
+}
+
 void act(const Config& config, State& state, const Phasor& z, Report& report) {
   const Settings& settings = config.settings;
   const bool valid = report.measurement.validity == Validity::kValid;
@@ -274,13 +285,14 @@ void act(const Config& config, State& state, const Phasor& z, Report& report) {
     }
     state.phase = Phase::kQuiet;
     state.below_switch_off = 0;
+    state.before_gap = Baseline{};
     clear(state.follower);
     return;
   }
   watch_switch_off_frequency(settings, state, report, valid);
   const Followed followed = by_state ? follow_grid(config, state, z) : Followed{};
   if (state.phase != Phase::kEstimating && event_begins(config, state, valid, followed)) {
-    begin(state.estimator, baseline(state.history));
+    begin(state.estimator, baseline(state));
     state.phase = Phase::kEstimating;
     report.happened |= kEvent;
   }

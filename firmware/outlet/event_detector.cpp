@@ -5,7 +5,7 @@ namespace gs::outlet {
 
 bool event_detected(const Settings& settings, const History& history) {
   const int drops = settings.event_drops;
-  if (history.filled < kBaselineAge + kBaselineLength || history.unbroken <= drops) {
+  if (!covers_baseline(history) || history.unbroken <= drops) {
     return false;
   }
   for (int age = 0; age < drops; ++age) {

@@ -19,7 +19,10 @@ void remember(State& state, const Measurement& measurement) {
       break;
     case Validity::kInvalid:
       // Frequencies from before a dead bus do not apply to the time after it.
-      state.history = History{};
+      if (state.history.filled > 0) {
+        state.before_gap = baseline(state);
+        state.history = History{};
+      }
       break;
   }
 }
@@ -103,6 +106,7 @@ void lose_track(State& state) {
 void reset(State& state) {
   lose_track(state);
   state.history = History{};
+  state.before_gap = Baseline{};
   state.estimator = EstimatorState{};
   state.account = ShedAccount{};
   state.least_loss_mw = kNoLoss_mw;

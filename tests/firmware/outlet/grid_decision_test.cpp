@@ -164,6 +164,31 @@ TEST(GridDecisions, CountWhatWasShedBefore) {
   EXPECT_TRUE(decisions[1].shed) << "both together are more than P^A";
 }
 
+// A loss soon after the start of the outlet, and around an interruption from 2.8 to 3.0 s: the
+// history of frequencies is then shorter than the baseline.
+TEST(GridDecisions, ReportTheFrequencyBeforeALossWhileTheHistoryIsShort) {
+  std::vector<double> instants;
+  for (int step = 0; step <= 40; ++step) {
+    instants.push_back(step <= 15 ? 0.3 + 0.05 * step : 2.7 + 0.02 * (step - 15));
+  }
+  for (const double at_s : instants) {
+    test::MainsSpec mains;
+    mains.reference = gsbench::waveform::reference_from_losses(
+        gsbench::grid::SfrModel(test::ieee24()), {{at_s, 600.0}});
+    mains.signal = dip(2.8, 0.2, 0.0);
+    mains.noise_pct = 1.0;
+    int events = 0;
+    for (const Report& report : test::reports_of(mains, at_s + 0.8, test::ieee24_settings())) {
+      if ((report.happened & kEvent) != 0) {
+        ++events;
+        EXPECT_NEAR(report.baseline.frequency_hz, 50.0F, 0.01F) << at_s;
+        EXPECT_NEAR(report.baseline.rocof_hz_s, 0.0F, 0.1F) << at_s;
+      }
+    }
+    EXPECT_EQ(events, 1) << at_s;
+  }
+}
+
 TEST(GridDecisions, NewSettingsInAQuietGridClearWhatWasShedBefore) {
   for (const Phase phase : {Phase::kQuiet, Phase::kCooling}) {
     Config config;

@@ -29,9 +29,14 @@ struct Baseline {
   float rocof_hz_s = 0.0f;
 };
 
+inline bool covers_baseline(const History& history) {
+  return history.filled >= kBaselineAge + kBaselineLength;
+}
+
 // True if the newest measurement completes an event. False until the history covers the baseline.
 bool event_detected(const Settings& settings, const History& history);
 
+// The history must cover it.
 Baseline baseline(const History& history);
 
 }  // namespace gs::outlet

@@ -46,6 +46,7 @@ struct State {
   FrontEndState front_end;
   TrackerState tracker;
   History history;
+  Baseline before_gap;  // of the history that an interruption of the voltage ended; or 0 Hz
   EstimatorState estimator;
   GridFollower follower;
   ShedAccount account;
