@@ -81,7 +81,7 @@ render::View view_of(const record::RunRecord& run, record::Reader& reader,
   view.marked = [&run, &reader](std::size_t index) {
     record::OutletRecord outlet = run.outlets[index];
     if (index < reader.outlets()) {
-      outlet.reports() = reader.marked(index).reports();
+      outlet.reports = reader.marked(index).reports;
     }
     return outlet;
   };

@@ -97,7 +97,7 @@ Rejudged judged_again(const std::string& path) {
     reader.read_reports(i, [&](const record::Reports& piece) { c.add(piece); });
     judge.finish(c, outlet);
     compare(recorded, outlet, again.differences);
-    outlet.reports() = {};
+    outlet.reports = {};
     outlet.measurements.clear();
     again.run.outlets.push_back(std::move(outlet));
   }

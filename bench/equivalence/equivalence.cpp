@@ -49,7 +49,7 @@ class Comparison {
     Sum frequency;
     Sum voltage;
     Sum from_first;
-    const record::MeasurementTrace& trace = outlet.trace;
+    const record::MeasurementTrace& trace = outlet.reports.trace;
     for (std::size_t i = 0; i < trace.tick.size(); ++i) {
       const double t_s = static_cast<double>(trace.tick[i]) / rate_hz_;
       if (trace.validity[i] != kValid || t_s < kSettle_s) {
@@ -61,7 +61,7 @@ class Comparison {
       if (const auto amplitude_pu = steady_amplitude_pu(t_s - 2.0 * voltage_delay_s, t_s)) {
         voltage.add(100.0 * (static_cast<double>(trace.voltage_pu[i]) - *amplitude_pu));
       }
-      if (const auto first_hz = frequency_hz(first.trace, trace.tick[i])) {
+      if (const auto first_hz = frequency_hz(first.reports.trace, trace.tick[i])) {
         from_first.add(1e3 * (reported_hz - *first_hz * (1.0 + 1e-6 * first.clock.drift_ppm)));
       }
     }
@@ -117,7 +117,7 @@ std::vector<Row> compare(const profile::Plan& plan, const std::vector<record::Ru
   std::vector<Row> rows;
   for (std::size_t run = 0; run < runs.size(); ++run) {
     for (const record::OutletRecord& outlet : runs[run].outlets) {
-      if (outlet.trace.tick.empty()) {
+      if (outlet.reports.trace.tick.empty()) {
         continue;
       }
       if (first == nullptr) {

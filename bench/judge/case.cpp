@@ -14,9 +14,9 @@ template <class Predicate>
 const record::Mark* find_mark(const record::OutletRecord& outlet, std::int64_t from_tick,
                               Predicate matches) {
   const auto found = std::find_if(
-      outlet.marks.begin(), outlet.marks.end(),
+      outlet.reports.marks.begin(), outlet.reports.marks.end(),
       [&](const record::Mark& mark) { return mark.tick >= from_tick && matches(mark); });
-  return found == outlet.marks.end() ? nullptr : &*found;
+  return found == outlet.reports.marks.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ const record::Mark* Case::first_reported_opening(std::int64_t from_tick) const {
 Contact contact(const Case& c) {
   std::vector<ContactChange> bursts;
   std::int64_t last_tick = 0;
-  for (const record::Mark& mark : c.outlet.marks) {
+  for (const record::Mark& mark : c.outlet.reports.marks) {
     if (mark.kind != "relay.sense") {
       continue;
     }

@@ -23,7 +23,7 @@ bool is_false(const Case& c, const record::Mark& event, double event_drop_hz) {
 
 Reading count(const Case& c) {
   return number(static_cast<double>(
-      std::count_if(c.outlet.marks.begin(), c.outlet.marks.end(),
+      std::count_if(c.outlet.reports.marks.begin(), c.outlet.reports.marks.end(),
                     [](const record::Mark& mark) { return mark.kind == "event"; })));
 }
 
@@ -32,8 +32,8 @@ Reading false_events(const Case& c) {
   if (setting == c.outlet.settings.end()) {
     return not_known("the record does not contain the outlet's setting event_drop_hz");
   }
-  return number(static_cast<double>(
-      std::count_if(c.outlet.marks.begin(), c.outlet.marks.end(), [&](const record::Mark& mark) {
+  return number(static_cast<double>(std::count_if(
+      c.outlet.reports.marks.begin(), c.outlet.reports.marks.end(), [&](const record::Mark& mark) {
         return mark.kind == "event" && is_false(c, mark, setting->second);
       })));
 }

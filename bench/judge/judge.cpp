@@ -46,7 +46,7 @@ void Judge::finish(const Case& c, OutletRecord& outlet) const {
 
 void Judge::judge(OutletRecord& outlet) const {
   Case c = begin(outlet);
-  c.add(outlet);
+  c.add(outlet.reports);
   finish(c, outlet);
 }
 

@@ -56,10 +56,12 @@ std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecor
   record::Curve estimated{"ΔP", {}};
   std::size_t next = 0;
   double estimate_mw = kNoFigure;
-  for (std::size_t i = 0; i < outlet.trace.tick.size(); ++i) {
-    const std::int64_t tick = outlet.trace.tick[i];
-    while (next < outlet.estimates.tick.size() && outlet.estimates.tick[next] <= tick) {
-      estimate_mw = static_cast<double>(outlet.estimates.loss_mw[next++]);
+  const record::MeasurementTrace& trace = outlet.reports.trace;
+  const record::EstimateTrace& estimates = outlet.reports.estimates;
+  for (std::size_t i = 0; i < trace.tick.size(); ++i) {
+    const std::int64_t tick = trace.tick[i];
+    while (next < estimates.tick.size() && estimates.tick[next] <= tick) {
+      estimate_mw = static_cast<double>(estimates.loss_mw[next++]);
     }
     const double t_s = static_cast<double>(tick - loss) / rate;
     if (t_s < -kBefore_s || t_s > kAfter_s) {
@@ -67,7 +69,7 @@ std::vector<record::CurvePlot> curves_of(const RunRecord& run, const OutletRecor
     }
     frequency.x.push_back(t_s);
     reference.y.push_back(record::frequency_hz(run.reference, tick));
-    seen.y.push_back(static_cast<double>(outlet.trace.frequency_hz[i]));
+    seen.y.push_back(static_cast<double>(trace.frequency_hz[i]));
     estimated.y.push_back(estimate_mw);
   }
   loss_mw.x = frequency.x;

@@ -51,7 +51,7 @@ void send_settings(const profile::Plan& plan, const profile::Outlet& planned,
   record.settings["tracker_delay_s"] = static_cast<double>(hello.tracker_delay_s);
   record.settings["voltage_delay_s"] = static_cast<double>(hello.voltage_delay_s);
   const auto send = [&] {
-    record.sent.push_back(sent(message, kBeforeTheRun));
+    record.reports.sent.push_back(sent(message, kBeforeTheRun));
     require(link.send(outlet.id, message));
   };
   send();

@@ -28,8 +28,8 @@ void judge_stored(const profile::Plan& plan, const Station& station, const Playe
   for (std::size_t i = 0; i < run.outlets.size(); ++i) {
     align_stored(station, signal, store, i, run);
     record::OutletRecord& outlet = run.outlets[i];
-    outlet.reports() = store.outlet(i).reports();
-    record::place_on_run_time(outlet, outlet.clock, run.duration_ticks);
+    outlet.reports = store.outlet(i).reports;
+    record::place_on_run_time(outlet.reports, outlet.clock, run.duration_ticks);
     judge::Case c = judge.begin(outlet);
     record::Reports traces;
     store.read_reports(i, [&](record::Reports piece) {
@@ -45,10 +45,10 @@ void judge_stored(const profile::Plan& plan, const Station& station, const Playe
     });
     judge.finish(c, outlet);
     if (keeps_reports) {
-      outlet.append(traces);
+      outlet.reports.append(traces);
     } else {
       digest.add_outlet(outlet);
-      outlet.reports() = {};
+      outlet.reports = {};
     }
     store.update_outlet(i, outlet);
   }

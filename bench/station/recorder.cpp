@@ -38,7 +38,7 @@ void Recorder::add_outlets() {
       outlet.clock.samples_per_tick = 0.0;  // not aligned yet
     }
     store_.add_outlet(outlet);
-    outlet.reports() = {};
+    outlet.reports = {};
     stored_.push_back(changing(outlet));
   }
 }

@@ -170,7 +170,7 @@ std::string seal_of_reports(const std::string& before, const Reports& reports,
 std::string seal_of_whole(const OutletRecord& outlet, const StoredFields& stored) {
   Digest digest(&stored);
   digest.add_results(outlet);
-  digest.add_reports(outlet);
+  digest.add_reports(outlet.reports);
   return digest.hexadecimal();
 }
 
@@ -192,8 +192,8 @@ void ContentDigest::add_traces(const Reports& piece) {
 
 void ContentDigest::add_outlet(const OutletRecord& outlet) {
   impl_->digest.add_results(outlet);
-  impl_->digest.add_parts(outlet.marks);
-  impl_->digest.add_parts(outlet.sent);
+  impl_->digest.add_parts(outlet.reports.marks);
+  impl_->digest.add_parts(outlet.reports.sent);
   add_traces({});  // an outlet without any piece has the same digest as one with empty traces
   for (const auto& [name, column] : impl_->columns) {
     impl_->digest.add(column.hexadecimal());
@@ -209,7 +209,7 @@ std::string ContentDigest::of(const RunRecord& head) {
 std::string content_digest(const RunRecord& run) {
   ContentDigest digest;
   for (const OutletRecord& outlet : run.outlets) {
-    digest.add_traces(outlet);
+    digest.add_traces(outlet.reports);
     digest.add_outlet(outlet);
   }
   return digest.of(run);

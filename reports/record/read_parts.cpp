@@ -86,7 +86,7 @@ void require_seal(Database& database, const std::string& stored, const std::stri
 
 OutletRecord read_whole(Database& database, const StoredFields& stored, std::int64_t owner) {
   OutletRecord outlet = read_unsealed_results(database, stored, owner);
-  outlet.reports() = read_append(database, stored, owner, 0);
+  outlet.reports = read_append(database, stored, owner, 0);
   require_seal(database, select_one<Seal>(database, stored, owner).sha256,
                seal_of_whole(outlet, stored), "an outlet");
   return outlet;
@@ -126,7 +126,7 @@ OutletRecord read_results(Database& database, const StoredFields& stored, std::s
   const auto owner = static_cast<std::int64_t>(number);
   if (stored.is_sealed_as_whole()) {
     OutletRecord outlet = read_whole(database, stored, owner);
-    outlet.reports() = {};
+    outlet.reports = {};
     return outlet;
   }
   OutletRecord outlet = read_unsealed_results(database, stored, owner);
@@ -138,8 +138,8 @@ OutletRecord read_results(Database& database, const StoredFields& stored, std::s
 OutletRecord read_marked(Database& database, const StoredFields& stored, std::size_t number) {
   OutletRecord outlet = read_results(database, stored, number);
   const auto owner = static_cast<std::int64_t>(number);
-  outlet.marks = select<Mark>(database, stored, owner, kAllAppends);
-  outlet.sent = select<Sent>(database, stored, owner, kAllAppends);
+  outlet.reports.marks = select<Mark>(database, stored, owner, kAllAppends);
+  outlet.reports.sent = select<Sent>(database, stored, owner, kAllAppends);
   return outlet;
 }
 
@@ -147,7 +147,7 @@ void read_reports(Database& database, const StoredFields& stored, std::size_t nu
                   const TakeReports& take) {
   const auto owner = static_cast<std::int64_t>(number);
   if (stored.is_sealed_as_whole()) {
-    take(read_whole(database, stored, owner));
+    take(read_whole(database, stored, owner).reports);
     return;
   }
   const auto appends = database.first<std::int64_t>("SELECT count(*) - 1 FROM seal WHERE owner = " +

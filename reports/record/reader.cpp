@@ -74,15 +74,15 @@ OutletRecord Reader::results(std::size_t i) {
 
 OutletRecord Reader::marked(std::size_t i) {
   OutletRecord outlet = impl_->judged(read_marked(impl_->database, *impl_->stored, i + 1));
-  place_on_run_time(outlet, outlet.clock, impl_->head.duration_ticks);
+  place_on_run_time(outlet.reports, outlet.clock, impl_->head.duration_ticks);
   return outlet;
 }
 
 OutletRecord Reader::outlet(std::size_t i) {
   OutletRecord outlet = results(i);
   record::read_reports(impl_->database, *impl_->stored, i + 1,
-                       [&](const Reports& piece) { outlet.append(piece); });
-  place_on_run_time(outlet, outlet.clock, impl_->head.duration_ticks);
+                       [&](const Reports& piece) { outlet.reports.append(piece); });
+  place_on_run_time(outlet.reports, outlet.clock, impl_->head.duration_ticks);
   return outlet;
 }
 
@@ -122,10 +122,10 @@ RunRecord read_results(Reader& reader) {
     if (!has_digest) {
       // Of version 6, which has neither the digest nor this measurement.
       OutletRecord outlet = reader.outlet(i);
-      digest.add_traces(outlet);
+      digest.add_traces(outlet.reports);
       digest.add_outlet(outlet);
       if (find_measurement(outlet, "decision.trust") == nullptr) {
-        run.outlets.back().marks = std::move(outlet.marks);
+        run.outlets.back().reports.marks = std::move(outlet.reports.marks);
       }
     }
   }

@@ -163,7 +163,7 @@ void Writer::add_outlet(const OutletRecord& outlet) {
     outlets.emplace_back();
     impl_->write_settings(outlets.size(), outlet);
     impl_->write_results(outlets.size(), outlet);
-    impl_->write_reports(outlets.size(), outlet, outlets.back());
+    impl_->write_reports(outlets.size(), outlet.reports, outlets.back());
   });
 }
 

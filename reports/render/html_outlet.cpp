@@ -60,9 +60,9 @@ List measurement_rows(const record::OutletRecord& outlet, std::size_t most) {
 }
 
 List mark_rows(const record::RunRecord& run, const record::OutletRecord& outlet, std::size_t most) {
-  const std::size_t count = std::min(outlet.marks.size(), kMostMarks);
+  const std::size_t count = std::min(outlet.reports.marks.size(), kMostMarks);
   return rows_within(most, kMarkMarkup, count, [&](std::size_t i) {
-    const record::Mark& mark = outlet.marks[i];
+    const record::Mark& mark = outlet.reports.marks[i];
     return object{{"time", fmt::format("{:.4f} s", seconds(run, mark.tick))},
                   {"label", clipped(mark_label(mark))},
                   {"value", typographic(clipped(mark_value(mark)))},
@@ -135,9 +135,9 @@ object outlet_object(const record::RunRecord& run, const record::OutletRecord& o
       {"more_measurements", flag(measurements.size() < outlet.measurements.size())},
       {"measurements_in_all", std::to_string(outlet.measurements.size())},
       {"marks", marks},
-      {"has_marks", flag(!outlet.marks.empty())},
-      {"more_marks", flag(marks.size() < outlet.marks.size())},
-      {"marks_in_all", std::to_string(outlet.marks.size())},
+      {"has_marks", flag(!outlet.reports.marks.empty())},
+      {"more_marks", flag(marks.size() < outlet.reports.marks.size())},
+      {"marks_in_all", std::to_string(outlet.reports.marks.size())},
       {"settings", settings},
       {"more_settings", flag(settings.size() < outlet.settings.size())},
       {"settings_in_all", std::to_string(outlet.settings.size())},

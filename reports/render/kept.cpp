@@ -31,7 +31,7 @@ Kept kept_of(const View& view, std::size_t index) {
     kept.measurements += ticks.size();
     kept.last_tick = ticks.empty() ? kept.last_tick : ticks.back();
   });
-  const std::vector<record::Mark> marks = view.marked(index).marks;
+  const std::vector<record::Mark> marks = view.marked(index).reports.marks;
   std::copy_if(marks.begin(), marks.end(), std::back_inserter(kept.marks),
                [](const record::Mark& mark) {
                  return mark.kind == "event" || mark.kind == "decision" ||
@@ -59,7 +59,7 @@ std::string kept_sentence(const record::RunRecord& run, const Kept& kept) {
 
 std::string kept_list(const record::RunRecord& run, const record::OutletRecord& outlet) {
   std::string text;
-  for (const record::Mark& mark : outlet.marks) {
+  for (const record::Mark& mark : outlet.reports.marks) {
     const std::string value = mark_value(mark);
     const std::string note = mark_note(mark);
     text += fmt::format("{:.3f} s  {}: {}{}{}\n", seconds(run, mark.tick), mark_label(mark), value,

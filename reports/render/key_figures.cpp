@@ -56,9 +56,9 @@ bool is_unreliable(const record::OutletRecord& outlet) {
     return result->text != "trusted";
   }
   const auto trust =
-      std::find_if(outlet.marks.begin(), outlet.marks.end(),
+      std::find_if(outlet.reports.marks.begin(), outlet.reports.marks.end(),
                    [](const record::Mark& mark) { return mark.kind == "decision.trust"; });
-  return trust != outlet.marks.end() && trust->value < 0.5;
+  return trust != outlet.reports.marks.end() && trust->value < 0.5;
 }
 
 int decimals_of(const Results& results) {

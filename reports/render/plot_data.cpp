@@ -102,10 +102,10 @@ Json outlet_json(const record::RunRecord& run, const record::OutletRecord& outle
                  const record::Reports& kept, std::size_t most) {
   const record::MeasurementTrace& trace = kept.trace;
   Json json = {{"id", clipped(outlet.id, kMostLabel)}};
-  json.update(frequency_json(run, trace.tick, trace.frequency_hz, trace.rocof_hz_s, outlet.marks,
-                             trace.validity, most));
-  json["e"] = estimates_json(run, kept.estimates, outlet.marks, most);
-  json["marks"] = marks_json(run, outlet.marks);
+  json.update(frequency_json(run, trace.tick, trace.frequency_hz, trace.rocof_hz_s,
+                             outlet.reports.marks, trace.validity, most));
+  json["e"] = estimates_json(run, kept.estimates, outlet.reports.marks, most);
+  json["marks"] = marks_json(run, outlet.reports.marks);
   return json;
 }
 
@@ -175,7 +175,7 @@ std::string mark_note(const record::Mark& mark) {
 OutletCurves curves_of(const View& view, std::size_t index, const record::OutletRecord& outlet,
                        std::size_t most_bytes) {
   const record::RunRecord& run = view.run;
-  const std::vector<Stretch> whole = around_marks(run, outlet.marks);
+  const std::vector<Stretch> whole = around_marks(run, outlet.reports.marks);
   using record::EstimateTrace;
   using record::MeasurementTrace;
   TraceThinning<MeasurementTrace> trace(run.duration_ticks, whole, &MeasurementTrace::frequency_hz,

@@ -21,7 +21,7 @@ View::View(const record::RunRecord& shown)
       outlets(shown.outlets.size()),
       marked([&shown](std::size_t index) { return shown.outlets[index]; }),
       read_reports([&shown](std::size_t index, const record::TakeReports& take) {
-        take(shown.outlets[index]);
+        take(shown.outlets[index].reports);
       }) {
   std::iota(outlets.begin(), outlets.end(), std::size_t{0});
 }

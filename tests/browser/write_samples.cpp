@@ -29,7 +29,7 @@ RunRecord failing() {
   error.verdict = Verdict::kInconclusive;
   error.reason = "closer to a limit than the measurement uncertainty";
   for (std::size_t i = 250; i < 300; ++i) {
-    outlet.trace.validity[i] = 0;
+    outlet.reports.trace.validity[i] = 0;
   }
   return run;
 }

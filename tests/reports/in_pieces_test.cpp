@@ -21,7 +21,7 @@ View in_pieces(const RunRecord& run, std::size_t length) {
   View view = run;
   view.read_reports = [&run, length](std::size_t index, const record::TakeReports& take) {
     const record::OutletRecord& outlet = run.outlets[index];
-    const MeasurementTrace& trace = outlet.trace;
+    const MeasurementTrace& trace = outlet.reports.trace;
     std::size_t estimate = 0;
     std::int64_t before_tick = -1;
     for (std::size_t from = 0; from < trace.tick.size() + length; from += length) {
@@ -29,14 +29,14 @@ View in_pieces(const RunRecord& run, std::size_t length) {
       for (std::size_t i = from; i < std::min(from + length, trace.tick.size()); ++i) {
         record::append(trace, i, piece.trace);
       }
-      while (estimate < outlet.estimates.tick.size() &&
-             outlet.estimates.tick[estimate] <= before_tick) {
-        record::append(outlet.estimates, estimate++, piece.estimates);
+      while (estimate < outlet.reports.estimates.tick.size() &&
+             outlet.reports.estimates.tick[estimate] <= before_tick) {
+        record::append(outlet.reports.estimates, estimate++, piece.estimates);
       }
       before_tick = piece.trace.tick.empty() ? before_tick : piece.trace.tick.back();
       take(piece);
     }
-    EXPECT_EQ(estimate, outlet.estimates.tick.size());
+    EXPECT_EQ(estimate, outlet.reports.estimates.tick.size());
   };
   return view;
 }

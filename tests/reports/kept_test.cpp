@@ -18,13 +18,13 @@ TEST(Kept, IsALineOfEachOutletOnATerminal) {
   RunRecord run = sample::loss_500mw(2);
   EXPECT_THAT(terminal(run), Not(HasSubstr("Kept of")));
   run.interrupted = true;
-  run.outlets[0].marks = {
+  run.outlets[0].reports.marks = {
       {8800, "event", 49.9, ""},           {8800, "lse", 500.0, ""},
       {13600, "decision", 100.0, "loss"},  {13600, "relay.reported", 0.0, "shed"},
       {13651, "relay.sense", 0.0, "open"}, {20000, "relay.sense", 1.0, "closed"}};
-  run.outlets[0].trace.tick = {0, 128, 16000};
-  run.outlets[1].marks.clear();
-  run.outlets[1].trace.tick.clear();
+  run.outlets[0].reports.trace.tick = {0, 128, 16000};
+  run.outlets[1].reports.marks.clear();
+  run.outlets[1].reports.trace.tick.clear();
   const std::string text = terminal(run);
   EXPECT_THAT(
       text,
@@ -37,9 +37,9 @@ TEST(Kept, IsALineOfEachOutletOnATerminal) {
 TEST(Kept, NamesTheFirstTenMarks) {
   RunRecord run = sample::loss_500mw(1);
   run.interrupted = true;
-  run.outlets[0].marks.assign(12, {8000, "event", 0.0, ""});
+  run.outlets[0].reports.marks.assign(12, {8000, "event", 0.0, ""});
   EXPECT_THAT(terminal(run), HasSubstr("; event 1.000 s; … and 2 more\n"));
-  run.outlets[0].marks.resize(10);
+  run.outlets[0].reports.marks.resize(10);
   EXPECT_THAT(terminal(run), HasSubstr("; event 1.000 s\n"));
 }
 
@@ -53,13 +53,13 @@ TEST(Kept, IsPartOfEachOutletInJUnitXml) {
     outlet.measurements.clear();
     outlet.verdict = record::Verdict::kError;
   }
-  run.outlets[0].marks = {{8800, "event", 49.9, "frequency before it, Hz"},
-                          {9600, "lse", 500.0, "MW"},
-                          {13600, "decision", 100.0, "the nadir would be too low"},
-                          {13651, "relay.sense", 0.0, "open"}};
-  run.outlets[0].trace.tick = {0, 128, 16000};
-  run.outlets[1].marks.clear();
-  run.outlets[1].trace.tick.clear();
+  run.outlets[0].reports.marks = {{8800, "event", 49.9, "frequency before it, Hz"},
+                                  {9600, "lse", 500.0, "MW"},
+                                  {13600, "decision", 100.0, "the nadir would be too low"},
+                                  {13651, "relay.sense", 0.0, "open"}};
+  run.outlets[0].reports.trace.tick = {0, 128, 16000};
+  run.outlets[1].reports.marks.clear();
+  run.outlets[1].reports.trace.tick.clear();
   run.outlets[1].fault = "fell silent";
   const std::string xml = junit_xml(run);
   EXPECT_THAT(xml,
@@ -85,8 +85,8 @@ TEST(Kept, HasNoEmptyTableOfMeasurementsInHtml) {
   EXPECT_THAT(html(run), HasSubstr("All measurements of stays-1"));
   run.interrupted = true;
   run.outlets[0].measurements.clear();
-  run.outlets[0].marks = {{8800, "event", 49.9, "frequency before it, Hz"},
-                          {9600, "lse", 500.0, "MW"}};
+  run.outlets[0].reports.marks = {{8800, "event", 49.9, "frequency before it, Hz"},
+                                  {9600, "lse", 500.0, "MW"}};
   const std::string page = html(run);
   EXPECT_THAT(page, Not(HasSubstr("All measurements of stays-1")));
   EXPECT_THAT(page, HasSubstr("Nothing was judged."));
@@ -98,10 +98,10 @@ TEST(Kept, IsPartOfEachOutletInJson) {
   RunRecord run = sample::loss_500mw(2);
   EXPECT_TRUE(nlohmann::json::parse(json(run))["outlets"][0]["kept"].is_null());
   run.interrupted = true;
-  run.outlets[1].trace = {};
-  run.outlets[1].marks.clear();
+  run.outlets[1].reports.trace = {};
+  run.outlets[1].reports.marks.clear();
   const auto outlets = nlohmann::json::parse(json(run))["outlets"];
-  const auto& ticks = run.outlets[0].trace.tick;
+  const auto& ticks = run.outlets[0].reports.trace.tick;
   EXPECT_EQ(outlets[0]["kept"]["measurements"], ticks.size());
   EXPECT_EQ(outlets[0]["kept"]["until_s"], static_cast<double>(ticks.back()) / 8000.0);
   std::vector<std::string> kinds;
@@ -110,7 +110,7 @@ TEST(Kept, IsPartOfEachOutletInJson) {
   }
   EXPECT_THAT(kinds, ElementsAre("event", "decision", "relay.reported", "relay.sense"));
   EXPECT_EQ(outlets[0]["kept"]["marks"][1]["t_s"],
-            static_cast<double>(run.outlets[0].marks[2].tick) / 8000.0);
+            static_cast<double>(run.outlets[0].reports.marks[2].tick) / 8000.0);
   EXPECT_EQ(outlets[1]["kept"],
             (nlohmann::json{
                 {"measurements", 0}, {"until_s", nullptr}, {"marks", nlohmann::json::array()}}));

@@ -72,7 +72,7 @@ TEST(LargeHtml, ReadsTheReportsOfTheOutletsThatItDrawsOnceEach) {
   View view = run;
   view.read_reports = [&](std::size_t index, const record::TakeReports& take) {
     read.insert(index);
-    take(run.outlets[index]);
+    take(run.outlets[index].reports);
   };
   html(view);
   EXPECT_EQ(read.size(), 20U);
@@ -117,7 +117,7 @@ View view_of(const RunRecord& run,
   View view = run;
   view.marked = make;
   view.read_reports = [make](std::size_t index, const record::TakeReports& take) {
-    take(make(index));
+    take(make(index).reports);
   };
   return view;
 }
@@ -127,16 +127,17 @@ record::OutletRecord much(const record::OutletRecord& results, std::size_t repor
   record::OutletRecord outlet = results;
   for (std::size_t i = 0; i < reports; ++i) {
     const double odd = std::sin(static_cast<double>(i)) * 1e30;
-    sample::add_report(outlet.trace, static_cast<std::int64_t>(i) * 129, odd, -odd, odd, true);
-    outlet.estimates.tick.push_back(static_cast<std::int64_t>(i) * 129);
-    outlet.estimates.loss_mw.push_back(static_cast<float>(odd));
-    outlet.estimates.loss_sigma_mw.push_back(static_cast<float>(odd));
-    outlet.estimates.event_tick.push_back(0);
-    outlet.estimates.loss_after_event_s.push_back(0.0F);
-    outlet.estimates.trusted.push_back(1);
+    sample::add_report(outlet.reports.trace, static_cast<std::int64_t>(i) * 129, odd, -odd, odd,
+                       true);
+    outlet.reports.estimates.tick.push_back(static_cast<std::int64_t>(i) * 129);
+    outlet.reports.estimates.loss_mw.push_back(static_cast<float>(odd));
+    outlet.reports.estimates.loss_sigma_mw.push_back(static_cast<float>(odd));
+    outlet.reports.estimates.event_tick.push_back(0);
+    outlet.reports.estimates.loss_after_event_s.push_back(0.0F);
+    outlet.reports.estimates.trusted.push_back(1);
   }
   for (int i = 0; i < 3000; ++i) {
-    outlet.marks.push_back({i * 5000, kLongText, 1e300, kLongText});
+    outlet.reports.marks.push_back({i * 5000, kLongText, 1e300, kLongText});
   }
   return outlet;
 }
@@ -211,8 +212,8 @@ TEST(LargeHtml, KeepsTheExtremesOfTwentyLongCurves) {
   run.outlets.resize(20);
   const View view = view_of(run, [&](std::size_t index) {
     record::OutletRecord outlet = hour.outlets[0];
-    outlet.trace.frequency_hz[10'000 * (index + 1)] = 47.5F;
-    outlet.trace.rocof_hz_s[10'001 * (index + 1)] = -9.0F;
+    outlet.reports.trace.frequency_hz[10'000 * (index + 1)] = 47.5F;
+    outlet.reports.trace.rocof_hz_s[10'001 * (index + 1)] = -9.0F;
     return outlet;
   });
   const std::string page = html(view);

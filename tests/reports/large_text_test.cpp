@@ -92,7 +92,7 @@ TEST(LargeTerminal, Takes38LinesWithMuchOfEverything) {
     outlet.fault = text;
     outlet.group = std::to_string(i % 50) + text;
     outlet.id += text;
-    outlet.marks.push_back({0, "decision.trust", 0.0, ""});
+    outlet.reports.marks.push_back({0, "decision.trust", 0.0, ""});
     for (record::MeasurementResult& result : outlet.measurements) {
       result.judged = true;
       result.verdict = Verdict::kFail;
@@ -172,7 +172,7 @@ TEST(LargeCsv, IsWrittenInPartsOfOneOutletAtMost) {
   EXPECT_LT(largest, 70'000U);
   View view = run;
   view.outlets = {1};
-  EXPECT_EQ(count(csv(view), "\noutlet-1,"), run.outlets[1].trace.tick.size());
+  EXPECT_EQ(count(csv(view), "\noutlet-1,"), run.outlets[1].reports.trace.tick.size());
   EXPECT_THAT(csv(view), Not(HasSubstr("outlet-0")));
 }
 

@@ -30,7 +30,7 @@ RunRecord read_by(std::int64_t newest, const std::string& path) {
   run.interrupted = !complete;
   run.outlets.push_back(read_results(database, stored, 1));
   read_reports(database, stored, 1,
-               [&](const Reports& piece) { run.outlets.back().append(piece); });
+               [&](const Reports& piece) { run.outlets.back().reports.append(piece); });
   return run;
 }
 
@@ -53,19 +53,19 @@ TEST(RecordOfVersion6, HasItsVerdictsFiguresAndTraces) {
   EXPECT_EQ(value_of(outlet, "event.delay"), 104.0);
   EXPECT_EQ(value_of(outlet, "decision.delay"), 728.0);
   // A report every 16 ms.
-  ASSERT_EQ(outlet.trace.tick.size(), 187U);
-  EXPECT_EQ(outlet.trace.tick.front(), 128);
-  EXPECT_EQ(outlet.trace.tick.back(), 23936);
-  EXPECT_EQ(outlet.marks.front().kind, "event");
-  EXPECT_EQ(outlet.marks.front().tick, 8832);
+  ASSERT_EQ(outlet.reports.trace.tick.size(), 187U);
+  EXPECT_EQ(outlet.reports.trace.tick.front(), 128);
+  EXPECT_EQ(outlet.reports.trace.tick.back(), 23936);
+  EXPECT_EQ(outlet.reports.marks.front().kind, "event");
+  EXPECT_EQ(outlet.reports.marks.front().tick, 8832);
   // What it does not have takes its default.
   EXPECT_EQ(outlet.board, "");
   EXPECT_TRUE(outlet.clock.counts_ticks());
-  EXPECT_TRUE(outlet.sent.empty());
+  EXPECT_TRUE(outlet.reports.sent.empty());
 }
 
 TEST(RecordOfVersion6, HasTheInstantOfTheLossOnTheTimeOfTheRun) {
-  const EstimateTrace estimates = read_run(record_of_version_6()).outlets.at(0).estimates;
+  const EstimateTrace estimates = read_run(record_of_version_6()).outlets.at(0).reports.estimates;
   ASSERT_FALSE(estimates.tick.empty());
   const std::size_t last = estimates.tick.size() - 1;
   EXPECT_NEAR(loss_instant_s(estimates, last, 8000.0), 1.0, 0.2);
@@ -94,10 +94,10 @@ TEST_P(RecordOfVersion7, OfAQuietRunHasItsVerdictAndTraces) {
   const OutletRecord& outlet = run.outlets.at(0);
   EXPECT_EQ(value_of(outlet, "event.count"), 0.0);
   EXPECT_EQ(outlet.settings.size(), 58U);
-  ASSERT_EQ(outlet.trace.tick.size(), 31U);
-  EXPECT_EQ(outlet.trace.tick.back(), 3968);
-  EXPECT_NEAR(outlet.trace.frequency_hz.back(), 50.0, 0.001);
-  EXPECT_TRUE(outlet.estimates.tick.empty());
+  ASSERT_EQ(outlet.reports.trace.tick.size(), 31U);
+  EXPECT_EQ(outlet.reports.trace.tick.back(), 3968);
+  EXPECT_NEAR(outlet.reports.trace.frequency_hz.back(), 50.0, 0.001);
+  EXPECT_TRUE(outlet.reports.estimates.tick.empty());
 }
 
 // Five appends, of which only some have an event or an estimate.
@@ -107,12 +107,12 @@ TEST_P(RecordOfVersion7, OfAKilledRunHasWhatWasKept) {
   EXPECT_TRUE(run.interrupted);
   const OutletRecord& outlet = run.outlets.at(0);
   EXPECT_TRUE(outlet.measurements.empty());
-  EXPECT_EQ(outlet.trace.tick.size(), 160U);
-  EXPECT_EQ(outlet.trace.tick.back(), 20480);
-  ASSERT_EQ(outlet.marks.size(), 11U);
-  EXPECT_EQ(outlet.marks.front().tick, 5888);
-  EXPECT_EQ(outlet.marks.back().kind, "relay.sense");
-  EXPECT_FALSE(outlet.estimates.tick.empty());
+  EXPECT_EQ(outlet.reports.trace.tick.size(), 160U);
+  EXPECT_EQ(outlet.reports.trace.tick.back(), 20480);
+  ASSERT_EQ(outlet.reports.marks.size(), 11U);
+  EXPECT_EQ(outlet.reports.marks.front().tick, 5888);
+  EXPECT_EQ(outlet.reports.marks.back().kind, "relay.sense");
+  EXPECT_FALSE(outlet.reports.estimates.tick.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(ReadNowAndByTheNextVersion, RecordOfVersion7,

@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 // The reports of an outlet in pieces of `count` and what is left.
 std::vector<Reports> in_pieces(const OutletRecord& outlet, std::size_t count) {
   std::vector<Reports> pieces;
-  const MeasurementTrace& trace = outlet.trace;
+  const MeasurementTrace& trace = outlet.reports.trace;
   for (std::size_t from = 0; from < trace.tick.size(); from += count) {
     const std::size_t to = std::min(from + count, trace.tick.size());
     Reports& piece = pieces.emplace_back();
@@ -25,21 +25,21 @@ std::vector<Reports> in_pieces(const OutletRecord& outlet, std::size_t count) {
     }
     pieces.emplace_back();  // an append in which nothing has come
   }
-  pieces.back().marks = outlet.marks;
-  pieces.back().estimates = outlet.estimates;
-  pieces.front().sent = outlet.sent;
+  pieces.back().marks = outlet.reports.marks;
+  pieces.back().estimates = outlet.reports.estimates;
+  pieces.front().sent = outlet.reports.sent;
   return pieces;
 }
 
 OutletRecord without_reports(OutletRecord outlet) {
-  outlet.reports() = {};
+  outlet.reports = {};
   return outlet;
 }
 
 OutletRecord whole(Store& store, std::size_t i) {
   OutletRecord outlet = store.outlet(i);
-  outlet.reports() = {};
-  store.read_reports(i, [&](const Reports& piece) { outlet.append(piece); });
+  outlet.reports = {};
+  store.read_reports(i, [&](const Reports& piece) { outlet.reports.append(piece); });
   return outlet;
 }
 
@@ -86,8 +86,8 @@ TEST_P(ProceedingStore, ReplacesResultsAndKeepsReports) {
   const OutletRecord stored = whole(*store_, 0);
   EXPECT_EQ(stored.fault, "stopped reporting");
   EXPECT_EQ(stored.measurements.size(), 2U);
-  EXPECT_EQ(stored.trace.tick, run.outlets[0].trace.tick);
-  EXPECT_EQ(stored.sent.size(), run.outlets[0].sent.size());
+  EXPECT_EQ(stored.reports.trace.tick, run.outlets[0].reports.trace.tick);
+  EXPECT_EQ(stored.reports.sent.size(), run.outlets[0].reports.sent.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(FileAndMemory, ProceedingStore, ::testing::Bool());
@@ -113,7 +113,7 @@ TEST_F(ProceedingFile, PlacesWhatAnOutletStampedOnTheTimeOfTheRunOnceItsClockIsK
   writer.begin(run);
   writer.add_outlet(outlet);
   writer.append({reports});
-  const auto read = [&] { return read_run(path_).outlets.at(0); };
+  const auto read = [&] { return read_run(path_).outlets.at(0).reports; };
   EXPECT_TRUE(read().trace.tick.empty());
   ASSERT_EQ(read().marks.size(), 1U);
   EXPECT_EQ(read().marks[0].kind, "command");
@@ -139,8 +139,8 @@ TEST_F(ProceedingFile, IsReadWithoutReportsOutletByOutlet) {
   const OutletRecord results = reader.results(1);
   EXPECT_EQ(results.id, run.outlets[1].id);
   EXPECT_EQ(results.measurements.size(), run.outlets[1].measurements.size());
-  EXPECT_TRUE(results.empty());
-  EXPECT_EQ(reader.outlet(1).trace.tick, run.outlets[1].trace.tick);
+  EXPECT_TRUE(results.reports.empty());
+  EXPECT_EQ(reader.outlet(1).reports.trace.tick, run.outlets[1].reports.trace.tick);
 }
 
 }  // namespace

@@ -67,10 +67,10 @@ TEST(ContentDigest, ChangesWithEveryFieldExceptThoseOfOneExecution) {
   expect_each_field_counts([](auto& run) -> auto& { return run.stimulus[0]; });
   expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1]; });
   expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].measurements[3]; });
-  expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].marks[0]; });
-  expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].sent[0]; });
-  expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].trace; });
-  expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].estimates; });
+  expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].reports.marks[0]; });
+  expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].reports.sent[0]; });
+  expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].reports.trace; });
+  expect_each_field_counts([](auto& run) -> auto& { return run.outlets[1].reports.estimates; });
 }
 
 TEST(ContentDigest, ChangesWithTheOrderAndNumberOfParts) {
@@ -94,9 +94,9 @@ TEST(ContentDigest, ChangesWithTheOrderAndNumberOfParts) {
 
 TEST(ContentDigest, TreatsAllNansAsEqual) {
   RunRecord run = sample::loss_500mw(1);
-  run.outlets[0].trace.frequency_hz[0] = std::numeric_limits<float>::quiet_NaN();
+  run.outlets[0].reports.trace.frequency_hz[0] = std::numeric_limits<float>::quiet_NaN();
   const std::string digest = content_digest(run);
-  run.outlets[0].trace.frequency_hz[0] = -std::numeric_limits<float>::quiet_NaN();
+  run.outlets[0].reports.trace.frequency_hz[0] = -std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(content_digest(run), digest);
 }
 

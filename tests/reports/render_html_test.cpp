@@ -107,7 +107,7 @@ TEST(Html, ListsAFaultyOutletUnderWhatDidNotPass) {
 TEST(Html, MarksAnEstimateThatTheOutletFlaggedAsUnreliable) {
   RunRecord run = sample::loss_500mw(2);
   EXPECT_THAT(html(run), Not(HasSubstr(" ?</td>")));
-  run.outlets[1].marks.push_back({0, "decision.trust", 0.0, "not settled"});
+  run.outlets[1].reports.marks.push_back({0, "decision.trust", 0.0, "not settled"});
   const std::string page = html(run);
   EXPECT_THAT(page, HasSubstr(" ?</td>"));
   EXPECT_THAT(page, HasSubstr("reported by the outlet. ?: an estimate that the outlet flagged as "
@@ -141,7 +141,7 @@ TEST(Html, EscapesEveryTextOfTheRecord) {
   attack(run.comparisons[0]);
   attack(run.stimulus[0]);
   attack(run.outlets[0]);
-  attack(run.outlets[0].marks[0]);
+  attack(run.outlets[0].reports.marks[0]);
   run.outlets[0].settings[kAttack] = 1.0;
   for (auto& result : run.outlets[0].measurements) {
     attack(result);
@@ -181,7 +181,7 @@ TEST(Html, ShowsADashForAMissingValue) {
 
 TEST(Html, DrawsTheTracesOfTheRecord) {
   RunRecord run = sample::loss_500mw(1);
-  record::MeasurementTrace& trace = run.outlets[0].trace;
+  record::MeasurementTrace& trace = run.outlets[0].reports.trace;
   trace.validity[200] = 0;  // invalid, whatever the frequency is
   const nlohmann::json data = plot_data_of(html(run));
   const nlohmann::json& curve = data["outlets"][0];
@@ -191,8 +191,8 @@ TEST(Html, DrawsTheTracesOfTheRecord) {
   EXPECT_NEAR(curve["f"][100], static_cast<double>(trace.frequency_hz[100]), 0.5000001e-5);
   EXPECT_TRUE(curve["f"][200].is_null());
   EXPECT_TRUE(curve["f"][0].is_null());  // NaN in the record
-  EXPECT_EQ(curve["e"]["t"].size(), run.outlets[0].estimates.tick.size());
-  EXPECT_EQ(curve["marks"].size(), run.outlets[0].marks.size());
+  EXPECT_EQ(curve["e"]["t"].size(), run.outlets[0].reports.estimates.tick.size());
+  EXPECT_EQ(curve["marks"].size(), run.outlets[0].reports.marks.size());
   EXPECT_EQ(data["stimulus"][0]["label"], "loss of 500 MW");
 }
 
@@ -210,7 +210,7 @@ TEST(Html, IsThinnedToLessThanTwoMegabytesForTwoOutletsAndAnHour) {
 TEST(Html, DrawsAllReportsNearAMarkOfALongRun) {
   RunRecord run = sample::steady(1, 3600.0);
   const std::int64_t tick = 1000 * run.sample_rate_hz;
-  run.outlets[0].marks = {{tick, "event", 0.0, ""}};
+  run.outlets[0].reports.marks = {{tick, "event", 0.0, ""}};
   const nlohmann::json curve = plot_data_of(html(run))["outlets"][0];
   int near = 0;
   for (const double t : curve["t"]) {

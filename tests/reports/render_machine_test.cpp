@@ -312,8 +312,8 @@ TEST(Csv, HasARowPerReportWithReferenceAndEstimate) {
   EXPECT_THAT(rows[0], ElementsAre("outlet", "t_s", "true_frequency_hz", "frequency_hz",
                                    "rocof_hz_s", "voltage_pu", "validity", "loss_mw",
                                    "loss_sigma_mw", "trusted", "t_x_s"));
-  const auto& trace = run.outlets[1].trace;
-  const auto& estimates = run.outlets[1].estimates;
+  const auto& trace = run.outlets[1].reports.trace;
+  const auto& estimates = run.outlets[1].reports.estimates;
   ASSERT_EQ(rows.size(), 1 + 2 * trace.tick.size());
   std::size_t estimate = 0;
   for (std::size_t i = 0; i < trace.tick.size(); ++i) {
@@ -345,7 +345,7 @@ TEST(Csv, InterpolatesTheReferenceLinearly) {
   run.outlets.emplace_back();
   run.outlets[0].id = "one";
   for (const std::int64_t tick : {50, 100, 150, 200, 300, 400, 450}) {
-    sample::add_report(run.outlets[0].trace, tick, 50.0, 0.0, 1.0, true);
+    sample::add_report(run.outlets[0].reports.trace, tick, 50.0, 0.0, 1.0, true);
   }
   std::vector<std::string> reference;
   for (const auto& row : csv_rows(csv(run))) {
@@ -358,9 +358,9 @@ TEST(Csv, InterpolatesTheReferenceLinearly) {
 TEST(Csv, HasARowForAnEstimateBetweenReports) {
   RunRecord run = sample::loss_500mw(1);
   auto& outlet = run.outlets[0];
-  outlet.estimates.tick[3] += 1;
+  outlet.reports.estimates.tick[3] += 1;
   const auto rows = csv_rows(csv(run));
-  ASSERT_EQ(rows.size(), 2 + outlet.trace.tick.size());
+  ASSERT_EQ(rows.size(), 2 + outlet.reports.trace.tick.size());
   int alone = 0;
   for (const auto& row : rows) {
     alone += row[3].empty() && !row[7].empty() ? 1 : 0;

@@ -195,9 +195,9 @@ TEST(Terminal, MarksAnEstimateThatTheOutletFlaggedAsUnreliable) {
     const std::string text = terminal(run);
     return std::count(text.begin(), text.end(), '?');
   };
-  run.outlets[0].marks.push_back({0, "decision.trust", 1.0, "trusted"});
+  run.outlets[0].reports.marks.push_back({0, "decision.trust", 1.0, "trusted"});
   EXPECT_EQ(doubts(), 0);
-  run.outlets[1].marks.push_back({0, "decision.trust", 0.0, "not settled"});
+  run.outlets[1].reports.marks.push_back({0, "decision.trust", 0.0, "not settled"});
   EXPECT_EQ(doubts(), 3) << "ΔP, its error, and the note";
   EXPECT_THAT(lines(terminal(run))[4], ContainsRegex("[0-9] \\?"));
 }

@@ -105,7 +105,8 @@ void trace(record::OutletRecord& outlet, std::int64_t duration_ticks, Noise& noi
     const double frequency_hz =
         settled ? true_frequency_hz(seen_s) + kFrequencyNoise_hz * noise() : kNone;
     const double rocof_hz_s = true_rocof_hz_s(seen_s) + kRocofNoise_hz_s * noise();
-    add_report(outlet.trace, tick, frequency_hz, rocof_hz_s, 1.0 + 0.001 * noise(), settled);
+    add_report(outlet.reports.trace, tick, frequency_hz, rocof_hz_s, 1.0 + 0.001 * noise(),
+               settled);
   }
 }
 
@@ -114,14 +115,14 @@ void estimate(record::OutletRecord& outlet, std::int64_t from_tick, std::int64_t
   for (std::int64_t tick = from_tick; tick <= to_tick; tick += kReportTicks) {
     const double age_s = seconds(tick - from_tick);
     const double settling = std::exp(-age_s / 0.12);
-    outlet.estimates.tick.push_back(tick);
-    outlet.estimates.loss_mw.push_back(
+    outlet.reports.estimates.tick.push_back(tick);
+    outlet.reports.estimates.loss_mw.push_back(
         static_cast<float>(final_mw - 190.0 * settling + 6.0 * settling * noise()));
-    outlet.estimates.loss_sigma_mw.push_back(static_cast<float>(5.0 + 35.0 * settling));
-    outlet.estimates.event_tick.push_back(from_tick);
-    outlet.estimates.loss_after_event_s.push_back(
+    outlet.reports.estimates.loss_sigma_mw.push_back(static_cast<float>(5.0 + 35.0 * settling));
+    outlet.reports.estimates.event_tick.push_back(from_tick);
+    outlet.reports.estimates.loss_after_event_s.push_back(
         static_cast<float>(kLoss_s - seconds(from_tick) + 0.02 * settling * noise()));
-    outlet.estimates.trusted.push_back(age_s > 0.1 ? 1 : 0);
+    outlet.reports.estimates.trusted.push_back(age_s > 0.1 ? 1 : 0);
   }
 }
 
@@ -136,7 +137,8 @@ record::OutletRecord outlet_500mw(int number_from_1, bool sheds, std::int64_t du
   outlet.instance = 0x12345678;
   outlet.build = "3f2a9c41";
   outlet.protocol_version = 3;
-  outlet.sent = {{-1, "settings", {0x83, 0x01, 0x00}}, {-1, "ask self test", {0x82, 0x05, 0x00}}};
+  outlet.reports.sent = {{-1, "settings", {0x83, 0x01, 0x00}},
+                         {-1, "ask self test", {0x82, 0x05, 0x00}}};
   outlet.settings_digest = "5be1a0f2";
   outlet.settings = {{"accumulated_mw", sheds ? 100.0 : 200.0},
                      {"threshold_mw", 351.92},
@@ -150,12 +152,12 @@ record::OutletRecord outlet_500mw(int number_from_1, bool sheds, std::int64_t du
   measure(outlet, sheds, loss_mw, 1e3 * seconds(event - ticks(kLoss_s)));
   trace(outlet, duration_ticks, noise);
   estimate(outlet, lse, decision, loss_mw, noise);
-  outlet.marks = {{event, "event", 0.0, ""},
-                  {lse, "lse", 310.4, ""},
-                  {decision, "decision", sheds ? 1.0 : 0.0, sheds ? "loss" : "none"}};
+  outlet.reports.marks = {{event, "event", 0.0, ""},
+                          {lse, "lse", 310.4, ""},
+                          {decision, "decision", sheds ? 1.0 : 0.0, sheds ? "loss" : "none"}};
   if (sheds) {
-    outlet.marks.push_back({decision, "relay.reported", 0.0, ""});
-    outlet.marks.push_back({decision + 51, "relay.sense", 0.0, ""});
+    outlet.reports.marks.push_back({decision, "relay.reported", 0.0, ""});
+    outlet.reports.marks.push_back({decision + 51, "relay.sense", 0.0, ""});
   }
   return outlet;
 }
@@ -221,7 +223,8 @@ record::RunRecord steady(int outlet_count, double duration_s) {
     for (std::int64_t tick = kReportTicks; tick <= run.duration_ticks; tick += kReportTicks) {
       wander_hz = 0.9 * wander_hz + 0.001 * noise();
       const double rocof_hz_s = 0.05 * noise();
-      add_report(outlet.trace, tick, 50.0 + wander_hz, rocof_hz_s, 1.0 + 0.001 * noise(), true);
+      add_report(outlet.reports.trace, tick, 50.0 + wander_hz, rocof_hz_s, 1.0 + 0.001 * noise(),
+                 true);
     }
     run.outlets.push_back(std::move(outlet));
   }

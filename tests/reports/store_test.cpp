@@ -60,7 +60,7 @@ TEST_F(StoredRun, ReadsTheHeadWithoutTheOutlets) {
 
 TEST_F(StoredRun, KeepsEveryBitOfTracesWithNanAndExtremeTicks) {
   RunRecord run = sample::loss_500mw(1);
-  MeasurementTrace& trace = run.outlets[0].trace;
+  MeasurementTrace& trace = run.outlets[0].reports.trace;
   trace.tick[0] = std::numeric_limits<std::int64_t>::min();
   trace.tick[1] = std::numeric_limits<std::int64_t>::max();
   trace.frequency_hz[2] = -std::numeric_limits<float>::quiet_NaN();
@@ -70,12 +70,13 @@ TEST_F(StoredRun, KeepsEveryBitOfTracesWithNanAndExtremeTicks) {
   write(path_, run);
   const RunRecord read = read_run(path_);
   const OutletRecord& outlet = read.outlets.at(0);
-  EXPECT_EQ(outlet.trace.tick, trace.tick);
-  EXPECT_TRUE(same_bits(outlet.trace.frequency_hz, trace.frequency_hz));
-  EXPECT_TRUE(same_bits(outlet.trace.rocof_hz_s, trace.rocof_hz_s));
-  EXPECT_TRUE(same_bits(outlet.trace.voltage_pu, trace.voltage_pu));
-  EXPECT_EQ(outlet.trace.validity, trace.validity);
-  EXPECT_TRUE(same_bits(outlet.estimates.loss_mw, run.outlets[0].estimates.loss_mw));
+  EXPECT_EQ(outlet.reports.trace.tick, trace.tick);
+  EXPECT_TRUE(same_bits(outlet.reports.trace.frequency_hz, trace.frequency_hz));
+  EXPECT_TRUE(same_bits(outlet.reports.trace.rocof_hz_s, trace.rocof_hz_s));
+  EXPECT_TRUE(same_bits(outlet.reports.trace.voltage_pu, trace.voltage_pu));
+  EXPECT_EQ(outlet.reports.trace.validity, trace.validity);
+  EXPECT_TRUE(
+      same_bits(outlet.reports.estimates.loss_mw, run.outlets[0].reports.estimates.loss_mw));
   EXPECT_TRUE(same_bits(read.reference.frequency_hz, run.reference.frequency_hz));
 }
 
@@ -118,7 +119,7 @@ TEST_F(StoredRun, TakesLessThanEightBytesPerReport) {
   write(folder_.file("hour.sqlite"), run);
   const double bytes_per_report =
       static_cast<double>(std::filesystem::file_size(folder_.file("hour.sqlite"))) /
-      static_cast<double>(run.outlets[0].trace.tick.size());
+      static_cast<double>(run.outlets[0].reports.trace.tick.size());
   RecordProperty("bytes_per_report", std::to_string(bytes_per_report));
   EXPECT_LT(bytes_per_report, 8.0);
 }
@@ -136,7 +137,7 @@ TEST_F(StoredRun, ReadsAnUnfinishedRunAsErrorWithItsOutletsSoFar) {
   EXPECT_EQ(read.profile, run.profile);
   ASSERT_EQ(read.outlets.size(), 1U);
   EXPECT_EQ(read.outlets[0].verdict, Verdict::kError);
-  EXPECT_EQ(read.outlets[0].trace.tick, run.outlets[0].trace.tick);
+  EXPECT_EQ(read.outlets[0].reports.trace.tick, run.outlets[0].reports.trace.tick);
 }
 
 TEST_F(StoredRun, ReadsARecordWithoutBeginAsError) {
@@ -185,7 +186,7 @@ TEST_F(StoredRun, RefusesColumnsOfUnequalLengthAndRemainsUsable) {
   Writer writer(path_);
   writer.begin(run);
   OutletRecord uneven = run.outlets[0];
-  uneven.trace.rocof_hz_s.pop_back();
+  uneven.reports.trace.rocof_hz_s.pop_back();
   EXPECT_THROW(writer.add_outlet(uneven), std::invalid_argument);
   writer.add_outlet(run.outlets[0]);
   writer.finish(run);

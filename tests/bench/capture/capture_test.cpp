@@ -46,11 +46,10 @@ link::Received estimate(std::int64_t tick, float loss_instant_s, Trust trust) {
   return message;
 }
 
-record::OutletRecord taken(Capture& capture, const std::string& outlet) {
-  record::OutletRecord record;
-  record.reports() = capture.take(outlet);
-  record::place_on_run_time(record, record.clock, 1 << 30);
-  return record;
+record::Reports taken(Capture& capture, const std::string& outlet) {
+  record::Reports reports = capture.take(outlet);
+  record::place_on_run_time(reports, {}, 1 << 30);
+  return reports;
 }
 
 std::string printed(const record::Mark& mark) {
@@ -58,9 +57,9 @@ std::string printed(const record::Mark& mark) {
          std::to_string(static_cast<int>(mark.value)) + " " + mark.text;
 }
 
-std::vector<std::string> printed(const record::OutletRecord& record) {
+std::vector<std::string> printed(const record::Reports& reports) {
   std::vector<std::string> all;
-  for (const record::Mark& mark : record.marks) {
+  for (const record::Mark& mark : reports.marks) {
     all.push_back(printed(mark));
   }
   return all;
@@ -118,9 +117,9 @@ TEST(Capture, MarksADecisionToHoldWithTheReliabilityOfItsEstimate) {
   link::Received hold = received("a", 300, UplinkKind::kDecision);
   hold.message.decision = {515.0F, 2.5F, NAN, 163.0F, 0.0F, 3, Trust::kNotYet, false};
   capture.add({hold});
-  const record::OutletRecord record = taken(capture, "a");
-  EXPECT_EQ(record.marks[0].text, std::string("hold; estimate ") + to_string(Trust::kNotYet));
-  EXPECT_EQ(printed(record.marks.back()),
+  const record::Reports reports = taken(capture, "a");
+  EXPECT_EQ(reports.marks[0].text, std::string("hold; estimate ") + to_string(Trust::kNotYet));
+  EXPECT_EQ(printed(reports.marks.back()),
             std::string("300 decision.trust 0 ") + to_string(Trust::kNotYet));
 }
 
@@ -176,7 +175,7 @@ TEST(Capture, IsEmptyAfterItsContentIsTaken) {
   capture.add(
       {measurement("a", 128, 50.0F), event("a", 200), estimate(300, 0.0F, Trust::kTrusted)});
   taken(capture, "a");
-  const record::OutletRecord again = taken(capture, "a");
+  const record::Reports again = taken(capture, "a");
   EXPECT_TRUE(again.trace.tick.empty());
   EXPECT_TRUE(again.marks.empty());
   EXPECT_TRUE(again.estimates.tick.empty());

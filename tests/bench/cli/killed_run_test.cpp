@@ -88,7 +88,7 @@ double kill(const Bench& bench) {
 
 // Every report of the outlet up to a second before `played_s`, and nothing else.
 void expect_reports_until(const record::OutletRecord& outlet, double played_s) {
-  const std::vector<std::int64_t>& tick = outlet.trace.tick;
+  const std::vector<std::int64_t>& tick = outlet.reports.trace.tick;
   for (std::size_t i = 0; i < tick.size(); ++i) {
     ASSERT_EQ(tick[i], static_cast<std::int64_t>(i + 1) * kReportTicks);
   }

@@ -167,7 +167,7 @@ TEST_F(PhysicalRun, AHeadOnASerialPortTestsAnOutletAndAContactOnlyDevice) {
   EXPECT_NEAR(record.outlets[0].clock.drift_ppm, 38.0,
               1.5 * record.outlets[0].clock.drift_uncertainty_ppm);
   EXPECT_EQ(record.outlets[1].id, "b");
-  EXPECT_TRUE(record.outlets[1].trace.tick.empty());
+  EXPECT_TRUE(record.outlets[1].reports.trace.tick.empty());
   // 50 ms of delay, 50 to 120 ms of measurement, 6.5 to 9.5 ms of the contact.
   const auto* const relay_trip = record::find_measurement(record.outlets[1], "trip.time");
   ASSERT_NE(relay_trip, nullptr);

@@ -30,12 +30,12 @@ record::RunRecord run(const std::string& station, double shift_mhz, double shift
   for (std::int64_t tick = 128; tick < planned.duration_ticks(); tick += 128) {
     const double t_s = static_cast<double>(tick) / 8000.0;
     const auto at_s = [&](double delay_s) { return std::fmax(t_s - delay_s, 0.0); };
-    outlet.trace.tick.push_back(tick);
-    outlet.trace.validity.push_back(1);
-    outlet.trace.rocof_hz_s.push_back(0.0F);
-    outlet.trace.frequency_hz.push_back(
+    outlet.reports.trace.tick.push_back(tick);
+    outlet.reports.trace.validity.push_back(1);
+    outlet.reports.trace.rocof_hz_s.push_back(0.0F);
+    outlet.reports.trace.frequency_hz.push_back(
         static_cast<float>(reference->frequency_hz(at_s(kTrackerDelay_s)) + 1e-3 * shift_mhz));
-    outlet.trace.voltage_pu.push_back(static_cast<float>(
+    outlet.reports.trace.voltage_pu.push_back(static_cast<float>(
         synthesizer.amplitude_pu(std::llround(8000.0 * at_s(kVoltageDelay_s))) + 0.01 * shift_pct));
   }
   return run;
@@ -69,7 +69,7 @@ TEST(Equivalence, TakesOffTheDriftOfTheOutletsClock) {
 
 TEST(Equivalence, CountsValidReportsOnly) {
   record::RunRecord mixed = run("mixed", 0.0, 0.0);
-  record::MeasurementTrace& trace = mixed.outlets[0].trace;
+  record::MeasurementTrace& trace = mixed.outlets[0].reports.trace;
   trace.validity[300] = 0;
   trace.frequency_hz[300] = NAN;
   const auto rows = equivalence::compare(plan(), {mixed});
@@ -79,7 +79,7 @@ TEST(Equivalence, CountsValidReportsOnly) {
 
 TEST(Equivalence, LeavesOutOutletsWithoutReports) {
   record::RunRecord silent = run("silent", 0.0, 0.0);
-  silent.outlets[0].trace = {};
+  silent.outlets[0].reports.trace = {};
   EXPECT_TRUE(equivalence::compare(plan(), {silent}).empty());
 }
 

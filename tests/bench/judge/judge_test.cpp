@@ -69,12 +69,12 @@ TEST(Judge, ListsJudgedMeasuresFirstThenAllOthersOnce) {
 // Reports [from, to) of the outlet, and its estimates with the first of them.
 record::Reports piece_of(const record::OutletRecord& outlet, std::size_t from, std::size_t to) {
   record::Reports piece;
-  const record::MeasurementTrace& trace = outlet.trace;
+  const record::MeasurementTrace& trace = outlet.reports.trace;
   for (std::size_t i = from; i < std::min(to, trace.tick.size()); ++i) {
     record::append(trace, i, piece.trace);
   }
   if (from == 0) {
-    piece.estimates = outlet.estimates;
+    piece.estimates = outlet.reports.estimates;
   }
   return piece;
 }
@@ -84,7 +84,7 @@ TEST(Judge, MeasuresTracesInPiecesAsItDoesAtOnce) {
   const std::vector<MeasurementResult> at_once = measure(synthetic.view());
   for (const std::size_t length : {1U, 7U, 100U}) {
     Case c{synthetic.plan, *synthetic.reference, synthetic.outlet, synthetic.uncertainty};
-    for (std::size_t from = 0; from < synthetic.outlet.trace.tick.size(); from += length) {
+    for (std::size_t from = 0; from < synthetic.outlet.reports.trace.tick.size(); from += length) {
       c.add(piece_of(synthetic.outlet, from, from + length));
     }
     const std::vector<MeasurementResult> results = measure(c);

@@ -83,9 +83,9 @@ void expect_known(const SyntheticCase& c, const Known& known) {
 // Without the errors in the other measures: the fit would take them for a delay.
 SyntheticCase exact_tracker(double delay_s) {
   SyntheticCase c = loss_of_500_mw();
-  for (std::size_t i = 0; i < c.outlet.trace.tick.size(); ++i) {
-    c.outlet.trace.frequency_hz[i] = static_cast<float>(
-        c.reference->frequency_hz(1e-3 * static_cast<double>(c.outlet.trace.tick[i]) - delay_s));
+  for (std::size_t i = 0; i < c.outlet.reports.trace.tick.size(); ++i) {
+    c.outlet.reports.trace.frequency_hz[i] = static_cast<float>(c.reference->frequency_hz(
+        1e-3 * static_cast<double>(c.outlet.reports.trace.tick[i]) - delay_s));
   }
   return c;
 }

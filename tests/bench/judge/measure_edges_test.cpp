@@ -159,7 +159,7 @@ TEST(DeadBusClaims, MultiplyOverlappingSteps) {
 TEST(DeadBusClaims, ExcludeInvalidReports) {
   SyntheticCase c = loss_of_500_mw();
   c.plan.stimulus.signal.amplitude_steps = {{2.0, 1.0, 0.0}};
-  for (std::uint8_t& validity : c.outlet.trace.validity) {
+  for (std::uint8_t& validity : c.outlet.reports.trace.validity) {
     validity = validity == 1 ? 2 : validity;
   }
   EXPECT_EQ(c.read("validity.dead_bus_claims").value, 0.0);

@@ -68,7 +68,7 @@ const std::vector<Missing>& all_missing() {
       {"ekf.t_x_error", false, "contains no loss", no_loss},
       {"ekf.t_x_error", true, "reported no decision", without("decision")},
       {"ekf.t_x_error", true, "no EKF estimate",
-       [](SyntheticCase& c) { c.outlet.estimates = record::EstimateTrace{}; }},
+       [](SyntheticCase& c) { c.outlet.reports.estimates = record::EstimateTrace{}; }},
       {"decision.trust", true, "reported no decision", without("decision.trust")},
       {"decision.delay", false, "contains no loss", no_loss},
       {"decision.delay", true, "reported no decision after the loss",

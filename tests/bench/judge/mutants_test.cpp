@@ -34,32 +34,32 @@ Change mark_added(std::int64_t tick, const char* kind, double value) {
 
 Change frequencies_moved(float by_hz) {
   return [=](SyntheticCase& c) {
-    for (float& frequency_hz : c.outlet.trace.frequency_hz) {
+    for (float& frequency_hz : c.outlet.reports.trace.frequency_hz) {
       frequency_hz += by_hz;
     }
   };
 }
 
 void one_wild_report(SyntheticCase& c) {
-  c.outlet.trace.frequency_hz[100] += 0.05F;
+  c.outlet.reports.trace.frequency_hz[100] += 0.05F;
 }
 
 void wild_rocof(SyntheticCase& c) {
-  for (float& rocof_hz_s : c.outlet.trace.rocof_hz_s) {
+  for (float& rocof_hz_s : c.outlet.reports.trace.rocof_hz_s) {
     rocof_hz_s *= 3.0F;
   }
 }
 
 // Reports what it measured 50 ms earlier.
 void late_tracker(SyntheticCase& c) {
-  for (std::int64_t& tick : c.outlet.trace.tick) {
+  for (std::int64_t& tick : c.outlet.reports.trace.tick) {
     tick += 50;
   }
 }
 
 void half_invalid(SyntheticCase& c) {
-  for (std::size_t i = 0; i < c.outlet.trace.validity.size(); i += 2) {
-    c.outlet.trace.validity[i] = 0;
+  for (std::size_t i = 0; i < c.outlet.reports.trace.validity.size(); i += 2) {
+    c.outlet.reports.trace.validity[i] = 0;
   }
 }
 
@@ -68,7 +68,7 @@ void dead_bus(SyntheticCase& c) {
 }
 
 void wrong_instant(SyntheticCase& c) {
-  c.outlet.estimates.loss_after_event_s[1] = 3.1F;
+  c.outlet.reports.estimates.loss_after_event_s[1] = 3.1F;
 }
 
 void bounces(SyntheticCase& c) {
@@ -153,8 +153,8 @@ TEST(Mutants, ExistForEveryMeasureOfTheCatalogue) {
 // A valid report must contain numbers: otherwise the outlet fails in every measure that reads them.
 TEST(Mutants, NaNInAValidReportFailsEveryMeasureThatReadsIt) {
   SyntheticCase c = loss_of_500_mw();
-  c.outlet.trace.frequency_hz[200] = std::numeric_limits<float>::quiet_NaN();
-  c.outlet.trace.rocof_hz_s[200] = std::numeric_limits<float>::infinity();
+  c.outlet.reports.trace.frequency_hz[200] = std::numeric_limits<float>::quiet_NaN();
+  c.outlet.reports.trace.rocof_hz_s[200] = std::numeric_limits<float>::infinity();
   for (const char* name : {"tracker.delay", "tracker.error.max", "tracker.error.rms",
                            "tracker.bias", "tracker.rocof_error.rms"}) {
     EXPECT_EQ(verdict(c, limits(name, {}, 1e300)), record::Verdict::kFail) << name;

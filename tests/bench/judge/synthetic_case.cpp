@@ -14,7 +14,7 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 void add_report(SyntheticCase& c, std::int64_t tick, bool valid, int sign) {
   constexpr double kDelay_s = 0.028;
   const double t_s = 1e-3 * static_cast<double>(tick) - kDelay_s;
-  record::MeasurementTrace& trace = c.outlet.trace;
+  record::MeasurementTrace& trace = c.outlet.reports.trace;
   trace.tick.push_back(tick);
   trace.voltage_pu.push_back(1.0F);
   trace.validity.push_back(valid ? 1 : 0);
@@ -56,7 +56,7 @@ SyntheticCase quiet(double falls_from_s) {
 
 Case SyntheticCase::view() const {
   Case c{plan, *reference, outlet, uncertainty};
-  c.add(outlet);
+  c.add(outlet.reports);
   return c;
 }
 
@@ -70,29 +70,30 @@ double FallingReference::rocof_hz_s(double t_s) const {
 
 void SyntheticCase::add_mark(std::int64_t tick, const std::string& kind, double value,
                              const std::string& text) {
-  const auto after = std::find_if(outlet.marks.begin(), outlet.marks.end(),
+  const auto after = std::find_if(outlet.reports.marks.begin(), outlet.reports.marks.end(),
                                   [&](const record::Mark& mark) { return mark.tick > tick; });
-  outlet.marks.insert(after, {tick, kind, value, text});
+  outlet.reports.marks.insert(after, {tick, kind, value, text});
 }
 
 void SyntheticCase::remove_marks(const std::string& kind) {
-  outlet.marks.erase(std::remove_if(outlet.marks.begin(), outlet.marks.end(),
-                                    [&](const record::Mark& mark) { return mark.kind == kind; }),
-                     outlet.marks.end());
+  outlet.reports.marks.erase(
+      std::remove_if(outlet.reports.marks.begin(), outlet.reports.marks.end(),
+                     [&](const record::Mark& mark) { return mark.kind == kind; }),
+      outlet.reports.marks.end());
 }
 
 void SyntheticCase::move_marks(const std::string& kind, std::int64_t by_ticks) {
-  for (record::Mark& mark : outlet.marks) {
+  for (record::Mark& mark : outlet.reports.marks) {
     if (mark.kind == kind) {
       mark.tick += by_ticks;
     }
   }
-  std::stable_sort(outlet.marks.begin(), outlet.marks.end(),
+  std::stable_sort(outlet.reports.marks.begin(), outlet.reports.marks.end(),
                    [](const record::Mark& a, const record::Mark& b) { return a.tick < b.tick; });
 }
 
 void SyntheticCase::set_marks(const std::string& kind, double value) {
-  for (record::Mark& mark : outlet.marks) {
+  for (record::Mark& mark : outlet.reports.marks) {
     if (mark.kind == kind) {
       mark.value = value;
     }
@@ -100,7 +101,7 @@ void SyntheticCase::set_marks(const std::string& kind, double value) {
 }
 
 void SyntheticCase::cut_trace(std::size_t reports) {
-  record::MeasurementTrace& trace = outlet.trace;
+  record::MeasurementTrace& trace = outlet.reports.trace;
   trace.tick.resize(reports);
   trace.frequency_hz.resize(reports);
   trace.rocof_hz_s.resize(reports);
@@ -120,12 +121,12 @@ SyntheticCase loss_of_500_mw() {
   c.add_mark(3920, "relay.reported", 0.0, "loss");
   c.add_mark(3928, "relay.sense", 0.0, "open");
   // The measures use the last estimate up to the decision, not the last one of the run.
-  c.outlet.estimates.tick = {3296, 3920, 3936};
-  c.outlet.estimates.loss_mw = {460.0F, 515.0F, 516.0F};
-  c.outlet.estimates.loss_sigma_mw = {80.0F, 8.0F, 8.0F};
-  c.outlet.estimates.event_tick = {0, 0, 0};
-  c.outlet.estimates.loss_after_event_s = {2.95F, 3.010F, 3.2F};
-  c.outlet.estimates.trusted = {0, 1, 1};
+  c.outlet.reports.estimates.tick = {3296, 3920, 3936};
+  c.outlet.reports.estimates.loss_mw = {460.0F, 515.0F, 516.0F};
+  c.outlet.reports.estimates.loss_sigma_mw = {80.0F, 8.0F, 8.0F};
+  c.outlet.reports.estimates.event_tick = {0, 0, 0};
+  c.outlet.reports.estimates.loss_after_event_s = {2.95F, 3.010F, 3.2F};
+  c.outlet.reports.estimates.trusted = {0, 1, 1};
   return c;
 }
 

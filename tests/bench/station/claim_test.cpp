@@ -24,7 +24,7 @@ TEST(Claim, OutletWithAnotherSerialNumberThanItsSlotIsExcluded) {
   EXPECT_EQ(record.outlets[1].fault,
             "is not at its place: the station names serial_number \"GS-7\" for fake, the outlet "
             "there reports \"serial-2\"");
-  EXPECT_TRUE(record.outlets[1].trace.tick.empty());
+  EXPECT_TRUE(record.outlets[1].reports.trace.tick.empty());
   EXPECT_TRUE(station.sent_to(1).empty()) << "it gets no settings that are for another one";
 }
 

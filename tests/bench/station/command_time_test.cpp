@@ -25,9 +25,9 @@ void expect_sent_at(const Script& script, std::int64_t tick, double uncertainty_
   const record::RunRecord record = run(plan(1.0, kSwitchOff), station, {});
   ASSERT_EQ(record.fault, "");
   for (const record::OutletRecord& outlet : record.outlets) {
-    const auto sent = std::find_if(outlet.marks.begin(), outlet.marks.end(),
+    const auto sent = std::find_if(outlet.reports.marks.begin(), outlet.reports.marks.end(),
                                    [](const record::Mark& mark) { return mark.kind == "command"; });
-    ASSERT_NE(sent, outlet.marks.end());
+    ASSERT_NE(sent, outlet.reports.marks.end());
     EXPECT_EQ(sent->tick, tick);
     const auto* const delay = record::find_measurement(outlet, "command.delay");
     EXPECT_DOUBLE_EQ(delay->value, 0.125 * static_cast<double>(5000 - tick));

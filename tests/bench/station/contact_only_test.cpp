@@ -116,7 +116,7 @@ TEST(ContactOnly, ContactThatIsOpenAtTheStartIsAnOpeningThen) {
   const record::OutletRecord& outlet = record.outlets.at(0);
   EXPECT_EQ(record::find_measurement(outlet, "relay.end")->text, "open");
   EXPECT_DOUBLE_EQ(record::find_measurement(outlet, "trip.time")->value, 0.0);
-  ASSERT_EQ(outlet.marks.size(), 1U);
+  ASSERT_EQ(outlet.reports.marks.size(), 1U);
 }
 
 TEST(ContactOnly, EdgesBeforeTheStartDoNotCount) {

@@ -45,16 +45,16 @@ TEST(Determinism, RecordContainsEverythingThatCouldDiffer) {
   EXPECT_NE(record.verdict, record::Verdict::kError) << record.verdict_reason;
   for (const record::OutletRecord& outlet : record.outlets) {
     EXPECT_EQ(outlet.fault, "") << "the firmware acknowledges settings that are sent again";
-    EXPECT_EQ(std::count_if(outlet.marks.begin(), outlet.marks.end(),
+    EXPECT_EQ(std::count_if(outlet.reports.marks.begin(), outlet.reports.marks.end(),
                             [](const record::Mark& mark) { return mark.kind == "settings"; }),
               1);
     // Opened and closed by command, opened by the decision.
     int openings = 0;
-    for (const record::Mark& mark : outlet.marks) {
+    for (const record::Mark& mark : outlet.reports.marks) {
       openings += mark.kind == "relay.sense" && mark.value < 0.5 ? 1 : 0;
     }
     EXPECT_GE(openings, 2) << outlet.id;
-    EXPECT_FALSE(outlet.estimates.tick.empty()) << outlet.id;
+    EXPECT_FALSE(outlet.reports.estimates.tick.empty()) << outlet.id;
   }
 }
 
@@ -79,7 +79,7 @@ TEST(Determinism, AnotherSeedGivesAnotherRecord) {
   plan.seed = 2;
   const record::RunRecord other = simulated_record(plan, 1, 0.512);
   EXPECT_NE(record::content_digest(one), record::content_digest(other));
-  EXPECT_NE(one.outlets[0].trace.frequency_hz, other.outlets[0].trace.frequency_hz)
+  EXPECT_NE(one.outlets[0].reports.trace.frequency_hz, other.outlets[0].reports.trace.frequency_hz)
       << "the noise must differ, not only the seed";
 }
 

@@ -52,7 +52,7 @@ TEST(KeptFacts, AreTheMessagesThatWereSent) {
       test::plan(1.0, "", "[[outlet]]\n[[command]]\nat_s = 0.5\nswitch = \"off\"\n");
   const record::OutletRecord outlet = run(plan, *simulated_station(plan, {}), {}).outlets.at(0);
   std::vector<std::string> kinds;
-  for (const record::Sent& sent : outlet.sent) {
+  for (const record::Sent& sent : outlet.reports.sent) {
     gs::wire::Downlink message;
     std::uint32_t sequence = 0;
     ASSERT_EQ(gs::wire::decode(sent.message.data(), sent.message.size(), message, sequence),

@@ -201,7 +201,7 @@ TEST(RunRecord, SendsCommandsToTheirOutletsAndMarksThem) {
   EXPECT_FALSE(station.sent_to(1)[2].close_relay);
   EXPECT_TRUE(station.sent_to(1)[3].close_relay);
   std::vector<std::int64_t> ticks;
-  for (const record::Mark& mark : record.outlets[1].marks) {
+  for (const record::Mark& mark : record.outlets[1].reports.marks) {
     if (mark.kind == "command") {
       ticks.push_back(mark.tick);
     }
@@ -236,7 +236,7 @@ TEST(RunRecord, SendsSettingsAgainToTheirOutletsAndMarksThem) {
             station.sent_to(0)[0].settings.threshold_mw);
 
   std::vector<std::string> marks;
-  for (const record::Mark& mark : record.outlets[1].marks) {
+  for (const record::Mark& mark : record.outlets[1].reports.marks) {
     if (mark.kind == "settings") {
       marks.push_back(std::to_string(mark.tick) + " version " +
                       std::to_string(static_cast<int>(mark.value)) + ": " + mark.text);

@@ -59,7 +59,7 @@ void expect_fault_of_the_last(const Script& script, const std::string& reason,
   EXPECT_EQ(record.outlets[1].verdict, Verdict::kError);
   EXPECT_THAT(record.outlets[1].fault, HasSubstr(reason));
   const auto reports = static_cast<std::size_t>(duration_s / 0.016);
-  EXPECT_EQ(record.outlets[0].trace.tick.size(), reports);
+  EXPECT_EQ(record.outlets[0].reports.trace.tick.size(), reports);
 }
 
 TEST(RunEnd, NormalEndIsSafeAndWithoutError) {
@@ -214,7 +214,7 @@ TEST(RunEnd, FaultKeepsTheReportsCapturedSoFar) {
   const record::RunRecord record = play(station);
   ASSERT_EQ(record.outlets.size(), 2U);
   // Until 0.496 s, every 16 ms.
-  EXPECT_EQ(record.outlets[0].trace.tick.size(), 31U);
+  EXPECT_EQ(record.outlets[0].reports.trace.tick.size(), 31U);
   EXPECT_TRUE(record.outlets[0].measurements.empty()) << "an incomplete run is not judged";
 }
 

@@ -108,9 +108,7 @@ struct Reports {
 // Takes the reports of one outlet piece by piece, in the order in which they came.
 using TakeReports = std::function<void(const Reports& piece)>;
 
-struct OutletRecord : Reports {
-  Reports& reports() { return *this; }
-
+struct OutletRecord {
   std::string id;
   bool took_part = false;  // false: it was not part of the run, and there is nothing to judge
   std::string group;
@@ -129,6 +127,7 @@ struct OutletRecord : Reports {
   std::map<std::string, double> settings;  // the first that it was sent; the unit is in the name
   Verdict verdict = Verdict::kPass;
   std::vector<MeasurementResult> measurements;
+  Reports reports;
 };
 
 // Converts the sample counts of an outlet with this clock to ticks of the run, drops what is

@@ -48,7 +48,9 @@ class MemoryStore final : public Store {
   void append(const std::vector<Reports>& reports) override;
   void update_outlet(std::size_t i, const OutletRecord& outlet) override;
   OutletRecord outlet(std::size_t i) override;
-  void read_reports(std::size_t i, const TakeReports& take) override { take(outlets_.at(i)); }
+  void read_reports(std::size_t i, const TakeReports& take) override {
+    take(outlets_.at(i).reports);
+  }
   void finish(const RunRecord&) override {}
   void abandon(const RunRecord&) noexcept override {}
 

@@ -13,7 +13,7 @@ using gsbench::record::Mark;
 class OutletClocks : public FaultyStation {
  protected:
   static const Mark* mark(const record::OutletRecord& outlet, const std::string& kind) {
-    for (const Mark& mark : outlet.marks) {
+    for (const Mark& mark : outlet.reports.marks) {
       if (mark.kind == kind) {
         return &mark;
       }
@@ -57,9 +57,9 @@ TEST_F(OutletClocks, PlaceTheReportsOfARunThatIsStillPlayed) {
     EXPECT_TRUE(run.interrupted);
     ASSERT_EQ(run.outlets.size(), 4U);
     for (const record::OutletRecord& outlet : run.outlets) {
-      ASSERT_FALSE(outlet.trace.tick.empty()) << outlet.id;
-      EXPECT_LE(outlet.trace.tick.front(), 128) << outlet.id;
-      const double last_s = static_cast<double>(outlet.trace.tick.back()) / 8000.0;
+      ASSERT_FALSE(outlet.reports.trace.tick.empty()) << outlet.id;
+      EXPECT_LE(outlet.reports.trace.tick.front(), 128) << outlet.id;
+      const double last_s = static_cast<double>(outlet.reports.trace.tick.back()) / 8000.0;
       EXPECT_GT(last_s, played_s(kPart) - 1.0) << outlet.id;
       EXPECT_LT(last_s, played_s(kPart) + 0.2) << outlet.id;
     }

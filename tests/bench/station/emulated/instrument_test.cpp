@@ -65,9 +65,9 @@ class OnAnInstrument : public testing::Test {
     const record::OutletRecord& measured = record_.outlets.at(outlet);
     double sum_pu = 0.0;
     int count = 0;
-    for (std::size_t i = 0; i < measured.trace.tick.size(); ++i) {
-      if (measured.trace.tick[i] < 4000) {
-        sum_pu += static_cast<double>(measured.trace.voltage_pu[i]);
+    for (std::size_t i = 0; i < measured.reports.trace.tick.size(); ++i) {
+      if (measured.reports.trace.tick[i] < 4000) {
+        sum_pu += static_cast<double>(measured.reports.trace.voltage_pu[i]);
         ++count;
       }
     }
@@ -81,7 +81,7 @@ class OnAnInstrument : public testing::Test {
   }
 
   std::int64_t tick_of(std::size_t outlet, const char* kind) const {
-    for (const Mark& mark : record_.outlets.at(outlet).marks) {
+    for (const Mark& mark : record_.outlets.at(outlet).reports.marks) {
       if (mark.kind == kind) {
         return mark.tick;
       }
@@ -134,7 +134,7 @@ TEST_F(OnAnInstrument, AHeadPlaysAndSenses) {
 TEST_F(OnAnInstrument, AContactOnlyDeviceIsJudgedWithoutAnInstrumentToo) {
   play_shipped("contact-only", "regression/contact-only");
   EXPECT_EQ(record_.outlets.at(0).link, "");
-  EXPECT_TRUE(record_.outlets.at(0).trace.tick.empty()) << "it cannot report";
+  EXPECT_TRUE(record_.outlets.at(0).reports.trace.tick.empty()) << "it cannot report";
 }
 
 // The head's ticks are known on this machine's clock, and a modem line is read on it.

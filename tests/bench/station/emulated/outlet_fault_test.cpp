@@ -82,7 +82,7 @@ TEST_F(OutletFault, ProcessBehindTheBrokerThatIsStartedAgainIsReported) {
 TEST_F(OutletFault, RecordEndsAtTheRestartOfAnOutlet) {
   at(0.6, [&] { kill_and_restart(kHost); });
   play();
-  const std::vector<std::int64_t>& ticks = record_.outlets[kHost].trace.tick;
+  const std::vector<std::int64_t>& ticks = record_.outlets[kHost].reports.trace.tick;
   ASSERT_FALSE(ticks.empty());
   EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end()));
   EXPECT_LT(ticks.back(), plan_.duration_ticks());
@@ -114,7 +114,8 @@ TEST_F(OutletFault, OutletWithAnotherProtocolIsSentNoSettings) {
   play();
   expect_fault(kHost, "uses protocol version 77, not ");
   EXPECT_TRUE(record_.outlets[kHost].settings.empty()) << "it was sent settings";
-  EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty()) << "its reports cannot be interpreted";
+  EXPECT_TRUE(record_.outlets[kHost].reports.trace.tick.empty())
+      << "its reports cannot be interpreted";
 }
 
 TEST_F(OutletFault, SilentOutletIsExcluded) {
@@ -124,7 +125,7 @@ TEST_F(OutletFault, SilentOutletIsExcluded) {
   EXPECT_EQ(record_.outlets[kHost].id, "host");
   EXPECT_EQ(record_.outlets[kHost].link, hardware().serial_ports()[kHost]);
   EXPECT_TRUE(record_.outlets[kHost].measurements.empty()) << "it was excluded";
-  EXPECT_TRUE(record_.outlets[kHost].trace.tick.empty());
+  EXPECT_TRUE(record_.outlets[kHost].reports.trace.tick.empty());
 }
 
 TEST_F(OutletFault, OutletOnTheBrokerThatDoesNotAnswerIsExcluded) {
@@ -219,7 +220,7 @@ TEST_F(OutletFault, IsAbsentIfTheStationListsMqttOutletsFirst) {
   expect_all_complete();
   for (const record::OutletRecord& outlet : record_.outlets) {
     std::vector<std::string> relay_marks;
-    for (const record::Mark& mark : outlet.marks) {
+    for (const record::Mark& mark : outlet.reports.marks) {
       if (mark.kind.rfind("relay.", 0) == 0) {
         relay_marks.push_back(mark.kind);
       }

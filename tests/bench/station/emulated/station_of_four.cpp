@@ -82,7 +82,7 @@ void FaultyStation::expect_faults(const std::map<std::size_t, std::string>& faul
 void FaultyStation::expect_complete(const record::OutletRecord& outlet) const {
   EXPECT_EQ(outlet.verdict, Verdict::kPass) << outlet.id;
   EXPECT_EQ(outlet.fault, "") << outlet.id;
-  const std::vector<std::int64_t>& ticks = outlet.trace.tick;
+  const std::vector<std::int64_t>& ticks = outlet.reports.trace.tick;
   // One report every 16 ms, the first and the last within 16 ms of the ends of the run.
   ASSERT_FALSE(ticks.empty()) << outlet.id;
   EXPECT_LE(ticks.front(), kTicksPerReport) << outlet.id;
