@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -36,6 +37,12 @@ void add_choice(CLI::App& command, const std::string& name, Choice& choice,
       ->default_str(usual->first);
 }
 
+nlohmann::ordered_json versioned(nlohmann::ordered_json object, int format_version) {
+  nlohmann::ordered_json out = {{"format_version", format_version}};
+  out.update(object);
+  return out;
+}
+
 }  // namespace
 
 std::size_t default_threads() {
@@ -56,10 +63,20 @@ ExitCode exit_code_of(record::Verdict verdict) {
   return kErrored;
 }
 
-void print_json(const nlohmann::ordered_json& value) {
+void print_json_document(const nlohmann::ordered_json& value) {
   // A file name need not be UTF-8.
   constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
   std::fputs((value.dump(2, ' ', false, kReplace) + '\n').c_str(), stdout);
+}
+
+void print_json(nlohmann::ordered_json value, int format_version) {
+  if (!value.is_array()) {
+    return print_json_document(versioned(std::move(value), format_version));
+  }
+  for (nlohmann::ordered_json& object : value) {
+    object = versioned(std::move(object), format_version);
+  }
+  print_json_document(value);
 }
 
 void refuse_empty_values(const CLI::App& command) {

@@ -37,8 +37,15 @@ std::size_t default_threads();
 
 ExitCode exit_code_of(record::Verdict verdict);
 
+// Version of what --json prints, but for runs and their records (record::kFormatVersion). A change
+// of what a key means, or a key less, makes a new version; new keys do not.
+constexpr int kJsonFormatVersion = 1;
+
 // Prints `value` on standard output, indented.
-void print_json(const nlohmann::ordered_json& value);
+void print_json_document(const nlohmann::ordered_json& value);
+
+// The same, with the key "format_version" before the others: in each object of a list, too.
+void print_json(nlohmann::ordered_json value, int format_version = kJsonFormatVersion);
 
 // Prints `line` on standard output, wrapped to at most render::kLineColumns columns. All lines but
 // the first start with `indent` spaces.

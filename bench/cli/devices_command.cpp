@@ -141,9 +141,7 @@ int devices(const DevicesArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Device& device : present) {
-      nlohmann::ordered_json object = {{"format_version", kLiveFormatVersion}};
-      object.update(as_json(device.outlet, device.answers));
-      all.push_back(std::move(object));
+      all.push_back(as_json(device.outlet, device.answers));
     }
     print_json(all);
   } else if (present.empty()) {

@@ -10,10 +10,6 @@
 
 namespace gsbench::cli {
 
-// Of the JSON of gsbench devices and gsbench monitor. A change of what a key means, or a key less,
-// makes a new version; new keys do not.
-constexpr int kLiveFormatVersion = 1;
-
 // What a message says, without its kind.
 std::string details(const gs::wire::Uplink& message);
 

@@ -1,5 +1,6 @@
 #include "monitor_output.hpp"
 
+#include "commands.hpp"
 #include "message_text.hpp"
 
 #include <algorithm>
@@ -205,7 +206,7 @@ void MonitorOutput::put_text(const std::string& id, const std::string& text, std
 void MonitorOutput::put_json(const Json& object) {
   if (!std::exchange(has_version_, true)) {
     Json first = object;
-    first["format_version"] = kLiveFormatVersion;
+    first["format_version"] = kJsonFormatVersion;
     return put_json(first);
   }
   output_.put(object.dump(-1, ' ', false, Json::error_handler_t::replace));

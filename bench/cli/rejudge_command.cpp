@@ -110,8 +110,7 @@ Rejudged judged_again(const std::string& path) {
 }
 
 nlohmann::ordered_json as_json(const Rejudged& again) {
-  nlohmann::ordered_json out = {{"format_version", record::kFormatVersion},
-                                {"run_id", again.run.run_id},
+  nlohmann::ordered_json out = {{"run_id", again.run.run_id},
                                 {"gsbench_version", again.run.gsbench_version},
                                 {"judged_by_version", installation::version()},
                                 {"judged", is_judged(again.run)},
@@ -158,7 +157,7 @@ void print(const Rejudged& again) {
 int rejudge(const RejudgeArguments& arguments) {
   const Rejudged again = judged_again(find_record(arguments.run, arguments.output_folder));
   if (arguments.json) {
-    print_json(as_json(again));
+    print_json(as_json(again), record::kFormatVersion);
   } else {
     print(again);
   }

@@ -59,8 +59,7 @@ std::vector<KeptRun> runs_by_age(const std::string& output_folder) {
 nlohmann::ordered_json as_json(const std::vector<KeptRun>& kept) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const KeptRun& run : kept) {
-    all.push_back({{"format_version", record::kFormatVersion},
-                   {"run_id", run.name},
+    all.push_back({{"run_id", run.name},
                    {"started_utc", run.head.started_utc},
                    {"state", run.state()},
                    {"profile", run.head.profile},
@@ -85,7 +84,7 @@ void print(const std::vector<KeptRun>& kept) {
 int runs(const RunsArguments& arguments) {
   const std::vector<KeptRun> kept = runs_by_age(arguments.output_folder);
   if (arguments.json) {
-    print_json(as_json(kept));
+    print_json(as_json(kept), record::kFormatVersion);
   } else if (!kept.empty()) {
     print(kept);
   }

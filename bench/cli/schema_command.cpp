@@ -158,7 +158,7 @@ int schema(const SchemaArguments& arguments) {
     if (arguments.markdown) {
       std::fputs(station_markdown().c_str(), stdout);
     } else {
-      print_json(station_schema());
+      print_json_document(station_schema());
     }
     return kPassed;
   }
@@ -168,7 +168,7 @@ int schema(const SchemaArguments& arguments) {
   if (arguments.markdown) {
     std::fputs(keys::markdown(keys).c_str(), stdout);
   } else {
-    print_json(json_schema(keys));
+    print_json_document(json_schema(keys));
   }
   return kPassed;
 }

@@ -18,8 +18,9 @@ namespace {
 using record::FigureRow;
 using record::FigureTable;
 
-constexpr std::size_t kIndent = 2;   // of text below a heading
-constexpr std::size_t kHanging = 4;  // of its continuation lines
+constexpr int kPageFormatVersion = 1;  // of json(); see reports/README.md
+constexpr std::size_t kIndent = 2;     // of text below a heading
+constexpr std::size_t kHanging = 4;    // of its continuation lines
 
 std::string text_of(const FigureTable& table, const FigureRow& row, std::size_t i) {
   const double value = row.figures[i];
@@ -184,7 +185,7 @@ std::string json(const record::Page& page) {
   for (const auto& [name, value] : page.facts) {
     facts[name] = value;
   }
-  Json all = {{"title", page.title}, {"facts", facts}};
+  Json all = {{"format_version", kPageFormatVersion}, {"title", page.title}, {"facts", facts}};
   set_judgement(page.judgement, all);
   for (const record::PageSection& section : page.sections) {
     for (const FigureTable& table : section.tables) {
