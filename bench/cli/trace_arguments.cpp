@@ -9,15 +9,39 @@
 namespace gsbench::cli {
 namespace {
 
+double median(std::vector<double> all) {
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
 double median_hz(const std::vector<recording::TracePoint>& points) {
   std::vector<double> all;
   all.reserve(points.size());
   for (const recording::TracePoint& point : points) {
     all.push_back(point.frequency_hz);
   }
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return *middle;
+  return median(std::move(all));
+}
+
+// Rows that a recorder has left out are not gaps: they show in the steps of the time.
+void warn_of_long_step(const profile::Recording& recording,
+                       const std::vector<recording::TracePoint>& points) {
+  std::vector<double> steps_s;
+  steps_s.reserve(points.size());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    steps_s.push_back(points[i].t_s - points[i - 1].t_s);
+  }
+  constexpr double kLong = 5.0;
+  const auto longest = std::max_element(steps_s.begin(), steps_s.end());
+  const double usual_s = median(steps_s);
+  if (*longest > kLong * usual_s) {
+    const auto before = static_cast<std::size_t>(longest - steps_s.begin());
+    print_error(
+        fmt::format("warning: {}: no value for {:.6g} s after {:.6g} s of the played part, "
+                    "where one comes each {:.6g} s; the frequency between is interpolated",
+                    recording.file, *longest, points[before].t_s, usual_s));
+  }
 }
 
 }  // namespace
@@ -74,17 +98,18 @@ void print_recording(const profile::Plan& plan) {
                                                  : fmt::format("{} of them gaps", recording.gaps);
   print_error(fmt::format("{}: rows: {}, {}; {:.6g} s are played", recording.file, recording.rows,
                           gaps, plan.stimulus.duration_s));
+  warn_of_long_step(recording, plan.stimulus.points);
   // Power systems do not stay away from nominal by 2 % for the half of a recording.
   constexpr double kNear = 0.02;
   const double nominal_hz = plan.grid.nominal_hz;
-  const double median = median_hz(plan.stimulus.points);
-  if (std::fabs(median - nominal_hz) > kNear * nominal_hz) {
+  const double usual_hz = median_hz(plan.stimulus.points);
+  if (std::fabs(usual_hz - nominal_hz) > kNear * nominal_hz) {
     const double other_hz = nominal_hz == 50.0 ? 60.0 : 50.0;
     print_error(fmt::format(
         "warning: {}: the median frequency is {:.6g} Hz, but the nominal frequency of the grid {} "
         "is {} Hz{}",
-        recording.file, median, plan.grid.name, nominal_hz,
-        std::fabs(median - other_hz) <= kNear * other_hz
+        recording.file, usual_hz, plan.grid.name, nominal_hz,
+        std::fabs(usual_hz - other_hz) <= kNear * other_hz
             ? fmt::format("; the recording is of a system of {} Hz", other_hz)
             : ""));
   }

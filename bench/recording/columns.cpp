@@ -38,7 +38,8 @@ std::optional<std::size_t> column_number(const std::string& column) {
 
 }  // namespace
 
-std::size_t column_of(const char* key, const std::string& column, const std::vector<Cell>& header) {
+std::size_t column_of(const char* key, const std::string& column, const std::vector<Cell>& header,
+                      const std::string& advice) {
   const auto is_it = [&](const Cell& cell) { return cell.text == column; };
   const auto found = std::find_if(header.begin(), header.end(), is_it);
   if (found != header.end()) {
@@ -65,10 +66,11 @@ std::size_t column_of(const char* key, const std::string& column, const std::vec
     const bool other_delimiter = header.size() == 1 && other != std::string::npos;
     throw CsvError(
         header.front().place,
-        fmt::format("no column `{}`; the columns are {}{}", shown(column), column_list(header),
+        fmt::format("no column `{}`; the columns are {}{}; {}", shown(column), column_list(header),
                     other_delimiter
                         ? fmt::format(" (is the delimiter `{}`?)", delimiter_name(first[other]))
-                        : ""));
+                        : "",
+                    advice));
   }
   return *number - 1;
 }

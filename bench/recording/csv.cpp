@@ -4,7 +4,16 @@
 
 namespace gsbench::recording {
 
-CsvReader::CsvReader(std::string_view text, char delimiter) : text_(text), delimiter_(delimiter) {
+std::string trimmed(std::string_view text, std::string_view blanks) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
+CsvReader::CsvReader(std::string_view text, char delimiter)
+    : text_(text), delimiter_(delimiter), blanks_(delimiter == '\t' ? " " : " \t") {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     at_ = kByteOrderMark.size();
@@ -51,9 +60,8 @@ bool CsvReader::at_line_end() const {
   return at_end() || text_[at_] == '\n' || text_[at_] == '\r';
 }
 
-// A tab that separates cells is no blank.
 bool CsvReader::at_blank() const {
-  return !at_end() && (text_[at_] == ' ' || (text_[at_] == '\t' && delimiter_ != '\t'));
+  return !at_end() && blanks_.find(text_[at_]) != std::string_view::npos;
 }
 
 bool CsvReader::at_delimiter() const {
@@ -83,15 +91,6 @@ void CsvReader::skip_line_end() {
   here_ = {here_.line + 1, 1};
 }
 
-std::string CsvReader::trimmed(std::string_view text) const {
-  const char* blanks = delimiter_ == '\t' ? " " : " \t";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
-
 Cell CsvReader::read_cell() {
   skip_blanks();
   const Place place = here_;
@@ -114,7 +113,7 @@ std::string CsvReader::read_plain() {
   while (!at_line_end() && !at_delimiter()) {
     advance();
   }
-  return trimmed(text_.substr(first, at_ - first));
+  return trimmed(text_.substr(first, at_ - first), blanks_);
 }
 
 std::string CsvReader::read_quoted() {
@@ -130,7 +129,7 @@ std::string CsvReader::read_quoted() {
       text += c;
       advance();
     } else {
-      return trimmed(text);
+      return trimmed(text, blanks_);
     }
   }
   throw CsvError(opened, "this quote is not closed; add a closing quote");

@@ -24,6 +24,9 @@ struct CsvError : std::runtime_error {
   Place place;
 };
 
+// Without the blanks at both ends.
+std::string trimmed(std::string_view text, std::string_view blanks);
+
 class CsvReader {
  public:
   // The text must outlive the reader. Delimiter ' ': any number of blanks and tabs.
@@ -52,13 +55,13 @@ class CsvReader {
   void advance();
   void skip_blanks();
   void skip_line_end();
-  std::string trimmed(std::string_view text) const;
   Cell read_cell();
   std::string read_plain();
   std::string read_quoted();
 
   std::string_view text_;
   char delimiter_;
+  std::string_view blanks_;  // a tab that separates cells is none
   std::size_t at_ = 0;
   std::size_t row_from_ = 0;
   Place here_;

@@ -72,6 +72,9 @@ Dialect::Dialect(const TraceFormat& format, double nominal_hz)
       delimiter_(delimiter_of(format)),
       skip_rows_(rows_of("skip_rows", format.skip_rows)),
       header_rows_(rows_of("header_rows", format.header_rows)) {
+  for (const std::string& gap : format.gaps) {
+    gaps_.push_back(lower(trimmed(gap, " \t")));
+  }
   if (format.decimal != "." && format.decimal != ",") {
     throw FormatError("decimal",
                       fmt::format("decimal is `{}`; it must be `.` or `,`", shown(format.decimal)));
@@ -98,8 +101,7 @@ Dialect::Dialect(const TraceFormat& format, double nominal_hz)
   }
   if (format.voltage.empty() && format.nominal_voltage) {
     throw FormatError("nominal_voltage",
-                      "nominal_voltage is given without a voltage column; give the column too, or "
-                      "omit nominal_voltage");
+                      "nominal_voltage is given without a voltage column; give both or none");
   }
 }
 
@@ -138,8 +140,8 @@ bool Dialect::is_gap(const std::string& text) const {
     return true;
   }
   const std::optional<double> value = number(text);
-  return std::any_of(format_.gaps.begin(), format_.gaps.end(), [&](const std::string& gap) {
-    return lower(gap) == word || (value && parse_number(gap) == value);
+  return std::any_of(gaps_.begin(), gaps_.end(), [&](const std::string& gap) {
+    return gap == word || (value && parse_number(gap) == value);
   });
 }
 

@@ -34,6 +34,7 @@ class Dialect {
   std::size_t header_rows_ = 1;
   double time_unit_s_ = 1.0;
   double frequency_unit_hz_ = 1.0;
+  std::vector<std::string> gaps_;  // in lower case
 };
 
 }  // namespace gsbench::recording

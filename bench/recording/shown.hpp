@@ -9,4 +9,7 @@ namespace gsbench::recording {
 // 60 bytes, then "…".
 std::string shown(std::string_view bytes);
 
+// The first space or dash of the text that is not ASCII, as "U+00A0"; empty: none.
+std::string unusual_blank_or_dash(std::string_view text);
+
 }  // namespace gsbench::recording

@@ -2,6 +2,10 @@
 
 #include "shown.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include <fmt/format.h>
 
 namespace gsbench::recording {
@@ -10,13 +14,28 @@ namespace {
 constexpr const char* kFrom = "from_s";
 constexpr const char* kUntil = "until_s";
 
+// The format without its seconds, and without its time of day at the end; as far as it has them.
+std::vector<std::string> shorter(const std::string& format) {
+  std::vector<std::string> formats = {format};
+  if (const std::size_t seconds = format.find(":%S"); seconds != std::string::npos) {
+    formats.push_back(std::string(format).erase(seconds, 3));
+  }
+  const std::size_t hour = std::min(format.find("%H"), format.find("%I"));
+  if (hour != std::string::npos && hour > 0) {
+    formats.push_back(format.substr(0, format.find_last_not_of(" T", hour - 1) + 1));
+  }
+  return formats;
+}
+
 std::optional<Instant> limit(const char* key, const std::string& text, const std::string& format) {
   if (text.empty()) {
     return std::nullopt;
   }
   std::optional<Instant> instant;
   if (!format.empty()) {
-    instant = parse_by_format(text, format);
+    for (const std::string& one : shorter(format)) {
+      instant = instant ? instant : parse_by_format(text, one);
+    }
   }
   if (const std::optional<double> seconds = parse_number(text); !instant && seconds) {
     instant = instant_of_number(*seconds);
@@ -27,12 +46,14 @@ std::optional<Instant> limit(const char* key, const std::string& text, const std
   if (!instant) {
     throw FormatError(key,
                       fmt::format("{} is `{}`; it must be seconds after the first row, or date "
-                                  "and time such as `2025-04-28 11:00:02.5`, `2025-04-28 11:00` or "
-                                  "`2025-04-28`",
-                                  key, shown(text)));
+                                  "and time {}, also without seconds, or a date",
+                                  key, shown(text),
+                                  format.empty() ? "such as `2025-04-28 11:00:02.5`"
+                                                 : "as `" + shown(format) + '`'));
   }
   if (instant->kind == Instant::Kind::kSeconds && instant->whole_s < 0) {
-    throw FormatError(key, fmt::format("{} is {}; it must be at least 0", key, text));
+    throw FormatError(
+        key, fmt::format("{} is {}; it must be at least 0 s after the first row", key, text));
   }
   return instant;
 }
@@ -44,7 +65,7 @@ double seconds_after(const Instant& first, const Instant& limit, const char* key
     return static_cast<double>(limit.whole_s) + limit.fraction_s;
   }
   if (first.kind == Kind::kSeconds) {
-    throw FormatError(key, fmt::format("{} is `{}`, but the recording's times are seconds; give "
+    throw FormatError(key, fmt::format("{} is `{}`, but the recording's times are numbers; give "
                                        "seconds after the first row",
                                        key, shown(text)));
   }

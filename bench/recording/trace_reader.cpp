@@ -12,8 +12,16 @@
 namespace gsbench::recording {
 namespace {
 
-const char* zeros_in(const std::string& text) {
-  return text.find('\0') == std::string::npos ? "" : ", it has NUL bytes";
+// The slope of the frequency must be a finite number.
+constexpr double kLeastStep_s = 1e-12;
+
+// What cannot be seen in a text that is no number.
+std::string unusual_in(const std::string& text) {
+  if (text.find('\0') != std::string::npos) {
+    return ", it has NUL bytes";
+  }
+  const std::string character = unusual_blank_or_dash(text);
+  return character.empty() ? "" : ", it has the character " + character;
 }
 
 }  // namespace
@@ -44,10 +52,11 @@ void TraceReader::read_header() {
       header_ = row;
     }
   }
-  time_ = column_of("time", format_.time, header_);
-  frequency_ = column_of("frequency", format_.frequency, header_);
+  const std::string advice = option("skip_rows") + " skips lines above the names";
+  time_ = column_of("time", format_.time, header_, advice);
+  frequency_ = column_of("frequency", format_.frequency, header_, advice);
   if (!format_.voltage.empty()) {
-    voltage_ = column_of("voltage", format_.voltage, header_);
+    voltage_ = column_of("voltage", format_.voltage, header_, advice);
   }
   if (!header_.empty()) {
     check_is_header();
@@ -182,10 +191,14 @@ std::optional<Instant> TraceReader::instant_of(const Row& row) {
 
 void TraceReader::refuse_time(const Cell& time) const {
   const std::string what = '`' + shown(time.text) + '`';
+  const std::string heading =
+      first_ ? ""
+             : fmt::format("; if this is a heading, {} counts the rows above the data",
+                           option("header_rows"));
   if (!format_.time_format.empty()) {
-    throw CsvError(time.place, fmt::format("{} is not a time{}; it must be as {}, `{}`", what,
-                                           zeros_in(time.text), option("time_format"),
-                                           shown(format_.time_format)));
+    throw CsvError(time.place, fmt::format("{} is not a time{}; it must be as {}, `{}`{}", what,
+                                           unusual_in(time.text), option("time_format"),
+                                           shown(format_.time_format), heading));
   }
   if (dialect_.number(time.text)) {
     throw CsvError(time.place, fmt::format("{} is beyond 10¹⁵ s; {} gives another unit, such as ns",
@@ -194,10 +207,10 @@ void TraceReader::refuse_time(const Cell& time) const {
   throw CsvError(
       time.place,
       fmt::format("{} is not a time{}; it must be a number, `28-Apr-2025 11:00:02`, "
-                  "`2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`{}; {} gives another format",
-                  what, zeros_in(time.text),
+                  "`2025-04-28 11:00:02.5` or `2025-04-28T11:00:02Z`{}; {} gives another format{}",
+                  what, unusual_in(time.text),
                   time.text.find(":59:60") != std::string::npos ? " (a second 60 is not read)" : "",
-                  option("time_format")));
+                  option("time_format"), heading));
 }
 
 bool TraceReader::is_played(const Instant& instant, const Row& row) {
@@ -205,7 +218,8 @@ bool TraceReader::is_played(const Instant& instant, const Row& row) {
   if (!last_) {
     return inside;
   }
-  const bool later = instant.seconds_since(*last_) > 0.0;
+  const double step_s = instant.seconds_since(*last_);
+  const bool later = step_s >= kLeastStep_s;
   if (where_ == Where::kAfter) {
     if (inside && later) {
       throw CsvError(left_at_, fmt::format("this time is after the end of the played part, but "
@@ -220,8 +234,8 @@ bool TraceReader::is_played(const Instant& instant, const Row& row) {
   if (!later) {
     throw CsvError(row[time_].place,
                    fmt::format("time `{}` is not later than in the previous row; times must "
-                               "increase",
-                               shown(row[time_].text)));
+                               "increase{}",
+                               shown(row[time_].text), step_s > 0.0 ? " by at least 1 ps" : ""));
   }
   if (!inside) {
     where_ = Where::kAfter;
@@ -267,7 +281,7 @@ double TraceReader::number_in(const Cell& cell) const {
     throw CsvError(cell.place,
                    fmt::format("`{}` is not a finite number{}; it must be one, or empty or `NaN` "
                                "for a gap; {} gives further words",
-                               shown(cell.text), zeros_in(cell.text), option("gaps")));
+                               shown(cell.text), unusual_in(cell.text), option("gaps")));
   }
   return *number;
 }
@@ -303,10 +317,13 @@ void TraceReader::refuse_too_few() const {
     const char* key = format_.from.empty() ? "until_s" : "from_s";
     throw FormatError(
         key, first_ ? fmt::format("{} leaves fewer than two rows to play; the times of the file "
-                                  "are `{}` (line {}, column {}) … `{}` (line {}, column {})",
+                                  "are `{}` (line {}, column {}) … `{}` (line {}, column {}){}",
                                   key, shown(first_time_.text), first_time_.place.line,
                                   first_time_.place.column, shown(read_time_.text),
-                                  read_time_.place.line, read_time_.place.column)
+                                  read_time_.place.line, read_time_.place.column,
+                                  window_.counts_from_first_row()
+                                      ? ", and numbers are seconds after the first row"
+                                      : "")
                     : fmt::format("{} leaves no row to play; the file has no times", key));
   }
   throw CsvError(csv_.row_end(),

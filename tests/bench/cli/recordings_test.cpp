@@ -90,6 +90,15 @@ TEST_F(PlayedRecording, IsRefusedWithAdviceOnOptions) {
                  "the names of the columns, or their numbers from 1");
 }
 
+TEST_F(PlayedRecording, ThatLacksRowsGivesAWarning) {
+  const Words columns = {"--trace-time", "t", "--trace-frequency", "f"};
+  EXPECT_THAT(run_gsbench(with("t,f\n10,50\n10.1,50\n10.2,50\n10.9,50\n11,50\n", columns)).err,
+              HasSubstr("grid.csv: no value for 0.7 s after 0.2 s of the played part, where one "
+                        "comes each 0.1 s"));
+  EXPECT_THAT(run_gsbench(with("t,f\n0,50\n0.1,50\n0.2,50\n0.6,50\n0.7,50\n", columns)).err,
+              Not(HasSubstr("warning")));
+}
+
 TEST_F(PlayedRecording, OfAnotherNominalFrequencyGivesAWarning) {
   const Words columns = {"--trace-time", "t", "--trace-frequency", "f"};
   EXPECT_THAT(

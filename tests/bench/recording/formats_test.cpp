@@ -14,6 +14,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using testing::ThrowsMessage;
 
@@ -56,7 +57,7 @@ TEST(RecordingGaps, AreAlsoGivenWordsAndNumbers) {
   TraceFormat format = format_of();
   expect_refused("t,f\n0,50\n1,bad\n2,49\n", format, "r.csv:3:3: ", "`bad` is not a finite number");
   expect_refused("t,f\n0,50\n1,-999.00\n2,49\n", format, "r.csv:3:3: ", "the frequency is -999 Hz");
-  format.gaps = {"-999", "Bad"};
+  format.gaps = {"-999", " Bad "};
   EXPECT_THAT(frequencies_hz("t,f\n0,50\n1,bad\n2,-999.00\n3,49\n", format), ElementsAre(50, 49));
 }
 
@@ -70,6 +71,8 @@ TEST(RecordingColumns, AreNamesOrNumbers) {
                  "r.csv:1:1: ", "no column `4`; the columns are ``, `2`");
   expect_refused(text, format_of("0", "f"), "r.csv:1:1: ", "no column `0`");
   expect_refused("t;f\n0;50\n", format_of(), "r.csv:1:1: ", "is the delimiter `;`?");
+  expect_refused("# by PMU\nt,f\n0,50\n", format_of(),
+                 "r.csv:1:1: ", "skip_rows skips lines above the names");
 }
 
 TEST(RecordingHeader, MayBeMissingOrHaveMoreRows) {
@@ -101,6 +104,16 @@ TEST(RecordingHeader, MayBeMissingOrHaveMoreRows) {
   units.header_rows = 2;
   units.skip_rows = 2;
   EXPECT_THAT(frequencies_hz("\"made by\nx\nt,f\ns,Hz\n0,50\n1,49\n", units), ElementsAre(50, 49));
+}
+
+TEST(RecordingHeader, IsAdvisedToHaveTheRowOfUnits) {
+  const std::string advice = "if this is a heading, header_rows counts the rows above the data";
+  TraceFormat format = format_of();
+  expect_refused("t,f\n[s],[Hz]\n0,50\n", format, "r.csv:2:1: ", advice);
+  EXPECT_THAT([&] { (void)read_trace("t,f\n0,50\ns,Hz\n", "r.csv", format); },
+              ThrowsMessage<std::runtime_error>(Not(HasSubstr(advice))));
+  format.time_format = "%d.%m.%Y";
+  expect_refused("t,f\ndate,Hz\n", format, "r.csv:2:1: ", advice);
 }
 
 TEST(RecordingColumns, AreListedUpToTen) {
@@ -231,7 +244,9 @@ TEST(RecordingMessages, NameOptionsByTheGivenFunction) {
   EXPECT_THAT(refusal("t,f\n0,314\n"),
               EndsWith("; --frequency_unit and --frequency_offset_hz give another unit and "
                        "deviations"));
-  EXPECT_THAT(refusal("t,f\nnoon,50\n"), EndsWith("; --time_format gives another format"));
+  EXPECT_THAT(
+      refusal("t,f\nnoon,50\n"),
+      HasSubstr("; --time_format gives another format; if this is a heading, --header_rows"));
 }
 
 TEST(RecordingTimes, ThatAreMissingMakeAGap) {
@@ -260,6 +275,12 @@ TEST(RecordingText, IsUtf8OrNot) {
 TEST(RecordingMessages, EscapeWhatIsNotPrintable) {
   expect_refused("t,f\n0,\"5\0\x1b\xff\xc3\xa4\"\n"s, format_of(), "r.csv:2:3: ",
                  "`5\\x00\\x1b\\xff\xc3\xa4` is not a finite number, it has NUL bytes");
+  expect_refused("t,f\n0,50\xc2\xa0\n", format_of(), "r.csv:2:3: ", "it has the character U+00A0");
+  expect_refused(
+      "t,f\n0,\xe2\x88\x92"
+      "1\n",
+      format_of(), "r.csv:2:3: ", "the character U+2212");
+  expect_refused("t,f\n0\xe2\x80\x89,50\n", format_of(), "r.csv:2:1: ", "the character U+2009");
   expect_refused("t\0,f\n0,50\n"s, format_of(), "r.csv:1:1: ", "the columns are `t\\x00`, `f`");
   EXPECT_THAT(
       [] { (void)read_trace("t,f\n0," + std::string(5000, 'x') + "\n", "r.csv", format_of()); },

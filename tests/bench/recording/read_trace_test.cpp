@@ -121,6 +121,8 @@ TEST_F(ReadTrace, RefusesInvalidTimes) {
 TEST_F(ReadTrace, RefusesTimesThatDoNotIncrease) {
   expect_refused("t,f\n0,50\n2,50\n1,50\n", columns_, "4:1", "time `1` is not later");
   expect_refused("t,f\n0,50\n0,50\n", columns_, "3:1", "time `0` is not later");
+  expect_refused("t,f\n0,50\n1e-13,51\n", columns_, "3:1", "must increase by at least 1 ps");
+  EXPECT_EQ(read_trace("t,f\n0,50\n2e-12,51\n", "r.csv", columns_).points.size(), 2U);
 }
 
 TEST_F(ReadTrace, RefusesTimesOfDifferentFormats) {

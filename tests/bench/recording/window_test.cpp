@@ -85,7 +85,7 @@ TEST(RecordingWindow, IsGivenByDatesOfTheRecording) {
   EXPECT_EQ(played(zoned, "2025-10-26 02:00:01", "").rows, 2U) << "the recording's own offset";
   EXPECT_EQ(played(zoned, "2025-10-26T00:00:01Z", "").rows, 2U);
   EXPECT_THAT(refusal("t,f\n0,50\n1,50\n", "2025-10-26 02:00:01", ""),
-              HasSubstr("the recording's times are seconds"));
+              HasSubstr("the recording's times are numbers"));
   TraceFormat format = {"t", "f", "", {}, "26.10.2025 02:01", "60.5"};
   format.time_format = "%d.%m.%Y %H:%M";
   EXPECT_THAT(
@@ -108,22 +108,56 @@ TEST(RecordingWindow, IsGivenByDatesWithoutSecondsOrTime) {
   for (const char* wrong : {"2025-10-26 02", "2025-10-26 02:", "2025-10-26 ", "2025-10",
                             "2025-10-26 02:00:", "2025-10-26 25:00", "2025-02-30"}) {
     EXPECT_THAT(refusal(text, wrong, ""),
-                EndsWith("or date and time such as `2025-04-28 11:00:02.5`, `2025-04-28 11:00` or "
-                         "`2025-04-28`"))
+                EndsWith("or date and time such as `2025-04-28 11:00:02.5`, also without seconds, "
+                         "or a date"))
         << wrong;
   }
   // In rows they might be times that lost their end.
   EXPECT_THAT(refusal("t,f\n2025-10-26 00:00,50\n", "", ""), HasSubstr("is not a time"));
 }
 
+TEST(RecordingWindow, IsGivenInTheFormatOfTheRecordingWithoutSecondsOrTime) {
+  const auto rows = [](const std::string& format, const std::string& text,
+                       const std::string& from) {
+    TraceFormat own = {"t", "f", "", {}, from};
+    own.time_format = format;
+    return read_trace(text, "r.csv", own).rows;
+  };
+  const std::string german =
+      "t,f\n25.10.2025 23:59:59,50\n26.10.2025 00:00:00,50\n26.10.2025 00:01:00,50\n"
+      "26.10.2025 00:01:01,50\n";
+  for (const auto& [from, expected] : {std::pair("26.10.2025", 3U),
+                                       {"26.10.2025 00:01", 2U},
+                                       {"26.10.2025 00:00:30", 2U},
+                                       {"2025-10-26", 3U}}) {
+    EXPECT_EQ(rows("%d.%m.%Y %H:%M:%S", german, from), expected) << from;
+  }
+  const std::string american =
+      "t,f\n10/26/2025 11:59:59 AM,50\n10/26/2025 12:05:00 PM,50\n10/26/2025 12:05:01 PM,50\n";
+  EXPECT_EQ(rows("%m/%d/%Y %I:%M:%S %p", american, "10/26/2025 12:05 PM"), 2U);
+  const std::string time_first =
+      "t,f\n12:00:00 26.10.,50\n12:01:00 26.10.,50\n12:02:00 26.10.,50\n";
+  EXPECT_EQ(rows("%H:%M:%S %d.%m.", time_first, "12:01 26.10."), 2U);
+  for (const char* wrong :
+       {"26.10.2025 00", "26.10.2025 ", "26.10.2025 00:01:", "26.10.2025 25:00"}) {
+    EXPECT_THAT([&] { rows("%d.%m.%Y %H:%M:%S", german, wrong); },
+                ThrowsMessage<FormatError>(EndsWith("date and time as `%d.%m.%Y %H:%M:%S`, also "
+                                                    "without seconds, or a date")))
+        << wrong;
+  }
+}
+
 TEST(RecordingWindow, IsRefusedWithTheKey) {
   const std::string text = "t,f\n0,50\n1,50\n2,50\n";
   EXPECT_THAT(refusal(text, "2", "1"), StartsWith("until_s is 1; it must be above 2, the start"));
   EXPECT_THAT(refusal(text, "noon", ""), StartsWith("from_s is `noon`"));
-  EXPECT_THAT(refusal(text, "-1", ""), StartsWith("from_s is -1"));
-  EXPECT_THAT(refusal("t,f\n\n100,50\n101,50\nx,50\n103,50\n", "90", ""),
-              EndsWith("fewer than two rows to play; the times of the file are `100` (line 3, "
-                       "column 1) … `103` (line 6, column 1)"));
+  EXPECT_THAT(refusal(text, "-1", ""),
+              EndsWith("from_s is -1; it must be at least 0 s after the first row"));
+  EXPECT_THAT(
+      refusal("t,f\n\n100,50\n101,50\nx,50\n103,50\n", "90", ""),
+      EndsWith("fewer than two rows to play; the times of the file are `100` (line 3, "
+               "column 1) … `103` (line 6, column 1), and numbers are seconds after the first "
+               "row"));
   EXPECT_THAT(refusal("t,f\nx,50\n", "1", ""), EndsWith("no row to play; the file has no times"));
 }
 
