@@ -135,11 +135,11 @@ TEST_F(Recording, IsRefusedAtThePositionInTheProfile) {
             "8:8: file is \"folder.csv\"; " + path("folder.csv") +
                 " is a folder, device or pipe; save the recording as an ordinary file");
   EXPECT_EQ(refusal_of_one_with("voltage = \"u\"", ""),
-            "12:19: nominal_voltage is given without a voltage column; give the column "
-            "too, or omit nominal_voltage");
+            "12:19: nominal_voltage is given without a voltage column; give both or none");
   EXPECT_EQ(refusal_of_one_with("from_s = 1.0", "from_s = 3.5"),
             "13:10: from_s leaves fewer than two rows to play; the times of the file are `0` "
-            "(line 2, column 1) … `5` (line 7, column 1)");
+            "(line 2, column 1) … `5` (line 7, column 1), and numbers are seconds after the first "
+            "row");
   EXPECT_EQ(refusal_of_one_with("until_s = 4.0", "until_s = 0.5"),
             "14:11: until_s is 0.5; it must be above 1, the start");
 }
