@@ -182,6 +182,9 @@ struct Describe {
 }  // namespace
 
 Document parse_toml(const std::string& text, const std::string& path) {
+  if (const std::string start = text.substr(0, 2); start == "\xFF\xFE" || start == "\xFE\xFF") {
+    throw error_at(path, {1, 1}, "the file is text in UTF-16; save it as UTF-8");
+  }
   NestingCheck(text, path).run();
   try {
     return {path, convert(toml::parse(text))};

@@ -54,9 +54,16 @@ void read_mqtt(const keys::Table& table, const std::string& file_path, PhysicalO
   if (url->tls && mqtt.ca_file.empty()) {
     table.refuse_missing("ca_file", "the CA certificate that verifies the broker: ca_file = …");
   }
+  if (!url->tls && !mqtt.ca_file.empty()) {
+    table.refuse("ca_file", "ca_file has no effect with mqtt://; for TLS use mqtts://");
+  }
   mqtt.user = table.find_text("user").value_or("");
   mqtt.outlets = outlet_ids(table);
   read_path(table, "password_file", file_path, outlets.password_file, outlets.password_file_at);
+  if (mqtt.user.empty() && !outlets.password_file.empty()) {
+    table.refuse("password_file",
+                 "password_file has no effect without user, the bench's user name at the broker");
+  }
 }
 
 [[noreturn]] void refuse_file(const std::string& at, const char* key, const std::string& path,
@@ -73,6 +80,8 @@ void require_ca(const PhysicalOutlets& outlets) {
     }
   }
 }
+
+constexpr std::size_t kLongestPassword = 65535;  // of a string in MQTT
 
 // The first line, without what editors of other systems add: a byte order mark at its beginning and
 // a carriage return at its end.
@@ -98,6 +107,10 @@ std::string password_of(const PhysicalOutlets& outlets) {
   }
   if (line.empty()) {
     refuse("whose first line is empty; it must be the password");
+  }
+  if (line.size() > kLongestPassword) {
+    refuse(fmt::format("whose first line has {} bytes; a password has at most {}", line.size(),
+                       kLongestPassword));
   }
   return line;
 }

@@ -70,6 +70,7 @@ const char* const kHelp =
     "                        the bench closes it\n"
     "\n"
     "  -h, --help            print this\n"
+    "  --version             print the versions that its hello has\n"
     "\n"
     "Ends at SIGTERM or Ctrl-C, and then departs from the broker.\n"
     "Exit codes: 0 ended; 2 bad usage.\n"

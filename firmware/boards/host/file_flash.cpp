@@ -44,6 +44,10 @@ bool FileFlash::open(const std::string& path, std::string& why) {
     why = path + ": " + std::strerror(errno);
     return false;
   }
+  if (!S_ISREG(state.st_mode)) {
+    why = path + ": is no ordinary file";
+    return false;
+  }
   if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
     why =
         path + ": " + (errno == EWOULDBLOCK ? "is used by another process" : std::strerror(errno));

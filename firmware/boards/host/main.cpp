@@ -52,6 +52,13 @@ superloop::StartUp start_up(const shared_memory_io::SharedMemory& terminals, boo
   return start_up;
 }
 
+void print_version() {
+  constexpr std::uint32_t kVersion = app::kFirmwareVersion;
+  std::printf("gs-outlet %u.%u.%u, build %08x, protocol %u\n", kVersion / 1000000,
+              kVersion / 1000 % 1000, kVersion % 1000, unsigned{GSBENCH_FIRMWARE_BUILD},
+              unsigned{wire::kProtocolVersion});
+}
+
 template <class Opened>
 std::unique_ptr<host::Line> open(const std::string& place, std::string& why) {
   auto line = std::make_unique<Opened>(place);
@@ -113,10 +120,15 @@ std::optional<host::Curve> make_curve(const host::Arguments& arguments, std::str
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (std::any_of(argv + 1, argv + argc, [](const std::string& argument) {
-        return argument == "--help" || argument == "-h";
-      })) {
+  const auto is_given = [&](const std::string& wanted) {
+    return std::find(argv + 1, argv + argc, wanted) != argv + argc;
+  };
+  if (is_given("--help") || is_given("-h")) {
     std::fputs(host::kHelp, stdout);
+    return 0;
+  }
+  if (is_given("--version")) {
+    print_version();
     return 0;
   }
   host::Arguments arguments;

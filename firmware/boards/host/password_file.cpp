@@ -24,6 +24,12 @@ bool read_password(const std::string& file, std::string& password, std::string& 
     why = file + ": its first line must be the password, as UTF-8 text";
     return false;
   }
+  constexpr std::size_t kLongest = 65535;  // of a string in MQTT
+  if (password.size() > kLongest) {
+    why = file + ": its first line has " + std::to_string(password.size()) +
+          " bytes; a password has at most 65535";
+    return false;
+  }
   return true;
 }
 

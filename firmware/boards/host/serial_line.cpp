@@ -24,7 +24,7 @@ int SerialLine::connect(std::string& far_end, std::string& why) {
       return port;
     }
   }
-  why = device_ + ": " + std::strerror(errno);
+  why = device_ + ": " + (errno == ENOTTY ? "is not a serial port" : std::strerror(errno));
   if (port >= 0) {
     ::close(port);
   }

@@ -120,6 +120,8 @@ TEST_F(PhysicalFile, NeedsAPasswordOnlyForItsLink) {
   }
   (void)folder_.write("pw", std::string("\xFF\xFEs\0e\0", 6));
   EXPECT_THAT(refusal(), refused("which has a NUL in its first line"));
+  (void)folder_.write("pw", std::string(65536, 'x') + "\n");
+  EXPECT_THAT(refusal(), refused("whose first line has 65536 bytes; a password has at most 65535"));
   (void)folder_.write("pw", "secret\n");
   EXPECT_EQ(refusal(), "");
 }

@@ -197,7 +197,9 @@ TEST_F(StationFiles, AreRefusedWithLineColumnAndReason) {
 
 TEST_F(StationFiles, RequireSchemeHostAndPortOfABroker) {
   const auto mqtt = [](const std::string& url) {
-    return std::string(kPhysical) + "[mqtt]\nca_file = \"ca.crt\"\nurl = \"" + url + "\"\n";
+    const bool uses_tls = url.rfind("mqtt:", 0) != 0;
+    return std::string(kPhysical) + "[mqtt]\n" + (uses_tls ? "ca_file = \"ca.crt\"\n" : "") +
+           "url = \"" + url + "\"\n";
   };
   for (const char* url : {"mqtt://b:1", "mqtts://b:65535", "mqtts://[fe80::1]:8883"}) {
     EXPECT_EQ(load(mqtt(url)).reachable->mqtt.url, url);
@@ -211,6 +213,14 @@ TEST_F(StationFiles, RequireSchemeHostAndPortOfABroker) {
         "mqtt://" + std::string(300, 'b') + ":1883"}) {
     EXPECT_NE(refusal_of([&] { (void)load(mqtt(url)); }), "") << url;
   }
+}
+
+TEST_F(StationFiles, RefuseKeysOfABrokerThatHaveNoEffect) {
+  const std::string mqtt = std::string(kPhysical) + "[mqtt]\nurl = \"mqtt://b:1\"\n";
+  EXPECT_THAT(refusal_of([&] { (void)load(mqtt + "ca_file = \"ca.crt\"\n"); }),
+              HasSubstr("ca_file has no effect with mqtt://; for TLS use mqtts://"));
+  EXPECT_THAT(refusal_of([&] { (void)load(mqtt + "password_file = \"pw\"\n"); }),
+              HasSubstr("password_file has no effect without user"));
 }
 
 TEST(Stations, UnknownNameIsRefusedWithTheNearestName) {

@@ -70,6 +70,13 @@ TEST_F(GsOutlet, PrintsHelpWhereverItIsAskedFor) {
   }
 }
 
+TEST_F(GsOutlet, PrintsTheVersionAndTheBuildThatItsHelloHas) {
+  const Output output = run("--version");
+  EXPECT_EQ(output.exit_code, 0);
+  EXPECT_THAT(output.text,
+              testing::MatchesRegex("gs-outlet 0\\.1\\.0, build [0-9a-f]{8}, protocol 3\n"));
+}
+
 TEST_F(GsOutlet, RefusesUnknownArguments) {
   for (const std::string wrong : {"--nonsense", "--tcp", "--mqtt mqtt://a:1 something"}) {
     const Output output = run(wrong);
@@ -149,8 +156,9 @@ TEST_F(GsOutlet, RefusesWhatDoesNotFitWithoutTheBench) {
   expect_refused(named + "--loss 3 --signal f", "give --signal or --loss, not both");
   const std::string other = folder_.write("other", "something else");
   expect_refused(line() + " --id a --flash " + other, other + ": not the flash of an outlet");
+  expect_refused(line() + " --id a --flash /dev/null", "/dev/null: is no ordinary file");
   expect_refused("--serial /nowhere/tty --id a", "/nowhere/tty: No such file or directory");
-  expect_refused("--serial " + other + " --id a", other + ": Inappropriate ioctl for device");
+  expect_refused("--serial " + other + " --id a", other + ": is not a serial port");
 }
 
 TEST_F(GsOutlet, RefusesOptionsThatHaveNoEffect) {

@@ -218,6 +218,9 @@ TEST(OutletConnection, PasswordFilesOfOtherEditorsAreRead) {
     EXPECT_EQ(password_in(content), "secret");
   }
   EXPECT_EQ(password_in(" two words \n"), " two words ");
+  EXPECT_EQ(password_in(std::string(65535, 'x')).size(), 65535U);
+  EXPECT_EQ(password_in(std::string(65536, 'x')),
+            folder.file("pw") + ": its first line has 65536 bytes; a password has at most 65535");
   for (const std::string& content : {std::string(), std::string("\r\n"),
                                      std::string("\xEF\xBB\xBF"), std::string("s\0e\0", 4)}) {
     EXPECT_EQ(password_in(content),
