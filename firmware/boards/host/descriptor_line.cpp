@@ -58,9 +58,10 @@ void DescriptorLine::serve() {
   transmit();
 }
 
+// What the outlet has not handled yet is not read further: TCP then holds the sender back.
 void DescriptorLine::receive() {
   std::uint8_t bytes[1024];
-  while (descriptor_ >= 0) {
+  while (descriptor_ >= 0 && received_.size() < kMostReceivedBytes) {
     const ssize_t got = ::read(descriptor_, bytes, sizeof bytes);
     if (got > 0) {
       take(bytes, static_cast<std::size_t>(got));

@@ -5,6 +5,7 @@
 #include "line.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,9 @@ namespace gs::host {
 
 class DescriptorLine : public Line {
  public:
+  // No more bytes are read while so many wait; what one read and a frame add may come on top.
+  static constexpr std::size_t kMostReceivedBytes = 8192;
+
   ~DescriptorLine() override { close(); }
   DescriptorLine() = default;
   DescriptorLine(const DescriptorLine&) = delete;

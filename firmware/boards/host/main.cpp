@@ -195,7 +195,7 @@ int main(int argc, char** argv) {
       loop.send_hello();
     }
     loop.note_unsent(line->take_unsent());
-    while (loop.turn()) {
+    while (!ended && loop.turn()) {
     }
   }
   if (line->is_connecting()) {
