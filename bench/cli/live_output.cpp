@@ -62,14 +62,14 @@ LiveOutput::LiveOutput(const station::StationFile& file, const std::string& stat
                           file.source_port, station));
   said_if_killed = &if_killed_;
   first_ends = first == FirstSignal::kEnd;
-  std::signal(SIGPIPE, SIG_IGN);
+  before_ = std::signal(SIGPIPE, SIG_IGN);
 }
 
 LiveOutput::~LiveOutput() {
   if (!if_killed_.empty()) {
     first_ends = false;
     said_if_killed = nullptr;
-    std::signal(SIGPIPE, SIG_DFL);
+    std::signal(SIGPIPE, before_);
   }
 }
 

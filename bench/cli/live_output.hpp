@@ -35,6 +35,7 @@ class LiveOutput {
 
  private:
   std::string if_killed_;
+  void (*before_)(int) = nullptr;  // the handler of SIGPIPE
 };
 
 // The state of a source's output once a command is done with it.

@@ -88,6 +88,9 @@ Rejudged judged_again(const std::string& path) {
   Rejudged again;
   again.run = reader.head();
   again.recorded = again.run.verdict;
+  if (again.run.profile_text.empty()) {
+    throw record::StoreError(path + ": cannot be judged again: " + again.run.verdict_reason);
+  }
   const profile::Plan plan = judge::plan_of(again.run);
   const judge::Judge judge(plan, again.run);
   for (std::size_t i = 0; i < reader.outlets(); ++i) {

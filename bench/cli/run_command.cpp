@@ -7,6 +7,7 @@
 #include "trace_arguments.hpp"
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -77,6 +78,8 @@ int run(const RunArguments& arguments) {
   const auto file = station::load_station(arguments.station);
   const profile::Plan plan = station::fit_to_station(file, asked);
   const std::atomic<bool>& interrupted = catch_interrupts();
+  std::signal(SIGPIPE,
+              SIG_IGN);  // the run is kept, and its reports, if nobody reads what it prints
   const auto station = file.make_station(plan, arguments.simulated);
 
   if (arguments.dry_run) {

@@ -28,7 +28,7 @@ constexpr const char* kUnfinished = ".unfinished-";
 // A folder without permission counts as one with a record: reading it then reports the error.
 bool holds_record(const fs::path& folder) {
   std::error_code error;
-  return fs::exists(folder / kRecordFile, error) || error == std::errc::permission_denied;
+  return fs::is_regular_file(folder / kRecordFile, error) || error == std::errc::permission_denied;
 }
 
 // Folders with a record in an output folder, in the order of their names.
@@ -170,12 +170,25 @@ std::vector<std::string> list_unfinished(const std::string& output_folder) {
   return unfinished;
 }
 
+void refuse_empty_record(const std::string& record) {
+  std::error_code unknown;  // reading it reports it
+  const bool is_new = begins_with(fs::absolute(record).parent_path(), kUnfinished);
+  if (!is_new && fs::file_size(record, unknown) == 0 && !unknown) {
+    throw record::StoreError(record + ": is empty; no record begins so, or its contents are lost");
+  }
+}
+
 std::string find_record(const std::string& run, const std::string& output_folder) {
   std::error_code error;
-  if (fs::is_directory(run, error) && holds_record(run)) {
-    return (fs::path(run) / kRecordFile).string();
+  if (fs::is_directory(run, error)) {
+    if (holds_record(run)) {
+      refuse_empty_record((fs::path(run) / kRecordFile).string());
+      return (fs::path(run) / kRecordFile).string();
+    }
+    throw profile::ConfigurationError(run + ": this folder holds no " + kRecordFile);
   }
   if (fs::is_regular_file(run, error)) {
+    refuse_empty_record(run);
     return run;
   }
   if (error == std::errc::permission_denied) {
@@ -194,6 +207,7 @@ std::string find_record(const std::string& run, const std::string& output_folder
     }
   }
   if (found.size() == 1) {
+    refuse_empty_record(found.front());
     return found.front();
   }
   throw profile::ConfigurationError(

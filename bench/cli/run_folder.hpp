@@ -49,6 +49,9 @@ void write_reports(const render::View& run, const std::string& folder, bool on_r
 // Throws profile::ConfigurationError if no run or several runs match.
 std::string find_record(const std::string& run, const std::string& output_folder);
 
+// Throws record::StoreError if the file has no bytes. A run that has just begun may have none yet.
+void refuse_empty_record(const std::string& record);
+
 // Record files of ended runs in an output folder, in the order of their folder names. Throws
 // record::StoreError if the folder cannot be read.
 std::vector<std::string> list_records(const std::string& output_folder);

@@ -25,6 +25,8 @@ struct KeptRun {
   record::RunRecord head;
   bool in_progress;
 
+  // A run in progress has none yet.
+  const char* verdict() const { return in_progress ? nullptr : record::to_string(head.verdict); }
   const char* state() const {
     return in_progress                  ? "in progress"
            : !head.finished_utc.empty() ? "finished"
@@ -42,6 +44,7 @@ std::vector<KeptRun> runs_by_age(const std::string& output_folder) {
   std::vector<KeptRun> kept;
   for (const std::string& path : records) {
     try {
+      refuse_empty_record(path);
       const bool in_progress = record::is_in_progress(path);
       record::RunRecord head = record::read_head(path);
       const std::string folder = std::filesystem::path(path).parent_path().filename().string();
@@ -64,7 +67,8 @@ nlohmann::ordered_json as_json(const std::vector<KeptRun>& kept) {
                    {"state", run.state()},
                    {"profile", run.head.profile},
                    {"seed", run.head.seed},
-                   {"verdict", record::to_string(run.head.verdict)}});
+                   {"verdict", run.verdict() == nullptr ? nlohmann::ordered_json()
+                                                        : nlohmann::ordered_json(run.verdict())}});
   }
   return all;
 }
@@ -73,7 +77,7 @@ nlohmann::ordered_json as_json(const std::vector<KeptRun>& kept) {
 void print(const std::vector<KeptRun>& kept) {
   std::vector<std::vector<std::string>> rows = {{"run", "state", "verdict", "seed", "profile"}};
   for (const KeptRun& run : kept) {
-    rows.push_back({run.name, run.state(), record::to_string(run.head.verdict),
+    rows.push_back({run.name, run.state(), run.verdict() == nullptr ? "-" : run.verdict(),
                     std::to_string(run.head.seed), run.head.profile});
   }
   for (const std::string& line : render::aligned(rows, "lllrl")) {

@@ -141,7 +141,7 @@ bool Dialect::is_gap(const std::string& text) const {
   }
   const std::optional<double> value = number(text);
   return std::any_of(gaps_.begin(), gaps_.end(), [&](const std::string& gap) {
-    return gap == word || (value && parse_number(gap) == value);
+    return gap == word || (value && (number(gap) == value || parse_number(gap) == value));
   });
 }
 

@@ -18,6 +18,12 @@ class TimeWindow {
   // True if rows may precede the window.
   bool has_start() const { return from_.has_value(); }
   bool counts_from_first_row() const { return is_relative(from_) || is_relative(until_); }
+  // True if the limits depend on the first row: on its time, or on its offset from UTC. After
+  // start_at().
+  bool needs_first_row() const {
+    return counts_from_first_row() ||
+           (first_.kind == Instant::Kind::kZoned && (is_local(from_) || is_local(until_)));
+  }
 
   // `first`: the first instant of the recording. To be called before the functions below. Throws
   // FormatError if a limit cannot be compared with it, or if `until` is not after `from`.
@@ -29,6 +35,10 @@ class TimeWindow {
  private:
   static bool is_relative(const std::optional<Instant>& limit) {
     return limit && limit->kind == Instant::Kind::kSeconds;
+  }
+
+  static bool is_local(const std::optional<Instant>& limit) {
+    return limit && limit->kind == Instant::Kind::kLocal;
   }
 
   std::string from_text_;

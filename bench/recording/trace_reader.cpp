@@ -251,7 +251,7 @@ void TraceReader::take_gap() {
 }
 
 void TraceReader::take(const Instant& instant, const Row& row) {
-  if (!last_ && window_.counts_from_first_row() && first_row_.data() != csv_.row_text().data()) {
+  if (!last_ && window_.needs_first_row() && first_row_.data() != csv_.row_text().data()) {
     trace_.text += first_row_;
   }
   last_ = instant;

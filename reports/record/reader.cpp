@@ -12,9 +12,13 @@ namespace {
 constexpr const char* kUnfinished =
     "interrupted: the run did not finish; gsbench was ended, or is still playing it";
 
+constexpr const char* kWithoutRun =
+    "interrupted: the record holds no run; gsbench was ended before it stored one, or the file "
+    "beside the record whose name ends in -wal is missing or damaged";
+
 void mark_unfinished(RunRecord& run) {
+  run.interrupted = run.interrupted || run.fault.empty();
   if (run.fault.empty()) {
-    run.interrupted = true;
     run.fault = kUnfinished;
   }
   run.verdict = Verdict::kError;
@@ -36,6 +40,9 @@ struct Reader::Impl {
     database.execute("BEGIN");
     if (database.first<std::int64_t>("SELECT count(*) FROM \"run\"") != 0) {
       head = read_head(database, *stored, complete);
+    } else {
+      head.interrupted = true;
+      head.fault = kWithoutRun;
     }
     if (!complete) {
       mark_unfinished(head);
@@ -44,9 +51,12 @@ struct Reader::Impl {
         static_cast<std::size_t>(database.first<std::int64_t>("SELECT count(*) FROM \"outlet\""));
   }
 
-  // Outlets are judged at the end of a run.
+  // Outlets are judged at the end of a run. If it then fails, some have been stored with results.
   OutletRecord judged(OutletRecord outlet) const {
-    outlet.verdict = complete ? outlet.verdict : Verdict::kError;
+    if (!complete || !is_judged(head)) {
+      outlet.verdict = Verdict::kError;
+      outlet.measurements.clear();
+    }
     return outlet;
   }
 

@@ -130,6 +130,31 @@ TEST_F(ProceedingFile, PlacesWhatAnOutletStampedOnTheTimeOfTheRunOnceItsClockIsK
   EXPECT_THAT(read().trace.frequency_hz, ElementsAre(49.0F, 50.0F, 51.0F));
 }
 
+TEST_F(ProceedingFile, WithoutItsRunIsInterrupted) {
+  const Writer writer(path_);
+  const RunRecord head = Reader(path_).head();
+  EXPECT_TRUE(head.interrupted);
+  EXPECT_EQ(head.verdict, Verdict::kError);
+  EXPECT_THAT(head.verdict_reason, testing::HasSubstr("holds no run"));
+}
+
+// The disk may be full when some outlets have been judged.
+TEST_F(ProceedingFile, OfARunThatWasNotJudgedHasNoMeasurements) {
+  RunRecord run = sample::loss_500mw(2);
+  Writer writer(path_);
+  writer.begin(run);
+  writer.add_outlet(run.outlets[0]);
+  writer.add_outlet(without_reports(run.outlets[1]));
+  ASSERT_FALSE(run.outlets[0].measurements.empty());
+  run.fault = "no space left on the device";
+  run.verdict = Verdict::kError;
+  writer.abandon(run);
+  for (const OutletRecord& outlet : read_run(path_).outlets) {
+    EXPECT_TRUE(outlet.measurements.empty());
+    EXPECT_EQ(outlet.verdict, Verdict::kError);
+  }
+}
+
 TEST_F(ProceedingFile, IsReadWithoutReportsOutletByOutlet) {
   const RunRecord run = sample::loss_500mw(3);
   sample::write(path_, run);

@@ -188,6 +188,40 @@ TEST_F(KeptRuns, ThatDidNotFinishAreReportedAsInterrupted) {
   EXPECT_THAT(csv.out, HasSubstr(",1.008,50,"));
 }
 
+TEST_F(KeptRuns, AreCompleteIfNobodyReadsWhatIsPrinted) {
+  const Outcome outcome = run_gsbench({"run", profile_, "--out", folder_.file("runs")}, [] {
+    int ends[2] = {};
+    if (pipe(ends) != 0 || dup2(ends[1], STDOUT_FILENO) < 0) {
+      _exit(127);
+    }
+    close(ends[0]);
+    close(ends[1]);
+  });
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("standard output cannot be written"));
+  const fs::path kept = only_run(folder_.path() / "runs");
+  EXPECT_THAT(kept.filename().string(), Not(StartsWith(".")));
+  for (const char* file : {"report.html", "result.json", "junit.xml"}) {
+    EXPECT_TRUE(fs::exists(kept / file)) << file;
+  }
+}
+
+TEST_F(KeptRuns, WithoutARecordOrWithAnEmptyOneAreRefused) {
+  const fs::path kept = run("runs");
+  const std::string record = (kept / "record.sqlite").string();
+  fs::resize_file(record, 0);
+  for (const char* command : {"report", "rejudge"}) {
+    expect_refused({command, kept.string()}, record + ": is empty");
+    expect_refused({command, record}, record + ": is empty");
+  }
+  const Words runs = {"runs", "--out", folder_.file("runs"), "--json"};
+  EXPECT_THAT(run_gsbench(runs).err, HasSubstr(record + ": is empty"));
+  fs::remove(record);
+  ASSERT_EQ(mkfifo(record.c_str(), 0600), 0);
+  EXPECT_EQ(json::parse(run_gsbench(runs).out).size(), 0U) << "a pipe is no record";
+  expect_refused({"report", kept.string()}, kept.string() + ": this folder holds no record.sqlite");
+}
+
 TEST_F(KeptRuns, InAFolderWithoutPermissionGiveThatError) {
   if (geteuid() != 0) {
     GTEST_SKIP() << "only root can become nobody";

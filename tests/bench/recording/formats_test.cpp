@@ -59,6 +59,9 @@ TEST(RecordingGaps, AreAlsoGivenWordsAndNumbers) {
   expect_refused("t,f\n0,50\n1,-999.00\n2,49\n", format, "r.csv:3:3: ", "the frequency is -999 Hz");
   format.gaps = {"-999", " Bad "};
   EXPECT_THAT(frequencies_hz("t,f\n0,50\n1,bad\n2,-999.00\n3,49\n", format), ElementsAre(50, 49));
+  format.decimal = ",";
+  format.gaps = {"-999,0", "-1.5"};
+  EXPECT_THAT(frequencies_hz("t;f\n0;50\n1;-999\n2;-1,50\n3;49\n", format), ElementsAre(50, 49));
 }
 
 TEST(RecordingColumns, AreNamesOrNumbers) {

@@ -1,4 +1,5 @@
 // The window of a recording: what is outside it does not matter, what is inside it does.
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -15,9 +16,19 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using testing::ThrowsMessage;
 
+// What the record of a run keeps gives the same points again.
 Trace played(const std::string& text, const std::string& from, const std::string& until,
              const TraceLimits& limits = {}) {
-  return read_trace(text, "r.csv", {"t", "f", "", {}, from, until}, limits);
+  const TraceFormat format = {"t", "f", "", {}, from, until};
+  Trace trace = read_trace(text, "r.csv", format, limits);
+  const Trace again = read_trace(trace.text, "kept.csv", format, limits);
+  EXPECT_EQ(again.text, trace.text);
+  EXPECT_EQ(again.points.size(), trace.points.size());
+  for (std::size_t i = 0; i < std::min(again.points.size(), trace.points.size()); ++i) {
+    EXPECT_EQ(again.points[i].t_s, trace.points[i].t_s);
+    EXPECT_EQ(again.points[i].frequency_hz, trace.points[i].frequency_hz);
+  }
+  return trace;
 }
 
 std::string refusal(const std::string& text, const std::string& from, const std::string& until) {
@@ -84,6 +95,11 @@ TEST(RecordingWindow, IsGivenByDatesOfTheRecording) {
       "2025-10-26T02:00:02+02:00,50\n";
   EXPECT_EQ(played(zoned, "2025-10-26 02:00:01", "").rows, 2U) << "the recording's own offset";
   EXPECT_EQ(played(zoned, "2025-10-26T00:00:01Z", "").rows, 2U);
+  // The end of summer time: the limits are in the offset of the first row.
+  const std::string changing =
+      "t,f\n2025-10-26T02:59:58+02:00,50\n2025-10-26T02:59:59+02:00,50\n"
+      "2025-10-26T02:00:00+01:00,50\n2025-10-26T02:00:01+01:00,50\n2025-10-26T02:00:02+01:00,50\n";
+  EXPECT_EQ(played(changing, "2025-10-26 03:00:01", "2025-10-26 03:00:02").rows, 2U);
   EXPECT_THAT(refusal("t,f\n0,50\n1,50\n", "2025-10-26 02:00:01", ""),
               HasSubstr("the recording's times are numbers"));
   TraceFormat format = {"t", "f", "", {}, "26.10.2025 02:01", "60.5"};

@@ -92,8 +92,9 @@ struct Trace {
   std::vector<Place> voltage_at;   // of the voltage of each point; empty without a voltage column
   std::size_t rows = 0;            // with gaps
   std::size_t gaps = 0;            // rows without a time, frequency or voltage
-  // A CSV with the lines above the data, the rows of the played part, and the row from which `from`
-  // and `until` count. Read with the same format and limits, it gives the same points, bit for bit.
+  // A CSV with the lines above the data, the rows of the played part, and the first row, if `from`
+  // or `until` depends on it. Read with the same format and limits, it gives the same points, bit
+  // for bit.
   std::string text;
 };
 

@@ -99,7 +99,7 @@ class Reader {
   const RunRecord& head() const;  // without outlets
   std::size_t outlets() const;
   // The i-th outlet without its reports; with its marks and what it was sent; with all. Reports are
-  // placed on the run's time.
+  // placed on the run's time. Of a run that was not judged to its end, it has no measurements.
   OutletRecord results(std::size_t i);
   OutletRecord marked(std::size_t i);
   OutletRecord outlet(std::size_t i);
