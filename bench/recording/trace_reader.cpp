@@ -122,7 +122,7 @@ bool TraceReader::next(Row& row) {
       return csv_.next(row);
     } catch (const CsvError&) {
       // Rows outside the window may have any content.
-      if (!is_outside() && !leaves_the_window(row)) {
+      if (!tolerates_flaws() && !leaves_the_window(row)) {
         throw;
       }
       csv_.skip_failed_row();
@@ -158,7 +158,7 @@ const Cell& TraceReader::cell(const Row& row, std::size_t column) const {
 
 // nullopt: a row without a time, which is outside the window or a gap.
 std::optional<Instant> TraceReader::instant_of(const Row& row) {
-  if (is_outside() && time_ >= row.size()) {
+  if (tolerates_flaws() && time_ >= row.size()) {
     return std::nullopt;
   }
   const Cell& time = cell(row, time_);
@@ -173,7 +173,7 @@ std::optional<Instant> TraceReader::instant_of(const Row& row) {
     read_time_ = time;
     return instant;
   }
-  if (is_outside()) {
+  if (tolerates_flaws()) {
     return std::nullopt;
   }
   if (dialect_.is_gap(time.text)) {

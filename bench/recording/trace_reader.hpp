@@ -37,7 +37,8 @@ class TraceReader {
   [[noreturn]] void refuse_header(std::size_t row) const;
   void check_is_header() const;
   std::string option(const char* key) const;  // its name, in advice
-  bool is_outside() const { return where_ != Where::kInside; }
+  // The next row may have any content: it is outside the window, or may be.
+  bool tolerates_flaws() const { return where_ != Where::kInside; }
   bool reached_duration() const;
   bool next(Row& row);
   bool leaves_the_window(const Row& row);

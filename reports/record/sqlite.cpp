@@ -48,10 +48,6 @@ std::string cause_of(sqlite3* handle, int code) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 // If no other process has the database open, it is one plain file afterwards.
 void recover(const std::string& absolute) {
   std::error_code ignored;  // a folder that cannot be written

@@ -66,8 +66,9 @@ TEST(Interrupt, AHangUpThatTheParentIgnoresDoesNotEndIt) {
 TEST(Interrupt, AKilledRunIsListedAsUnfinished) {
   const TemporaryFolder folder;
   const Started started = start_slow_run(folder);
-  EXPECT_EQ(run_for_json({"runs", "--out", folder.file("runs"), "--json"})[0]["state"],
-            "in progress");
+  const json in_progress = run_for_json({"runs", "--out", folder.file("runs"), "--json"})[0];
+  EXPECT_EQ(in_progress["state"], "in progress");
+  EXPECT_TRUE(in_progress["verdict"].is_null());
   EXPECT_EQ(stop(started, SIGKILL).exit_code, 128 + SIGKILL);
   const Outcome list = run_gsbench({"runs", "--out", folder.file("runs")});
   EXPECT_EQ(list.exit_code, 0);
