@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <map>
 #include <thread>
-#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,7 +36,7 @@ void add_choice(CLI::App& command, const std::string& name, Choice& choice,
       ->default_str(usual->first);
 }
 
-nlohmann::ordered_json versioned(nlohmann::ordered_json object, int format_version) {
+nlohmann::ordered_json versioned(const nlohmann::ordered_json& object, int format_version) {
   nlohmann::ordered_json out = {{"format_version", format_version}};
   out.update(object);
   return out;
@@ -71,10 +70,10 @@ void print_json_document(const nlohmann::ordered_json& value) {
 
 void print_json(nlohmann::ordered_json value, int format_version) {
   if (!value.is_array()) {
-    return print_json_document(versioned(std::move(value), format_version));
+    return print_json_document(versioned(value, format_version));
   }
   for (nlohmann::ordered_json& object : value) {
-    object = versioned(std::move(object), format_version);
+    object = versioned(object, format_version);
   }
   print_json_document(value);
 }
