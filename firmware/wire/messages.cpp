@@ -53,7 +53,7 @@ const char* to_string(ErrorCode code) {
                                            "malformed message received",
                                            "message of an unknown kind received",
                                            "samples lost",
-                                           "settings could not be kept",
+                                           "settings could not be stored",
                                            "restarted by the watchdog",
                                            "the crystal did not start",
                                            "message of an unknown session received",

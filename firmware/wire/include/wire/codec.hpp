@@ -1,6 +1,7 @@
 // Messages as bytes. Each message is one CBOR array:
-//   from the outlet  [kind, sequence, sample, field, …]
-//   to the outlet    [kind, sequence, field, …]
+//   from the outlet  [kind, sequence, sample, start_number, field, …]
+//                    but hello: [1, sequence, sample, field, …]
+//   to the outlet    [kind, sequence, session, field, …]
 // fields.hpp lists the fields. A reader ignores items after the fields it knows, so that later
 // versions can add fields. A message with a field missing or of another type is malformed. Settings
 // are one field: a map with the keys of outlet/settings.hpp.

@@ -63,8 +63,8 @@ struct Hello {
   std::int32_t nominal_hz = 0;
   float tracker_delay_s = 0.0f;        // age of a measured frequency at its time stamp
   float voltage_delay_s = 0.0f;        // age of a measured voltage at its time stamp
-  std::uint32_t settings_version = 0;  // in force; 0: none
-  std::uint32_t settings_digest = 0;   // outlet::digest of them
+  std::uint32_t settings_version = 0;  // accepted last; 0: none
+  std::uint32_t settings_digest = 0;   // outlet::digest of them; 0: none
   std::uint32_t session = 0;           // of the identify that it answers; 0: sent unasked
   std::uint32_t next_number = 0;       // of the message that follows, hellos not counted
 };
@@ -74,9 +74,10 @@ bool is_valid(const Hello& hello);
 
 struct SettingsAnswer {
   outlet::SettingsError error = outlet::SettingsError::kNone;
-  std::uint32_t version = 0;  // in force now
-  std::uint32_t digest = 0;   // of the settings in force now
-  bool kept = false;          // those in force are stored: they survive a loss of power
+  // Of the settings accepted last, which come into force after an event that is under way.
+  std::uint32_t version = 0;  // 0: none
+  std::uint32_t digest = 0;   // 0: none
+  bool kept = false;          // they are stored: they survive a loss of power
 };
 
 struct MeasurementMessage {
@@ -105,7 +106,8 @@ struct EstimateMessage {
 struct DecisionMessage {
   float loss_mw = 0.0f;
   float loss_sigma_mw = 0.0f;
-  float nadir_hz = 0.0f;        // predicted if nothing more is shed; NaN if the paper's way decides
+  // Predicted if nothing more is shed; NaN with method 0, or if the event had no confirmed change.
+  float nadir_hz = 0.0f;
   float required_mw = 0.0f;     // ΔP_v: what must be shed now
   float shed_before_mw = 0.0f;  // required by earlier decisions that were followed
   std::uint16_t hits = 0;
