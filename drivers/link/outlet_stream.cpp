@@ -77,12 +77,21 @@ bool OutletStream::take_start(const gs::wire::Uplink& message) {
   if (std::count(earlier_starts_.begin(), earlier_starts_.end(), number) > 0) {
     return false;
   }
-  wants_identify_ = wants_identify_ || !is_hello(message);
   if (delivery_ == Delivery::kByCable && !is_hello(message)) {
+    want_identify(number);
+    open_ = false;
     return false;
   }
+  wants_identify_ = wants_identify_ || !is_hello(message);
   begin_start(number);
   return true;
+}
+
+// On a cable, the link repeats it until the outlet has answered.
+void OutletStream::want_identify(std::uint32_t start) {
+  wants_identify_ =
+      wants_identify_ || delivery_ == Delivery::kByBroker || identified_start_ != start;
+  identified_start_ = start;
 }
 
 void OutletStream::begin_start(std::uint32_t number) {
@@ -125,7 +134,11 @@ void OutletStream::look_at_session(const gs::wire::Uplink& message) {
       others_.expect(message.hello.next_number);
     }
     open_ = open_ || message.hello.session == session_;
-    wants_identify_ = !open_;
+    if (open_) {
+      wants_identify_ = false;
+    } else {
+      want_identify(message.start_number);
+    }
   } else if (message.kind == UplinkKind::kError &&
              message.error.code == gs::wire::ErrorCode::kUnknownSession &&
              message.error.detail == session_) {

@@ -45,6 +45,7 @@ struct Line {
   gs::wire::FrameReader reader;
   OutletStream stream{Delivery::kByCable};
   std::optional<gs::wire::Hello> hello;  // of the outlet that joined on it
+  Clock::time_point next_identify;       // if its outlet has not answered by then
   std::string cannot_open;               // why; empty: it is open, or was
   bool unplugged = false;
   bool left = false;
@@ -61,6 +62,7 @@ struct FramedLink::Impl {
   // Call these with `mutex` held.
   void open_ports();
   void ask();
+  void identify(Line& line);
   void take(Line& line, const std::vector<std::uint8_t>& bytes, std::int64_t arrival_ns);
   void take(Line& line, const gs::wire::Uplink& message, std::int64_t arrival_ns);
   void join(Line& line, const gs::wire::Uplink& message, std::int64_t arrival_ns);
@@ -103,10 +105,15 @@ void FramedLink::Impl::ask() {
   for (const auto& line : lines) {
     const bool answered =
         line->hello && !line->joins_again && (line->faulty || line->stream.is_open());
-    if (!answered && !line->unplugged) {
-      send(*line, gs::wire::identify());
+    if (!answered && !line->unplugged && Clock::now() >= line->next_identify) {
+      identify(*line);
     }
   }
+}
+
+void FramedLink::Impl::identify(Line& line) {
+  send(line, gs::wire::identify());
+  line.next_identify = Clock::now() + kAskEvery;
 }
 
 Line* FramedLink::Impl::find(const std::string& id) {
@@ -184,7 +191,7 @@ void FramedLink::Impl::take(Line& line, const std::vector<std::uint8_t>& bytes,
       take(line, *message, arrival_ns);
     }
     if (line.stream.take_wants_identify() && !line.faulty) {
-      send(line, gs::wire::identify());
+      identify(line);
     }
   }
 }
@@ -230,7 +237,7 @@ void FramedLink::Impl::reopen_ports(std::unique_lock<std::mutex>& lock) {
       line->port = std::move(port);
       line->unplugged = false;
       line->cannot_open.clear();
-      send(*line, gs::wire::identify());
+      identify(*line);
       eventfd_write(wake.get(), 1);  // the listener's wait does not include the new port
     }
   }
@@ -245,13 +252,9 @@ void FramedLink::Impl::reopen() {
 
 void FramedLink::Impl::listen() {
   std::unique_lock<std::mutex> lock(mutex);
-  Clock::time_point next_question = Clock::now();
   std::vector<std::uint8_t> bytes;
   while (!ending) {
-    if (Clock::now() >= next_question) {
-      ask();
-      next_question = Clock::now() + kAskEvery;
-    }
+    ask();
     std::vector<pollfd> ready = {{wake.get(), POLLIN, 0}};
     for (const auto& line : lines) {
       ready.push_back({line->port->descriptor(), POLLIN, 0});  // poll() ignores -1

@@ -234,6 +234,24 @@ TEST(OutletStream, AsksForIdentifyUntilAHelloAnswersIt) {
   EXPECT_TRUE(stream.take_wants_identify());
 }
 
+TEST(OutletStream, OnACableAsksForIdentifyOnceForEachStart) {
+  OutletStream stream(Delivery::kByCable, kSession);
+  for (const std::uint32_t start : {1U, 2U}) {
+    gs::wire::Uplink answer = message_of(hello(start));
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      EXPECT_FALSE(takes(stream, measurement(start, i)));
+      EXPECT_EQ(stream.take_wants_identify(), i == 0) << start << "/" << i;
+      EXPECT_FALSE(stream.is_open());
+    }
+    EXPECT_TRUE(takes(stream, gs::wire::test::encoded(answer, 0)));
+    EXPECT_FALSE(stream.take_wants_identify()) << "the link repeats it";
+    EXPECT_FALSE(stream.is_open());
+    answer.hello.session = kSession;
+    EXPECT_TRUE(takes(stream, gs::wire::test::encoded(answer, 1)));
+    EXPECT_TRUE(stream.is_open());
+  }
+}
+
 TEST(OutletStream, BeginsItsSessionAgainWhenTheOutletDoesNotKnowIt) {
   OutletStream stream(Delivery::kByBroker, kSession);
   EXPECT_TRUE(takes(stream, hello(1)));

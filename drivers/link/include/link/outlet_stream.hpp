@@ -36,8 +36,9 @@ class OutletStream {
   // Why the newest message could not be read, of those since the newest hello; empty: all could.
   const std::string& unreadable() const { return unreadable_; }
 
-  // True once after each message that must be answered by `identify`: the outlet has restarted, or
-  // does not know this session.
+  // True once after each message that must be answered by `identify` at once: the outlet has
+  // restarted, or does not know this session. On a cable, once for each start; the link repeats it
+  // until is_open().
   bool take_wants_identify() { return std::exchange(wants_identify_, false); }
   // Whether the newest start of the outlet has answered `identify`.
   bool is_open() const { return open_; }
@@ -54,10 +55,12 @@ class OutletStream {
   bool take_number(const gs::wire::Uplink& message, std::uint32_t sequence);
   void look_at_session(const gs::wire::Uplink& message);
   void begin_start(std::uint32_t number);
+  void want_identify(std::uint32_t start);
 
   Delivery delivery_;
   std::uint32_t session_;
-  std::optional<std::uint32_t> start_;  // the newest
+  std::optional<std::uint32_t> start_;             // the newest
+  std::optional<std::uint32_t> identified_start_;  // the newest for which `identify` was wanted
   std::vector<std::uint32_t> earlier_starts_;
   std::string id_;  // of the newest hello
   gs::wire::Sequence hellos_;
