@@ -67,7 +67,9 @@ Json hello_fields(const gs::wire::Hello& hello) {
                  {"settings_version", hello.settings_version},
                  {"settings_digest", hex(hello.settings_digest)},
                  {"keeps_settings", (hello.capabilities & gs::wire::kKeepsSettings) != 0},
-                 {"has_watchdog", (hello.capabilities & gs::wire::kHasWatchdog) != 0}});
+                 {"has_watchdog", (hello.capabilities & gs::wire::kHasWatchdog) != 0},
+                 {"session", hello.session},
+                 {"next_number", hello.next_number}});
   return fields;
 }
 
@@ -100,7 +102,7 @@ std::string details(const Uplink& m) {
     case UplinkKind::kHello:
       return hello_text(m.hello);
     case UplinkKind::kSettingsAnswer:
-      return fmt::format("{}; in force: version {}, digest {:08x}{}",
+      return fmt::format("{}; accepted last: version {}, digest {:08x}{}",
                          gs::outlet::to_string(m.settings_answer.error), m.settings_answer.version,
                          m.settings_answer.digest, m.settings_answer.kept ? ", kept" : "");
     case UplinkKind::kMeasurement:
@@ -128,13 +130,15 @@ std::string details(const Uplink& m) {
     case UplinkKind::kAborted:
       return "the voltage was lost";
     case UplinkKind::kCommandAnswer:
-      return fmt::format("request {}: relay {}", m.command_answer.request,
-                         position(m.command_answer.closed));
+      return fmt::format("request {} of session {}: relay {}", m.command_answer.request,
+                         m.command_answer.session, position(m.command_answer.closed));
     case UplinkKind::kStatus:
       return fmt::format(
-          "{} reports, relay {}, {} samples lost, {} messages bad, {} unsent, {} dropped",
-          m.status.reports, position(m.status.relay_closed), m.status.samples_lost,
-          m.status.messages_bad, m.status.messages_unsent, m.status.messages_dropped);
+          "{} reports, relay {}, cause {}, {}, {} samples lost, {} messages bad, {} unsent, {} "
+          "dropped",
+          m.status.reports, position(m.status.relay_closed), gs::outlet::to_string(m.status.cause),
+          phase_text(m.status.phase), m.status.samples_lost, m.status.messages_bad,
+          m.status.messages_unsent, m.status.messages_dropped);
     case UplinkKind::kSelfTest:
       return m.self_test.failed == 0
                  ? fmt::format("passed, fingerprint {:08x}", m.self_test.fingerprint)
@@ -181,7 +185,9 @@ Json fields_of(const Uplink& m) {
     case UplinkKind::kAborted:
       return Json::object();
     case UplinkKind::kCommandAnswer:
-      return {{"request", m.command_answer.request}, {"relay", position(m.command_answer.closed)}};
+      return {{"request", m.command_answer.request},
+              {"relay", position(m.command_answer.closed)},
+              {"session", m.command_answer.session}};
     case UplinkKind::kStatus:
       return status_fields(m.status);
     case UplinkKind::kSelfTest:

@@ -114,7 +114,8 @@ TEST_P(AnyOutlet, IsMonitoredAsOneJsonObjectOnEachLine) {
                                            "nominal_hz",      "tracker_delay_s",
                                            "voltage_delay_s", "settings_version",
                                            "settings_digest", "keeps_settings",
-                                           "has_watchdog",    "arrival_s",
+                                           "has_watchdog",    "session",
+                                           "next_number",     "arrival_s",
                                            "start_number",    "sample",
                                            "format_version"}));
   EXPECT_EQ(joined["format_version"], 1);
