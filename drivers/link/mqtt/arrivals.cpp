@@ -12,7 +12,12 @@ namespace gsbench::link {
 namespace {
 
 constexpr std::string_view kPrefix = "gs/";
-constexpr std::string_view kHelloEnd = "/hello";
+
+// Of the topics that the bench subscribes to. Empty: an outlet without an id.
+std::string_view id_in(std::string_view topic) {
+  topic.remove_prefix(std::min(kPrefix.size(), topic.size()));
+  return topic.substr(0, topic.find('/'));
+}
 
 std::string instance_text(std::uint32_t instance) {
   char text[16];
@@ -35,19 +40,21 @@ std::int64_t now_ns() {
 void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::size_t size,
                     bool retained) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (places_.count(topic) == 0 && size > 0) {
-    add(topic);
+  if (size > 0 && places_.count(topic) == 0 && !id_in(topic).empty()) {
+    newcomers_.push_back(add(id_in(topic)));
   }
   const auto found = places_.find(topic);
   if (found == places_.end() ||
       (outlets_[found->second.outlet].faulty &&
        !(found->second.hello &&
-         is_looked_at_again(outlets_[found->second.outlet], message, size, retained)))) {
+         is_looked_at_again(found->second.outlet, message, size, retained)))) {
     return;
   }
   if (found->second.hello) {
     take_hello(found->second.outlet, message, size, retained);
-  } else if (Outlet& outlet = outlets_[found->second.outlet]; outlet.joined && size > 0) {
+  } else if (Outlet& outlet = outlets_[found->second.outlet]; !outlet.joined) {
+    outlet.here = outlet.here || size > 0;
+  } else if (size > 0) {
     if (const auto read = outlet.stream.take(message, size)) {
       happenings_.messages.push_back({outlet.id, *read, now_ns(), outlet.stream.sequence()});
     }
@@ -58,10 +65,11 @@ void Arrivals::take(std::string_view topic, const std::uint8_t* message, std::si
 // Whether this message on the hello topic of an excluded outlet is to be taken: the outlet has
 // left, and another, or the same one, is there now; or after a hello with a fault, the outlet has
 // started again, perhaps with other firmware.
-bool Arrivals::is_looked_at_again(Outlet& outlet, const std::uint8_t* message, std::size_t size,
+bool Arrivals::is_looked_at_again(std::size_t place, const std::uint8_t* message, std::size_t size,
                                   bool retained) {
+  Outlet& outlet = outlets_[place];
   if (size == 0) {
-    leave(outlet);
+    leave(place);
     return false;
   }
   if (retained || outlet.takes_turns) {
@@ -84,14 +92,19 @@ bool Arrivals::is_looked_at_again(Outlet& outlet, const std::uint8_t* message, s
     outlet.here = false;
   }
   outlet.faulty = false;
+  outlet.stream.expect_a_gap();  // what it has sent meanwhile was not taken
   return true;
 }
 
-void Arrivals::leave(Outlet& outlet) {
+// Another unit with this id may still be there: it is asked for its hello, which the broker no
+// longer has.
+void Arrivals::leave(std::size_t place) {
+  Outlet& outlet = outlets_[place];
   if (outlet.joined && outlet.here && !outlet.takes_turns) {
     happenings_.changes.emplace_back(Fault{outlet.id, "left the broker"});
   }
   outlet.here = false;
+  newcomers_.push_back(place);
 }
 
 void Arrivals::ask_if_wanted(std::size_t place) {
@@ -100,26 +113,31 @@ void Arrivals::ask_if_wanted(std::size_t place) {
   }
 }
 
-// Ignores topics other than hellos: no other message counts before the outlet's hello.
-void Arrivals::add(std::string_view hello_topic) {
-  const std::size_t around = kPrefix.size() + kHelloEnd.size();
-  if (hello_topic.size() <= around || hello_topic.substr(0, kPrefix.size()) != kPrefix ||
-      hello_topic.substr(hello_topic.size() - kHelloEnd.size()) != kHelloEnd) {
-    return;
-  }
+std::size_t Arrivals::add(std::string_view id) {
   Outlet& outlet = outlets_.emplace_back();
-  outlet.id = hello_topic.substr(kPrefix.size(), hello_topic.size() - around);
-  outlet.hello_topic = hello_topic;
+  outlet.id = id;
+  outlet.hello_topic = topic(outlet.id, kHello);
   outlet.up_topic = topic(outlet.id, kUp);
   places_[outlet.hello_topic] = {outlets_.size() - 1, true};
   places_[outlet.up_topic] = {outlets_.size() - 1, false};
+  return outlets_.size() - 1;
+}
+
+void Arrivals::expect(const std::vector<std::string>& ids) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::string& id : ids) {
+    if (places_.count(topic(id, kHello)) == 0) {
+      newcomers_.push_back(add(id));
+      outlets_.back().here = false;
+    }
+  }
 }
 
 void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::size_t size,
                           bool retained) {
   Outlet& outlet = outlets_[place];
   if (size == 0) {
-    leave(outlet);
+    leave(place);
     return;
   }
   gs::wire::Uplink read;
@@ -140,7 +158,7 @@ void Arrivals::take_hello(std::size_t place, const std::uint8_t* message, std::s
   if (is_hello && !take_identity(outlet, read, sequence)) {
     return;
   }
-  outlet.here = outlet.here || is_hello;
+  outlet.here = outlet.here || is_hello || !outlet.joined;
   if (const auto taken = outlet.stream.take(message, size); taken && !joins) {
     happenings_.messages.push_back({outlet.id, *taken, now_ns(), outlet.stream.sequence()});
   }
@@ -165,6 +183,9 @@ bool Arrivals::take_identity(Outlet& outlet, const gs::wire::Uplink& message,
     exclude(outlet, kSameId + ("instances " + instance_text(outlet.hello.instance)) + " and " +
                         instance_text(hello.instance));
     return false;
+  }
+  if (outlet.joined && other_version.empty() && hello.instance != outlet.hello.instance) {
+    outlet.turns = Turns();
   }
   outlet.takes_turns =
       other_version.empty() && outlet.turns.take(message.start_number, sequence, !outlet.here);
@@ -202,6 +223,8 @@ void Arrivals::exclude(Outlet& outlet, const std::string& fault) {
 
 std::vector<std::size_t> Arrivals::take_newcomers() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  std::sort(newcomers_.begin(), newcomers_.end());
+  newcomers_.erase(std::unique(newcomers_.begin(), newcomers_.end()), newcomers_.end());
   return std::exchange(newcomers_, {});
 }
 
@@ -220,14 +243,16 @@ std::optional<std::size_t> Arrivals::find(const std::string& id) {
 
 std::vector<std::uint8_t> Arrivals::encode(std::size_t outlet, const gs::wire::Downlink& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (outlets_[outlet].faulty) {
+  Outlet& wanted = outlets_[outlet];
+  const bool seeks_another = message.kind == gs::wire::DownlinkKind::kIdentify && !wanted.here;
+  if (wanted.takes_turns || (wanted.faulty && !seeks_another)) {
     return {};
   }
-  if (!outlets_[outlet].here) {
-    outlets_[outlet].stream.note("was not sent a message: it is not on the broker");
+  if (!wanted.here && !seeks_another) {
+    wanted.stream.note("was not sent a message: it is not on the broker");
     return {};
   }
-  return outlets_[outlet].stream.encode(message);
+  return wanted.stream.encode(message);
 }
 
 void Arrivals::note(std::size_t outlet, const std::string& fault) {

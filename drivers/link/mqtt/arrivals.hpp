@@ -35,13 +35,17 @@ class Arrivals {
 
   // ---- called by the bench; outlets are numbered from 0 in the order of their first hellos
 
-  // Outlets to which the bench must send `identify`: because their hello was retained, or because
-  // they have not begun its session.
+  // Call once, after the subscription: outlets that are wanted. Those of which nothing has arrived
+  // are newcomers: they may be there although the broker has no hello of theirs.
+  void expect(const std::vector<std::string>& ids);
+  // Outlets to which the bench must send `identify`, each once: because they were heard for the
+  // first time, their hello was retained, they have not begun the bench's session, or a unit with
+  // their id has left.
   std::vector<std::size_t> take_newcomers();
   const std::string& id(std::size_t outlet);
   std::optional<std::size_t> find(const std::string& id);  // among those that joined
   // The message to the outlet, as bytes. Empty if the outlet is faulty. Empty also if the outlet
-  // has left the broker; this is noted as a fault.
+  // has left the broker; this is noted as a fault. `identify` may be sent to one that has left.
   std::vector<std::uint8_t> encode(std::size_t outlet, const gs::wire::Downlink& message);
   void note(std::size_t outlet, const std::string& fault);
   // Appends what happened since the last call. The places are left empty.
@@ -71,11 +75,11 @@ class Arrivals {
     bool hello = false;
   };
 
-  void add(std::string_view hello_topic);
+  std::size_t add(std::string_view id);
   void take_hello(std::size_t place, const std::uint8_t* message, std::size_t size, bool retained);
-  bool is_looked_at_again(Outlet& outlet, const std::uint8_t* message, std::size_t size,
+  bool is_looked_at_again(std::size_t place, const std::uint8_t* message, std::size_t size,
                           bool retained);
-  void leave(Outlet& outlet);
+  void leave(std::size_t place);
   void ask_if_wanted(std::size_t place);
   bool take_identity(Outlet& outlet, const gs::wire::Uplink& message, std::uint32_t sequence);
   static void set_hello(Outlet& outlet, const gs::wire::Uplink& message, bool faulty);

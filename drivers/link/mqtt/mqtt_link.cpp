@@ -39,7 +39,9 @@ Status MqttLink::open() {
   if (done.ok()) {
     done = opened_->connection.subscribe(std::move(filters));
   }
-  if (!done.ok()) {
+  if (done.ok()) {
+    opened_->arrivals.expect(options_.outlets);
+  } else {
     close();
   }
   return done;

@@ -48,7 +48,7 @@ class Centre:
 
     def say(self, outlet, name, *values):
         peer = self.peers[outlet]
-        if peer.excluded:
+        if peer.excluded and name != "identify":
             raise ValueError("excluded: " + outlet)
         sequence = peer.sent
         peer.sent = (peer.sent + 1) % numbering.MODULUS
@@ -75,6 +75,7 @@ class Centre:
             if on_hello_topic:
                 peer.connected, peer.instance = False, None
                 self.note("departed", outlet)
+                self.say(outlet, "identify")  # another unit with this id may be there
             return
         try:
             message = messages.read_uplink(data)

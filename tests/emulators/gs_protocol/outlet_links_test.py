@@ -119,6 +119,11 @@ class Behind(unittest.TestCase):
         self.rig.next("twins")
         self.assertRaises(ValueError, self.rig.ask, "ping", 1)
         remove(three)
+        self.rig.until(lambda: self.rig.peer.instance == 2)  # nobody asks it but the centre
+        self.rig.answer("ping", "echo", 2)
+        later = self.rig.another()
+        self.assertTrue(later.until(lambda: later.centre.peers[NAME].identified), "its hello is retained again")
+        later.close()
         remove(two)
         add("4")
         self.rig.until(lambda: self.rig.peer.instance == 4 and self.rig.peer.identified)

@@ -43,6 +43,9 @@ class OutletStream {
   // Whether the newest start of the outlet has answered `identify`.
   bool is_open() const { return open_; }
 
+  // Messages before the next one do not count as lost: they were not given to take().
+  void expect_a_gap() { others_.restart(); }
+
   // Notes any other fault of this outlet, such as a frame with a wrong CRC.
   void note(const std::string& fault) { faults_.push_back(fault); }
   std::vector<std::string> take_faults() { return std::exchange(faults_, {}); }

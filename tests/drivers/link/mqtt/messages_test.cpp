@@ -1,4 +1,5 @@
-// Messages over a broker: forbidden ones, restarts, and outlets that use another's id.
+// Messages over a broker: forbidden ones, restarts, and outlets that leave, return or use another's
+// id.
 #include "outlets_on_a_broker.hpp"
 
 #include <csignal>
@@ -93,91 +94,6 @@ TEST_F(Broker, TwoCentresServeOneOutlet) {
   ASSERT_TRUE(answers(kA, 7));
   EXPECT_TRUE(a.relay_closed()) << "the request of another session";
   EXPECT_THAT(faults_, IsEmpty());
-}
-
-TEST_F(Broker, ALaterOutletWithTheSameIdIsAFault) {
-  MqttOutlet one(broker_, "a", 1);
-  open({"a"});
-  MqttOutlet two(broker_, "a", 2);
-  EXPECT_TRUE(
-      is_reported(kA, "has the same id as another outlet: instances 0x00000001 and 0x00000002"));
-}
-
-TEST_F(Broker, AnOutletMayTakeThePlaceOfTwoWithTheSameIdOnceTheyHaveLeft) {
-  {
-    MqttOutlet one(broker_, "a", 1);
-    open({"a"});
-    MqttOutlet two(broker_, "a", 2);
-    ASSERT_TRUE(is_reported(kA, "instances 0x00000001 and 0x00000002"));
-  }
-  MqttOutlet three(broker_, "a", 3);
-  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
-  EXPECT_EQ(joined_.back().hello.instance, 3U);
-  EXPECT_EQ(joined_.back().fault, "");
-  EXPECT_TRUE(answers(kA));
-}
-
-// They have the same client id: the broker lets only one of them be connected.
-TEST_F(Broker, TwoOutletsThatEndEachOthersConnectionAreAFaultAndExcluded) {
-  MqttOutlet one(broker_, "a", 1);
-  open({"a"});
-  MqttOutlet two(broker_, "a", 1);
-  EXPECT_TRUE(
-      is_reported(kA,
-                  "has the same id as another outlet: both have instance 0x00000001, and each "
-                  "ends the other's connection to the broker"));
-  const std::size_t reports = faults(kA).size();
-  EXPECT_LE(reports, 10U) << testing::PrintToString(faults(kA));
-  MqttOutlet b(broker_, "b");
-  std::this_thread::sleep_for(std::chrono::seconds(2));  // they go on
-  poll();
-  EXPECT_EQ(faults(kA).size(), reports) << testing::PrintToString(faults(kA));
-}
-
-TEST_F(Broker, AnOutletThatRestartsAndConnectsAgainOftenIsNoTwin) {
-  for (int i = 0; i < 6; ++i) {
-    std::optional<MqttOutlet> a(std::in_place, broker_, "a", 1U);
-    if (i == 0) {
-      open({"a"});
-    }
-    ASSERT_TRUE(until([&] { return joined_.size() >= static_cast<std::size_t>(i); }));
-    a->restart();
-    a->report_status();
-    ASSERT_TRUE(arrives(kA, UplinkKind::kStatus, static_cast<std::size_t>(i) + 1));
-    a.reset();
-    ASSERT_TRUE(until([&] {
-      const std::vector<std::string> all = faults(kA);
-      return std::count(all.begin(), all.end(), "left the broker") == i + 1;
-    }));
-  }
-  EXPECT_FALSE(reported(kA, "has the same id"));
-}
-
-TEST_F(Broker, AnOutletWhoseHellosOvertakeThoseOfTheStartBeforeIsNoTwin) {
-  MqttOutlet a(broker_, "a", 1);
-  open({"a"});
-  gs::host::MqttCarrier carrier;  // of the same unit, after its restarts
-  std::string why;
-  ASSERT_TRUE(carrier.start(options_of(broker_, "a", 9), why)) << why;
-  gs::wire::Uplink hello;
-  hello.kind = UplinkKind::kHello;
-  hello.hello = present(kA).hello;
-  const auto say = [&](std::uint32_t start, std::uint32_t sequence) {
-    hello.start_number = start;
-    std::uint8_t bytes[gs::wire::kLongestMessage];
-    EXPECT_TRUE(carrier.send(bytes, gs::wire::encode(hello, sequence, bytes, sizeof bytes)));
-  };
-  for (const std::uint32_t sequence : {0U, 1U, 2U, 3U}) {
-    say(77, sequence);
-    say(78, sequence);
-  }
-  say(79, 0);
-  EXPECT_TRUE(until([&] {
-    carrier.serve();
-    const auto hellos = messages(kA, UplinkKind::kHello);
-    return !hellos.empty() && hellos.back().message.start_number == 79;
-  }));
-  EXPECT_FALSE(reported(kA, "has the same id"));
 }
 
 TEST_F(Broker, AnOutletMayTakeThePlaceOfOneThatHasLeft) {
