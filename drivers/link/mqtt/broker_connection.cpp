@@ -248,6 +248,19 @@ void BrokerConnection::Resubscription::on_success(const mqtt::token&) {
   }
 }
 
+void BrokerConnection::Resubscription::on_failure(const mqtt::token& token) {
+  const int reason = token.get_reason_code();
+  if (reason < mqtt::ReasonCode::UNSPECIFIED_ERROR || !connection_.lost_.exchange(false)) {
+    return;
+  }
+  connection_.arrivals_.note_all(
+      "is not heard any more: the broker " +
+      (reason == mqtt::ReasonCode::NOT_AUTHORIZED
+           ? "does not allow the user \"" + connection_.options_.user +
+                 "\" to subscribe to its messages"
+           : "refuses the subscription, MQTT reason code " + std::to_string(reason)));
+}
+
 void BrokerConnection::connection_lost(const std::string&) {
   if (!lost_.exchange(true)) {
     arrivals_.note_all("lost its broker: the connection to " + options_.url + " broke");

@@ -44,8 +44,8 @@ class BrokerConnection final : private mqtt::callback, private mqtt::iaction_lis
     explicit Resubscription(BrokerConnection& connection) : connection_(connection) {}
     void begin(std::size_t filters) { left_ = filters; }
     void on_success(const mqtt::token&) override;
-    // The connection is lost again. The next one subscribes again.
-    void on_failure(const mqtt::token&) override {}
+    // Refused; or the connection is lost again, and the next one subscribes again.
+    void on_failure(const mqtt::token& token) override;
 
    private:
     BrokerConnection& connection_;

@@ -25,6 +25,27 @@ class BrokerOutage : public OutletsOnABroker {
     });
   }
 
+  // From the next start of the broker. Its access list cannot do that; a plugin of it can.
+  void forbid_subscriptions() const {
+    const std::string plugin = "mosquitto_dynamic_security.so";
+    std::string path;
+    for (const auto& folder : std::filesystem::directory_iterator("/usr/lib")) {
+      const std::string candidate = folder.path() / plugin;
+      path = std::filesystem::exists(candidate) ? candidate : path;
+    }
+    ASSERT_NE(path, "") << plugin << " belongs to Mosquitto";
+    const std::string rights = folder_.write(
+        "rights.json",
+        R"({"defaultACLAccess": {"publishClientSend": true, "publishClientReceive": true,
+                                 "subscribe": false, "unsubscribe": true}})");
+    std::istringstream before(folder_.read("broker/mosquitto.conf"));
+    std::string after = "plugin " + path + "\nplugin_opt_config_file " + rights + '\n';
+    for (std::string line; std::getline(before, line);) {
+      after += line.rfind("acl_file", 0) == 0 ? "" : line + '\n';
+    }
+    folder_.write("broker/mosquitto.conf", after);
+  }
+
   // The most bytes of one connection that the broker has received and not read.
   std::uint32_t most_unread() const {
     std::ostringstream port;
@@ -131,6 +152,21 @@ TEST_F(BrokerOutage, AMessageThatTheBrokerDidNotConfirmIsAFaultWithTheReason) {
   EXPECT_TRUE(is_reported(kA,
                           "was not sent a message: the connection to the broker broke before "
                           "the broker confirmed it"));
+}
+
+TEST_F(BrokerOutage, ASubscriptionThatIsRefusedAfterwardsIsAFault) {
+  const MqttOutlet a(broker_, "a");
+  open({"a"});
+  broker_.kill();
+  forbid_subscriptions();
+  demand(broker_.restart());
+  ASSERT_TRUE(is_reported(kA,
+                          "is not heard any more: the broker does not allow the user \"bench\" "
+                          "to subscribe to its messages"));
+  EXPECT_FALSE(reported(kA, "is connected to its broker again"));
+  broker_.kill();
+  EXPECT_TRUE(until([&] { return times(faults(kA), "lost its broker") == 2; }));
+  EXPECT_EQ(times(faults(kA), "is not heard"), 1);
 }
 
 // The outlet expects the previous bench's sequence numbers until the next bench sends `identify`.

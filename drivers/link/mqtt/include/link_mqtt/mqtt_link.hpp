@@ -42,7 +42,8 @@ class MqttLink final : public Link {
   // connection, up to 10000 messages wait for the broker. Blocks up to 0.5 s if that queue is full.
   [[nodiscard]] drivers::Status send(const std::string& id,
                                      const gs::wire::Downlink& message) override;
-  // A lost broker is a fault of each outlet, once for each loss; the link reconnects by itself.
+  // A lost broker is a fault of each outlet, once for each loss; the link reconnects by itself. So
+  // is a subscription that the broker refuses then.
   [[nodiscard]] drivers::Status poll(Happenings& happenings) override;
   std::vector<Fault> missing() override;
   // With a kept session, blocks about 1 s, until the broker has ended it; 5 s at most.
