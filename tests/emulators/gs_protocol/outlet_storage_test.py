@@ -10,8 +10,8 @@ from gs_protocol.rig import Rig
 class Storage:
     LINK = None
 
-    def at(self, *options):
-        self.rig = Rig(self.LINK, *options)
+    def at(self):
+        self.rig = Rig(self.LINK)
         self.addCleanup(self.rig.close)
         self.stores = 0
         self.assertEqual(self.rig.peer.hello["capabilities"] & 1, 1)
@@ -45,7 +45,8 @@ class Storage:
         self.assertEqual(self.rig.peer.hello["settings_version"], version)
 
     def test_a_flash_that_never_takes_anything(self):
-        self.at("--flash", "/dev/full")
+        self.at()
+        resource.prlimit(self.rig.product.process.pid, resource.RLIMIT_FSIZE, (0, 0))
         self.expect(1, kept=False)
         self.expect(2, kept=False)
         self.expect(2, kept=False, error=11)
