@@ -53,8 +53,9 @@ class Broker:
     def __init__(self, folder):
         self.port = free_port()
         path = os.path.join(folder, "broker.conf")
+        # As another user, which Mosquitto would become, it would not end with this process.
         with open(path, "w", encoding="ascii") as file:
-            file.write("listener %d 127.0.0.1\nallow_anonymous true\nmax_inflight_messages 65535\n"
+            file.write("user root\nlistener %d 127.0.0.1\nallow_anonymous true\nmax_inflight_messages 65535\n"
                        "max_queued_messages 0\nset_tcp_nodelay true\n" % self.port)
         self.process = start([shutil.which("mosquitto") or "/usr/sbin/mosquitto", "-c", path],
                              stderr=subprocess.DEVNULL)
