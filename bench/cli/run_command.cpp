@@ -78,8 +78,8 @@ int run(const RunArguments& arguments) {
   const auto file = station::load_station(arguments.station);
   const profile::Plan plan = station::fit_to_station(file, asked);
   const std::atomic<bool>& interrupted = catch_interrupts();
-  std::signal(SIGPIPE,
-              SIG_IGN);  // the run is kept, and its reports, if nobody reads what it prints
+  // The run and its reports are kept also if nobody reads what is printed.
+  std::signal(SIGPIPE, SIG_IGN);
   const auto station = file.make_station(plan, arguments.simulated);
 
   if (arguments.dry_run) {

@@ -178,17 +178,17 @@ void refuse_empty_record(const std::string& record) {
   }
 }
 
-std::string find_record(const std::string& run, const std::string& output_folder) {
+namespace {
+
+std::string path_of_record(const std::string& run, const std::string& output_folder) {
   std::error_code error;
   if (fs::is_directory(run, error)) {
     if (holds_record(run)) {
-      refuse_empty_record((fs::path(run) / kRecordFile).string());
       return (fs::path(run) / kRecordFile).string();
     }
     throw profile::ConfigurationError(run + ": this folder holds no " + kRecordFile);
   }
   if (fs::is_regular_file(run, error)) {
-    refuse_empty_record(run);
     return run;
   }
   if (error == std::errc::permission_denied) {
@@ -207,13 +207,20 @@ std::string find_record(const std::string& run, const std::string& output_folder
     }
   }
   if (found.size() == 1) {
-    refuse_empty_record(found.front());
     return found.front();
   }
   throw profile::ConfigurationError(
       found.empty()
           ? fmt::format("{}: no such run; `gsbench runs` lists those in {}", run, output_folder)
           : fmt::format("{}: {} runs start with this; give more of the id", run, found.size()));
+}
+
+}  // namespace
+
+std::string find_record(const std::string& run, const std::string& output_folder) {
+  std::string record = path_of_record(run, output_folder);
+  refuse_empty_record(record);
+  return record;
 }
 
 }  // namespace gsbench::cli

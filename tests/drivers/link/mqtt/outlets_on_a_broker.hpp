@@ -7,6 +7,7 @@
 #include <test_support/demand.hpp>
 #include <test_support/temporary_folder.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,14 @@ class OutletsOnABroker : public LinkFixture {
 
   void open(const std::vector<std::string>& outlets) {
     LinkFixture::open(std::make_shared<link::MqttLink>(options(outlets)), outlets);
+  }
+
+  // An outlet with the id kA joins without a fault, and answers.
+  void expect_joins(std::uint32_t instance) {
+    ASSERT_TRUE(until([&] { return !joined_.empty(); }));
+    EXPECT_EQ(joined_.back().hello.instance, instance);
+    EXPECT_EQ(joined_.back().fault, "");
+    EXPECT_TRUE(answers(kA));
   }
 
   static std::string refusal(const link::MqttOptions& wrong) {

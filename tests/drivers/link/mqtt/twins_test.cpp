@@ -28,10 +28,7 @@ TEST_F(TwinsOnABroker, AnOutletMayTakeThePlaceOfTwoWithTheSameIdOnceTheyHaveLeft
     ASSERT_TRUE(is_reported(kA, "instances 0x00000001 and 0x00000002"));
   }
   MqttOutlet three(broker_, "a", 3);
-  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
-  EXPECT_EQ(joined_.back().hello.instance, 3U);
-  EXPECT_EQ(joined_.back().fault, "");
-  EXPECT_TRUE(answers(kA));
+  expect_joins(3);
 }
 
 // They have the same client id: the broker lets only one of them be connected.
@@ -105,10 +102,7 @@ TEST_F(TwinsOnABroker, TheOneThatStaysJoinsAgain) {
   ASSERT_TRUE(is_reported(kA, "instances 0x00000001 and 0x00000002"));
   one.take_samples(1280);
   two.reset();
-  ASSERT_TRUE(until([&] { return !joined_.empty(); }));
-  EXPECT_EQ(joined_.back().hello.instance, 1U);
-  EXPECT_EQ(joined_.back().fault, "");
-  EXPECT_TRUE(answers(kA));
+  expect_joins(1);
   one.take_samples(1280);
   EXPECT_TRUE(arrives(kA, UplinkKind::kMeasurement, 10));
   EXPECT_FALSE(reported(kA, "were lost")) << "what was not taken is not lost";
